@@ -1,0 +1,36 @@
+#pragma once
+// What a run has to tell to programs (--report): counts, timings, residuals, certificates, warnings.
+// A flat list of dotted keys in the sequence of their first use; io/report_io nests them and writes JSON.
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace quadrille {
+
+class Report {
+ public:
+  using Value = std::variant<long long, double, bool, std::string, std::vector<double>>;
+
+  /// Sets `key` ("solve.residual"); a later value replaces an earlier one. Non-finite numbers are written as null.
+  void set(const std::string& key, Value value);
+  void set(const std::string& key, int value) { set(key, Value(static_cast<long long>(value))); }
+  void set(const std::string& key, std::size_t value) { set(key, Value(static_cast<long long>(value))); }
+  void set(const std::string& key, const char* value) { set(key, Value(std::string(value))); }
+
+  /// Adds a warning: a stable code ("W-CAD-001") and a sentence. Tools print it too, unless quiet.
+  void warn(const std::string& code, const std::string& message);
+
+  struct Warning {
+    std::string code, message;
+  };
+  const std::vector<std::pair<std::string, Value>>& entries() const { return entries_; }
+  const std::vector<Warning>& warnings() const { return warnings_; }
+
+ private:
+  std::vector<std::pair<std::string, Value>> entries_;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace quadrille

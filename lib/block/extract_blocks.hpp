@@ -1,0 +1,14 @@
+#pragma once
+// The faces of a separatrix graph as blocks.
+
+#include "base/report.hpp"
+#include "model/block_layout.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille {
+
+/// Walks the faces of the planar graph; each must have four corners (sectors of one quarter turn). Throws ComputeError
+/// naming and locating a face that does not. Chords and Jacobian bounds are filled in.
+BlockLayout extract_blocks(const SeparatrixGraph& graph, Report& report);
+
+}  // namespace quadrille

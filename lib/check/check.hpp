@@ -1,0 +1,35 @@
+#pragma once
+// The numbered rules of every format (formats/*.md), one .cpp per format.
+
+#include <string>
+#include <vector>
+
+#include "model/block_layout.hpp"
+#include "model/critical_points.hpp"
+#include "model/field.hpp"
+#include "model/quad_mesh.hpp"
+#include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
+
+namespace quadrille {
+
+struct Violation {
+  std::string rule;  ///< "TRI-R01"
+  std::string text;  ///< what and where
+};
+
+/// quick: whatever a stage relies on so as not to read out of bounds or loop; full: every rule, proofs included.
+enum class CheckDepth { quick, full };
+
+std::vector<Violation> check_cad_face(const CadFace& face, CheckDepth depth);
+std::vector<Violation> check_tri_mesh(const TriMesh& mesh, CheckDepth depth);
+std::vector<Violation> check_field(const Field& field, CheckDepth depth);
+std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth);
+std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, CheckDepth depth);
+std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth);
+std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth);
+
+/// Throws FormatError with the first violation; `name` is the file's name for the message.
+void require_valid(const std::vector<Violation>& violations, const std::string& name);
+
+}  // namespace quadrille

@@ -1,0 +1,29 @@
+#pragma once
+// Arc length of a NURBS curve and its inverse, to round-off, from a table made once per curve.
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+class ArcLength {
+ public:
+  /// Gauss-Legendre on sub-intervals that are halved until two rules agree to 1e-14 of the length.
+  /// Keeps a pointer to `curve`, which must outlive it.
+  explicit ArcLength(const Nurbs& curve);
+
+  double total() const { return lengths_.back(); }
+  /// Length from the curve's beginning to t.
+  double at(double t) const;
+  /// Length from t0 to t1, negative when t1 < t0.
+  double between(double t0, double t1) const { return at(t1) - at(t0); }
+  /// The parameter at `length` from the beginning (clamped), by Newton from the table.
+  double parameter(double length) const;
+
+ private:
+  const Nurbs* curve_;
+  std::vector<double> parameters_, lengths_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,53 @@
+#pragma once
+// A chain of curve pieces taken as ONE curve by the fraction s in [0, 1] of its total arc length: the side of a block.
+
+#include <memory>
+#include <vector>
+
+#include "curve/arc_length.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille {
+
+struct ChainPoint {
+  Vec2 position;
+  Vec2 tangent;   ///< unit, in the direction of walking
+  int piece = 0;  ///< index into the chain's pieces
+  double t = 0;   ///< parameter on that piece's curve
+};
+
+/// Arc-length tables of many curves, made on first use and shared by all chains of one layout.
+class CurveTable {
+ public:
+  /// `face` and `splines` must outlive the table. Curve ids as in SeparatrixGraph.
+  CurveTable(const CadFace& face, const std::vector<Nurbs>& splines);
+  const Nurbs& curve(int id) const;
+  const ArcLength& arc_length(int id) const;
+
+ private:
+  const CadFace* face_;
+  const std::vector<Nurbs>* splines_;
+  mutable std::vector<std::unique_ptr<ArcLength>> tables_;
+};
+
+class Chain {
+ public:
+  /// `table` must outlive the chain. Pieces follow each other; a piece with t0 > t1 is walked backwards.
+  Chain(const CurveTable& table, std::vector<ArcPiece> pieces);
+
+  double length() const { return ends_.back(); }
+  /// The point at fraction s of the length, s in [0, 1] (clamped).
+  ChainPoint at(double s) const;
+  /// Fractions of the joints between pieces, ascending, without 0 and 1.
+  std::vector<double> joint_fractions() const;
+  /// Fractions where an element edge may not straddle: joints between pieces and smoothness_breaks inside CAD pieces.
+  std::vector<double> break_fractions() const;
+  const std::vector<ArcPiece>& pieces() const { return pieces_; }
+
+ private:
+  const CurveTable* table_;
+  std::vector<ArcPiece> pieces_;
+  std::vector<double> ends_;  ///< length up to the end of each piece
+};
+
+}  // namespace quadrille

@@ -1,0 +1,48 @@
+#pragma once
+// Evaluation and elementary surgery of NURBS curves (Piegl and Tiller, The NURBS Book, ch. 3-5).
+// Parameters outside the domain are clamped to it. Knots of multiplicity above `degree` do not occur inside.
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// The point at t.
+Vec2 point(const Nurbs& curve, double t);
+
+/// Point and first three derivatives with respect to t. At a knot the limit from the right, or from the left where
+/// `from_left` (at the ends the only one there is).
+std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left = false);
+
+/// Unit tangent in the direction of rising t (one-sided as above); where the first derivative vanishes, the limit
+/// direction by the next one that does not.
+Vec2 tangent(const Nurbs& curve, double t, bool from_left = false);
+
+/// Signed curvature (positive: bends to the left), one-sided as above.
+double curvature(const Nurbs& curve, double t, bool from_left = false);
+
+/// The same curve walked the other way, on the same parameter interval.
+Nurbs reversed(const Nurbs& curve);
+
+/// The part of the curve on [t0, t1], t0 < t1, by knot insertion: exact, parameters kept.
+Nurbs trimmed(const Nurbs& curve, double t0, double t1);
+
+/// A straight segment with parameter 0..length.
+Nurbs segment(Vec2 a, Vec2 b);
+
+/// A circular arc as rational quadratic pieces of at most 90 degrees, counter-clockwise from angle0 to angle1 > angle0
+/// (clockwise when angle1 < angle0), parameter = angle swept.
+Nurbs circular_arc(Vec2 centre, double radius, double angle0, double angle1);
+
+/// Interpolating C2 cubic spline through `points` at rising `parameters`, with end tangents d/dt given.
+Nurbs cubic_spline(const std::vector<double>& parameters, const std::vector<Vec2>& points, Vec2 start_derivative,
+                   Vec2 end_derivative);
+
+/// Inner knots at which the curve, taken by arc length, is less than C3: where tangent, curvature or its derivative
+/// along the curve jump by more than `relative_tol` of their own scale. Ascending. Double knots of a circle are none.
+std::vector<double> smoothness_breaks(const Nurbs& curve, double relative_tol = 1e-7);
+
+}  // namespace quadrille

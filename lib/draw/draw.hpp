@@ -1,0 +1,28 @@
+#pragma once
+// One SVG picture per stage file, all in one line language (one .cpp per stage over svg.hpp).
+
+#include <string>
+
+#include "model/block_layout.hpp"
+#include "model/critical_points.hpp"
+#include "model/field.hpp"
+#include "model/quad_mesh.hpp"
+#include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
+
+namespace quadrille {
+
+struct DrawOptions {
+  int width = 1000;            ///< pixels
+  std::string show = "psi";    ///< of a field: "u", "v", "psi" or "order"
+};
+
+std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);
+std::string draw_field(const Field& field, const DrawOptions& options);
+/// `field` may be null: then only points and corners are drawn.
+std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options);
+std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options);
+std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options);
+std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options);
+
+}  // namespace quadrille

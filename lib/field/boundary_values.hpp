@@ -1,0 +1,18 @@
+#pragma once
+// Dirichlet data of the guiding field from the exact tangents of the CAD curves (paper, eq. 3).
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/field.hpp"
+
+namespace quadrille {
+
+/// (cos 4 theta, sin 4 theta) of the curve's tangent at t; one-sided at the curve's ends.
+Vec2 boundary_value(const CadFace& face, int curve, double t);
+
+/// boundary_value less all liftings, at the point of `curve` at t: continuous around every loop. At the curve's ends
+/// the lifting of that joint takes its limit along the curve.
+Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
+
+}  // namespace quadrille

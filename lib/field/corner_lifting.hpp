@@ -1,0 +1,26 @@
+#pragma once
+// Exact harmonic liftings of tangent jumps (method.md §3, phase-field.md point 4).
+//
+// At a corner c the data jump from v_in (end of the incoming curve) to v_out (start of the outgoing one). The function
+// jump * theta_c(x), theta_c = Arg((z - c)/(z - p_c)), is harmonic in the domain and has exactly that jump at c, so
+// that what is left after subtracting it has continuous data.
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/field.hpp"
+
+namespace quadrille {
+
+/// theta_c at x; x must not be c.
+double lifting_angle(const Lifting& lifting, Vec2 x);
+/// Its gradient.
+Vec2 lifting_gradient(const Lifting& lifting, Vec2 x);
+/// The limit of theta_c when x -> c along the unit direction d, which points into the closed domain.
+double lifting_angle_at_apex(const Lifting& lifting, Vec2 d);
+
+/// One lifting for every joint whose data jump by more than round-off. The pole is put on the exterior bisector, at
+/// half the way to whatever boundary the bisector meets first, and no farther than the diameter.
+std::vector<Lifting> corner_liftings(const CadFace& face);
+
+}  // namespace quadrille

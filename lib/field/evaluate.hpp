@@ -1,0 +1,43 @@
+#pragma once
+// The guiding field at a point: value, gradient, position. The one way in which later stages see a field.
+
+#include <vector>
+
+#include "mesh/locate.hpp"
+#include "mesh/tri_topology.hpp"
+#include "model/field.hpp"
+#include "spectral/tri_map.hpp"
+
+namespace quadrille {
+
+struct FieldSample {
+  Vec2 x;
+  Mat2 dx_dxi;
+  Vec2 value;  ///< v = (u, v), liftings included
+  Mat2 dv_dx;  ///< rows u, v
+};
+
+class FieldEvaluator {
+ public:
+  /// `field` must outlive the evaluator. Builds maps, topology and locator.
+  explicit FieldEvaluator(const Field& field);
+
+  /// Position and value only: what a streamline needs.
+  Vec2 value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
+  FieldSample sample(int elem, Vec2 xi) const;
+  /// Value at a physical point; false when x lies outside the mesh.
+  bool value_at(Vec2 x, Vec2& value) const;
+
+  const Field& field() const { return *field_; }
+  const std::vector<TriMap>& maps() const { return maps_; }
+  const TriTopology& topology() const { return topology_; }
+  const Locator& locator() const { return locator_; }
+
+ private:
+  const Field* field_;
+  std::vector<TriMap> maps_;
+  TriTopology topology_;
+  Locator locator_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,26 @@
+#pragma once
+// An input, whole in memory, with its digest.
+
+#include <string>
+#include <vector>
+
+#include "model/provenance.hpp"
+
+namespace quadrille {
+
+struct InputFile {
+  std::string name;   ///< for messages; "standard input" for "-"
+  std::string bytes;
+  std::string sha256;
+
+  InputDigest digest(const std::string& format) const { return {format, sha256}; }
+};
+
+/// Reads `path` ("-": standard input). Throws FormatError when it cannot be read, is a directory or a terminal.
+InputFile read_input(const std::string& path);
+
+/// Throws FormatError unless `second` was made from `first`: its chain must hold first's digest, or the other way.
+void require_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
+                         const Provenance& second_chain);
+
+}  // namespace quadrille

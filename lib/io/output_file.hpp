@@ -1,0 +1,16 @@
+#pragma once
+// Atomic output: a temporary name in the same folder, flushed, then renamed; never a half file under the final name.
+
+#include <string>
+
+#include "base/report.hpp"
+
+namespace quadrille {
+
+/// Writes `bytes` to `path` ("-": standard output; binary is refused on a terminal). Throws OutputError.
+void write_output(const std::string& path, const std::string& bytes, bool is_binary);
+
+/// Writes a report as JSON: {"tool", "version", entries nested by their dots, "warnings": [{code, message}]}.
+void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report);
+
+}  // namespace quadrille

@@ -1,0 +1,35 @@
+#pragma once
+// Reading and writing stage files: "-" is stdin or stdout, HDF5 as a file image. One .cpp per format behind this.
+// Readers throw FormatError (not that format, other major version, wrong shape or type, truncated), writers OutputError.
+
+#include <string>
+
+#include "io/input_file.hpp"
+#include "model/block_layout.hpp"
+#include "model/critical_points.hpp"
+#include "model/field.hpp"
+#include "model/quad_mesh.hpp"
+#include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
+
+namespace quadrille {
+
+TriMesh read_tri_mesh(const InputFile& file);
+Field read_field(const InputFile& file);  ///< x.solve.h5, x.field.h5
+CriticalPoints read_critical_points(const InputFile& file);
+SeparatrixGraph read_separatrix_graph(const InputFile& file);
+BlockLayout read_block_layout(const InputFile& file);
+QuadMesh read_quad_mesh(const InputFile& file);
+
+void write_tri_mesh(const std::string& path, const TriMesh& mesh);
+void write_field(const std::string& path, const Field& field);
+void write_critical_points(const std::string& path, const CriticalPoints& points);
+void write_separatrix_graph(const std::string& path, const SeparatrixGraph& graph);
+void write_block_layout(const std::string& path, const BlockLayout& layout);
+void write_quad_mesh(const std::string& path, const QuadMesh& mesh);
+
+/// "tri-mesh", "field", "critical-points", "separatrix-graph", "block-layout", "quad-mesh"; throws FormatError for
+/// anything else.
+std::string stage_format(const InputFile& file);
+
+}  // namespace quadrille

@@ -1,0 +1,76 @@
+#pragma once
+// A planar CAD face as all later stages see it: exact boundary curves as NURBS, loops, joints, names.
+// Carried inside every stage file (formats/cad-face.md), so that nothing after cad2tri needs a CAD kernel.
+//
+// Conventions. Curves are listed loop after loop, in the sequence and direction in which the loop is walked with the
+// face on the LEFT: loop 0 is the outline (counter-clockwise), the others are holes (clockwise). Curve i ends where
+// its successor in the loop begins. Joint i is the START of curve i. A tangent jump never lies inside a curve: cad2tri
+// splits there. All positions are relative to `origin`, which is (0, 0) unless the shape lies far from it.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+/// A clamped rational B-spline curve: knots.size() = poles.size() + degree + 1, the domain is
+/// [knots.front(), knots.back()], weights are positive. Never periodic.
+struct Nurbs {
+  int degree = 1;
+  std::vector<double> knots;
+  std::vector<Vec2> poles;
+  std::vector<double> weights;
+
+  double begin() const { return knots.front(); }
+  double end() const { return knots.back(); }
+};
+
+/// The start of a curve: where its predecessor in the loop ends.
+struct Joint {
+  Vec2 position;
+  double tangent_in = 0;      ///< angle of the predecessor's tangent at its end, radians in (-pi, pi]
+  double tangent_out = 0;     ///< angle of this curve's tangent at its start, radians in (-pi, pi]
+  double interior_angle = 0;  ///< radians in (0, 2 pi); pi where the tangent is continuous
+  bool is_corner = false;     ///< the tangent jump exceeds --corner-angle: a corner of the layout
+};
+
+struct CadFace {
+  std::string length_unit = "unknown";  ///< of the file: "metre", "millimetre", "inch", ..., "unknown"
+  double metres_per_unit = 0;           ///< 0 where unknown
+  /// The face's plane in the CAD model's space, in the file's unit: x3d = origin3d + x e_x + y e_y, with (x, y)
+  /// including `origin`. A face in z = const keeps its x and y: origin3d = (0, 0, const), e_x, e_y the axes.
+  std::array<double, 3> plane_origin{0, 0, 0};
+  std::array<double, 3> plane_x{1, 0, 0};
+  std::array<double, 3> plane_y{0, 1, 0};
+  Vec2 origin;          ///< add it to get the face's own 2-D coordinates
+  double diameter = 0;  ///< the largest distance between two points of the outline; every default length derives from it
+
+  std::vector<Nurbs> curves;
+  std::vector<std::string> curve_names;  ///< one per curve; unique tags for boundary groups are made from them
+  std::vector<int> curve_cad_edges;      ///< number of the edge in the CAD file from which the curve was cut, base 0
+  std::vector<int> loop_offsets;         ///< loop l holds curves [loop_offsets[l], loop_offsets[l+1])
+  std::vector<Joint> joints;             ///< one per curve
+  std::string name;                      ///< of the face, may be empty
+
+  int num_curves() const { return static_cast<int>(curves.size()); }
+  int num_loops() const { return static_cast<int>(loop_offsets.size()) - 1; }
+  /// chi = 1 - number of holes.
+  int euler_characteristic() const { return 2 - num_loops(); }
+  int loop_of(int curve) const {
+    int l = 0;
+    while (curve >= loop_offsets[l + 1]) ++l;
+    return l;
+  }
+  int next_in_loop(int curve) const {
+    const int l = loop_of(curve);
+    return curve + 1 < loop_offsets[l + 1] ? curve + 1 : loop_offsets[l];
+  }
+  int previous_in_loop(int curve) const {
+    const int l = loop_of(curve);
+    return curve > loop_offsets[l] ? curve - 1 : loop_offsets[l + 1] - 1;
+  }
+};
+
+}  // namespace quadrille

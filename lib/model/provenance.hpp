@@ -1,0 +1,24 @@
+#pragma once
+// Where a file comes from: every stage appends one step to the chain that it read (README, "Provenance").
+// No file names, times or machines: the same input and options give the same bytes.
+
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+struct InputDigest {
+  std::string format;  ///< "step", "tri-mesh", ...
+  std::string sha256;  ///< lower-case hexadecimal, of the input's bytes
+};
+
+struct ProvenanceStep {
+  std::string tool;
+  std::string version;
+  std::vector<InputDigest> inputs;
+  std::string options;  ///< JSON object of the options that can change the result, keys sorted
+};
+
+using Provenance = std::vector<ProvenanceStep>;
+
+}  // namespace quadrille

@@ -1,0 +1,40 @@
+#pragma once
+// The refined curved quad mesh (formats/quad-mesh.md, x.quad.h5).
+//
+// Reference square [-1,1]^2; element nodes at the tensor Gauss-Lobatto-Legendre points, xi1 fastest: node (i, j) at
+// elem_nodes[e * (N+1)^2 + j * (N+1) + i]. Corners counter-clockwise: (0,0), (N,0), (N,N), (0,N). Side k runs from
+// corner k to corner k+1 (mod 4). Nodes are shared between elements, so conforming means identical bit for bit.
+
+#include <string>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "model/cad_face.hpp"
+#include "model/provenance.hpp"
+
+namespace quadrille {
+
+struct QuadBoundaryEdge {
+  int elem = 0;
+  int side = 0;
+  int curve = 0;  ///< CAD curve that the edge follows (the one that holds its middle where it passes a joint)
+};
+
+struct QuadMesh {
+  Provenance provenance;
+  CadFace face;
+  int order = 1;  ///< shape order N
+  std::vector<Vec2> nodes;
+  std::vector<int> elem_nodes;
+  std::vector<int> elem_block;
+  std::vector<double> elem_jacobian_bound;  ///< least Bernstein coefficient of det J: a proved lower bound
+  std::vector<double> elem_scaled_jacobian;  ///< least sampled det J / (|x_xi1| |x_xi2|)
+  std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
+  std::vector<std::string> block_names;
+  int num_irregular = 0;  ///< irregular nodes of the layout, interior (V != 4)
+
+  int nodes_per_elem() const { return (order + 1) * (order + 1); }
+  int num_elems() const { return static_cast<int>(elem_block.size()); }
+};
+
+}  // namespace quadrille

@@ -1,0 +1,20 @@
+#pragma once
+// From blocks to the final mesh: one count and one spacing per chord, elements sampled from the exact block maps.
+
+#include "base/report.hpp"
+#include "model/block_layout.hpp"
+#include "model/quad_mesh.hpp"
+
+namespace quadrille {
+
+struct RefineOptions {
+  double size = 0;             ///< wanted edge length in file units; 0: diameter / 20
+  int order = 4;               ///< shape order N, 1..20
+  double geometry_tol = 5e-7;  ///< greatest distance between mesh boundary and CAD curve, as a share of the diameter
+  void validate() const;       ///< throws UsageError
+};
+
+/// Throws ComputeError with the place of the worst element when one cannot be proved valid.
+QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);
+
+}  // namespace quadrille

@@ -1,0 +1,34 @@
+#pragma once
+// Bernstein form of polynomials on a triangle: the convex hull of the coefficients bounds the polynomial.
+//
+// Coefficient (i, j, k), i + j + k = n, belongs to barycentric coordinates (of vertex 0, 1, 2); sequence: k slowest,
+// then j: index = offset(k) + j with offset(k) = k (2n + 3 - k) / 2. (i = n - j - k.)
+
+#include <array>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+/// Coefficients of degree `order` from coefficients in the orthogonal basis (same degree). The conversion matrix is
+/// computed once per order and kept.
+std::vector<double> bernstein_from_orthogonal(int order, const std::vector<double>& coefs);
+std::vector<double> bernstein_from_orthogonal(int order, const double* coefs);
+
+/// The four children of a triangle at its edge midpoints: child c < 3 keeps vertex c, child 3 is the middle one, with
+/// vertices (mid edge 1, mid edge 2, mid edge 0): all have the parent's orientation. By de Casteljau: exact hulls.
+std::array<std::vector<double>, 4> bernstein_subdivide(int order, const std::vector<double>& coefs);
+
+/// Coefficients (degree order - 1) of the derivatives along (vertex 1 - vertex 0) and (vertex 2 - vertex 0).
+std::array<std::vector<double>, 2> bernstein_derivatives(int order, const std::vector<double>& coefs);
+
+/// Product of two polynomials: degree a + b.
+std::vector<double> bernstein_product(int order_a, const std::vector<double>& a, int order_b,
+                                      const std::vector<double>& b);
+
+/// A proved lower bound of det(d x / d xi) over the triangle whose x and y have these coefficients (degree `order`):
+/// least Bernstein coefficient, subdividing up to `depth` times while it is not positive.
+double jacobian_lower_bound(int order, const std::vector<double>& x, const std::vector<double>& y, int depth = 3);
+
+}  // namespace quadrille

@@ -1,0 +1,38 @@
+#pragma once
+// The element map X_e: reference triangle -> plane of one triangle, affine or of order N.
+
+#include <array>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+class TriMap {
+ public:
+  /// The affine map onto a triangle (counter-clockwise).
+  explicit TriMap(const std::array<Vec2, 3>& vertices);
+  /// The map of order N through geometry nodes at tri_nodes(order).
+  TriMap(int order, const Vec2* nodes);
+
+  bool is_affine() const { return order_ == 1; }
+  int order() const { return order_; }
+  Vec2 position(Vec2 xi) const;
+  /// Position and d x / d xi.
+  void evaluate(Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
+  /// xi of a physical point by Newton from `guess` (or the centroid). False when it did not converge; the result may
+  /// lie outside the reference triangle.
+  bool invert(Vec2 x, Vec2& xi) const;
+  /// Coefficients of x and y in the orthogonal basis of degree order().
+  const std::vector<double>& coefs_x() const { return coefs_x_; }
+  const std::vector<double>& coefs_y() const { return coefs_y_; }
+
+ private:
+  int order_ = 1;
+  std::vector<double> coefs_x_, coefs_y_;
+};
+
+/// The reference coordinates of the point at fraction s in [0, 1] of local edge k, from vertex k to vertex k + 1.
+Vec2 tri_edge_point(int edge, double s);
+
+}  // namespace quadrille
