@@ -1,0 +1,42 @@
+# Loaded by every Bats file: `load common` in tests/tools, `load ../tools/common` elsewhere.
+#
+#   $ROOT  the project       $BIN   the folder of the tools, also first on PATH; $QUADRILLE_BIN overrides build/bin
+#   $DATA  tests/data        each test starts in an empty folder of its own, removed when it has passed
+bats_require_minimum_version 1.5.0
+bats_load_library bats-support
+bats_load_library bats-assert
+bats_load_library bats-file
+
+ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+BIN=${QUADRILLE_BIN:-$ROOT/build/bin}
+DATA=$ROOT/tests/data
+PATH=$BIN:$PATH
+export ROOT BIN DATA PATH LC_ALL=C
+
+common_setup() {
+  cd "$BATS_TEST_TMPDIR" || return 1
+}
+
+# A file with a setup of its own calls common_setup in it.
+setup() {
+  common_setup
+}
+
+# stage_chain SHAPE [FOLDER]: runs the chain with default settings on tests/data/SHAPE.step, through files SHAPE.tri.h5
+# ... SHAPE.msh in FOLDER (default: the current one). For a setup_file: stage_chain half_disc "$BATS_FILE_TMPDIR".
+stage_chain() {
+  local x=${2:-.}/$1
+  cad2tri "$DATA/$1.step" -o "$x.tri.h5" &&
+    fieldsolve "$x.tri.h5" -o "$x.solve.h5" &&
+    padapt "$x.solve.h5" -o "$x.field.h5" &&
+    critpoints "$x.field.h5" -o "$x.crit.json" &&
+    separatrix "$x.field.h5" "$x.crit.json" -o "$x.sep.json" &&
+    blocksplit "$x.sep.json" -o "$x.blocks.h5" &&
+    quadrefine "$x.blocks.h5" -o "$x.quad.h5" &&
+    quadexport "$x.quad.h5" -o "$x.msh"
+}
+
+# assert_nothing_left [NAME...]: the current folder holds these files and nothing else, hidden ones included.
+assert_nothing_left() {
+  assert_equal "$(find . -mindepth 1 | sed 's|^\./||' | sort)" "$( (($#)) && printf '%s\n' "$@" | sort)"
+}
