@@ -18,4 +18,8 @@ struct LoadOptions {
 /// OpenCASCADE's readers can crash on malformed files: call it through base/child_process.
 CadFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report);
 
+/// load_face in a child process (base/child_process), whose crash becomes a FormatError. What tools call.
+CadFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                          Report& report);
+
 }  // namespace quadrille

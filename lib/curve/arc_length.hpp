@@ -1,6 +1,7 @@
 #pragma once
 // Arc length of a NURBS curve and its inverse, to round-off, from a table made once per curve.
 
+#include <cstddef>
 #include <vector>
 
 #include "model/cad_face.hpp"
@@ -22,6 +23,9 @@ class ArcLength {
   double parameter(double length) const;
 
  private:
+  bool is_polyline() const;
+  double fraction(std::size_t interval, double t) const;  ///< of the table's interval that lies before t
+
   const Nurbs* curve_;
   std::vector<double> parameters_, lengths_;
 };

@@ -23,6 +23,7 @@ class CurveTable {
   CurveTable(const CadFace& face, const std::vector<Nurbs>& splines);
   const Nurbs& curve(int id) const;
   const ArcLength& arc_length(int id) const;
+  bool is_cad_curve(int id) const { return id < face_->num_curves(); }
 
  private:
   const CadFace* face_;

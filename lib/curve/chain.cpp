@@ -1,0 +1,79 @@
+#include "curve/chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+
+CurveTable::CurveTable(const CadFace& face, const std::vector<Nurbs>& splines)
+    : face_(&face), splines_(&splines), tables_(face.curves.size() + splines.size()) {}
+
+const Nurbs& CurveTable::curve(int id) const {
+  return id < face_->num_curves() ? face_->curves[id] : (*splines_)[id - face_->num_curves()];
+}
+
+const ArcLength& CurveTable::arc_length(int id) const {
+  if (!tables_[id]) tables_[id] = std::make_unique<ArcLength>(curve(id));
+  return *tables_[id];
+}
+
+Chain::Chain(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {
+  double length = 0;
+  for (const ArcPiece& piece : pieces_) {
+    length += std::abs(table_->arc_length(piece.curve).between(piece.t0, piece.t1));
+    ends_.push_back(length);
+  }
+}
+
+ChainPoint Chain::at(double s) const {
+  const double target = std::clamp(s, 0.0, 1.0) * length();
+  const size_t i =
+      std::min<size_t>(std::lower_bound(ends_.begin(), ends_.end(), target) - ends_.begin(), pieces_.size() - 1);
+  const ArcPiece& piece = pieces_[i];
+  const ArcLength& arc = table_->arc_length(piece.curve);
+  const double before = i == 0 ? 0 : ends_[i - 1];
+  const bool backwards = piece.t0 > piece.t1;
+  double t;
+  if (target <= before)
+    t = piece.t0;
+  else if (target >= ends_[i])
+    t = piece.t1;
+  else
+    t = arc.parameter(arc.at(piece.t0) + (backwards ? before - target : target - before));
+  const auto [low, high] = std::minmax(piece.t0, piece.t1);
+  t = std::clamp(t, low, high);
+  const Nurbs& curve = table_->curve(piece.curve);
+  // At the far end of a piece the tangent is that of the piece, not of what follows on its curve.
+  const Vec2 along = tangent(curve, t, t == high);
+  return {point(curve, t), backwards ? -along : along, static_cast<int>(i), t};
+}
+
+std::vector<double> Chain::joint_fractions() const {
+  std::vector<double> fractions;
+  for (size_t i = 0; i + 1 < ends_.size(); ++i) fractions.push_back(ends_[i] / length());
+  return fractions;
+}
+
+std::vector<double> Chain::break_fractions() const {
+  std::vector<double> fractions = joint_fractions();
+  for (size_t i = 0; i < pieces_.size(); ++i) {
+    const ArcPiece& piece = pieces_[i];
+    if (!table_->is_cad_curve(piece.curve)) continue;
+    const auto [low, high] = std::minmax(piece.t0, piece.t1);
+    for (const double t : smoothness_breaks(table_->curve(piece.curve)))
+      if (low < t && t < high) {
+        const double inside = std::abs(table_->arc_length(piece.curve).between(piece.t0, t));
+        fractions.push_back(((i == 0 ? 0 : ends_[i - 1]) + inside) / length());
+      }
+  }
+  std::sort(fractions.begin(), fractions.end());
+  const auto same = [](double a, double b) { return b - a < 1e-12; };
+  fractions.erase(std::unique(fractions.begin(), fractions.end(), same), fractions.end());
+  std::erase_if(fractions, [](double f) { return f < 1e-12 || f > 1 - 1e-12; });
+  return fractions;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,205 @@
+#include "curve/nurbs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/span.hpp"
+
+namespace quadrille {
+namespace {
+
+Vec2 projected(Homogeneous h) { return {h.x / h.w, h.y / h.w}; }
+
+// Poles of the derivative of the polynomial piece on span k: The NURBS Book, eq. 3.8.
+void differentiate(const Nurbs& curve, int k, int degree, LocalPoles& d) {
+  for (int i = 0; i < degree; ++i) {
+    const double s = degree / (curve.knots[k + 1 + i] - curve.knots[k + 1 - degree + i]);
+    d[i] = {s * (d[i + 1].x - d[i].x), s * (d[i + 1].y - d[i].y), s * (d[i + 1].w - d[i].w)};
+  }
+}
+
+Vec2 vec(Homogeneous h) { return {h.x, h.y}; }
+
+double polygon_length(const Nurbs& curve) {
+  double length = 0;
+  for (size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
+  return length;
+}
+
+// d kappa / d s from the derivatives of the curve.
+double curvature_slope(const std::array<Vec2, 4>& d) {
+  const double speed2 = norm2(d[1]);
+  return (cross(d[1], d[3]) * speed2 - 3 * cross(d[1], d[2]) * dot(d[1], d[2])) / (speed2 * speed2 * speed2);
+}
+
+double curvature_of(const std::array<Vec2, 4>& d) { return cross(d[1], d[2]) / std::pow(norm2(d[1]), 1.5); }
+
+bool is_break(const Nurbs& curve, double knot, double length, double tol) {
+  const auto left = derivatives(curve, knot, true), right = derivatives(curve, knot, false);
+  const Vec2 a = tangent(curve, knot, true), b = tangent(curve, knot, false);
+  if (std::abs(std::atan2(cross(a, b), dot(a, b))) > tol) return true;
+  if (norm2(left[1]) == 0 || norm2(right[1]) == 0) return true;
+  const double ka = curvature_of(left), kb = curvature_of(right);
+  const double k = std::max({std::abs(ka), std::abs(kb), 1 / length});
+  if (std::abs(ka - kb) > tol * k) return true;
+  const double sa = curvature_slope(left), sb = curvature_slope(right);
+  return std::abs(sa - sb) > tol * std::max({std::abs(sa), std::abs(sb), k * k});
+}
+
+}  // namespace
+
+Vec2 point(const Nurbs& curve, double t) {
+  // The ends are the end poles bit for bit, which (w x) / w is not always.
+  if (t <= curve.begin()) return curve.poles.front();
+  if (t >= curve.end()) return curve.poles.back();
+  const int k = find_span(curve, t);
+  return projected(de_boor(curve, k, curve.degree, local_poles(curve, k), [t](int) { return t; }));
+}
+
+std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left) {
+  const double s = std::clamp(t, curve.begin(), curve.end());
+  const int k = find_span(curve, s, from_left), p = curve.degree;
+  std::array<Homogeneous, 4> a{};
+  LocalPoles d = local_poles(curve, k);
+  for (int n = 0; n <= std::min(3, p); ++n) {
+    if (n > 0) differentiate(curve, k, p - n + 1, d);
+    a[n] = de_boor(curve, k, p - n, d, [s](int) { return s; });
+  }
+  const double w = a[0].w;
+  std::array<Vec2, 4> c;
+  c[0] = s == curve.begin() ? curve.poles.front() : s == curve.end() ? curve.poles.back() : projected(a[0]);
+  c[1] = (vec(a[1]) - a[1].w * c[0]) / w;
+  c[2] = (vec(a[2]) - 2 * a[1].w * c[1] - a[2].w * c[0]) / w;
+  c[3] = (vec(a[3]) - 3 * a[1].w * c[2] - 3 * a[2].w * c[1] - a[3].w * c[0]) / w;
+  return c;
+}
+
+Vec2 tangent(const Nurbs& curve, double t, bool from_left) {
+  const auto d = derivatives(curve, t, from_left);
+  const double range = curve.end() - curve.begin(), negligible = 1e-11 * polygon_length(curve);
+  // Where C' vanishes, C'(t -+ h) = -+ h C'' + h^2 / 2 C''' ...: the sign alternates on the left side.
+  const bool left = from_left || t >= curve.end();
+  if (norm(d[1]) * range > negligible) return normalized(d[1]);
+  if (norm(d[2]) * range * range > negligible) return normalized(left ? -d[2] : d[2]);
+  if (norm(d[3]) > 0) return normalized(d[3]);
+  throw ComputeError("a curve has no tangent: it is a single point");
+}
+
+double curvature(const Nurbs& curve, double t, bool from_left) {
+  return curvature_of(derivatives(curve, t, from_left));
+}
+
+Nurbs reversed(const Nurbs& curve) {
+  Nurbs r = curve;
+  const double a = curve.begin(), b = curve.end();
+  std::reverse(r.poles.begin(), r.poles.end());
+  std::reverse(r.weights.begin(), r.weights.end());
+  std::reverse(r.knots.begin(), r.knots.end());
+  for (double& knot : r.knots) knot = knot == a ? b : knot == b ? a : a + (b - knot);
+  return r;
+}
+
+Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
+  if (!(t0 < t1)) throw Defect("trimmed: empty interval");
+  t0 = std::max(t0, curve.begin()), t1 = std::min(t1, curve.end());
+  if (t0 == curve.begin() && t1 == curve.end()) return curve;
+  const int p = curve.degree;
+  const double negligible = 1e-13 * (curve.end() - curve.begin());
+  Nurbs part;
+  part.degree = p;
+  part.knots.assign(p + 1, t0);
+  for (const double knot : curve.knots)
+    if (knot > t0 + negligible && knot < t1 - negligible) part.knots.push_back(knot);
+  part.knots.insert(part.knots.end(), p + 1, t1);
+
+  // Pole i is the blossom of any polynomial piece that it governs, at its p inner knots.
+  const int num_poles = static_cast<int>(part.knots.size()) - p - 1;
+  for (int i = 0; i < num_poles; ++i) {
+    int j = std::max(i, p);
+    while (part.knots[j + 1] == part.knots[j]) ++j;
+    const int k = find_span(curve, (part.knots[j] + part.knots[j + 1]) / 2);
+    const Homogeneous h = de_boor(curve, k, p, local_poles(curve, k), [&](int r) { return part.knots[i + r]; });
+    part.poles.push_back(projected(h));
+    part.weights.push_back(h.w);
+  }
+  part.poles.front() = point(curve, t0);
+  part.poles.back() = point(curve, t1);
+  return part;
+}
+
+Nurbs segment(Vec2 a, Vec2 b) {
+  const double length = distance(a, b);
+  return {1, {0, 0, length, length}, {a, b}, {1, 1}};
+}
+
+Nurbs circular_arc(Vec2 centre, double radius, double angle0, double angle1) {
+  const double sweep = std::abs(angle1 - angle0);
+  if (!(sweep > 0)) throw Defect("circular_arc: empty arc");
+  // 90 degrees is one piece, also when it was computed with a rounding error.
+  const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / half_pi * (1 - 1e-12))));
+  const double step = (angle1 - angle0) / pieces, w = std::cos(step / 2);
+  Nurbs arc;
+  arc.degree = 2;
+  arc.knots = {0, 0, 0};
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = i == pieces ? angle1 : angle0 + i * step;
+    if (i > 0) {
+      arc.poles.push_back(centre + radius / w * unit(angle - step / 2));
+      arc.weights.push_back(w);
+      const double knot = i == pieces ? sweep : std::abs(step) * i;
+      arc.knots.insert(arc.knots.end(), i == pieces ? 3 : 2, knot);
+    }
+    arc.poles.push_back(centre + radius * unit(angle));
+    arc.weights.push_back(1);
+  }
+  return arc;
+}
+
+Nurbs cubic_spline(const std::vector<double>& parameters, const std::vector<Vec2>& points, Vec2 start_derivative,
+                   Vec2 end_derivative) {
+  const int n = static_cast<int>(points.size());
+  if (n < 2 || parameters.size() != points.size()) throw Defect("cubic_spline: needs two points or more");
+  Nurbs s;
+  s.degree = 3;
+  s.knots.assign(3, parameters.front());
+  s.knots.insert(s.knots.end(), parameters.begin(), parameters.end());
+  s.knots.insert(s.knots.end(), 3, parameters.back());
+  s.weights.assign(n + 2, 1.0);
+  s.poles.assign(n + 2, Vec2{});
+  const auto& u = s.knots;
+  s.poles[0] = points.front();
+  s.poles[1] = points.front() + (u[4] - u[3]) / 3 * start_derivative;
+  s.poles[n] = points.back() - (u[n + 2] - u[n + 1]) / 3 * end_derivative;
+  s.poles[n + 1] = points.back();
+
+  // At an inner parameter three basis functions live: a tridiagonal system for poles 2 .. n-1 (Thomas).
+  std::vector<double> upper(n + 2, 0.0);
+  for (int i = 1; i + 1 < n; ++i) {
+    const int k = i + 3;
+    const double before = u[k] - u[k - 1], after = u[k + 1] - u[k], both = u[k + 1] - u[k - 1];
+    const double low = after * after / (both * (u[k + 1] - u[k - 2]));
+    const double high = before * before / (both * (u[k + 2] - u[k - 1]));
+    const double diagonal = 1 - low - high - (i > 1 ? low * upper[i] : 0);
+    Vec2 rhs = points[i] - low * s.poles[i];
+    if (i + 2 == n) rhs -= high * s.poles[n];
+    upper[i + 1] = high / diagonal;
+    s.poles[i + 1] = rhs / diagonal;
+  }
+  for (int i = n - 2; i >= 2; --i) s.poles[i] -= upper[i] * s.poles[i + 1];
+  return s;
+}
+
+std::vector<double> smoothness_breaks(const Nurbs& curve, double relative_tol) {
+  std::vector<double> breaks;
+  const double length = polygon_length(curve);
+  for (size_t i = curve.degree + 1; i + curve.degree + 1 < curve.knots.size(); ++i) {
+    const double knot = curve.knots[i];
+    if (knot == curve.knots[i - 1] || knot >= curve.end()) continue;
+    if (is_break(curve, knot, length, relative_tol)) breaks.push_back(knot);
+  }
+  return breaks;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,73 @@
+#include "curve/project.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+struct Sample {
+  double t, distance2;
+};
+
+std::vector<Sample> sampled(const Nurbs& curve, Vec2 x, double t0, double t1) {
+  std::vector<Sample> samples;
+  const auto add = [&](double t) { samples.push_back({t, norm2(point(curve, t) - x)}); };
+  const int per_span = curve.degree == 1 ? 2 : std::max(8, 3 * curve.degree);
+  add(t0);
+  for (size_t i = 1; i < curve.knots.size(); ++i) {
+    const double a = std::max(t0, curve.knots[i - 1]), b = std::min(t1, curve.knots[i]);
+    if (!(a < b)) continue;
+    for (int j = 1; j <= per_span; ++j) add(j == per_span ? b : a + (b - a) * j / per_span);
+  }
+  return samples;
+}
+
+// Newton on (C - x) . C' = 0 inside [low, high]; halves the interval where Newton does not help.
+double refined(const Nurbs& curve, Vec2 x, double t, double low, double high) {
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const auto d = derivatives(curve, t);
+    const Vec2 r = d[0] - x;
+    const double f = dot(r, d[1]), slope = norm2(d[1]) + dot(r, d[2]);
+    if (f == 0) break;
+    (f > 0 ? high : low) = t;
+    const bool newton = slope > 0 && iteration % 8 != 7;
+    const double next = newton ? std::clamp(t - f / slope, low, high) : (low + high) / 2;
+    const double moved = std::abs(next - t);
+    t = next;
+    if (moved <= 2e-16 * std::max(std::abs(t), curve.end() - curve.begin())) break;
+  }
+  return t;
+}
+
+}  // namespace
+
+Projection project(const Nurbs& curve, Vec2 x, double t0, double t1) {
+  const std::vector<Sample> samples = sampled(curve, x, t0, t1);
+  std::vector<size_t> minima;
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const bool below_left = i == 0 || samples[i].distance2 <= samples[i - 1].distance2;
+    const bool below_right = i + 1 == samples.size() || samples[i].distance2 <= samples[i + 1].distance2;
+    if (below_left && below_right) minima.push_back(i);
+  }
+  std::stable_sort(minima.begin(), minima.end(),
+                   [&](size_t a, size_t b) { return samples[a].distance2 < samples[b].distance2; });
+  if (minima.size() > 4) minima.resize(4);
+
+  Projection best{samples[minima[0]].t, {}, std::sqrt(samples[minima[0]].distance2)};
+  for (const size_t i : minima) {
+    const double low = samples[i == 0 ? 0 : i - 1].t, high = samples[std::min(i + 1, samples.size() - 1)].t;
+    const double t = low < high ? refined(curve, x, samples[i].t, low, high) : samples[i].t;
+    const double d = distance(point(curve, t), x);
+    if (d < best.distance) best = {t, {}, d};
+  }
+  best.position = point(curve, best.t);
+  return best;
+}
+
+Projection project(const Nurbs& curve, Vec2 x) { return project(curve, x, curve.begin(), curve.end()); }
+
+}  // namespace quadrille

@@ -1,0 +1,58 @@
+#pragma once
+// One knot span of a NURBS curve, evaluated in homogeneous coordinates on the stack (The NURBS Book, A2.1, A4.1).
+// Private to this folder.
+
+#include <algorithm>
+#include <array>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// The largest degree that the CAD kernel and the formats allow.
+inline constexpr int max_curve_degree = 25;
+
+/// A pole times its weight, and the weight.
+struct Homogeneous {
+  double x = 0, y = 0, w = 0;
+};
+
+/// The span k with knots[k] <= t < knots[k+1] (from the left: knots[k] < t <= knots[k+1]); never an empty one.
+inline int find_span(const Nurbs& curve, double t, bool from_left = false) {
+  const int first = curve.degree, last = static_cast<int>(curve.poles.size()) - 1;
+  const auto begin = curve.knots.begin() + first, end = curve.knots.begin() + last + 1;
+  if (t <= *begin) return static_cast<int>(std::upper_bound(begin, end, *begin) - curve.knots.begin()) - 1;
+  if (t >= *end) return static_cast<int>(std::lower_bound(begin, end, *end) - curve.knots.begin()) - 1;
+  const auto above = from_left ? std::lower_bound(begin, end, t) : std::upper_bound(begin, end, t);
+  return static_cast<int>(above - curve.knots.begin()) - 1;
+}
+
+using LocalPoles = std::array<Homogeneous, max_curve_degree + 1>;
+
+/// The degree + 1 poles that govern span k.
+inline LocalPoles local_poles(const Nurbs& curve, int k) {
+  LocalPoles local;
+  for (int i = 0; i <= curve.degree; ++i) {
+    const int j = k - curve.degree + i;
+    const double w = curve.weights[j];
+    local[i] = {w * curve.poles[j].x, w * curve.poles[j].y, w};
+  }
+  return local;
+}
+
+/// De Boor's algorithm on span k for the local poles of a curve of `degree` (which may be a derivative of a curve of
+/// the higher degree `curve.degree`); step r uses parameter(r): a constant for a point, distinct ones for a blossom.
+template <class Parameter>
+Homogeneous de_boor(const Nurbs& curve, int k, int degree, LocalPoles d, Parameter parameter) {
+  for (int r = 1; r <= degree; ++r) {
+    const double t = parameter(r);
+    for (int j = degree; j >= r; --j) {
+      const double low = curve.knots[k - degree + j], high = curve.knots[k + 1 + j - r];
+      const double a = (t - low) / (high - low), b = 1 - a;
+      d[j] = {b * d[j - 1].x + a * d[j].x, b * d[j - 1].y + a * d[j].y, b * d[j - 1].w + a * d[j].w};
+    }
+  }
+  return d[degree];
+}
+
+}  // namespace quadrille

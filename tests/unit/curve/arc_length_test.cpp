@@ -1,0 +1,74 @@
+#include "curve/arc_length.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+// Half axes 3 and 1: an affine image of the unit circle's NURBS.
+Nurbs ellipse() {
+  Nurbs e = circular_arc({0, 0}, 1, 0, 2 * pi);
+  for (Vec2& pole : e.poles) pole.x *= 3;
+  return e;
+}
+
+TEST(ArcLength, of_a_segment_is_its_length) {
+  const Nurbs line = segment({1, 1}, {4, 5});
+  const ArcLength length(line);
+  EXPECT_EQ(length.total(), 5);
+  EXPECT_EQ(length.at(1.25), 1.25);
+  EXPECT_EQ(length.parameter(1.25), 1.25);
+}
+
+TEST(ArcLength, of_a_circle_is_exact_to_round_off) {
+  const Nurbs circle = circular_arc({0, 0}, 2, 0.4, 0.4 + 2 * pi);
+  const ArcLength length(circle);
+  EXPECT_NEAR(length.total(), 4 * pi, 4 * pi * 1e-14);
+  for (int i = 0; i <= 36; ++i) {
+    const double t = length.parameter(4 * pi * i / 36.0);
+    const Vec2 exact = 2 * unit(0.4 + 2 * pi * i / 36);
+    EXPECT_NEAR(distance(point(circle, t), exact), 0, 3e-14);
+  }
+}
+
+TEST(ArcLength, of_an_ellipse_is_the_complete_elliptic_integral) {
+  const Nurbs curve = ellipse();
+  // 4 a E(m), m = 8/9; std::comp_ellint_2 itself is 2e-14 off here.
+  EXPECT_NEAR(ArcLength(curve).total(), 13.364893220555258, 14 * 1e-14);
+}
+
+TEST(ArcLength, parameter_inverts_at) {
+  const Nurbs curve = ellipse();
+  const ArcLength length(curve);
+  for (int i = 1; i < 50; ++i) {
+    const double s = length.total() * i / 50;
+    EXPECT_NEAR(length.at(length.parameter(s)), s, 14 * 1e-14);
+  }
+  EXPECT_EQ(length.parameter(-1), curve.begin());
+  EXPECT_EQ(length.parameter(1e9), curve.end());
+}
+
+TEST(ArcLength, is_symmetric_on_a_symmetric_curve) {
+  const Nurbs curve = circular_arc({0, 0}, 1, pi, 0);
+  const ArcLength length(curve);
+  for (int i = 1; i < 20; ++i) {
+    const double s = length.total() * i / 40;
+    const Vec2 a = point(curve, length.parameter(s)), b = point(curve, length.parameter(length.total() - s));
+    EXPECT_NEAR(a.x, -b.x, 3e-15);
+    EXPECT_NEAR(a.y, b.y, 3e-15);
+  }
+}
+
+TEST(ArcLength, handles_a_vanishing_speed) {
+  // C = (t^2, t^3), length ((4 + 9)^1.5 - 8) / 27.
+  const Nurbs curve{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0, 0}, {1.0 / 3, 0}, {1, 1}}, {1, 1, 1, 1}};
+  EXPECT_NEAR(ArcLength(curve).total(), (std::pow(13, 1.5) - 8) / 27, 3e-14);
+}
+
+}  // namespace
+}  // namespace quadrille

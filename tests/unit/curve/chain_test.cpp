@@ -1,0 +1,63 @@
+#include "curve/chain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+// A slot's side: a unit line into a quarter arc of radius 1, then a spline that is no CAD curve.
+struct ChainTest : testing::Test {
+  ChainTest() {
+    face.curves = {segment({-1, 0}, {0, 0}), circular_arc({0, 1}, 1, -half_pi, 0)};
+    splines = {cubic_spline({0, 1, 2}, {{1, 1}, {1.2, 2}, {1, 3}}, {0, 1}, {0, 1})};
+  }
+  CadFace face;
+  std::vector<Nurbs> splines;
+};
+
+TEST_F(ChainTest, runs_through_its_pieces_by_length) {
+  const CurveTable table(face, splines);
+  const Chain chain(table, {{0, 0, 1}, {1, 0, half_pi}});
+  EXPECT_NEAR(chain.length(), 1 + half_pi, 1e-14);
+  EXPECT_EQ(chain.at(0).position, (Vec2{-1, 0}));
+  EXPECT_EQ(chain.at(1).position, face.curves[1].poles.back());
+  const ChainPoint middle = chain.at((1 + pi / 4) / chain.length());
+  EXPECT_EQ(middle.piece, 1);
+  EXPECT_NEAR(distance(middle.position, Vec2{0, 1} + unit(-pi / 4)), 0, 1e-14);
+  EXPECT_NEAR(distance(middle.tangent, unit(pi / 4)), 0, 1e-14);
+}
+
+TEST_F(ChainTest, walked_backwards_gives_the_same_points) {
+  const CurveTable table(face, splines);
+  const Chain there(table, {{0, 0, 1}, {1, 0, half_pi}}), back(table, {{1, half_pi, 0}, {0, 1, 0}});
+  for (int i = 0; i <= 20; ++i) {
+    const ChainPoint a = there.at(i / 20.0), b = back.at(1 - i / 20.0);
+    EXPECT_NEAR(distance(a.position, b.position), 0, 1e-14);
+    EXPECT_NEAR(distance(a.tangent, -b.tangent), 0, 1e-13);
+  }
+}
+
+TEST_F(ChainTest, breaks_are_joints_and_breaks_of_cad_curves_but_not_of_splines) {
+  // The spline has a break at its middle when taken for a CAD curve.
+  const CurveTable table(face, splines);
+  const Chain mixed(table, {{1, 0, half_pi}, {2, 0, 2}});
+  EXPECT_EQ(mixed.break_fractions(), mixed.joint_fractions());
+  ASSERT_EQ(mixed.joint_fractions().size(), 1U);
+  EXPECT_NEAR(mixed.joint_fractions()[0] * mixed.length(), half_pi, 1e-13);
+
+  CadFace with_spline = face;
+  with_spline.curves.push_back(splines[0]);
+  const std::vector<Nurbs> none;
+  const CurveTable cad(with_spline, none);
+  const Chain chain(cad, {{2, 2, 0}});
+  ASSERT_EQ(chain.break_fractions().size(), 1U);
+  EXPECT_NEAR(chain.break_fractions()[0], 0.5, 1e-13);
+}
+
+}  // namespace
+}  // namespace quadrille

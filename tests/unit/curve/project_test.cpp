@@ -1,0 +1,48 @@
+#include "curve/project.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+TEST(Project, onto_a_circle_is_radial_from_inside_and_outside) {
+  const Nurbs circle = circular_arc({1, 2}, 3, 0, 2 * pi);
+  for (int i = 0; i < 24; ++i) {
+    const Vec2 direction = unit(0.1 + i * 0.25);
+    for (const double r : {0.5, 3.0, 7.0}) {
+      const Projection p = project(circle, Vec2{1, 2} + r * direction);
+      EXPECT_NEAR(p.distance, std::abs(r - 3), 1e-14);
+      EXPECT_NEAR(distance(p.position, Vec2{1, 2} + 3 * direction), 0, 1e-8);
+      EXPECT_EQ(p.position, point(circle, p.t));
+    }
+  }
+}
+
+TEST(Project, onto_a_segment_and_its_ends) {
+  const Nurbs line = segment({0, 0}, {10, 0});
+  EXPECT_NEAR(project(line, {3.3, 2}).t, 3.3, 1e-14);
+  EXPECT_EQ(project(line, {-1, 1}).t, 0);
+  EXPECT_EQ(project(line, {11, 1}).t, 10);
+}
+
+TEST(Project, stays_inside_the_given_interval) {
+  const Nurbs circle = circular_arc({0, 0}, 1, 0, 2 * pi);
+  const Projection p = project(circle, {2, 0}, 1, 3);
+  EXPECT_EQ(p.t, 1);
+}
+
+TEST(Project, finds_the_nearest_of_two_branches) {
+  // A thin hairpin: both branches pass close to the point.
+  const Nurbs hairpin =
+      cubic_spline({0, 1, 2, 3, 4}, {{0, 0.1}, {1, 0.1}, {1.2, 0}, {1, -0.1}, {0, -0.1}}, {1, 0}, {-1, 0});
+  EXPECT_LT(project(hairpin, {0.3, -0.02}).position.y, 0);
+  EXPECT_GT(project(hairpin, {0.3, 0.02}).position.y, 0);
+}
+
+}  // namespace
+}  // namespace quadrille
