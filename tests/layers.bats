@@ -1,0 +1,94 @@
+# Who may include whom (README, "Map of the source"), read from the #include lines.
+load tools/common
+
+# folder: what it may include besides itself. Tools are judged by their link lines.
+layers='
+base:
+model: base
+spectral: base
+curve: model base
+cad: model base
+check: spectral model base
+mesh: curve spectral model base
+triangulate: mesh curve spectral model base
+field: curve mesh spectral model base
+galerkin: field mesh spectral model base
+adapt: galerkin field spectral model base
+guide: field mesh curve spectral model base
+trace: guide field mesh curve spectral model base
+block: trace mesh check curve spectral model base
+refine: mesh check curve spectral model base
+draw: field model curve spectral base
+export: check model curve spectral base
+io: model base
+cli: model base
+'
+
+# Own includes of the files under $1: "folder-of-file included-folder file".
+own_includes() {
+  grep -rHoE '^#include "[a-z]+/' --include='*.?pp' "$ROOT/lib" |
+    sed -E "s|^$ROOT/lib/(([a-z]+)/[^:]+):#include \"([a-z]+)/|\2 \3 \1|"
+}
+
+@test "every folder of lib is in the table of layers" {
+  run -0 comm -3 <(ls -d "$ROOT"/lib/*/ | xargs -n1 basename | sort) <(sed -n 's/:.*//p' <<<"$layers" | sort)
+  assert_output ''
+}
+
+@test "a folder of lib includes only what its layer may include" {
+  run -0 awk '
+    NR == FNR { sub(":", ""); for (i = 1; i <= NF; ++i) may[$1, $i] = 1; next }
+    !(($1, $2) in may) { print $3 " includes " $2 "/" }' <(echo "$layers") <(own_includes)
+  assert_output ''
+}
+
+@test "the table has no cycle: each folder includes only folders that do not include it" {
+  run -0 awk '
+    { sub(":", ""); for (i = 2; i <= NF; ++i) may[$1, $i] = 1 }
+    END { for (pair in may) { split(pair, f, SUBSEP); if ((f[2], f[1]) in may) print f[1], f[2] } }' <<<"$layers"
+  assert_output ''
+}
+
+# only_in FOLDER PATTERN: includes matching PATTERN occur in lib/FOLDER and in no other file.
+only_in() {
+  local files
+  files=$(grep -rlE "^#include [<\"]$2" "$ROOT/lib" "$ROOT/tools" | grep -v "^$ROOT/lib/$1/") || return 0
+  fail "$files include what only lib/$1 may include"
+}
+
+@test "kernels are included only in the folder that wraps them" {
+  only_in cad '[A-Za-z0-9_]+\.hxx'
+  only_in triangulate 'CGAL/'
+  only_in io '(H5|hdf5)[A-Za-z0-9]*\.h'
+  only_in io 'nlohmann/'
+  only_in io 'openssl/'
+  only_in cli 'CLI/'
+}
+
+@test "a tool uses no kernel and only libraries of its line in tools/CMakeLists.txt" {
+  local tool name uses folder
+  for tool in "$ROOT"/tools/*.cpp; do
+    name=$(basename "$tool" .cpp)
+    uses=" $(sed -nE "s/^quadrille_tool\($name ?(.*)\)/\1/p" "$ROOT/tools/CMakeLists.txt") check cli io model base "
+    for folder in $(sed -nE 's|^#include "([a-z]+)/.*|\1|p' "$tool" | sort -u); do
+      linked "$folder" "$uses" || fail "$name.cpp includes $folder/ and is not linked with it"
+    done
+  done
+}
+
+# linked FOLDER "LIBRARIES": FOLDER is one of them or a layer below one of them.
+linked() {
+  [[ $2 == *" $1 "* ]] && return
+  local library
+  for library in $2; do
+    grep -qE "^$library:.* $1( |$)" <<<"$layers" && return
+  done
+  return 1
+}
+
+@test "every header compiles alone" {
+  [[ -n ${QUADRILLE_LONG-} ]] || skip "long: part of tests/run --all"
+  local eigen=/usr/include/eigen3
+  run -0 bash -c 'find "$0/lib" -name "*.hpp" | sort | xargs -P "$(nproc)" -I{} g++ -std=c++20 -fsyntax-only -Wall -Wextra \
+    -Wno-pragma-once-outside-header -I"$0/lib" -isystem "$1" -isystem /usr/include/hdf5/serial -x c++ {}' "$ROOT" "$eigen"
+}
