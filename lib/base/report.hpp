@@ -2,6 +2,7 @@
 // What a run has to tell to programs (--report): counts, timings, residuals, certificates, warnings.
 // A flat list of dotted keys in the sequence of their first use; io/report_io nests them and writes JSON.
 
+#include <concepts>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,8 +16,12 @@ class Report {
 
   /// Sets `key` ("solve.residual"); a later value replaces an earlier one. Non-finite numbers are written as null.
   void set(const std::string& key, Value value);
-  void set(const std::string& key, int value) { set(key, Value(static_cast<long long>(value))); }
-  void set(const std::string& key, std::size_t value) { set(key, Value(static_cast<long long>(value))); }
+  template <std::integral Integer>
+  void set(const std::string& key, Integer value) {
+    set(key, Value(static_cast<long long>(value)));
+  }
+  void set(const std::string& key, bool value) { set(key, Value(value)); }
+  void set(const std::string& key, double value) { set(key, Value(value)); }
   void set(const std::string& key, const char* value) { set(key, Value(std::string(value))); }
 
   /// Adds a warning: a stable code ("W-CAD-001") and a sentence. Tools print it too, unless quiet.

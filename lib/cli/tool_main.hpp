@@ -43,11 +43,13 @@ class Session {
   /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.
   void begin_phase(const std::string& name);
   void end_phase();
+  /// Ends the last phase and sets timings.total: all CPU time of the process and its children, wall time of the run.
+  void finish();
 
  private:
   std::string tool_, options_json_, phase_;
   int verbosity_ = 0;
-  double phase_cpu_ = 0, phase_wall_ = 0;
+  double phase_cpu_ = 0, phase_wall_ = 0, start_ = 0;
   Report report_;
 };
 

@@ -1,0 +1,32 @@
+#include "cli/signals.hpp"
+
+#include <csignal>
+
+#include "base/cleanup.hpp"
+
+namespace quadrille {
+
+namespace {
+
+extern "C" void end_of_signal(int number) {
+  remove_temporaries();
+  // The default action is in force again (SA_RESETHAND): the signal is delivered when the handler returns.
+  std::raise(number);
+}
+
+}  // namespace
+
+void install_signal_handlers() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = end_of_signal;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, nullptr);
+  }
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+}  // namespace quadrille

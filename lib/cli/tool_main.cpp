@@ -1,0 +1,98 @@
+#include "cli/tool_main.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "base/cleanup.hpp"
+#include "base/error.hpp"
+#include "cli/options.hpp"
+#include "cli/signals.hpp"
+
+namespace quadrille {
+
+const char* const version = QUADRILLE_VERSION;
+
+namespace {
+
+struct Outcome {
+  ExitCode code = ExitCode::done;
+  std::string message;
+};
+
+/// Runs `work` and maps whatever it throws.
+template <typename Work>
+Outcome outcome_of(const Work& work) {
+  try {
+    work();
+    return {};
+  } catch (const Defect& e) {
+    return {ExitCode::defect, fmt::format("a defect of ours: {}", e.what())};
+  } catch (const Error& e) {
+    return {e.code(), e.what()};
+  } catch (const std::bad_alloc&) {
+    return {ExitCode::defect, "out of memory"};
+  } catch (const std::exception& e) {
+    return {ExitCode::defect, fmt::format("a defect of ours: {}", e.what())};
+  } catch (...) {
+    return {ExitCode::defect, "a defect of ours: unknown exception"};
+  }
+}
+
+void complain(const Tool& tool, const Outcome& outcome) {
+  fmt::print(stderr, "{}: {}\n", tool.name, outcome.message);
+  if (outcome.code == ExitCode::usage) fmt::print(stderr, "try '{} --help'\n", tool.name);
+}
+
+void print_to_stdout(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw OutputError("standard output cannot be written");
+}
+
+void write_report_of(const Tool& tool, Session& session, const Outcome& outcome, const std::string& path) {
+  if (path.empty() || !tool.report_writer) return;
+  session.report().set("exit_code", static_cast<int>(outcome.code));
+  if (outcome.code != ExitCode::done) session.report().set("error", outcome.message);
+  tool.report_writer(path, tool.name, version, session.report());
+}
+
+/// Runs the tool; the report is written whatever happened.
+Outcome run_session(const Tool& tool, Session& session, const CommonOptions& common) {
+  Outcome outcome = outcome_of([&] { tool.run(session); });
+  session.finish();
+  if (outcome.code != ExitCode::done) remove_temporaries();
+  if (common.verbosity >= 0)
+    for (const auto& [code, message] : session.report().warnings())
+      fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
+  const Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
+  if (outcome.code == ExitCode::done) return reporting;
+  if (reporting.code != ExitCode::done) complain(tool, reporting);
+  return outcome;
+}
+
+}  // namespace
+
+int tool_main(int argc, char** argv, const Tool& tool) {
+  install_signal_handlers();
+  const Outcome outcome = [&]() -> Outcome {
+    CommonOptions common;
+    CommandLine line(tool);
+    Request request = Request::run;
+    const Outcome parsing = outcome_of([&] {
+      if (tool.options) tool.options(line);
+      line.add_common(common);
+      request = line.parse(argc, argv);
+      if (request == Request::show_help) print_to_stdout(line.help_text());
+      if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
+    });
+    if (parsing.code != ExitCode::done || request != Request::run) return parsing;
+    Session session(tool.name, line.options_json(), common.verbosity);
+    return run_session(tool, session, common);
+  }();
+  if (outcome.code != ExitCode::done) complain(tool, outcome);
+  return static_cast<int>(outcome.code);
+}
+
+}  // namespace quadrille

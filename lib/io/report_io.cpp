@@ -1,0 +1,37 @@
+#include <nlohmann/json.hpp>
+
+#include "io/json_text.hpp"
+#include "io/output_file.hpp"
+
+namespace quadrille {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The place of a dotted key; inner objects are made where they are missing.
+Json& place_of(Json& root, const std::string& key) {
+  Json* place = &root;
+  std::size_t begin = 0;
+  for (std::size_t dot; (dot = key.find('.', begin)) != std::string::npos; begin = dot + 1) {
+    place = &(*place)[key.substr(begin, dot - begin)];
+    if (!place->is_object()) *place = Json::object();
+  }
+  return (*place)[key.substr(begin)];
+}
+
+}  // namespace
+
+void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report) {
+  Json root;
+  root["tool"] = tool;
+  root["version"] = version;
+  for (const auto& [key, value] : report.entries())
+    std::visit([&, place = &place_of(root, key)](const auto& v) { *place = v; }, value);
+  root["warnings"] = Json::array();
+  for (const auto& [code, message] : report.warnings())
+    root["warnings"].push_back({{"code", code}, {"message", message}});
+  write_output(path, json_text(root), false);
+}
+
+}  // namespace quadrille
