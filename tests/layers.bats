@@ -7,7 +7,7 @@ base:
 model: base
 spectral: base
 curve: model base
-cad: model base
+cad: curve model base
 check: spectral model base
 mesh: curve spectral model base
 triangulate: mesh curve spectral model base
