@@ -20,16 +20,20 @@ class TriMap {
   Vec2 position(Vec2 xi) const;
   /// Position and d x / d xi.
   void evaluate(Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
-  /// xi of a physical point by Newton from `guess` (or the centroid). False when it did not converge; the result may
-  /// lie outside the reference triangle.
+  /// xi of a physical point by Newton from `xi` as given, (-1/3, -1/3) being the centroid. False when it did not
+  /// converge; the result may lie outside the reference triangle.
   bool invert(Vec2 x, Vec2& xi) const;
   /// Coefficients of x and y in the orthogonal basis of degree order().
   const std::vector<double>& coefs_x() const { return coefs_x_; }
   const std::vector<double>& coefs_y() const { return coefs_y_; }
 
  private:
+  void set_affine(const Vec2* vertices);
+
   int order_ = 1;
   std::vector<double> coefs_x_, coefs_y_;
+  Vec2 centre_;    ///< affine only: the image of xi = (0, 0), the middle of edge 1
+  Mat2 jacobian_;  ///< affine only
 };
 
 /// The reference coordinates of the point at fraction s in [0, 1] of local edge k, from vertex k to vertex k + 1.

@@ -1,0 +1,138 @@
+#include "spectral/orthogonal_basis.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "spectral/jacobi.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr int max_modes = num_tri_modes(max_tri_order);
+
+// phi(d, p) has degree d = p + q and stands at d (d + 1) / 2 + p. Its recurrence in q keeps p, so the modes of one
+// degree follow from the two degrees before it, entry by entry: loops over p that a compiler turns into vectors.
+//   q > 0:  phi(d, p) = (a xi2 + b) phi(d-1, p) - c phi(d-2, p)
+//   q = 0:  phi(d, d) = a s phi(d-1, d-1) - c h^2 phi(d-2, d-2),  s = xi1 + (1 + xi2) / 2,  h = (1 - xi2) / 2
+struct Recurrence {
+  std::array<double, max_modes> a{}, b{}, c{};
+};
+
+double scale(int p, int q) { return std::sqrt((2 * p + 1) * (p + q + 1) / 2.0); }
+
+Recurrence make_recurrence() {
+  Recurrence r;
+  for (int d = 1; d <= max_tri_order; ++d) {
+    const int row = d * (d + 1) / 2;
+    for (int p = 0; p < d; ++p) {
+      const int q = d - p - 1;
+      const JacobiStep step = jacobi_step(q, 2 * p + 1, 0);
+      const double ratio = scale(p, q + 1) / scale(p, q);
+      r.a[row + p] = step.a * ratio;
+      r.b[row + p] = step.b * ratio;
+      r.c[row + p] = q == 0 ? 0 : step.c * scale(p, q + 1) / scale(p, q - 1);
+    }
+    const JacobiStep step = jacobi_step(d - 1, 0, 0);
+    r.a[row + d] = step.a * scale(d, 0) / scale(d - 1, 0);
+    r.c[row + d] = d == 1 ? 0 : step.c * scale(d, 0) / scale(d - 2, 0);
+  }
+  return r;
+}
+
+const Recurrence& recurrence() {
+  static const Recurrence table = make_recurrence();
+  return table;
+}
+
+void require_order(int order) {
+  if (order < 0 || order > max_tri_order) throw Defect("no table for this order of the orthogonal basis");
+}
+
+void fill_values(int order, Vec2 xi, double* __restrict f) {
+  const Recurrence& r = recurrence();
+  const double y = xi.y, s = xi.x + (1 + xi.y) / 2, h = (1 - xi.y) / 2, h2 = h * h;
+  f[0] = scale(0, 0);
+  if (order == 0) return;
+  f[1] = (r.a[1] * y + r.b[1]) * f[0];
+  f[2] = r.a[2] * s * f[0];
+  for (int d = 2; d <= order; ++d) {
+    const int row = d * (d + 1) / 2, one = row - d, two = one - d + 1;
+    for (int p = 0; p < d - 1; ++p) {
+      f[row + p] = (r.a[row + p] * y + r.b[row + p]) * f[one + p] - r.c[row + p] * f[two + p];
+    }
+    f[row + d - 1] = (r.a[row + d - 1] * y + r.b[row + d - 1]) * f[one + d - 1];
+    f[row + d] = r.a[row + d] * s * f[one + d - 1] - r.c[row + d] * h2 * f[two + d - 2];
+  }
+}
+
+void fill_gradients(int order, Vec2 xi, const double* __restrict f, double* __restrict f1, double* __restrict f2) {
+  const Recurrence& r = recurrence();
+  const double y = xi.y, s = xi.x + (1 + xi.y) / 2, h = (1 - xi.y) / 2, h2 = h * h;
+  f1[0] = f2[0] = 0;
+  if (order == 0) return;
+  f1[1] = 0;
+  f2[1] = r.a[1] * f[0];
+  f1[2] = r.a[2] * f[0];
+  f2[2] = r.a[2] * f[0] / 2;
+  for (int d = 2; d <= order; ++d) {
+    const int row = d * (d + 1) / 2, one = row - d, two = one - d + 1;
+    for (int p = 0; p < d - 1; ++p) {
+      const double slope = r.a[row + p] * y + r.b[row + p];
+      f1[row + p] = slope * f1[one + p] - r.c[row + p] * f1[two + p];
+      f2[row + p] = slope * f2[one + p] + r.a[row + p] * f[one + p] - r.c[row + p] * f2[two + p];
+    }
+    const int last = row + d - 1;
+    f1[last] = (r.a[last] * y + r.b[last]) * f1[one + d - 1];
+    f2[last] = (r.a[last] * y + r.b[last]) * f2[one + d - 1] + r.a[last] * f[one + d - 1];
+    const int top = row + d, below = one + d - 1, below2 = two + d - 2;
+    f1[top] = r.a[top] * (s * f1[below] + f[below]) - r.c[top] * h2 * f1[below2];
+    f2[top] = r.a[top] * (s * f2[below] + f[below] / 2) - r.c[top] * (h2 * f2[below2] - h * f[below2]);
+  }
+}
+
+double sum(const double* a, const double* b, int n) {
+  return Eigen::Map<const Eigen::VectorXd>(a, n).dot(Eigen::Map<const Eigen::VectorXd>(b, n));
+}
+
+}  // namespace
+
+void orthogonal_values(int order, Vec2 xi, double* values) {
+  require_order(order);
+  fill_values(order, xi, values);
+}
+
+void orthogonal_gradients(int order, Vec2 xi, double* values, double* d_xi1, double* d_xi2) {
+  require_order(order);
+  fill_values(order, xi, values);
+  fill_gradients(order, xi, values, d_xi1, d_xi2);
+}
+
+Vec2 orthogonal_sum(int order, const double* u, const double* v, Vec2 xi) {
+  double f[max_modes];
+  orthogonal_values(order, xi, f);
+  const int n = num_tri_modes(order);
+  return {sum(u, f, n), sum(v, f, n)};
+}
+
+Vec2 orthogonal_sum(int order, const double* u, const double* v, Vec2 xi, Mat2& gradient) {
+  double f[max_modes], f1[max_modes], f2[max_modes];
+  orthogonal_gradients(order, xi, f, f1, f2);
+  const int n = num_tri_modes(order);
+  gradient = {sum(u, f1, n), sum(u, f2, n), sum(v, f1, n), sum(v, f2, n)};
+  return {sum(u, f, n), sum(v, f, n)};
+}
+
+Eigen::MatrixXd orthogonal_vandermonde(int order, const std::vector<Vec2>& points) {
+  const int rows = static_cast<int>(points.size()), cols = num_tri_modes(order);
+  Eigen::MatrixXd matrix(rows, cols);
+  std::vector<double> values(cols);
+  for (int i = 0; i < rows; ++i) {
+    orthogonal_values(order, points[i], values.data());
+    for (int n = 0; n < cols; ++n) matrix(i, n) = values[n];
+  }
+  return matrix;
+}
+
+}  // namespace quadrille

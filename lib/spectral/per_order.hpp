@@ -1,0 +1,29 @@
+#pragma once
+// Tables that depend on an order only: made on first use, kept for the program's life, safe with threads.
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace quadrille {
+
+template <class Table>
+class PerOrder {
+ public:
+  explicit PerOrder(Table (*make)(int)) : make_(make) {}
+
+  /// The table for `order`; the reference stays valid.
+  const Table& operator[](int order) {
+    const std::lock_guard lock(mutex_);
+    std::unique_ptr<Table>& entry = tables_[order];
+    if (!entry) entry = std::make_unique<Table>(make_(order));
+    return *entry;
+  }
+
+ private:
+  Table (*make_)(int);
+  std::mutex mutex_;
+  std::map<int, std::unique_ptr<Table>> tables_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,95 @@
+#include "spectral/quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "spectral/jacobi.hpp"
+#include "spectral/per_order.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// Zeros of P_n^{(alpha, beta)} by Newton with the zeros already found divided out, from Chebyshev points.
+std::vector<double> jacobi_zeros(int n, double alpha, double beta) {
+  std::vector<double> zeros(n);
+  for (int k = 0; k < n; ++k) {
+    double x = -std::cos((2 * k + 1) * std::numbers::pi / (2 * n));
+    if (k > 0) x = (x + zeros[k - 1]) / 2;
+    for (int iteration = 0; iteration < 50; ++iteration) {
+      double poles = 0;
+      for (int i = 0; i < k; ++i) poles += 1 / (x - zeros[i]);
+      const double value = jacobi(n, alpha, beta, x);
+      const double step = -value / (jacobi_derivative(n, alpha, beta, x) - poles * value);
+      x += step;
+      if (std::abs(step) < 1e-16) break;
+    }
+    // One step on the polynomial itself: the deflated one has lost a few digits.
+    zeros[k] = x - jacobi(n, alpha, beta, x) / jacobi_derivative(n, alpha, beta, x);
+  }
+  return zeros;
+}
+
+// Rounding must not make a symmetric rule unsymmetric.
+void symmetrize(Quadrature& rule) {
+  const std::size_t n = rule.points.size();
+  for (std::size_t i = 0, j = n - 1; i < j; ++i, --j) {
+    rule.points[j] = (rule.points[j] - rule.points[i]) / 2;
+    rule.points[i] = -rule.points[j];
+    rule.weights[i] = rule.weights[j] = (rule.weights[i] + rule.weights[j]) / 2;
+  }
+  if (n % 2 == 1) rule.points[n / 2] = 0;
+}
+
+// The weights' shape is known in closed form; their scale comes from the sum.
+void scale_weights(Quadrature& rule, double sum) {
+  double total = 0;
+  for (const double w : rule.weights) total += w;
+  for (double& w : rule.weights) w *= sum / total;
+}
+
+Quadrature make_lobatto(int n) {
+  Quadrature rule{{-1}, {}};
+  const std::vector<double> inner = jacobi_zeros(n - 2, 1, 1);
+  rule.points.insert(rule.points.end(), inner.begin(), inner.end());
+  rule.points.push_back(1);
+  for (const double x : rule.points) {
+    const double p = jacobi(n - 1, 0, 0, x);
+    rule.weights.push_back(1 / (p * p));
+  }
+  symmetrize(rule);
+  scale_weights(rule, 2);
+  return rule;
+}
+
+std::vector<double> make_gll_points(int order) { return gauss_lobatto(order + 1).points; }
+
+}  // namespace
+
+Quadrature gauss_jacobi(int n, double alpha, double beta) {
+  if (n < 1) throw Defect("a Gauss rule needs at least one point");
+  Quadrature rule{jacobi_zeros(n, alpha, beta), {}};
+  for (const double x : rule.points) {
+    const double slope = jacobi_derivative(n, alpha, beta, x);
+    rule.weights.push_back(1 / ((1 - x * x) * slope * slope));
+  }
+  if (alpha == beta) symmetrize(rule);
+  const double sum =
+      std::pow(2, alpha + beta + 1) * std::tgamma(alpha + 1) * std::tgamma(beta + 1) / std::tgamma(alpha + beta + 2);
+  scale_weights(rule, sum);
+  return rule;
+}
+
+Quadrature gauss_lobatto(int n) {
+  if (n < 2) throw Defect("a Gauss-Lobatto rule needs at least two points");
+  return make_lobatto(n);
+}
+
+const std::vector<double>& gll_points(int order) {
+  static PerOrder<std::vector<double>> tables(make_gll_points);
+  return tables[order];
+}
+
+}  // namespace quadrille

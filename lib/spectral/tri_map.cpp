@@ -1,0 +1,100 @@
+#include "spectral/tri_map.hpp"
+
+#include <cmath>
+
+#include "spectral/orthogonal_basis.hpp"
+#include "spectral/per_order.hpp"
+#include "spectral/tri_nodes.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// Values at tri_nodes(order) -> coefficients in the orthogonal basis.
+const Eigen::MatrixXd& nodal_to_orthogonal(int order) {
+  static PerOrder<Eigen::MatrixXd> tables([](int n) {
+    const Eigen::MatrixXd vandermonde = orthogonal_vandermonde(n, tri_nodes(n));
+    return Eigen::MatrixXd(vandermonde.partialPivLu().inverse());
+  });
+  return tables[order];
+}
+
+}  // namespace
+
+TriMap::TriMap(const std::array<Vec2, 3>& vertices) { set_affine(vertices.data()); }
+
+TriMap::TriMap(int order, const Vec2* nodes) : order_(order) {
+  if (order == 1) {
+    set_affine(nodes);
+    return;
+  }
+  const Eigen::MatrixXd& to_modes = nodal_to_orthogonal(order);
+  const int n = num_tri_modes(order);
+  // Offsets from a vertex are small numbers: nothing is lost when an element is tiny and far from the origin.
+  Eigen::MatrixX2d offsets(n, 2);
+  for (int i = 0; i < n; ++i) offsets.row(i) << nodes[i].x - nodes[0].x, nodes[i].y - nodes[0].y;
+  const Eigen::MatrixX2d coefs = to_modes * offsets;
+  coefs_x_.assign(coefs.col(0).begin(), coefs.col(0).end());
+  coefs_y_.assign(coefs.col(1).begin(), coefs.col(1).end());
+  const double constant = std::sqrt(2.0);  // 1 is this multiple of mode 0, whose value is 1 / sqrt(2)
+  coefs_x_[0] += constant * nodes[0].x;
+  coefs_y_[0] += constant * nodes[0].y;
+}
+
+void TriMap::set_affine(const Vec2* vertices) {
+  const Vec2 a = vertices[0], b = vertices[1], c = vertices[2];
+  centre_ = (b + c) / 2;
+  jacobian_ = {(b.x - a.x) / 2, (c.x - a.x) / 2, (b.y - a.y) / 2, (c.y - a.y) / 2};
+  // Modes 1 and 2 are (3 xi2 + 1) / 2 and sqrt(3) (xi1 + (1 + xi2) / 2); xi = (-1/3, -1/3) is the centroid.
+  const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);
+  const Vec2 centroid = (a + b + c) / 3, across = (b - a) / 2, up = ((c - a) - (b - a) / 2) / 2;
+  coefs_x_ = {root2 * centroid.x, 2 * up.x / 3, across.x / root3};
+  coefs_y_ = {root2 * centroid.y, 2 * up.y / 3, across.y / root3};
+}
+
+Vec2 TriMap::position(Vec2 xi) const {
+  if (is_affine()) return centre_ + jacobian_ * xi;
+  return orthogonal_sum(order_, coefs_x_.data(), coefs_y_.data(), xi);
+}
+
+void TriMap::evaluate(Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
+  if (is_affine()) {
+    x = centre_ + jacobian_ * xi;
+    dx_dxi = jacobian_;
+    return;
+  }
+  x = orthogonal_sum(order_, coefs_x_.data(), coefs_y_.data(), xi, dx_dxi);
+}
+
+bool TriMap::invert(Vec2 x, Vec2& xi) const {
+  if (is_affine()) {
+    xi = inverse(jacobian_) * (x - centre_);
+    return true;
+  }
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    Vec2 here;
+    Mat2 jacobian;
+    evaluate(xi, here, jacobian);
+    if (!(std::abs(det(jacobian)) > 0)) return false;
+    Vec2 step = inverse(jacobian) * (x - here);
+    const double length = norm(step);
+    if (!std::isfinite(length)) return false;
+    if (length > 0.5) step = step * (0.5 / length);
+    xi = xi + step;
+    if (norm2(xi) > 25) return false;
+    if (length < 1e-14) return true;
+  }
+  // Round-off of a tiny element far from the origin may keep the steps above the strict limit.
+  Vec2 here;
+  Mat2 jacobian;
+  evaluate(xi, here, jacobian);
+  return norm(inverse(jacobian) * (x - here)) < 1e-9;
+}
+
+Vec2 tri_edge_point(int edge, double s) {
+  if (edge == 0) return {2 * s - 1, -1};
+  if (edge == 1) return {1 - 2 * s, 2 * s - 1};
+  return {-1, 1 - 2 * s};
+}
+
+}  // namespace quadrille
