@@ -7,6 +7,15 @@
 
 namespace quadrille {
 
+/// Gordon-Hall blend at (s, t) in [0,1]^2. `on_sides`: the points at s on side 0, at t on side 1, at s on side 2 (above
+/// side 0's) and at t on side 3. `corners` counter-clockwise; corner 0 is (0, 0). On a side exactly the side's own
+/// point, whatever the rounding: of s, t only 0 and 1 themselves count as on the side.
+Vec2 blend_sides(const std::array<Vec2, 4>& on_sides, const std::array<Vec2, 4>& corners, double s, double t);
+
+/// Where two lines cross that join (f0, 0) with (f2, 1) and (0, f3) with (1, f1) in the unit square: the blend's (s, t)
+/// when opposite sides are not divided in the same fractions (Soni 1985).
+Vec2 crossing_parameters(double f0, double f1, double f2, double f3);
+
 class TransfiniteMap {
  public:
   /// Sides counter-clockwise, each walked counter-clockwise; the chains must outlive the map.
@@ -19,6 +28,7 @@ class TransfiniteMap {
   Vec2 side(int k, double fraction) const;  ///< fraction counted counter-clockwise
   std::array<const Chain*, 4> sides_;
   std::array<bool, 4> backwards_;
+  std::array<Vec2, 4> corners_;
 };
 
 }  // namespace quadrille

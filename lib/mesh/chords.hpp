@@ -1,0 +1,17 @@
+#pragma once
+// Strings of blocks: arcs linked through opposite sides of blocks share one count of elements.
+
+#include <array>
+#include <vector>
+
+namespace quadrille {
+
+/// The chord of each of `num_arcs` arcs, numbered by their first arc. `block2arcs` as in BlockLayout. An arc that is no
+/// block's side is a chord of its own. A chord may cross itself: then a block's four sides belong to one chord.
+std::vector<int> arc_chords(const std::vector<std::array<int, 4>>& block2arcs, int num_arcs);
+
+/// The arc of a directed arc (a >= 0: forwards, a < 0: arc -1 - a backwards).
+inline int arc_of(int directed) { return directed < 0 ? -1 - directed : directed; }
+inline bool is_backwards(int directed) { return directed < 0; }
+
+}  // namespace quadrille

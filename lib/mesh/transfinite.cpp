@@ -1,0 +1,39 @@
+#include "mesh/transfinite.hpp"
+
+namespace quadrille {
+
+Vec2 blend_sides(const std::array<Vec2, 4>& on_sides, const std::array<Vec2, 4>& corners, double s, double t) {
+  if (t == 0) return on_sides[0];
+  if (s == 1) return on_sides[1];
+  if (t == 1) return on_sides[2];
+  if (s == 0) return on_sides[3];
+  const Vec2 bilinear = (1 - t) * ((1 - s) * corners[0] + s * corners[1]) + t * ((1 - s) * corners[3] + s * corners[2]);
+  const Vec2 ruled_t = (1 - t) * on_sides[0] + t * on_sides[2];
+  const Vec2 ruled_s = (1 - s) * on_sides[3] + s * on_sides[1];
+  return ruled_t + ruled_s - bilinear;
+}
+
+Vec2 crossing_parameters(double f0, double f1, double f2, double f3) {
+  const double ds = f2 - f0, dt = f1 - f3;
+  const double s = (f0 + f3 * ds) / (1 - ds * dt);
+  return {s, f3 + s * dt};
+}
+
+TransfiniteMap::TransfiniteMap(const std::array<const Chain*, 4>& sides, const std::array<bool, 4>& backwards)
+    : sides_(sides), backwards_(backwards) {
+  for (int k = 0; k < 4; ++k) corners_[k] = side(k, 0);
+}
+
+Vec2 TransfiniteMap::side(int k, double fraction) const {
+  return sides_[k]->at(backwards_[k] ? 1 - fraction : fraction).position;
+}
+
+Vec2 TransfiniteMap::position(double s, double t) const {
+  if (t == 0) return side(0, s);
+  if (s == 1) return side(1, t);
+  if (t == 1) return side(2, 1 - s);
+  if (s == 0) return side(3, 1 - t);
+  return blend_sides({side(0, s), side(1, t), side(2, 1 - s), side(3, 1 - t)}, corners_, s, t);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,26 @@
+#pragma once
+// Where the elements of one arc end: its length cut into as many intervals as its chord has elements.
+//
+// The fractions where an interval must end (joints inside a side) split the arc into segments. Each segment has a least
+// number of intervals; the others go, one by one, to the segment whose intervals are longest. Within a segment the
+// intervals are equal. All sums are symmetric: an arc and its mirror image are cut in mirrored places.
+
+#include <vector>
+
+namespace quadrille {
+
+struct ArcSegments {
+  std::vector<double> ends{0.0, 1.0};  ///< fractions of the arc length, ascending, 0 and 1 included
+  std::vector<int> least_counts{1};    ///< least number of intervals of each segment
+
+  int least_count() const;
+};
+
+/// Counts of the segments that sum to `count` >= segments.least_count(). Empty when equal segments compete for what is
+/// left, so that no choice would be symmetric, unless `break_ties`: then earlier segments come first.
+std::vector<int> segment_counts(const ArcSegments& segments, int count, bool break_ties);
+
+/// The count + 1 ends of the intervals, ascending from 0 to 1.
+std::vector<double> interval_ends(const ArcSegments& segments, const std::vector<int>& counts);
+
+}  // namespace quadrille
