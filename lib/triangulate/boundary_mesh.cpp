@@ -1,0 +1,191 @@
+#include "triangulate/boundary_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "triangulate/clearance.hpp"
+#include "triangulate/size_field.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double slack = 1 + 1e-9;
+/// Order 8 gains a factor of 500 a halving; low orders never reach 1e-12 with a sensible number of elements.
+constexpr int max_fit_depth_high = 6, max_fit_depth_low = 1, high_order = 7;
+constexpr int max_turn_depth = 30;
+/// Gaps below this share of the diameter are taken for touching curves.
+constexpr double least_length = 1e-9;
+
+bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  return c_side * d_side < 0 && a_side * b_side < 0;
+}
+
+double polygon_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  if (crosses(a, b, c, d)) return 0;
+  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
+                   distance_to_segment(d, a, b)});
+}
+
+bool touch(const Segment& a, const Segment& b) {
+  return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
+}
+
+}  // namespace
+
+double segment_distance(const Segment& a, const Segment& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      least = std::min(least, polygon_distance(a.samples[i], a.samples[i + 1], b.samples[j], b.samples[j + 1]));
+  return least;
+}
+
+BoundaryMesh::BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft)
+    : fit_(&fit), draft_(&draft) {
+  const Outline& outline = fit.outline();
+  const int count = static_cast<int>(outline.pieces().size());
+  std::vector<const Fan*> fan_at(count, nullptr);
+  for (const Fan& fan : fans) fan_at[fan.junction] = &fan;
+  std::vector<int> vertex_at(count, -1);
+  for (int j = 0; j < count; ++j)
+    if (!fan_at[j]) vertex_at[j] = draft.add_vertex(outline.junctions()[j].position);
+  for (int p = 0; p < count; ++p) {
+    const SmoothPiece& piece = outline.pieces()[p];
+    const Fan* const start = fan_at[p];
+    const Fan* const end = fan_at[piece.next];
+    if (start) add_rim(*start);
+    add_piece(p, start ? start->rim.front() : vertex_at[p], end ? end->rim.back() : vertex_at[piece.next],
+              start ? start->t_out.back() : piece.t0, end ? end->t_in.back() : piece.t1, limits);
+  }
+}
+
+void BoundaryMesh::append(Segment segment) {
+  const Vec2 from = draft_->vertices[segment.from], to = draft_->vertices[segment.to];
+  segment.samples.front() = from;
+  segment.samples.back() = to;
+  const bool is_straight = segment.is_rim() || fit_->outline().face().curves[segment.curve].degree == 1;
+  for (int k = 1; k < 4; ++k) {
+    if (is_straight) {
+      segment.samples[k] = from + (k / 4.0) * (to - from);
+    } else {
+      const double s = segment.s0 + (k / 4.0) * segment.length();
+      segment.samples[k] = fit_->outline().at(segment.curve, fit_->outline().arc_length(segment.curve).parameter(s));
+    }
+  }
+  segment.centre = (from + to) / 2;
+  for (const Vec2 x : segment.samples) segment.radius = std::max(segment.radius, distance(x, segment.centre));
+  segments_.push_back(segment);
+}
+
+void BoundaryMesh::add_rim(const Fan& fan) {
+  for (std::size_t i = fan.rim.size() - 1; i > 0; --i) {
+    Segment segment;
+    segment.from = fan.rim[i];
+    segment.to = fan.rim[i - 1];
+    segment.s1 = distance(draft_->vertices[segment.from], draft_->vertices[segment.to]);
+    append(segment);
+  }
+}
+
+void BoundaryMesh::add_piece(int piece, int from, int to, double t0, double t1, const EdgeLimits& limits) {
+  const SmoothPiece& whole = fit_->outline().pieces()[piece];
+  const ArcLength& arc_length = fit_->outline().arc_length(whole.curve);
+  const double s0 = t0 == whole.t0 ? whole.s0 : arc_length.at(t0), s1 = t1 == whole.t1 ? whole.s1 : arc_length.at(t1);
+  const double turn = whole.is_straight ? 0 : fit_->turn(whole.curve, t0, t1);
+  const double parts = std::max(turn / limits.turn, (s1 - s0) / limits.size) / slack;
+  // A loop of a single piece needs three segments to be a polygon.
+  const int num_parts = std::max(whole.next == piece ? 3 : 1, static_cast<int>(std::ceil(parts)));
+  for (int i = 0; i < num_parts; ++i) {
+    Segment segment;
+    segment.curve = whole.curve;
+    segment.from = i == 0 ? from : segments_.back().to;
+    segment.s0 = i == 0 ? s0 : segments_.back().s1;
+    segment.t0 = i == 0 ? t0 : segments_.back().t1;
+    segment.s1 = i + 1 == num_parts ? s1 : s0 + (s1 - s0) * (i + 1) / num_parts;
+    segment.t1 = i + 1 == num_parts ? t1 : arc_length.parameter(segment.s1);
+    segment.to = i + 1 == num_parts ? to : draft_->add_vertex(fit_->outline().at(whole.curve, segment.t1));
+    append(segment);
+  }
+  const int last = static_cast<int>(segments_.size());
+  if (!whole.is_straight)
+    for (int i = last - num_parts; i < last; ++i) split_to_limits(i, limits, 0);
+}
+
+void BoundaryMesh::split_to_limits(int i, const EdgeLimits& limits, int depth) {
+  const Segment segment = segments_[i];
+  const int max_fit_depth = fit_->order() >= high_order ? max_fit_depth_high : max_fit_depth_low;
+  const bool turns = depth < max_turn_depth && fit_->turn(segment.curve, segment.t0, segment.t1) > limits.turn * slack;
+  if (!turns && (depth >= max_fit_depth || fit_->error(segment.curve, segment.t0, segment.t1) <= limits.curve_tol))
+    return;
+  split(i);
+  split_to_limits(static_cast<int>(segments_.size()) - 1, limits, depth + 1);
+  split_to_limits(i, limits, depth + 1);
+}
+
+int BoundaryMesh::split(int i) {
+  Segment first = segments_[i], second = segments_[i];
+  if (first.is_rim()) throw Defect("the rim of a fan is not split");
+  const Outline& outline = fit_->outline();
+  const double s = (first.s0 + first.s1) / 2, t = outline.arc_length(first.curve).parameter(s);
+  const Vec2 middle = outline.at(first.curve, t);
+  if (first.length() < least_length * outline.face().diameter) {
+    const Vec2 place = middle + outline.face().origin;
+    throw ComputeError(
+        fmt::format("the boundary touches or crosses itself, or nearly, at ({:.9g}, {:.9g})", place.x, place.y));
+  }
+  first.to = second.from = draft_->add_vertex(middle);
+  first.t1 = second.t0 = t;
+  first.s1 = second.s0 = s;
+  first.radius = second.radius = 0;
+  append(first);
+  segments_[i] = segments_.back();
+  segments_.pop_back();
+  append(second);
+  return first.to;
+}
+
+bool BoundaryMesh::is_too_near(int i, double ratio) const {
+  const Segment& segment = segments_[i];
+  const double least = segment.length() / ratio;
+  for (const Segment& other : segments_) {
+    if (&other == &segment || touch(segment, other)) continue;
+    if (distance(segment.centre, other.centre) - segment.radius - other.radius >= least) continue;
+    if (segment_distance(segment, other) < least * (1 - 1e-6)) return true;
+  }
+  return false;
+}
+
+void BoundaryMesh::resolve_gaps(double ratio) {
+  constexpr int max_rounds = 60;
+  for (int round = 0; round < max_rounds; ++round) {
+    const int count = static_cast<int>(segments_.size());
+    // All decisions of a round before any split: symmetric in, symmetric out.
+    std::vector<int> marked;
+    for (int i = 0; i < count; ++i)
+      if (!segments_[i].is_rim() && is_too_near(i, ratio)) marked.push_back(i);
+    if (marked.empty()) return;
+    for (const int i : marked) split(i);
+  }
+}
+
+void BoundaryMesh::grade(double growth) {
+  constexpr int max_rounds = 60;
+  for (int round = 0; round < max_rounds; ++round) {
+    const SizeField sizes(segments_, fit_->outline().face().diameter, growth);
+    std::vector<int> marked;
+    for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+      const Segment& segment = segments_[i];
+      if (!segment.is_rim() && segment.length() > 2 * slack * sizes.at(segment.samples[2])) marked.push_back(i);
+    }
+    if (marked.empty()) return;
+    for (const int i : marked) split(i);
+  }
+}
+
+}  // namespace quadrille

@@ -1,0 +1,54 @@
+#pragma once
+// The boundary of what is left to triangulate when the fans are cut out: closed loops of segments, each a stretch of
+// curve that is halved (by arc length) where needed, or a rim edge of a fan, which stays as it is.
+
+#include <array>
+#include <vector>
+
+#include "triangulate/corner_fans.hpp"
+
+namespace quadrille {
+
+struct Segment {
+  int from = 0, to = 0;  ///< vertices of the draft; the face on the left
+  int curve = -1;        ///< -1: rim of a fan
+  double t0 = 0, t1 = 0;
+  double s0 = 0, s1 = 0;        ///< arc length on the curve
+  std::array<Vec2, 5> samples;  ///< on the curve at quarters of the arc length, ends included
+  Vec2 centre;                  ///< of a circle that holds the samples
+  double radius = 0;
+
+  bool is_rim() const { return curve < 0; }
+  double length() const { return s1 - s0; }
+};
+
+class BoundaryMesh {
+ public:
+  /// Segments that keep the limits: every piece in equal parts first, then halved. Fans must be built.
+  BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft);
+
+  const std::vector<Segment>& segments() const { return segments_; }
+  /// Halves segment i: i keeps the first half, the new last segment is the second one. Returns the new vertex.
+  int split(int i);
+  /// Halves segments until none is longer than `ratio` times its distance to any segment that it does not touch.
+  void resolve_gaps(double ratio);
+  /// Halves segments until lengths grow along and across the boundary by no more than `growth` times the distance,
+  /// within a factor of 2.
+  void grade(double growth);
+
+ private:
+  void add_piece(int piece, int from, int to, double t0, double t1, const EdgeLimits& limits);
+  void add_rim(const Fan& fan);
+  void split_to_limits(int i, const EdgeLimits& limits, int depth);
+  void append(Segment segment);
+  bool is_too_near(int i, double ratio) const;
+
+  const EdgeFit* fit_;
+  Draft* draft_;
+  std::vector<Segment> segments_;
+};
+
+/// Least distance between two segments as polygons through their samples.
+double segment_distance(const Segment& a, const Segment& b);
+
+}  // namespace quadrille

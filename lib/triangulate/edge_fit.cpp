@@ -1,0 +1,80 @@
+#include "triangulate/edge_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve/nurbs.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int num_turn_samples = 8;
+
+}  // namespace
+
+EdgeFit::EdgeFit(const Outline& outline, int order) : outline_(&outline), order_(order) {
+  const auto& points = gll_points(order);
+  std::vector<double> samples;
+  for (int i = 0; i < order; ++i) samples.push_back((points[i] + points[i + 1]) / 2);
+  samples_ = interpolation_matrix(points, samples);
+  for (const double x : points) fractions_.push_back((1 + x) / 2);
+  for (const double x : samples) sample_fractions_.push_back((1 + x) / 2);
+}
+
+std::vector<Vec2> EdgeFit::inner_nodes(int curve, double t0, double t1) const {
+  const ArcLength& length = outline_->arc_length(curve);
+  const double s0 = length.at(t0), s1 = length.at(t1);
+  std::vector<Vec2> nodes;
+  for (int j = 1; j < order_; ++j) {
+    // From the nearer end, so that a symmetric edge has symmetric nodes.
+    const double f = fractions_[j];
+    const double s = f <= 0.5 ? s0 + f * (s1 - s0) : s1 - fractions_[order_ - j] * (s1 - s0);
+    nodes.push_back(outline_->at(curve, length.parameter(s)));
+  }
+  return nodes;
+}
+
+double EdgeFit::error(int curve, double t0, double t1) const {
+  const Nurbs& nurbs = outline_->face().curves[curve];
+  const ArcLength& length = outline_->arc_length(curve);
+  const double s0 = length.at(t0), s1 = length.at(t1);
+  std::vector<Vec2> nodes = inner_nodes(curve, t0, t1);
+  nodes.insert(nodes.begin(), point(nurbs, t0));
+  nodes.push_back(point(nurbs, t1));
+  double worst = 0;
+  for (int i = 0; i < order_; ++i) {
+    // Relative to the first node: an error of 1e-12 must not drown in the digits of the place.
+    Vec2 value;
+    for (int j = 1; j <= order_; ++j) value += samples_(i, j) * (nodes[j] - nodes[0]);
+    const double t = length.parameter(s0 + sample_fractions_[i] * (s1 - s0));
+    const auto d = derivatives(nurbs, t);
+    const double speed = norm(d[1]);
+    const Vec2 miss = value - (d[0] - nodes[0]);
+    worst = std::max(worst, speed > 0 ? std::abs(cross(d[1] / speed, miss)) : norm(miss));
+  }
+  return worst;
+}
+
+double EdgeFit::turn(int curve, double t0, double t1) const {
+  const Nurbs& nurbs = outline_->face().curves[curve];
+  double sum = 0;
+  Vec2 before = tangent(nurbs, t0, false);
+  // Sampling follows the knots: every span gets its own samples.
+  std::vector<double> ends{t0};
+  for (const double knot : nurbs.knots)
+    if (knot > ends.back() && knot < t1) ends.push_back(knot);
+  ends.push_back(t1);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    for (int k = 1; k <= num_turn_samples; ++k) {
+      const double t = ends[i] + (ends[i + 1] - ends[i]) * k / num_turn_samples;
+      const Vec2 here = tangent(nurbs, t, k == num_turn_samples);
+      sum += std::abs(std::atan2(cross(before, here), dot(before, here)));
+      before = here;
+    }
+  }
+  return sum;
+}
+
+}  // namespace quadrille

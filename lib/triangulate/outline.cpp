@@ -1,0 +1,94 @@
+#include "triangulate/outline.hpp"
+
+#include <algorithm>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+bool is_straight(const Nurbs& curve, double tol) {
+  const Vec2 a = curve.poles.front(), chord = curve.poles.back() - a;
+  const double length = norm(chord);
+  if (length <= tol) return false;
+  return std::all_of(curve.poles.begin(), curve.poles.end(), [&](Vec2 pole) {
+    const double along = dot(chord, pole - a) / length;
+    return std::abs(cross(chord, pole - a)) <= tol * length && along >= -tol && along <= length + tol;
+  });
+}
+
+/// d curvature / d arc length, from the first three derivatives.
+double curvature_slope(const Nurbs& curve, double t, bool from_left) {
+  const auto d = derivatives(curve, t, from_left);
+  const double speed2 = norm2(d[1]);
+  if (speed2 == 0) return 0;
+  return (cross(d[1], d[3]) - 3 * cross(d[1], d[2]) * dot(d[1], d[2]) / speed2) / (speed2 * speed2);
+}
+
+double curvature_or_zero(const Nurbs& curve, double t, bool from_left) {
+  return norm2(derivatives(curve, t, from_left)[1]) == 0 ? 0 : curvature(curve, t, from_left);
+}
+
+}  // namespace
+
+Outline::Outline(const CadFace& face, double straight_tol) : face_(&face) {
+  lengths_.reserve(face.curves.size());
+  for (int c = 0; c < face.num_curves(); ++c) {
+    lengths_.emplace_back(face.curves[c]);
+    add_pieces(c, straight_tol);
+  }
+  link_loops();
+  for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) junctions_.push_back(junction(p));
+}
+
+void Outline::add_pieces(int curve, double straight_tol) {
+  const Nurbs& nurbs = face_->curves[curve];
+  const bool straight = is_straight(nurbs, straight_tol);
+  std::vector<double> ends{nurbs.begin()};
+  if (!straight) {
+    const auto breaks = smoothness_breaks(nurbs);
+    ends.insert(ends.end(), breaks.begin(), breaks.end());
+  }
+  ends.push_back(nurbs.end());
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double s0 = lengths_[curve].at(ends[i]), s1 = lengths_[curve].at(ends[i + 1]);
+    pieces_.push_back({curve, ends[i], ends[i + 1], s0, s1, straight, 0, 0});
+  }
+}
+
+void Outline::link_loops() {
+  const int count = static_cast<int>(pieces_.size());
+  int first = 0;
+  for (int p = 0; p < count; ++p) {
+    const bool is_last = p + 1 == count || face_->loop_of(pieces_[p + 1].curve) != face_->loop_of(pieces_[p].curve);
+    const int next = is_last ? first : p + 1;
+    pieces_[p].next = next;
+    pieces_[next].previous = p;
+    if (is_last) first = p + 1;
+  }
+}
+
+Junction Outline::junction(int piece) const {
+  const SmoothPiece& out = pieces_[piece];
+  const SmoothPiece& in = pieces_[out.previous];
+  const Nurbs& curve_out = face_->curves[out.curve];
+  const Nurbs& curve_in = face_->curves[in.curve];
+  const bool is_joint = out.t0 == curve_out.begin();
+  Junction junction;
+  junction.position = is_joint ? face_->joints[out.curve].position : point(curve_out, out.t0);
+  junction.interior_angle = is_joint ? face_->joints[out.curve].interior_angle : pi;
+  if (!in.is_straight) {
+    junction.curvature_in = curvature_or_zero(curve_in, in.t1, true);
+    junction.curvature_slope_in = curvature_slope(curve_in, in.t1, true);
+  }
+  if (!out.is_straight) {
+    junction.curvature_out = curvature_or_zero(curve_out, out.t0, false);
+    junction.curvature_slope_out = curvature_slope(curve_out, out.t0, false);
+  }
+  return junction;
+}
+
+Vec2 Outline::at(int curve, double t) const { return point(face_->curves[curve], t); }
+
+}  // namespace quadrille

@@ -1,0 +1,55 @@
+#pragma once
+// The boundary of a face as smooth pieces, and what happens where two of them meet.
+//
+// A piece is a part of one CAD curve without joint or knot below C3 inside. Junction i is the START of piece i, so the
+// pieces follow the loops as the curves do, with the face on the left.
+
+#include <vector>
+
+#include "curve/arc_length.hpp"
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+struct SmoothPiece {
+  int curve = 0;
+  double t0 = 0, t1 = 0;  ///< parameters on the curve
+  double s0 = 0, s1 = 0;  ///< arc length on the curve
+  bool is_straight = false;
+  int previous = 0, next = 0;  ///< in the loop
+
+  double length() const { return s1 - s0; }
+};
+
+struct Junction {
+  Vec2 position;
+  double interior_angle = 0;                               ///< radians
+  double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides
+  double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
+};
+
+class Outline {
+ public:
+  /// `face` must outlive the outline. Curves whose poles leave their chord by less than `straight_tol` (a length)
+  /// count as straight.
+  Outline(const CadFace& face, double straight_tol);
+
+  const CadFace& face() const { return *face_; }
+  const std::vector<SmoothPiece>& pieces() const { return pieces_; }
+  const std::vector<Junction>& junctions() const { return junctions_; }
+  const ArcLength& arc_length(int curve) const { return lengths_[curve]; }
+  /// The point of `curve` at parameter t.
+  Vec2 at(int curve, double t) const;
+
+ private:
+  void add_pieces(int curve, double straight_tol);
+  void link_loops();
+  Junction junction(int piece) const;
+
+  const CadFace* face_;
+  std::vector<ArcLength> lengths_;
+  std::vector<SmoothPiece> pieces_;
+  std::vector<Junction> junctions_;
+};
+
+}  // namespace quadrille

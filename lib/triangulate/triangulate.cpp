@@ -1,0 +1,157 @@
+#include "triangulate/triangulate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "mesh/quality.hpp"
+#include "triangulate/corner_fans.hpp"
+#include "triangulate/curve_elements.hpp"
+#include "triangulate/refine_domain.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double edge_turn = radians(40.0);
+constexpr double default_share = 0.25;  ///< of the diameter: the greatest size
+constexpr double straight_share = 1e-13;
+/// A boundary segment is at most this times its distance to what it does not touch.
+constexpr double gap_ratio = 2.5;
+/// An element whose det J may fall below this share of its straight triangle's is refined.
+constexpr double least_jacobian_ratio = 0.05;
+constexpr int max_proof_rounds = 12;
+
+/// Elements, layers and boundary edges of the finished mesh, straight.
+TriMesh assemble(const CadFace& face, int order, const Draft& draft) {
+  TriMesh mesh;
+  mesh.face = face;
+  mesh.order = order;
+  mesh.vertices = draft.vertices;
+  mesh.elem2vertices = draft.triangles;
+  mesh.elem_layer = draft.layers;
+  std::map<std::pair<int, int>, std::pair<int, int>> vertices2edge;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int k = 0; k < 3; ++k) vertices2edge[{mesh.elem2vertices[e][k], mesh.elem2vertices[e][(k + 1) % 3]}] = {e, k};
+  for (const DraftEdge& edge : draft.edges) {
+    const auto found = vertices2edge.find({edge.from, edge.to});
+    if (found == vertices2edge.end()) throw Defect("a boundary edge belongs to no element");
+    mesh.boundary_edges.push_back({found->second.first, found->second.second, edge.curve, edge.t0, edge.t1});
+  }
+  std::sort(mesh.boundary_edges.begin(), mesh.boundary_edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
+    return a.curve != b.curve ? a.curve < b.curve : a.t0 < b.t0;
+  });
+  return mesh;
+}
+
+/// The mesh of fans and refined rest.
+TriMesh complete_mesh(const CadFace& face, int order, Draft draft, const DomainRefiner& refiner,
+                      const BoundaryMesh& boundary) {
+  for (const auto& [a, b, c] : refiner.triangles()) draft.add_triangle(a, b, c, -1);
+  for (const Segment& segment : boundary.segments())
+    if (!segment.is_rim()) draft.edges.push_back({segment.from, segment.to, segment.curve, segment.t0, segment.t1});
+  return assemble(face, order, draft);
+}
+
+/// The elements that are not proved valid.
+std::vector<int> doubtful_elements(const std::vector<double>& ratios) {
+  std::vector<int> elems;
+  for (int e = 0; e < static_cast<int>(ratios.size()); ++e)
+    if (!(ratios[e] >= least_jacobian_ratio)) elems.push_back(e);
+  return elems;
+}
+
+/// Halves the boundary edges of doubtful elements; false where there is nothing left to halve.
+bool split_at(const TriMesh& mesh, const std::vector<int>& elems, DomainRefiner& refiner) {
+  bool did_split = false;
+  for (const int e : elems) {
+    const auto& v = mesh.elem2vertices[e];
+    for (int k = 0; k < 3; ++k) did_split |= refiner.split_between(v[k], v[(k + 1) % 3]);
+  }
+  return did_split;
+}
+
+Vec2 place_of(const TriMesh& mesh, int elem) {
+  const auto& [a, b, c] = mesh.elem2vertices[elem];
+  return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3 + mesh.face.origin;
+}
+
+struct Result {
+  TriMesh mesh;
+  std::vector<double> ratios;
+  int num_fans = 0;
+  int rounds = 0;
+};
+
+Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits) {
+  const Outline& outline = fit.outline();
+  Draft draft;
+  std::vector<Fan> fans = plan_fans(fit, options, limits);
+  for (Fan& fan : fans) build_fan(outline, fan, draft);
+  BoundaryMesh boundary(fit, fans, limits, draft);
+  boundary.resolve_gaps(gap_ratio);
+  boundary.grade(options.growth);
+  DomainRefiner refiner(boundary, draft, limits.size, options.growth);
+  for (int round = 1;; ++round) {
+    refiner.refine();
+    Result result{complete_mesh(outline.face(), options.order, draft, refiner, boundary), {}, 0, round};
+    result.num_fans = static_cast<int>(fans.size());
+    curve_elements(fit, result.mesh);
+    result.ratios = jacobian_ratio_bounds(result.mesh);
+    const auto elems = doubtful_elements(result.ratios);
+    if (elems.empty()) return result;
+    if (round == max_proof_rounds || !split_at(result.mesh, elems, refiner)) {
+      const Vec2 place = place_of(result.mesh, elems.front());
+      throw ComputeError(fmt::format("no valid curved element at ({:.9g}, {:.9g})", place.x, place.y));
+    }
+  }
+}
+
+void write_report(const Result& result, const EdgeFit& fit, double curve_tol, Report& report) {
+  const TriMesh& mesh = result.mesh;
+  double error = 0;
+  for (const BoundaryEdge& edge : mesh.boundary_edges) error = std::max(error, fit.error(edge.curve, edge.t0, edge.t1));
+  report.set("mesh.elements", mesh.num_elems());
+  report.set("mesh.vertices", mesh.vertices.size());
+  report.set("mesh.boundary_edges", mesh.boundary_edges.size());
+  report.set("mesh.curved_elements", mesh.curved_elems.size());
+  report.set("mesh.corner_fans", result.num_fans);
+  report.set("mesh.fan_elements",
+             std::count_if(mesh.elem_layer.begin(), mesh.elem_layer.end(), [](int l) { return l >= 0; }));
+  report.set("mesh.least_angle_degrees", degrees(least_angle(mesh)));
+  report.set("mesh.least_jacobian_ratio", *std::min_element(result.ratios.begin(), result.ratios.end()));
+  report.set("mesh.curve_error", error / mesh.face.diameter);
+  report.set("mesh.proof_rounds", result.rounds);
+  if (error > curve_tol) {
+    report.warn("W-TRI-001", fmt::format("element edges of order {} leave the curves by up to {:.1e} of the diameter",
+                                         mesh.order, error / mesh.face.diameter));
+  }
+}
+
+}  // namespace
+
+void TriangulateOptions::validate() const {
+  if (order < 1 || order > 10) throw UsageError("the order must lie in 1..10");
+  if (!(size >= 0)) throw UsageError("the size must not be negative");
+  if (!(growth > 0 && growth <= 2)) throw UsageError("the growth must lie in (0, 2]");
+  if (!(curve_tol > 0)) throw UsageError("the curve tolerance must be positive");
+  if (fan_layers < -1) throw UsageError("the number of fan layers must not be negative");
+  if (!(fan_factor > 0 && fan_factor < 1)) throw UsageError("the fan factor must lie in (0, 1)");
+}
+
+TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report) {
+  options.validate();
+  const Outline outline(face, straight_share * face.diameter);
+  const EdgeFit fit(outline, options.order);
+  EdgeLimits limits;
+  limits.size = options.size > 0 ? options.size : default_share * face.diameter;
+  limits.turn = edge_turn;
+  limits.curve_tol = options.curve_tol * face.diameter;
+  Result result = proved_mesh(fit, options, limits);
+  write_report(result, fit, limits.curve_tol, report);
+  return std::move(result.mesh);
+}
+
+}  // namespace quadrille
