@@ -9,7 +9,7 @@
 namespace quadrille {
 
 struct InputFile {
-  std::string name;   ///< for messages; "standard input" for "-"
+  std::string name;  ///< for messages; "standard input" for "-"
   std::string bytes;
   std::string sha256;
 

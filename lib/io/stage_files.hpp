@@ -1,6 +1,7 @@
 #pragma once
 // Reading and writing stage files: "-" is stdin or stdout, HDF5 as a file image. One .cpp per format behind this.
-// Readers throw FormatError (not that format, other major version, wrong shape or type, truncated), writers OutputError.
+// Readers throw FormatError (not that format, other major version, wrong shape or type, truncated), writers
+// OutputError.
 
 #include <string>
 

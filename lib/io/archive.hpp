@@ -1,0 +1,104 @@
+#pragma once
+// One description of a format's fields, walked in both directions: describe(Archive&, Struct&) names each member once,
+// and the same walk writes or reads it, as HDF5 or as JSON. So reading and writing cannot disagree. Private to io.
+//
+// HDF5: a list is a dataset, records become a group with one dataset per member, ragged members get `<name>_offsets`
+// beside the values. JSON: records are an array of objects. Readers throw FormatError naming the field.
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+/// What a dataset's attributes tell: `units` ("length", "radian", "1", ...) and `long_name`.
+struct Doc {
+  const char* units = "";
+  const char* long_name = "";
+};
+
+class Archive {
+ public:
+  using Each = std::function<void(Archive&, std::size_t)>;
+  virtual ~Archive() = default;
+
+  virtual bool is_reading() const = 0;
+  /// Throws FormatError (reading) or Defect (writing): "<file>: <place of the field `name`> <problem>".
+  [[noreturn]] virtual void fail(const char* name, const std::string& problem) const = 0;
+
+  // Members of fixed size.
+  virtual void integers(const char* name, int* values, std::size_t count, Doc doc) = 0;
+  virtual void reals(const char* name, double* values, std::size_t count, Doc doc) = 0;
+  virtual void text(const char* name, std::string& value, Doc doc) = 0;
+  /// A JSON text: embedded as it is in JSON, a string elsewhere.
+  virtual void json(const char* name, std::string& value, Doc doc) = 0;
+  virtual void flag(const char* name, bool& value, Doc doc) = 0;
+  // Lists; width 1: [n], else [n, width].
+  virtual void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc doc) = 0;
+  virtual void real_list(const char* name, std::vector<double>& flat, std::size_t width, Doc doc) = 0;
+  virtual void text_list(const char* name, std::vector<std::string>& values, Doc doc) = 0;
+  // Nesting.
+  virtual void object(const char* name, const std::function<void(Archive&)>& describe) = 0;
+  /// `count` records on writing; on reading `resize` is called with their number first. `each` is also called once
+  /// with index `declared` when there are none, so that empty columns are written with their names.
+  virtual void records(const char* name, std::size_t count, const std::function<void(std::size_t)>& resize,
+                       const Each& each) = 0;
+  static constexpr std::size_t declared = static_cast<std::size_t>(-1);
+
+  // The typed forms that descriptions use.
+  void field(const char* name, int& value, Doc doc = {}) { integers(name, &value, 1, doc); }
+  void field(const char* name, double& value, Doc doc = {}) { reals(name, &value, 1, doc); }
+  void field(const char* name, bool& value, Doc doc = {}) { flag(name, value, doc); }
+  void field(const char* name, std::string& value, Doc doc = {}) { text(name, value, doc); }
+  void field(const char* name, Vec2& value, Doc doc = {}) {
+    std::array<double, 2> xy{value.x, value.y};
+    reals(name, xy.data(), 2, doc);
+    value = {xy[0], xy[1]};
+  }
+  template <std::size_t N>
+  void field(const char* name, std::array<double, N>& value, Doc doc = {}) {
+    reals(name, value.data(), N, doc);
+  }
+  template <std::size_t N>
+  void field(const char* name, std::array<int, N>& value, Doc doc = {}) {
+    integers(name, value.data(), N, doc);
+  }
+  void field(const char* name, std::vector<int>& values, Doc doc = {}) { integer_list(name, values, 1, doc); }
+  void field(const char* name, std::vector<double>& values, Doc doc = {}) { real_list(name, values, 1, doc); }
+  void field(const char* name, std::vector<std::string>& values, Doc doc = {}) { text_list(name, values, doc); }
+  void field(const char* name, std::vector<Vec2>& values, Doc doc = {}) {
+    std::vector<double> flat;
+    if (!is_reading()) {
+      flat.reserve(2 * values.size());
+      for (const Vec2& p : values) flat.insert(flat.end(), {p.x, p.y});
+    }
+    real_list(name, flat, 2, doc);
+    if (!is_reading()) return;
+    values.resize(flat.size() / 2);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = {flat[2 * i], flat[2 * i + 1]};
+  }
+  template <std::size_t N>
+  void field(const char* name, std::vector<std::array<int, N>>& values, Doc doc = {}) {
+    std::vector<int> flat;
+    if (!is_reading())
+      for (const auto& row : values) flat.insert(flat.end(), row.begin(), row.end());
+    integer_list(name, flat, N, doc);
+    if (!is_reading()) return;
+    values.resize(flat.size() / N);
+    for (std::size_t i = 0; i < flat.size(); ++i) values[i / N][i % N] = flat[i];
+  }
+  /// describe(Archive&, Record&) for each record.
+  template <typename Record, typename Describe>
+  void field(const char* name, std::vector<Record>& values, const Describe& describe) {
+    Record empty;
+    records(
+        name, values.size(), [&](std::size_t count) { values.resize(count); },
+        [&](Archive& archive, std::size_t i) { describe(archive, i == declared ? empty : values[i]); });
+  }
+};
+
+}  // namespace quadrille

@@ -1,0 +1,37 @@
+#include "io/cad_face_io.hpp"
+#include "io/stage_files.hpp"
+#include "io/stage_io.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr FormatVersion block_layout_version{"block-layout", 1, 0};
+
+void describe_block_layout(Archive& archive, BlockLayout& layout) {
+  describe_face(archive, layout.face);
+  describe_nurbs(archive, "splines", layout.splines);
+  describe_graph(archive, layout.nodes, layout.arcs);
+  archive.field("block2nodes", layout.block2nodes, {"", "nodes of each block, counter-clockwise"});
+  archive.field("block2arcs", layout.block2arcs, {"", "side k: arc a forwards, or -1-a backwards"});
+  archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});
+  archive.field("block_jacobian_bound", layout.block_jacobian_bound,
+                {"length^2", "least Bernstein bound of det J of the block as one order-8 quad"});
+  archive.field("block_names", layout.block_names, {"", "name of each block"});
+}
+
+}  // namespace
+
+BlockLayout read_block_layout(const InputFile& file) {
+  BlockLayout layout;
+  layout.provenance =
+      read_hdf5_stage(file, block_layout_version, [&](Archive& a) { describe_block_layout(a, layout); });
+  return layout;
+}
+
+void write_block_layout(const std::string& path, const BlockLayout& layout) {
+  BlockLayout copy = layout;
+  write_hdf5_stage(path, block_layout_version, layout.provenance, [&](Archive& a) { describe_block_layout(a, copy); });
+}
+
+}  // namespace quadrille

@@ -1,0 +1,76 @@
+#include "io/cad_face_io.hpp"
+
+namespace quadrille {
+
+void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curves) {
+  archive.field(name, curves, [](Archive& a, Nurbs& curve) {
+    a.field("degree", curve.degree, {"1", "polynomial degree of the numerator"});
+    a.field("knots", curve.knots, {"1", "clamped knot vector"});
+    a.field("poles", curve.poles, {"length", "control points relative to face.origin"});
+    a.field("weights", curve.weights, {"1", "weights of the poles, positive"});
+  });
+}
+
+void describe_face(Archive& archive, CadFace& face) {
+  archive.object("face", [&](Archive& a) {
+    a.field("name", face.name, {"", "name of the face in the CAD file"});
+    a.field("length_unit", face.length_unit, {"", "unit of all lengths"});
+    a.field("metres_per_unit", face.metres_per_unit, {"m", "0 where unknown"});
+    a.field("plane_origin", face.plane_origin, {"length", "origin of the plane in the CAD model's space"});
+    a.field("plane_x", face.plane_x, {"1", "x axis of the plane"});
+    a.field("plane_y", face.plane_y, {"1", "y axis of the plane"});
+    a.field("origin", face.origin, {"length", "to be added to every position"});
+    a.field("diameter", face.diameter, {"length", "largest distance between two points of the outline"});
+    a.field("loop_offsets", face.loop_offsets, {"", "loop l holds curves loop_offsets[l] to loop_offsets[l+1]-1"});
+    a.field("curve_names", face.curve_names, {"", "name of each curve"});
+    a.field("curve_cad_edges", face.curve_cad_edges, {"", "number of the edge in the CAD file"});
+    describe_nurbs(a, "curves", face.curves);
+    a.field("joints", face.joints, [](Archive& b, Joint& joint) {
+      b.field("position", joint.position, {"length", "start of the curve"});
+      b.field("tangent_in", joint.tangent_in, {"radian", "tangent angle of the predecessor at its end"});
+      b.field("tangent_out", joint.tangent_out, {"radian", "tangent angle of the curve at its start"});
+      b.field("interior_angle", joint.interior_angle, {"radian", "angle inside the face"});
+      b.field("is_corner", joint.is_corner, {"", "1 at a corner of the layout"});
+    });
+  });
+}
+
+namespace {
+
+constexpr const char* kind_names[] = {"irregular", "corner", "boundary", "crossing", "cut"};
+
+void describe_kind(Archive& archive, NodeKind& kind) {
+  std::string name = kind_names[static_cast<int>(kind)];
+  archive.field("kind", name, {"", "irregular, corner, boundary, crossing or cut"});
+  for (int k = 0; k < 5; ++k) {
+    if (name != kind_names[k]) continue;
+    kind = static_cast<NodeKind>(k);
+    return;
+  }
+  archive.fail("kind", "must be irregular, corner, boundary, crossing or cut");
+}
+
+}  // namespace
+
+void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs) {
+  archive.field("nodes", nodes, [](Archive& a, GraphNode& node) {
+    a.field("position", node.position, {"length", "relative to face.origin"});
+    describe_kind(a, node.kind);
+    a.field("valence", node.valence, {"", "quads at the node, or in its sector on the boundary"});
+    a.field("curve", node.curve, {"", "CAD curve through a boundary node, else -1"});
+    a.field("t", node.t, {"1", "parameter on that curve"});
+  });
+  archive.field("arcs", arcs, [](Archive& a, GraphArc& arc) {
+    a.field("from", arc.from, {"", "node"});
+    a.field("to", arc.to, {"", "node"});
+    a.field("is_boundary", arc.is_boundary, {"", "1 on the boundary"});
+    a.field("length", arc.length, {"", "prescribed integer length, 0 = free"});
+    a.field("pieces", arc.pieces, [](Archive& b, ArcPiece& piece) {
+      b.field("curve", piece.curve, {"", "CAD curve, or spline + number of CAD curves"});
+      b.field("t0", piece.t0, {"1", "first parameter"});
+      b.field("t1", piece.t1, {"1", "last parameter"});
+    });
+  });
+}
+
+}  // namespace quadrille

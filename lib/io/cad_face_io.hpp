@@ -1,0 +1,16 @@
+#pragma once
+// The CAD face inside every stage file that needs it (formats/cad-face.md). Private to io.
+
+#include "io/archive.hpp"
+#include "model/cad_face.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille {
+
+/// As the object or group `face`.
+void describe_face(Archive& archive, CadFace& face);
+void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curves);
+/// `nodes` and `arcs` of a separatrix graph or a block layout.
+void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs);
+
+}  // namespace quadrille

@@ -1,0 +1,52 @@
+#include "io/checksum.hpp"
+
+#include <cstdint>
+#include <cstring>
+
+namespace quadrille {
+
+namespace {
+
+constexpr std::string_view mark = "QUADSUM1";
+constexpr std::size_t trailer_size = 16;
+
+/// FNV-1a over little-endian words of 8 bytes (the last one padded with zeros), then the length. Every step is a
+/// bijection of the state, so one damaged word always shows.
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t state = 14695981039346656037ull;
+  const auto mix = [&](std::uint64_t word) { state = (state ^ word) * 1099511628211ull; };
+  std::size_t i = 0;
+  for (; i + 8 <= bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, 8);
+    mix(word);
+    state ^= state >> 29;  // lets high bits reach the low ones
+  }
+  std::uint64_t rest = 0;
+  std::memcpy(&rest, bytes.data() + i, bytes.size() - i);
+  mix(rest);
+  mix(bytes.size());
+  return state;
+}
+
+std::string trailer_of(std::string_view image) {
+  std::string trailer(mark);
+  const std::uint64_t sum = checksum(image);
+  for (int i = 0; i < 8; ++i) trailer += static_cast<char>((sum >> (8 * i)) & 0xff);
+  return trailer;
+}
+
+}  // namespace
+
+void append_checksum(std::string& image) { image += trailer_of(image); }
+
+Checksum verify_checksum(const std::string& bytes, std::string_view& image) {
+  image = bytes;
+  if (bytes.size() < trailer_size) return Checksum::missing;
+  const std::string_view trailer = std::string_view(bytes).substr(bytes.size() - trailer_size);
+  if (trailer.substr(0, mark.size()) != mark) return Checksum::missing;
+  image.remove_suffix(trailer_size);
+  return trailer == trailer_of(image) ? Checksum::right : Checksum::wrong;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,50 @@
+#include "io/stage_files.hpp"
+#include "io/stage_io.hpp"
+#include "io/tri_mesh_io.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr FormatVersion field_version{"field", 1, 0};
+
+void describe_field(Archive& archive, Field& field) {
+  archive.field("kind", field.kind, {"", "harmonic"});
+  archive.field("method", field.method, {"", "discretisation"});
+  archive.object("mesh", [&](Archive& a) { describe_tri_mesh(a, field.mesh); });
+  archive.field("elem_order", field.elem_order, {"", "polynomial order of the field on each element"});
+  archive.field("coef_offsets", field.coef_offsets, {"", "coefficients of element e: coef_offsets[e] to [e+1]-1"});
+  archive.field("u", field.u, {"1", "coefficients of u in the orthonormal Dubiner basis"});
+  archive.field("v", field.v, {"1", "coefficients of v in the orthonormal Dubiner basis"});
+  archive.field("liftings", field.liftings, [](Archive& a, Lifting& lifting) {
+    a.field("joint", lifting.joint, {"", "joint of the face"});
+    a.field("apex", lifting.apex, {"length", "the joint's position"});
+    a.field("pole", lifting.pole, {"length", "a point outside the domain"});
+    a.field("jump", lifting.jump, {"1/radian", "field value per radian"});
+  });
+  archive.field("elem_sensor", field.elem_sensor, {"1", "last sensor of each element; empty before padapt"});
+  archive.field("adapt_steps", field.adapt_steps, [](Archive& a, AdaptStep& step) {
+    a.field("num_unknowns", step.num_unknowns);
+    a.field("num_raised", step.num_raised);
+    a.field("num_lowered", step.num_lowered);
+    a.field("min_order", step.min_order);
+    a.field("max_order", step.max_order);
+    a.field("max_sensor", step.max_sensor, {"1", "largest sensor of the round"});
+  });
+}
+
+}  // namespace
+
+Field read_field(const InputFile& file) {
+  Field field;
+  field.provenance = read_hdf5_stage(file, field_version, [&](Archive& a) { describe_field(a, field); });
+  field.mesh.provenance = field.provenance;
+  return field;
+}
+
+void write_field(const std::string& path, const Field& field) {
+  Field copy = field;
+  write_hdf5_stage(path, field_version, field.provenance, [&](Archive& a) { describe_field(a, copy); });
+}
+
+}  // namespace quadrille

@@ -1,0 +1,106 @@
+#pragma once
+// HDF5 files as images in memory, over the C API: groups, datasets and attributes of the few types that the formats
+// use. Private to io; no HDF5 type shows. Readers throw FormatError naming file and dataset, writers OutputError.
+//
+// The same content gives the same bytes: no time stamps, fixed library version bounds, contiguous datasets.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace quadrille {
+
+/// An HDF5 identifier that is closed when it goes out of scope.
+class Hdf5Id {
+ public:
+  using Close = int (*)(std::int64_t);
+  Hdf5Id() = default;
+  Hdf5Id(std::int64_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Id(Hdf5Id&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
+  Hdf5Id& operator=(Hdf5Id&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Hdf5Id() {
+    if (id_ >= 0 && close_) close_(id_);
+  }
+  std::int64_t get() const { return id_; }
+  explicit operator bool() const { return id_ >= 0; }
+
+ private:
+  std::int64_t id_ = -1;
+  Close close_ = nullptr;
+};
+
+/// A group being written. `shape` of a dataset: {} for one value, {n}, or {n, width}.
+class Hdf5GroupWriter {
+ public:
+  using Shape = std::vector<std::size_t>;
+  Hdf5GroupWriter(Hdf5Id group, std::string place) : group_(std::move(group)), place_(std::move(place)) {}
+
+  Hdf5GroupWriter group(const std::string& name) const;
+  void integers(const std::string& name, const int* values, const Shape& shape, const char* units,
+                const char* long_name) const;
+  void reals(const std::string& name, const double* values, const Shape& shape, const char* units,
+             const char* long_name) const;
+  void texts(const std::string& name, const std::vector<std::string>& values, bool is_scalar, const char* units,
+             const char* long_name) const;
+  void text_attribute(const std::string& name, const std::string& value) const;
+  void integer_attribute(const std::string& name, const std::vector<int>& values) const;
+
+ private:
+  Hdf5Id group_;
+  std::string place_;
+};
+
+class Hdf5Writer {
+ public:
+  Hdf5Writer();
+  const Hdf5GroupWriter& root() const { return *root_; }
+  /// Closes the file and returns its bytes.
+  std::string image();
+
+ private:
+  Hdf5Id file_;
+  std::unique_ptr<Hdf5GroupWriter> root_;
+};
+
+/// A group being read. Lists are checked for their class (integer, number, string) and shape [n] or [n, width].
+class Hdf5GroupReader {
+ public:
+  Hdf5GroupReader(Hdf5Id group, std::string file, std::string place)
+      : group_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}
+
+  [[noreturn]] void fail(const std::string& name, const std::string& problem) const;
+  Hdf5GroupReader group(const std::string& name) const;
+  /// width 0: one value; 1: [n]; else [n, width].
+  std::vector<int> integers(const std::string& name, std::size_t width) const;
+  std::vector<double> reals(const std::string& name, std::size_t width) const;
+  std::vector<std::string> texts(const std::string& name, std::size_t width) const;
+  bool has_attribute(const std::string& name) const;
+  std::string text_attribute(const std::string& name) const;
+  std::vector<int> integer_attribute(const std::string& name) const;
+
+ private:
+  Hdf5Id group_;
+  std::string file_, place_;
+};
+
+class Hdf5Reader {
+ public:
+  Hdf5Reader(std::string_view bytes, const std::string& file_name);
+  const Hdf5GroupReader& root() const { return *root_; }
+
+ private:
+  Hdf5Id file_;
+  std::unique_ptr<Hdf5GroupReader> root_;
+};
+
+/// Whether the bytes begin as an HDF5 file does.
+bool looks_like_hdf5(const std::string& bytes);
+
+}  // namespace quadrille

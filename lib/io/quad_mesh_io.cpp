@@ -1,0 +1,41 @@
+#include "io/cad_face_io.hpp"
+#include "io/stage_files.hpp"
+#include "io/stage_io.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 0};
+
+void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
+  describe_face(archive, mesh.face);
+  archive.field("order", mesh.order, {"", "shape order N"});
+  archive.field("nodes", mesh.nodes, {"length", "relative to face.origin"});
+  archive.field("elem_nodes", mesh.elem_nodes, {"", "(N+1)^2 nodes per element, xi1 fastest"});
+  archive.field("elem_block", mesh.elem_block, {"", "block of each element"});
+  archive.field("elem_jacobian_bound", mesh.elem_jacobian_bound, {"length^2", "proved lower bound of det J"});
+  archive.field("elem_scaled_jacobian", mesh.elem_scaled_jacobian, {"1", "least sampled scaled Jacobian"});
+  archive.field("boundary_edges", mesh.boundary_edges, [](Archive& a, QuadBoundaryEdge& edge) {
+    a.field("elem", edge.elem, {"", "element"});
+    a.field("side", edge.side, {"", "side 0 to 3"});
+    a.field("curve", edge.curve, {"", "CAD curve"});
+  });
+  archive.field("block_names", mesh.block_names, {"", "name of each block"});
+  archive.field("num_irregular", mesh.num_irregular, {"", "interior irregular nodes of the layout"});
+}
+
+}  // namespace
+
+QuadMesh read_quad_mesh(const InputFile& file) {
+  QuadMesh mesh;
+  mesh.provenance = read_hdf5_stage(file, quad_mesh_version, [&](Archive& a) { describe_quad_mesh(a, mesh); });
+  return mesh;
+}
+
+void write_quad_mesh(const std::string& path, const QuadMesh& mesh) {
+  QuadMesh copy = mesh;
+  write_hdf5_stage(path, quad_mesh_version, mesh.provenance, [&](Archive& a) { describe_quad_mesh(a, copy); });
+}
+
+}  // namespace quadrille

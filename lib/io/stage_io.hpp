@@ -1,0 +1,23 @@
+#pragma once
+// From a description of fields to a stage file and back, header included. Private to io.
+
+#include <functional>
+#include <string>
+
+#include "io/archive.hpp"
+#include "io/header.hpp"
+#include "io/input_file.hpp"
+
+namespace quadrille {
+
+using Describe = std::function<void(Archive&)>;
+
+void write_hdf5_stage(const std::string& path, const FormatVersion& version, const Provenance& provenance,
+                      const Describe& describe);
+Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
+
+void write_json_stage(const std::string& path, const FormatVersion& version, const Provenance& provenance,
+                      const Describe& describe);
+Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
+
+}  // namespace quadrille

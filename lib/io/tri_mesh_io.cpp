@@ -1,0 +1,41 @@
+#include "io/tri_mesh_io.hpp"
+
+#include "io/cad_face_io.hpp"
+#include "io/stage_files.hpp"
+#include "io/stage_io.hpp"
+
+namespace quadrille {
+
+namespace {
+constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 0};
+}
+
+void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
+  describe_face(archive, mesh.face);
+  archive.field("order", mesh.order, {"", "shape order N of the curved elements"});
+  archive.field("vertices", mesh.vertices, {"length", "relative to face.origin"});
+  archive.field("elem2vertices", mesh.elem2vertices, {"", "vertices of each element, counter-clockwise"});
+  archive.field("curved_elems", mesh.curved_elems, {"", "elements with geometry nodes, ascending"});
+  archive.field("curved_nodes", mesh.curved_nodes, {"length", "(N+1)(N+2)/2 nodes per curved element"});
+  archive.field("boundary_edges", mesh.boundary_edges, [](Archive& a, BoundaryEdge& edge) {
+    a.field("elem", edge.elem, {"", "element"});
+    a.field("edge", edge.edge, {"", "local edge 0, 1, 2"});
+    a.field("curve", edge.curve, {"", "CAD curve"});
+    a.field("t0", edge.t0, {"1", "parameter at its start"});
+    a.field("t1", edge.t1, {"1", "parameter at its end"});
+  });
+  archive.field("elem_layer", mesh.elem_layer, {"", "layer in a corner fan, -1 outside fans"});
+}
+
+TriMesh read_tri_mesh(const InputFile& file) {
+  TriMesh mesh;
+  mesh.provenance = read_hdf5_stage(file, tri_mesh_version, [&](Archive& a) { describe_tri_mesh(a, mesh); });
+  return mesh;
+}
+
+void write_tri_mesh(const std::string& path, const TriMesh& mesh) {
+  TriMesh copy = mesh;  // a description takes what it may also fill
+  write_hdf5_stage(path, tri_mesh_version, mesh.provenance, [&](Archive& a) { describe_tri_mesh(a, copy); });
+}
+
+}  // namespace quadrille
