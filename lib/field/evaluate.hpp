@@ -21,8 +21,12 @@ class FieldEvaluator {
  public:
   /// `field` must outlive the evaluator. Builds maps, topology and locator.
   explicit FieldEvaluator(const Field& field);
+  FieldEvaluator(const FieldEvaluator&) = delete;  // the locator refers to the maps
+  FieldEvaluator& operator=(const FieldEvaluator&) = delete;
 
-  /// Position and value only: what a streamline needs.
+  /// Position and value only: what a streamline needs. On a corner with a lifting the value depends on the direction
+  /// of approach: there it is the limit from the element's centroid. No allocation; cost linear in the number of
+  /// modes and of liftings.
   Vec2 value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
   FieldSample sample(int elem, Vec2 xi) const;
   /// Value at a physical point; false when x lies outside the mesh.
@@ -34,6 +38,8 @@ class FieldEvaluator {
   const Locator& locator() const { return locator_; }
 
  private:
+  Vec2 liftings(int elem, Vec2 x) const;
+
   const Field* field_;
   std::vector<TriMap> maps_;
   TriTopology topology_;

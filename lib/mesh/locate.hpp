@@ -1,6 +1,8 @@
 #pragma once
 // Which element holds a point, and where: a search grid over curved elements.
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "model/tri_mesh.hpp"
@@ -13,6 +15,9 @@ struct Location {
   Vec2 xi;
 };
 
+/// How far a point lies outside the reference triangle, in barycentric coordinates: <= 0 inside.
+inline double outside_reference(Vec2 xi) { return std::fmax(std::fmax(-(1 + xi.x), -(1 + xi.y)), xi.x + xi.y) / 2; }
+
 class Locator {
  public:
   /// `maps` must outlive the locator.
@@ -22,10 +27,17 @@ class Locator {
   Location find(Vec2 x) const;
 
  private:
+  struct Box {
+    Vec2 lower, upper;
+  };
+  std::array<int, 2> cell_of(Vec2 x) const;
+  void fill_grid();
+
   const std::vector<TriMap>* maps_;
+  std::vector<Box> boxes_;  ///< one per element: holds it, with a margin
   Vec2 lower_, cell_;
   int nx_ = 1, ny_ = 1;
-  std::vector<int> offsets_, values_;  ///< search grid cell -> elements whose hull touches it
+  std::vector<int> offsets_, values_;  ///< search grid cell -> elements whose box touches it, ascending
 };
 
 }  // namespace quadrille

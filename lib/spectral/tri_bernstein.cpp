@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "base/error.hpp"
+#include "spectral/per_order.hpp"
 
 namespace quadrille {
 namespace {
@@ -66,6 +66,7 @@ Form orthogonal_mode(int p, int q) {
 
 /// Column by column, [mode * num_bernstein + coefficient].
 std::vector<double> conversion_matrix(int order) {
+  if (order < 0 || order > max_order) throw Defect("no Bernstein conversion for order " + std::to_string(order));
   const int size = num_bernstein(order);
   std::vector<double> matrix(size * size);
   for (int d = 0, mode = 0; d <= order; ++d)
@@ -80,10 +81,8 @@ std::vector<double> conversion_matrix(int order) {
 }
 
 const std::vector<double>& conversion(int order) {
-  static std::array<std::unique_ptr<std::vector<double>>, max_order + 1> cache;
-  if (order < 0 || order > max_order) throw Defect("no Bernstein conversion for order " + std::to_string(order));
-  if (!cache[order]) cache[order] = std::make_unique<std::vector<double>>(conversion_matrix(order));
-  return *cache[order];
+  static PerOrder<std::vector<double>> tables(conversion_matrix);
+  return tables[order];
 }
 
 /// Position in the coefficients of entry t = 0..m on the line parallel to `edge` that has n - m as the third exponent.

@@ -1,0 +1,61 @@
+#include "field/evaluate.hpp"
+
+#include "field/corner_lifting.hpp"
+#include "mesh/tri_maps.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
+
+}  // namespace
+
+FieldEvaluator::FieldEvaluator(const Field& field)
+    : field_(&field), maps_(tri_maps(field.mesh)), topology_(tri_topology(field.mesh)), locator_(field.mesh, maps_) {}
+
+Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
+  Vec2 sum;
+  for (const Lifting& lifting : field_->liftings) {
+    const bool at_apex = x == lifting.apex;
+    sum += lifting.jump * (at_apex ? lifting_angle_at_apex(lifting, normalized(maps_[elem].position(centroid) - x))
+                                   : lifting_angle(lifting, x));
+  }
+  return sum;
+}
+
+Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
+  maps_[elem].evaluate(xi, x, dx_dxi);
+  const int offset = field_->coef_offsets[elem];
+  return orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi) + liftings(elem, x);
+}
+
+FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {
+  FieldSample s;
+  maps_[elem].evaluate(xi, s.x, s.dx_dxi);
+  const int offset = field_->coef_offsets[elem];
+  Mat2 dv_dxi;
+  s.value = orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi, dv_dxi) +
+            liftings(elem, s.x);
+  s.dv_dx = dv_dxi * inverse(s.dx_dxi);
+  for (const Lifting& lifting : field_->liftings) {
+    if (s.x == lifting.apex) continue;  // the gradient has no limit there
+    const Vec2 g = lifting_gradient(lifting, s.x);
+    s.dv_dx.xx += lifting.jump.x * g.x;
+    s.dv_dx.xy += lifting.jump.x * g.y;
+    s.dv_dx.yx += lifting.jump.y * g.x;
+    s.dv_dx.yy += lifting.jump.y * g.y;
+  }
+  return s;
+}
+
+bool FieldEvaluator::value_at(Vec2 x, Vec2& value_there) const {
+  const Location at = locator_.find(x);
+  if (at.elem < 0) return false;
+  Vec2 position;
+  Mat2 jacobian;
+  value_there = value(at.elem, at.xi, position, jacobian);
+  return true;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,79 @@
+#include "mesh/locate.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "spectral/tri_bernstein.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double reference_tol = 1e-10;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The range of a coordinate over the element, by its Bernstein hull.
+std::array<double, 2> hull(int order, const std::vector<double>& coefs) {
+  const std::vector<double> b = bernstein_from_orthogonal(order, coefs);
+  const auto [low, high] = std::minmax_element(b.begin(), b.end());
+  return {*low, *high};
+}
+
+}  // namespace
+
+Locator::Locator(const TriMesh& mesh, const std::vector<TriMap>& maps) : maps_(&maps) {
+  boxes_.reserve(maps.size());
+  lower_ = {infinity, infinity};
+  Vec2 upper{-infinity, -infinity};
+  for (const TriMap& map : maps) {
+    const auto [x0, x1] = hull(map.order(), map.coefs_x());
+    const auto [y0, y1] = hull(map.order(), map.coefs_y());
+    const double margin = 1e-8 * std::max(x1 - x0, y1 - y0) + 1e-14 * mesh.face.diameter;
+    boxes_.push_back({{x0 - margin, y0 - margin}, {x1 + margin, y1 + margin}});
+    lower_ = {std::min(lower_.x, x0 - margin), std::min(lower_.y, y0 - margin)};
+    upper = {std::max(upper.x, x1 + margin), std::max(upper.y, y1 + margin)};
+  }
+  const Vec2 extent = maps.empty() ? Vec2{1, 1} : upper - lower_;
+  const double spacing = std::sqrt(extent.x * extent.y / std::max<double>(1, static_cast<double>(maps.size())));
+  nx_ = std::clamp(static_cast<int>(extent.x / spacing), 1, 4096);
+  ny_ = std::clamp(static_cast<int>(extent.y / spacing), 1, 4096);
+  cell_ = {extent.x / nx_, extent.y / ny_};
+  fill_grid();
+}
+
+std::array<int, 2> Locator::cell_of(Vec2 x) const {
+  const Vec2 at{(x.x - lower_.x) / cell_.x, (x.y - lower_.y) / cell_.y};
+  return {static_cast<int>(std::clamp(at.x, 0.0, nx_ - 1.0)), static_cast<int>(std::clamp(at.y, 0.0, ny_ - 1.0))};
+}
+
+void Locator::fill_grid() {
+  const auto for_each_cell = [this](const auto& visit) {
+    for (int e = 0; e < static_cast<int>(boxes_.size()); ++e) {
+      const auto [i0, j0] = cell_of(boxes_[e].lower);
+      const auto [i1, j1] = cell_of(boxes_[e].upper);
+      for (int j = j0; j <= j1; ++j)
+        for (int i = i0; i <= i1; ++i) visit(j * nx_ + i, e);
+    }
+  };
+  offsets_.assign(nx_ * ny_ + 1, 0);
+  for_each_cell([this](int cell, int) { ++offsets_[cell + 1]; });
+  for (int c = 0; c < nx_ * ny_; ++c) offsets_[c + 1] += offsets_[c];
+  values_.resize(offsets_.back());
+  std::vector<int> next(offsets_.begin(), offsets_.end() - 1);
+  for_each_cell([&](int cell, int elem) { values_[next[cell]++] = elem; });
+}
+
+Location Locator::find(Vec2 x) const {
+  if (boxes_.empty() || !std::isfinite(x.x) || !std::isfinite(x.y)) return {};
+  const auto [i, j] = cell_of(x);
+  const int cell = j * nx_ + i;
+  for (int n = offsets_[cell]; n < offsets_[cell + 1]; ++n) {
+    const int elem = values_[n];
+    const Box& box = boxes_[elem];
+    if (x.x < box.lower.x || x.x > box.upper.x || x.y < box.lower.y || x.y > box.upper.y) continue;
+    Vec2 xi{-1.0 / 3, -1.0 / 3};
+    if ((*maps_)[elem].invert(x, xi) && outside_reference(xi) <= reference_tol) return {elem, xi};
+  }
+  return {};
+}
+
+}  // namespace quadrille

@@ -1,0 +1,66 @@
+#include "mesh/locate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/square_field.hpp"
+
+namespace quadrille {
+namespace {
+
+struct LocatorTest : testing::Test {
+  TriMesh mesh = square_mesh({-1, 2}, 3, 5);
+  std::vector<TriMap> maps = tri_maps(mesh);
+  Locator locator{mesh, maps};
+};
+
+TEST_F(LocatorTest, finds_the_reference_point_of_every_element) {
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (const Vec2 xi : {Vec2{-0.9, -0.8}, Vec2{-1.0 / 3, -1.0 / 3}, Vec2{0.7, -0.9}, Vec2{-0.95, 0.9}}) {
+      const Location at = locator.find(maps[e].position(xi));
+      EXPECT_EQ(at.elem, e);
+      EXPECT_NEAR(distance(at.xi, xi), 0, 1e-13);
+    }
+}
+
+TEST_F(LocatorTest, takes_the_lowest_element_on_edges_and_vertices) {
+  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
+    int lowest = mesh.num_elems();
+    for (int e = mesh.num_elems() - 1; e >= 0; --e)
+      for (const int corner : mesh.elem2vertices[e])
+        if (corner == v) lowest = e;
+    EXPECT_EQ(locator.find(mesh.vertices[v]).elem, lowest);
+  }
+  EXPECT_EQ(locator.find((mesh.vertices[0] + mesh.vertices[7]) / 2).elem, 0);  // the first diagonal
+}
+
+TEST_F(LocatorTest, knows_the_outside) {
+  for (const Vec2 x : {Vec2{-1.001, 3}, Vec2{2.5, 3}, Vec2{0, 1.9999}, Vec2{0, 9}, Vec2{std::nan(""), 3}})
+    EXPECT_EQ(locator.find(x).elem, -1);
+}
+
+TEST(Locator, inverts_curved_elements) {
+  // Two order-3 triangles that share the arc y = x (1 - x) / 2 between (0,0) and (1,0).
+  const auto bend = [](Vec2 p) { return p + Vec2{0, p.x * (1 - p.x) / 2}; };
+  TriMesh mesh;
+  mesh.order = 3;
+  mesh.face.diameter = 2;
+  mesh.vertices = {{0, 0}, {1, 0}, {0, 1}, {1, -1}};
+  mesh.elem2vertices = {{0, 1, 2}, {1, 0, 3}};
+  mesh.curved_elems = {0, 1};
+  for (const auto& [a, b, c] : mesh.elem2vertices) {
+    const TriMap straight({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    for (const Vec2 xi : tri_nodes(3)) mesh.curved_nodes.push_back(bend(straight.position(xi)));
+  }
+  const std::vector<TriMap> maps = tri_maps(mesh);
+  const Locator locator(mesh, maps);
+  for (const Vec2 xi : {Vec2{0, -0.99}, Vec2{-0.5, -0.7}, Vec2{-0.9, 0.8}})
+    for (int e = 0; e < 2; ++e) {
+      const Location at = locator.find(maps[e].position(xi));
+      EXPECT_EQ(at.elem, e);
+      EXPECT_NEAR(distance(at.xi, xi), 0, 1e-12);
+    }
+  EXPECT_EQ(locator.find({0.5, 0.7}).elem, -1);  // beyond the bent hypotenuse
+}
+
+}  // namespace
+}  // namespace quadrille
