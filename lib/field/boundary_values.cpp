@@ -1,0 +1,45 @@
+#include "field/boundary_values.hpp"
+
+#include "curve/nurbs.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// (cos 4 theta, sin 4 theta) of a unit tangent as its fourth complex power: exact on the axes, no angle in between.
+Vec2 fourth_power(Vec2 d) {
+  const Vec2 square{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
+  return {square.x * square.x - square.y * square.y, 2 * square.x * square.y};
+}
+
+// The direction in which the curve leaves the joint at its end t; zero inside the curve.
+Vec2 direction_from_joint(const Nurbs& curve, double t) {
+  if (t <= curve.begin()) return tangent(curve, t);
+  if (t >= curve.end()) return -tangent(curve, t, true);
+  return {};
+}
+
+}  // namespace
+
+Vec2 boundary_value(const CadFace& face, int curve, double t) {
+  const Nurbs& nurbs = face.curves[curve];
+  return fourth_power(tangent(nurbs, t, t >= nurbs.end()));
+}
+
+Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
+  const Nurbs& nurbs = face.curves[curve];
+  Vec2 value = boundary_value(face, curve, t);
+  if (liftings.empty()) return value;
+  const bool at_begin = t <= nurbs.begin(), at_end = t >= nurbs.end();
+  const int joint = at_begin ? curve : at_end ? face.next_in_loop(curve) : -1;
+  const Vec2 x = point(nurbs, t);
+  for (const Lifting& lifting : liftings) {
+    const double angle = lifting.joint == joint ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, t))
+                                                : lifting_angle(lifting, x);
+    value = value - lifting.jump * angle;
+  }
+  return value;
+}
+
+}  // namespace quadrille

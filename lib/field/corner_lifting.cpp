@@ -1,0 +1,95 @@
+#include "field/corner_lifting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "field/boundary_values.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// Data that differ by less are the same number computed twice: the field's error is no larger than this.
+constexpr double jump_tol = 1e-12;
+
+struct Ray {
+  Vec2 start, direction;
+  double shortest = 0;  // hits nearer than this are the ray's own start
+};
+
+// Extent of a curve's poles along and across the ray. Weights are positive: the curve lies within their hull.
+struct Extent {
+  double along_min = INFINITY, along_max = -INFINITY, across_min = INFINITY, across_max = -INFINITY;
+};
+
+Extent extent(const Nurbs& curve, const Ray& ray) {
+  Extent e;
+  for (const Vec2 pole : curve.poles) {
+    const double along = dot(ray.direction, pole - ray.start), across = cross(ray.direction, pole - ray.start);
+    e.along_min = std::min(e.along_min, along);
+    e.along_max = std::max(e.along_max, along);
+    e.across_min = std::min(e.across_min, across);
+    e.across_max = std::max(e.across_max, across);
+  }
+  return e;
+}
+
+// The distance at which the ray first meets the hull of a short piece of the curve, if that is less than `nearest`.
+double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
+  const Extent e = extent(curve, ray);
+  const bool misses = e.across_min > 0 || e.across_max < 0;
+  if (misses || e.along_max <= ray.shortest || e.along_min >= nearest) return nearest;
+  const double size = std::max(e.along_max - e.along_min, e.across_max - e.across_min);
+  if (size <= ray.shortest) return std::max(e.along_min, ray.shortest);
+  const double middle = (curve.begin() + curve.end()) / 2;
+  if (!(middle > curve.begin() && middle < curve.end())) return std::max(e.along_min, ray.shortest);
+  const Nurbs first = trimmed(curve, curve.begin(), middle), second = trimmed(curve, middle, curve.end());
+  const bool backwards = extent(second, ray).along_min < extent(first, ray).along_min;
+  nearest = first_hit(backwards ? second : first, ray, nearest);
+  return first_hit(backwards ? first : second, ray, nearest);
+}
+
+Vec2 find_pole(const CadFace& face, Vec2 apex, Vec2 exterior_bisector) {
+  const Ray ray{apex, exterior_bisector, 1e-6 * face.diameter};
+  double reach = 2 * face.diameter;
+  for (const Nurbs& curve : face.curves) reach = first_hit(curve, ray, reach);
+  return apex + (reach / 2) * exterior_bisector;
+}
+
+}  // namespace
+
+double lifting_angle(const Lifting& lifting, Vec2 x) {
+  const Vec2 a = x - lifting.apex, b = x - lifting.pole;
+  return std::atan2(cross(b, a), dot(b, a));
+}
+
+Vec2 lifting_gradient(const Lifting& lifting, Vec2 x) {
+  const Vec2 a = x - lifting.apex, b = x - lifting.pole;
+  return left_of(a) / norm2(a) - left_of(b) / norm2(b);
+}
+
+double lifting_angle_at_apex(const Lifting& lifting, Vec2 d) {
+  const Vec2 b = lifting.apex - lifting.pole;
+  return std::atan2(cross(b, d), dot(b, d));
+}
+
+std::vector<Lifting> corner_liftings(const CadFace& face) {
+  std::vector<Lifting> liftings;
+  for (int joint = 0; joint < face.num_curves(); ++joint) {
+    const int before = face.previous_in_loop(joint);
+    const Vec2 v_in = boundary_value(face, before, face.curves[before].end());
+    const Vec2 v_out = boundary_value(face, joint, face.curves[joint].begin());
+    if (norm(v_in - v_out) <= jump_tol) continue;
+    const double angle = face.joints[joint].interior_angle;
+    const Vec2 out = tangent(face.curves[joint], face.curves[joint].begin());
+    const Vec2 turn = unit(angle / 2);
+    const Vec2 interior_bisector{out.x * turn.x - out.y * turn.y, out.x * turn.y + out.y * turn.x};
+    const Vec2 apex = face.joints[joint].position;
+    liftings.push_back({joint, apex, find_pole(face, apex, -interior_bisector), (v_in - v_out) / angle});
+  }
+  return liftings;
+}
+
+}  // namespace quadrille
