@@ -11,6 +11,7 @@
 #include "triangulate/corner_fans.hpp"
 #include "triangulate/curve_elements.hpp"
 #include "triangulate/refine_domain.hpp"
+#include "triangulate/smooth.hpp"
 
 namespace quadrille {
 namespace {
@@ -49,7 +50,13 @@ TriMesh assemble(const CadFace& face, int order, const Draft& draft) {
 /// The mesh of fans and refined rest.
 TriMesh complete_mesh(const CadFace& face, int order, Draft draft, const DomainRefiner& refiner,
                       const BoundaryMesh& boundary) {
-  for (const auto& [a, b, c] : refiner.triangles()) draft.add_triangle(a, b, c, -1);
+  std::vector<char> is_free(draft.vertices.size(), 0);
+  for (const auto& [a, b, c] : refiner.triangles()) {
+    draft.add_triangle(a, b, c, -1);
+    for (const int v : {a, b, c}) is_free[v] = 1;
+  }
+  for (const Segment& segment : boundary.segments()) is_free[segment.from] = is_free[segment.to] = 0;
+  smooth(draft, is_free);
   for (const Segment& segment : boundary.segments())
     if (!segment.is_rim()) draft.edges.push_back({segment.from, segment.to, segment.curve, segment.t0, segment.t1});
   return assemble(face, order, draft);

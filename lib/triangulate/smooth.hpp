@@ -1,0 +1,17 @@
+#pragma once
+// Moves inner vertices so that the worst triangle around each becomes better; connections stay.
+
+#include <vector>
+
+#include "triangulate/draft.hpp"
+
+namespace quadrille {
+
+/// Shape of a triangle: 4 sqrt(3) area / (sum of squared edges); 1 equilateral, 0 flat, negative turned over.
+double triangle_shape(Vec2 a, Vec2 b, Vec2 c);
+
+/// Moves the vertices with `is_free` towards the mean of their neighbours, each only where that improves the least
+/// shape around it. `is_free` has one entry per vertex.
+void smooth(Draft& draft, const std::vector<char>& is_free);
+
+}  // namespace quadrille
