@@ -13,8 +13,8 @@
 namespace quadrille {
 
 struct DrawOptions {
-  int width = 1000;            ///< pixels
-  std::string show = "psi";    ///< of a field: "u", "v", "psi" or "order"
+  int width = 1000;          ///< pixels
+  std::string show = "psi";  ///< of a field: "u", "v", "psi" or "order"
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);

@@ -1,0 +1,20 @@
+#pragma once
+// Smooth curves as cubic Bezier segments: Hermite interpolation, halved until it is exact to a share of a pixel.
+
+#include <functional>
+
+#include "draw/svg.hpp"
+
+namespace quadrille {
+
+struct CurvePoint {
+  Vec2 position;    ///< pixels
+  Vec2 derivative;  ///< with respect to the parameter
+};
+using PixelCurve = std::function<CurvePoint(double)>;
+
+/// Appends the curve from t0 to t1 (t0 > t1: backwards) to `path`, whose pen is at its start. Straight stretches
+/// become lines. The distance to the curve is below 0.05 pixels at the points where it is measured.
+void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1);
+
+}  // namespace quadrille

@@ -1,0 +1,81 @@
+#include "draw/colour.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/angle.hpp"
+
+namespace quadrille {
+
+namespace {
+
+int channel(double linear) {
+  const double c = std::clamp(linear, 0.0, 1.0);
+  const double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+  return static_cast<int>(std::lround(255 * encoded));
+}
+
+std::array<int, 3> channels(const std::string& colour) {
+  const int rgb = std::stoi(colour.substr(1), nullptr, 16);
+  return {rgb >> 16, rgb >> 8 & 255, rgb & 255};
+}
+
+constexpr double golden_angle = 137.50776405003785;
+
+}  // namespace
+
+std::string oklch(double lightness, double chroma, double hue) {
+  const double a = chroma * std::cos(radians(hue)), b = chroma * std::sin(radians(hue));
+  const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+  const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+  const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+                     channel(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+                     channel(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s));
+}
+
+std::string quiet_colour(int i) { return oklch(0.92 - 0.025 * (i % 3), 0.045, 230 + golden_angle * i); }
+
+std::string line_colour(int i) { return oklch(0.58 - 0.05 * (i % 2), 0.15, 255 + golden_angle * i); }
+
+std::string ramp_colour(const Ramp& ramp, double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  std::size_t i = 1;
+  while (i + 1 < ramp.size() && ramp[i].position < t) ++i;
+  const double width = ramp[i].position - ramp[i - 1].position;
+  const double s = (t - ramp[i - 1].position) / width;
+  const auto a = channels(ramp[i - 1].colour), b = channels(ramp[i].colour);
+  const auto mix = [&](int k) { return static_cast<int>(std::lround(a[k] + s * (b[k] - a[k]))); };
+  return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
+}
+
+std::string cross_angle_colour(double degrees, double magnitude) {
+  return oklch(0.87, 0.085 * std::sqrt(std::clamp(magnitude, 0.0, 1.0)), 250 + 4 * degrees);
+}
+
+const Ramp& component_ramp() {
+  static const Ramp ramp{{0, "#3a6fa8"}, {0.25, "#93b9dc"}, {0.5, "#f8f7f3"}, {0.75, "#ecb48f"}, {1, "#b9552f"}};
+  return ramp;
+}
+
+const Ramp& order_ramp() {
+  static const Ramp ramp{{0, "#f6f3e4"}, {0.25, "#cfe3cf"}, {0.5, "#8cc3c4"}, {0.75, "#5a8fb8"}, {1, "#4b5390"}};
+  return ramp;
+}
+
+const Ramp& scaled_jacobian_ramp() {
+  static const Ramp ramp{{0, "#a3262c"},    {0.25, "#dc6a4b"}, {0.5, "#f4b98f"},
+                         {0.75, "#f5ead6"}, {0.9, "#d3e5ea"},  {1, "#a5cbdd"}};
+  return ramp;
+}
+
+Ramp cross_angle_ramp() {
+  Ramp ramp;
+  for (int i = 0; i <= 18; ++i) ramp.push_back({i / 18.0, cross_angle_colour(5.0 * i - 45, 1)});
+  return ramp;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,107 @@
+// The blocks in quiet colours with their numbers, irregular nodes and corners.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "curve/nurbs.hpp"
+#include "draw/marks.hpp"
+
+namespace quadrille {
+
+namespace {
+
+/// The pieces of side k, walked counter-clockwise around the block.
+std::vector<ArcPiece> side_pieces(const BlockLayout& layout, int block, int k) {
+  const int directed = layout.block2arcs[block][k];
+  std::vector<ArcPiece> pieces = layout.arcs[directed >= 0 ? directed : -1 - directed].pieces;
+  if (directed < 0) {
+    std::reverse(pieces.begin(), pieces.end());
+    for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
+  }
+  return pieces;
+}
+
+PathData block_outline(const Picture& picture, const BlockLayout& layout, int block) {
+  PathData path;
+  for (int k = 0; k < 4; ++k)
+    for (const ArcPiece& piece : side_pieces(layout, block, k))
+      append_nurbs(path, picture, layout.curve(piece.curve), piece.t0, piece.t1);
+  path.close();
+  return path;
+}
+
+/// The point half way along a side, by the lengths of a fine polyline.
+Vec2 side_middle(const BlockLayout& layout, int block, int k) {
+  std::vector<Vec2> points;
+  for (const ArcPiece& piece : side_pieces(layout, block, k))
+    for (int i = 0; i <= 16; ++i)
+      points.push_back(point(layout.curve(piece.curve), std::lerp(piece.t0, piece.t1, i / 16.0)));
+  double length = 0, walked = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double step = distance(points[i - 1], points[i]);
+    if (walked + step >= length / 2 && step > 0)
+      return points[i - 1] + (length / 2 - walked) / step * (points[i] - points[i - 1]);
+    walked += step;
+  }
+  return points.front();
+}
+
+/// The middle of the transfinite blend.
+Vec2 block_centre(const BlockLayout& layout, int block) {
+  Vec2 centre;
+  for (int k = 0; k < 4; ++k)
+    centre += 0.5 * side_middle(layout, block, k) - 0.25 * layout.nodes[layout.block2nodes[block][k]].position;
+  return centre;
+}
+
+void draw_block(Picture& picture, const BlockLayout& layout, int block) {
+  const std::string name = block < static_cast<int>(layout.block_names.size()) ? layout.block_names[block] : "";
+  std::string title = fmt::format("block {}", block);
+  if (!name.empty() && name != title) title += ": " + name;
+  picture.add(svg_element("path",
+                          {{"id", fmt::format("block-{}", block)},
+                           {"fill", quiet_colour(block)},
+                           {"d", block_outline(picture, layout, block).str()}},
+                          title));
+  picture.text(picture.at(block_centre(layout, block)), "label", std::to_string(block));
+}
+
+}  // namespace
+
+std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options) {
+  const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
+  std::vector<int> valences;
+  for (const GraphNode& node : layout.nodes)
+    if (node.kind == NodeKind::irregular) valences.push_back(node.valence);
+  Picture picture(bounding_box(layout.face), options, "Blocks",
+                  fmt::format("{}, {}, {}", counted(layout.num_blocks(), "block"),
+                              counted(static_cast<int>(chords.size()), "chord"),
+                              counted(static_cast<int>(valences.size()), "irregular node")));
+  picture.open_group("blocks");
+  for (int b = 0; b < layout.num_blocks(); ++b) draw_block(picture, layout, b);
+  picture.close_group();
+  for (std::size_t a = 0; a < layout.arcs.size(); ++a) {
+    if (layout.arcs[a].is_boundary) continue;
+    PathData path;
+    for (const ArcPiece& piece : layout.arcs[a].pieces)
+      append_nurbs(path, picture, layout.curve(piece.curve), piece.t0, piece.t1);
+    picture.add(svg_element("path", {{"class", "edge"}, {"id", fmt::format("arc-{}", a)}, {"d", path.str()}},
+                            fmt::format("arc {}, chord {}", a, layout.arc_chord.empty() ? -1 : layout.arc_chord[a])));
+  }
+  draw_boundary(picture, layout.face);
+  draw_corners(picture, layout.face);
+  for (const GraphNode& node : layout.nodes)
+    if (node.kind == NodeKind::irregular)
+      picture.add(valence_mark(picture.at(node.position), node.valence, 8,
+                               fmt::format("irregular node of valence {} at {}", node.valence,
+                                           place_text(node.position, layout.face.origin))));
+  legend_valences(picture, valences);
+  picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+  return picture.str();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,111 @@
+// The guiding field: u, v or the cross angle as smooth colour with zero contours, or the order map.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "draw/elements.hpp"
+#include "draw/field_cells.hpp"
+#include "draw/marks.hpp"
+
+namespace quadrille {
+
+namespace {
+
+/// Few enough colours to share paths, enough to look smooth.
+double stepped(double value, double steps) { return std::round(value * steps) / steps; }
+
+std::string caption(const Field& field) {
+  const auto [least, greatest] = std::minmax_element(field.elem_order.begin(), field.elem_order.end());
+  if (field.elem_order.empty()) return "no elements";
+  const std::string orders =
+      *least == *greatest ? fmt::format("order {}", *least) : fmt::format("orders {} to {}", *least, *greatest);
+  return fmt::format("{}, {}, {} unknowns per component before condensation, {}",
+                     counted(field.mesh.num_elems(), "triangle"), orders, field.u.size(),
+                     counted(static_cast<int>(field.liftings.size()), "lifting"));
+}
+
+void draw_cross_angle(Picture& picture, const FieldEvaluator& evaluator) {
+  const auto colour = [](Vec2 value) {
+    return cross_angle_colour(stepped(degrees(cross_angle(value)), 1), stepped(std::min(1.0, norm(value)), 24));
+  };
+  const auto difference = [](Vec2 a, Vec2 b) {
+    const double turn = std::abs(degrees(wrap_pi(angle_of(a) - angle_of(b)))) / 4;
+    return std::max(turn * std::min(1.0, norm(a) * 4) / 2, std::abs(norm(a) - norm(b)) * 12);
+  };
+  draw_field_cells(picture, evaluator, colour, difference);
+  draw_crosses(picture, evaluator, 34);
+  picture.legend_bar(cross_angle_ramp(), "cross angle ψ in degrees", {"−45", "−22.5", "0", "22.5", "45"});
+}
+
+void draw_component(Picture& picture, const FieldEvaluator& evaluator, bool is_u) {
+  const auto component = [is_u](Vec2 value) { return is_u ? value.x : value.y; };
+  draw_field_cells(
+      picture, evaluator,
+      [&](Vec2 value) { return ramp_colour(component_ramp(), stepped(0.5 * (component(value) + 1), 96)); },
+      [&](Vec2 a, Vec2 b) { return std::abs(component(a) - component(b)) * 32; });
+  picture.legend_bar(component_ramp(), is_u ? "u" : "v", {"−1", "−0.5", "0", "0.5", "1"});
+}
+
+void draw_orders(Picture& picture, const Field& field) {
+  const std::vector<TriMap> maps = element_maps(field.mesh);
+  const std::set<int> orders(field.elem_order.begin(), field.elem_order.end());
+  const auto fill = [&](int order) {
+    const double range = *orders.rbegin() - *orders.begin();
+    return ramp_colour(order_ramp(), range > 0 ? (order - *orders.begin()) / range : 0.4);
+  };
+  picture.open_group("elems");
+  for (int e = 0; e < field.mesh.num_elems(); ++e) {
+    const int order = field.elem_order[e];
+    picture.add(svg_element(
+        "path", {{"id", fmt::format("elem-{}", e)}, {"fill", fill(order)}, {"d", tri_outline(picture, maps[e]).str()}},
+        fmt::format("triangle {}, order {}", e, order)));
+    const double area = std::abs(det([&] {
+      Vec2 x;
+      Mat2 dx_dxi;
+      maps[e].evaluate({-1.0 / 3, -1.0 / 3}, x, dx_dxi);
+      return dx_dxi;
+    }()));
+    if (std::sqrt(2 * area) * picture.scale() > 26)
+      picture.text(picture.at(maps[e].position({-1.0 / 3, -1.0 / 3})), "small", std::to_string(order));
+  }
+  picture.close_group();
+  for (const int order : orders)
+    picture.legend_mark(svg_element("rect", {{"x", "-7"},
+                                             {"y", "-7"},
+                                             {"width", "14"},
+                                             {"height", "14"},
+                                             {"rx", "2"},
+                                             {"fill", fill(order)},
+                                             {"stroke", "#5b6f82"},
+                                             {"stroke-width", ".6"}}),
+                        fmt::format("{}", order));
+}
+
+}  // namespace
+
+std::string draw_field(const Field& field, const DrawOptions& options) {
+  const std::string title = options.show == "psi"     ? "Guiding field: cross angle ψ"
+                            : options.show == "order" ? "Guiding field: order of each element"
+                                                      : "Guiding field: component " + options.show;
+  Picture picture(bounding_box(field.mesh.face), options, title, caption(field));
+  if (options.show == "order") {
+    draw_orders(picture, field);
+  } else if (options.show == "psi" || options.show == "u" || options.show == "v") {
+    const FieldEvaluator evaluator(field);
+    options.show == "psi" ? draw_cross_angle(picture, evaluator)
+                          : draw_component(picture, evaluator, options.show == "u");
+    draw_zero_contours(picture, evaluator);
+  } else {
+    throw UsageError("--show: '" + options.show + "' is not one of psi|u|v|order");
+  }
+  draw_boundary(picture, field.mesh.face);
+  draw_corners(picture, field.mesh.face);
+  return picture.str();
+}
+
+}  // namespace quadrille

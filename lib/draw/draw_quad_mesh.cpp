@@ -1,0 +1,97 @@
+// The quad mesh: elements coloured by scaled Jacobian, blocks outlined, the worst elements ringed.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "draw/elements.hpp"
+#include "draw/marks.hpp"
+
+namespace quadrille {
+
+namespace {
+
+/// Sides between two blocks: sorted ends -> element and side seen first.
+std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
+  std::map<std::pair<int, int>, std::pair<int, int>> open;
+  std::vector<std::pair<int, int>> borders;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int side = 0; side < 4; ++side) {
+      const int a = quad_side_node(mesh, e, side, 0), b = quad_side_node(mesh, e, side, mesh.order);
+      const auto [place, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
+      if (!is_new && mesh.elem_block[place->second.first] != mesh.elem_block[e]) borders.push_back(place->second);
+    }
+  return borders;
+}
+
+/// The elements within a fiftieth of the worst one's defect 1 - scaled Jacobian: equals are ringed together.
+std::vector<int> worst_elems(const QuadMesh& mesh) {
+  const auto& quality = mesh.elem_scaled_jacobian;
+  std::vector<int> worst;
+  if (quality.empty()) return worst;
+  const double least = *std::min_element(quality.begin(), quality.end());
+  if (least > 0.995) return worst;
+  const double limit = least + 0.02 * (1 - least);
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    if (quality[e] <= limit) worst.push_back(e);
+  return worst;
+}
+
+Vec2 centre(const QuadMesh& mesh, int elem) {
+  const int n = mesh.nodes_per_elem();
+  Vec2 sum;
+  for (int i = 0; i < n; ++i) sum += mesh.nodes[mesh.elem_nodes[elem * n + i]];
+  return sum / n;
+}
+
+double ring_radius(const Picture& picture, const QuadMesh& mesh, int elem) {
+  const Vec2 c = centre(mesh, elem);
+  double radius = 0;
+  for (int side = 0; side < 4; ++side)
+    radius = std::max(radius, picture.scale() * distance(c, mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
+  return radius + 4;
+}
+
+std::string caption(const QuadMesh& mesh) {
+  const auto& quality = mesh.elem_scaled_jacobian;
+  const double worst = quality.empty() ? 0 : *std::min_element(quality.begin(), quality.end());
+  const int num_blocks =
+      mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
+  return fmt::format("{} of order {} in {}, {}, worst scaled Jacobian {:.3f}", counted(mesh.num_elems(), "quad"),
+                     mesh.order, counted(num_blocks, "block"), counted(mesh.num_irregular, "irregular node"), worst);
+}
+
+}  // namespace
+
+std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
+  Picture picture(bounding_box(mesh.face), options, "Quad mesh", caption(mesh));
+  picture.open_group("elems");
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const double quality = mesh.elem_scaled_jacobian.empty() ? 1 : mesh.elem_scaled_jacobian[e];
+    picture.add(svg_element("path",
+                            {{"id", fmt::format("elem-{}", e)},
+                             {"fill", ramp_colour(scaled_jacobian_ramp(), quality)},
+                             {"d", quad_outline(picture, mesh, e).str()}},
+                            fmt::format("quad {}, block {}, scaled Jacobian {:.3f}", e, mesh.elem_block[e], quality)));
+  }
+  picture.close_group();
+  PathData borders;
+  for (const auto& [elem, side] : block_borders(mesh)) {
+    borders.move_to(picture.at(mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
+    append_curve(borders, quad_side(picture, mesh, elem, side), 0, 1);
+  }
+  if (!borders.empty()) picture.add(svg_element("path", {{"class", "edge"}, {"d", borders.str()}}));
+  draw_boundary(picture, mesh.face);
+  for (const int e : worst_elems(mesh)) {
+    const Vec2 c = centre(mesh, e);
+    picture.add(circle_mark("ring", picture.at(c), ring_radius(picture, mesh, e),
+                            fmt::format("quad {} at {}: scaled Jacobian {:.3f}", e, place_text(c, mesh.face.origin),
+                                        mesh.elem_scaled_jacobian[e])));
+  }
+  picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
+  if (!worst_elems(mesh).empty()) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
+  return picture.str();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,102 @@
+// The separatrices, one colour for each origin, over the face, with the nodes of the graph.
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "draw/marks.hpp"
+
+namespace quadrille {
+
+namespace {
+
+const char* kind_name(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::irregular:
+      return "irregular node";
+    case NodeKind::corner:
+      return "corner";
+    case NodeKind::boundary:
+      return "end on the boundary";
+    case NodeKind::crossing:
+      return "crossing";
+    case NodeKind::cut:
+      return "end of a cut";
+  }
+  return "node";
+}
+
+void append_arc(PathData& path, const Picture& picture, const SeparatrixGraph& graph, int arc) {
+  for (const ArcPiece& piece : graph.arcs[arc].pieces)
+    append_nurbs(path, picture, graph.curve(piece.curve), piece.t0, piece.t1);
+}
+
+void draw_line(Picture& picture, const SeparatrixGraph& graph, int id) {
+  const SeparatrixLine& line = graph.lines[id];
+  std::string d;
+  for (const int arc : line.arcs) {
+    PathData path;
+    append_arc(path, picture, graph, arc);
+    d += path.str();
+  }
+  picture.add(svg_element(
+      "path", {{"class", "line"}, {"id", fmt::format("line-{}", id)}, {"stroke", line_colour(line.origin)}, {"d", d}},
+      fmt::format("separatrix {} ({}), from node {} to node {}", id, line.kind, line.origin, line.end)));
+}
+
+/// Inner arcs that belong to no line would be invisible otherwise.
+void draw_loose_arcs(Picture& picture, const SeparatrixGraph& graph) {
+  std::vector<bool> is_drawn(graph.arcs.size(), false);
+  for (const SeparatrixLine& line : graph.lines)
+    for (const int arc : line.arcs) is_drawn[arc] = true;
+  for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
+    if (is_drawn[a] || graph.arcs[a].is_boundary) continue;
+    PathData path;
+    append_arc(path, picture, graph, static_cast<int>(a));
+    picture.add(svg_element("path", {{"class", "edge"}, {"d", path.str()}}, fmt::format("arc {}", a)));
+  }
+}
+
+void draw_node(Picture& picture, const SeparatrixGraph& graph, int id) {
+  const GraphNode& node = graph.nodes[id];
+  const Vec2 at = picture.at(node.position);
+  const std::string title = fmt::format("node {}, {}, valence {}, at {}", id, kind_name(node.kind), node.valence,
+                                        place_text(node.position, graph.face.origin));
+  switch (node.kind) {
+    case NodeKind::irregular:
+      return picture.add(valence_mark(at, node.valence, 8, title));
+    case NodeKind::corner:
+      return picture.add(circle_mark("corner", at, 4, title));
+    default:
+      return picture.add(circle_mark("dot", at, 2.6, title));
+  }
+}
+
+}  // namespace
+
+std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options) {
+  Picture picture(bounding_box(graph.face), options, "Separatrices",
+                  fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
+                              counted(static_cast<int>(graph.nodes.size()), "node"),
+                              counted(static_cast<int>(graph.arcs.size()), "arc")));
+  draw_face_area(picture, graph.face);
+  draw_loose_arcs(picture, graph);
+  for (std::size_t l = 0; l < graph.lines.size(); ++l) draw_line(picture, graph, static_cast<int>(l));
+  draw_boundary(picture, graph.face);
+  std::vector<int> valences;
+  // Dots first: marks of irregular nodes lie above them.
+  for (const bool dots : {true, false})
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+      const bool is_dot = graph.nodes[n].kind != NodeKind::irregular;
+      if (is_dot == dots) draw_node(picture, graph, static_cast<int>(n));
+      if (!is_dot && !dots) valences.push_back(graph.nodes[n].valence);
+    }
+  for (const int n : graph.t_junctions)
+    picture.add(circle_mark("ring", picture.at(graph.nodes[n].position), 7, "T-junction"));
+  legend_valences(picture, valences);
+  picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+  picture.legend_mark(circle_mark("dot", {0, 0}, 3), "crossing or end");
+  return picture.str();
+}
+
+}  // namespace quadrille

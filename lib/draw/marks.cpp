@@ -1,0 +1,102 @@
+#include "draw/marks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+
+namespace {
+
+PathData closed_loop(const Picture& picture, const CadFace& face, int loop) {
+  PathData path;
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c)
+    append_nurbs(path, picture, face.curves[c], face.curves[c].begin(), face.curves[c].end());
+  path.close();
+  return path;
+}
+
+}  // namespace
+
+void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1) {
+  const bool forwards = t0 <= t1;
+  std::vector<double> cuts{std::min(t0, t1)};
+  for (const double knot : curve.knots)
+    if (knot > cuts.back() && knot < std::max(t0, t1)) cuts.push_back(knot);
+  cuts.push_back(std::max(t0, t1));
+  if (!forwards) std::reverse(cuts.begin(), cuts.end());
+  if (path.empty()) path.move_to(picture.at(point(curve, t0)));
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double last = std::max(cuts[i - 1], cuts[i]);
+    const PixelCurve pixels = [&](double t) -> CurvePoint {
+      const auto d = derivatives(curve, t, t == last);
+      return {picture.at(d[0]), picture.scale() * d[1]};
+    };
+    append_curve(path, pixels, cuts[i - 1], cuts[i]);
+  }
+}
+
+void draw_face_area(Picture& picture, const CadFace& face) {
+  std::string d;
+  for (int l = 0; l < face.num_loops(); ++l) d += closed_loop(picture, face, l).str();
+  picture.add(svg_element("path", {{"class", "face"}, {"d", d}}));
+}
+
+void draw_boundary(Picture& picture, const CadFace& face) {
+  picture.open_group("boundary");
+  for (int c = 0; c < face.num_curves(); ++c) {
+    PathData path;
+    append_nurbs(path, picture, face.curves[c], face.curves[c].begin(), face.curves[c].end());
+    const std::string name = c < static_cast<int>(face.curve_names.size()) ? face.curve_names[c] : "";
+    picture.add(svg_element("path", {{"d", path.str()}},
+                            fmt::format("boundary curve {}{}{}", c, name.empty() ? "" : ": ", name)));
+  }
+  picture.close_group();
+}
+
+void draw_corners(Picture& picture, const CadFace& face) {
+  for (std::size_t j = 0; j < face.joints.size(); ++j) {
+    const Joint& joint = face.joints[j];
+    if (!joint.is_corner) continue;
+    picture.add(circle_mark("corner", picture.at(joint.position), 4,
+                            fmt::format("corner at {}, {:.4g} degrees", place_text(joint.position, face.origin),
+                                        degrees(joint.interior_angle))));
+  }
+}
+
+std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {
+  return svg_element(
+      "circle",
+      {{"class", css_class}, {"cx", svg_number(centre.x)}, {"cy", svg_number(centre.y)}, {"r", svg_number(radius)}},
+      title);
+}
+
+std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title) {
+  const std::string css_class = valence == 3 ? "v3" : valence == 5 ? "v5" : "vx";
+  if (valence < 3 || valence > 8) return circle_mark(css_class, centre, 0.8 * radius, title);
+  std::string points;
+  for (int k = 0; k < valence; ++k) {
+    const Vec2 p = centre + radius * unit(half_pi + 2 * pi * k / valence);
+    points += fmt::format("{}{},{}", k > 0 ? " " : "", svg_number(p.x), svg_number(p.y));
+  }
+  return svg_element("polygon", {{"class", css_class}, {"points", points}}, title);
+}
+
+void legend_valences(Picture& picture, std::vector<int> valences) {
+  std::sort(valences.begin(), valences.end());
+  valences.erase(std::unique(valences.begin(), valences.end()), valences.end());
+  for (const int v : valences)
+    picture.legend_mark(valence_mark({0, 0}, v, 7), fmt::format("irregular node, valence {}", v));
+}
+
+std::string place_text(Vec2 x, Vec2 origin) { return fmt::format("({:.6g}, {:.6g})", x.x + origin.x, x.y + origin.y); }
+
+std::string counted(int count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace quadrille

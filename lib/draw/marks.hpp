@@ -1,0 +1,34 @@
+#pragma once
+// What several pictures show in the same way: the boundary, corners, irregular nodes, curve pieces.
+
+#include <string>
+#include <vector>
+
+#include "draw/picture.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille {
+
+/// Appends `curve` between two parameters; a pen that is not down yet is put at its start.
+void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
+
+/// The face as an area (below everything) and its boundary (above the rest). Every curve has its name as hover text.
+void draw_face_area(Picture& picture, const CadFace& face);
+void draw_boundary(Picture& picture, const CadFace& face);
+/// A small dot on each corner; hover: number, angle, place.
+void draw_corners(Picture& picture, const CadFace& face);
+
+/// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.
+std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
+std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title = {});
+
+/// Legend entries for the valences that occur, each once, ascending.
+void legend_valences(Picture& picture, std::vector<int> valences);
+
+/// "(0.5, -0.25)" with the face's origin added.
+std::string place_text(Vec2 x, Vec2 origin);
+
+/// "1 block", "2 blocks".
+std::string counted(int count, const std::string& noun);
+
+}  // namespace quadrille

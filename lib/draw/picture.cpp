@@ -1,0 +1,163 @@
+#include "draw/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr double margin = 36, header = 64, legend_row = 34;
+
+/// The common language of lines: the boundary thick, blocks medium, elements thin.
+const char* const style_sheet = R"(
+svg{font-family:Helvetica,Arial,"Liberation Sans",sans-serif;fill:#26323d}
+path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
+.title{font-size:17px;font-weight:bold}
+.caption{font-size:13px;fill:#66727d}
+.legend{font-size:12px}
+.tick{font-size:11px;fill:#66727d}
+.face{fill:#f6f5f1;stroke:none;fill-rule:evenodd}
+.boundary{fill:none;stroke:#1d2731;stroke-width:2.6}
+.line{fill:none;stroke-width:1.8}
+.elems path,.elems polygon{stroke:#5b6f82;stroke-width:.6}
+.cells path{stroke-width:.8}
+.cross{fill:none;stroke:#3b4a57;stroke-width:1}
+.zero-u{fill:none;stroke:#1f5f9e;stroke-width:1.6}
+.zero-v{fill:none;stroke:#b03a2e;stroke-width:1.6}
+.jump{fill:none;stroke:#b03a2e;stroke-width:1.6;stroke-dasharray:6 4}
+.edge{fill:none;stroke:#44535f;stroke-width:1.5}
+.ring{fill:none;stroke:#1d2731;stroke-width:1.6}
+.corner{fill:#1d2731;stroke:#fff;stroke-width:1}
+.v3{fill:#2b78b5;stroke:#fff;stroke-width:1.2}
+.v5{fill:#c6472f;stroke:#fff;stroke-width:1.2}
+.vx{fill:#7b4ea3;stroke:#fff;stroke-width:1.2}
+.dot{fill:#fff;stroke:#44535f;stroke-width:1.2}
+.label{font-size:13px;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
+.small{font-size:10px;text-anchor:middle}
+path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
+)";
+
+}  // namespace
+
+void Box::include(Vec2 x) {
+  lower = {std::min(lower.x, x.x), std::min(lower.y, x.y)};
+  upper = {std::max(upper.x, x.x), std::max(upper.y, x.y)};
+}
+
+Box empty_box() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity}, {-infinity, -infinity}};
+}
+
+Box bounding_box(const CadFace& face) {
+  Box box = empty_box();
+  for (const Nurbs& curve : face.curves)
+    for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
+      for (int i = 0; i <= 32 && curve.knots[k] < curve.knots[k + 1]; ++i)
+        box.include(point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / 32.0)));
+  return box;
+}
+
+double text_width(const std::string& text, double font_size) {
+  const auto is_first_byte = [](unsigned char c) { return (c & 0xc0) != 0x80; };
+  return 0.56 * font_size * static_cast<double>(std::count_if(text.begin(), text.end(), is_first_byte));
+}
+
+Picture::Picture(const Box& box, const DrawOptions& options, const std::string& title, const std::string& caption)
+    : width_(options.width), title_(title), caption_(caption) {
+  const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
+  const double free_width = std::max(1.0, width_ - 2 * margin);
+  const double tallest = 1.1 * free_width;
+  scale_ = std::min(free_width / std::max(extent.x, 1e-300), tallest / std::max(extent.y, 1e-300));
+  size_ = scale_ * extent;
+  lower_ = box.empty() ? Vec2{} : box.lower;
+  legend_x_ = margin;
+  legend_y_ = header + margin + size_.y + margin + 14;
+}
+
+void Picture::open_group(const std::string& css_class) { add("<g class=\"" + xml_escaped(css_class) + "\">"); }
+
+void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
+  texts_ += svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(size_.y - x.y + 4)}},
+                        {}, xml_escaped(content)) +
+            '\n';
+}
+
+void Picture::reserve_legend(double width) {
+  if (legend_x_ > margin && legend_x_ + width > width_ - margin) {
+    legend_x_ = margin;
+    legend_y_ += legend_row;
+  }
+}
+
+void Picture::legend_bar(const Ramp& ramp, const std::string& label, const std::vector<std::string>& ticks) {
+  constexpr double bar = 220, height = 9;
+  const double text = text_width(label, 12) + 10;
+  reserve_legend(text + bar + 30);
+  const std::string id = fmt::format("ramp{}", definitions_.size());
+  std::string stops;
+  for (const ColourStop& stop : ramp)
+    stops += svg_element("stop", {{"offset", svg_number(stop.position, 4)}, {"stop-color", stop.colour}});
+  definitions_ += svg_element("linearGradient", {{"id", id}}, {}, stops) + '\n';
+  legend_ += svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_x_)}, {"y", svg_number(legend_y_ + 4)}},
+                         {}, xml_escaped(label));
+  const double left = legend_x_ + text;
+  legend_ += svg_element("rect", {{"x", svg_number(left)},
+                                  {"y", svg_number(legend_y_ - height / 2)},
+                                  {"width", svg_number(bar)},
+                                  {"height", svg_number(height)},
+                                  {"rx", "2"},
+                                  {"fill", "url(#" + id + ")"}});
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double x = left + bar * static_cast<double>(i) / std::max<double>(1, static_cast<double>(ticks.size()) - 1);
+    legend_ += svg_element(
+        "text", {{"class", "tick"}, {"text-anchor", "middle"}, {"x", svg_number(x)}, {"y", svg_number(legend_y_ + 18)}},
+        {}, xml_escaped(ticks[i]));
+  }
+  legend_ += '\n';
+  legend_x_ = left + bar + 34;
+}
+
+void Picture::legend_mark(const std::string& markup, const std::string& label) {
+  constexpr double mark = 22;
+  const double width = mark + text_width(label, 12);
+  reserve_legend(width);
+  const std::string place =
+      fmt::format("translate({} {}) scale(1 -1)", svg_number(legend_x_ + mark / 2 - 4), svg_number(legend_y_));
+  legend_ += svg_element("g", {{"transform", place}}, {}, markup);
+  legend_ +=
+      svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_x_ + mark)}, {"y", svg_number(legend_y_ + 4)}},
+                  {}, xml_escaped(label)) +
+      '\n';
+  legend_x_ += width + 24;
+}
+
+std::string Picture::str() const {
+  const double top = header + margin - 24;
+  const double left = margin + 0.5 * std::max(0.0, width_ - 2 * margin - size_.x);
+  const int height = static_cast<int>(std::ceil(legend_y_ + (legend_.empty() ? -14 : 32)));
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",
+      width_, height);
+  out += fmt::format("<title>{}</title>\n<style>{}</style>\n", xml_escaped(title_), style_sheet);
+  if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
+  out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+  out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));
+  out += svg_element("text", {{"class", "caption"}, {"x", svg_number(margin)}, {"y", "52"}}, {}, xml_escaped(caption_));
+  out += fmt::format("\n<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", svg_number(left),
+                     svg_number(top + size_.y));
+  out += drawing_ + "</g>\n";
+  out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left), svg_number(top),
+                     texts_);
+  if (!legend_.empty()) out += "<g id=\"legend\">\n" + legend_ + "</g>\n";
+  return out + "</svg>\n";
+}
+
+}  // namespace quadrille

@@ -1,0 +1,41 @@
+#pragma once
+// A small SVG writer: escaping, numbers, elements with a hover title.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+/// `text` with the five special characters of XML escaped; control characters become blanks.
+std::string xml_escaped(const std::string& text);
+
+/// Decimal with at most `digits` digits behind the point, no trailing zeros, never "-0".
+std::string svg_number(double value, int digits = 2);
+
+/// The data of a <path>, in pixels.
+class PathData {
+ public:
+  explicit PathData(int digits = 2) : digits_(digits) {}
+  void move_to(Vec2 p);
+  void line_to(Vec2 p);
+  void cubic_to(Vec2 c1, Vec2 c2, Vec2 p);
+  void close() { d_ += 'z'; }
+  bool empty() const { return d_.empty(); }
+  const std::string& str() const { return d_; }
+
+ private:
+  void add(char command, std::initializer_list<Vec2> points);
+  int digits_;
+  std::string d_;
+};
+
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+/// <name a="...">...</name>; `inner` is markup, a non-empty `title` becomes the hover text, escaped like attributes.
+std::string svg_element(const std::string& name, const Attributes& attributes, const std::string& title = {},
+                        const std::string& inner = {});
+
+}  // namespace quadrille

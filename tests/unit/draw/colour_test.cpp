@@ -1,0 +1,35 @@
+#include "draw/colour.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quadrille {
+namespace {
+
+TEST(Colour, GreysAreGreyAndEndsAreBlackAndWhite) {
+  EXPECT_EQ(oklch(0, 0, 0), "#000000");
+  EXPECT_EQ(oklch(1, 0, 0), "#ffffff");
+  const std::string grey = oklch(0.6, 0, 123);
+  EXPECT_EQ(grey.substr(1, 2), grey.substr(3, 2));
+  EXPECT_EQ(grey.substr(1, 2), grey.substr(5, 2));
+}
+
+TEST(Colour, RampHitsItsStopsAndMixesBetween) {
+  const Ramp ramp{{0, "#000000"}, {0.5, "#646464"}, {1, "#ffffff"}};
+  EXPECT_EQ(ramp_colour(ramp, -1), "#000000");
+  EXPECT_EQ(ramp_colour(ramp, 0.25), "#323232");
+  EXPECT_EQ(ramp_colour(ramp, 0.5), "#646464");
+  EXPECT_EQ(ramp_colour(ramp, 2), "#ffffff");
+}
+
+TEST(Colour, CrossAngleIsPeriodic) {
+  EXPECT_EQ(cross_angle_colour(-45, 1), cross_angle_colour(45, 1));
+  EXPECT_NE(cross_angle_colour(0, 1), cross_angle_colour(45, 1));
+  EXPECT_EQ(cross_angle_colour(-30, 0), cross_angle_colour(20, 0));
+}
+
+TEST(Colour, NeighboursDiffer) {
+  for (int i = 0; i < 50; ++i) EXPECT_NE(quiet_colour(i), quiet_colour(i + 1));
+}
+
+}  // namespace
+}  // namespace quadrille
