@@ -1,5 +1,7 @@
 #include "mesh/transfinite.hpp"
 
+#include "spectral/quadrature.hpp"
+
 namespace quadrille {
 
 Vec2 blend_sides(const std::array<Vec2, 4>& on_sides, const std::array<Vec2, 4>& corners, double s, double t) {
@@ -34,6 +36,20 @@ Vec2 TransfiniteMap::position(double s, double t) const {
   if (t == 1) return side(2, 1 - s);
   if (s == 0) return side(3, 1 - t);
   return blend_sides({side(0, s), side(1, t), side(2, 1 - s), side(3, 1 - t)}, corners_, s, t);
+}
+
+std::vector<Vec2> TransfiniteMap::sampled(int order) const {
+  std::vector<double> fractions;
+  for (const double xi : gll_points(order)) fractions.push_back((1 + xi) / 2);
+  std::array<std::vector<Vec2>, 4> on_sides;  // once for each side, not for each node
+  for (int k = 0; k < 4; ++k)
+    for (const double f : fractions) on_sides[k].push_back(side(k, k < 2 ? f : 1 - f));
+  std::vector<Vec2> nodes;
+  for (int j = 0; j <= order; ++j)
+    for (int i = 0; i <= order; ++i)
+      nodes.push_back(blend_sides({on_sides[0][i], on_sides[1][j], on_sides[2][i], on_sides[3][j]}, corners_,
+                                  fractions[i], fractions[j]));
+  return nodes;
 }
 
 }  // namespace quadrille

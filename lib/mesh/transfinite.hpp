@@ -2,6 +2,7 @@
 // The exact map of a block: transfinite (Gordon-Hall) blend of its four sides, each by its own arc-length fraction.
 
 #include <array>
+#include <vector>
 
 #include "curve/chain.hpp"
 
@@ -23,6 +24,8 @@ class TransfiniteMap {
 
   /// The point at (s, t) in [0,1]^2: s along side 0, t along side 1. On a side the side's own point, exactly.
   Vec2 position(double s, double t) const;
+  /// The block as one quad of order N: its nodes as in model/quad_mesh.hpp.
+  std::vector<Vec2> sampled(int order) const;
 
  private:
   Vec2 side(int k, double fraction) const;  ///< fraction counted counter-clockwise

@@ -1,0 +1,151 @@
+#include "export/skeleton.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace quadrille {
+namespace {
+
+/// An edge seen from one element: its end nodes, the lower first.
+struct HalfEdge {
+  int low, high, elem, side;
+};
+
+std::vector<HalfEdge> sorted_half_edges(const QuadMesh& mesh) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(4 * mesh.num_elems());
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int side = 0; side < 4; ++side) {
+      const int a = side_start(mesh, elem, side), b = side_start(mesh, elem, (side + 1) % 4);
+      edges.push_back({std::min(a, b), std::max(a, b), elem, side});
+    }
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.low, a.high, a.elem, a.side) < std::tie(b.low, b.high, b.elem, b.side);
+  });
+  return edges;
+}
+
+struct Interface {
+  SkeletonEdge edge;         ///< seen from the element of lower number, which lies on its left
+  std::array<int, 2> nodes;  ///< from, to
+  int right_block;
+};
+
+std::vector<Interface> interfaces(const QuadMesh& mesh) {
+  std::vector<Interface> found;
+  const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    const HalfEdge &a = edges[k - 1], &b = edges[k];
+    if (a.low != b.low || a.high != b.high || mesh.elem_block[a.elem] == mesh.elem_block[b.elem]) continue;
+    // The lower block lies on the left, so that all edges between two blocks run the same way.
+    const bool a_left = mesh.elem_block[a.elem] < mesh.elem_block[b.elem];
+    const HalfEdge &left = a_left ? a : b, &right = a_left ? b : a;
+    found.push_back({{left.elem, left.side},
+                     {side_start(mesh, left.elem, left.side), side_start(mesh, left.elem, (left.side + 1) % 4)},
+                     mesh.elem_block[right.elem]});
+  }
+  return found;
+}
+
+class Builder {
+ public:
+  explicit Builder(const QuadMesh& mesh)
+      : mesh_(mesh), interfaces_(interfaces(mesh)), degree_(mesh.nodes.size(), 0), point_(mesh.nodes.size(), -1) {
+    for (const Interface& i : interfaces_)
+      for (const int node : i.nodes) ++degree_[node];
+    is_junction_.assign(mesh.nodes.size(), false);
+    for (std::size_t node = 0; node < degree_.size(); ++node)
+      is_junction_[node] = degree_[node] != 0 && degree_[node] != 2;
+    for (const QuadBoundaryEdge& e : mesh.boundary_edges)
+      for (const int node : {side_start(mesh, e.elem, e.side), side_start(mesh, e.elem, (e.side + 1) % 4)})
+        if (degree_[node] > 0) is_junction_[node] = true;
+  }
+
+  Skeleton build() {
+    add_boundary_curves();
+    add_interface_curves();
+    return std::move(skeleton_);
+  }
+
+ private:
+  int point_at(int node) {
+    if (point_[node] < 0) {
+      point_[node] = static_cast<int>(skeleton_.points.size());
+      skeleton_.points.push_back(node);
+    }
+    return point_[node];
+  }
+
+  void add_boundary_curves() {
+    int previous_end = -1;
+    for (const QuadBoundaryEdge& e : mesh_.boundary_edges) {
+      const int start = side_start(mesh_, e.elem, e.side), end = side_start(mesh_, e.elem, (e.side + 1) % 4);
+      const bool continues =
+          start == previous_end && !is_junction_[start] && skeleton_.curves.back().cad_curve == e.curve;
+      if (!continues) {
+        skeleton_.curves.push_back({e.curve, point_at(start), 0, {mesh_.elem_block[e.elem], -1}, {}});
+        if (previous_end >= 0) close(skeleton_.curves[skeleton_.curves.size() - 2], previous_end);
+      }
+      skeleton_.curves.back().edges.push_back({e.elem, e.side});
+      previous_end = end;
+    }
+    if (previous_end >= 0) close(skeleton_.curves.back(), previous_end);
+  }
+
+  void close(SkeletonCurve& curve, int node) { curve.to = point_at(node); }
+
+  void add_interface_curves() {
+    std::map<int, std::vector<int>> outgoing;  // node -> interfaces that start there
+    for (std::size_t k = 0; k < interfaces_.size(); ++k)
+      outgoing[interfaces_[k].nodes[0]].push_back(static_cast<int>(k));
+    used_.assign(interfaces_.size(), false);
+    for (const bool from_junctions : {true, false})  // what is left then is a closed ring
+      for (std::size_t k = 0; k < interfaces_.size(); ++k)
+        if (!used_[k] && (!from_junctions || is_junction_[interfaces_[k].nodes[0]]))
+          walk(static_cast<int>(k), outgoing);
+  }
+
+  void walk(int first, const std::map<int, std::vector<int>>& outgoing) {
+    const int left_block = mesh_.elem_block[interfaces_[first].edge.elem];
+    SkeletonCurve curve{-1, point_at(interfaces_[first].nodes[0]), 0, {left_block, interfaces_[first].right_block}, {}};
+    for (int k = first; k >= 0;) {
+      used_[k] = true;
+      curve.edges.push_back(interfaces_[k].edge);
+      const int node = interfaces_[k].nodes[1];
+      k = -1;
+      const auto next = outgoing.find(node);
+      if (!is_junction_[node] && next != outgoing.end() && !used_[next->second.front()]) k = next->second.front();
+      if (k < 0) close(curve, node);
+    }
+    skeleton_.curves.push_back(std::move(curve));
+  }
+
+  const QuadMesh& mesh_;
+  std::vector<Interface> interfaces_;
+  std::vector<int> degree_, point_;  ///< by mesh node: interfaces that end there; its point or -1
+  std::vector<bool> is_junction_, used_;
+  Skeleton skeleton_;
+};
+
+}  // namespace
+
+int side_start(const QuadMesh& mesh, int elem, int side) {
+  const int n = mesh.order, width = n + 1;
+  const std::array<int, 4> corners{0, n, width * width - 1, width * n};
+  return mesh.elem_nodes[elem * width * width + corners[side]];
+}
+
+std::vector<int> side_nodes(const QuadMesh& mesh, int elem, int side) {
+  const int n = mesh.order, width = n + 1;
+  const std::array<int, 4> starts{0, n, width * width - 1, width * n};
+  const std::array<int, 4> strides{1, width, -1, -width};
+  std::vector<int> nodes;
+  for (int k = 0; k <= n; ++k)
+    nodes.push_back(mesh.elem_nodes[elem * width * width + starts[side] + k * strides[side]]);
+  return nodes;
+}
+
+Skeleton mesh_skeleton(const QuadMesh& mesh) { return Builder(mesh).build(); }
+
+}  // namespace quadrille

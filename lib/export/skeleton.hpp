@@ -1,0 +1,39 @@
+#pragma once
+// Points, curves and surfaces of a quad mesh, as solver formats want to see them: surfaces are the blocks, curves are
+// the pieces of the boundary and of the interfaces between blocks, points are where curves meet.
+//
+// Rebuilt from the elements alone. A boundary curve lies on one CAD curve and bounds one block; it is walked with the
+// domain on its left. A closed curve starts and ends in the same point.
+
+#include <array>
+#include <vector>
+
+#include "model/quad_mesh.hpp"
+
+namespace quadrille {
+
+struct SkeletonEdge {
+  int elem = 0, side = 0;
+};
+
+struct SkeletonCurve {
+  int cad_curve = -1;                 ///< -1: an interface
+  int from = 0, to = 0;               ///< points (index into Skeleton::points)
+  std::array<int, 2> blocks{-1, -1};  ///< on the left and on the right of the curve; -1 outside
+  std::vector<SkeletonEdge> edges;    ///< in the sequence and direction of walking, as sides of elements on the left
+};
+
+struct Skeleton {
+  std::vector<int> points;  ///< mesh nodes
+  std::vector<SkeletonCurve> curves;
+};
+
+Skeleton mesh_skeleton(const QuadMesh& mesh);
+
+/// Nodes of side `side` of an element, in counter-clockwise direction, both ends included.
+std::vector<int> side_nodes(const QuadMesh& mesh, int elem, int side);
+
+/// First node of the side, as side_nodes would list it.
+int side_start(const QuadMesh& mesh, int elem, int side);
+
+}  // namespace quadrille

@@ -1,0 +1,127 @@
+#include "spectral/quad_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "base/angle.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+namespace {
+
+using Map = std::function<Vec2(double, double)>;
+
+std::vector<Vec2> sampled(int order, const Map& map) {
+  std::vector<Vec2> nodes;
+  for (const double b : gll_points(order))
+    for (const double a : gll_points(order)) nodes.push_back(map(a, b));
+  return nodes;
+}
+
+/// Least det J on a dense grid, from derivatives of the interpolant.
+double densely_sampled_det(int order, const std::vector<Vec2>& nodes, int count) {
+  const int n = order + 1;
+  std::vector<double> points;
+  for (int i = 0; i <= count; ++i) points.push_back(-1 + 2.0 * i / count);
+  const Eigen::MatrixXd value = interpolation_matrix(gll_points(order), points);
+  const Eigen::MatrixXd slope = value * differentiation_matrix(gll_points(order));
+  Eigen::MatrixXd x(n, n), y(n, n);
+  for (int k = 0; k < n * n; ++k) x.data()[k] = nodes[k].x, y.data()[k] = nodes[k].y;
+  const Eigen::MatrixXd det = (slope * x * value.transpose()).cwiseProduct(value * y * slope.transpose()) -
+                              (value * x * slope.transpose()).cwiseProduct(slope * y * value.transpose());
+  return det.minCoeff();
+}
+
+Vec2 ring(double a, double b) { return (1.5 + b / 2) * unit(pi / 4 * (1 - a)); }
+Vec2 wavy(double a, double b) { return {a + 0.2 * std::sin(2 * b + a), b + 0.2 * std::cos(3 * a - b)}; }
+
+TEST(QuadMap, BoundOfAnAffineElementIsItsDeterminant) {
+  for (const int order : {1, 2, 4, 8, 13, 20}) {
+    const auto nodes = sampled(order, [](double a, double b) { return Vec2{3 * a + b, 2 * b - a}; });
+    const double bound = quad_jacobian_lower_bound(order, nodes.data());
+    // What is proved of rounding grows with the condition of the Bernstein basis, 5e11 at degree 20 in two variables.
+    EXPECT_LE(bound, 7) << order;
+    EXPECT_NEAR(bound, 7, order <= 8 ? 1e-9 : 1e-2) << order;
+  }
+}
+
+TEST(QuadMap, BoundLiesBelowDenseSamplesAndAboveZero) {
+  for (const int order : {2, 3, 4, 6, 8, 10, 15, 20})
+    for (const Map& map : {Map(ring), Map(wavy)}) {
+      const auto nodes = sampled(order, map);
+      const double least = densely_sampled_det(order, nodes, 60);
+      const double bound = quad_jacobian_lower_bound(order, nodes.data());
+      ASSERT_GT(least, 0);
+      EXPECT_GT(bound, 0) << order;
+      EXPECT_LE(bound, least) << order;
+    }
+}
+
+TEST(QuadMap, BoundTendsToTheLeastValueUnderSubdivision) {
+  // det J = 1 + xi1 + 0.01 times a constant: least value 0.01 at xi1 = -1.
+  const auto nodes = sampled(4, [](double a, double b) { return Vec2{a + a * a / 2 + 0.01 * a, b}; });
+  const double bound = quad_jacobian_lower_bound(4, nodes.data());
+  EXPECT_NEAR(bound, 0.01, 1e-12);
+  EXPECT_LE(bound, 0.01);
+}
+
+TEST(QuadMap, InvertedElementsAreNeverPositive) {
+  for (const int order : {1, 4, 9, 20}) {
+    const auto mirrored = sampled(order, [](double a, double b) { return Vec2{-a, b}; });
+    EXPECT_LE(quad_jacobian_lower_bound(order, mirrored.data()), -1);
+    const auto folded = sampled(order, [](double a, double b) { return Vec2{a * (a + 1.5), b}; });
+    if (order > 1) {
+      EXPECT_LE(quad_jacobian_lower_bound(order, folded.data()), -0.5);
+      EXPECT_EQ(quad_scaled_jacobian(order, folded.data()), -1);
+    }
+  }
+}
+
+TEST(QuadMap, ZeroDeterminantInACornerIsNotPositive) {
+  // Bilinear with three corners on one line: det J = 0 in the middle one.
+  const std::vector<Vec2> corners{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}};
+  EXPECT_LE(quad_jacobian_lower_bound(1, corners.data(), 8), 0);
+  const auto blend = [&](double a, double b) {
+    const double s = (1 + a) / 2, t = (1 + b) / 2;
+    return (1 - s) * (1 - t) * corners[0] + s * (1 - t) * corners[1] + s * t * corners[2] + (1 - s) * t * corners[3];
+  };
+  for (const int order : {2, 5, 12, 20})
+    EXPECT_LE(quad_jacobian_lower_bound(order, sampled(order, blend).data(), 6), 0) << order;
+}
+
+TEST(QuadMap, BoundScalesWithTheAreaAndIgnoresTheOrigin) {
+  const auto nodes = sampled(5, ring);
+  const auto moved = sampled(5, [](double a, double b) { return Vec2{1e6, -1e6} + ring(a, b); });
+  const auto shrunk = sampled(5, [](double a, double b) { return 1e-6 * ring(a, b); });
+  const double bound = quad_jacobian_lower_bound(5, nodes.data());
+  EXPECT_NEAR(quad_jacobian_lower_bound(5, moved.data()), bound, 1e-7);
+  EXPECT_NEAR(quad_jacobian_lower_bound(5, shrunk.data()), 1e-12 * bound, 1e-24);
+}
+
+TEST(QuadMap, ThinElementsOfHighOrderAreProved) {
+  for (const int order : {10, 16, 20}) {
+    const auto nodes = sampled(order, [](double a, double b) { return (1 + 0.005 * b) * unit(-a / 2); });
+    EXPECT_GT(quad_jacobian_lower_bound(order, nodes.data()), 0) << order;
+  }
+}
+
+TEST(QuadMap, ScaledJacobianIsTheSineOfTheAngle) {
+  const auto sheared = sampled(3, [](double a, double b) { return Vec2{5 * (a + b), b}; });
+  EXPECT_NEAR(quad_scaled_jacobian(3, sheared.data()), 1 / std::sqrt(26.0), 1e-14);
+  EXPECT_NEAR(quad_scaled_jacobian(8, sampled(8, ring).data()), 1, 1e-6);
+}
+
+TEST(QuadMap, PositionReproducesTheMap) {
+  const auto cubic = [](double a, double b) { return Vec2{a * a * a - b, a * b * b}; };
+  const auto nodes = sampled(4, cubic);
+  const Vec2 x = quad_position(4, nodes.data(), {0.3, -0.7});
+  EXPECT_NEAR(distance(x, cubic(0.3, -0.7)), 0, 1e-14);
+  EXPECT_EQ(quad_position(4, nodes.data(), {1, -1}), nodes[4]);
+}
+
+}  // namespace
+}  // namespace quadrille

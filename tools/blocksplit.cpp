@@ -1,0 +1,39 @@
+// Turns the graph of separatrices into a conforming layout of four-sided blocks.
+
+#include "block/extract_blocks.hpp"
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+
+using namespace quadrille;
+
+int main(int argc, char** argv) {
+  std::string input = "-", output = "-";
+  Tool tool;
+  tool.name = "blocksplit";
+  tool.summary = "turns a separatrix graph into four-sided blocks";
+  tool.description =
+      "Walks the faces of the planar graph in SEP. Each must have four sides, else the exit code is 1 and the message "
+      "names the place. A block is its four exact sides and their transfinite blend: no order is chosen here.";
+  tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
+                   "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5"};
+  tool.options = [&](Options& o) {
+    o.input("SEP", input, "graph of separatrices (x.sep.json)");
+    o.output(output, "block layout (x.blocks.h5)");
+  };
+  tool.run = [&](Session& s) {
+    s.begin_phase("read");
+    const InputFile file = read_input(input);
+    const SeparatrixGraph graph = read_separatrix_graph(file);
+    require_valid(check_separatrix_graph(graph, CheckDepth::quick), file.name);
+    s.begin_phase("blocks");
+    BlockLayout layout = extract_blocks(graph, s.report());
+    layout.provenance = s.provenance(graph.provenance, {file.digest("separatrix-graph")});
+    s.begin_phase("write");
+    write_block_layout(output, layout);
+    s.end_phase();
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}

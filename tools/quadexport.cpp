@@ -1,0 +1,101 @@
+// Writes a quad mesh, or the blocks it came from, in the formats of other programs.
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "export/gmsh.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+std::string format_of(const std::string& output, const std::string& wish) {
+  if (wish != "auto") return wish;
+  if (ends_with(output, ".step") || ends_with(output, ".stp")) return "step";
+  if (output == "-" || ends_with(output, ".msh")) return "msh";
+  throw UsageError(
+      fmt::format("cannot tell the format from the name {}: end it in .msh or .step or give --format", output));
+}
+
+/// The program that is linked to the CAD kernel, beside our own: bin/../libexec.
+std::string step_helper() {
+  std::array<char, PATH_MAX> path{};
+  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
+  if (length < 0) throw Defect("cannot find my own program file");
+  const std::string self(path.data(), static_cast<std::size_t>(length));
+  return self.substr(0, self.rfind('/')) + "/../libexec/quadexport-step";
+}
+
+/// Runs the helper on our standard input and output. What it has to say it says itself; its exit code becomes ours.
+void write_step(const std::string& input, const std::string& output) {
+  const std::string helper = step_helper();
+  std::array<std::string, 3> arguments{helper, input, output};
+  std::array<char*, 4> argv{arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
+  pid_t child = 0;
+  const int error = posix_spawn(&child, helper.c_str(), nullptr, nullptr, argv.data(), environ);
+  if (error != 0) throw OutputError(fmt::format("{} cannot be run: {}", helper, std::strerror(error)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) throw Defect(fmt::format("the STEP writer was ended by signal {}", WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0) _exit(WEXITSTATUS(status));
+}
+
+void write_msh(const std::string& input, const std::string& output, Session& s) {
+  s.begin_phase("read");
+  const InputFile file = read_input(input);
+  const QuadMesh mesh = read_quad_mesh(file);
+  require_valid(check_quad_mesh(mesh, CheckDepth::quick), file.name);
+  s.begin_phase("write");
+  const std::string text = gmsh_msh41(mesh);
+  s.report().set("quads", mesh.num_elems());
+  s.report().set("nodes", mesh.nodes.size());
+  write_output(output, text, false);
+  s.end_phase();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string input = "-", output = "-", format = "auto";
+  Tool tool;
+  tool.name = "quadexport";
+  tool.summary = "writes a mesh or its blocks for other programs";
+  tool.description =
+      "A quad mesh becomes a Gmsh file (MSH 4.1, ASCII, orders 1 to 10) with boundary curves and blocks as named "
+      "physical groups. A block layout becomes a STEP model of faces that share their edges. The format follows from "
+      "the output's ending, or --format; standard output is MSH by default.";
+  tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
+                   "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
+                   "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
+  tool.options = [&](Options& o) {
+    o.input("INPUT", input, "quad mesh (x.quad.h5) for .msh, block layout (x.blocks.h5) for .step");
+    o.output(output, "file to write: .msh or .step");
+    o.choice("--format", format, {"auto", "msh", "step"}, "auto: by the ending of the output");
+  };
+  tool.run = [&](Session& s) {
+    if (format_of(output, format) == "step")
+      write_step(input, output);
+    else
+      write_msh(input, output, s);
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}
