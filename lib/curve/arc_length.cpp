@@ -1,49 +1,18 @@
 #include "curve/arc_length.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "base/angle.hpp"
+#include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr int num_points = 16;
-
-struct GaussRule {
-  std::array<double, num_points> points, weights;
-};
-
-// Gauss-Legendre on [-1, 1] by Newton; kept here because spectral/quadrature is no neighbour of this folder.
-GaussRule make_rule() {
-  GaussRule rule;
-  for (int i = 0; i < num_points; ++i) {
-    double x = -std::cos(pi * (i + 0.75) / (num_points + 0.5)), slope = 0;
-    for (int iteration = 0; iteration < 8; ++iteration) {
-      double p0 = 1, p1 = x;
-      for (int n = 2; n <= num_points; ++n) {
-        const double p2 = ((2 * n - 1) * x * p1 - (n - 1) * p0) / n;
-        p0 = p1, p1 = p2;
-      }
-      slope = num_points * (x * p1 - p0) / (x * x - 1);
-      x -= p1 / slope;
-    }
-    rule.points[i] = x;
-    rule.weights[i] = 2 / ((1 - x * x) * slope * slope);
-  }
-  return rule;
-}
-
 double speed(const Nurbs& curve, double t) { return norm(derivatives(curve, t)[1]); }
 
 double gauss(const Nurbs& curve, double a, double b) {
-  static const GaussRule rule = make_rule();
-  const double middle = (a + b) / 2, half = (b - a) / 2;
-  double sum = 0;
-  for (int i = 0; i < num_points; ++i) sum += rule.weights[i] * speed(curve, middle + half * rule.points[i]);
-  return sum * half;
+  return gauss_integral([&](double t) { return speed(curve, t); }, a, b);
 }
 
 }  // namespace
