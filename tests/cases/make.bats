@@ -1,0 +1,50 @@
+# Makefile.example: only what is out of date runs.
+load ../tools/common
+
+setup_file() {
+  cd "$BATS_FILE_TMPDIR" || return 1
+  cp "$ROOT/tests/data/half_disc.step" .
+  make -s -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.msh
+}
+
+setup() {
+  cp -a "$BATS_FILE_TMPDIR/." "$BATS_TEST_TMPDIR" && cd "$BATS_TEST_TMPDIR" || return 1
+}
+
+# The names of the stages that `make half_disc.msh ARGUMENT...` runs, in one line.
+stages_run() {
+  make -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.msh "$@" | sed -nE "s|^$BIN/([a-z0-9]+) .*|\1|p" | xargs
+}
+
+@test "a second make runs nothing" {
+  assert_equal "$(stages_run)" ""
+}
+
+@test "a touched shape re-runs everything" {
+  touch half_disc.step
+  assert_equal "$(stages_run)" "cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport"
+  assert_equal "$(stages_run)" ""
+}
+
+@test "a changed setting of one stage re-runs it and what follows, nothing before" {
+  assert_equal "$(stages_run quadrefine='--size 0.2')" "quadrefine quadexport"
+  assert_equal "$(stages_run quadrefine='--size 0.2')" ""
+  assert_equal "$(stages_run quadrefine='--size 0.2' fieldsolve='--field-order 9')" \
+    "fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport"
+  assert_equal "$(stages_run)" "fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport"
+}
+
+@test "a file from the middle that is touched re-runs what follows" {
+  touch half_disc.blocks.h5
+  assert_equal "$(stages_run)" "quadrefine quadexport"
+}
+
+@test "a failing stage leaves no target, and the next make tries it again" {
+  run ! make -s -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.msh quadrefine='--order 0'
+  assert_equal "$(stages_run)" "quadrefine quadexport"
+}
+
+@test "every stage has a picture" {
+  run -0 make -s -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.{tri,solve,field,crit,sep,blocks,quad}.svg
+  run -0 xmllint --noout half_disc.{tri,solve,field,crit,sep,blocks,quad}.svg
+}
