@@ -1,0 +1,169 @@
+#include "cad/assemble_face.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "cad/extent.hpp"
+#include "cad/outline_checks.hpp"
+#include "cad/wire_loop.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+// What counts as the same point: the file's own tolerance, within limits that a wrong one cannot leave.
+double gap_tolerance(const RawFace& raw, double size) { return std::clamp(raw.tolerance, 1e-7 * size, 1e-5 * size); }
+
+double size_of(const RawFace& raw) {
+  std::vector<Nurbs> curves;
+  for (const auto& wire : raw.wires)
+    for (const RawEdge& edge : wire) curves.push_back(edge.curve);
+  if (curves.empty()) throw FormatError(raw.file + ": the face has no boundary");
+  for (const Nurbs& curve : curves)
+    for (const Vec2 p : curve.poles)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw FormatError(raw.file + ": a coordinate is not a number");
+  return pole_box(curves).diagonal();
+}
+
+std::string loop_name(size_t l) { return l == 0 ? "the outline" : fmt::format("hole {}", l); }
+
+// The outline first, the others in the sequence of the file; each with the face on its left.
+std::vector<Loop> sorted_loops(const RawFace& raw, std::vector<Loop> loops, double size) {
+  std::vector<double> areas;
+  for (const Loop& loop : loops) areas.push_back(signed_area(curves_of(loop)));
+  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const size_t outer = std::max_element(areas.begin(), areas.end(), larger) - areas.begin();
+  if (!(std::abs(areas[outer]) > 1e-10 * size * size))
+    throw FormatError(fmt::format("{}: the face has no area: its outline at {} encloses {:.3g}", raw.file,
+                                  place(loops[outer].front().curve.poles.front()), std::abs(areas[outer])));
+  std::vector<Loop> sorted;
+  sorted.push_back(areas[outer] > 0 ? std::move(loops[outer]) : reversed(loops[outer]));
+  for (size_t l = 0; l < loops.size(); ++l)
+    if (l != outer) sorted.push_back(areas[l] < 0 ? std::move(loops[l]) : reversed(loops[l]));
+  return sorted;
+}
+
+void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double tol) {
+  std::vector<std::vector<Nurbs>> curves;
+  for (const Loop& loop : loops) curves.push_back(curves_of(loop));
+  if (const auto c = find_contact(curves, tol)) {
+    const int a = loops[c->loop_a][c->curve_a].cad_edge, b = loops[c->loop_b][c->curve_b].cad_edge;
+    const std::string edges = a == b ? fmt::format("edge {}", a) : fmt::format("edges {} and {}", a, b);
+    if (c->loop_a == c->loop_b)
+      throw FormatError(fmt::format("{}: the wire intersects itself: {} of {} at {}", raw.file, edges,
+                                    loop_name(c->loop_a), place(c->position)));
+    throw FormatError(fmt::format("{}: {} crosses or touches {}: {} at {}", raw.file, loop_name(c->loop_b),
+                                  loop_name(c->loop_a), edges, place(c->position)));
+  }
+  for (size_t hole = 1; hole < loops.size(); ++hole) {
+    const Vec2 x = curves[hole].front().poles.front();
+    if (winding_number(curves[0], x) != 1)
+      throw FormatError(fmt::format("{}: {} at {} lies outside the outline", raw.file, loop_name(hole), place(x)));
+    for (size_t other = 1; other < loops.size(); ++other)
+      if (other != hole && winding_number(curves[other], x) != 0)
+        throw FormatError(
+            fmt::format("{}: {} at {} lies inside {}", raw.file, loop_name(hole), place(x), loop_name(other)));
+  }
+}
+
+// (0, 0), unless the shape is so far from it that coordinates lose their digits; then its centre, to a few digits.
+Vec2 chosen_origin(const Box& box, double diameter) {
+  const Vec2 centre = box.centre();
+  if (norm(centre) <= 10 * diameter) return {0, 0};
+  const double unit = std::pow(10, std::floor(std::log10(diameter)));
+  return {unit * std::round(centre.x / unit), unit * std::round(centre.y / unit)};
+}
+
+// Between the tangents; where they point against each other the curves themselves, a little away, decide.
+double interior_angle(const Nurbs& in, const Nurbs& out, Vec2 tangent_in, Vec2 tangent_out) {
+  const double turn = std::atan2(cross(tangent_in, tangent_out), dot(tangent_in, tangent_out));
+  if (std::abs(turn) < 1e-9) return pi;
+  if (pi - std::abs(turn) > 1e-6) return pi - turn;
+  const ArcLength length_in(in), length_out(out);
+  const double h = 1e-3 * std::min(length_in.total(), length_out.total());
+  const Vec2 joint = out.poles.front();
+  const Vec2 back = point(in, length_in.parameter(length_in.total() - h)) - joint;
+  const Vec2 ahead = point(out, length_out.parameter(h)) - joint;
+  const bool outside = cross(ahead, back) < 0;
+  const double deficit = pi - std::abs(turn);
+  return outside ? 2 * pi - std::max(deficit, 1e-15) : std::max(deficit, 1e-300);
+}
+
+std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
+  std::vector<Joint> joints;
+  for (int i = 0; i < face.num_curves(); ++i) {
+    const Nurbs &in = face.curves[face.previous_in_loop(i)], &out = face.curves[i];
+    const Vec2 a = tangent(in, in.end(), true), b = tangent(out, out.begin());
+    Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), interior_angle(in, out, a, b), false};
+    // An angle that equals the limit up to rounding is decided alike at all corners of a symmetric shape.
+    joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
+    joints.push_back(joint);
+  }
+  return joints;
+}
+
+// Names of the file as they are; for the rest "curve_<k>", made different from all of them.
+std::vector<std::string> names_of(const std::vector<Loop>& loops) {
+  std::set<std::string> taken;
+  for (const Loop& loop : loops)
+    for (const LoopCurve& c : loop) taken.insert(c.name);
+  std::vector<std::string> names;
+  for (const Loop& loop : loops)
+    for (const LoopCurve& c : loop) {
+      std::string name = c.name.empty() ? fmt::format("curve_{}", names.size()) : c.name;
+      while (c.name.empty() && taken.count(name) > 0) name += "_";
+      names.push_back(name);
+    }
+  return names;
+}
+
+}  // namespace
+
+CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
+  const double size = size_of(raw), tol = gap_tolerance(raw, size);
+  std::vector<Loop> loops;
+  for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
+  loops = sorted_loops(raw, std::move(loops), size);
+  require_simple(raw, loops, 1e-9 * size);
+
+  CadFace face;
+  face.name = raw.name;
+  face.length_unit = raw.length_unit;
+  face.metres_per_unit = raw.metres_per_unit;
+  face.plane_origin = raw.plane_origin;
+  face.plane_x = raw.plane_x;
+  face.plane_y = raw.plane_y;
+  const std::vector<Nurbs> outline = curves_of(loops.front());
+  face.diameter = diameter(outline);
+  face.origin = chosen_origin(pole_box(outline), face.diameter);
+  face.loop_offsets = {0};
+  for (const Loop& loop : loops) {
+    for (const LoopCurve& c : loop) {
+      face.curves.push_back(c.curve);
+      face.curve_cad_edges.push_back(c.cad_edge);
+      for (Vec2& pole : face.curves.back().poles) pole -= face.origin;
+    }
+    face.loop_offsets.push_back(face.num_curves());
+  }
+  face.curve_names = names_of(loops);
+  face.joints = joints_of(face, corner_angle);
+
+  double area = 0;
+  for (const Loop& loop : loops) area += signed_area(curves_of(loop));
+  report.set("face.num_curves", face.num_curves());
+  report.set("face.num_loops", face.num_loops());
+  report.set("face.num_corners", static_cast<int>(std::count_if(face.joints.begin(), face.joints.end(),
+                                                                [](const Joint& j) { return j.is_corner; })));
+  report.set("face.area", area);
+  report.set("face.diameter", face.diameter);
+  report.set("face.length_unit", face.length_unit);
+  return face;
+}
+
+}  // namespace quadrille

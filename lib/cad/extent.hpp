@@ -1,0 +1,26 @@
+#pragma once
+// Size of a loop of curves: enclosed area and diameter.
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// The area that the closed chain of curves encloses, positive when it runs counter-clockwise.
+double signed_area(const std::vector<Nurbs>& loop);
+
+/// The largest distance between two points of the curves: sampled, then refined on the curves themselves, so that it
+/// does not change when the shape is turned.
+double diameter(const std::vector<Nurbs>& loop);
+
+struct Box {
+  Vec2 low, high;
+  Vec2 centre() const { return 0.5 * (low + high); }
+  double diagonal() const { return distance(low, high); }
+};
+
+/// The box of the poles, which holds the curves.
+Box pole_box(const std::vector<Nurbs>& curves);
+
+}  // namespace quadrille

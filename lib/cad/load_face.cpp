@@ -1,0 +1,48 @@
+#include "cad/load_face.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "base/child_process.hpp"
+#include "cad/assemble_face.hpp"
+#include "cad/face_bytes.hpp"
+#include "cad/file_kind.hpp"
+#include "cad/occ_face.hpp"
+#include "cad/occ_load.hpp"
+
+namespace quadrille {
+namespace {
+
+// Third-party readers write to stdout and stderr, where our data and messages belong.
+void silence() {
+  const int null = open("/dev/null", O_WRONLY);
+  if (null < 0) return;
+  dup2(null, STDOUT_FILENO);
+  dup2(null, STDERR_FILENO);
+  close(null);
+}
+
+}  // namespace
+
+CadFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report) {
+  const CadFormat format = cad_format(bytes, name);
+  report.set("input.format", format_name(format));
+  const OccModel model = occ_load(format, bytes, name);
+  return assemble_face(occ_face(model, name, report), options.corner_angle, report);
+}
+
+CadFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                          Report& report) {
+  const CadFormat format = cad_format(bytes, name);
+  const auto work = [&] {
+    silence();
+    Report inner;
+    const CadFace face = load_face(bytes, name, options, inner);
+    return to_bytes(face, inner);
+  };
+  return from_bytes(run_in_child(work, name + ": the file is malformed: the " + format_name(format) +
+                                           " reader crashed or did not end"),
+                    report);
+}
+
+}  // namespace quadrille

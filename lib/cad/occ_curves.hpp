@@ -1,0 +1,33 @@
+#pragma once
+// OpenCASCADE curve in space -> NURBS of the face's plane. Lines, conics and splines exactly.
+
+#include <Geom_Curve.hxx>
+#include <gp_Pnt.hxx>
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// The plane of the face: x3d = origin + x e_x + y e_y (model/cad_face.hpp).
+struct PlaneFrame {
+  std::array<double, 3> origin{0, 0, 0}, e_x{1, 0, 0}, e_y{0, 1, 0};
+
+  Vec2 position(const gp_Pnt& p) const;
+  Vec2 direction(const gp_XYZ& d) const;
+  /// Signed distance from the plane.
+  double height(const gp_Pnt& p) const;
+};
+
+struct PlaneCurve {
+  Nurbs curve;
+  double height = 0;  ///< the farthest that a pole or sample lies off the plane
+  double error = 0;   ///< bound of the approximation; 0 where exact
+};
+
+/// The part of `curve` from parameter `first` to `last` (beyond the period's end where it is periodic). A curve type
+/// without exact rational form is approximated to `tolerance`. Throws FormatError for a curve that cannot be used.
+PlaneCurve plane_curve(const Handle(Geom_Curve) & curve, double first, double last, const PlaneFrame& frame,
+                       double tolerance);
+
+}  // namespace quadrille

@@ -1,0 +1,211 @@
+#include "cad/occ_face.hpp"
+
+#include <fmt/format.h>
+
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "cad/occ_curves.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+TopoDS_Face only_face(const OccModel& model, const std::string& file) {
+  if (model.num_solids > 0) throw FormatError(file + ": the file holds a solid; expected one planar face");
+  TopExp_Explorer faces(model.shape, TopAbs_FACE);
+  if (model.num_faces == 0) throw FormatError(file + ": the file holds no face; expected one planar face");
+  if (!faces.More()) throw FormatError(file + ": the face cannot be built from what the file says");
+  if (model.num_faces == 1) return TopoDS::Face(faces.Current());
+
+  // Say whether they hang together: a shell needs another remedy than stray faces.
+  std::vector<TopoDS_Shape> edges;
+  int shared = 0;
+  for (; faces.More(); faces.Next())
+    for (TopExp_Explorer e(faces.Current(), TopAbs_EDGE); e.More(); e.Next()) {
+      const auto same = [&](const TopoDS_Shape& s) { return s.IsSame(e.Current()); };
+      shared += std::any_of(edges.begin(), edges.end(), same);
+      edges.push_back(e.Current());
+    }
+  throw FormatError(fmt::format("{}: the file holds several faces ({}, {}); expected one planar face", file,
+                                model.num_faces,
+                                shared > 0 ? fmt::format("with {} shared edges", shared) : "separate"));
+}
+
+std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
+  Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull()) return std::nullopt;
+  if (const auto trim = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !trim.IsNull())
+    surface = trim->BasisSurface();
+  if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) return plane->Pln();
+  const GeomLib_IsPlanarSurface planar(surface, 1e-9);
+  if (planar.IsPlanar()) return planar.Plan();
+  return std::nullopt;
+}
+
+std::array<double, 3> numbers(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
+
+// A plane parallel to two axes keeps their coordinates, x and y, y and z or x and z; another one has the file's axes.
+PlaneFrame frame_of(const gp_Pln& plane) {
+  const gp_XYZ normal = plane.Axis().Direction().XYZ(), location = plane.Location().XYZ();
+  constexpr double same = 1e-12;
+  PlaneFrame frame;
+  if (std::abs(normal.X()) < same && std::abs(normal.Y()) < same) {
+    frame.origin = {0, 0, location.Z()};
+  } else if (std::abs(normal.Y()) < same && std::abs(normal.Z()) < same) {
+    frame = {{location.X(), 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  } else if (std::abs(normal.X()) < same && std::abs(normal.Z()) < same) {
+    frame = {{0, location.Y(), 0}, {1, 0, 0}, {0, 0, 1}};
+  } else {
+    const gp_XYZ x = plane.XAxis().Direction().XYZ();
+    frame = {numbers(location), numbers(x), numbers(normal.Crossed(x))};
+  }
+  return frame;
+}
+
+std::string kind_of_surface(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  std::string type = surface.IsNull() ? "no surface" : surface->DynamicType()->Name();
+  if (type.rfind("Geom_", 0) == 0) type = type.substr(5);
+  return type;
+}
+
+// Walks the wires of one face and turns their edges into NURBS of its plane.
+class FaceReader {
+ public:
+  FaceReader(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, RawFace& raw, Report& report)
+      : model_(model), face_(face), frame_(frame), raw_(raw), report_(report) {}
+
+  void read() {
+    for (TopoDS_Iterator i(face_.Oriented(TopAbs_FORWARD)); i.More(); i.Next()) {
+      if (i.Value().ShapeType() == TopAbs_WIRE)
+        read_wire(TopoDS::Wire(i.Value()));
+      else
+        report_.warn("W-CAD-004", raw_.file + ": ignored a point inside the face");
+    }
+  }
+
+ private:
+  void read_wire(const TopoDS_Wire& wire) {
+    std::vector<RawEdge> edges;
+    if (wire.Orientation() == TopAbs_INTERNAL || wire.Orientation() == TopAbs_EXTERNAL)
+      throw FormatError(fmt::format("{}: the face has an inner wire that bounds nothing", raw_.file));
+    for (TopoDS_Iterator i(wire.Oriented(TopAbs_FORWARD)); i.More(); i.Next()) {
+      if (i.Value().ShapeType() != TopAbs_EDGE) continue;
+      const TopoDS_Edge edge = TopoDS::Edge(i.Value());
+      if (!BRep_Tool::Degenerated(edge)) edges.push_back(read_edge(edge));
+      ++num_edges_;
+    }
+    if (edges.empty()) throw FormatError(raw_.file + ": a wire of the face has no edges");
+    raw_.wires.push_back(std::move(edges));
+  }
+
+  RawEdge read_edge(const TopoDS_Edge& edge) {
+    double first = 0, last = 0;
+    Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull() && BRepLib::BuildCurve3d(edge)) curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull()) throw FormatError(fmt::format("{}: edge {} has no curve", raw_.file, num_edges_));
+    require_plain(edge, *curve, first);
+
+    RawEdge result;
+    result.cad_edge = num_edges_;
+    result.name = model_.name_of(edge);
+    PlaneCurve plane;
+    try {
+      plane = plane_curve(curve, first, last, frame_, raw_.tolerance / 100);
+    } catch (const FormatError& e) {
+      throw FormatError(fmt::format("{}: edge {}: {}", raw_.file, num_edges_, e.what()));
+    }
+    if (plane.height > raw_.tolerance)
+      throw FormatError(
+          fmt::format("{}: edge {} leaves the plane of the face by {:.3g}", raw_.file, num_edges_, plane.height));
+    if (plane.error > raw_.tolerance / 10)
+      report_.warn("W-CAD-003", fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}",
+                                            raw_.file, num_edges_, plane.error));
+    const bool backwards = edge.Orientation() == TopAbs_REVERSED;
+    result.curve = backwards ? reversed(plane.curve) : plane.curve;
+    result.start = vertex(TopExp::FirstVertex(edge, true), result.curve.poles.front());
+    result.end = vertex(TopExp::LastVertex(edge, true), result.curve.poles.back());
+    return result;
+  }
+
+  // Refuses edges that bound nothing: inner ones, and those with the face on both sides.
+  void require_plain(const TopoDS_Edge& edge, const Geom_Curve& curve, double first) {
+    const auto same = [&](const TopoDS_Edge& e) { return e.IsSame(edge); };
+    const bool inner = edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL;
+    if (inner || std::any_of(seen_.begin(), seen_.end(), same)) {
+      const Vec2 at = frame_.position(curve.Value(first));
+      throw FormatError(
+          fmt::format("{}: the face has an inner curve: edge {} at ({:.6g}, {:.6g}) has the face on both "
+                      "sides",
+                      raw_.file, num_edges_, at.x, at.y));
+    }
+    seen_.push_back(edge);
+  }
+
+  Vec2 vertex(const TopoDS_Vertex& v, Vec2 otherwise) const {
+    return v.IsNull() ? otherwise : frame_.position(BRep_Tool::Pnt(v));
+  }
+
+  const OccModel& model_;
+  TopoDS_Face face_;
+  const PlaneFrame& frame_;
+  RawFace& raw_;
+  Report& report_;
+  std::vector<TopoDS_Edge> seen_;
+  int num_edges_ = 0;
+};
+
+void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, const std::string& file, Report& report) {
+  int curves = 0, points = 0;
+  for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
+    bool own = false;
+    for (TopExp_Explorer f(face, TopAbs_EDGE); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
+    curves += !own;
+  }
+  for (TopExp_Explorer e(shape, TopAbs_VERTEX, TopAbs_EDGE); e.More(); e.Next()) {
+    bool own = false;
+    for (TopExp_Explorer f(face, TopAbs_VERTEX); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
+    points += !own;
+  }
+  if (curves > 0) report.warn("W-CAD-001", fmt::format("{}: ignored {} curves beside the face", file, curves));
+  if (points > 0) report.warn("W-CAD-002", fmt::format("{}: ignored {} points beside the face", file, points));
+}
+
+}  // namespace
+
+RawFace occ_face(const OccModel& model, const std::string& file, Report& report) {
+  const TopoDS_Face face = only_face(model, file);
+  const auto plane = plane_of(face);
+  if (!plane) throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(face)));
+  const PlaneFrame frame = frame_of(*plane);
+  RawFace raw;
+  raw.file = file;
+  raw.name = model.name_of(face);
+  raw.length_unit = model.length_unit;
+  raw.metres_per_unit = model.metres_per_unit;
+  raw.tolerance = model.tolerance;
+  raw.plane_origin = frame.origin;
+  raw.plane_x = frame.e_x;
+  raw.plane_y = frame.e_y;
+  FaceReader(model, face, frame, raw, report).read();
+  warn_of_construction(model.shape, face, file, report);
+  return raw;
+}
+
+}  // namespace quadrille

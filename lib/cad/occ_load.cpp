@@ -1,0 +1,76 @@
+#include "cad/occ_load.hpp"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <XSAlgo.hxx>
+#include <XSAlgo_AlgoContainer.hxx>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "cad/occ_readers.hpp"
+
+namespace quadrille {
+namespace {
+
+// Leaves every shape as the file describes it.
+class NoHealing : public XSAlgo_AlgoContainer {
+ public:
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real, const Standard_Real, const Standard_CString,
+                            const Standard_CString, Handle(Standard_Transient) &, const Message_ProgressRange&,
+                            const Standard_Boolean) const override {
+    return shape;
+  }
+  void MergeTransferInfo(const Handle(Transfer_TransientProcess) &, const Handle(Standard_Transient) &,
+                         const Standard_Integer) const override {}
+};
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  int n = 0;
+  for (TopExp_Explorer e(shape, kind); e.More(); e.Next()) ++n;
+  return n;
+}
+
+OccModel occ_load_brep(const std::string& bytes) {
+  OccModel model;
+  std::istringstream stream(bytes);
+  if (bytes.substr(0, 200).find("Open CASCADE Topology V") != std::string::npos)
+    BinTools::Read(model.shape, stream);
+  else
+    BRepTools::Read(model.shape, stream, BRep_Builder());
+  return model;
+}
+
+OccModel read(CadFormat format, const std::string& bytes, const std::string& name) {
+  if (format == CadFormat::brep) return occ_load_brep(bytes);
+  XSAlgo::Init();
+  XSAlgo::SetAlgoContainer(new NoHealing);
+  return format == CadFormat::step ? occ_load_step(bytes, name) : occ_load_iges(bytes, name);
+}
+
+}  // namespace
+
+std::string OccModel::name_of(const TopoDS_Shape& wanted) const {
+  for (const auto& [named, text] : names)
+    if (named.IsPartner(wanted)) return text;
+  return {};
+}
+
+OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name) {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  try {
+    OccModel model = read(format, bytes, name);
+    if (model.shape.IsNull()) throw FormatError(name + ": the " + format_name(format) + " file holds no shape");
+    model.num_faces = std::max(model.num_faces, count(model.shape, TopAbs_FACE));
+    model.num_solids = std::max(model.num_solids, count(model.shape, TopAbs_SOLID));
+    return model;
+  } catch (const Standard_Failure& e) {
+    throw FormatError(name + ": the " + format_name(format) + " file cannot be read: " + e.GetMessageString());
+  }
+}
+
+}  // namespace quadrille

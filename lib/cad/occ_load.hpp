@@ -1,0 +1,30 @@
+#pragma once
+// CAD file -> OpenCASCADE shape, in the numbers of the file. The only room that knows OpenCASCADE's readers.
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cad/file_kind.hpp"
+
+namespace quadrille {
+
+struct OccModel {
+  TopoDS_Shape shape;                   ///< everything that the file holds
+  std::string length_unit = "unknown";  ///< lower case
+  double metres_per_unit = 0;
+  double tolerance = 1e-7;  ///< the file's own, in its unit
+  int num_faces = 0;        ///< faces that the file describes, also those that could not be built
+  int num_solids = 0;
+  std::vector<std::pair<TopoDS_Shape, std::string>> names;  ///< of faces and edges
+
+  /// The name of `shape`, whatever its orientation and place; empty where it has none.
+  std::string name_of(const TopoDS_Shape& shape) const;
+};
+
+/// Reads without OpenCASCADE's shape healing: what is wrong in the file shall be seen, not repaired behind the back.
+/// Throws FormatError with `name` where nothing can be read.
+OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name);
+
+}  // namespace quadrille

@@ -1,0 +1,157 @@
+#include <Interface_Static.hxx>
+#include <STEPConstruct_UnitContext.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepBasic_SiUnitAndLengthUnit.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
+#include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
+#include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
+#include <StepRepr_GlobalUnitAssignedContext.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "cad/occ_readers.hpp"
+
+namespace quadrille {
+namespace {
+
+std::string text_of(const Handle(TCollection_HAsciiString) & s) { return s.IsNull() ? std::string() : s->ToCString(); }
+
+// What plain writers put where there is no name.
+bool is_no_name(const std::string& name) {
+  return name.find_first_not_of(" \t") == std::string::npos || name == "NONE" || name == "none";
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string si_length_name(const Handle(StepBasic_SiUnit) & unit) {
+  if (!unit->HasPrefix()) return "metre";
+  switch (unit->Prefix()) {
+    case StepBasic_spKilo:
+      return "kilometre";
+    case StepBasic_spDeci:
+      return "decimetre";
+    case StepBasic_spCenti:
+      return "centimetre";
+    case StepBasic_spMilli:
+      return "millimetre";
+    case StepBasic_spMicro:
+      return "micrometre";
+    case StepBasic_spNano:
+      return "nanometre";
+    default:
+      return "metre with a prefix";
+  }
+}
+
+std::string length_name(const Handle(StepRepr_GlobalUnitAssignedContext) & context) {
+  for (int i = 1; i <= context->NbUnits(); ++i) {
+    const Handle(StepBasic_NamedUnit) unit = context->UnitsValue(i);
+    if (const auto inch = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(unit); !inch.IsNull())
+      return lower(text_of(inch->Name()));
+    if (const auto si = Handle(StepBasic_SiUnitAndLengthUnit)::DownCast(unit); !si.IsNull()) return si_length_name(si);
+  }
+  return "unknown";
+}
+
+struct LengthUnit {
+  std::string name = "unknown";
+  double millimetres = 0;  ///< 0: the file says nothing
+  double tolerance = 0;
+};
+
+// Units of one representation context; millimetres = 0 where the entity is none.
+LengthUnit unit_of(const Handle(Standard_Transient) & entity) {
+  Handle(StepRepr_GlobalUnitAssignedContext) units;
+  Handle(StepRepr_GlobalUncertaintyAssignedContext) uncertainty;
+  using Full = StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx;
+  using Short = StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext;
+  if (const auto full = Handle(Full)::DownCast(entity); !full.IsNull()) {
+    units = full->GlobalUnitAssignedContext();
+    uncertainty = full->GlobalUncertaintyAssignedContext();
+  } else if (const auto plain = Handle(Short)::DownCast(entity); !plain.IsNull()) {
+    units = plain->GlobalUnitAssignedContext();
+  }
+  LengthUnit unit;
+  if (units.IsNull() || units->Units().IsNull()) return unit;
+  STEPConstruct_UnitContext factors;
+  factors.ComputeFactors(units);
+  if (!factors.LengthDone() || !(factors.LengthFactor() > 0)) return unit;
+  unit.name = length_name(units);
+  unit.millimetres = factors.LengthFactor();
+  if (!uncertainty.IsNull() && factors.ComputeTolerance(uncertainty) == 0 && factors.HasUncertainty())
+    unit.tolerance = factors.Uncertainty();
+  return unit;
+}
+
+// The one length unit of the model; a file that mixes them is refused.
+LengthUnit length_unit(const StepData_StepModel& model, const std::string& name) {
+  LengthUnit found;
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const LengthUnit unit = unit_of(model.Value(i));
+    if (unit.millimetres == 0) continue;
+    if (found.millimetres == 0) found = unit;
+    if (unit.millimetres != found.millimetres)
+      throw FormatError(name + ": the file mixes length units (" + found.name + " and " + unit.name + ")");
+    found.tolerance = std::max(found.tolerance, unit.tolerance);
+  }
+  return found;
+}
+
+void collect(const STEPControl_Reader& reader, OccModel& model) {
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  const Handle(StepData_StepModel) file = reader.StepModel();
+  for (int i = 1; i <= file->NbEntities(); ++i) {
+    const Handle(Standard_Transient) entity = file->Value(i);
+    const bool is_face = entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface));
+    model.num_faces += is_face;
+    model.num_solids += entity->IsKind(STANDARD_TYPE(StepShape_SolidModel));
+    if (!is_face && !entity->IsKind(STANDARD_TYPE(StepShape_EdgeCurve))) continue;
+    const std::string name = text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name());
+    if (is_no_name(name)) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    if (!shape.IsNull()) model.names.emplace_back(shape, name);
+  }
+}
+
+}  // namespace
+
+OccModel occ_load_step(const std::string& bytes, const std::string& name) {
+  STEPControl_Reader reader;
+  // Curves in space only: the plane's own copies of them (pcurves) are redundant and often worse.
+  Interface_Static::SetIVal("read.surfacecurve.mode", -3);
+  std::istringstream stream(bytes);
+  if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone)
+    throw FormatError(name + ": the STEP file cannot be parsed");
+  OccModel model;
+  // Units are counted in the target unit, which a reader before this one may have left behind.
+  reader.SetSystemLengthUnit(1.0);
+  const LengthUnit unit = length_unit(*reader.StepModel(), name);
+  if (unit.millimetres > 0) {
+    // The reader multiplies by the unit's millimetres and divides by this: exactly 1.
+    reader.SetSystemLengthUnit(unit.millimetres);
+    model.length_unit = unit.name;
+    model.metres_per_unit = unit.millimetres / 1000;
+  }
+  if (unit.tolerance > 0) model.tolerance = unit.tolerance;
+  reader.TransferRoots();
+  model.shape = reader.OneShape();
+  collect(reader, model);
+  return model;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,11 @@
+#pragma once
+// The readers behind occ_load, one file each.
+
+#include "cad/occ_load.hpp"
+
+namespace quadrille {
+
+OccModel occ_load_step(const std::string& bytes, const std::string& name);
+OccModel occ_load_iges(const std::string& bytes, const std::string& name);
+
+}  // namespace quadrille

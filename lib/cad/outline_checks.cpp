@@ -1,0 +1,219 @@
+#include "cad/outline_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
+  const double length2 = norm2(b - a);
+  const double s = length2 == 0 ? 0 : std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0);
+  return distance(x, a + s * (b - a));
+}
+
+// Distance of two segments; 0 where they cross.
+double segment_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  if (c_side * d_side < 0 && a_side * b_side < 0) return 0;
+  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
+                   distance_to_segment(d, a, b)});
+}
+
+// A polynomial piece of a curve inside the strip of half-width `width` around its chord.
+struct Piece {
+  Nurbs curve;
+  int loop = 0, id = 0;
+  Vec2 low, high;
+  double width = 0;
+
+  Vec2 a() const { return curve.poles.front(); }
+  Vec2 b() const { return curve.poles.back(); }
+};
+
+Piece make_piece(Nurbs curve, int loop, int id) {
+  Piece piece{std::move(curve), loop, id, {}, {}, 0};
+  piece.low = piece.high = piece.a();
+  for (const Vec2 p : piece.curve.poles) {
+    piece.low = {std::min(piece.low.x, p.x), std::min(piece.low.y, p.y)};
+    piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};
+    piece.width = std::max(piece.width, distance_to_segment(p, piece.a(), piece.b()));
+  }
+  return piece;
+}
+
+std::pair<Piece, Piece> halves(const Piece& p) {
+  const double middle = (p.curve.begin() + p.curve.end()) / 2;
+  return {make_piece(trimmed(p.curve, p.curve.begin(), middle), p.loop, p.id),
+          make_piece(trimmed(p.curve, middle, p.curve.end()), p.loop, p.id)};
+}
+
+double polygon_turning(const Nurbs& curve) {
+  double turning = 0;
+  Vec2 last{};
+  for (size_t i = 1; i < curve.poles.size(); ++i) {
+    const Vec2 leg = curve.poles[i] - curve.poles[i - 1];
+    if (norm2(leg) == 0) continue;
+    if (norm2(last) > 0) turning += std::abs(std::atan2(cross(last, leg), dot(last, leg)));
+    last = leg;
+  }
+  return turning;
+}
+
+// Pieces that turn by less than a straight angle cannot meet themselves.
+void add_simple(const Piece& piece, int depth, std::vector<Piece>& pieces) {
+  if (depth == 0 || polygon_turning(piece.curve) < 1.8) {
+    pieces.push_back(piece);
+    return;
+  }
+  const auto [first, second] = halves(piece);
+  add_simple(first, depth - 1, pieces);
+  add_simple(second, depth - 1, pieces);
+}
+
+std::vector<Piece> simple_pieces(const std::vector<Nurbs>& loop, int loop_id) {
+  std::vector<Piece> pieces;
+  for (int c = 0; c < static_cast<int>(loop.size()); ++c) {
+    const Nurbs& curve = loop[c];
+    for (size_t k = 1; k < curve.knots.size(); ++k)
+      if (curve.knots[k - 1] < curve.knots[k])
+        add_simple(make_piece(trimmed(curve, curve.knots[k - 1], curve.knots[k]), loop_id, c), 30, pieces);
+  }
+  // Three at least, so that neighbours share one end and not two.
+  while (pieces.size() < 3) {
+    std::vector<Piece> finer;
+    for (const Piece& p : pieces) {
+      auto [first, second] = halves(p);
+      finer.push_back(std::move(first));
+      finer.push_back(std::move(second));
+    }
+    pieces = std::move(finer);
+  }
+  return pieces;
+}
+
+class ContactSearch {
+ public:
+  explicit ContactSearch(double tol) : tol_(tol) {}
+
+  // A place where a and b come closer than the tolerance.
+  std::optional<Vec2> meet(const Piece& a, const Piece& b) {
+    const double d = segment_distance(a.a(), a.b(), b.a(), b.b());
+    if (d > a.width + b.width + tol_) return std::nullopt;
+    // Curves that lie upon each other are never decided: many halvings mean contact.
+    if (a.width + b.width <= tol_ / 4 || --budget_ < 0) return place(a, b);
+    const bool first = a.width >= b.width;
+    const auto [p, q] = halves(first ? a : b);
+    if (const auto hit = first ? meet(p, b) : meet(a, p)) return hit;
+    return first ? meet(q, b) : meet(a, q);
+  }
+
+  // The same for b that begins where a ends: a contact elsewhere.
+  std::optional<Vec2> meet_again(const Piece& a, const Piece& b) {
+    if (apart(a.curve, b.curve)) return std::nullopt;
+    if (std::max(size(a), size(b)) < 10 * tol_) return std::nullopt;
+    const auto [a_far, a_near] = halves(a);
+    const auto [b_near, b_far] = halves(b);
+    if (const auto hit = meet(a_far, b_far)) return hit;
+    if (const auto hit = meet(a_far, b_near)) return hit;
+    if (const auto hit = meet(a_near, b_far)) return hit;
+    return meet_again(a_near, b_near);
+  }
+
+  void restart() { budget_ = 20000; }
+
+ private:
+  static double size(const Piece& p) { return distance(p.low, p.high); }
+
+  static Vec2 place(const Piece& a, const Piece& b) {
+    const Vec2 d = a.b() - a.a(), e = b.b() - b.a();
+    const double n = cross(d, e);
+    const double s = n == 0 ? 0.5 : std::clamp(cross(b.a() - a.a(), e) / n, 0.0, 1.0);
+    return a.a() + s * d;
+  }
+
+  // The poles of both, seen from the common point, lie in cones that do not overlap.
+  static bool apart(const Nurbs& a, const Nurbs& b) {
+    const Vec2 joint = b.poles.front();
+    struct Cone {
+      Vec2 axis;
+      double low = 0, high = 0;
+    };
+    const auto cone = [joint](auto begin, auto end) {
+      Cone c;
+      for (auto p = begin; p != end; ++p) {
+        const Vec2 d = *p - joint;
+        if (norm2(d) == 0) continue;
+        if (norm2(c.axis) == 0) c.axis = d;
+        const double angle = std::atan2(cross(c.axis, d), dot(c.axis, d));
+        c.low = std::min(c.low, angle), c.high = std::max(c.high, angle);
+      }
+      return c;
+    };
+    const Cone p = cone(std::next(a.poles.rbegin()), a.poles.rend()),
+               q = cone(std::next(b.poles.begin()), b.poles.end());
+    if (p.high - p.low > 3 || q.high - q.low > 3) return false;
+    const double between = wrap_two_pi(std::atan2(cross(p.axis, q.axis), dot(p.axis, q.axis)));
+    constexpr double margin = 1e-9;
+    return between + q.low > p.high + margin && between + q.high < 2 * pi + p.low - margin;
+  }
+
+  double tol_;
+  int budget_ = 0;
+};
+
+}  // namespace
+
+std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops, double tol) {
+  std::vector<Piece> pieces;
+  std::vector<size_t> next;
+  for (int l = 0; l < static_cast<int>(loops.size()); ++l) {
+    const size_t first = pieces.size();
+    for (Piece& p : simple_pieces(loops[l], l)) pieces.push_back(std::move(p));
+    for (size_t i = first; i < pieces.size(); ++i) next.push_back(i + 1 < pieces.size() ? i + 1 : first);
+  }
+  std::vector<size_t> by_x(pieces.size());
+  for (size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
+  std::stable_sort(by_x.begin(), by_x.end(), [&](size_t i, size_t j) { return pieces[i].low.x < pieces[j].low.x; });
+
+  ContactSearch search(tol);
+  for (size_t m = 0; m < by_x.size(); ++m)
+    for (size_t n = m + 1; n < by_x.size(); ++n) {
+      const auto [i, j] = std::minmax(by_x[m], by_x[n]);
+      const Piece &a = pieces[i], &b = pieces[j];
+      if (pieces[by_x[n]].low.x > pieces[by_x[m]].high.x + tol) break;
+      if (a.low.y > b.high.y + tol || b.low.y > a.high.y + tol) continue;
+      search.restart();
+      const auto hit = next[i] == j   ? search.meet_again(a, b)
+                       : next[j] == i ? search.meet_again(b, a)
+                                      : search.meet(a, b);
+      if (hit) return Contact{a.loop, a.id, b.loop, b.id, *hit};
+    }
+  return std::nullopt;
+}
+
+int winding_number(const std::vector<Nurbs>& loop, Vec2 x) {
+  double angle = 0;
+  std::vector<std::pair<Piece, int>> stack;
+  for (Piece& p : simple_pieces(loop, 0)) stack.emplace_back(std::move(p), 0);
+  while (!stack.empty()) {
+    const auto [piece, depth] = std::move(stack.back());
+    stack.pop_back();
+    const Vec2 a = piece.a() - x, b = piece.b() - x;
+    // Outside the strip the piece sweeps the angle of its chord.
+    if (depth == 60 || distance_to_segment(x, piece.a(), piece.b()) > piece.width) {
+      angle += std::atan2(cross(a, b), dot(a, b));
+    } else {
+      auto [first, second] = halves(piece);
+      stack.emplace_back(std::move(first), depth + 1);
+      stack.emplace_back(std::move(second), depth + 1);
+    }
+  }
+  return static_cast<int>(std::lround(angle / (2 * pi)));
+}
+
+}  // namespace quadrille

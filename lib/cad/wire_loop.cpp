@@ -1,0 +1,128 @@
+#include "cad/wire_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+// Smaller jumps are rounding errors of the numbers in a text file.
+constexpr double smallest_jump = 1e-9;
+
+double polygon_length(const Nurbs& curve) {
+  double length = 0;
+  for (size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
+  return length;
+}
+
+void require_vertices_on_ends(const RawFace& raw, const RawEdge& edge, double tol) {
+  for (const auto& [vertex, end] :
+       {std::pair{edge.start, edge.curve.poles.front()}, std::pair{edge.end, edge.curve.poles.back()}}) {
+    const double gap = distance(vertex, end);
+    if (!(gap <= tol))
+      throw FormatError(fmt::format("{}: edge {}: its vertex at {} lies {:.3g} off its curve", raw.file, edge.cad_edge,
+                                    place(vertex), gap));
+  }
+}
+
+// The edges in walking sequence: as they stand, or else each time the first one that begins where the last ended.
+std::vector<const RawEdge*> chained(const RawFace& raw, const std::vector<const RawEdge*>& edges, double tol) {
+  std::vector<const RawEdge*> rest(edges.begin() + 1, edges.end()), chain{edges.front()};
+  while (!rest.empty()) {
+    const Vec2 end = chain.back()->curve.poles.back();
+    const auto follows = [&](const RawEdge* e) { return distance(e->curve.poles.front(), end) <= tol; };
+    const auto next = std::find_if(rest.begin(), rest.end(), follows);
+    if (next == rest.end())
+      throw FormatError(fmt::format("{}: the wire is open: no edge continues edge {} at {}", raw.file,
+                                    chain.back()->cad_edge, place(end)));
+    chain.push_back(*next);
+    rest.erase(next);
+  }
+  const Vec2 begin = chain.front()->curve.poles.front(), end = chain.back()->curve.poles.back();
+  if (!(distance(begin, end) <= tol))
+    throw FormatError(
+        fmt::format("{}: the wire is open: it begins at {} and ends at {}", raw.file, place(begin), place(end)));
+  return chain;
+}
+
+// Inner knots where the tangent jumps. Below full multiplicity a knot can do so only where the derivative vanishes.
+std::vector<double> jumps(const Nurbs& curve) {
+  std::vector<double> result;
+  const double scale = 1e-9 * polygon_length(curve) / (curve.end() - curve.begin());
+  for (size_t k = curve.degree + 1; k + curve.degree + 1 < curve.knots.size(); ++k) {
+    const double t = curve.knots[k];
+    if (t == curve.knots[k - 1]) continue;
+    const auto multiplicity = std::count(curve.knots.begin(), curve.knots.end(), t);
+    if (multiplicity < curve.degree && norm(derivatives(curve, t)[1]) > scale) continue;
+    const Vec2 a = tangent(curve, t, true), b = tangent(curve, t);
+    if (std::abs(std::atan2(cross(a, b), dot(a, b))) > smallest_jump) result.push_back(t);
+  }
+  return result;
+}
+
+void add_pieces(const RawEdge& edge, Loop& loop) {
+  double begin = edge.curve.begin();
+  for (const double t : jumps(edge.curve)) {
+    loop.push_back({trimmed(edge.curve, begin, t), edge.cad_edge, edge.name});
+    begin = t;
+  }
+  loop.push_back({trimmed(edge.curve, begin, edge.curve.end()), edge.cad_edge, edge.name});
+}
+
+// Neighbours meet in the middle of the gap that rounding left between them.
+void close_gaps(Loop& loop) {
+  for (size_t i = 0; i < loop.size(); ++i) {
+    Vec2& end = loop[i].curve.poles.back();
+    Vec2& begin = loop[(i + 1) % loop.size()].curve.poles.front();
+    if (end == begin) continue;
+    end = begin = 0.5 * (end + begin);
+  }
+  for (LoopCurve& c : loop)
+    if (c.curve.degree == 1 && c.curve.poles.size() == 2)
+      c.curve = segment(c.curve.poles.front(), c.curve.poles.back());
+}
+
+}  // namespace
+
+std::string place(Vec2 x) { return fmt::format("({:.6g}, {:.6g})", x.x, x.y); }
+
+Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol, Report& report) {
+  std::vector<const RawEdge*> edges;
+  for (const RawEdge& edge : wire) {
+    require_vertices_on_ends(raw, edge, tol);
+    if (polygon_length(edge.curve) > tol)
+      edges.push_back(&edge);
+    else
+      report.warn("W-CAD-005", fmt::format("{}: ignored edge {} at {}: shorter than the tolerance {:.3g}", raw.file,
+                                           edge.cad_edge, place(edge.start), tol));
+  }
+  if (edges.empty())
+    throw FormatError(
+        fmt::format("{}: the face has no area: its wire at {} is a point", raw.file, place(wire.front().start)));
+  Loop loop;
+  for (const RawEdge* edge : chained(raw, edges, tol)) add_pieces(*edge, loop);
+  close_gaps(loop);
+  return loop;
+}
+
+Loop reversed(const Loop& loop) {
+  Loop back;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const LoopCurve& c = loop[(loop.size() - i) % loop.size()];
+    back.push_back({reversed(c.curve), c.cad_edge, c.name});
+  }
+  return back;
+}
+
+std::vector<Nurbs> curves_of(const Loop& loop) {
+  std::vector<Nurbs> curves;
+  for (const LoopCurve& c : loop) curves.push_back(c.curve);
+  return curves;
+}
+
+}  // namespace quadrille
