@@ -115,7 +115,8 @@ Hdf5Writer::Hdf5Writer() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Hdf5Id access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "properties");
   H5Pset_fapl_core(access.get(), 1 << 18, false);
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18);
+  // The earliest layout: H5Fget_file_image spoils the checksum that later superblocks carry.
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
   const Hdf5Id creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "properties");
   keep_compact(creation.get());
   file_ = checked(H5Fcreate("image", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, "a file image");

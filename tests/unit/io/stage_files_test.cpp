@@ -1,0 +1,92 @@
+#include "io/stage_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "../samples.hpp"
+#include "base/error.hpp"
+
+namespace quadrille {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class StageFiles : public testing::Test {
+ protected:
+  StageFiles() : folder_(fs::path(testing::TempDir()) / "stage_files_XXXXXX") {
+    std::string name = folder_.string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~StageFiles() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Writing what was read gives the same bytes: nothing is lost and nothing is added.
+  template <typename Stage, typename Read, typename Write>
+  void expect_same_bytes(const Stage& stage, const Read& read, const Write& write) {
+    write(path("first"), stage);
+    const InputFile file = read_input(path("first"));
+    write(path("second"), read(file));
+    EXPECT_EQ(bytes_of(path("first")), bytes_of(path("second")));
+    EXPECT_GT(file.bytes.size(), 500u);
+  }
+  fs::path folder_;
+};
+
+TEST_F(StageFiles, TriMeshSurvivesTheRoundTrip) {
+  expect_same_bytes(samples::tri_mesh(), read_tri_mesh, write_tri_mesh);
+  const TriMesh mesh = read_tri_mesh(read_input(path("second"))), expected = samples::tri_mesh();
+  EXPECT_EQ(mesh.vertices, expected.vertices);
+  EXPECT_EQ(mesh.elem2vertices, expected.elem2vertices);
+  EXPECT_EQ(mesh.curved_nodes, expected.curved_nodes);
+  EXPECT_EQ(mesh.face.curve_names, expected.face.curve_names);
+  EXPECT_EQ(mesh.face.joints[1].interior_angle, expected.face.joints[1].interior_angle);
+  EXPECT_TRUE(mesh.face.joints[3].is_corner);
+  EXPECT_EQ(mesh.provenance[0].options, expected.provenance[0].options);
+  EXPECT_EQ(stage_format(read_input(path("first"))), "tri-mesh");
+}
+
+TEST_F(StageFiles, FieldSurvivesTheRoundTrip) {
+  expect_same_bytes(samples::field(), read_field, write_field);
+  const Field field = read_field(read_input(path("second")));
+  EXPECT_EQ(field.u, samples::field().u);
+  EXPECT_EQ(field.adapt_steps.size(), 1u);
+  EXPECT_EQ(field.adapt_steps[0].max_sensor, 1e-9);
+  EXPECT_EQ(stage_format(read_input(path("first"))), "field");
+}
+
+TEST_F(StageFiles, CriticalPointsSurviveTheRoundTrip) {
+  expect_same_bytes(samples::critical_points(), read_critical_points, write_critical_points);
+  EXPECT_EQ(stage_format(read_input(path("first"))), "critical-points");
+}
+
+TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
+  expect_same_bytes(samples::separatrix_graph(), read_separatrix_graph, write_separatrix_graph);
+  const SeparatrixGraph graph = read_separatrix_graph(read_input(path("second")));
+  EXPECT_EQ(graph.nodes[4].kind, NodeKind::boundary);
+  EXPECT_EQ(graph.arcs[6].pieces[0].curve, 4);
+  EXPECT_EQ(stage_format(read_input(path("first"))), "separatrix-graph");
+}
+
+TEST_F(StageFiles, BlockLayoutSurvivesTheRoundTrip) {
+  expect_same_bytes(samples::block_layout(), read_block_layout, write_block_layout);
+  const BlockLayout layout = read_block_layout(read_input(path("second")));
+  EXPECT_EQ(layout.block2arcs, samples::block_layout().block2arcs);
+  EXPECT_EQ(layout.arcs[6].pieces[0].curve, 4);
+  EXPECT_EQ(stage_format(read_input(path("first"))), "block-layout");
+}
+
+TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
+  expect_same_bytes(samples::quad_mesh(), read_quad_mesh, write_quad_mesh);
+  EXPECT_EQ(stage_format(read_input(path("first"))), "quad-mesh");
+}
+
+}  // namespace
+}  // namespace quadrille

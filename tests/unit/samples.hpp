@@ -1,0 +1,134 @@
+#pragma once
+// Small valid stage files for the tests of io and check: the square [0,1]^2, whole, with one field, one block.
+
+#include "model/block_layout.hpp"
+#include "model/critical_points.hpp"
+#include "model/field.hpp"
+#include "model/quad_mesh.hpp"
+#include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
+
+namespace quadrille::samples {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline Nurbs line(Vec2 a, Vec2 b) { return {1, {0, 0, 1, 1}, {a, b}, {1, 1}}; }
+
+inline Provenance provenance() {
+  return {{"cad2tri", "0.1.0", {{"step", std::string(64, 'a')}}, R"({"corner-angle":1,"order":8})"}};
+}
+
+/// The unit square: curve k runs along side k, counter-clockwise.
+inline CadFace face() {
+  CadFace f;
+  f.name = "square";
+  f.length_unit = "millimetre";
+  f.metres_per_unit = 0.001;
+  f.diameter = 1.4142135623730951;
+  const Vec2 p[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const double out[4] = {0, pi / 2, pi, -pi / 2};
+  for (int k = 0; k < 4; ++k) {
+    f.curves.push_back(line(p[k], p[(k + 1) % 4]));
+    f.curve_names.push_back("side " + std::to_string(k));
+    f.curve_cad_edges.push_back(k);
+    f.joints.push_back({p[k], out[(k + 3) % 4], out[k], pi / 2, true});
+  }
+  f.loop_offsets = {0, 4};
+  return f;
+}
+
+/// Four triangles around the centre; element 0 (below) is curved of order 2, with its nodes where the affine map has
+/// them.
+inline TriMesh tri_mesh() {
+  TriMesh m;
+  m.provenance = provenance();
+  m.face = face();
+  m.order = 2;
+  m.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
+  m.elem2vertices = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  m.curved_elems = {0};
+  m.curved_nodes = {{0, 0}, {1, 0}, {0.5, 0.5}, {0.5, 0}, {0.75, 0.25}, {0.25, 0.25}};
+  for (int k = 0; k < 4; ++k) m.boundary_edges.push_back({k, 0, k, 0, 1});
+  m.elem_layer = {-1, -1, -1, -1};
+  return m;
+}
+
+/// v = (1, 0): the first orthonormal mode of the reference triangle (area 2) is 1 / sqrt(2).
+inline Field field() {
+  Field f;
+  f.provenance = provenance();
+  f.provenance.push_back({"fieldsolve", "0.1.0", {{"tri-mesh", std::string(64, 'b')}}, R"({"field-order":1})"});
+  f.mesh = tri_mesh();
+  f.mesh.provenance = f.provenance;
+  f.elem_order = {1, 1, 2, 1};
+  f.coef_offsets = {0, 3, 6, 12, 15};
+  f.u.assign(15, 0.0);
+  f.v.assign(15, 0.0);
+  for (const int first : {0, 3, 6, 12}) f.u[static_cast<std::size_t>(first)] = 1.4142135623730951;
+  f.adapt_steps = {{25, 1, 0, 1, 2, 1e-9}};
+  f.elem_sensor = {0, 0, 1e-12, 0};
+  return f;
+}
+
+inline CriticalPoints critical_points() {
+  CriticalPoints c;
+  c.provenance = provenance();
+  c.critical_points = {{{0.25, 0.5}, 1, 3, 3, {-0.5, -0.25}, {2, 0, 0, 1}},
+                       {{0.75, 0.5}, -1, 5, 1, {-0.5, -0.25}, {1, 0, 0, -1}}};
+  const Vec2 p[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int k = 0; k < 4; ++k) c.corners.push_back({k, p[k], 90, 1, {(k + 3) % 4, k}});
+  c.index_sum = 4;
+  c.index_sum_expected = 4;
+  return c;
+}
+
+/// Two blocks, cut by one line from the middle of the lower side to the middle of the upper one.
+inline SeparatrixGraph separatrix_graph() {
+  SeparatrixGraph g;
+  g.provenance = provenance();
+  g.face = face();
+  g.splines = {line({0.5, 0}, {0.5, 1})};
+  const Vec2 p[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int k = 0; k < 4; ++k) g.nodes.push_back({p[k], NodeKind::corner, 1, k, 0});
+  g.nodes.push_back({{0.5, 0}, NodeKind::boundary, 2, 0, 0.5});
+  g.nodes.push_back({{0.5, 1}, NodeKind::boundary, 2, 2, 0.5});
+  g.arcs = {{0, 4, true, 0, {{0, 0, 0.5}}}, {4, 1, true, 0, {{0, 0.5, 1}}}, {1, 2, true, 0, {{1, 0, 1}}},
+            {2, 5, true, 0, {{2, 0, 0.5}}}, {5, 3, true, 0, {{2, 0.5, 1}}}, {3, 0, true, 0, {{3, 0, 1}}},
+            {4, 5, false, 0, {{4, 0, 1}}}};
+  g.lines = {{4, 5, "cut", {6}}};
+  return g;
+}
+
+inline BlockLayout block_layout() {
+  const SeparatrixGraph g = separatrix_graph();
+  BlockLayout b;
+  b.provenance = provenance();
+  b.face = g.face;
+  b.splines = g.splines;
+  b.nodes = g.nodes;
+  b.arcs = g.arcs;
+  b.block2nodes = {{0, 4, 5, 3}, {4, 1, 2, 5}};
+  b.block2arcs = {{0, 6, 4, 5}, {1, 2, 3, -7}};
+  b.arc_chord = {0, 1, 2, 1, 0, 2, 2};
+  b.block_jacobian_bound = {0.125, 0.125};
+  b.block_names = {"block-0", "block-1"};
+  return b;
+}
+
+/// Two order-1 quads side by side.
+inline QuadMesh quad_mesh() {
+  QuadMesh m;
+  m.provenance = provenance();
+  m.face = face();
+  m.order = 1;
+  m.nodes = {{0, 0}, {0.5, 0}, {1, 0}, {0, 1}, {0.5, 1}, {1, 1}};
+  m.elem_nodes = {0, 1, 3, 4, 1, 2, 4, 5};
+  m.elem_block = {0, 1};
+  m.elem_jacobian_bound = {0.125, 0.125};
+  m.elem_scaled_jacobian = {1, 1};
+  m.boundary_edges = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 2}, {0, 2, 2}, {0, 3, 3}};
+  m.block_names = {"block-0", "block-1"};
+  return m;
+}
+
+}  // namespace quadrille::samples
