@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <set>
+
+#include "check/graph_rules.hpp"
+
+namespace quadrille {
+
+namespace {
+
+GraphView view(const BlockLayout& b) { return {b.face, b.splines, b.nodes, b.arcs}; }
+int arc_of(int side_arc) { return side_arc >= 0 ? side_arc : -1 - side_arc; }
+
+void arrays_agree(const BlockLayout& layout, Findings& findings) {
+  const std::size_t n = layout.block2nodes.size();
+  if (n == 0) findings.add("the layout has no blocks");
+  if (layout.block2arcs.size() != n || layout.block_jacobian_bound.size() != n || layout.block_names.size() != n)
+    findings.add("block2nodes, block2arcs, block_jacobian_bound and block_names must have one entry for each block");
+  if (layout.arc_chord.size() != layout.arcs.size())
+    findings.add("arc_chord has {} entries for {} arcs", layout.arc_chord.size(), layout.arcs.size());
+  if (!are_finite(layout.block_jacobian_bound)) findings.add("block_jacobian_bound holds a number that is not finite");
+}
+
+void block_indices_exist(const BlockLayout& layout, Findings& findings) {
+  for (std::size_t b = 0; b < layout.block2nodes.size(); ++b)
+    for (int k = 0; k < 4; ++k)
+      if (!is_index(layout.block2nodes[b][k], layout.nodes.size()) ||
+          !is_index(arc_of(layout.block2arcs[b][k]), layout.arcs.size()))
+        findings.add("block {}: node or arc {} does not exist", b, k);
+  for (std::size_t a = 0; a < layout.arc_chord.size(); ++a)
+    if (!is_index(layout.arc_chord[a], layout.arcs.size()))
+      findings.add("arc {}: chord {} is outside 0 to {}", a, layout.arc_chord[a], layout.arcs.size() - 1);
+}
+
+void sides_join_nodes(const BlockLayout& layout, Findings& findings) {
+  for (std::size_t b = 0; b < layout.block2nodes.size(); ++b)
+    for (int k = 0; k < 4; ++k) {
+      const int id = layout.block2arcs[b][k];
+      const GraphArc& arc = layout.arcs[arc_of(id)];
+      const int from = id >= 0 ? arc.from : arc.to, to = id >= 0 ? arc.to : arc.from;
+      if (from != layout.block2nodes[b][k] || to != layout.block2nodes[b][(k + 1) % 4])
+        findings.add("block {}: side {} does not run from its node {} to the next", b, k, k);
+    }
+}
+
+/// Inner arcs have a block on each side, boundary arcs one block.
+void arcs_are_shared(const BlockLayout& layout, Findings& findings) {
+  std::vector<std::array<int, 2>> uses(layout.arcs.size());
+  for (const auto& sides : layout.block2arcs)
+    for (const int id : sides) ++uses[arc_of(id)][id >= 0 ? 0 : 1];
+  for (std::size_t a = 0; a < uses.size(); ++a) {
+    const bool is_sound =
+        layout.arcs[a].is_boundary ? uses[a][0] + uses[a][1] == 1 : uses[a][0] == 1 && uses[a][1] == 1;
+    if (!is_sound)
+      findings.add("arc {} {} bounds {} blocks on its left and {} on its right", a,
+                   layout.arcs[a].is_boundary ? "(boundary)" : "(inner)", uses[a][0], uses[a][1]);
+  }
+}
+
+void chords_link_opposite_sides(const BlockLayout& layout, Findings& findings) {
+  for (std::size_t b = 0; b < layout.block2arcs.size(); ++b)
+    for (int k = 0; k < 2; ++k)
+      if (layout.arc_chord[arc_of(layout.block2arcs[b][k])] != layout.arc_chord[arc_of(layout.block2arcs[b][k + 2])])
+        findings.add("block {}: sides {} and {} are not of one chord", b, k, k + 2);
+}
+
+void names_are_unique(const BlockLayout& layout, Findings& findings) {
+  std::set<std::string> seen;
+  for (std::size_t b = 0; b < layout.block_names.size(); ++b)
+    if (layout.block_names[b].empty() || !seen.insert(layout.block_names[b]).second)
+      findings.add("block {}: its name '{}' is empty or not the only one", b, layout.block_names[b]);
+}
+
+void euler_count_holds(const BlockLayout& layout, Findings& findings) {
+  const int euler = static_cast<int>(layout.nodes.size()) - static_cast<int>(layout.arcs.size()) + layout.num_blocks();
+  if (euler != layout.face.euler_characteristic())
+    findings.add("nodes - arcs + blocks is {}, the face's Euler characteristic {}", euler,
+                 layout.face.euler_characteristic());
+}
+
+void valences_are_blocks(const BlockLayout& layout, Findings& findings) {
+  std::vector<int> count(layout.nodes.size());
+  for (const auto& nodes : layout.block2nodes)
+    for (const int n : nodes) ++count[n];
+  for (std::size_t i = 0; i < count.size(); ++i)
+    if (count[i] != layout.nodes[i].valence)
+      findings.add("node {} has {} blocks but valence {}, at {}", i, count[i], layout.nodes[i].valence,
+                   place(layout.face, layout.nodes[i].position));
+}
+
+void index_sum_holds(const BlockLayout& layout, Findings& findings) {
+  int sum = 0;
+  for (const GraphNode& node : layout.nodes) sum += (node.curve < 0 ? 4 : 2) - node.valence;
+  if (sum != 4 * layout.face.euler_characteristic())
+    findings.add("the index sum is {}, not {}", sum, 4 * layout.face.euler_characteristic());
+}
+
+constexpr Rule<BlockLayout> rules[] = {
+    {"BLK-R01", RuleKind::structure, [](const auto& b, Findings& f) { splines_are_sound(view(b), f); }},
+    {"BLK-R02", RuleKind::structure, [](const auto& b, Findings& f) { graph_indices_exist(view(b), f); }},
+    {"BLK-R03", RuleKind::structure, [](const auto& b, Findings& f) { pieces_are_sound(view(b), f); }},
+    {"BLK-R04", RuleKind::structure, arrays_agree},
+    {"BLK-R05", RuleKind::structure, block_indices_exist},
+    {"BLK-R06", RuleKind::quick, [](const auto& b, Findings& f) { arcs_are_chains(view(b), f); }},
+    {"BLK-R07", RuleKind::quick, [](const auto& b, Findings& f) { boundary_is_covered(view(b), f); }},
+    {"BLK-R08", RuleKind::quick, [](const auto& b, Findings& f) { node_kinds_fit(view(b), f); }},
+    {"BLK-R09", RuleKind::quick, sides_join_nodes},
+    {"BLK-R10", RuleKind::quick, arcs_are_shared},
+    {"BLK-R11", RuleKind::quick, chords_link_opposite_sides},
+    {"BLK-R12", RuleKind::quick, names_are_unique},
+    {"BLK-R13", RuleKind::full, euler_count_holds},
+    {"BLK-R14", RuleKind::full, valences_are_blocks},
+    {"BLK-R15", RuleKind::full, index_sum_holds},
+};
+
+}  // namespace
+
+std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth) {
+  std::vector<Violation> all = check_cad_face(layout.face, depth);
+  if (!all.empty()) return all;
+  return apply_rules(rules, layout, depth);
+}
+
+}  // namespace quadrille

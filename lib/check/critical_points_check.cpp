@@ -1,0 +1,95 @@
+#include "base/angle.hpp"
+#include "check/rules.hpp"
+
+namespace quadrille {
+
+namespace {
+
+void numbers_are_finite(const CriticalPoints& points, Findings& findings) {
+  if (!is_finite(points.origin)) findings.add("origin is not finite");
+  for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
+    const CriticalPoint& p = points.critical_points[i];
+    bool is_sound = is_finite(p.position) && is_finite(p.xi);
+    for (const double d : p.jacobian) is_sound = is_sound && is_finite(d);
+    if (!is_sound) findings.add("critical point {} holds a number that is not finite", i);
+  }
+  for (std::size_t i = 0; i < points.corners.size(); ++i)
+    if (!is_finite(points.corners[i].position) || !is_finite(points.corners[i].angle_degrees))
+      findings.add("corner {} holds a number that is not finite", i);
+}
+
+void valences_fit_indices(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
+    const CriticalPoint& p = points.critical_points[i];
+    if (p.valence != 4 - p.index || p.index == 0 || p.index > 4 || p.index < -60)
+      findings.add("critical point {}: valence {} must be 4 - index, and index {} between -60 and 4 and not 0", i,
+                   p.valence, p.index);
+  }
+}
+
+void elements_are_sound(const CriticalPoints& points, Findings& findings) {
+  constexpr double tol = 1e-6;
+  for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
+    const CriticalPoint& p = points.critical_points[i];
+    if (p.elem < 0) findings.add("critical point {}: elem is negative", i);
+    if (p.xi.x < -1 - tol || p.xi.y < -1 - tol || p.xi.x + p.xi.y > tol)
+      findings.add("critical point {}: xi lies outside the reference triangle", i);
+  }
+}
+
+void corners_are_sound(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.corners.size(); ++i) {
+    const Corner& c = points.corners[i];
+    if (c.joint < 0 || (i > 0 && c.joint <= points.corners[i - 1].joint))
+      findings.add("corners must be sorted by joint; entry {} is not", i);
+    if (c.curves[0] < 0 || c.curves[1] < 0) findings.add("corner {}: a curve is negative", i);
+    if (!(c.angle_degrees > 0) || !(c.angle_degrees < 360)) findings.add("corner {}: its angle is not in (0, 360)", i);
+    if (c.valence < 0 || c.valence > 4) findings.add("corner {}: valence {} is outside 0 to 4", i, c.valence);
+  }
+}
+
+void index_sum_is_right(const CriticalPoints& points, Findings& findings) {
+  int sum = 0;
+  for (const CriticalPoint& p : points.critical_points) sum += 4 - p.valence;
+  for (const Corner& c : points.corners) sum += 2 - c.valence;
+  if (sum != points.index_sum)
+    findings.add("index_sum.value is {}, the points and corners listed add up to {}", points.index_sum, sum);
+}
+
+void index_sum_holds(const CriticalPoints& points, Findings& findings) {
+  if (points.index_sum_expected > 4 || points.index_sum_expected % 4 != 0)
+    findings.add("index_sum.expected is {}: it must be 4, or 4 less for each hole", points.index_sum_expected);
+  if (points.index_sum != points.index_sum_expected)
+    findings.add("the index sum is {}, not {}", points.index_sum, points.index_sum_expected);
+}
+
+void jacobians_fit_indices(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
+    const CriticalPoint& p = points.critical_points[i];
+    const double det = p.jacobian[0] * p.jacobian[3] - p.jacobian[1] * p.jacobian[2];
+    if (std::abs(p.index) == 1 && det * p.index < 0)
+      findings.add("critical point {}: index {} and the sign of its Jacobian's determinant disagree", i, p.index);
+  }
+}
+
+void points_differ(const CriticalPoints& points, Findings& findings) {
+  const auto& list = points.critical_points;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t j = i + 1; j < list.size(); ++j)
+      if (list[i].position == list[j].position) findings.add("critical points {} and {} are at one place", i, j);
+}
+
+constexpr Rule<CriticalPoints> rules[] = {
+    {"CRT-R01", RuleKind::structure, numbers_are_finite}, {"CRT-R02", RuleKind::quick, valences_fit_indices},
+    {"CRT-R03", RuleKind::quick, elements_are_sound},     {"CRT-R04", RuleKind::quick, corners_are_sound},
+    {"CRT-R05", RuleKind::quick, index_sum_is_right},     {"CRT-R06", RuleKind::quick, index_sum_holds},
+    {"CRT-R07", RuleKind::full, jacobians_fit_indices},   {"CRT-R08", RuleKind::full, points_differ},
+};
+
+}  // namespace
+
+std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth) {
+  return apply_rules(rules, points, depth);
+}
+
+}  // namespace quadrille

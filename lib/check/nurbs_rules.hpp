@@ -1,0 +1,17 @@
+#pragma once
+// What makes a NURBS curve sound, and its point at a parameter, for the rules of several formats. Private to check.
+
+#include <string>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// Empty, or why the arrays of the curve do not fit together (method.md: clamped, never periodic).
+std::string structure_fault(const Nurbs& curve);
+/// Empty, or "pole 3 is not finite" and the like.
+std::string number_fault(const Nurbs& curve);
+/// The point at t by de Boor's algorithm; the curve must be sound.
+Vec2 curve_point(const Nurbs& curve, double t);
+
+}  // namespace quadrille

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <array>
+
+#include "check/rules.hpp"
+#include "spectral/quad_map.hpp"
+
+namespace quadrille {
+
+namespace {
+
+std::size_t nodes_per_elem(const QuadMesh& mesh) { return static_cast<std::size_t>(mesh.nodes_per_elem()); }
+
+/// Node j = 0..N of side k of an element, walked from corner k to corner k + 1.
+int side_node(const QuadMesh& mesh, int elem, int side, int j) {
+  const int n = mesh.order, stride = n + 1;
+  const int local[4] = {j, j * stride + n, n * stride + n - j, (n - j) * stride};
+  return mesh.elem_nodes[static_cast<std::size_t>(elem) * nodes_per_elem(mesh) + static_cast<std::size_t>(local[side])];
+}
+
+void arrays_agree(const QuadMesh& mesh, Findings& findings) {
+  if (mesh.order < 1 || mesh.order > 30) return findings.add("order {} is outside 1 to 30", mesh.order);
+  const std::size_t n = mesh.elem_block.size();
+  if (n == 0) findings.add("the mesh has no elements");
+  if (mesh.elem_nodes.size() != n * nodes_per_elem(mesh))
+    findings.add("elem_nodes has {} entries, not {} for each of {} elements", mesh.elem_nodes.size(),
+                 nodes_per_elem(mesh), n);
+  if (mesh.elem_jacobian_bound.size() != n || mesh.elem_scaled_jacobian.size() != n)
+    findings.add("elem_jacobian_bound and elem_scaled_jacobian must have one entry for each of {} elements", n);
+}
+
+void indices_exist(const QuadMesh& mesh, Findings& findings) {
+  for (std::size_t i = 0; i < mesh.elem_nodes.size(); ++i)
+    if (!is_index(mesh.elem_nodes[i], mesh.nodes.size()))
+      findings.add("element {}: node {} does not exist", i / nodes_per_elem(mesh), mesh.elem_nodes[i]);
+  for (std::size_t e = 0; e < mesh.elem_block.size(); ++e)
+    if (!is_index(mesh.elem_block[e], mesh.block_names.size()))
+      findings.add("element {}: block {} does not exist", e, mesh.elem_block[e]);
+  for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i) {
+    const QuadBoundaryEdge& edge = mesh.boundary_edges[i];
+    if (!is_index(edge.elem, mesh.elem_block.size()) || !is_index(edge.side, 4) ||
+        !is_index(edge.curve, mesh.face.curves.size()))
+      findings.add("boundary edge {} names an element, side or curve that does not exist", i);
+  }
+}
+
+void numbers_are_finite(const QuadMesh& mesh, Findings& findings) {
+  if (!are_finite(mesh.nodes)) findings.add("nodes hold a number that is not finite");
+  if (!are_finite(mesh.elem_jacobian_bound) || !are_finite(mesh.elem_scaled_jacobian))
+    findings.add("elem_jacobian_bound or elem_scaled_jacobian holds a number that is not finite");
+}
+
+void stored_bounds_are_positive(const QuadMesh& mesh, Findings& findings) {
+  for (std::size_t e = 0; e < mesh.elem_jacobian_bound.size(); ++e)
+    if (!(mesh.elem_jacobian_bound[e] > 0) || !(mesh.elem_scaled_jacobian[e] > 0) ||
+        mesh.elem_scaled_jacobian[e] > 1 + 1e-12)
+      findings.add("element {}: its Jacobian bound must be positive, its scaled Jacobian in (0, 1], at {}", e,
+                   place(mesh.face, mesh.nodes[side_node(mesh, static_cast<int>(e), 0, 0)]));
+}
+
+/// A side of an element, sortable by its corners.
+struct Side {
+  int low, high, elem, side;
+  auto operator<=>(const Side&) const = default;
+};
+
+std::vector<Side> sorted_sides(const QuadMesh& mesh) {
+  std::vector<Side> all;
+  all.reserve(4 * mesh.elem_block.size());
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int k = 0; k < 4; ++k) {
+      const int a = side_node(mesh, e, k, 0), b = side_node(mesh, e, k, mesh.order);
+      all.push_back({std::min(a, b), std::max(a, b), e, k});
+    }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool are_one_side(const QuadMesh& mesh, const Side& a, const Side& b) {
+  for (int j = 0; j <= mesh.order; ++j)
+    if (side_node(mesh, a.elem, a.side, j) != side_node(mesh, b.elem, b.side, mesh.order - j)) return false;
+  return true;
+}
+
+struct Topology {
+  std::vector<std::array<int, 2>> outer;  ///< element and side, sorted
+  int num_edges = 0;
+};
+
+/// Pairs sides; two elements may touch along two different sides with the same corners, so each is matched by nodes.
+Topology topology_of(const QuadMesh& mesh, Findings& findings) {
+  const std::vector<Side> all = sorted_sides(mesh);
+  std::vector<bool> is_paired(all.size());
+  Topology topology;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (is_paired[i]) continue;
+    ++topology.num_edges;
+    bool has_partner = false, has_rival = false;
+    for (std::size_t j = i + 1; j < all.size() && all[j].low == all[i].low && all[j].high == all[i].high; ++j) {
+      if (is_paired[j]) continue;
+      has_rival = true;
+      if (!are_one_side(mesh, all[i], all[j])) continue;
+      is_paired[j] = has_partner = true;
+      break;
+    }
+    if (has_rival && !has_partner)
+      findings.add("element {} does not share all nodes of side {} with its neighbour", all[i].elem, all[i].side);
+    if (!has_partner) topology.outer.push_back({all[i].elem, all[i].side});
+  }
+  std::sort(topology.outer.begin(), topology.outer.end());
+  return topology;
+}
+
+void mesh_is_conforming(const QuadMesh& mesh, Findings& findings) {
+  const Topology topology = topology_of(mesh, findings);
+  std::vector<std::array<int, 2>> named;
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) named.push_back({edge.elem, edge.side});
+  std::sort(named.begin(), named.end());
+  if (topology.outer != named)
+    findings.add("{} sides belong to one element only, {} are named in boundary_edges; they must be the same",
+                 topology.outer.size(), named.size());
+}
+
+void boundary_walks_the_loops(const QuadMesh& mesh, Findings& findings) {
+  const auto& edges = mesh.boundary_edges;
+  const auto start = [&](std::size_t i) { return side_node(mesh, edges[i].elem, edges[i].side, 0); };
+  const auto end = [&](std::size_t i) { return side_node(mesh, edges[i].elem, edges[i].side, mesh.order); };
+  std::size_t first = 0;
+  int num_loops = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (end(i) == start(first)) {
+      first = i + 1;
+      ++num_loops;
+    } else if (i + 1 == edges.size() || end(i) != start(i + 1) || edges[i + 1].curve < edges[i].curve) {
+      return findings.add("boundary edge {} is not followed by the next one of its loop", i);
+    }
+  }
+  if (num_loops != mesh.face.num_loops())
+    findings.add("boundary_edges walk {} loops, the face has {}", num_loops, mesh.face.num_loops());
+}
+
+void euler_count_holds(const QuadMesh& mesh, Findings& findings) {
+  std::vector<bool> is_corner(mesh.nodes.size()), is_used(mesh.nodes.size());
+  for (const int node : mesh.elem_nodes) is_used[node] = true;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int k = 0; k < 4; ++k) is_corner[side_node(mesh, e, k, 0)] = true;
+  if (const auto unused = std::count(is_used.begin(), is_used.end(), false); unused > 0)
+    findings.add("{} nodes belong to no element", unused);
+  Findings ignored("");
+  const int euler = static_cast<int>(std::count(is_corner.begin(), is_corner.end(), true)) -
+                    topology_of(mesh, ignored).num_edges + mesh.num_elems();
+  if (euler != mesh.face.euler_characteristic())
+    findings.add("vertices - edges + elements is {}, the face's Euler characteristic {}", euler,
+                 mesh.face.euler_characteristic());
+}
+
+void irregular_nodes_agree(const QuadMesh& mesh, Findings& findings) {
+  std::vector<int> valence(mesh.nodes.size());
+  std::vector<bool> is_outer(mesh.nodes.size());
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int k = 0; k < 4; ++k) ++valence[side_node(mesh, e, k, 0)];
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) is_outer[side_node(mesh, edge.elem, edge.side, 0)] = true;
+  int num_irregular = 0;
+  for (std::size_t i = 0; i < valence.size(); ++i)
+    if (valence[i] > 0 && !is_outer[i] && valence[i] != 4) ++num_irregular;
+  if (num_irregular != mesh.num_irregular)
+    findings.add("num_irregular is {}, the mesh has {} inner nodes of a valence other than 4", mesh.num_irregular,
+                 num_irregular);
+}
+
+void jacobians_are_positive(const QuadMesh& mesh, Findings& findings) {
+  std::vector<Vec2> nodes(nodes_per_elem(mesh));
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      nodes[i] = mesh.nodes[mesh.elem_nodes[static_cast<std::size_t>(e) * nodes.size() + i]];
+    const double bound = quad_jacobian_lower_bound(mesh.order, nodes.data());
+    if (!(bound > 0))
+      findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", e, bound,
+                   place(mesh.face, nodes[0]));
+  }
+}
+
+constexpr Rule<QuadMesh> rules[] = {
+    {"QUA-R01", RuleKind::structure, arrays_agree},       {"QUA-R02", RuleKind::structure, indices_exist},
+    {"QUA-R03", RuleKind::structure, numbers_are_finite}, {"QUA-R04", RuleKind::quick, stored_bounds_are_positive},
+    {"QUA-R05", RuleKind::full, mesh_is_conforming},      {"QUA-R06", RuleKind::full, boundary_walks_the_loops},
+    {"QUA-R07", RuleKind::full, euler_count_holds},       {"QUA-R08", RuleKind::full, irregular_nodes_agree},
+    {"QUA-R09", RuleKind::full, jacobians_are_positive},
+};
+
+}  // namespace
+
+std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth) {
+  std::vector<Violation> all = check_cad_face(mesh.face, depth);
+  if (!all.empty()) return all;
+  return apply_rules(rules, mesh, depth);
+}
+
+}  // namespace quadrille

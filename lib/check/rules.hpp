@@ -1,0 +1,74 @@
+#pragma once
+// The frame of the numbered rules: a table of small functions per format. Private to check.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "check/check.hpp"
+
+namespace quadrille {
+
+/// What a rule finds; the first few places say enough.
+class Findings {
+ public:
+  explicit Findings(const char* rule) : rule_(rule) {}
+  template <typename... Args>
+  void add(fmt::format_string<Args...> text, Args&&... args) {
+    if (++count_ <= 5) list_.push_back({rule_, fmt::format(text, std::forward<Args>(args)...)});
+  }
+  bool is_empty() const { return count_ == 0; }
+  std::vector<Violation> take() {
+    if (count_ > 5) list_.push_back({rule_, fmt::format("and {} more places", count_ - 5)});
+    return std::move(list_);
+  }
+
+ private:
+  const char* rule_;
+  std::size_t count_ = 0;
+  std::vector<Violation> list_;
+};
+
+/// structure: later rules would read out of bounds, so checking ends there; quick: every stage asks for it;
+/// full: stagecheck asks for it.
+enum class RuleKind { structure, quick, full };
+
+template <typename Stage>
+struct Rule {
+  const char* id;
+  RuleKind kind;
+  void (*check)(const Stage&, Findings&);
+};
+
+template <typename Stage, std::size_t N>
+std::vector<Violation> apply_rules(const Rule<Stage> (&rules)[N], const Stage& stage, CheckDepth depth) {
+  std::vector<Violation> all;
+  for (const Rule<Stage>& rule : rules) {
+    if (rule.kind == RuleKind::full && depth == CheckDepth::quick) continue;
+    Findings findings(rule.id);
+    rule.check(stage, findings);
+    const bool is_broken = !findings.is_empty();
+    for (Violation& violation : findings.take()) all.push_back(std::move(violation));
+    if (is_broken && rule.kind == RuleKind::structure) break;
+  }
+  return all;
+}
+
+inline bool is_finite(double x) { return std::isfinite(x); }
+inline bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+template <typename T>
+bool are_finite(const std::vector<T>& values) {
+  for (const T& value : values)
+    if (!is_finite(value)) return false;
+  return true;
+}
+inline bool is_index(int i, std::size_t count) { return i >= 0 && static_cast<std::size_t>(i) < count; }
+/// "(x, y)" as a user knows it: with the face's origin.
+inline std::string place(const CadFace& face, Vec2 p) {
+  return fmt::format("({:.6g}, {:.6g})", p.x + face.origin.x, p.y + face.origin.y);
+}
+
+}  // namespace quadrille
