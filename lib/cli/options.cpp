@@ -131,6 +131,13 @@ void CommandLine::input(const std::string& name, std::string& path, const std::s
   impl_->app.add_option(name, path)->required(required);
 }
 
+void CommandLine::inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) {
+  if (paths.empty()) paths = {"-"};
+  impl_->inputs.push_back({name + "...", help + " (default: -, standard input)"});
+  impl_->synopsis += " [" + name + "...]";
+  impl_->app.add_option(name, paths);
+}
+
 void CommandLine::output(std::string& path, const std::string& help) {
   if (path.empty()) path = "-";
   impl_->rows.push_back({"-o, --output FILE", help + " (default: -, standard output)"});

@@ -25,6 +25,7 @@ class CommandLine : public Options {
   ~CommandLine() override;
 
   void input(const std::string& name, std::string& path, const std::string& help, bool required) override;
+  void inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) override;
   void output(std::string& path, const std::string& help) override;
   void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
               const std::string& help) override;

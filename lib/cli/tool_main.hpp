@@ -18,6 +18,8 @@ class Options {
  public:
   virtual ~Options() = default;
   virtual void input(const std::string& name, std::string& path, const std::string& help, bool required = false) = 0;
+  /// All remaining positional arguments, at least one unless the default "-" is to be read.
+  virtual void inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) = 0;
   virtual void output(std::string& path, const std::string& help) = 0;  ///< -o, --output
   virtual void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
                       const std::string& help) = 0;

@@ -1,0 +1,78 @@
+// stagecheck: is this stage file what its format page says? Exit 0, or 3 with every broken rule.
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+
+#include "base/error.hpp"
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "io/input_file.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+template <typename Stage>
+std::vector<Violation> violations_of(const InputFile& file, Stage (*read)(const InputFile&),
+                                     std::vector<Violation> (*check)(const Stage&, CheckDepth)) {
+  return check(read(file), CheckDepth::full);
+}
+
+std::vector<Violation> violations_of(const InputFile& file, const std::string& format) {
+  if (format == "tri-mesh") return violations_of(file, read_tri_mesh, check_tri_mesh);
+  if (format == "field") return violations_of(file, read_field, check_field);
+  if (format == "critical-points") return violations_of(file, read_critical_points, check_critical_points);
+  if (format == "separatrix-graph") return violations_of(file, read_separatrix_graph, check_separatrix_graph);
+  if (format == "block-layout") return violations_of(file, read_block_layout, check_block_layout);
+  return violations_of(file, read_quad_mesh, check_quad_mesh);
+}
+
+/// Prints what is wrong with one file and returns how much that is.
+std::size_t check_file(const std::string& path, Session& session) {
+  try {
+    const InputFile file = read_input(path);
+    const std::string format = stage_format(file);
+    const std::vector<Violation> violations = violations_of(file, format);
+    for (const Violation& violation : violations) fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
+    session.say(fmt::format("{}: {}, {}", file.name, format,
+                            violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
+    return violations.size();
+  } catch (const FormatError& e) {
+    fmt::print("{}\n", e.what());  // names the file itself
+    return 1;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> paths;
+  Tool tool;
+  tool.name = "stagecheck";
+  tool.summary = "checks stage files against the numbered rules of their formats";
+  tool.description =
+      "Reads each FILE (tri-mesh, field, critical-points, separatrix-graph, block-layout or quad-mesh), checks every "
+      "rule of its format page in formats/, proofs of positive Jacobians included, and prints one line for each "
+      "violation: FILE: RULE: text. Silent when all rules hold; -v says what was checked.";
+  tool.examples = {"stagecheck half_disc.tri.h5", "stagecheck -v half_disc.crit.json half_disc.quad.h5"};
+  tool.options = [&](Options& options) { options.inputs("FILE", paths, "stage files to check"); };
+  tool.run = [&](Session& session) {
+    std::size_t num_violations = 0, num_bad = 0;
+    for (const std::string& path : paths) {
+      const std::size_t found = check_file(path, session);
+      num_violations += found;
+      num_bad += found > 0 ? 1 : 0;
+    }
+    session.report().set("files", paths.size());
+    session.report().set("violations", num_violations);
+    if (num_bad > 0)
+      throw FormatError(
+          fmt::format("{} of {} {} broken", num_bad, paths.size(), num_bad == 1 ? "file is" : "files are"));
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}
