@@ -5,12 +5,37 @@
 #include <vector>
 
 #include "base/report.hpp"
+#include "galerkin/condense.hpp"
+#include "galerkin/dirichlet.hpp"
+#include "mesh/tri_topology.hpp"
 #include "model/field.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille {
 
 /// Solves on `mesh` with order elem_order[e] on element e, data and liftings from mesh.face. Linear in the number of
 /// elements but for the sparse factorisation. Throws ComputeError when the factorisation breaks down.
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report);
+
+/// The same for a sequence of order maps on one mesh: elements whose order has not changed keep their matrices.
+class LaplaceSolver {
+ public:
+  /// The guiding field's own data, liftings subtracted. `mesh` must outlive the solver.
+  explicit LaplaceSolver(const TriMesh& mesh);
+  /// Any continuous data.
+  LaplaceSolver(const TriMesh& mesh, BoundaryData data);
+  Field solve(const std::vector<int>& elem_order, Report& report);
+
+ private:
+  void update_elements(const std::vector<int>& elem_order);
+
+  const TriMesh* mesh_;
+  TriTopology topology_;
+  std::vector<TriMap> maps_;
+  std::vector<Lifting> liftings_;
+  BoundaryData data_;
+  std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
+  std::vector<CondensedElement> elements_;
+};
 
 }  // namespace quadrille

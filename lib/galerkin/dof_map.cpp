@@ -1,0 +1,98 @@
+#include "galerkin/dof_map.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <array>
+
+#include "spectral/modified_basis.hpp"
+
+namespace quadrille {
+
+namespace {
+
+std::vector<int> minimum_rule(const TriTopology& topology, const std::vector<int>& elem_order) {
+  std::vector<int> edge2order;
+  edge2order.reserve(topology.edge2elems.size());
+  for (const auto& [first, second] : topology.edge2elems) {
+    edge2order.push_back(second < 0 ? elem_order[first] : std::min(elem_order[first], elem_order[second]));
+  }
+  return edge2order;
+}
+
+// Entities are vertices, then edges. Those of one element are coupled with each other.
+std::vector<int> fill_reducing_sequence(const TriMesh& mesh, const TriTopology& topology) {
+  const int num_vertices = static_cast<int>(mesh.vertices.size());
+  const int num_entities = num_vertices + static_cast<int>(topology.edge2vertices.size());
+  std::vector<Eigen::Triplet<double>> couplings;
+  couplings.reserve(36 * mesh.elem2vertices.size());
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const auto& v = mesh.elem2vertices[e];
+    const auto& k = topology.elem2edges[e];
+    const std::array<int, 6> entities{v[0], v[1], v[2], num_vertices + k[0], num_vertices + k[1], num_vertices + k[2]};
+    for (const int a : entities) {
+      for (const int b : entities) couplings.emplace_back(a, b, 1.0);
+    }
+  }
+  Eigen::SparseMatrix<double> graph(num_entities, num_entities);
+  graph.setFromTriplets(couplings.begin(), couplings.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
+  Eigen::AMDOrdering<int>()(graph, inverse);
+  return {inverse.indices().data(), inverse.indices().data() + num_entities};
+}
+
+// Numbers all entities whose boundary flag is `wanted`, along the sequence.
+void number(const std::vector<int>& sequence, const std::vector<bool>& on_boundary, bool wanted, DofMap& map) {
+  const int num_vertices = static_cast<int>(map.vertex2dof.size());
+  for (const int entity : sequence) {
+    if (on_boundary[entity] != wanted) continue;
+    if (entity < num_vertices) {
+      map.vertex2dof[entity] = map.num_dofs++;
+    } else {
+      map.edge2dof[entity - num_vertices] = map.num_dofs;
+      map.num_dofs += map.edge2order[entity - num_vertices] - 1;
+    }
+  }
+}
+
+void add_element(const TriMesh& mesh, const TriTopology& topology, int elem, int order, DofMap& map) {
+  for (const int vertex : mesh.elem2vertices[elem]) {
+    map.elem2dofs.push_back(map.vertex2dof[vertex]);
+    map.elem2signs.push_back(1);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int edge = topology.elem2edges[elem][k];
+    const bool backwards = mesh.elem2vertices[elem][k] > mesh.elem2vertices[elem][(k + 1) % 3];
+    for (int degree = 2; degree <= order; ++degree) {
+      map.elem2dofs.push_back(degree <= map.edge2order[edge] ? map.edge2dof[edge] + degree - 2 : -1);
+      map.elem2signs.push_back(backwards && degree % 2 == 1 ? -1 : 1);
+    }
+  }
+  map.elem2offset.push_back(static_cast<int>(map.elem2dofs.size()));
+}
+
+}  // namespace
+
+DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& elem_order) {
+  const int num_vertices = static_cast<int>(mesh.vertices.size());
+  const int num_edges = static_cast<int>(topology.edge2vertices.size());
+  DofMap map;
+  map.vertex2dof.assign(num_vertices, -1);
+  map.edge2dof.assign(num_edges, -1);
+  map.edge2order = minimum_rule(topology, elem_order);
+  std::vector<bool> on_boundary(num_vertices + num_edges, false);
+  for (int edge = 0; edge < num_edges; ++edge) {
+    if (topology.edge2elems[edge][1] >= 0) continue;
+    on_boundary[num_vertices + edge] = true;
+    for (const int vertex : topology.edge2vertices[edge]) on_boundary[vertex] = true;
+  }
+  const std::vector<int> sequence = fill_reducing_sequence(mesh, topology);
+  number(sequence, on_boundary, false, map);
+  map.num_unknowns = map.num_dofs;
+  number(sequence, on_boundary, true, map);
+  map.elem2offset.push_back(0);
+  for (int e = 0; e < mesh.num_elems(); ++e) add_element(mesh, topology, e, elem_order[e], map);
+  return map;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,29 @@
+#pragma once
+// Global numbers of vertex and edge modes (Karniadakis and Sherwin, sec. 4.2), minimum rule on edges.
+//
+// An edge between elements of orders P_a, P_b has the modes of degree 2..min(P_a, P_b); its own direction runs from the
+// lower to the higher vertex. Numbers [0, num_unknowns) are free, [num_unknowns, num_dofs) lie on the boundary, where
+// the values are given. Interior modes have no number: they are condensed away.
+
+#include <vector>
+
+#include "mesh/tri_topology.hpp"
+#include "model/tri_mesh.hpp"
+
+namespace quadrille {
+
+struct DofMap {
+  int num_unknowns = 0, num_dofs = 0;
+  std::vector<int> vertex2dof;
+  std::vector<int> edge2dof;       ///< of the mode of degree 2; higher degrees follow
+  std::vector<int> edge2order;     ///< the minimum rule's order
+  std::vector<int> elem2offset;    ///< element e's boundary modes are [elem2offset[e], elem2offset[e+1]) of:
+  std::vector<int> elem2dofs;      ///< the dof of each boundary mode in the basis' sequence, -1: dropped by the rule
+  std::vector<double> elem2signs;  ///< +1 or -1: the mode is this times the dof's shape
+};
+
+/// Free dofs are numbered in a sequence that keeps the fill of a Cholesky factorisation low: approximate minimum degree
+/// on the graph of vertices and edges.
+DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& elem_order);
+
+}  // namespace quadrille

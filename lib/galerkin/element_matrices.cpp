@@ -1,0 +1,108 @@
+#include "galerkin/element_matrices.hpp"
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
+#include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// The modified basis' derivatives at the points of a collapsed Gauss rule.
+struct GradientTable {
+  std::vector<Vec2> points;
+  std::vector<double> weights;
+  Eigen::MatrixXd d1, d2;  // modes x points
+};
+
+GradientTable make_gradient_table(int order, int num_points) {
+  const Quadrature along = gauss_legendre(num_points), up = gauss_jacobi(num_points, 1, 0);
+  const int n = num_tri_modes(order), total = num_points * num_points;
+  GradientTable table;
+  Eigen::MatrixXd values(n, total), d1(n, total), d2(n, total);
+  for (int i = 0, column = 0; i < num_points; ++i) {
+    for (int j = 0; j < num_points; ++j, ++column) {
+      const Vec2 xi{(1 + along.points[i]) * (1 - up.points[j]) / 2 - 1, up.points[j]};
+      table.points.push_back(xi);
+      table.weights.push_back(along.weights[i] * up.weights[j] / 2);
+      orthogonal_gradients(order, xi, values.col(column).data(), d1.col(column).data(), d2.col(column).data());
+    }
+  }
+  table.d1 = modified_to_orthogonal(order) * d1;
+  table.d2 = modified_to_orthogonal(order) * d2;
+  return table;
+}
+
+const GradientTable& gradient_table(int order, int num_points) {
+  static std::mutex mutex;
+  static std::map<std::pair<int, int>, std::unique_ptr<GradientTable>> tables;
+  const std::lock_guard lock(mutex);
+  auto& entry = tables[{order, num_points}];
+  if (!entry) entry = std::make_unique<GradientTable>(make_gradient_table(order, num_points));
+  return *entry;
+}
+
+// The three integrals of which every affine element's matrix is a combination.
+struct ReferenceMatrices {
+  Eigen::MatrixXd k11, k12, k22;  // k12 holds both mixed products
+};
+
+ReferenceMatrices make_reference_matrices(int order) {
+  const GradientTable& table = gradient_table(order, order + 1);
+  const Eigen::VectorXd weights =
+      Eigen::Map<const Eigen::VectorXd>(table.weights.data(), static_cast<Eigen::Index>(table.weights.size()));
+  const Eigen::MatrixXd weighted1 = table.d1 * weights.asDiagonal(), weighted2 = table.d2 * weights.asDiagonal();
+  const Eigen::MatrixXd mixed = weighted1 * table.d2.transpose();
+  return {weighted1 * table.d1.transpose(), mixed + mixed.transpose(), weighted2 * table.d2.transpose()};
+}
+
+const ReferenceMatrices& reference_matrices(int order) {
+  static PerOrder<ReferenceMatrices> tables(make_reference_matrices);
+  return tables[order];
+}
+
+Eigen::MatrixXd affine_stiffness(const TriMap& map, int order) {
+  Vec2 x;
+  Mat2 j;
+  map.evaluate({0, 0}, x, j);
+  const double d = det(j);
+  // |J| J^-1 J^-T: how the reference derivatives are coupled.
+  const double g11 = (j.xy * j.xy + j.yy * j.yy) / d, g22 = (j.xx * j.xx + j.yx * j.yx) / d;
+  const double g12 = -(j.xx * j.xy + j.yx * j.yy) / d;
+  const ReferenceMatrices& reference = reference_matrices(order);
+  return g11 * reference.k11 + g12 * reference.k12 + g22 * reference.k22;
+}
+
+Eigen::MatrixXd curved_stiffness(const TriMap& map, int order, int num_points) {
+  const GradientTable& table = gradient_table(order, num_points);
+  const int n = static_cast<int>(table.d1.rows()), total = static_cast<int>(table.points.size());
+  Eigen::MatrixXd gradients(n, 2 * total);  // physical derivatives times the root of weight and det J
+  for (int i = 0; i < total; ++i) {
+    Vec2 x;
+    Mat2 j;
+    map.evaluate(table.points[i], x, j);
+    const double scale = std::sqrt(table.weights[i] / det(j));
+    gradients.col(2 * i) = (scale * j.yy) * table.d1.col(i) - (scale * j.yx) * table.d2.col(i);
+    gradients.col(2 * i + 1) = (scale * j.xx) * table.d2.col(i) - (scale * j.xy) * table.d1.col(i);
+  }
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  stiffness.selfadjointView<Eigen::Lower>().rankUpdate(gradients);
+  stiffness.triangularView<Eigen::StrictlyUpper>() = stiffness.transpose();
+  return stiffness;
+}
+
+}  // namespace
+
+Eigen::MatrixXd stiffness_matrix(const TriMap& map, int order, int extra_points) {
+  return map.is_affine() ? affine_stiffness(map, order) : curved_stiffness(map, order, order + extra_points);
+}
+
+}  // namespace quadrille

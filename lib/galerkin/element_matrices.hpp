@@ -1,0 +1,14 @@
+#pragma once
+// Stiffness matrices K_mn = int grad psi_m . grad psi_n over one element, psi the modified basis.
+
+#include <Eigen/Dense>
+
+#include "spectral/tri_map.hpp"
+
+namespace quadrille {
+
+/// Affine elements combine three reference matrices, made once per order. Curved ones are integrated by a collapsed
+/// Gauss rule with `extra_points` more than the order in each direction: the integrand is not a polynomial there.
+Eigen::MatrixXd stiffness_matrix(const TriMap& map, int order, int extra_points = 6);
+
+}  // namespace quadrille

@@ -1,0 +1,96 @@
+#include "galerkin/solve_laplace.hpp"
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "field/boundary_values.hpp"
+#include "field/corner_lifting.hpp"
+#include "galerkin/assemble_cg.hpp"
+#include "galerkin/element_matrices.hpp"
+#include "galerkin/linear_solver.hpp"
+#include "mesh/tri_maps.hpp"
+#include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// Coefficients of one element in the orthogonal basis, columns u, v, from all dofs.
+Eigen::MatrixX2d element_coefs(const DofMap& map, const CondensedElement& element, int elem, int order,
+                               const Eigen::MatrixX2d& dofs) {
+  const int nb = num_boundary_modes(order), offset = map.elem2offset[elem];
+  Eigen::MatrixX2d modified = Eigen::MatrixX2d::Zero(num_tri_modes(order), 2);
+  for (int i = 0; i < nb; ++i) {
+    const int dof = map.elem2dofs[offset + i];
+    if (dof >= 0) modified.row(i) = map.elem2signs[offset + i] * dofs.row(dof);
+  }
+  modified.bottomRows(num_interior_modes(order)) = element.interior_from_boundary * modified.topRows(nb);
+  return modified_to_orthogonal(order).transpose() * modified;
+}
+
+double relative_residual(const CgSystem& system, const Eigen::MatrixX2d& x) {
+  if (x.rows() == 0) return 0;
+  const Eigen::MatrixX2d residual = system.rhs - system.matrix.selfadjointView<Eigen::Lower>() * x;
+  const double scale = system.rhs.norm();
+  return scale > 0 ? residual.norm() / scale : residual.norm();
+}
+
+}  // namespace
+
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data)
+    : mesh_(&mesh),
+      topology_(tri_topology(mesh)),
+      maps_(tri_maps(mesh)),
+      data_(std::move(data)),
+      elem_order_(mesh.num_elems(), 0),
+      elements_(mesh.num_elems()) {}
+
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh) : LaplaceSolver(mesh, nullptr) {
+  liftings_ = corner_liftings(mesh.face);
+  data_ = [&face = mesh.face, liftings = liftings_](int curve, double t) {
+    return lifted_boundary_value(face, liftings, curve, t);
+  };
+}
+
+void LaplaceSolver::update_elements(const std::vector<int>& elem_order) {
+  if (elem_order.size() != elem_order_.size()) throw Defect("the order map does not fit the mesh");
+  for (std::size_t e = 0; e < elem_order.size(); ++e) {
+    if (elem_order[e] == elem_order_[e]) continue;
+    elements_[e] = condense(elem_order[e], stiffness_matrix(maps_[e], elem_order[e]));
+    elem_order_[e] = elem_order[e];
+  }
+}
+
+Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
+  update_elements(elem_order);
+  const DofMap map = make_dof_map(*mesh_, topology_, elem_order);
+  const Eigen::MatrixX2d given = dirichlet_values(*mesh_, topology_, map, data_);
+  const CgSystem system = assemble_cg(map, elements_, given);
+  Eigen::MatrixX2d dofs(map.num_dofs, 2);
+  dofs << solve_symmetric(system.matrix, system.rhs), given;
+
+  Field field;
+  field.provenance = mesh_->provenance;
+  field.mesh = *mesh_;
+  field.elem_order = elem_order;
+  field.liftings = liftings_;
+  field.coef_offsets.push_back(0);
+  for (int e = 0; e < mesh_->num_elems(); ++e) {
+    const Eigen::MatrixX2d coefs = element_coefs(map, elements_[e], e, elem_order[e], dofs);
+    field.u.insert(field.u.end(), coefs.col(0).begin(), coefs.col(0).end());
+    field.v.insert(field.v.end(), coefs.col(1).begin(), coefs.col(1).end());
+    field.coef_offsets.push_back(static_cast<int>(field.u.size()));
+  }
+  report.set("solve.num_elements", mesh_->num_elems());
+  report.set("solve.num_unknowns", map.num_unknowns);
+  report.set("solve.num_liftings", liftings_.size());
+  report.set("solve.residual", relative_residual(system, dofs.topRows(map.num_unknowns)));
+  return field;
+}
+
+Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report) {
+  return LaplaceSolver(mesh).solve(elem_order, report);
+}
+
+}  // namespace quadrille

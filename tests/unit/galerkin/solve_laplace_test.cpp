@@ -1,0 +1,139 @@
+#include "galerkin/solve_laplace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "../test_meshes.hpp"
+#include "curve/nurbs.hpp"
+#include "field/evaluate.hpp"
+
+namespace quadrille {
+namespace {
+
+Vec2 power(Vec2 x, int n) {
+  const std::complex<double> z = std::pow(std::complex<double>(x.x, x.y), n);
+  return {z.real(), z.imag()};
+}
+
+Field solve_power(const TriMesh& mesh, const std::vector<int>& orders, int n) {
+  Report report;
+  return LaplaceSolver(mesh, [&](int curve, double t) { return power(point(mesh.face.curves[curve], t), n); })
+      .solve(orders, report);
+}
+
+// Greatest difference from z^n at points of every element, vertices and edges included.
+double error_of_power(const Field& field, int n) {
+  const FieldEvaluator evaluator(field);
+  double worst = 0;
+  for (int e = 0; e < field.mesh.num_elems(); ++e) {
+    for (const Vec2 xi : tri_nodes(5)) {
+      const FieldSample sample = evaluator.sample(e, xi);
+      worst = std::max(worst, distance(sample.value, power(sample.x, n)));
+    }
+  }
+  return worst;
+}
+
+// A fixed order map that changes from element to element.
+std::vector<int> scattered_orders(int num_elems, int lowest, int spread) {
+  std::vector<int> orders;
+  for (int e = 0; e < num_elems; ++e) orders.push_back(lowest + (7 * e * e + 3 * e) % (spread + 1));
+  return orders;
+}
+
+class HarmonicPolynomial : public testing::TestWithParam<int> {};
+
+TEST_P(HarmonicPolynomial, IsReproducedOnStraightElements) {
+  const int n = GetParam();
+  const TriMesh mesh = parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, 3);
+  for (const int order : {n, n + 1, n + 3}) {
+    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), n);
+    EXPECT_LT(error_of_power(field, n), 1e-13) << order;
+  }
+}
+
+TEST_P(HarmonicPolynomial, IsReproducedWithAnyOrderMap) {
+  const int n = GetParam();
+  const TriMesh mesh = parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, 4);
+  const Field field = solve_power(mesh, scattered_orders(mesh.num_elems(), n, 6), n);
+  EXPECT_LT(error_of_power(field, n), 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, HarmonicPolynomial, testing::Values(1, 2, 3, 5, 8, 12, 16));
+
+TEST(SolveLaplace, OneElementWithoutUnknownsWorks) {
+  TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 1);
+  const Field field = solve_power(mesh, {2, 2}, 2);
+  EXPECT_LT(error_of_power(field, 2), 1e-14);
+}
+
+TEST(SolveLaplace, FieldIsContinuousAcrossEdgesOfUnequalOrder) {
+  // z^9 is beyond most elements' order: the solution is not exact, but one-valued on every edge.
+  const TriMesh mesh = parallelogram_mesh({-1, -1}, {2, 0.3}, {0.2, 2}, 3);
+  const Field field = solve_power(mesh, scattered_orders(mesh.num_elems(), 2, 5), 9);
+  const FieldEvaluator evaluator(field);
+  const TriTopology& topology = evaluator.topology();
+  double jump = 0;
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    for (int k = 0; k < 3; ++k) {
+      const int other = topology.elem2neighbors[e][k];
+      if (other < 0) continue;
+      for (const double s : {0.0, 0.2, 0.7}) {
+        const Vec2 here = evaluator.sample(e, tri_edge_point(k, s)).value;
+        const Vec2 there = evaluator.sample(other, tri_edge_point(topology.elem2neighbor_edges[e][k], 1 - s)).value;
+        jump = std::max(jump, distance(here, there));
+      }
+    }
+  }
+  EXPECT_LT(jump, 1e-11);
+  EXPECT_GT(error_of_power(field, 9), 1e-3);
+}
+
+TEST(SolveLaplace, CrossesOfADiscAreZToTheFourth) {
+  // Data (cos 4 theta, sin 4 theta) of the tangent: v = (Re z^4, Im z^4) (method.md, 5).
+  const TriMesh mesh = disc_mesh(12, 10);
+  Report report;
+  const Field field = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 12), report);
+  EXPECT_TRUE(field.liftings.empty());
+  EXPECT_LT(error_of_power(field, 4), 2e-11);
+}
+
+TEST(SolveLaplace, CurvedElementsConvergeSpectrally) {
+  const TriMesh mesh = disc_mesh(12, 10);
+  double last = 1;
+  for (const int order : {4, 6, 8, 10}) {
+    const double error = error_of_power(solve_power(mesh, std::vector<int>(mesh.num_elems(), order), 6), 6);
+    EXPECT_LT(error, 0.1 * last) << order;
+    last = error;
+  }
+}
+
+TEST(SolveLaplace, ASolverReusedGivesTheSameBits) {
+  const TriMesh mesh = parallelogram_mesh({-1, -1}, {2, 0.3}, {0.2, 2}, 3);
+  const std::vector<int> first(mesh.num_elems(), 4), second = scattered_orders(mesh.num_elems(), 3, 4);
+  Report report;
+  LaplaceSolver solver(mesh);
+  solver.solve(first, report);
+  const Field reused = solver.solve(second, report), fresh = solve_laplace(mesh, second, report);
+  EXPECT_EQ(reused.u, fresh.u);
+  EXPECT_EQ(reused.v, fresh.v);
+}
+
+TEST(SolveLaplace, OblongCrossesAreExactWithLiftings) {
+  // A parallelogram's data are two constants; the lifted problem still meets them on every side.
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 6);
+  Report report;
+  const Field field = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 10), report);
+  ASSERT_EQ(field.liftings.size(), 4u);
+  const FieldEvaluator evaluator(field);
+  for (const BoundaryEdge& b : mesh.boundary_edges) {
+    const Vec2 data = cross_value(angle_of(tangent(mesh.face.curves[b.curve], b.t0)));
+    for (const double s : {0.1, 0.4, 0.8}) {
+      EXPECT_LT(distance(evaluator.sample(b.elem, tri_edge_point(b.edge, s)).value, data), 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace quadrille
