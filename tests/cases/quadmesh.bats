@@ -1,0 +1,161 @@
+# pipelines/quadmesh: one line for a person, a report for programs, messages and exit codes that come through.
+load ../tools/common
+
+quadmesh=$ROOT/pipelines/quadmesh
+
+@test "the only words are one line about the mesh; nothing but the mesh is left" {
+  export TMPDIR=$PWD
+  run -0 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, worst scaled Jacobian 0\.[0-9]+$'
+  assert_equal "$stderr" ""
+  assert_nothing_left out.msh
+}
+
+@test "one block, zero nodes: the line counts in English" {
+  run -0 "$quadmesh" "$DATA/square.step" -o out.msh
+  assert_output --regexp '^1 block, 0 irregular nodes, [0-9]+ quads, worst scaled Jacobian 1$'
+}
+
+@test "the mesh goes to standard output, the line then to standard error" {
+  "$quadmesh" "$DATA/square.step" >piped.msh 2>words
+  "$quadmesh" "$DATA/square.step" -o file.msh
+  cmp piped.msh file.msh
+  run -0 cat words
+  assert_output --regexp '^1 block, .*'
+  run -0 "$quadmesh" -q "$DATA/square.step" -o quiet.msh
+  assert_output ''
+}
+
+@test "a shape comes in through standard input" {
+  "$quadmesh" - -o piped.msh <"$DATA/square.step"
+  "$quadmesh" "$DATA/square.step" -o file.msh
+  cmp piped.msh file.msh
+}
+
+@test "--workdir keeps the file of every stage, --report the counts and the seconds of every stage" {
+  run -0 "$quadmesh" "$DATA/half_disc.step" --output=out.msh --workdir=stages --report=report.json
+  assert_equal "$(ls stages | xargs)" "half_disc.blocks.h5 half_disc.crit.json half_disc.field.h5 half_disc.quad.h5 \
+half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
+  run -0 jq -r '[.critical_points, .irregular_nodes, .blocks, .quads > 0, .least_jacobian_bound > 0,
+    .least_scaled_jacobian > 0, .cpu_seconds > 0, .wall_seconds > 0, (.warnings | length)] | @csv' report.json
+  assert_output '2,2,4,true,true,true,true,true,0'
+  run -0 jq -r '.stages | keys_unsorted[], (map(.cpu_seconds > 0 and .wall_seconds > 0) | all)' report.json
+  assert_equal "$(xargs <<<"$output")" \
+    "cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport true"
+}
+
+@test "-v prints the share of each stage" {
+  run -0 "$quadmesh" -v "$DATA/square.step" -o out.msh
+  assert_equal "${#lines[@]}" 10
+  assert_line --index 0 --regexp '^cad2tri +[0-9.]+ s CPU, [0-9]+ %$'
+  assert_line --index 8 --regexp '^all stages +[0-9.]+ s CPU, [0-9.]+ s$'
+}
+
+@test "--size and --order reach the mesh" {
+  "$quadmesh" "$DATA/square.step" -o coarse.msh --size 0.5 --order 2 --report coarse.json
+  assert_equal "$(jq .quads coarse.json)" 4
+}
+
+@test "the same shape twice gives the same bytes at every stage" {
+  for shape in half_disc plate_hole; do
+    "$quadmesh" "$DATA/$shape.step" -o a.msh --workdir a
+    "$quadmesh" "$DATA/$shape.step" -o b.msh --workdir b
+    run -0 diff -r a b
+    cmp a.msh b.msh
+  done
+}
+
+@test "pipes give the same bytes as files" {
+  "$quadmesh" "$DATA/half_disc.step" -o a.msh --size 0.1 --workdir a
+  cad2tri "$DATA/half_disc.step" | fieldsolve | padapt -o b.field.h5
+  critpoints b.field.h5 | separatrix b.field.h5 - | blocksplit | quadrefine --size .1 | quadexport -o b.msh
+  cmp a/half_disc.field.h5 b.field.h5
+  cmp a.msh b.msh
+}
+
+@test "bad input: the message and the exit code of the stage come through, nothing is left" {
+  export TMPDIR=$PWD
+  : >empty.step
+  head -c 3000 "$DATA/half_disc.step" >truncated.step
+  head -c 2000 /dev/urandom >garbage.step
+  for shape in empty truncated garbage missing; do
+    run -3 --separate-stderr "$quadmesh" "$shape.step" -o out.msh
+    assert_equal "${#stderr_lines[@]}" 1
+    [[ $stderr == "cad2tri: "*"$shape.step"* ]] || fail "$shape: $stderr"
+    assert_output ''
+  done
+  assert_nothing_left empty.step garbage.step truncated.step
+}
+
+@test "an impossible option of a stage is that stage's usage error" {
+  export TMPDIR=$PWD
+  run -2 --separate-stderr "$quadmesh" "$DATA/square.step" -o out.msh --order 0
+  [[ $stderr == "quadrefine: --order"* ]] || fail "$stderr"
+  assert_nothing_left
+}
+
+@test "an output that cannot be written is exit 4, nothing is left" {
+  export TMPDIR=$PWD
+  run -4 --separate-stderr "$quadmesh" "$DATA/square.step" -o nowhere/out.msh
+  [[ $stderr == "quadexport: "*nowhere/out.msh* ]] || fail "$stderr"
+  run -4 --separate-stderr "$quadmesh" "$DATA/square.step" -o out.msh --report nowhere/report.json
+  assert_nothing_left out.msh
+}
+
+@test "mistakes on the command line are exit 2 with a hint" {
+  for arguments in "" "--frob" "a.step b.step" "a.step -o"; do
+    # shellcheck disable=SC2086
+    run -2 --separate-stderr "$quadmesh" $arguments
+    assert_equal "${stderr_lines[1]}" "try 'quadmesh --help'"
+  done
+}
+
+@test "a stage that fails keeps the files before it, a picture of the last one and the command to look at it" {
+  export TMPDIR=$PWD
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/blocksplit
+  printf '#!/bin/sh\necho "blocksplit: no luck at (1, 2)" >&2\nexit 1\n' >fake/blocksplit
+  chmod +x fake/blocksplit
+  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh --workdir kept
+  assert_equal "${stderr_lines[0]}" "blocksplit: no luck at (1, 2)"
+  assert_equal "${stderr_lines[1]}" \
+    "quadmesh: the files of the stages before blocksplit are kept in kept; look at the last one with"
+  assert_equal "${stderr_lines[2]}" "  xdg-open 'kept/half_disc.before-blocksplit.svg'"
+  xmllint --noout kept/half_disc.before-blocksplit.svg
+  assert_file_exists kept/half_disc.sep.json
+  assert_file_not_exists out.msh
+  # Without --workdir the temporary folder stays, and only then.
+  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  picture=$(sed -n "s/.*xdg-open '\(.*\)'/\1/p" <<<"$stderr")
+  assert_file_exists "$picture"
+}
+
+@test "a signal ends it with 128 + n and leaves nothing" {
+  export TMPDIR=$PWD
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/separatrix
+  printf '#!/bin/sh\necho > started\nexec sleep 30\n' >fake/separatrix
+  chmod +x fake/separatrix
+  QUADRILLE_BIN=$PWD/fake "$quadmesh" "$DATA/half_disc.step" -o out.msh 3>&- &
+  local pid=$!
+  until [[ -e started ]]; do sleep 0.05; done
+  kill -TERM $pid
+  local code=0
+  wait $pid || code=$?
+  assert_equal $code 143
+  rm -r fake started
+  assert_nothing_left
+}
+
+@test "--help shows examples that run" {
+  cp "$DATA/half_disc.step" .
+  "$quadmesh" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadmesh' >examples
+  while read -r _ arguments; do
+    # shellcheck disable=SC2086
+    run -0 "$quadmesh" $arguments
+  done <examples
+  run -0 "$quadmesh" --version
+  assert_output --regexp '^quadmesh .*[0-9]+\.[0-9]+\.[0-9]+$'
+}
