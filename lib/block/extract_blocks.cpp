@@ -32,11 +32,30 @@ Vec2 middle_of(const std::vector<int>& face, const std::vector<Chain>& chains) {
   return sum / static_cast<double>(face.size());
 }
 
+/// Twice the area inside the cycle, from a polygon: only its sign is of interest.
+double signed_area(const std::vector<int>& face, const std::vector<Chain>& chains) {
+  constexpr int samples = 16;
+  std::vector<Vec2> polygon;
+  for (const int directed : face)
+    for (int k = 0; k < samples; ++k) {
+      const double f = static_cast<double>(k) / samples;
+      polygon.push_back(chains[arc_of(directed)].at(is_backwards(directed) ? 1 - f : f).position);
+    }
+  double sum = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    sum += cross(polygon[k] - polygon[0], polygon[(k + 1) % polygon.size()] - polygon[0]);
+  return sum;
+}
+
 void require_four_sides(const std::vector<int>& face, const SeparatrixGraph& graph, const std::vector<Chain>& chains) {
-  if (face.size() == 4) return;
   const Vec2 place = middle_of(face, chains) + graph.face.origin;
-  throw ComputeError(fmt::format("the face around ({:.6g}, {:.6g}) has {} corner{} where a block needs 4", place.x,
-                                 place.y, face.size(), face.size() == 1 ? "" : "s"));
+  if (signed_area(face, chains) <= 0)
+    throw ComputeError(
+        fmt::format("no separatrix reaches the hole around ({:.6g}, {:.6g}): the face around it has no four sides",
+                    place.x, place.y));
+  if (face.size() != 4)
+    throw ComputeError(fmt::format("the face around ({:.6g}, {:.6g}) has {} corner{} where a block needs 4", place.x,
+                                   place.y, face.size(), face.size() == 1 ? "" : "s"));
 }
 
 int start_of(const SeparatrixGraph& graph, int directed) {

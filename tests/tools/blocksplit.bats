@@ -1,0 +1,64 @@
+# blocksplit: a graph in, four-sided blocks out.
+load common
+
+setup_file() {
+  stage_chain half_disc "$BATS_FILE_TMPDIR"
+}
+
+setup() {
+  common_setup
+  sep=$BATS_FILE_TMPDIR/half_disc.sep.json
+}
+
+@test "writes blocks silently" {
+  run --separate-stderr blocksplit "$sep" -o a.blocks.h5
+  assert_success
+  assert_equal "$output$stderr" ""
+  assert_nothing_left a.blocks.h5
+  run stagecheck a.blocks.h5
+  assert_success
+}
+
+@test "the half disc has four blocks and two irregular nodes" {
+  blocksplit "$sep" -o a.blocks.h5 --report a.json
+  run jq -c '[.blocks, .irregular_nodes, .least_jacobian_bound > 0]' a.json
+  assert_output '[4,2,true]'
+}
+
+@test "gives the same bytes through pipes and twice" {
+  blocksplit "$sep" -o a.blocks.h5
+  blocksplit < "$sep" > b.blocks.h5
+  cat "$sep" | blocksplit - -o c.blocks.h5
+  cmp a.blocks.h5 b.blocks.h5
+  cmp a.blocks.h5 c.blocks.h5
+}
+
+@test "a face that is not four-sided ends with 1 and its place, and no file" {
+  # Joining two neighbouring crossings of the graph cuts a corner off one of its faces.
+  jq '.arcs |= map(select(.is_boundary))' "$sep" > open.sep.json || skip "the graph's keys have changed"
+  run blocksplit open.sep.json -o a.blocks.h5
+  assert_failure
+  assert_output --partial "blocksplit:"
+  assert_not_exists a.blocks.h5
+}
+
+@test "other input ends with 3" {
+  echo '{}' > empty.json
+  run blocksplit empty.json -o a.blocks.h5
+  assert_failure 3
+  run blocksplit "$DATA/square.step" -o a.blocks.h5
+  assert_failure 3
+  run blocksplit nowhere.sep.json -o a.blocks.h5
+  assert_failure 3
+  assert_not_exists a.blocks.h5
+}
+
+@test "an unknown option ends with 2" {
+  run blocksplit --sizes 3 "$sep" -o a.blocks.h5
+  assert_failure 2
+}
+
+@test "an output that cannot be written ends with 4" {
+  run blocksplit "$sep" -o nowhere/a.blocks.h5
+  assert_failure 4
+}

@@ -1,0 +1,72 @@
+#include "mesh/transfinite.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../hand_made.hpp"
+
+namespace quadrille {
+namespace {
+
+struct Block {
+  SeparatrixGraph graph;
+  CurveTable table{graph.face, graph.splines};
+  std::vector<Chain> chains;
+
+  explicit Block(SeparatrixGraph g) : graph(std::move(g)) {
+    for (const GraphArc& arc : graph.arcs) chains.emplace_back(table, arc.pieces);
+  }
+  TransfiniteMap map() const { return TransfiniteMap({&chains[0], &chains[1], &chains[2], &chains[3]}, {}); }
+};
+
+TEST(Transfinite, StraightSidesGiveTheBilinearMap) {
+  const Block block(hand_made::unit_square());
+  for (const double s : {0.1, 0.5, 0.8})
+    for (const double t : {0.25, 0.9}) EXPECT_NEAR(distance(block.map().position(s, t), {s, t}), 0, 1e-15);
+}
+
+TEST(Transfinite, ConcentricArcsGivePolarCoordinates) {
+  const Block block(hand_made::quarter_annulus());
+  EXPECT_NEAR(distance(block.map().position(0.3, 0.6), 1.3 * unit(0.6 * half_pi)), 0, 1e-13);
+}
+
+TEST(Transfinite, SidesAreReproducedExactly) {
+  const Block block(hand_made::elbow());
+  const TransfiniteMap map = block.map();
+  for (const double f : {0.0, 0.125, 0.4, 0.75, 1.0}) {
+    if (f < 1) {
+      EXPECT_EQ(map.position(f, 0), block.chains[0].at(f).position);
+    }
+    EXPECT_EQ(map.position(1, f), f > 0 ? block.chains[1].at(f).position : block.chains[0].at(1).position);
+  }
+}
+
+TEST(Transfinite, TwoBlocksSeeTheSameSide) {
+  // The middle arc bounds the left block forwards and the right one backwards; dyadic fractions mirror exactly.
+  SeparatrixGraph g = hand_made::unit_square();
+  g.splines.push_back(circular_arc({-1, 0.5}, 1.5, -0.3, 0.3));
+  const CurveTable table(g.face, g.splines);
+  const Chain shared(table, {{4, -0.3, 0.3}});
+  const Chain bottom(table, {{0, 0, 1}}), right(table, {{1, 0, 1}}), top(table, {{2, 0, 1}}), left(table, {{3, 0, 1}});
+  const TransfiniteMap a({&bottom, &shared, &top, &left}, {});
+  const TransfiniteMap b({&bottom, &right, &top, &shared}, {false, false, false, true});
+  for (const double t : {0.125, 0.5, 0.8125}) EXPECT_EQ(a.position(1, t), b.position(0, t));
+}
+
+TEST(Transfinite, CrossingParametersSolveBothLines) {
+  const double f0 = 0.3, f1 = 0.7, f2 = 0.45, f3 = 0.5;
+  const Vec2 st = crossing_parameters(f0, f1, f2, f3);
+  EXPECT_NEAR(st.x, f0 + st.y * (f2 - f0), 1e-15);
+  EXPECT_NEAR(st.y, f3 + st.x * (f1 - f3), 1e-15);
+  EXPECT_EQ(crossing_parameters(0.3, 0.6, 0.3, 0.6), (Vec2{0.3, 0.6}));
+}
+
+TEST(Transfinite, SampledBlockHoldsItsPositions) {
+  const Block block(hand_made::s_bend());
+  const std::vector<Vec2> nodes = block.map().sampled(2);
+  ASSERT_EQ(nodes.size(), 9u);
+  EXPECT_EQ(nodes[4], block.map().position(0.5, 0.5));
+  EXPECT_EQ(nodes[5], block.map().position(1, 0.5));
+}
+
+}  // namespace
+}  // namespace quadrille

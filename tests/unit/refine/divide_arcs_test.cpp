@@ -1,0 +1,106 @@
+#include "refine/divide_arcs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+#include "block/extract_blocks.hpp"
+
+namespace quadrille {
+namespace {
+
+struct Divided {
+  BlockLayout layout;
+  std::vector<std::vector<double>> ends;
+  std::vector<std::vector<double>> breaks;
+  std::vector<double> lengths;
+  double worst = 0;  ///< error of the boundary's intervals
+};
+
+Divided divided(const SeparatrixGraph& graph, const DivideOptions& options) {
+  Report report;
+  Divided d{extract_blocks(graph, report), {}, {}, {}};
+  const CurveTable table(d.layout.face, d.layout.splines);
+  std::vector<Chain> chains;
+  for (const GraphArc& arc : d.layout.arcs) chains.emplace_back(table, arc.pieces);
+  d.ends = divide_arcs(d.layout, d.layout.arc_chord, chains, options);
+  for (std::size_t a = 0; a < chains.size(); ++a) {
+    d.breaks.push_back(chains[a].break_fractions());
+    d.lengths.push_back(chains[a].length());
+    if (!d.layout.arcs[a].is_boundary) continue;
+    for (std::size_t k = 1; k < d.ends[a].size(); ++k)
+      d.worst = std::max(d.worst, interval_error(chains[a], d.ends[a][k - 1], d.ends[a][k], options.order));
+  }
+  return d;
+}
+
+TEST(DivideArcs, ArcsOfAChordHaveTheSameCount) {
+  const Divided d = divided(hand_made::cut_annulus(3), {0.1, 4, 1e-6});
+  for (std::size_t a = 0; a < d.ends.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (d.layout.arc_chord[a] == d.layout.arc_chord[b]) {
+        EXPECT_EQ(d.ends[a].size(), d.ends[b].size());
+      }
+}
+
+TEST(DivideArcs, SizeBoundsTheLongestArcOfAChord) {
+  const Divided d = divided(hand_made::quarter_annulus(), {0.3, 8, 1e-6});
+  EXPECT_EQ(d.ends[1].size() - 1, 11u);  // pi / 0.3 = 10.47
+  EXPECT_EQ(d.ends[0].size() - 1, 4u);   // 1 / 0.3 = 3.33
+}
+
+TEST(DivideArcs, ExactMultiplesOfTheSizeAreNotRaised) {
+  EXPECT_EQ(divided(hand_made::unit_square(), {0.1, 4, 1e-6}).ends[0].size() - 1, 10u);
+}
+
+TEST(DivideArcs, ToleranceIsMetWithCutsOnBreaks) {
+  for (const int order : {1, 2, 4, 8}) {
+    const Divided d = divided(hand_made::elbow(), {1.5, order, 1e-5});
+    EXPECT_LE(d.worst, 1e-5) << order;
+    for (const int arc : {0, 2}) {
+      ASSERT_EQ(d.breaks[arc].size(), 1u);
+      EXPECT_EQ(std::count(d.ends[arc].begin(), d.ends[arc].end(), d.breaks[arc][0]), 1) << order;
+    }
+  }
+}
+
+TEST(DivideArcs, BreaksThatDoNoHarmAreNoCuts) {
+  EXPECT_EQ(divided(hand_made::elbow(), {10, 4, 10}).ends[0].size(), 2u);
+}
+
+TEST(DivideArcs, IntervalsDoNotExceedTheSizeByMoreThanAQuarter) {
+  for (const double size : {1.0, 0.7, 0.31, 0.1}) {
+    const Divided d = divided(hand_made::s_bend(), {size, 4, 1e-6});
+    for (std::size_t a = 0; a < d.ends.size(); ++a)
+      for (std::size_t k = 1; k < d.ends[a].size(); ++k)
+        EXPECT_LE((d.ends[a][k] - d.ends[a][k - 1]) * d.lengths[a], 1.25 * size + 1e-12);
+  }
+}
+
+TEST(DivideArcs, ClosedAndParallelArcsGetEnoughElements) {
+  EXPECT_EQ(divided(hand_made::cut_annulus(1), {100, 4, 1}).ends[0].size() - 1, 3u);
+  EXPECT_EQ(divided(hand_made::cut_annulus(2), {100, 4, 1}).ends[0].size() - 1, 2u);
+  EXPECT_EQ(divided(hand_made::cut_annulus(3), {100, 4, 1}).ends[0].size() - 1, 1u);
+}
+
+TEST(DivideArcs, ImpossibleWishesEndWithAPlace) {
+  EXPECT_THROW(divided(hand_made::quarter_annulus(), {0.1, 1, 1e-14}), ComputeError);
+  EXPECT_THROW(divided(hand_made::unit_square(), {1e-9, 1, 1e-6}), ComputeError);
+}
+
+TEST(IntervalError, FallsWithTheOrderAsTheoryHasIt) {
+  const SeparatrixGraph g = hand_made::quarter_annulus();
+  const CurveTable table(g.face, g.splines);
+  const Chain arc(table, {{1, 0, half_pi}});
+  for (const int order : {2, 4, 6}) {
+    const double ratio = interval_error(arc, 0, 0.2, order) / interval_error(arc, 0, 0.1, order);
+    EXPECT_NEAR(std::log2(ratio), order + 1, 0.15) << order;
+  }
+  EXPECT_LE(interval_error(Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
+}
+
+}  // namespace
+}  // namespace quadrille
