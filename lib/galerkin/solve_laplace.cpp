@@ -62,6 +62,10 @@ void LaplaceSolver::update_elements(const std::vector<int>& elem_order) {
   }
 }
 
+int LaplaceSolver::num_unknowns(const std::vector<int>& elem_order) const {
+  return make_dof_map(*mesh_, topology_, elem_order).num_unknowns;
+}
+
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   update_elements(elem_order);
   const DofMap map = make_dof_map(*mesh_, topology_, elem_order);

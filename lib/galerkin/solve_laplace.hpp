@@ -25,6 +25,8 @@ class LaplaceSolver {
   /// Any continuous data.
   LaplaceSolver(const TriMesh& mesh, BoundaryData data);
   Field solve(const std::vector<int>& elem_order, Report& report);
+  /// Size of the condensed system for this order map.
+  int num_unknowns(const std::vector<int>& elem_order) const;
 
  private:
   void update_elements(const std::vector<int>& elem_order);

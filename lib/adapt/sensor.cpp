@@ -1,0 +1,70 @@
+#include "adapt/sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+
+namespace {
+
+struct Norms {
+  double tail = 0, all = 0;
+};
+
+Norms squared_norms(const double* coefs, int order) {
+  Norms norms;
+  const int first_of_tail = num_tri_modes(order - 1), n = num_tri_modes(order);
+  for (int i = 0; i < n; ++i) {
+    norms.all += coefs[i] * coefs[i];
+    if (i >= first_of_tail) norms.tail += coefs[i] * coefs[i];
+  }
+  return norms;
+}
+
+double area(const TriMesh& mesh, int elem) {
+  const auto& [a, b, c] = mesh.elem2vertices[elem];
+  return cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]) / 2;
+}
+
+// Weights of the elements: 1 outside fans.
+std::vector<double> fan_weights(const TriMesh& mesh) {
+  std::vector<double> weights(mesh.num_elems(), 1.0);
+  double greatest = 0;
+  for (int e = 0; e < mesh.num_elems(); ++e) greatest = std::max(greatest, area(mesh, e));
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    if (mesh.elem_layer[e] >= 0) weights[e] = area(mesh, e) / greatest;
+  }
+  return weights;
+}
+
+}  // namespace
+
+SensorKind sensor_kind(const std::string& name) {
+  if (name == "vector") return SensorKind::vector;
+  if (name == "u") return SensorKind::u;
+  if (name == "v") return SensorKind::v;
+  throw UsageError("the sensor is vector, u or v, not " + name);
+}
+
+std::vector<double> sense(const Field& field, SensorKind kind) {
+  constexpr double unit_field = 2;  // |1|^2 on the reference triangle
+  std::vector<double> sensors = fan_weights(field.mesh);
+  for (int e = 0; e < field.mesh.num_elems(); ++e) {
+    const int order = field.elem_order[e], offset = field.coef_offsets[e];
+    Norms norms;
+    for (const auto* component : {&field.u, &field.v}) {
+      if (kind == SensorKind::u && component == &field.v) continue;
+      if (kind == SensorKind::v && component == &field.u) continue;
+      const Norms part = squared_norms(&(*component)[offset], order);
+      norms.tail += part.tail;
+      norms.all += part.all;
+    }
+    sensors[e] *= norms.tail / std::max(norms.all, unit_field);
+  }
+  return sensors;
+}
+
+}  // namespace quadrille

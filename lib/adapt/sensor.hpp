@@ -1,0 +1,26 @@
+#pragma once
+// The paper's error indicator S_e = |v_P - v_{P-1}|^2 / |v_P|^2 on an element (Persson and Peraire 2006).
+//
+// The projection onto order P - 1 drops the modes of degree P: the basis is orthonormal and sorted by degree. Norms are
+// those of the reference triangle, whose area 2 stands for |Omega_e|. The denominator is at least that of a field of
+// length 1 on the element: |v| <= 1 everywhere, so the scale is absolute and 0/0 cannot happen. Taken of the polynomial
+// part: liftings are exact.
+
+#include <string>
+#include <vector>
+
+#include "model/field.hpp"
+
+namespace quadrille {
+
+/// Which components are sensed.
+enum class SensorKind { vector, u, v };
+
+/// "vector", "u" or "v"; throws UsageError for anything else.
+SensorKind sensor_kind(const std::string& name);
+
+/// S_e of every element. Elements of a corner fan are weighed by the square of their size over that of the fan's
+/// outermost layer, as is the error that they send to the far field: a sensor near a singularity never falls otherwise.
+std::vector<double> sense(const Field& field, SensorKind kind);
+
+}  // namespace quadrille

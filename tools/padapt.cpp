@@ -1,0 +1,72 @@
+// padapt: the paper's Algorithm 1, which gives each element of a field the order that it needs.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "adapt/adapt_loop.hpp"
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "io/input_file.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+// Number of elements of each order, from 0 on.
+std::vector<double> order_histogram(const Field& field) {
+  std::vector<double> counts(1 + *std::max_element(field.elem_order.begin(), field.elem_order.end()), 0.0);
+  for (const int order : field.elem_order) ++counts[order];
+  return counts;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string input = "-", output = "-";
+  AdaptOptions options;
+
+  Tool tool;
+  tool.name = "padapt";
+  tool.summary = "adapts the polynomial order of a field, element by element";
+  tool.description =
+      "Reads the field SOLVE and repeats: compare the solution with itself one order lower on each element (the "
+      "sensor), raise the order by one where the sensor exceeds --raise-above, lower it by one where it is below "
+      "--lower-below, solve again; until no order changes. An order once raised is not lowered again. The sensor is a "
+      "squared ratio: 1e-20 is a relative tail of 1e-10.";
+  tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
+                   "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
+                   "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
+  tool.options = [&](Options& o) {
+    o.input("SOLVE", input, "field (x.solve.h5)");
+    o.output(output, "adapted field to write (x.field.h5)");
+    o.number("--raise-above", options.raise_above, 0, 1, "squared ratio",
+             "raise the order where the sensor exceeds it");
+    o.number("--lower-below", options.lower_below, 0, 1, "squared ratio", "lower the order where the sensor is below");
+    o.integer("--min-order", options.min_order, 1, 20, "lowest order to go down to");
+    o.integer("--max-order", options.max_order, 1, 20, "highest order to go up to");
+    o.integer("--max-steps", options.max_steps, 0, 100,
+              "bound on the number of new solutions; reaching it is a warning");
+    o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor sees");
+  };
+  tool.run = [&](Session& s) {
+    options.validate();
+    const InputFile file = read_input(input);
+    const Field start = read_field(file);
+    require_valid(check_field(start, CheckDepth::quick), file.name);
+    s.begin_phase("adapt");
+    Field field = adapt_loop(start, options, s.report());
+    s.end_phase();
+    field.provenance = s.provenance(start.provenance, {file.digest("field")});
+    s.report().set("adapt.num_elements_by_order", Report::Value(order_histogram(field)));
+    for (const AdaptStep& step : field.adapt_steps) {
+      s.say(fmt::format("orders {}..{}, {} unknowns, sensor up to {:.1e}: {} raised, {} lowered", step.min_order,
+                        step.max_order, step.num_unknowns, step.max_sensor, step.num_raised, step.num_lowered));
+    }
+    write_field(output, field);
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}
