@@ -33,15 +33,27 @@ double size_of(const RawFace& raw) {
 
 std::string loop_name(size_t l) { return l == 0 ? "the outline" : fmt::format("hole {}", l); }
 
+// A shape that is a line, walked forth and back: refused as such, before it is found to touch itself everywhere.
+void require_width(const RawFace& raw, const std::vector<Nurbs>& curves, double size) {
+  const Vec2 a = curves.front().poles.front();
+  Vec2 b = a;
+  for (const Nurbs& curve : curves)
+    for (const Vec2 p : curve.poles)
+      if (distance(a, p) > distance(a, b)) b = p;
+  double width = 0;
+  for (const Nurbs& curve : curves)
+    for (const Vec2 p : curve.poles) width = std::max(width, std::abs(cross(b - a, p - a)) / distance(a, b));
+  if (!(width > 1e-9 * size))
+    throw FormatError(fmt::format("{}: the face has no area: all of it lies on the line from {} to {}", raw.file,
+                                  place(a), place(b)));
+}
+
 // The outline first, the others in the sequence of the file; each with the face on its left.
-std::vector<Loop> sorted_loops(const RawFace& raw, std::vector<Loop> loops, double size) {
+std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   std::vector<double> areas;
   for (const Loop& loop : loops) areas.push_back(signed_area(curves_of(loop)));
   const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const size_t outer = std::max_element(areas.begin(), areas.end(), larger) - areas.begin();
-  if (!(std::abs(areas[outer]) > 1e-10 * size * size))
-    throw FormatError(fmt::format("{}: the face has no area: its outline at {} encloses {:.3g}", raw.file,
-                                  place(loops[outer].front().curve.poles.front()), std::abs(areas[outer])));
   std::vector<Loop> sorted;
   sorted.push_back(areas[outer] > 0 ? std::move(loops[outer]) : reversed(loops[outer]));
   for (size_t l = 0; l < loops.size(); ++l)
@@ -129,7 +141,8 @@ CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
   const double size = size_of(raw), tol = gap_tolerance(raw, size);
   std::vector<Loop> loops;
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
-  loops = sorted_loops(raw, std::move(loops), size);
+  loops = sorted_loops(std::move(loops));
+  require_width(raw, curves_of(loops.front()), size);
   require_simple(raw, loops, 1e-9 * size);
 
   CadFace face;
@@ -155,7 +168,8 @@ CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
   face.joints = joints_of(face, corner_angle);
 
   double area = 0;
-  for (const Loop& loop : loops) area += signed_area(curves_of(loop));
+  for (int l = 0; l < face.num_loops(); ++l)
+    area += signed_area({face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]});
   report.set("face.num_curves", face.num_curves());
   report.set("face.num_loops", face.num_loops());
   report.set("face.num_corners", static_cast<int>(std::count_if(face.joints.begin(), face.joints.end(),

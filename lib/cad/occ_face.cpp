@@ -42,9 +42,9 @@ TopoDS_Face only_face(const OccModel& model, const std::string& file) {
       shared += std::any_of(edges.begin(), edges.end(), same);
       edges.push_back(e.Current());
     }
-  throw FormatError(fmt::format("{}: the file holds several faces ({}, {}); expected one planar face", file,
-                                model.num_faces,
-                                shared > 0 ? fmt::format("with {} shared edges", shared) : "separate"));
+  const std::string together = shared > 0 ? fmt::format(" with {} shared edges", shared) : "";
+  throw FormatError(fmt::format("{}: the file holds several faces ({}{}); expected one planar face", file,
+                                model.num_faces, together));
 }
 
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
@@ -58,7 +58,8 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
   return std::nullopt;
 }
 
-std::array<double, 3> numbers(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
+// Plus 0.0: no negative zeros.
+std::array<double, 3> numbers(const gp_XYZ& v) { return {v.X() + 0.0, v.Y() + 0.0, v.Z() + 0.0}; }
 
 // A plane parallel to two axes keeps their coordinates, x and y, y and z or x and z; another one has the file's axes.
 PlaneFrame frame_of(const gp_Pln& plane) {
@@ -183,8 +184,12 @@ void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, co
     for (TopExp_Explorer f(face, TopAbs_VERTEX); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
     points += !own;
   }
-  if (curves > 0) report.warn("W-CAD-001", fmt::format("{}: ignored {} curves beside the face", file, curves));
-  if (points > 0) report.warn("W-CAD-002", fmt::format("{}: ignored {} points beside the face", file, points));
+  const auto warn = [&](const char* code, int count, const std::string& what) {
+    if (count > 0)
+      report.warn(code, fmt::format("{}: ignored {} {}{} beside the face", file, count, what, count == 1 ? "" : "s"));
+  };
+  warn("W-CAD-001", curves, "curve");
+  warn("W-CAD-002", points, "point");
 }
 
 }  // namespace

@@ -89,7 +89,11 @@ void close_gaps(Loop& loop) {
 
 }  // namespace
 
-std::string place(Vec2 x) { return fmt::format("({:.6g}, {:.6g})", x.x, x.y); }
+std::string place(Vec2 x) {
+  const double rounding = 1e-12 * std::max({std::abs(x.x), std::abs(x.y), 1e-3});
+  const auto shown = [&](double c) { return std::abs(c) < rounding ? 0.0 : c; };
+  return fmt::format("({:.6g}, {:.6g})", shown(x.x), shown(x.y));
+}
 
 Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol, Report& report) {
   std::vector<const RawEdge*> edges;

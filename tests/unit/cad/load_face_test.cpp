@@ -1,0 +1,282 @@
+#include "cad/load_face.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream stream(TEST_DATA "/" + file, std::ios::binary);
+  if (!stream) throw std::runtime_error("no " + file);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return bytes.str();
+}
+
+struct Loaded {
+  CadFace face;
+  Report report;
+  double area() const {
+    for (const auto& [key, value] : report.entries())
+      if (key == "face.area") return std::get<double>(value);
+    return -1;
+  }
+  double perimeter() const {
+    double sum = 0;
+    for (const Nurbs& curve : face.curves) sum += ArcLength(curve).total();
+    return sum;
+  }
+};
+
+Loaded load(const std::string& file, double corner_angle = radians(1)) {
+  Loaded l;
+  l.face = load_face_guarded(bytes_of(file), file, LoadOptions{corner_angle}, l.report);
+  return l;
+}
+
+std::string refusal(const std::string& file) {
+  try {
+    load(file);
+  } catch (const FormatError& e) {
+    return e.what();
+  }
+  return "no refusal";
+}
+
+void expect_refused(const std::string& file, const std::string& reason) {
+  const std::string message = refusal(file);
+  EXPECT_NE(message.find(reason), std::string::npos) << file << ": " << message;
+  EXPECT_EQ(message.find(file), 0U) << message;
+}
+
+// What every face promises to the later stages.
+void expect_consistent(const CadFace& face) {
+  ASSERT_EQ(face.curves.size(), face.joints.size());
+  ASSERT_EQ(face.curves.size(), face.curve_names.size());
+  ASSERT_EQ(face.curves.size(), face.curve_cad_edges.size());
+  ASSERT_EQ(face.loop_offsets.back(), face.num_curves());
+  for (int i = 0; i < face.num_curves(); ++i) {
+    const Nurbs& curve = face.curves[i];
+    EXPECT_EQ(curve.knots.size(), curve.poles.size() + curve.degree + 1);
+    EXPECT_EQ(curve.poles.back(), face.curves[face.next_in_loop(i)].poles.front());
+    EXPECT_EQ(face.joints[i].position, curve.poles.front());
+    EXPECT_NEAR(wrap_pi(face.joints[i].tangent_out - angle_of(tangent(curve, curve.begin()))), 0, 1e-15);
+  }
+  // Turning: 2 pi around the outline, -2 pi around a hole.
+  for (int l = 0; l < face.num_loops(); ++l) {
+    double turning = 0;
+    for (int i = face.loop_offsets[l]; i < face.loop_offsets[l + 1]; ++i) {
+      turning += pi - face.joints[i].interior_angle;
+      const Nurbs& curve = face.curves[i];
+      for (int k = 0; k < 1000; ++k) {
+        const double span = (curve.end() - curve.begin()) / 1000, t = curve.begin() + k * span;
+        const Vec2 a = tangent(curve, t), b = tangent(curve, t + span, true);
+        turning += std::atan2(cross(a, b), dot(a, b));
+      }
+    }
+    EXPECT_NEAR(turning, l == 0 ? 2 * pi : -2 * pi, 1e-7);
+  }
+}
+
+TEST(LoadFace, half_disc) {
+  const Loaded l = load("half_disc.step");
+  const CadFace& face = l.face;
+  expect_consistent(face);
+  ASSERT_EQ(face.num_curves(), 2);
+  EXPECT_NEAR(l.area(), pi / 2, 1e-14);
+  EXPECT_NEAR(l.perimeter(), pi + 2, 1e-14);
+  EXPECT_EQ(face.diameter, 2);
+  EXPECT_EQ(face.length_unit, "millimetre");
+  EXPECT_EQ(face.metres_per_unit, 0.001);
+  EXPECT_EQ(face.origin, (Vec2{0, 0}));
+  EXPECT_EQ(face.curve_names, (std::vector<std::string>{"curve_0", "curve_1"}));
+  for (const Joint& joint : face.joints) {
+    EXPECT_TRUE(joint.is_corner);
+    EXPECT_NEAR(joint.interior_angle, half_pi, 1e-14);
+  }
+  EXPECT_EQ(face.curves[1].poles.size(), 5U) << "two pieces of 90 degrees";
+  EXPECT_TRUE(l.report.warnings().empty());
+}
+
+TEST(LoadFace, a_hole_is_walked_clockwise_and_its_seam_is_smooth) {
+  const Loaded l = load("annulus.step");
+  expect_consistent(l.face);
+  ASSERT_EQ(l.face.num_loops(), 2);
+  EXPECT_EQ(l.face.euler_characteristic(), 0);
+  EXPECT_LT(curvature(l.face.curves[1], 1), 0);
+  for (const Joint& joint : l.face.joints) {
+    EXPECT_EQ(joint.interior_angle, pi);
+    EXPECT_FALSE(joint.is_corner);
+  }
+}
+
+TEST(LoadFace, smooth_junctions_of_edges_are_no_corners) {
+  const CadFace face = load("stadium.step").face;
+  expect_consistent(face);
+  ASSERT_EQ(face.num_curves(), 4);
+  for (const Joint& joint : face.joints) EXPECT_EQ(joint.interior_angle, pi);
+}
+
+TEST(LoadFace, the_corner_angle_decides_what_a_corner_is) {
+  const CadFace face = load("l_shape.step", radians(100)).face;
+  for (const Joint& joint : face.joints) {
+    EXPECT_FALSE(joint.is_corner);
+    EXPECT_NEAR(std::abs(pi - joint.interior_angle), half_pi, 1e-14);
+  }
+}
+
+TEST(LoadFace, every_shipped_shape_is_consistent) {
+  for (const char* name : {"annulus", "cylinder_channel", "eccentric_annulus", "geometry_1", "half_disc", "l_shape",
+                           "plate_hole", "quarter_annulus", "s_bend", "square", "stadium"}) {
+    SCOPED_TRACE(name);
+    expect_consistent(load(std::string(name) + ".step").face);
+  }
+}
+
+TEST(LoadFace, loading_twice_in_one_process_gives_the_same) {
+  Report report;
+  const std::string inches = bytes_of("bad/inches.step"), millimetres = bytes_of("bad/rectangle.step");
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(load_face(inches, "a.step", {}, report).joints[2].position, (Vec2{2.1, 0.7}));
+    EXPECT_EQ(load_face(millimetres, "b.step", {}, report).joints[2].position, (Vec2{2, 1}));
+  }
+}
+
+TEST(LoadFace, numbers_are_those_of_the_file_whatever_its_unit) {
+  const Loaded inches = load("bad/inches.step");
+  expect_consistent(inches.face);
+  EXPECT_EQ(inches.face.length_unit, "inch");
+  EXPECT_NEAR(inches.face.metres_per_unit, 0.0254, 1e-17);
+  EXPECT_EQ(inches.face.joints[2].position, (Vec2{2.1, 0.7}));
+  EXPECT_NEAR(inches.area(), 2.1 * 0.7 - pi * 0.01, 1e-14);
+  const Loaded metres = load("bad/metres.step");
+  EXPECT_EQ(metres.face.length_unit, "metre");
+  EXPECT_EQ(metres.face.metres_per_unit, 1);
+  EXPECT_EQ(metres.face.joints[2].position, (Vec2{2, 1}));
+  const Loaded brep = load("bad/rectangle.brep");
+  EXPECT_EQ(brep.face.length_unit, "unknown");
+  EXPECT_EQ(brep.face.metres_per_unit, 0);
+  EXPECT_NEAR(brep.area(), 2, 1e-15);
+}
+
+TEST(LoadFace, any_plane_and_its_frame) {
+  const CadFace tilted = load("bad/tilted.step").face;
+  expect_consistent(tilted);
+  const Vec2 far = tilted.joints[2].position;
+  const std::array<double, 3> expected{3, 2.8, 3.6};
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(tilted.plane_origin[k] + far.x * tilted.plane_x[k] + far.y * tilted.plane_y[k], expected[k], 1e-14);
+
+  const CadFace upright = load("bad/upright.step").face;
+  EXPECT_EQ(upright.plane_origin, (std::array<double, 3>{4, 0, 0}));
+  EXPECT_EQ(upright.plane_x, (std::array<double, 3>{0, 1, 0}));
+  EXPECT_EQ(upright.plane_y, (std::array<double, 3>{0, 0, 1}));
+
+  const Loaded down = load("bad/downwards.step");
+  expect_consistent(down.face);
+  EXPECT_EQ(down.face.plane_origin, (std::array<double, 3>{0, 0, -5}));
+  EXPECT_EQ(down.face.plane_x, (std::array<double, 3>{1, 0, 0}));
+  EXPECT_EQ(down.face.plane_y, (std::array<double, 3>{0, 1, 0}));
+  EXPECT_NEAR(down.area(), 2, 1e-15);
+}
+
+TEST(LoadFace, far_from_the_origin_positions_are_relative) {
+  const Loaded l = load("bad/far_away.step");
+  expect_consistent(l.face);
+  EXPECT_NEAR(l.face.diameter, std::sqrt(5.0), 1e-15);
+  EXPECT_EQ(l.face.joints[0].position + l.face.origin, (Vec2{1e6, 2e6}));
+  EXPECT_LT(norm(l.face.joints[0].position), 10);
+}
+
+TEST(LoadFace, names_come_from_the_file_and_may_be_shared) {
+  const CadFace face = load("bad/names.step").face;
+  EXPECT_EQ(face.name, "channel");
+  EXPECT_EQ(face.curve_names, (std::vector<std::string>{"wall", "outlet", "wall", "inlet", "cylinder"}));
+  EXPECT_EQ(face.curve_cad_edges, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(LoadFace, curves_are_exact) {
+  const Loaded arc = load("bad/ellipse_arc.step");
+  expect_consistent(arc.face);
+  for (int i = 0; i <= 50; ++i) {
+    const Nurbs& ellipse = arc.face.curves[0];
+    const Vec2 x = point(ellipse, ellipse.begin() + (ellipse.end() - ellipse.begin()) * i / 50);
+    EXPECT_NEAR(x.x * x.x / 4 + x.y * x.y, 1, 1e-14);
+  }
+  EXPECT_NEAR(load("bad/bezier.step").area(), 1.0 / 3, 1e-15);
+  const Loaded half = load("bad/against_the_curve.step");
+  expect_consistent(half.face);
+  EXPECT_NEAR(half.area(), pi / 2, 1e-14);
+}
+
+TEST(LoadFace, curves_are_split_at_inner_kinks) {
+  const CadFace kinked = load("bad/kinked_spline.step").face;
+  expect_consistent(kinked);
+  EXPECT_EQ(kinked.curve_cad_edges, (std::vector<int>{0, 0, 1}));
+  EXPECT_EQ(kinked.joints[1].position, (Vec2{1, 0.8}));
+  const Loaded closed = load("bad/closed_spline.step");
+  expect_consistent(closed.face);
+  EXPECT_EQ(closed.face.curve_cad_edges, (std::vector<int>{0, 0}));
+  EXPECT_NEAR(closed.area(), 3, 1e-14);
+}
+
+TEST(LoadFace, construction_geometry_is_ignored_with_warnings) {
+  const Loaded l = load("bad/construction.step");
+  EXPECT_EQ(l.face.num_curves(), 4);
+  ASSERT_EQ(l.report.warnings().size(), 2U);
+  EXPECT_EQ(l.report.warnings()[0].code, "W-CAD-001");
+  EXPECT_EQ(l.report.warnings()[1].code, "W-CAD-002");
+}
+
+TEST(LoadFace, refuses_what_is_no_cad_file) {
+  expect_refused("bad/empty.step", "the file is empty");
+  expect_refused("bad/truncated.step", "truncated");
+  expect_refused("bad/garbage.step", "not a CAD file");
+  expect_refused("bad/garbage.txt", "not a CAD file");
+  expect_refused("bad/wrong_extension.iges", "the extension .iges says IGES, the content is STEP");
+  expect_refused("bad/wrong_extension.txt", "wrong extension .txt");
+}
+
+TEST(LoadFace, survives_files_on_which_the_kernel_crashes) {
+  expect_refused("bad/unknown_entity.step", "malformed");
+  expect_refused("bad/unknown_point.step", "malformed");
+  expect_refused("bad/points_are_directions.step", "malformed");
+  expect_refused("bad/broken_reference.step", "open");
+}
+
+TEST(LoadFace, refuses_what_is_not_one_planar_face) {
+  expect_refused("bad/solid.step", "a solid");
+  expect_refused("bad/sphere.step", "not planar (SphericalSurface)");
+  expect_refused("bad/two_faces.step", "several faces (2)");
+  expect_refused("bad/shared_edge.step", "several faces (2 with 1 shared edges)");
+  expect_refused("bad/mixed_units.step", "mixes length units (inch and millimetre)");
+}
+
+TEST(LoadFace, refuses_bad_wires_and_says_where) {
+  expect_refused("bad/open_wire.step", "the wire is open: it begins at (0, 0) and ends at (0, 1)");
+  expect_refused("bad/self_intersecting.step", "the wire intersects itself: edges 3 and 1 of the outline at (0.952");
+  expect_refused("bad/self_intersecting_curve.step", "intersects itself: edge 0 of the outline at (1, 0.857143)");
+  expect_refused("bad/slit.step", "inner curve: edge 1 at (0, 0)");
+  expect_refused("bad/inner_curve.step", "inner curve: edge 5 at (0.5, 0.5)");
+  expect_refused("bad/zero_area.step", "no area");
+  expect_refused("bad/swapped_coordinates.step", "edge 1: its vertex at (1, 2) lies 1 off its curve");
+}
+
+TEST(LoadFace, refuses_holes_out_of_place) {
+  expect_refused("bad/hole_outside.step", "hole 1 at (3, 0) lies outside the outline");
+  expect_refused("bad/hole_across.step", "hole 1 crosses or touches the outline");
+  expect_refused("bad/hole_touching.step", "hole 1 crosses or touches the outline: edges 1 and 5 at (2, 0.5)");
+  expect_refused("bad/hole_in_hole.step", "hole 2 at (3, 3) lies inside hole 1");
+}
+
+}  // namespace
+}  // namespace quadrille
