@@ -202,6 +202,21 @@ std::vector<double> bernstein_product(int order_a, const std::vector<double>& a,
   return result;
 }
 
+std::vector<double> bernstein_elevate(int order, const std::vector<double>& coefs) {
+  const int n = order + 1;
+  std::vector<double> result(num_bernstein(n));
+  for (int k = 0, at = 0; k <= n; ++k)
+    for (int j = 0; j + k <= n; ++j, ++at) {
+      const int i = n - j - k;
+      double sum = 0;
+      if (i > 0) sum += i * coefs[bernstein_index(order, j, k)];
+      if (j > 0) sum += j * coefs[bernstein_index(order, j - 1, k)];
+      if (k > 0) sum += k * coefs[bernstein_index(order, j, k - 1)];
+      result[at] = sum / n;
+    }
+  return result;
+}
+
 double bernstein_value(int order, const std::vector<double>& coefs, const std::array<double, 3>& lambda) {
   std::vector<double> c = coefs;
   for (int n = order; n > 0; --n)

@@ -35,6 +35,9 @@ std::array<std::vector<double>, 2> bernstein_derivatives(int order, const std::v
 std::vector<double> bernstein_product(int order_a, const std::vector<double>& a, int order_b,
                                       const std::vector<double>& b);
 
+/// The same polynomial in the form of degree order + 1.
+std::vector<double> bernstein_elevate(int order, const std::vector<double>& coefs);
+
 /// The value at barycentric coordinates `lambda` (they sum to 1), by de Casteljau.
 double bernstein_value(int order, const std::vector<double>& coefs, const std::array<double, 3>& lambda);
 

@@ -117,6 +117,13 @@ TEST_P(OfOrder, halves_are_the_parent) {
   }
 }
 
+TEST_P(OfOrder, keeps_its_values_when_elevated) {
+  const int n = GetParam();
+  const std::vector<double> b = bernstein_from_orthogonal(n, orthogonal_coefs(n, 0.9)), c = bernstein_elevate(n, b);
+  for (const Lambda& l : sample_points())
+    EXPECT_NEAR(bernstein_value(n + 1, c, l), bernstein_value(n, b, l), round_off(b));
+}
+
 TEST(TriBernstein, differentiates_lambda1_squared_lambda2) {
   // b_(0,2,1) of degree 3 belongs to 3 lambda1^2 lambda2: derivatives 6 l1 l2 and 3 l1^2.
   std::vector<double> b(10, 0.0);

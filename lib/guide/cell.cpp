@@ -1,0 +1,56 @@
+#include "guide/cell.hpp"
+
+#include <algorithm>
+
+#include "spectral/tri_bernstein.hpp"
+
+namespace quadrille {
+namespace {
+
+std::vector<double> of_degree(int degree, int order, const double* orthogonal_coefs) {
+  std::vector<double> b = bernstein_from_orthogonal(order, orthogonal_coefs);
+  for (; order < degree; ++order) b = bernstein_elevate(order, b);
+  return b;
+}
+
+int longest_side(const Cell& cell) {
+  int longest = 0;
+  double length = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double d = norm2(cell.vertex((k + 1) % 3) - cell.vertex(k));
+    if (d > length) length = d, longest = k;
+  }
+  return longest;
+}
+
+}  // namespace
+
+Cell element_cell(const FieldEvaluator& evaluator, int elem) {
+  const Field& field = evaluator.field();
+  const TriMap& map = evaluator.maps()[elem];
+  const int order = field.elem_order[elem], offset = field.coef_offsets[elem];
+  Cell cell;
+  cell.elem = elem;
+  cell.degree = std::max(order, map.order());
+  cell.xi = {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}};
+  cell.components = {of_degree(cell.degree, map.order(), map.coefs_x().data()),
+                     of_degree(cell.degree, map.order(), map.coefs_y().data()),
+                     of_degree(cell.degree, order, &field.u[offset]), of_degree(cell.degree, order, &field.v[offset])};
+  return cell;
+}
+
+void bisect(const Cell& cell, Cell& first, Cell& second) {
+  const int edge = longest_side(cell), from = edge, to = (edge + 1) % 3;
+  first.elem = second.elem = cell.elem;
+  first.degree = second.degree = cell.degree;
+  first.xi = second.xi = cell.xi;
+  first.xi[to] = second.xi[from] = 0.5 * (cell.xi[from] + cell.xi[to]);
+  for (int c = 0; c < 4; ++c) {
+    first.components[c].resize(cell.num_coefs());
+    second.components[c].resize(cell.num_coefs());
+    bernstein_bisect(cell.degree, cell.components[c].data(), edge, first.components[c].data(),
+                     second.components[c].data());
+  }
+}
+
+}  // namespace quadrille

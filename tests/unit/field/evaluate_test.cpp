@@ -1,0 +1,81 @@
+#include "field/evaluate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/square_field.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double tol = 1e-13;
+
+Vec2 cubic(Vec2 p) { return {p.x * p.x * p.x - 3 * p.x * p.y * p.y + 0.1, 3 * p.x * p.x * p.y - p.y * p.y * p.y}; }
+Mat2 cubic_gradient(Vec2 p) {
+  const double re = 3 * (p.x * p.x - p.y * p.y), im = 6 * p.x * p.y;
+  return {re, -im, im, re};
+}
+
+void expect_near(const Mat2& a, const Mat2& b) {
+  EXPECT_NEAR(a.xx, b.xx, 1e-11);
+  EXPECT_NEAR(a.xy, b.xy, 1e-11);
+  EXPECT_NEAR(a.yx, b.yx, 1e-11);
+  EXPECT_NEAR(a.yy, b.yy, 1e-11);
+}
+
+TEST(FieldEvaluator, reproduces_a_harmonic_polynomial_and_its_gradient) {
+  const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 5, cubic);
+  const FieldEvaluator evaluator(field);
+  for (int e = 0; e < field.mesh.num_elems(); ++e)
+    for (const Vec2 xi : {Vec2{-1, -1}, Vec2{-0.2, -0.4}, Vec2{0.5, -0.9}}) {
+      const FieldSample s = evaluator.sample(e, xi);
+      EXPECT_NEAR(distance(s.x, evaluator.maps()[e].position(xi)), 0, tol);
+      EXPECT_NEAR(distance(s.value, cubic(s.x)), 0, tol);
+      expect_near(s.dv_dx, cubic_gradient(s.x));
+      Vec2 x;
+      Mat2 dx_dxi;
+      EXPECT_EQ(evaluator.value(e, xi, x, dx_dxi), s.value);
+      EXPECT_EQ(x, s.x);
+    }
+}
+
+TEST(FieldEvaluator, adds_liftings_and_their_gradients) {
+  Field field = interpolated_field(square_mesh({0, 0}, 1, 2), 4, cubic);
+  field.liftings = {{0, {0, 0}, {-0.5, -0.5}, {0.3, -0.7}}, {2, {1, 1}, {1.4, 1.5}, {1, 0.2}}};
+  const FieldEvaluator evaluator(field);
+  const Vec2 x{0.37, 0.61};
+  Vec2 expected = cubic(x);
+  for (const Lifting& l : field.liftings) expected += l.jump * lifting_angle(l, x);
+  Vec2 value;
+  ASSERT_TRUE(evaluator.value_at(x, value));
+  EXPECT_NEAR(distance(value, expected), 0, tol);
+
+  const Location at = evaluator.locator().find(x);
+  const double h = 1e-6;
+  Vec2 east, west, north, south;
+  evaluator.value_at(x + Vec2{h, 0}, east);
+  evaluator.value_at(x - Vec2{h, 0}, west);
+  evaluator.value_at(x + Vec2{0, h}, north);
+  evaluator.value_at(x - Vec2{0, h}, south);
+  const Mat2 g = evaluator.sample(at.elem, at.xi).dv_dx;
+  EXPECT_NEAR(distance((east - west) / (2 * h), {g.xx, g.yx}), 0, 1e-9);
+  EXPECT_NEAR(distance((north - south) / (2 * h), {g.xy, g.yy}), 0, 1e-9);
+}
+
+TEST(FieldEvaluator, is_finite_on_a_corner_with_a_lifting) {
+  Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 2, [](Vec2) { return Vec2{}; });
+  field.liftings = {{0, {0, 0}, {-0.5, -0.5}, {1, 0}}};
+  const FieldEvaluator evaluator(field);
+  // Element 0 lies below the diagonal, element 1 above: the limits follow the direction from the corner.
+  const Vec2 below = evaluator.sample(0, {-1, -1}).value, above = evaluator.sample(1, {-1, -1}).value;
+  EXPECT_NEAR(above.x - below.x, std::atan2(2, 1) - std::atan2(1, 2), tol);
+}
+
+TEST(FieldEvaluator, says_when_a_point_is_outside) {
+  const Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2 p) { return p; });
+  Vec2 value;
+  EXPECT_FALSE(FieldEvaluator(field).value_at({1.5, 0.5}, value));
+}
+
+}  // namespace
+}  // namespace quadrille

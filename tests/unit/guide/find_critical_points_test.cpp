@@ -1,0 +1,225 @@
+#include "guide/find_critical_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "../support/square_field.hpp"
+#include "base/error.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille {
+namespace {
+
+using Complex = std::complex<double>;
+using Function = std::function<Vec2(Vec2)>;
+
+Vec2 as_vec(Complex z) { return {z.real(), z.imag()}; }
+Complex as_complex(Vec2 x) { return {x.x, x.y}; }
+
+/// Product of (z - root), conjugated roots with index -1.
+Function product(std::vector<Complex> positive, std::vector<Complex> negative = {}) {
+  return [=](Vec2 x) {
+    Complex value = 1;
+    for (const Complex root : positive) value *= as_complex(x) - root;
+    for (const Complex root : negative) value *= std::conj(as_complex(x) - root);
+    return as_vec(value);
+  };
+}
+
+struct Search {
+  explicit Search(const Field& field) { points = find_critical_points(FieldEvaluator(field), report); }
+  long long count(const std::string& key) const {
+    for (const auto& [name, value] : report.entries())
+      if (name == key) return std::get<long long>(value);
+    return -1;
+  }
+  Report report;
+  CriticalPoints points;
+};
+
+std::vector<CriticalPoint> zeros(const Function& f, int order, int n = 2) {
+  return Search(interpolated_field(square_mesh({-1, -1}, 2, n), order, f)).points.critical_points;
+}
+
+void expect_points(const std::vector<CriticalPoint>& points, const std::vector<Vec2>& places,
+                   const std::vector<int>& indices, double tol = 1e-13) {
+  ASSERT_EQ(points.size(), places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(distance(points[i].position, places[i]), 0, tol);
+    EXPECT_EQ(points[i].index, indices[i]);
+    EXPECT_EQ(points[i].valence, 4 - indices[i]);
+  }
+}
+
+std::string message_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ComputeError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(FindCriticalPoints, proves_a_constant_field_empty_with_one_cell_an_element) {
+  const Search search(interpolated_field(square_mesh({0, 0}, 1, 3), 4, [](Vec2) { return Vec2{0.6, 0.8}; }));
+  EXPECT_TRUE(search.points.critical_points.empty());
+  EXPECT_EQ(search.count("proof.cells_examined"), 18);
+  EXPECT_EQ(search.count("proof.cells_excluded"), 18);
+}
+
+TEST(FindCriticalPoints, tells_the_two_signs_apart) {
+  expect_points(zeros(product({{0.31, -0.17}}), 1), {{0.31, -0.17}}, {1});
+  expect_points(zeros(product({}, {{0.31, -0.17}}), 1), {{0.31, -0.17}}, {-1});
+}
+
+TEST(FindCriticalPoints, records_element_reference_point_and_jacobian) {
+  const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 3, product({{0.3, 0.2}, {-0.5, 0.7}}));
+  const FieldEvaluator evaluator(field);
+  for (const CriticalPoint& p : Search(field).points.critical_points) {
+    const FieldSample s = evaluator.sample(p.elem, p.xi);
+    EXPECT_NEAR(distance(s.x, p.position), 0, 1e-14);
+    EXPECT_NEAR(norm(s.value), 0, 1e-14);
+    EXPECT_EQ(p.jacobian[0], s.dv_dx.xx);
+    EXPECT_EQ(p.jacobian[3], s.dv_dx.yy);
+  }
+}
+
+TEST(FindCriticalPoints, finds_many_zeros_in_one_element) {
+  // All below the diagonal of a single square: one element.
+  expect_points(zeros(product({{0.1, -0.5}, {0.4, -0.8}, {0.8, 0.3}, {0.55, -0.1}}), 6, 1),
+                {{0.1, -0.5}, {0.4, -0.8}, {0.55, -0.1}, {0.8, 0.3}}, {1, 1, 1, 1});
+}
+
+TEST(FindCriticalPoints, finds_pairs_of_opposite_index) {
+  const auto pair = [](Vec2 x) { return Vec2{x.x * x.x - 0.09, x.y - 0.4}; };
+  expect_points(zeros(pair, 2), {{-0.3, 0.4}, {0.3, 0.4}}, {-1, 1});
+  expect_points(zeros(pair, 2, 1), {{-0.3, 0.4}, {0.3, 0.4}}, {-1, 1});
+}
+
+TEST(FindCriticalPoints, finds_a_close_pair) {
+  const double d = 1e-4;
+  expect_points(zeros(product({{0.2 - d, 0.3}, {0.2 + d, 0.3}}), 8), {{0.2 - d, 0.3}, {0.2 + d, 0.3}}, {1, 1}, 1e-10);
+  expect_points(zeros(
+                    [&](Vec2 x) {
+                      return Vec2{x.x * x.x - d * d, x.y - 0.4};
+                    },
+                    8),
+                {{-d, 0.4}, {d, 0.4}}, {-1, 1}, 1e-10);
+}
+
+TEST(FindCriticalPoints, counts_a_zero_on_an_edge_once) {
+  for (const Vec2 x : {Vec2{0, 0.3}, Vec2{-0.6, 0}, Vec2{0.25, 0.25}, Vec2{-0.7, -0.7}}) {
+    const std::vector<CriticalPoint> points = zeros(product({as_complex(x)}, {{3, 0}}), 5);
+    expect_points(points, {x}, {1});
+  }
+}
+
+TEST(FindCriticalPoints, counts_a_zero_on_a_vertex_once_and_names_the_lowest_element) {
+  const std::vector<CriticalPoint> points = zeros(product({}, {{0, 0}}), 4);
+  expect_points(points, {{0, 0}}, {-1});
+  EXPECT_EQ(points[0].elem, 0);  // the centre vertex of the 2 x 2 squares
+}
+
+TEST(FindCriticalPoints, a_zero_beyond_the_domain_is_none) {
+  EXPECT_TRUE(zeros(product({{1 + 1e-6, 0.2}}), 3).empty());
+  EXPECT_EQ(zeros(product({{1 - 1e-6, 0.2}}), 3).size(), 1u);
+}
+
+TEST(FindCriticalPoints, sorts_by_x_then_y_with_tolerance) {
+  const std::vector<CriticalPoint> points =
+      zeros(product({{0.3 + 1e-8, -0.4}, {0.3, 0.4}, {-0.5, 0.1 + 1e-9}, {-0.5 + 1e-8, -0.1}}), 5);
+  expect_points(points, {{-0.5, -0.1}, {-0.5, 0.1}, {0.3, -0.4}, {0.3, 0.4}}, {1, 1, 1, 1}, 1e-7);
+}
+
+TEST(FindCriticalPoints, searches_curved_elements) {
+  // y -> y + (1 - x^2)(1 - y^2) / 8 keeps the square's vertices; a quadratic field of it has degree 8 on an element.
+  TriMesh mesh = square_mesh({-1, -1}, 2, 2);
+  mesh.order = 4;
+  const auto bend = [](Vec2 p) { return p + Vec2{0, (1 - p.x * p.x) * (1 - p.y * p.y) / 8}; };
+  const std::vector<TriMap> straight = tri_maps(square_mesh({-1, -1}, 2, 2));
+  for (Vec2& v : mesh.vertices) v = bend(v);
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    mesh.curved_elems.push_back(e);
+    for (const Vec2 xi : tri_nodes(4)) mesh.curved_nodes.push_back(bend(straight[e].position(xi)));
+  }
+  const Field field = interpolated_field(mesh, 8, product({{0.3, 0.2}, {-0.4, 0.1}}));
+  expect_points(Search(field).points.critical_points, {{-0.4, 0.1}, {0.3, 0.2}}, {1, 1});
+}
+
+TEST(FindCriticalPoints, encloses_liftings) {
+  // u vanishes on the circle through apex, pole and x*, v on a line through x*: they meet once in the square.
+  const Vec2 at{0.35, 0.2};
+  const Lifting lifting{0, {-1, -1}, {-1.5, -1.5}, {1, 0}};
+  const double angle = lifting_angle(lifting, at);
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 3, [&](Vec2 x) {
+    return Vec2{-angle, x.x - at.x + x.y - at.y};
+  });
+  field.liftings = {lifting};
+  const Search search(field);
+  ASSERT_EQ(search.points.critical_points.size(), 1u);
+  EXPECT_NEAR(distance(search.points.critical_points[0].position, at), 0, 1e-13);
+  EXPECT_LT(search.count("proof.cells_examined"), 400);
+}
+
+TEST(FindCriticalPoints, excludes_the_cells_at_a_corner_whose_chord_misses_zero) {
+  // The value jumps at the corner (-1,-1) from one side of the square to the other, past 0 at a distance.
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 1), 3, [](Vec2) { return Vec2{1, 0.2}; });
+  field.liftings = {{0, {-1, -1}, {-2, -2}, {-2 / half_pi, 0}}};
+  EXPECT_TRUE(Search(field).points.critical_points.empty());
+}
+
+TEST(FindCriticalPoints, names_a_multiple_zero_with_its_place_and_index) {
+  const auto message = [](const Function& f, int n) { return message_of([&] { zeros(f, 8, n); }); };
+  const Complex a{0.25, -0.5};
+  for (const int n : {1, 2, 3}) {
+    EXPECT_PRED2(contains, message(product({a, a, a, a}), n), "index is 4");
+    EXPECT_PRED2(contains, message(product({a, a}), n), "(0.25, -0.5)");
+    EXPECT_PRED2(contains, message(product({}, {a, a}), n), "index is -2");
+  }
+  EXPECT_PRED2(contains, message(product({a, a + 1e-6}), 2), "index is 2");
+}
+
+TEST(FindCriticalPoints, gives_up_on_a_curve_of_zeros) {
+  const auto crease = [](Vec2 x) { return Vec2{x.x - 0.3, 0}; };
+  EXPECT_PRED2(contains, message_of([&] { zeros(crease, 4); }), "vanishes to higher order");
+}
+
+TEST(FindCriticalPoints, knows_a_line_field_by_its_face) {
+  // A plate with a chamfer of 45 degrees.
+  CadFace face = square_face({0, 0}, 1);
+  face.curves[0] = segment({0, 0}, {0.5, 0});
+  face.curves[1] = segment({0.5, 0}, {1, 0.5});
+  Field field;
+  field.mesh.face = face;
+  EXPECT_PRED2(contains, message_of([&] { Search{field}; }), "along whole curves");
+}
+
+TEST(FindCriticalPoints, corners_of_a_square_close_the_index_sum) {
+  const Search search(interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2) { return Vec2{1, 0}; }));
+  ASSERT_EQ(search.points.corners.size(), 4u);
+  for (int j = 0; j < 4; ++j) {
+    EXPECT_EQ(search.points.corners[j].joint, j);
+    EXPECT_EQ(search.points.corners[j].valence, 1);
+    EXPECT_EQ(search.points.corners[j].curves, (std::array<int, 2>{(j + 3) % 4, j}));
+  }
+  EXPECT_EQ(search.points.index_sum, 4);
+  EXPECT_EQ(search.points.index_sum_expected, 4);
+  EXPECT_NO_THROW(require_index_sum(search.points));
+}
+
+TEST(RequireIndexSum, says_by_how_much_and_which_corner_is_in_doubt) {
+  CriticalPoints points;
+  points.origin = {100, 0};
+  points.corners = {{0, {0, 0}, 90, 1, {1, 0}}, {1, {1, 2}, 134, 1, {0, 1}}};
+  points.index_sum = 2;
+  points.index_sum_expected = 4;
+  const std::string message = message_of([&] { require_index_sum(points); });
+  EXPECT_PRED2(contains, message, "2 too few");
+  EXPECT_PRED2(contains, message, "134 degrees at (101, 2), valence 1");
+}
+
+}  // namespace
+}  // namespace quadrille
