@@ -62,7 +62,7 @@ const Ramp& component_ramp() {
 }
 
 const Ramp& order_ramp() {
-  static const Ramp ramp{{0, "#f6f3e4"}, {0.25, "#cfe3cf"}, {0.5, "#8cc3c4"}, {0.75, "#5a8fb8"}, {1, "#4b5390"}};
+  static const Ramp ramp{{0, "#f6f3e4"}, {0.25, "#cfe3cf"}, {0.5, "#9fd0cd"}, {0.75, "#8db6d6"}, {1, "#9a9fd6"}};
   return ramp;
 }
 

@@ -24,9 +24,10 @@ std::string caption(const Field& field) {
   if (field.elem_order.empty()) return "no elements";
   const std::string orders =
       *least == *greatest ? fmt::format("order {}", *least) : fmt::format("orders {} to {}", *least, *greatest);
-  return fmt::format("{}, {}, {} unknowns per component before condensation, {}",
-                     counted(field.mesh.num_elems(), "triangle"), orders, field.u.size(),
-                     counted(static_cast<int>(field.liftings.size()), "lifting"));
+  std::string text = fmt::format("{}, {}, {} coefficients per component", counted(field.mesh.num_elems(), "triangle"),
+                                 orders, field.u.size());
+  if (!field.liftings.empty()) text += ", " + counted(static_cast<int>(field.liftings.size()), "lifting");
+  return text;
 }
 
 void draw_cross_angle(Picture& picture, const FieldEvaluator& evaluator) {
@@ -47,7 +48,7 @@ void draw_component(Picture& picture, const FieldEvaluator& evaluator, bool is_u
   draw_field_cells(
       picture, evaluator,
       [&](Vec2 value) { return ramp_colour(component_ramp(), stepped(0.5 * (component(value) + 1), 96)); },
-      [&](Vec2 a, Vec2 b) { return std::abs(component(a) - component(b)) * 32; });
+      [&](Vec2 a, Vec2 b) { return std::abs(component(a) - component(b)) * 28; });
   picture.legend_bar(component_ramp(), is_u ? "u" : "v", {"−1", "−0.5", "0", "0.5", "1"});
 }
 

@@ -51,8 +51,7 @@ struct CellPainter {
     const Vec2 mean = (cell[0].value + cell[1].value + cell[2].value) / 3;
     PathData path(1);
     path.move_to(cell[0].pixel);
-    path.line_to(cell[1].pixel);
-    path.line_to(cell[2].pixel);
+    path.relative_lines({cell[1].pixel - cell[0].pixel, cell[2].pixel - cell[1].pixel});
     path.close();
     paths[colour(mean)] += path.str();
   }
@@ -92,16 +91,23 @@ void draw_crosses(Picture& picture, const FieldEvaluator& evaluator, double spac
   const int nx = std::max(1, static_cast<int>(size.x / spacing)), ny = std::max(1, static_cast<int>(size.y / spacing));
   const Vec2 first = 0.5 * (size - spacing * Vec2{nx - 1.0, ny - 1.0});
   const Vec2 corner = picture.at({0, 0});
+  const auto value_at = [&](Vec2 pixel, Vec2& value) {
+    return evaluator.value_at((pixel - corner) / picture.scale(), value);
+  };
   PathData path(1);
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
       const Vec2 pixel = first + spacing * Vec2{static_cast<double>(i), static_cast<double>(j)};
-      Vec2 value;
-      if (!evaluator.value_at((pixel - corner) / picture.scale(), value) || norm(value) < 1e-6) continue;
-      for (int k = 0; k < 2; ++k) {
-        const Vec2 d = arm * unit(cross_angle(value) + k * half_pi);
-        path.move_to(pixel - d);
-        path.line_to(pixel + d);
+      Vec2 value, beside;
+      if (!value_at(pixel, value) || norm(value) < 1e-6) continue;
+      const Vec2 d = arm * unit(cross_angle(value)), e = left_of(d);
+      // A cross that would stick out of the face is left away.
+      if (!value_at(pixel + d, beside) || !value_at(pixel - d, beside) || !value_at(pixel + e, beside) ||
+          !value_at(pixel - e, beside))
+        continue;
+      for (const Vec2 half : {d, e}) {
+        path.move_to(pixel - half);
+        path.line_to(pixel + half);
       }
     }
   if (!path.empty()) picture.add(svg_element("path", {{"class", "cross"}, {"d", path.str()}}));

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double lattice_step = 4;  // pixels
 constexpr double join_distance = 0.6;
-/// Values below it are the solver's noise around an identical zero.
+/// Where a component stays below it over a whole cell, what is left is the solver's noise around an identical zero.
 constexpr double noise = 1e-7;
+constexpr double least_value = 1e-13;
 
 struct Segment {
   std::array<Vec2, 2> ends;
@@ -35,7 +36,7 @@ class Lattice {
         Mat2 dx_dxi;
         const double value = component(evaluator.value(elem, xi + 1e-7 * (Vec2{-1.0 / 3, -1.0 / 3} - xi), x, dx_dxi));
         pixels_.push_back(picture.at(x));
-        values_.push_back(std::abs(value) < noise ? noise : value);
+        values_.push_back(std::abs(value) < least_value ? least_value : value);
       }
   }
 
@@ -53,6 +54,8 @@ class Lattice {
   void cell(const std::array<int, 3>& corners, std::vector<Segment>& segments) const {
     std::array<Vec2, 2> ends;
     int num_ends = 0;
+    const auto is_noise = [&](int i) { return std::abs(values_[i]) < noise; };
+    if (std::all_of(corners.begin(), corners.end(), is_noise)) return;
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(corners[k], corners[(k + 1) % 3]), b = std::max(corners[k], corners[(k + 1) % 3]);
       if ((values_[a] > 0) == (values_[b] > 0)) continue;

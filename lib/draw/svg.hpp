@@ -1,6 +1,7 @@
 #pragma once
 // A small SVG writer: escaping, numbers, elements with a hover title.
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ class PathData {
   void move_to(Vec2 p);
   void line_to(Vec2 p);
   void cubic_to(Vec2 c1, Vec2 c2, Vec2 p);
+  /// Lines given by their steps: the shortest text for small figures.
+  void relative_lines(std::initializer_list<Vec2> steps) { add('l', steps); }
   void close() { d_ += 'z'; }
   bool empty() const { return d_.empty(); }
   const std::string& str() const { return d_; }

@@ -26,8 +26,9 @@ TEST(Svg, PathDataIsCompact) {
   path.move_to({0, 0});
   path.line_to({1, -2.5});
   path.cubic_to({1, 2}, {-3, 4}, {5, 6});
+  path.relative_lines({{-1, 0}, {0, 0.5}});
   path.close();
-  EXPECT_EQ(path.str(), "M0 0L1-2.5C1 2-3 4 5 6z");
+  EXPECT_EQ(path.str(), "M0 0L1-2.5C1 2-3 4 5 6l-1 0 0 0.5z");
 }
 
 }  // namespace
