@@ -170,13 +170,7 @@ CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
   double area = 0;
   for (int l = 0; l < face.num_loops(); ++l)
     area += signed_area({face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]});
-  report.set("face.num_curves", face.num_curves());
-  report.set("face.num_loops", face.num_loops());
-  report.set("face.num_corners", static_cast<int>(std::count_if(face.joints.begin(), face.joints.end(),
-                                                                [](const Joint& j) { return j.is_corner; })));
   report.set("face.area", area);
-  report.set("face.diameter", face.diameter);
-  report.set("face.length_unit", face.length_unit);
   return face;
 }
 

@@ -1,0 +1,152 @@
+#include "cad/occ_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <gp_Ax3.hxx>
+
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+class ShellBuilder {
+ public:
+  ShellBuilder(const BlockLayout& layout, double scale) : layout_(layout), scale_(scale) {
+    tolerance_ = 1e-7 * layout.face.diameter * scale;
+  }
+
+  OccBlocks build() {
+    for (const GraphNode& node : layout_.nodes) vertices_.push_back(vertex(node.position));
+    for (int a = 0; a < static_cast<int>(layout_.arcs.size()); ++a) edges_.push_back(edges_of_arc(a));
+    const auto& e_x = layout_.face.plane_x;
+    const auto& e_y = layout_.face.plane_y;
+    const gp_Dir x(e_x[0], e_x[1], e_x[2]), y(e_y[0], e_y[1], e_y[2]);
+    const Handle(Geom_Plane) plane = new Geom_Plane(gp_Ax3(in_space({0, 0}), x.Crossed(y), x));
+    builder_.MakeShell(result_.shell);
+    for (const auto& arcs : layout_.block2arcs) {
+      TopoDS_Face face;
+      builder_.MakeFace(face, plane, tolerance_);
+      builder_.Add(face, wire_of(arcs));
+      builder_.Add(result_.shell, face);
+      result_.faces.push_back(face);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  gp_Pnt in_space(Vec2 x) const {
+    const CadFace& f = layout_.face;
+    const Vec2 p = x + f.origin;
+    const auto c = [&](int k) { return scale_ * (f.plane_origin[k] + p.x * f.plane_x[k] + p.y * f.plane_y[k]); };
+    return {c(0), c(1), c(2)};
+  }
+
+  TopoDS_Vertex vertex(Vec2 x) {
+    TopoDS_Vertex v;
+    builder_.MakeVertex(v, in_space(x), tolerance_);
+    return v;
+  }
+
+  // The pieces of an arc from its first node to its last, each in the direction of the arc.
+  std::vector<TopoDS_Edge> edges_of_arc(int a) {
+    const GraphArc& arc = layout_.arcs[a];
+    std::vector<TopoDS_Edge> edges;
+    TopoDS_Vertex last = vertices_[arc.from];
+    for (size_t i = 0; i < arc.pieces.size(); ++i) {
+      const ArcPiece& piece = arc.pieces[i];
+      const bool is_last = i + 1 == arc.pieces.size();
+      const TopoDS_Vertex next = is_last ? vertices_[arc.to] : vertex(point(layout_.curve(piece.curve), piece.t1));
+      edges.push_back(edge_of_piece(a, piece, last, next));
+      if (piece.curve < layout_.face.num_curves())
+        result_.names.emplace_back(edges.back(), layout_.face.curve_names[piece.curve]);
+      last = next;
+    }
+    return edges;
+  }
+
+  TopoDS_Edge edge_of_piece(int arc, const ArcPiece& piece, const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+    const Nurbs& whole = layout_.curve(piece.curve);
+    const auto [low, high] = std::minmax(piece.t0, piece.t1);
+    if (!(low < high)) throw ComputeError(fmt::format("arc {} has an empty piece of curve {}", arc, piece.curve));
+    Nurbs part = trimmed(whole, low, high);
+    if (piece.t0 > piece.t1) part = reversed(part);
+    for (const auto& [vertex, end] : {std::pair{from, part.poles.front()}, std::pair{to, part.poles.back()}}) {
+      const double gap = BRep_Tool::Pnt(vertex).Distance(in_space(end));
+      if (gap > tolerance_)
+        throw ComputeError(fmt::format("arc {} ends {:.3g} off its node at ({:.6g}, {:.6g})", arc, gap / scale_,
+                                       end.x + layout_.face.origin.x, end.y + layout_.face.origin.y));
+    }
+    TopoDS_Edge edge;
+    double first = part.begin(), last = part.end();
+    if (part.degree == 1 && part.poles.size() == 2) {
+      const gp_Pnt a = in_space(part.poles.front()), b = in_space(part.poles.back());
+      builder_.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance_);
+      first = 0, last = a.Distance(b);
+    } else {
+      builder_.MakeEdge(edge, spline(part), tolerance_);
+    }
+    builder_.Add(edge, from.Oriented(TopAbs_FORWARD));
+    builder_.Add(edge, to.Oriented(TopAbs_REVERSED));
+    builder_.Range(edge, first, last);
+    return edge;
+  }
+
+  Handle(Geom_BSplineCurve) spline(const Nurbs& curve) const {
+    const int n = static_cast<int>(curve.poles.size());
+    TColgp_Array1OfPnt poles(1, n);
+    TColStd_Array1OfReal weights(1, n);
+    for (int i = 0; i < n; ++i) {
+      poles.SetValue(i + 1, in_space(curve.poles[i]));
+      weights.SetValue(i + 1, curve.weights[i]);
+    }
+    std::vector<double> distinct = curve.knots;
+    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
+    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
+    for (int i = 0; i < static_cast<int>(distinct.size()); ++i) {
+      knots.SetValue(i + 1, distinct[i]);
+      multiplicities.SetValue(i + 1, static_cast<int>(std::count(curve.knots.begin(), curve.knots.end(), distinct[i])));
+    }
+    return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
+  }
+
+  TopoDS_Wire wire_of(const std::array<int, 4>& arcs) {
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (const int a : arcs) {
+      const bool backwards = a < 0;
+      std::vector<TopoDS_Edge> edges = edges_[backwards ? -1 - a : a];
+      if (backwards) std::reverse(edges.begin(), edges.end());
+      for (const TopoDS_Edge& edge : edges)
+        builder_.Add(wire, edge.Oriented(backwards ? TopAbs_REVERSED : TopAbs_FORWARD));
+    }
+    wire.Closed(true);
+    return wire;
+  }
+
+  const BlockLayout& layout_;
+  double scale_, tolerance_;
+  BRep_Builder builder_;
+  std::vector<TopoDS_Vertex> vertices_;
+  std::vector<std::vector<TopoDS_Edge>> edges_;
+  OccBlocks result_;
+};
+
+}  // namespace
+
+OccBlocks occ_blocks(const BlockLayout& layout, double scale) { return ShellBuilder(layout, scale).build(); }
+
+}  // namespace quadrille

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "cad/occ_blocks.hpp"
+#include "cad/write_step.hpp"
+
+namespace quadrille {
+namespace {
+
+struct WrittenUnit {
+  const char* name;  ///< as the writer calls it
+  double scale;      ///< from the layout's unit
+};
+
+// The layout's own unit where the writer knows it; numbers of other units become millimetres.
+WrittenUnit written_unit(const CadFace& face) {
+  static const std::pair<const char*, double> known[] = {
+      {"MM", 1e-3}, {"M", 1.0},       {"INCH", 0.0254}, {"CM", 1e-2}, {"FT", 0.3048},
+      {"KM", 1e3},  {"MI", 1609.344}, {"MIL", 2.54e-5}, {"UM", 1e-6}, {"UIN", 2.54e-8}};
+  if (!(face.metres_per_unit > 0)) return {"MM", 1};
+  for (const auto& [name, metres] : known)
+    if (std::abs(face.metres_per_unit / metres - 1) < 1e-9) return {name, 1};
+  return {"MM", face.metres_per_unit * 1e3};
+}
+
+Handle(TCollection_HAsciiString) text(const std::string& s) { return new TCollection_HAsciiString(s.c_str()); }
+
+void set_statics(const char* unit) {
+  // Equal units here and there: the writer leaves the numbers alone.
+  Interface_Static::SetCVal("xstep.cascade.unit", unit);
+  Interface_Static::SetCVal("write.step.unit", unit);
+  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  Interface_Static::SetIVal("write.precision.mode", 0);
+}
+
+void set_header(const Handle(StepData_StepModel) & model) {
+  APIHeaderSection_MakeHeader header(model);
+  header.SetName(text("blocks"));
+  header.SetTimeStamp(text("1970-01-01T00:00:00"));
+  header.SetAuthorValue(1, text(""));
+  header.SetOrganizationValue(1, text(""));
+  header.SetPreprocessorVersion(text("Open CASCADE"));
+  header.SetOriginatingSystem(text("quadrille"));
+  header.SetAuthorisation(text(""));
+  header.Apply(model);
+}
+
+void set_names(const STEPControl_Writer& writer, const OccBlocks& blocks, const BlockLayout& layout) {
+  const Handle(Transfer_FinderProcess) process = writer.WS()->TransferWriter()->FinderProcess();
+  const auto name = [&](const TopoDS_Shape& shape, const std::string& s) {
+    const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(process, shape);
+    if (!item.IsNull()) item->SetName(text(s));
+  };
+  for (size_t b = 0; b < blocks.faces.size(); ++b)
+    name(blocks.faces[b], b < layout.block_names.size() ? layout.block_names[b] : fmt::format("block_{}", b));
+  for (const auto& [edge, s] : blocks.names) name(edge, s);
+}
+
+// The writer counts the products of a process; equal layouts shall give equal bytes.
+void set_product_name(const StepData_StepModel& model) {
+  for (int i = 1; i <= model.NbEntities(); ++i)
+    if (const auto product = Handle(StepBasic_Product)::DownCast(model.Value(i)); !product.IsNull()) {
+      product->SetId(text("blocks"));
+      product->SetName(text("blocks"));
+    }
+}
+
+std::string written(const STEPControl_Writer& writer, const Handle(StepData_StepModel) & model) {
+  StepData_StepWriter text_writer(model);
+  // All digits, so that the same numbers are read again; suppressing zeros would cut them off.
+  text_writer.FloatWriter().SetFormat("%.16E");
+  text_writer.FloatWriter().SetZeroSuppress(false);
+  text_writer.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
+  std::ostringstream stream;
+  if (!text_writer.Print(stream)) throw ComputeError("the STEP model cannot be written");
+  return stream.str();
+}
+
+}  // namespace
+
+std::string step_of_blocks(const BlockLayout& layout) {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  try {
+    const WrittenUnit unit = written_unit(layout.face);
+    STEPControl_Writer writer;
+    set_statics(unit.name);
+    writer.SetTolerance(1e-7 * layout.face.diameter * unit.scale);
+    const OccBlocks blocks = occ_blocks(layout, unit.scale);
+    if (writer.Transfer(blocks.shell, STEPControl_ShellBasedSurfaceModel) != IFSelect_RetDone)
+      throw ComputeError("the blocks cannot be turned into a STEP model");
+    const Handle(StepData_StepModel) model = writer.Model();
+    set_header(model);
+    set_names(writer, blocks, layout);
+    set_product_name(*model);
+    return written(writer, model);
+  } catch (const Standard_Failure& e) {
+    throw ComputeError(std::string("the blocks cannot be turned into a STEP model: ") + e.GetMessageString());
+  }
+}
+
+}  // namespace quadrille

@@ -1,0 +1,31 @@
+// Private helper of quadexport: writes blocks as STEP. Apart from it, because the CAD kernel's start-up time is paid
+// by every process that links it.
+
+#include "cad/write_step.hpp"
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "io/input_file.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+
+using namespace quadrille;
+
+int main(int argc, char** argv) {
+  std::string input = "-", output = "-";
+  Tool tool;
+  tool.name = "quadexport";
+  tool.summary = "writes the blocks of a block layout as a STEP model of connected faces";
+  tool.description = "Run by quadexport, which has the user's options; not meant to be called by hand.";
+  tool.options = [&](Options& o) {
+    o.input("BLOCKS", input, "block layout (x.blocks.h5), - for standard input");
+    o.output(output, "STEP file");
+  };
+  tool.run = [&](Session&) {
+    const InputFile file = read_input(input);
+    const BlockLayout layout = read_block_layout(file);
+    require_valid(check_block_layout(layout, CheckDepth::quick), file.name);
+    write_output(output, step_of_blocks(layout), false);
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}
