@@ -2,42 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include "../samples.hpp"
 #include "base/error.hpp"
+#include "scratch.hpp"
 
 namespace quadrille {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-class StageFiles : public testing::Test {
+class StageFiles : public Scratch {
  protected:
-  StageFiles() : folder_(fs::path(testing::TempDir()) / "stage_files_XXXXXX") {
-    std::string name = folder_.string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~StageFiles() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   /// Writing what was read gives the same bytes: nothing is lost and nothing is added.
   template <typename Stage, typename Read, typename Write>
   void expect_same_bytes(const Stage& stage, const Read& read, const Write& write) {
     write(path("first"), stage);
     const InputFile file = read_input(path("first"));
     write(path("second"), read(file));
-    EXPECT_EQ(bytes_of(path("first")), bytes_of(path("second")));
+    EXPECT_EQ(bytes_of("first"), bytes_of("second"));
     EXPECT_GT(file.bytes.size(), 500u);
   }
-  fs::path folder_;
 };
 
 TEST_F(StageFiles, TriMeshSurvivesTheRoundTrip) {

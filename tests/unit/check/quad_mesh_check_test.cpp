@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "../samples.hpp"
+#include "rules_of.hpp"
+
+namespace quadrille {
+namespace {
+
+template <typename Damage>
+Rules broken(const Damage& damage) {
+  QuadMesh mesh = samples::quad_mesh();
+  damage(mesh);
+  return rules_of(check_quad_mesh(mesh, CheckDepth::full));
+}
+
+TEST(QuadMeshCheck, TheSampleIsValid) {
+  EXPECT_EQ(broken([](QuadMesh&) {}), Rules{});
+}
+
+TEST(QuadMeshCheck, QuaR01ArraysAgree) {
+  EXPECT_EQ(broken([](auto& m) { m.order = 2; }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.order = -1; }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_jacobian_bound.pop_back(); }), Rules{"QUA-R01"});
+}
+TEST(QuadMeshCheck, QuaR02IndicesExist) {
+  EXPECT_EQ(broken([](auto& m) { m.elem_nodes[3] = 6; }), Rules{"QUA-R02"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_block[1] = 2; }), Rules{"QUA-R02"});
+  EXPECT_EQ(broken([](auto& m) { m.boundary_edges[1].side = 4; }), Rules{"QUA-R02"});
+}
+TEST(QuadMeshCheck, QuaR03NumbersAreFinite) {
+  EXPECT_EQ(broken([](auto& m) { m.nodes[3].y = std::numeric_limits<double>::quiet_NaN(); }), Rules{"QUA-R03"});
+}
+TEST(QuadMeshCheck, QuaR04StoredBoundsArePositive) {
+  EXPECT_EQ(broken([](auto& m) { m.elem_jacobian_bound[1] = 0; }), Rules{"QUA-R04"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_scaled_jacobian[1] = 1.5; }), Rules{"QUA-R04"});
+}
+TEST(QuadMeshCheck, QuaR05MeshIsConforming) {
+  EXPECT_TRUE(broken([](auto& m) {  // the right element gets nodes of its own on the common side
+                m.nodes.push_back(m.nodes[1]);
+                m.elem_nodes[4] = 6;
+              })
+                  .contains("QUA-R05"));
+}
+TEST(QuadMeshCheck, QuaR06BoundaryWalksTheLoops) {
+  EXPECT_EQ(broken([](auto& m) { std::swap(m.boundary_edges[0], m.boundary_edges[1]); }), Rules{"QUA-R06"});
+}
+TEST(QuadMeshCheck, QuaR07EulerCount) {
+  EXPECT_EQ(broken([](auto& m) { m.nodes.push_back({0.3, 0.3}); }), Rules{"QUA-R07"});
+}
+TEST(QuadMeshCheck, QuaR08IrregularNodesAgree) {
+  EXPECT_EQ(broken([](auto& m) { m.num_irregular = 1; }), Rules{"QUA-R08"});
+}
+TEST(QuadMeshCheck, QuaR09JacobiansArePositive) {
+  EXPECT_EQ(broken([](auto& m) { m.nodes[4] = {-0.1, 0.4}; }), Rules{"QUA-R09"});
+}
+
+}  // namespace
+}  // namespace quadrille

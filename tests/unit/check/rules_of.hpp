@@ -1,0 +1,20 @@
+#pragma once
+// Which rules a stage breaks: for tests that break exactly one.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "check/check.hpp"
+
+namespace quadrille {
+
+inline std::set<std::string> rules_of(const std::vector<Violation>& violations) {
+  std::set<std::string> rules;
+  for (const Violation& violation : violations) rules.insert(violation.rule);
+  return rules;
+}
+
+using Rules = std::set<std::string>;
+
+}  // namespace quadrille

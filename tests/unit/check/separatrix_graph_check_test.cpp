@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "../samples.hpp"
+#include "rules_of.hpp"
+
+namespace quadrille {
+namespace {
+
+template <typename Damage>
+Rules broken(const Damage& damage) {
+  SeparatrixGraph graph = samples::separatrix_graph();
+  damage(graph);
+  return rules_of(check_separatrix_graph(graph, CheckDepth::full));
+}
+
+TEST(SeparatrixGraphCheck, TheSampleIsValid) {
+  EXPECT_EQ(broken([](SeparatrixGraph&) {}), Rules{});
+}
+
+TEST(SeparatrixGraphCheck, SepR01SplinesAreSound) {
+  EXPECT_EQ(broken([](auto& g) { g.splines[0].weights[0] = -1; }), Rules{"SEP-R01"});
+  EXPECT_EQ(broken([](auto& g) { g.splines[0].knots.clear(); }), Rules{"SEP-R01"});
+}
+TEST(SeparatrixGraphCheck, SepR02NodesAndCurvesExist) {
+  EXPECT_EQ(broken([](auto& g) { g.arcs[6].to = 6; }), Rules{"SEP-R02"});
+  EXPECT_EQ(broken([](auto& g) { g.arcs[6].pieces[0].curve = 5; }), Rules{"SEP-R02"});
+  EXPECT_EQ(broken([](auto& g) { g.nodes[0].curve = 4; }), Rules{"SEP-R02"});
+}
+TEST(SeparatrixGraphCheck, SepR03LinesExist) {
+  EXPECT_EQ(broken([](auto& g) { g.lines[0].arcs = {7}; }), Rules{"SEP-R03"});
+  EXPECT_EQ(broken([](auto& g) { g.t_junctions = {-1}; }), Rules{"SEP-R03"});
+}
+TEST(SeparatrixGraphCheck, SepR04PiecesAreSound) {
+  EXPECT_EQ(broken([](auto& g) { g.arcs[6].pieces.clear(); }), Rules{"SEP-R04"});
+  EXPECT_EQ(broken([](auto& g) { g.arcs[6].pieces[0].t1 = 2; }), Rules{"SEP-R04"});
+  EXPECT_EQ(broken([](auto& g) { g.arcs[6].is_boundary = true; }), Rules{"SEP-R04"});
+  EXPECT_EQ(broken([](auto& g) { g.arcs[6].length = -1; }), Rules{"SEP-R04"});
+}
+TEST(SeparatrixGraphCheck, SepR05ArcsAreChains) {
+  EXPECT_EQ(broken([](auto& g) { g.splines[0].poles[1] = {0.6, 1}; }), Rules{"SEP-R05"});
+}
+TEST(SeparatrixGraphCheck, SepR06BoundaryIsCovered) {
+  EXPECT_EQ(broken([](auto& g) {
+              g.arcs[6].is_boundary = true;  // along the lower side again, over what arc 1 covers
+              g.arcs[6].to = 1;
+              g.arcs[6].pieces[0] = {0, 0.5, 1};
+              g.lines.clear();
+            }).contains("SEP-R06"),
+            true);
+}
+TEST(SeparatrixGraphCheck, SepR07NodeKindsFit) {
+  EXPECT_EQ(broken([](auto& g) { g.nodes[4].kind = NodeKind::crossing; }), Rules{"SEP-R07"});
+  EXPECT_EQ(broken([](auto& g) { g.nodes[4].t = 0.25; }), Rules{"SEP-R07"});
+}
+TEST(SeparatrixGraphCheck, SepR08LinesAreChains) {
+  EXPECT_EQ(broken([](auto& g) { g.lines[0].end = 0; }), Rules{"SEP-R08"});
+  EXPECT_EQ(broken([](auto& g) { g.lines[0].arcs.clear(); }), Rules{"SEP-R08"});
+}
+TEST(SeparatrixGraphCheck, SepR09ValencesAreArcs) {
+  EXPECT_EQ(broken([](auto& g) { g.nodes[4].valence = 3; }), Rules{"SEP-R09"});
+}
+TEST(SeparatrixGraphCheck, SepR10Census) {
+  // Without the line's end node on the upper side, that side is one arc and the line ends in the open.
+  EXPECT_TRUE(broken([](auto& g) {
+                g.arcs.pop_back();
+                g.lines.clear();
+              }).contains("SEP-R10"));
+}
+
+}  // namespace
+}  // namespace quadrille

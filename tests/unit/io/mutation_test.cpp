@@ -1,0 +1,183 @@
+// Readers against damaged files: whatever the bytes, a reader succeeds or throws FormatError.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "../samples.hpp"
+#include "base/error.hpp"
+#include "io/checksum.hpp"
+#include "io/stage_files.hpp"
+#include "scratch.hpp"
+
+namespace quadrille {
+namespace {
+
+struct Format {
+  const char* name;
+  bool is_hdf5;
+  std::function<void(const std::string&)> write;
+  std::function<void(const InputFile&)> read;
+};
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all{
+      {"tri-mesh", true, [](const std::string& p) { write_tri_mesh(p, samples::tri_mesh()); }, read_tri_mesh},
+      {"field", true, [](const std::string& p) { write_field(p, samples::field()); }, read_field},
+      {"critical-points", false, [](const std::string& p) { write_critical_points(p, samples::critical_points()); },
+       read_critical_points},
+      {"separatrix-graph", false, [](const std::string& p) { write_separatrix_graph(p, samples::separatrix_graph()); },
+       read_separatrix_graph},
+      {"block-layout", true, [](const std::string& p) { write_block_layout(p, samples::block_layout()); },
+       read_block_layout},
+      {"quad-mesh", true, [](const std::string& p) { write_quad_mesh(p, samples::quad_mesh()); }, read_quad_mesh}};
+  return all;
+}
+
+/// The message of the FormatError that reading `bytes` raises; empty when it succeeds. Anything else fails the test.
+std::string refusal(const Format& format, const std::string& bytes) {
+  try {
+    format.read({"file", bytes, ""});
+    return {};
+  } catch (const FormatError& e) {
+    EXPECT_EQ(std::string(e.what()).substr(0, 4), "file") << e.what();
+    return e.what();
+  }
+}
+
+class Damaged : public Scratch {
+ protected:
+  std::string sample(const Format& format) const {
+    format.write(path("sample"));
+    return bytes_of("sample");
+  }
+};
+
+TEST_F(Damaged, TruncatedAnywhere) {
+  for (const Format& format : formats()) {
+    const std::string bytes = sample(format);
+    EXPECT_EQ(refusal(format, bytes), "");
+    for (int i = 0; i < 40; ++i) {
+      const std::size_t size = bytes.size() * static_cast<std::size_t>(i) / 40;
+      EXPECT_NE(refusal(format, bytes.substr(0, size)), "") << format.name << " cut to " << size;
+    }
+  }
+}
+
+TEST_F(Damaged, RandomGarbage) {
+  std::mt19937 random(1);
+  for (const Format& format : formats())
+    for (int i = 0; i < 20; ++i) {
+      std::string bytes(1 + random() % 5000, '\0');
+      for (char& c : bytes) c = static_cast<char>(random());
+      EXPECT_NE(refusal(format, bytes), "");
+      EXPECT_NE(refusal(format, "\x89HDF\r\n\x1a\n" + bytes), "");
+      EXPECT_NE(refusal(format, "{" + bytes), "");
+    }
+}
+
+TEST_F(Damaged, EveryFlippedBitOfAnHdf5FileIsSeen) {
+  std::mt19937 random(2);
+  for (const Format& format : formats()) {
+    if (!format.is_hdf5) continue;
+    const std::string bytes = sample(format);
+    for (int i = 0; i < 300; ++i) {
+      std::string damaged = bytes;
+      damaged[random() % bytes.size()] ^= static_cast<char>(1 << random() % 8);
+      EXPECT_NE(refusal(format, damaged), "") << format.name;
+    }
+  }
+}
+
+/// Without the checksum the bytes reach libhdf5, in a child process first.
+TEST_F(Damaged, UnsealedHdf5FilesNeverCrashTheReader) {
+  std::mt19937 random(3);
+  for (const Format& format : formats()) {
+    if (!format.is_hdf5) continue;
+    const std::string sealed = sample(format);
+    std::string_view image;
+    ASSERT_EQ(verify_checksum(sealed, image), Checksum::right);
+    const std::string bytes(image);
+    EXPECT_EQ(refusal(format, bytes), "") << "a foreign writer's file has no checksum";
+    for (int i = 0; i < 150; ++i) {
+      std::string damaged = bytes;
+      for (int k = 0; k < 3; ++k) damaged[random() % (i % 2 ? 2048 : bytes.size())] = static_cast<char>(random());
+      refusal(format, damaged);
+    }
+  }
+}
+
+TEST_F(Damaged, MutatedJsonIsReadOrRefused) {
+  std::mt19937 random(4);
+  const std::string alphabet = R"({}[]",:0123456789.eE+-truefalsn\ )";
+  for (const Format& format : formats()) {
+    if (format.is_hdf5) continue;
+    const std::string bytes = sample(format);
+    int num_refused = 0;
+    for (int i = 0; i < 500; ++i) {
+      std::string damaged = bytes;
+      for (unsigned k = 0; k <= random() % 3; ++k)
+        damaged[random() % bytes.size()] = i % 4 ? alphabet[random() % alphabet.size()] : static_cast<char>(random());
+      num_refused += !refusal(format, damaged).empty();
+    }
+    EXPECT_GT(num_refused, 250) << format.name;
+  }
+}
+
+TEST_F(Damaged, JsonOfBracketsOnlyDoesNotUseUpTheStack) {
+  const std::string brackets(2000000, '[');
+  for (const Format& format : formats()) {
+    EXPECT_NE(refusal(format, brackets), "");
+    EXPECT_NE(refusal(format, R"({"provenance":[{"options":)" + brackets), "");
+  }
+}
+
+TEST_F(Damaged, OtherMajorVersionsGetTwoDifferentSentences) {
+  for (const Format& format : formats()) {
+    if (format.is_hdf5) continue;
+    const std::string bytes = sample(format);
+    const auto with_version = [&](const std::string& version) {
+      std::string changed = bytes;
+      return refusal(format, changed.replace(changed.find("[1, 0]"), 6, version));
+    };
+    EXPECT_NE(with_version("[2, 0]").find("is newer than this program"), std::string::npos);
+    EXPECT_NE(with_version("[0, 9]").find("is from an older program"), std::string::npos);
+    EXPECT_EQ(with_version("[1, 7]"), "");
+    EXPECT_NE(with_version("[1]").find("'version' must be [major, minor]"), std::string::npos);
+    EXPECT_NE(with_version("\"1.0\"").find("'version' must be an array"), std::string::npos);
+  }
+}
+
+TEST_F(Damaged, AnotherFormatIsNamed) {
+  for (const Format& written : formats())
+    for (const Format& wanted : formats()) {
+      if (&written == &wanted) continue;
+      const std::string message = refusal(wanted, sample(written));
+      EXPECT_NE(message, "");
+      if (written.is_hdf5 != wanted.is_hdf5) continue;
+      EXPECT_EQ(message,
+                std::string("file: a ") + wanted.name + " file is wanted, this is a " + written.name + " file");
+    }
+}
+
+TEST_F(Damaged, MissingAndMistypedMembersAreNamed) {
+  const Format& format = formats()[2];
+  const std::string bytes = sample(format);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = bytes;
+    return refusal(format, changed.replace(changed.find(from), from.size(), to));
+  };
+  EXPECT_EQ(with("\"corners\"", "\"cornerz\""), "file: 'corners' is missing");
+  EXPECT_EQ(with("\"valence\": 3", "\"valence\": 3.5"), "file: 'critical_points[0].valence' must be an integer");
+  EXPECT_EQ(with("\"valence\": 3", "\"valence\": 3e99"), "file: 'critical_points[0].valence' must be an integer");
+  EXPECT_EQ(with("\"valence\": 3", "\"valence\": 3000000000"),
+            "file: 'critical_points[0].valence' is an integer out of range");
+  EXPECT_EQ(with("\"position\": [0.25, 0.5]", "\"position\": [0.25]"),
+            "file: 'critical_points[0].position' must be an array of 2 numbers");
+  EXPECT_EQ(with("\"id\": 1", "\"id\": 7"),
+            "file: 'critical_points[1].id' must be the entry's place in the list, from 0");
+}
+
+}  // namespace
+}  // namespace quadrille
