@@ -44,9 +44,10 @@ WrittenUnit written_unit(const CadFace& face) {
 
 Handle(TCollection_HAsciiString) text(const std::string& s) { return new TCollection_HAsciiString(s.c_str()); }
 
-void set_statics(const char* unit) {
-  // Equal units here and there: the writer leaves the numbers alone.
-  Interface_Static::SetCVal("xstep.cascade.unit", unit);
+void set_up(STEPControl_Writer& writer, const char* unit) {
+  // Equal units here and there: the writer leaves the numbers alone and only names the unit.
+  writer.Model()->SetLocalLengthUnit(1.0);
+  writer.Model()->SetWriteLengthUnit(1.0);
   Interface_Static::SetCVal("write.step.unit", unit);
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
   Interface_Static::SetIVal("write.precision.mode", 0);
@@ -102,7 +103,7 @@ std::string step_of_blocks(const BlockLayout& layout) {
   try {
     const WrittenUnit unit = written_unit(layout.face);
     STEPControl_Writer writer;
-    set_statics(unit.name);
+    set_up(writer, unit.name);
     writer.SetTolerance(1e-7 * layout.face.diameter * unit.scale);
     const OccBlocks blocks = occ_blocks(layout, unit.scale);
     if (writer.Transfer(blocks.shell, STEPControl_ShellBasedSurfaceModel) != IFSelect_RetDone)
