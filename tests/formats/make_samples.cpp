@@ -1,0 +1,63 @@
+// Writes tests/formats/<format>/{passed,failed}: a small valid file of every format, the same with another major
+// version, and one with a broken rule (the unit tests of check break every rule in memory). Run it with the folder
+// tests/formats as argument when a format changes, and look at the difference before committing it.
+
+#include <filesystem>
+#include <iostream>
+
+#include "../unit/samples.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+#include "io/stage_io.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+std::filesystem::path root;
+
+std::string target(const std::string& format, const std::string& folder, const std::string& name) {
+  std::filesystem::create_directories(root / format / folder);
+  return (root / format / folder / name).string();
+}
+
+template <typename Stage, typename Damage>
+void write_samples(const char* format, const std::string& extension, void (*write)(const std::string&, const Stage&),
+                   const Stage& stage, const std::string& rule, const Damage& damage) {
+  std::string folder = format;
+  for (char& c : folder) c = c == '-' ? '_' : c;
+  write(target(folder, "passed", "square" + extension), stage);
+  Stage broken = stage;
+  damage(broken);
+  write(target(folder, "failed", rule + extension), broken);
+  const bool is_json = extension.ends_with(".json");
+  for (const int major : {0, 2}) {
+    const std::string name = std::string("version-") + (major == 0 ? "older" : "newer") + extension;
+    const auto write_empty = is_json ? write_json_stage : write_hdf5_stage;
+    write_empty(target(folder, "failed", name), {format, major, 0}, stage.provenance, [](Archive&) {});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: make_format_samples tests/formats\n";
+    return 2;
+  }
+  root = argv[1];
+  write_samples("tri-mesh", ".tri.h5", write_tri_mesh, samples::tri_mesh(), "TRI-R12",
+                [](TriMesh& m) { m.curved_nodes[4].y += 1e-6; });
+  write_samples("field", ".field.h5", write_field, samples::field(), "FLD-R02", [](Field& f) { f.elem_order[1] = 2; });
+  write_samples("critical-points", ".crit.json", write_critical_points, samples::critical_points(), "CRT-R05",
+                [](CriticalPoints& c) { c.corners[2].valence = 2; });
+  write_samples("separatrix-graph", ".sep.json", write_separatrix_graph, samples::separatrix_graph(), "SEP-R05",
+                [](SeparatrixGraph& g) {
+                  g.splines[0].poles[1] = {0.6, 1};
+                });
+  write_samples("block-layout", ".blocks.h5", write_block_layout, samples::block_layout(), "BLK-R11",
+                [](BlockLayout& b) { b.arc_chord[0] = 3; });
+  write_samples("quad-mesh", ".quad.h5", write_quad_mesh, samples::quad_mesh(), "QUA-R09", [](QuadMesh& m) {
+    m.nodes[4] = {-0.1, 0.4};
+  });
+}

@@ -1,0 +1,233 @@
+# The contract of every command, looped over all tools.
+load common
+
+TOOLS="cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck"
+
+setup_file() {
+  stage_chain half_disc "$BATS_FILE_TMPDIR"
+  ln -sf "$DATA/half_disc.step" "$BATS_FILE_TMPDIR/half_disc.step"
+}
+
+setup() {
+  common_setup
+  stem=$BATS_FILE_TMPDIR/half_disc
+}
+
+# inputs_of TOOL: its input files in the half disc's chain.
+inputs_of() {
+  case $1 in
+    cad2tri) echo "$stem.step" ;;
+    fieldsolve) echo "$stem.tri.h5" ;;
+    padapt) echo "$stem.solve.h5" ;;
+    critpoints) echo "$stem.field.h5" ;;
+    separatrix) echo "$stem.field.h5 $stem.crit.json" ;;
+    blocksplit) echo "$stem.sep.json" ;;
+    quadrefine) echo "$stem.blocks.h5" ;;
+    quadexport | stageview | stagecheck) echo "$stem.quad.h5" ;;
+  esac
+}
+
+# The tools that write a file with -o.
+writers() {
+  echo "${TOOLS% stagecheck}"
+}
+
+@test "--help goes to stdout, ends with 0 and names exit codes and examples" {
+  for tool in $TOOLS; do
+    run --separate-stderr "$tool" --help
+    assert_success
+    assert_equal "$stderr" ""
+    assert_line "EXIT CODES"
+    assert_line "EXAMPLES"
+    assert_line --partial "-o, --output FILE" || [ "$tool" = stagecheck ]
+    run --separate-stderr "$tool" -h
+    assert_success
+  done
+}
+
+@test "--help states unit, default and interval of every number" {
+  for tool in $TOOLS; do
+    "$tool" --help | tr -s '\n ' ' ' > help
+    numbers=$(grep -oE -- ' --[a-z-]+ (X|N) ' help | wc -l)
+    assert_equal "$(grep -oE '\(unit: [^;]+; default: [^;]+; interval: [^)]+\)' help | wc -l)" "$numbers"
+  done
+}
+
+@test "--version prints one line" {
+  for tool in $TOOLS; do
+    run --separate-stderr "$tool" --version
+    assert_success
+    assert_output --regexp "^$tool \(Quadrille\) [0-9]+\.[0-9]+\.[0-9]+$"
+  done
+}
+
+@test "a mistake on the command line is one line, 'try', and 2" {
+  for tool in $TOOLS; do
+    for mistake in --no-such-option "--threads 0" "--threads many" --threads "--progress sometimes"; do
+      run --separate-stderr "$tool" $mistake
+      assert_equal "$status" 2
+      assert_equal "$output" ""
+      assert_equal "${#stderr_lines[@]}" 2
+      assert_regex "${stderr_lines[0]}" "^$tool: "
+      assert_equal "${stderr_lines[1]}" "try '$tool --help'"
+    done
+  done
+}
+
+@test "an input that is missing, empty, a folder, garbage or of another format ends with 3, one message and no file" {
+  : > empty
+  head -c 3000 /dev/urandom > garbage
+  echo '{"format": "sonnet", "version": [1, 0]}' > sonnet.json
+  mkdir folder
+  for tool in $(writers); do
+    for input in no/such/file empty folder garbage sonnet.json; do
+      run --separate-stderr "$tool" "$input" -o out
+      assert_equal "$tool $input $status" "$tool $input 3"
+      assert_equal "$output" ""
+      assert_regex "$stderr" "^$tool: "
+      assert_equal "${#stderr_lines[@]}" 1
+      assert_nothing_left empty folder garbage sonnet.json
+    done
+  done
+}
+
+@test "a truncated input ends with 3 and no file" {
+  for tool in $(writers); do
+    set -- $(inputs_of "$tool")
+    head -c $(($(stat -Lc %s "$1") / 2)) "$1" > half
+    run --separate-stderr "$tool" half ${2-} -o out
+    assert_equal "$tool $status" "$tool 3"
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_nothing_left half
+  done
+}
+
+@test "silent on success; the file is the only thing left, and the same as through pipes" {
+  for tool in $(writers); do
+    set -- $(inputs_of "$tool")
+    run --separate-stderr "$tool" "$@" -o out.svg
+    assert_success
+    assert_equal "$tool: $output$stderr" "$tool: "
+    assert_nothing_left out.svg
+    [ "$tool" = quadexport ] && set -- --format msh "$@"
+    "$tool" "$@" > piped
+    [ "$tool" = quadexport ] || cmp out.svg piped
+    rm -f out.svg piped
+  done
+}
+
+@test "reads standard input by default and for -" {
+  for tool in fieldsolve padapt critpoints blocksplit quadrefine stageview; do
+    input=$(inputs_of "$tool")
+    "$tool" "$input" -o named
+    "$tool" < "$input" > piped
+    cat "$input" | "$tool" - -o dashed
+    cmp named piped
+    cmp named dashed
+  done
+}
+
+@test "unwritable output ends with 4 and leaves nothing" {
+  for tool in $(writers); do
+    for output in no/such/folder/out . /dev/full; do
+      run --separate-stderr "$tool" $(inputs_of "$tool") -o "$output"
+      assert_equal "$tool $output $status" "$tool $output 4"
+      assert_regex "$stderr" "^$tool: $output: "
+      assert_nothing_left
+    done
+    run --separate-stderr bash -c "$tool $(inputs_of "$tool") > /dev/full"
+    assert_equal "$status" 4
+  done
+}
+
+@test "a full disk (here: a file size limit) ends with 4 and leaves nothing" {
+  for tool in $(writers); do
+    run --separate-stderr bash -c "ulimit -f 1; $tool $(inputs_of "$tool") -o out"
+    assert_equal "$tool $status" "$tool 4"
+    assert_nothing_left
+  done
+}
+
+@test "--report is written, with tool, exit code and timings, after success and after failure" {
+  for tool in $TOOLS; do
+    "$tool" $(inputs_of "$tool") --report ok.json > /dev/null
+    run jq -r '[.tool, .exit_code, (.timings.total.cpu_seconds > 0), (.warnings | type)] | join(" ")' ok.json
+    assert_output "$tool 0 true array"
+    "$tool" no/such/file --report bad.json > /dev/null 2>&1 || true
+    run jq -r '[.tool, .exit_code, (.error | length > 0)] | join(" ")' bad.json
+    assert_output "$tool 3 true"
+  done
+}
+
+@test "an existing file is replaced whole, its mode kept, a symbolic link stays one" {
+  echo old > real
+  chmod 640 real
+  ln -s real link
+  critpoints "$stem.field.h5" -o link
+  [ -L link ]
+  assert_equal "$(stat -c %a real)" 640
+  cmp real "$stem.crit.json"
+}
+
+@test "a failure leaves an existing output alone" {
+  echo old > out
+  run critpoints "$DATA/half_disc.step" -o out
+  assert_equal "$status" 3
+  assert_equal "$(cat out)" old
+}
+
+@test "writes to a FIFO and to /dev/stdout directly" {
+  mkfifo pipe
+  cat pipe > got &
+  critpoints "$stem.field.h5" -o pipe
+  wait
+  cmp got "$stem.crit.json"
+  [ -p pipe ]
+  critpoints "$stem.field.h5" -o /dev/stdout | cmp - "$stem.crit.json"
+}
+
+@test "a reader that goes away ends the tool by SIGPIPE" {
+  run bash -c "stageview '$stem.quad.h5' | true; exit \${PIPESTATUS[0]}"
+  assert_equal "$status" 141
+}
+
+@test "a signal removes the temporary and ends the tool with 128 + n" {
+  mkfifo never
+  for signal in INT TERM HUP; do
+    # A FIFO without a reader blocks the tool in open(), with no temporary yet: the message and code are what counts.
+    bash -c "exec critpoints '$stem.field.h5' -o never" &
+    sleep 0.2
+    kill -$signal $!
+    code=0
+    wait $! || code=$?
+    assert_equal "$signal $code" "$signal $((128 + $(kill -l $signal)))"
+    assert_nothing_left never
+  done
+}
+
+@test "binary is not written to a terminal" {
+  command -v script || skip "no script(1)"
+  run script -qec "fieldsolve '$stem.tri.h5'" /dev/null
+  assert_equal "$status" 4
+  assert_output --partial "fieldsolve: standard output is a terminal"
+}
+
+@test "the options that cannot change a result leave no trace in it" {
+  for tool in fieldsolve padapt critpoints blocksplit quadrefine; do
+    "$tool" $(inputs_of "$tool") -o plain
+    "$tool" -v --threads 2 --progress never --report report.json $(inputs_of "$tool") -o other 2> /dev/null
+    cmp plain other
+  done
+}
+
+@test "the examples of --help run" {
+  cp "$BATS_FILE_TMPDIR"/half_disc.* .
+  for tool in $TOOLS; do
+    "$tool" --help | sed -n '/^EXAMPLES$/,$p' | sed 1d > examples
+    [ -s examples ]
+    while read -r example; do
+      run bash -c "$example"
+      assert_success
+    done < examples
+  done
+}
