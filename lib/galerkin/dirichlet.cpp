@@ -1,8 +1,7 @@
 #include "galerkin/dirichlet.hpp"
 
-#include <memory>
+#include <utility>
 
-#include "curve/arc_length.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -38,34 +37,45 @@ const EdgeProjection& edge_projection(int order) {
 
 Eigen::RowVector2d row(Vec2 a) { return {a.x, a.y}; }
 
-// Coefficients of the boundary edge's modes, walked as the element walks it, from its end values and the data between.
-Eigen::MatrixX2d project_edge(const BoundaryEdge& b, const ArcLength& arc_length, int order, const BoundaryData& data,
-                              const Eigen::RowVector2d& first, const Eigen::RowVector2d& last) {
-  const double begin = arc_length.at(b.t0), length = arc_length.at(b.t1) - begin;
+}  // namespace
+
+DirichletData::DirichletData(const TriMesh& mesh, BoundaryData data)
+    : mesh_(&mesh), data_(std::move(data)), arc_lengths_(mesh.face.num_curves()), edges_(mesh.boundary_edges.size()) {
+  for (std::size_t b = 0; b < edges_.size(); ++b) {
+    const BoundaryEdge& boundary_edge = mesh.boundary_edges[b];
+    edges_[b].first = row(data_(boundary_edge.curve, boundary_edge.t0));
+    edges_[b].last = row(data_(boundary_edge.curve, boundary_edge.t1));
+  }
+}
+
+void DirichletData::project(const BoundaryEdge& boundary_edge, int order, Edge& edge) {
+  const int curve = boundary_edge.curve;
+  if (!arc_lengths_[curve]) arc_lengths_[curve] = std::make_unique<ArcLength>(mesh_->face.curves[curve]);
+  const ArcLength& arc_length = *arc_lengths_[curve];
+  const double begin = arc_length.at(boundary_edge.t0), length = arc_length.at(boundary_edge.t1) - begin;
   const EdgeProjection& projection = edge_projection(order);
   const int n = static_cast<int>(projection.points.size());
   Eigen::MatrixX2d bubble(n, 2);
   for (int i = 0; i < n; ++i) {
     const double f = (1 + projection.points[i]) / 2;
-    bubble.row(i) = row(data(b.curve, arc_length.parameter(begin + f * length))) - (1 - f) * first - f * last;
+    const double t = arc_length.parameter(begin + f * length);
+    bubble.row(i) = row(data_(curve, t)) - (1 - f) * edge.first - f * edge.last;
   }
-  return projection.matrix * bubble;
+  edge.coefs = projection.matrix * bubble;
+  edge.order = order;
 }
 
-}  // namespace
-
-Eigen::MatrixX2d dirichlet_values(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
-                                  const BoundaryData& data) {
-  std::vector<std::unique_ptr<ArcLength>> arc_lengths(mesh.face.num_curves());
+Eigen::MatrixX2d DirichletData::values(const TriTopology& topology, const DofMap& map) {
   Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(map.num_dofs - map.num_unknowns, 2);
-  for (const BoundaryEdge& b : mesh.boundary_edges) {
-    const Eigen::RowVector2d first = row(data(b.curve, b.t0)), last = row(data(b.curve, b.t1));
-    const int vertex0 = mesh.elem2vertices[b.elem][b.edge], vertex1 = mesh.elem2vertices[b.elem][(b.edge + 1) % 3];
-    values.row(map.vertex2dof[vertex0] - map.num_unknowns) = first;
-    const int edge = topology.elem2edges[b.elem][b.edge], order = map.edge2order[edge];
+  for (std::size_t b = 0; b < edges_.size(); ++b) {
+    const BoundaryEdge& boundary_edge = mesh_->boundary_edges[b];
+    const auto& vertices = mesh_->elem2vertices[boundary_edge.elem];
+    const int vertex0 = vertices[boundary_edge.edge], vertex1 = vertices[(boundary_edge.edge + 1) % 3];
+    values.row(map.vertex2dof[vertex0] - map.num_unknowns) = edges_[b].first;
+    const int edge = topology.elem2edges[boundary_edge.elem][boundary_edge.edge], order = map.edge2order[edge];
     if (order < 2) continue;
-    if (!arc_lengths[b.curve]) arc_lengths[b.curve] = std::make_unique<ArcLength>(mesh.face.curves[b.curve]);
-    Eigen::MatrixX2d coefs = project_edge(b, *arc_lengths[b.curve], order, data, first, last);
+    if (edges_[b].order != table_order(order)) project(boundary_edge, table_order(order), edges_[b]);
+    Eigen::MatrixX2d coefs = edges_[b].coefs.topRows(order - 1);
     if (vertex0 > vertex1) {  // the edge's own direction is the other one: odd degrees change sign
       for (int d = 3; d <= order; d += 2) coefs.row(d - 2) *= -1;
     }

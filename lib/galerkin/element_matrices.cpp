@@ -27,17 +27,17 @@ GradientTable make_gradient_table(int order, int num_points) {
   const Quadrature along = gauss_legendre(num_points), up = gauss_jacobi(num_points, 1, 0);
   const int n = num_tri_modes(order), total = num_points * num_points;
   GradientTable table;
-  Eigen::MatrixXd values(n, total), d1(n, total), d2(n, total);
+  Eigen::VectorXd values(n);
+  table.d1.resize(n, total);
+  table.d2.resize(n, total);
   for (int i = 0, column = 0; i < num_points; ++i) {
     for (int j = 0; j < num_points; ++j, ++column) {
       const Vec2 xi{(1 + along.points[i]) * (1 - up.points[j]) / 2 - 1, up.points[j]};
       table.points.push_back(xi);
       table.weights.push_back(along.weights[i] * up.weights[j] / 2);
-      orthogonal_gradients(order, xi, values.col(column).data(), d1.col(column).data(), d2.col(column).data());
+      modified_gradients(order, xi, values.data(), table.d1.col(column).data(), table.d2.col(column).data());
     }
   }
-  table.d1 = modified_to_orthogonal(order) * d1;
-  table.d2 = modified_to_orthogonal(order) * d2;
   return table;
 }
 
@@ -56,7 +56,7 @@ struct ReferenceMatrices {
 };
 
 ReferenceMatrices make_reference_matrices(int order) {
-  const GradientTable& table = gradient_table(order, order + 1);
+  const GradientTable table = make_gradient_table(order, order + 1);
   const Eigen::VectorXd weights =
       Eigen::Map<const Eigen::VectorXd>(table.weights.data(), static_cast<Eigen::Index>(table.weights.size()));
   const Eigen::MatrixXd weighted1 = table.d1 * weights.asDiagonal(), weighted2 = table.d2 * weights.asDiagonal();
@@ -65,7 +65,12 @@ ReferenceMatrices make_reference_matrices(int order) {
 }
 
 const ReferenceMatrices& reference_matrices(int order) {
-  static PerOrder<ReferenceMatrices> tables(make_reference_matrices);
+  static PerOrder<ReferenceMatrices> tables([](int n) {
+    static PerOrder<ReferenceMatrices> large(make_reference_matrices);
+    const int higher = table_order(n);
+    const ReferenceMatrices& all = large[higher];
+    return ReferenceMatrices{cut_down(all.k11, higher, n), cut_down(all.k12, higher, n), cut_down(all.k22, higher, n)};
+  });
   return tables[order];
 }
 
@@ -103,6 +108,12 @@ Eigen::MatrixXd curved_stiffness(const TriMap& map, int order, int num_points) {
 
 Eigen::MatrixXd stiffness_matrix(const TriMap& map, int order, int extra_points) {
   return map.is_affine() ? affine_stiffness(map, order) : curved_stiffness(map, order, order + extra_points);
+}
+
+Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int order) {
+  if (order == higher_order) return stiffness;
+  const std::vector<int>& places = modified_subset(order, higher_order);
+  return stiffness(places, places);
 }
 
 }  // namespace quadrille

@@ -38,26 +38,38 @@ double relative_residual(const CgSystem& system, const Eigen::MatrixX2d& x) {
 
 }  // namespace
 
-LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data)
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh, std::vector<Lifting> liftings, BoundaryData data)
     : mesh_(&mesh),
       topology_(tri_topology(mesh)),
       maps_(tri_maps(mesh)),
-      data_(std::move(data)),
+      liftings_(std::move(liftings)),
+      dirichlet_(mesh, std::move(data)),
       elem_order_(mesh.num_elems(), 0),
-      elements_(mesh.num_elems()) {}
+      elements_(mesh.num_elems()),
+      curved_integrals_(mesh.num_elems()) {}
 
-LaplaceSolver::LaplaceSolver(const TriMesh& mesh) : LaplaceSolver(mesh, nullptr) {
-  liftings_ = corner_liftings(mesh.face);
-  data_ = [&face = mesh.face, liftings = liftings_](int curve, double t) {
-    return lifted_boundary_value(face, liftings, curve, t);
-  };
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data) : LaplaceSolver(mesh, {}, std::move(data)) {}
+
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const std::vector<Lifting>& liftings)
+    : LaplaceSolver(mesh, liftings, [&face = mesh.face, liftings](int curve, double t) {
+        return lifted_boundary_value(face, liftings, curve, t);
+      }) {}
+
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh) : LaplaceSolver(mesh, corner_liftings(mesh.face)) {}
+
+Eigen::MatrixXd LaplaceSolver::stiffness(int elem, int order) {
+  if (maps_[elem].is_affine()) return stiffness_matrix(maps_[elem], order);
+  Integrals& integrals = curved_integrals_[elem];
+  const int higher = table_order(order);
+  if (integrals.order != higher) integrals = {higher, stiffness_matrix(maps_[elem], higher)};
+  return cut_down(integrals.stiffness, higher, order);
 }
 
 void LaplaceSolver::update_elements(const std::vector<int>& elem_order) {
   if (elem_order.size() != elem_order_.size()) throw Defect("the order map does not fit the mesh");
   for (std::size_t e = 0; e < elem_order.size(); ++e) {
     if (elem_order[e] == elem_order_[e]) continue;
-    elements_[e] = condense(elem_order[e], stiffness_matrix(maps_[e], elem_order[e]));
+    elements_[e] = condense(elem_order[e], stiffness(static_cast<int>(e), elem_order[e]));
     elem_order_[e] = elem_order[e];
   }
 }
@@ -69,7 +81,7 @@ int LaplaceSolver::num_unknowns(const std::vector<int>& elem_order) const {
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   update_elements(elem_order);
   const DofMap map = make_dof_map(*mesh_, topology_, elem_order);
-  const Eigen::MatrixX2d given = dirichlet_values(*mesh_, topology_, map, data_);
+  const Eigen::MatrixX2d given = dirichlet_.values(topology_, map);
   const CgSystem system = assemble_cg(map, elements_, given);
   Eigen::MatrixX2d dofs(map.num_dofs, 2);
   dofs << solve_symmetric(system.matrix, system.rhs), given;

@@ -29,15 +29,24 @@ class LaplaceSolver {
   int num_unknowns(const std::vector<int>& elem_order) const;
 
  private:
+  LaplaceSolver(const TriMesh& mesh, const std::vector<Lifting>& liftings);
+  LaplaceSolver(const TriMesh& mesh, std::vector<Lifting> liftings, BoundaryData data);
+  Eigen::MatrixXd stiffness(int elem, int order);
   void update_elements(const std::vector<int>& elem_order);
 
   const TriMesh* mesh_;
   TriTopology topology_;
   std::vector<TriMap> maps_;
   std::vector<Lifting> liftings_;
-  BoundaryData data_;
+  DirichletData dirichlet_;
   std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
   std::vector<CondensedElement> elements_;
+  /// A curved element's integrals are dear: they are made for table_order(order) and cut down.
+  struct Integrals {
+    int order = 0;
+    Eigen::MatrixXd stiffness;
+  };
+  std::vector<Integrals> curved_integrals_;
 };
 
 }  // namespace quadrille

@@ -1,7 +1,8 @@
 #include "spectral/modified_basis.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 #include "spectral/jacobi.hpp"
 #include "spectral/orthogonal_basis.hpp"
@@ -12,34 +13,71 @@ namespace quadrille {
 
 namespace {
 
-// q_0..q_n of (x, t).
-void scaled_jacobi(int n, double x, double t, double* q) {
-  q[0] = 1;
+// A function's value and its derivatives with respect to xi1 and xi2.
+struct Jet {
+  double f = 0, d1 = 0, d2 = 0;
+};
+
+Jet operator+(Jet a, Jet b) { return {a.f + b.f, a.d1 + b.d1, a.d2 + b.d2}; }
+Jet operator-(Jet a, Jet b) { return {a.f - b.f, a.d1 - b.d1, a.d2 - b.d2}; }
+Jet operator*(double s, Jet a) { return {s * a.f, s * a.d1, s * a.d2}; }
+Jet operator*(Jet a, Jet b) { return {a.f * b.f, a.d1 * b.f + a.f * b.d1, a.d2 * b.f + a.f * b.d2}; }
+
+// q_0..q_n of (x, t), which are jets or numbers.
+template <class Number>
+std::vector<Number> scaled_jacobi(int n, Number x, Number t, Number one) {
+  std::vector<Number> q(n + 1, one);
+  const Number t2 = t * t;
   for (int k = 0; k < n; ++k) {
     const JacobiStep step = jacobi_step(k, 1, 1);
-    q[k + 1] = step.a * x * q[k] - (k > 0 ? step.c * t * t * q[k - 1] : 0);
+    q[k + 1] = step.a * (x * q[k]);
+    if (k > 0) q[k + 1] = q[k + 1] - step.c * (t2 * q[k - 1]);
   }
+  return q;
 }
 
 double edge_scale(int degree) { return 2.0 / (degree - 1) * std::sqrt((2 * degree - 1) / 2.0); }
 
-void fill_edge(int order, double la, double lb, double* values) {
+template <class Number>
+void append_edge(int order, Number la, Number lb, Number one, std::vector<Number>& modes) {
   if (order < 2) return;
-  scaled_jacobi(order - 2, lb - la, la + lb, values);
-  for (int d = 2; d <= order; ++d) values[d - 2] *= la * lb * edge_scale(d);
+  const std::vector<Number> q = scaled_jacobi(order - 2, lb - la, la + lb, one);
+  const Number product = la * lb;
+  for (int d = 2; d <= order; ++d) modes.push_back(edge_scale(d) * (product * q[d - 2]));
 }
 
-void fill_interior(int order, const double* l, double* values) {
-  if (order < 3) return;
-  std::vector<double> q(order - 2);
-  scaled_jacobi(order - 3, l[1] - l[0], l[0] + l[1], q.data());
-  const double bubble = l[0] * l[1] * l[2];
-  int place = 0;
-  for (int degree = 0; degree <= order - 3; ++degree) {
-    for (int i = 0; i <= degree; ++i) {
-      values[place++] = bubble * q[i] * jacobi(degree - i, 2 * i + 3, 1, 2 * l[2] - 1);
-    }
+// P_0..P_n^(2i+3,1)(2 l - 1).
+std::vector<Jet> upward_jacobi(int n, int i, Jet l) {
+  std::vector<Jet> values(n + 1, Jet{1, 0, 0});
+  const Jet x = 2.0 * l - Jet{1, 0, 0};
+  for (int k = 0; k < n; ++k) {
+    const JacobiStep step = jacobi_step(k, 2 * i + 3, 1);
+    values[k + 1] = (step.a * x + Jet{step.b, 0, 0}) * values[k];
+    if (k > 0) values[k + 1] = values[k + 1] - step.c * values[k - 1];
   }
+  return values;
+}
+
+void append_interior(int order, const std::array<Jet, 3>& l, std::vector<Jet>& modes) {
+  if (order < 3) return;
+  const int top = order - 3;
+  const Jet one{1, 0, 0}, bubble = l[0] * l[1] * l[2];
+  const std::vector<Jet> across = scaled_jacobi(top, l[1] - l[0], l[0] + l[1], one);
+  std::vector<std::vector<Jet>> upward;
+  for (int i = 0; i <= top; ++i) upward.push_back(upward_jacobi(top - i, i, l[2]));
+  for (int degree = 0; degree <= top; ++degree) {
+    for (int i = 0; i <= degree; ++i) modes.push_back(bubble * across[i] * upward[i][degree - i]);
+  }
+}
+
+std::vector<Jet> modified_jets(int order, Vec2 xi) {
+  const std::array<Jet, 3> l{Jet{-(xi.x + xi.y) / 2, -0.5, -0.5}, Jet{(1 + xi.x) / 2, 0.5, 0},
+                             Jet{(1 + xi.y) / 2, 0, 0.5}};
+  std::vector<Jet> modes(l.begin(), l.end());
+  modes.reserve(num_tri_modes(order));
+  for (int k = 0; k < 3; ++k) append_edge(order, l[k], l[(k + 1) % 3], Jet{1, 0, 0}, modes);
+  append_interior(order, l, modes);
+  return modes;
 }
 
 // The product of both bases has degree 2 P: a collapsed Gauss rule of P + 1 points in each direction is exact.
@@ -58,20 +96,47 @@ Eigen::MatrixXd make_to_orthogonal(int order) {
   return modified * orthogonal.transpose();
 }
 
+std::vector<int> make_subset(int order, int higher_order) {
+  std::vector<int> places{0, 1, 2};
+  for (int edge = 0; edge < 3; ++edge) {
+    for (int d = 2; d <= order; ++d) places.push_back(edge_mode(higher_order, edge, d));
+  }
+  for (int i = 0; i < num_interior_modes(order); ++i) places.push_back(num_boundary_modes(higher_order) + i);
+  return places;
+}
+
 }  // namespace
 
 void modified_values(int order, Vec2 xi, double* values) {
-  const double l[3] = {-(xi.x + xi.y) / 2, (1 + xi.x) / 2, (1 + xi.y) / 2};
-  for (int k = 0; k < 3; ++k) values[k] = l[k];
-  for (int k = 0; k < 3; ++k) fill_edge(order, l[k], l[(k + 1) % 3], values + 3 + k * (order - 1));
-  fill_interior(order, l, values + num_boundary_modes(order));
+  for (const Jet& mode : modified_jets(order, xi)) *values++ = mode.f;
+}
+
+void modified_gradients(int order, Vec2 xi, double* values, double* d_xi1, double* d_xi2) {
+  for (const Jet& mode : modified_jets(order, xi)) {
+    *values++ = mode.f;
+    *d_xi1++ = mode.d1;
+    *d_xi2++ = mode.d2;
+  }
+}
+
+const std::vector<int>& modified_subset(int order, int higher_order) {
+  static PerOrder<std::vector<int>> tables([](int key) { return make_subset(key / 100, key % 100); });
+  return tables[100 * order + higher_order];
 }
 
 const Eigen::MatrixXd& modified_to_orthogonal(int order) {
-  static PerOrder<Eigen::MatrixXd> tables(make_to_orthogonal);
+  static PerOrder<Eigen::MatrixXd> tables([](int n) {
+    static PerOrder<Eigen::MatrixXd> large(make_to_orthogonal);
+    const int higher = table_order(n);
+    return Eigen::MatrixXd(large[higher](modified_subset(n, higher), Eigen::seqN(0, num_tri_modes(n))));
+  });
   return tables[order];
 }
 
-void edge_mode_values(int order, double s, double* values) { fill_edge(order, (1 - s) / 2, (1 + s) / 2, values); }
+void edge_mode_values(int order, double s, double* values) {
+  std::vector<double> modes;
+  append_edge(order, (1 - s) / 2, (1 + s) / 2, 1.0, modes);
+  std::copy(modes.begin(), modes.end(), values);
+}
 
 }  // namespace quadrille

@@ -12,6 +12,7 @@
 // Sequence for order P: 3 vertices; edge 0, d = 2..P; edge 1; edge 2; interior sorted by i + j, then i.
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "base/vec2.hpp"
 
@@ -24,6 +25,16 @@ constexpr int edge_mode(int order, int edge, int degree) { return 3 + edge * (or
 
 /// Values of all modes of order P >= 1 at xi: writes (P+1)(P+2)/2 numbers.
 void modified_values(int order, Vec2 xi, double* values);
+
+/// Values and both derivatives at xi; each array has (P+1)(P+2)/2 entries.
+void modified_gradients(int order, Vec2 xi, double* values, double* d_xi1, double* d_xi2);
+
+/// The basis is hierarchical: places of the modes of `order` among those of `higher_order`. So tables are made for a
+/// few orders only, and cut down to the others.
+const std::vector<int>& modified_subset(int order, int higher_order);
+
+/// The order for which the table behind `order` is made: 8, 12, 16, 20, ...
+constexpr int table_order(int order) { return order <= 8 ? 8 : (order + 3) / 4 * 4; }
 
 /// Row m: mode m's coefficients in the orthogonal basis of the same order. Computed once per order.
 const Eigen::MatrixXd& modified_to_orthogonal(int order);
