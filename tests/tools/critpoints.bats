@@ -1,0 +1,113 @@
+# critpoints: every zero of the field once, every corner's valence.
+load common
+
+shapes="half_disc square l_shape quarter_annulus annulus eccentric_annulus plate_hole cylinder_channel s_bend stadium
+  geometry_1"
+
+setup_file() {
+  for shape in $shapes; do
+    cad2tri "$DATA/$shape.step" | fieldsolve | padapt -o "$BATS_FILE_TMPDIR/$shape.field.h5"
+  done
+}
+
+setup() {
+  common_setup
+  field=$BATS_FILE_TMPDIR/half_disc.field.h5
+}
+
+# The differences between a crit file and the entry of truth.json, as JSON; {} when there are none. Lengths are
+# compared with 1e-9 of the extent of the truth's sample points, which is less than the diameter: the issue's bound is
+# 1e-7, the accuracy reached is 2e-10.
+compare='
+  def extent(i): (map(.[i]) | max) - (map(.[i]) | min);
+  def near(a; b; tol): ((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])) <= tol * tol;
+  $truth[0][$shape] as $t | $crit[0] as $c
+  | ([$t.field_samples | extent(0), extent(1)] | max * 1e-9) as $tol
+  | {
+      missing: [$t.critical_points[] | . as $p | select([$c.critical_points[]
+        | select(near(.position; [$p.x, $p.y]; $tol) and .valence == $p.valence and .index == $p.index)] | length != 1)],
+      extra: [range($c.critical_points | length - ($t.critical_points | length))],
+      missing_corners: [$t.corners[] | . as $p | select([$c.corners[]
+        | select(near(.position; [$p.x, $p.y]; $tol) and .valence == $p.valence)] | length != 1)],
+      extra_corners: [range($c.corners | length - ($t.corners | length))]
+    }
+  | with_entries(select(.value != []))'
+
+@test "agrees with the reference solver on every shape: places, valences, corners, nothing missing or extra" {
+  for shape in $shapes; do
+    critpoints "$BATS_FILE_TMPDIR/$shape.field.h5" -o $shape.crit.json
+    run -0 jq -nc --arg shape $shape --slurpfile truth "$DATA/truth.json" --slurpfile crit $shape.crit.json "$compare"
+    assert_equal "$shape $output" "$shape {}"
+  done
+}
+
+@test "the comparison notices a moved, a missing and an extra point and a wrong corner" {
+  critpoints "$field" -o a.crit.json
+  for change in '.critical_points[0].position[0] += 1e-7' 'del(.critical_points[0])' '.critical_points[1].valence = 5' \
+    '.critical_points += [.critical_points[0]]' '.corners[0].valence = 2' 'del(.corners[1])'; do
+    jq "$change" a.crit.json > b.crit.json
+    run -0 jq -nc --arg shape half_disc --slurpfile truth "$DATA/truth.json" --slurpfile crit b.crit.json "$compare"
+    refute_output '{}'
+  done
+}
+
+@test "the half disc has its closed form: |x| = y = 0.50508102270043128" {
+  run -0 jq -c '[.critical_points[].position[] | fabs - 0.50508102270043128 | fabs < 1e-10]' <(critpoints "$field")
+  assert_output '[true,true,true,true]'
+}
+
+@test "two mirror images come out as mirror images" {
+  for shape in half_disc geometry_1; do
+    run -0 jq '[.critical_points[].position] | (.[0][0] + .[1][0] | fabs < 1e-9) and (.[0][1] - .[1][1] | fabs < 1e-9)' \
+      <(critpoints "$BATS_FILE_TMPDIR/$shape.field.h5")
+    assert_output true
+  done
+}
+
+@test "is silent, and stagecheck finds nothing to complain about" {
+  run critpoints "$field" -o a.crit.json
+  assert_success
+  assert_output ""
+  assert_nothing_left a.crit.json
+  run stagecheck a.crit.json
+  assert_success
+}
+
+@test "gives the same bytes through pipes and twice" {
+  critpoints "$field" -o a.crit.json
+  critpoints < "$field" > b.crit.json
+  cat "$field" | critpoints - -o c.crit.json
+  cmp a.crit.json b.crit.json
+  cmp a.crit.json c.crit.json
+}
+
+@test "the report holds the certificate: every cell of every element is accounted for" {
+  critpoints "$field" --report r.json -o a.crit.json
+  run -0 jq -c '.proof | [.cells_examined == 2 * (.cells_excluded + .cells_isolated) - .elements,
+    .cells_isolated >= 2, .cells_examined > .elements]' r.json
+  assert_output '[true,true,true]'
+  run -0 jq -c '[.critical_points, .corners, .index_sum]' r.json
+  assert_output '[2,2,{"value":4,"expected":4}]'
+}
+
+@test "a broken index sum ends with 1, says by how much, and writes nothing" {
+  # Corners below the threshold do not count, but the face's Euler characteristic asks for them.
+  cad2tri "$DATA/half_disc.step" --corner-angle 90 | fieldsolve -o a.solve.h5
+  run critpoints a.solve.h5 -o a.crit.json
+  assert_failure 1
+  assert_output --partial "critpoints:"
+  assert_output --partial "2 too few"
+  assert_nothing_left a.solve.h5
+}
+
+@test "other input ends with 3, a bad command line with 2, an output that cannot be written with 4" {
+  run critpoints "$DATA/square.step" -o a.crit.json
+  assert_failure 3
+  run critpoints nowhere.field.h5 -o a.crit.json
+  assert_failure 3
+  run critpoints --size 3 "$field"
+  assert_failure 2
+  run critpoints "$field" -o nowhere/a.crit.json
+  assert_failure 4
+  assert_nothing_left
+}
