@@ -23,4 +23,42 @@ std::vector<int> arc_chords(const std::vector<std::array<int, 4>>& block2arcs, i
   return chord;
 }
 
+std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2arcs,
+                                   const std::vector<int>& arc_chord) {
+  const int num_arcs = static_cast<int>(arc_chord.size());
+  struct Link {
+    int arc;
+    bool flips;  ///< opposite sides, each walked counter-clockwise, run against each other
+  };
+  std::vector<std::vector<Link>> links(num_arcs);
+  for (const std::array<int, 4>& sides : block2arcs)
+    for (int k = 0; k < 2; ++k) {
+      const int a = arc_of(sides[k]), b = arc_of(sides[k + 2]);
+      const bool flips = is_backwards(sides[k]) == is_backwards(sides[k + 2]);
+      links[a].push_back({b, flips});
+      links[b].push_back({a, flips});
+    }
+  std::vector<Chord> chords(num_arcs == 0 ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
+  std::vector<int> place(num_arcs, -1);
+  for (int first = 0; first < num_arcs; ++first) {
+    if (place[first] >= 0) continue;
+    Chord& chord = chords[arc_chord[first]];
+    const auto add = [&](int arc, bool backwards) {
+      place[arc] = static_cast<int>(chord.arcs.size());
+      chord.arcs.push_back(arc);
+      chord.backwards.push_back(backwards);
+    };
+    add(first, false);
+    for (std::size_t k = 0; k < chord.arcs.size(); ++k)
+      for (const Link& link : links[chord.arcs[k]])
+        if (place[link.arc] < 0) add(link.arc, chord.backwards[k] != link.flips);
+  }
+  for (const std::array<int, 4>& sides : block2arcs)
+    for (int k = 0; k < 2; ++k) {
+      const int a = arc_of(sides[k]), b = arc_of(sides[k + 2]);
+      if (a != b) chords[arc_chord[a]].pairs.push_back({place[a], place[b]});
+    }
+  return chords;
+}
+
 }  // namespace quadrille

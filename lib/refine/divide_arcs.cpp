@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "refine/anchors.hpp"
 #include "refine/spacing.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
@@ -20,6 +21,8 @@ constexpr int max_intervals = 10000;
 constexpr double same_fraction = 1e-9;
 /// An interval may exceed the wanted size by this factor where breaks leave segments that do not divide well.
 constexpr double size_slack = 1.25;
+/// Breaks of opposite arcs share a cross line when they lie within this share of an interval.
+constexpr double anchor_reach = 0.5;
 /// So often may a chord's count rise by one in search of a symmetric division.
 constexpr int max_tie_rounds = 24;
 
@@ -40,6 +43,12 @@ const ErrorSamples& error_samples(int order) {
   return cache[order];
 }
 
+double longest_interval(const std::vector<double>& ends) {
+  double longest = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i) longest = std::max(longest, ends[i] - ends[i - 1]);
+  return longest;
+}
+
 double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }
 
 /// Two elements must not meet in two edges, nor one meet itself.
@@ -51,93 +60,121 @@ int least_topological_count(const BlockLayout& layout, int arc) {
   return std::any_of(layout.arcs.begin(), layout.arcs.end(), is_parallel) ? 2 : 1;
 }
 
-class Divider {
+/// The division of one chord: segments between those anchors that are needed, and what each arc makes of them.
+class ChordDivider {
  public:
-  Divider(const BlockLayout& layout, const std::vector<int>& arc_chord, const std::vector<Chain>& chains,
-          const DivideOptions& options)
-      : layout_(layout), chains_(chains), options_(options) {
-    const int num_arcs = static_cast<int>(layout.arcs.size());
-    chord_arcs_.resize(num_arcs == 0 ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
-    for (int a = 0; a < num_arcs; ++a) chord_arcs_[arc_chord[a]].push_back(a);
-    segments_.resize(num_arcs);
-    ends_.resize(num_arcs);
-    breaks_.resize(num_arcs);
-    for (int a = 0; a < num_arcs; ++a)
-      if (layout.arcs[a].is_boundary) breaks_[a] = chains[a].break_fractions();
-    for (const std::vector<int>& arcs : chord_arcs_) counts_.push_back(first_count(arcs));
+  ChordDivider(const BlockLayout& layout, const Chord& chord, const std::vector<Chain>& chains,
+               const std::vector<ArcParameter>& parameters, const DivideOptions& options)
+      : layout_(layout), chord_(chord), chains_(chains), parameters_(parameters), options_(options) {
+    count_ = first_count();
+    std::vector<Break> breaks;
+    for (int i = 0; i < num_arcs(); ++i)
+      if (layout.arcs[chord.arcs[i]].is_boundary)
+        for (const double f : chain(i).break_fractions()) breaks.push_back({chord_parameter(i, f), f, i});
+    anchors_ = find_anchors(std::move(breaks), anchor_reach / count_);
+    ends_.resize(num_arcs());
   }
 
+  /// Ends of the intervals of each arc of the chord.
   std::vector<std::vector<double>> divide() {
-    for (std::size_t chord = 0; chord < chord_arcs_.size(); ++chord)
-      for (bool improved = true; improved;) {
-        settle(static_cast<int>(chord));
-        improved = false;
-        for (const int arc : chord_arcs_[chord]) improved |= layout_.arcs[arc].is_boundary && improve(arc);
-      }
+    for (bool improved = true; improved;) {
+      settle();
+      improved = false;
+      for (int i = 0; i < num_arcs(); ++i) improved |= layout_.arcs[chord_.arcs[i]].is_boundary && improve(i);
+    }
     return std::move(ends_);
   }
 
  private:
-  int first_count(const std::vector<int>& arcs) const {
+  int num_arcs() const { return static_cast<int>(chord_.arcs.size()); }
+  const Chain& chain(int i) const { return chains_[chord_.arcs[i]]; }
+
+  /// Between the chord's parameter and arc i's own fraction.
+  double arc_fraction(int i, double u) const {
+    return parameters_[chord_.arcs[i]].fraction(chord_.backwards[i] ? 1 - u : u);
+  }
+  double chord_parameter(int i, double fraction) const {
+    const double own = parameters_[chord_.arcs[i]].parameter(fraction);
+    return chord_.backwards[i] ? 1 - own : own;
+  }
+
+  int first_count() const {
     double longest = 0;
     int least = 1;
-    for (const int arc : arcs) {
+    for (const int arc : chord_.arcs) {
       longest = std::max(longest, chains_[arc].length());
       least = std::max(least, least_topological_count(layout_, arc));
     }
     const double wanted = std::ceil(longest / options_.size - 1e-6);
-    if (wanted > max_intervals) fail(arcs.front(), "the wanted size");
+    if (wanted > max_intervals) fail("the wanted size");
     return std::max(least, static_cast<int>(wanted));
   }
 
-  /// Gives all arcs of the chord the same number of intervals, the least that suits all.
-  void settle(int chord) {
-    int& count = counts_[chord];
-    for (const int arc : chord_arcs_[chord]) count = std::max(count, segments_[arc].least_count());
-    if (count > max_intervals) fail(chord_arcs_[chord].front(), "the geometric tolerance");
-    const int first = count;
-    while (!try_count(chord, count, count - first >= max_tie_rounds)) ++count;
+  /// Takes the least count, from the last one on, that suits all arcs.
+  void settle() {
+    count_ = std::max(count_, segments_.least_count());
+    const int first = count_;
+    while (!try_count(count_ - first >= max_tie_rounds)) ++count_;
+    if (count_ > max_intervals) fail("the geometric tolerance");
   }
 
-  bool try_count(int chord, int count, bool break_ties) {
-    for (const int arc : chord_arcs_[chord]) {
-      const std::vector<int> counts = segment_counts(segments_[arc], count, break_ties);
-      if (counts.empty()) return false;
-      std::vector<double> ends = interval_ends(segments_[arc], counts);
-      double longest = 0;
-      for (std::size_t i = 1; i < ends.size(); ++i) longest = std::max(longest, ends[i] - ends[i - 1]);
-      if (longest * chains_[arc].length() > size_slack * options_.size) return false;
-      ends_[arc] = std::move(ends);
+  bool try_count(bool break_ties) {
+    counts_ = segment_counts(segments_, count_, break_ties);
+    if (counts_.empty()) return false;
+    for (int i = 0; i < num_arcs(); ++i) {
+      place_ends(i);
+      if (longest_interval(ends_[i]) * chain(i).length() > size_slack * options_.size) return false;
     }
     return true;
   }
 
-  /// Asks for breaks and counts where the arc misses the tolerance; false when it meets it everywhere.
-  bool improve(int arc) {
-    const std::vector<double>& ends = ends_[arc];
-    ArcSegments& segments = segments_[arc];
-    std::vector<double> new_ends;
+  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's parameters.
+  void place_ends(int i) {
+    Segments own = segments_;
+    std::vector<double> exact(own.ends.size(), -1);
+    for (std::size_t s = 0; s < needed_.size(); ++s)
+      for (const Break& b : anchors_[needed_[s]].breaks)
+        if (b.arc == i) own.ends[s + 1] = b.u, exact[s + 1] = b.fraction;
+    ends_[i] = interval_ends(own, counts_);
+    for (double& end : ends_[i]) end = arc_fraction(i, end);
+    for (std::size_t s = 0, at = 0; s < counts_.size(); at += counts_[s++])
+      if (exact[s] >= 0) ends_[i][at] = exact[s];
+    if (chord_.backwards[i]) std::reverse(ends_[i].begin(), ends_[i].end());
+  }
+
+  /// Asks for breaks and counts where arc i misses the tolerance; false when it meets it everywhere.
+  bool improve(int i) {
+    const std::vector<double>& ends = ends_[i];
+    std::vector<int> anchors;
+    std::vector<double> worst(counts_.size(), 0.0);  ///< by segment
     bool missed = false;
-    std::size_t interval = 0;
-    for (std::size_t s = 0; s < segments.least_counts.size(); ++s) {
-      const std::size_t first = interval;
-      double worst = 0;
-      for (; interval + 1 < ends.size() && ends[interval + 1] <= segments.ends[s + 1]; ++interval) {
-        const double error = interval_error(chains_[arc], ends[interval], ends[interval + 1], options_.order);
-        if (error <= options_.tolerance) continue;
-        missed = true;
-        if (!breaks_inside(arc, ends[interval], ends[interval + 1], new_ends)) worst = std::max(worst, error);
-      }
-      if (worst > 0) segments.least_counts[s] = raised_count(static_cast<int>(interval - first), worst);
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+      const double error = interval_error(chain(i), ends[k - 1], ends[k], options_.order, options_.tolerance);
+      if (error <= options_.tolerance) continue;
+      missed = true;
+      const std::size_t s = segment_of(static_cast<int>(chord_.backwards[i] ? ends.size() - 1 - k : k - 1));
+      if (!anchors_inside(i, ends[k - 1], ends[k], anchors)) worst[s] = std::max(worst[s], error);
     }
-    insert_ends(segments, new_ends);
+    for (std::size_t s = 0; s < worst.size(); ++s)
+      if (worst[s] > 0)
+        segments_.least_counts[s] = std::max(segments_.least_counts[s], raised_count(counts_[s], worst[s]));
+    for (const int anchor : anchors) need(anchor);
     return missed;
   }
 
-  bool breaks_inside(int arc, double low, double high, std::vector<double>& found) const {
+  /// The segment that holds an interval.
+  std::size_t segment_of(int interval) const {
+    std::size_t s = 0;
+    while (interval >= counts_[s]) interval -= counts_[s++];
+    return s;
+  }
+
+  bool anchors_inside(int i, double low, double high, std::vector<int>& found) const {
     const std::size_t before = found.size();
-    for (const double b : breaks_[arc])
-      if (b > low + same_fraction && b < high - same_fraction) found.push_back(b);
+    for (std::size_t a = 0; a < anchors_.size(); ++a)
+      for (const Break& b : anchors_[a].breaks)
+        if (b.arc == i && b.fraction > low + same_fraction && b.fraction < high - same_fraction)
+          found.push_back(static_cast<int>(a));
     return found.size() > before;
   }
 
@@ -147,33 +184,38 @@ class Divider {
     return std::max(count + 1, static_cast<int>(std::ceil(count * factor - 1e-6)));
   }
 
-  static void insert_ends(ArcSegments& segments, const std::vector<double>& new_ends) {
-    for (const double end : new_ends) {
-      const auto at = std::lower_bound(segments.ends.begin(), segments.ends.end(), end);
-      segments.least_counts.insert(segments.least_counts.begin() + (at - segments.ends.begin()), 1);
-      segments.least_counts[at - segments.ends.begin() - 1] = 1;
-      segments.ends.insert(at, end);
-    }
+  /// Cuts a segment in two at an anchor; the count that it needed because it held the break is forgotten.
+  void need(int anchor) {
+    const auto at = std::lower_bound(needed_.begin(), needed_.end(), anchor) - needed_.begin();
+    if (at < static_cast<std::ptrdiff_t>(needed_.size()) && needed_[at] == anchor) return;
+    needed_.insert(needed_.begin() + at, anchor);
+    segments_.ends.insert(segments_.ends.begin() + at + 1, anchors_[anchor].u);
+    segments_.least_counts[at] = 1;
+    segments_.least_counts.insert(segments_.least_counts.begin() + at + 1, 1);
   }
 
-  [[noreturn]] void fail(int arc, const char* wish) const {
-    const Vec2 place = chains_[arc].at(0.5).position + layout_.face.origin;
+  [[noreturn]] void fail(const char* wish) const {
+    const Vec2 place = chain(0).at(0.5).position + layout_.face.origin;
     throw ComputeError(fmt::format("{} asks for more than {} elements along the arc through ({:.6g}, {:.6g})", wish,
                                    max_intervals, place.x, place.y));
   }
 
   const BlockLayout& layout_;
+  const Chord& chord_;
   const std::vector<Chain>& chains_;
+  const std::vector<ArcParameter>& parameters_;
   const DivideOptions& options_;
-  std::vector<std::vector<int>> chord_arcs_;
-  std::vector<int> counts_;            ///< by chord
-  std::vector<ArcSegments> segments_;  ///< by arc, as the rest
-  std::vector<std::vector<double>> ends_, breaks_;
+  int count_ = 1;
+  std::vector<Anchor> anchors_;
+  std::vector<int> needed_;  ///< anchors, ascending: the inner ends of the segments
+  Segments segments_;        ///< by the chord's parameter
+  std::vector<int> counts_;  ///< of the segments
+  std::vector<std::vector<double>> ends_;
 };
 
 }  // namespace
 
-double interval_error(const Chain& chain, double low, double high, int order) {
+double interval_error(const Chain& chain, double low, double high, int order, double good_enough) {
   const ErrorSamples& samples = error_samples(order);
   std::vector<Vec2> nodes;
   for (const double xi : gll_points(order)) nodes.push_back(chain.at(between(low, high, xi)).position);
@@ -181,14 +223,28 @@ double interval_error(const Chain& chain, double low, double high, int order) {
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     Vec2 value;
     for (int k = 0; k <= order; ++k) value += samples.from_nodes(static_cast<int>(i), k) * nodes[k];
-    worst = std::max(worst, distance(value, chain.at(between(low, high, samples.points[i])).position));
+    const double fraction = between(low, high, samples.points[i]);
+    const ChainPoint exact = chain.at(fraction);
+    double error = distance(value, exact.position);
+    if (error > good_enough) {  // how far is it from the nearest point rather than from this one?
+      const double ahead = dot(value - exact.position, exact.tangent) / chain.length();
+      error = std::min(error, distance(value, chain.at(fraction + ahead).position));
+    }
+    worst = std::max(worst, error);
   }
   return worst;
 }
 
-std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<int>& arc_chord,
-                                             const std::vector<Chain>& chains, const DivideOptions& options) {
-  return Divider(layout, arc_chord, chains, options).divide();
+std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
+                                             const std::vector<Chain>& chains,
+                                             const std::vector<ArcParameter>& parameters,
+                                             const DivideOptions& options) {
+  std::vector<std::vector<double>> ends(chains.size());
+  for (const Chord& chord : chords) {
+    std::vector<std::vector<double>> divided = ChordDivider(layout, chord, chains, parameters, options).divide();
+    for (std::size_t i = 0; i < divided.size(); ++i) ends[chord.arcs[i]] = std::move(divided[i]);
+  }
+  return ends;
 }
 
 }  // namespace quadrille

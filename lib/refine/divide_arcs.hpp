@@ -4,13 +4,16 @@
 // A chord's count starts from the wanted size: its longest arc gets intervals of at most `size`. Then every boundary
 // arc is tried: the order-N polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length) must stay
 // within `tolerance` of the curve. Where it does not and the interval straddles a break of the curve (a joint inside
-// the side, a jump of curvature), an end of an interval moves onto the break; else that segment gets more intervals.
-// Arcs of one chord share the count, not the places: each arc has its own ends where it needs them.
+// the side, a jump of curvature), an end of an interval moves onto the break; else that segment of the chord gets more
+// intervals. All arcs of the chord share the segments; a break that faces another (refine/anchors) costs no element of
+// its own.
 
 #include <vector>
 
 #include "curve/chain.hpp"
+#include "mesh/chords.hpp"
 #include "model/block_layout.hpp"
+#include "refine/arc_parameter.hpp"
 
 namespace quadrille {
 
@@ -20,14 +23,16 @@ struct DivideOptions {
   double tolerance = 0;  ///< greatest distance between an interval's polynomial and its curve, > 0, same unit as size
 };
 
-/// For each arc the ends of its intervals as fractions of its length, ascending from 0 to 1; arcs of one chord
-/// (`arc_chord`, mesh/chords) get the same number. `chains`: one per arc. Throws ComputeError when a boundary arc would
-/// need more than 10000 intervals, with its place.
-std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<int>& arc_chord,
-                                             const std::vector<Chain>& chains, const DivideOptions& options);
+/// For each arc the ends of its intervals as fractions of its length, ascending from 0 to 1; arcs of one chord get the
+/// same number, equally spaced between breaks in their `parameters` (refine/align_chords). `chains`, `parameters`: one
+/// per arc. Throws ComputeError when a chord would need more than 10000 intervals, with its place.
+std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
+                                             const std::vector<Chain>& chains,
+                                             const std::vector<ArcParameter>& parameters, const DivideOptions& options);
 
-/// Greatest sampled distance between the chain on [low, high] and the order-N polynomial through its points at
-/// Gauss-Lobatto-Legendre fractions: taken at equal fractions, so never below the distance between the two curves.
-double interval_error(const Chain& chain, double low, double high, int order);
+/// Greatest sampled distance of the order-N polynomial through the chain's points at Gauss-Lobatto-Legendre fractions
+/// of [low, high] from the chain. Where points at equal fractions are within `good_enough` their distance is taken as
+/// it is; else one Newton step looks for the nearest point.
+double interval_error(const Chain& chain, double low, double high, int order, double good_enough = 0);
 
 }  // namespace quadrille

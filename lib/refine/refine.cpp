@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "mesh/chords.hpp"
+#include "refine/align_chords.hpp"
 #include "refine/divide_arcs.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "spectral/quad_map.hpp"
@@ -42,12 +43,12 @@ void require_valid_elements(const QuadMesh& mesh) {
       invalid, mesh.num_elems(), place.x, place.y, mesh.block_names[mesh.elem_block[elem]], *worst));
 }
 
-void tell(const QuadMesh& mesh, const std::vector<int>& arc_chord, Report& report) {
+void tell(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
   const auto least = [](const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); };
   report.set("quads", mesh.num_elems());
   report.set("nodes", mesh.nodes.size());
   report.set("blocks", mesh.block_names.size());
-  report.set("chords", arc_chord.empty() ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
+  report.set("chords", num_chords);
   report.set("irregular_nodes", mesh.num_irregular);
   report.set("least_jacobian_bound", least(mesh.elem_jacobian_bound));
   report.set("least_scaled_jacobian", least(mesh.elem_scaled_jacobian));
@@ -68,13 +69,17 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(table, arc.pieces);
   const std::vector<int> arc_chord = arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
 
+  const std::vector<Chord> chords = directed_chords(layout.block2arcs, arc_chord);
+
   const double diameter = layout.face.diameter;
   const double size = options.size > 0 ? options.size : diameter / 20;
-  const auto arc_ends = divide_arcs(layout, arc_chord, chains, {size, options.order, options.geometry_tol * diameter});
+  const std::vector<ArcParameter> parameters = align_chords(chords, chains);
+  const auto arc_ends =
+      divide_arcs(layout, chords, chains, parameters, {size, options.order, options.geometry_tol * diameter});
   QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order);
   measure(mesh);
   require_valid_elements(mesh);
-  tell(mesh, arc_chord, report);
+  tell(mesh, chords.size(), report);
   return mesh;
 }
 

@@ -11,9 +11,9 @@ constexpr double equal_tol = 1e-6;
 
 }  // namespace
 
-int ArcSegments::least_count() const { return std::accumulate(least_counts.begin(), least_counts.end(), 0); }
+int Segments::least_count() const { return std::accumulate(least_counts.begin(), least_counts.end(), 0); }
 
-std::vector<int> segment_counts(const ArcSegments& segments, int count, bool break_ties) {
+std::vector<int> segment_counts(const Segments& segments, int count, bool break_ties) {
   std::vector<int> counts = segments.least_counts;
   int left = count - segments.least_count();
   const auto interval = [&](std::size_t i) { return (segments.ends[i + 1] - segments.ends[i]) / counts[i]; };
@@ -33,7 +33,7 @@ std::vector<int> segment_counts(const ArcSegments& segments, int count, bool bre
   return counts;
 }
 
-std::vector<double> interval_ends(const ArcSegments& segments, const std::vector<int>& counts) {
+std::vector<double> interval_ends(const Segments& segments, const std::vector<int>& counts) {
   std::vector<double> ends{0.0};
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double low = segments.ends[i], high = segments.ends[i + 1];

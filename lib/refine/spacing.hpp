@@ -1,16 +1,16 @@
 #pragma once
-// Where the elements of one arc end: its length cut into as many intervals as its chord has elements.
+// Where the elements across a chord end: its parameter interval [0, 1] cut into as many intervals as it has elements.
 //
-// The fractions where an interval must end (joints inside a side) split the arc into segments. Each segment has a least
-// number of intervals; the others go, one by one, to the segment whose intervals are longest. Within a segment the
-// intervals are equal. All sums are symmetric: an arc and its mirror image are cut in mirrored places.
+// The parameters where an interval must end (joints inside a side) split the chord into segments. Each segment has a
+// least number of intervals; the others go, one by one, to the segment whose intervals are longest. Within a segment
+// the intervals are equal. All choices are symmetric: a chord and its mirror image are cut in mirrored places.
 
 #include <vector>
 
 namespace quadrille {
 
-struct ArcSegments {
-  std::vector<double> ends{0.0, 1.0};  ///< fractions of the arc length, ascending, 0 and 1 included
+struct Segments {
+  std::vector<double> ends{0.0, 1.0};  ///< ascending, 0 and 1 included
   std::vector<int> least_counts{1};    ///< least number of intervals of each segment
 
   int least_count() const;
@@ -18,9 +18,9 @@ struct ArcSegments {
 
 /// Counts of the segments that sum to `count` >= segments.least_count(). Empty when equal segments compete for what is
 /// left, so that no choice would be symmetric, unless `break_ties`: then earlier segments come first.
-std::vector<int> segment_counts(const ArcSegments& segments, int count, bool break_ties);
+std::vector<int> segment_counts(const Segments& segments, int count, bool break_ties);
 
 /// The count + 1 ends of the intervals, ascending from 0 to 1.
-std::vector<double> interval_ends(const ArcSegments& segments, const std::vector<int>& counts);
+std::vector<double> interval_ends(const Segments& segments, const std::vector<int>& counts);
 
 }  // namespace quadrille

@@ -1,0 +1,218 @@
+#include "refine/align_chords.hpp"
+
+#include <Eigen/Sparse>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+constexpr int coarse_samples = 8;
+constexpr int fine_samples = 32;
+constexpr int max_iterations = 12;
+
+/// An arc in the direction of its chord, as a table at equal fractions with cubic Hermite pieces between.
+struct ArcTable {
+  double length = 0;
+  std::vector<Vec2> positions, tangents;
+
+  ArcTable(const Chain& chain, bool backwards, int samples) : length(chain.length()) {
+    for (int k = 0; k <= samples; ++k) {
+      const double f = static_cast<double>(k) / samples;
+      const ChainPoint p = chain.at(backwards ? 1 - f : f);
+      positions.push_back(p.position);
+      tangents.push_back(backwards ? -p.tangent : p.tangent);
+    }
+  }
+  int samples() const { return static_cast<int>(positions.size()) - 1; }
+
+  ChainPoint at(double f) const {
+    const double x = f * samples();
+    const int k = std::clamp(static_cast<int>(x), 0, samples() - 1);
+    const double t = x - k, r = 1 - t, step = length / samples();
+    const Vec2 position = r * r * (1 + 2 * t) * positions[k] + t * t * (1 + 2 * r) * positions[k + 1] +
+                          r * t * step * (r * tangents[k] - t * tangents[k + 1]);
+    return {position, r * tangents[k] + t * tangents[k + 1], 0, 0};
+  }
+};
+
+using Fractions = std::vector<std::vector<double>>;  ///< by arc of the chord and sample
+
+Fractions equal_fractions(std::size_t num_arcs, int samples) {
+  std::vector<double> equal;
+  for (int k = 0; k <= samples; ++k) equal.push_back(static_cast<double>(k) / samples);
+  return Fractions(num_arcs, equal);
+}
+
+/// The step from arc a to arc b at one parameter.
+struct Rung {
+  double along = 0;    ///< d
+  double width = 0;    ///< w
+  double slope_a = 0;  ///< derivative of d by a's fraction, with the chord's direction frozen, and by b's
+  double slope_b = 0;
+};
+
+Rung rung(const ArcTable& a, double fa, const ArcTable& b, double fb) {
+  const ChainPoint p = a.at(fa), q = b.at(fb);
+  const Vec2 sum = p.tangent + q.tangent, step = q.position - p.position;
+  const double size = norm(sum);
+  const Vec2 direction = size > 0 ? sum / size : p.tangent;
+  return {dot(step, direction), norm(step), -a.length * dot(p.tangent, direction),
+          b.length * dot(q.tangent, direction)};
+}
+
+std::vector<Rung> ladder(const std::vector<ArcTable>& tables, const Fractions& g, int a, int b) {
+  std::vector<Rung> rungs;
+  for (std::size_t k = 0; k < g[a].size(); ++k) rungs.push_back(rung(tables[a], g[a][k], tables[b], g[b][k]));
+  return rungs;
+}
+
+/// (d - d*) / w at sample k.
+double misalignment(const std::vector<Rung>& rungs, std::size_t k) {
+  const double u = static_cast<double>(k) / static_cast<double>(rungs.size() - 1);
+  const double wanted = (1 - u) * rungs.front().along + u * rungs.back().along;
+  return (rungs[k].along - wanted) / rungs[k].width;
+}
+
+class Aligner {
+ public:
+  Aligner(const Chord& chord, const std::vector<Chain>& chains, const AlignOptions& options)
+      : chord_(chord), chains_(chains), options_(options) {}
+
+  /// Whether equal fractions skew the chord's lines.
+  bool is_misaligned() {
+    tabulate(coarse_samples);
+    const Fractions equal = equal_fractions(chord_.arcs.size(), coarse_samples);
+    return worst(equal) > options_.tolerance;
+  }
+
+  /// Gauss-Newton from equal fractions; steps are shortened to keep the least slope.
+  Fractions align() {
+    tabulate(fine_samples);
+    Fractions g = equal_fractions(chord_.arcs.size(), fine_samples);
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+      const Eigen::VectorXd step = newton_step(g);
+      const double share = admissible_share(g, step);
+      move(g, step, share);
+      if (share * step.lpNorm<Eigen::Infinity>() < 1e-4) break;
+    }
+    return worst(g) < worst(equal_fractions(chord_.arcs.size(), fine_samples)) ? g : Fractions();
+  }
+
+ private:
+  void tabulate(int samples) {
+    tables_.clear();
+    for (std::size_t i = 0; i < chord_.arcs.size(); ++i)
+      tables_.emplace_back(chains_[chord_.arcs[i]], chord_.backwards[i], samples);
+  }
+
+  double worst(const Fractions& g) const {
+    double result = 0;
+    for (const auto& [a, b] : chord_.pairs) {
+      const std::vector<Rung> rungs = ladder(tables_, g, a, b);
+      for (std::size_t k = 1; k + 1 < rungs.size(); ++k)
+        if (rungs[k].width > 0) result = std::max(result, std::abs(misalignment(rungs, k)));
+    }
+    return result;
+  }
+
+  /// Unknown number of arc i's fraction at sample k; -1 for the fixed ends.
+  int unknown(int i, int k) const {
+    return k <= 0 || k >= fine_samples ? -1 : (k - 1) * static_cast<int>(chord_.arcs.size()) + i;
+  }
+
+  /// Adds one squared residual to the normal equations.
+  struct Term {
+    int unknown;
+    double factor;
+  };
+  void add(double residual, const std::vector<Term>& terms) {
+    for (const Term& p : terms) {
+      if (p.unknown < 0) continue;
+      gradient_[p.unknown] += p.factor * residual;
+      for (const Term& q : terms)
+        if (q.unknown >= 0) entries_.emplace_back(p.unknown, q.unknown, p.factor * q.factor);
+    }
+  }
+
+  Eigen::VectorXd newton_step(const Fractions& g) {
+    const int count = (fine_samples - 1) * static_cast<int>(chord_.arcs.size());
+    entries_.clear();
+    gradient_ = Eigen::VectorXd::Zero(count);
+    std::vector<double> width(chord_.arcs.size(), 0), pairs(chord_.arcs.size(), 0);
+    for (const auto& [a, b] : chord_.pairs) {
+      const std::vector<Rung> rungs = ladder(tables_, g, a, b);
+      for (int k = 1; k < fine_samples; ++k) {
+        const Rung& r = rungs[k];
+        if (r.width <= 0) continue;
+        add(misalignment(rungs, k), {{unknown(a, k), r.slope_a / r.width}, {unknown(b, k), r.slope_b / r.width}});
+        for (const int i : {a, b}) width[i] += r.width, pairs[i] += 1;
+      }
+    }
+    for (int i = 0; i < static_cast<int>(chord_.arcs.size()); ++i)
+      add_stiffness(g[i], i, pairs[i] > 0 ? width[i] / pairs[i] : tables_[i].length);
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    return -solver.solve(gradient_);
+  }
+
+  void add_stiffness(const std::vector<double>& g, int i, double width) {
+    const double factor = options_.stiffness * width / tables_[i].length * fine_samples * fine_samples;
+    for (int k = 1; k < fine_samples; ++k)
+      add(factor * (g[k - 1] - 2 * g[k] + g[k + 1]),
+          {{unknown(i, k - 1), factor}, {unknown(i, k), -2 * factor}, {unknown(i, k + 1), factor}});
+  }
+
+  double step_at(const Eigen::VectorXd& step, int i, int k) const {
+    const int u = unknown(i, k);
+    return u < 0 ? 0 : step[u];
+  }
+
+  /// The greatest share of the step, at most 1, that leaves every slope at its least or more.
+  double admissible_share(const Fractions& g, const Eigen::VectorXd& step) const {
+    const double least = options_.least_slope / fine_samples;
+    double share = 1;
+    for (int i = 0; i < static_cast<int>(g.size()); ++i)
+      for (int k = 1; k <= fine_samples; ++k) {
+        const double rise = g[i][k] - g[i][k - 1], change = step_at(step, i, k) - step_at(step, i, k - 1);
+        if (rise + change < least) share = std::min(share, std::max(0.0, (rise - least) / -change));
+      }
+    return share;
+  }
+
+  void move(Fractions& g, const Eigen::VectorXd& step, double share) const {
+    for (int i = 0; i < static_cast<int>(g.size()); ++i)
+      for (int k = 1; k < fine_samples; ++k) g[i][k] += share * step_at(step, i, k);
+  }
+
+  const Chord& chord_;
+  const std::vector<Chain>& chains_;
+  const AlignOptions& options_;
+  std::vector<ArcTable> tables_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::VectorXd gradient_;
+};
+
+}  // namespace
+
+std::vector<ArcParameter> align_chords(const std::vector<Chord>& chords, const std::vector<Chain>& chains,
+                                       const AlignOptions& options) {
+  std::vector<ArcParameter> parameters(chains.size());
+  for (const Chord& chord : chords) {
+    Aligner aligner(chord, chains, options);
+    if (!aligner.is_misaligned()) continue;
+    const Fractions g = aligner.align();
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      std::vector<double> fractions = g[i];
+      if (chord.backwards[i]) {
+        std::reverse(fractions.begin(), fractions.end());
+        for (double& f : fractions) f = 1 - f;
+      }
+      parameters[chord.arcs[i]] = ArcParameter(std::move(fractions));
+    }
+  }
+  return parameters;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,33 @@
+#pragma once
+// Parameters of arcs such that the lines across a chord stand upright on its arcs.
+//
+// Equal arc-length fractions skew the elements of a block that bends one way and back: its sides are equally long, but
+// each runs ahead of the other for a while. For neighbouring arcs a, b of a chord let d(u) be the part along the chord
+// of the step from a to b at parameter u, w(u) its length, and d* the linear function with d's values at both ends, so
+// that blocks with straight sides stay as they are. The parameters g minimise
+//
+//   sum over pairs ( (d - d*) / w )^2  +  sum over arcs ( stiffness (w / L) g'' )^2   (integrals over u),
+//
+// L an arc's length: lines turn upright, while the spacing varies over no less than about the chord's width. Chords
+// whose lines are upright enough anyway keep equal fractions.
+
+#include <vector>
+
+#include "curve/chain.hpp"
+#include "mesh/chords.hpp"
+#include "refine/arc_parameter.hpp"
+
+namespace quadrille {
+
+struct AlignOptions {
+  double tolerance = 0.25;    ///< a chord with |d - d*| / w <= tolerance everywhere keeps equal fractions
+  double stiffness = 0.3;     ///< > 0
+  double least_slope = 0.25;  ///< g' >= least_slope everywhere
+};
+
+/// One parameter for each arc; `chains` one per arc. Linear in the number of arcs but for a sparse factorisation in
+/// each misaligned chord.
+std::vector<ArcParameter> align_chords(const std::vector<Chord>& chords, const std::vector<Chain>& chains,
+                                       const AlignOptions& options = {});
+
+}  // namespace quadrille

@@ -1,0 +1,27 @@
+#pragma once
+// Where breaks inside the sides of a chord ask for an end of an element.
+//
+// A break is a place on one arc (a joint, a jump of curvature) that no element may straddle. Breaks of different arcs
+// that face each other share one anchor: the same cross line passes through all of them.
+
+#include <vector>
+
+namespace quadrille {
+
+/// A break of one arc of a chord.
+struct Break {
+  double u = 0;         ///< the chord's parameter there
+  double fraction = 0;  ///< of the arc's own length, in its own direction
+  int arc = 0;          ///< position in the chord
+};
+
+struct Anchor {
+  double u = 0;               ///< mean of the breaks
+  std::vector<Break> breaks;  ///< at most one for each arc
+};
+
+/// Sorted by u. Breaks go together whose neighbours in u are nearer than `reach`, or than reach / 2, reach / 4, ...
+/// where that would join two breaks of one arc, which must differ in u.
+std::vector<Anchor> find_anchors(std::vector<Break> breaks, double reach);
+
+}  // namespace quadrille
