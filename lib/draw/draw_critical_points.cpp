@@ -20,7 +20,9 @@ Box box_of(const CriticalPoints& points) {
 void draw_quiet_field(Picture& picture, const Field& field) {
   const FieldEvaluator evaluator(field);
   draw_face_area(picture, field.mesh.face);
+  picture.open_group("quiet");
   draw_crosses(picture, evaluator, 26);
+  picture.close_group();
   draw_zero_contours(picture, evaluator);
   draw_boundary(picture, field.mesh.face);
 }

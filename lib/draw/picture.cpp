@@ -28,6 +28,7 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
 .elems path,.elems polygon{stroke:#5b6f82;stroke-width:.6}
 .cells path{stroke-width:.8}
 .cross{fill:none;stroke:#3b4a57;stroke-width:1}
+.quiet{opacity:.4}
 .zero-u{fill:none;stroke:#1f5f9e;stroke-width:1.6}
 .zero-v{fill:none;stroke:#b03a2e;stroke-width:1.6}
 .jump{fill:none;stroke:#b03a2e;stroke-width:1.6;stroke-dasharray:6 4}
