@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "triangulate/clearance.hpp"
@@ -19,6 +20,8 @@ constexpr int max_fit_depth_high = 6, max_fit_depth_low = 1, high_order = 7;
 constexpr int max_turn_depth = 30;
 /// Gaps below this share of the diameter are taken for touching curves.
 constexpr double least_length = 1e-9;
+/// Curves that touch would need infinitely many segments, and those a millionth apart some thousands.
+constexpr std::size_t max_segments = 10000;
 
 bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
@@ -134,11 +137,7 @@ int BoundaryMesh::split(int i) {
   const Outline& outline = fit_->outline();
   const double s = (first.s0 + first.s1) / 2, t = outline.arc_length(first.curve).parameter(s);
   const Vec2 middle = outline.at(first.curve, t);
-  if (first.length() < least_length * outline.face().diameter) {
-    const Vec2 place = middle + outline.face().origin;
-    throw ComputeError(
-        fmt::format("the boundary touches or crosses itself, or nearly, at ({:.9g}, {:.9g})", place.x, place.y));
-  }
+  if (first.length() < least_length * outline.face().diameter) refuse_contact();
   first.to = second.from = draft_->add_vertex(middle);
   first.t1 = second.t0 = t;
   first.s1 = second.s0 = s;
@@ -162,16 +161,30 @@ bool BoundaryMesh::is_too_near(int i, double ratio) const {
 }
 
 void BoundaryMesh::resolve_gaps(double ratio) {
-  constexpr int max_rounds = 60;
-  for (int round = 0; round < max_rounds; ++round) {
-    const int count = static_cast<int>(segments_.size());
+  // A segment that has room enough keeps it: splitting others takes none away.
+  std::vector<int> open(segments_.size());
+  std::iota(open.begin(), open.end(), 0);
+  while (!open.empty()) {
     // All decisions of a round before any split: symmetric in, symmetric out.
     std::vector<int> marked;
-    for (int i = 0; i < count; ++i)
+    for (const int i : open)
       if (!segments_[i].is_rim() && is_too_near(i, ratio)) marked.push_back(i);
-    if (marked.empty()) return;
-    for (const int i : marked) split(i);
+    if (segments_.size() + marked.size() > max_segments) refuse_contact();
+    open = marked;
+    for (const int i : marked) {
+      split(i);
+      open.push_back(static_cast<int>(segments_.size()) - 1);
+    }
   }
+}
+
+void BoundaryMesh::refuse_contact() const {
+  const auto shortest = std::min_element(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+    return a.is_rim() != b.is_rim() ? b.is_rim() : a.length() < b.length();
+  });
+  const Vec2 place = shortest->samples[2] + fit_->outline().face().origin;
+  throw ComputeError(
+      fmt::format("the boundary touches or crosses itself, or nearly, at ({:.9g}, {:.9g})", place.x, place.y));
 }
 
 void BoundaryMesh::grade(double growth) {

@@ -28,9 +28,12 @@ class BoundaryMesh {
   BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft);
 
   const std::vector<Segment>& segments() const { return segments_; }
+  /// Of the face: what messages add to a position.
+  Vec2 origin() const { return fit_->outline().face().origin; }
   /// Halves segment i: i keeps the first half, the new last segment is the second one. Returns the new vertex.
   int split(int i);
   /// Halves segments until none is longer than `ratio` times its distance to any segment that it does not touch.
+  /// Throws ComputeError where curves touch.
   void resolve_gaps(double ratio);
   /// Halves segments until lengths grow along and across the boundary by no more than `growth` times the distance,
   /// within a factor of 2.
@@ -42,6 +45,7 @@ class BoundaryMesh {
   void split_to_limits(int i, const EdgeLimits& limits, int depth);
   void append(Segment segment);
   bool is_too_near(int i, double ratio) const;
+  [[noreturn]] void refuse_contact() const;
 
   const EdgeFit* fit_;
   Draft* draft_;

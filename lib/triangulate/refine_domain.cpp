@@ -55,9 +55,9 @@ DomainRefiner::DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, 
 int DomainRefiner::add_point(int draft_vertex) {
   vertex2point_.resize(std::max<std::size_t>(vertex2point_.size(), draft_vertex + 1), -1);
   if (vertex2point_[draft_vertex] >= 0) return vertex2point_[draft_vertex];
-  const Vec2 x = draft_->vertices[draft_vertex];
-  const int point = delaunay_.insert(x);
+  const int point = delaunay_.insert(draft_->vertices[draft_vertex]);
   if (point < static_cast<int>(point2vertex_.size())) {
+    const Vec2 x = draft_->vertices[draft_vertex] + boundary_->origin();
     throw ComputeError(fmt::format("the boundary touches itself at ({:.9g}, {:.9g})", x.x, x.y));
   }
   point2vertex_.push_back(draft_vertex);
@@ -67,8 +67,8 @@ int DomainRefiner::add_point(int draft_vertex) {
 
 void DomainRefiner::constrain(const Segment& segment) {
   if (delaunay_.constrain(vertex2point_[segment.from], vertex2point_[segment.to])) return;
-  throw ComputeError(
-      fmt::format("the boundary crosses itself near ({:.9g}, {:.9g})", segment.centre.x, segment.centre.y));
+  const Vec2 x = segment.centre + boundary_->origin();
+  throw ComputeError(fmt::format("the boundary crosses itself near ({:.9g}, {:.9g})", x.x, x.y));
 }
 
 void DomainRefiner::split(int segment) {

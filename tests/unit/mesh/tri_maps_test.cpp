@@ -1,0 +1,29 @@
+#include "mesh/tri_maps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "spectral/tri_nodes.hpp"
+
+namespace quadrille {
+namespace {
+
+TEST(TriMaps, ElementsOutsideCurvedElemsAreAffineAndTheOthersPassThroughTheirNodes) {
+  TriMesh mesh;
+  mesh.order = 3;
+  mesh.vertices = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  mesh.elem2vertices = {{0, 1, 2}, {0, 2, 3}};
+  mesh.curved_elems = {1};
+  const auto bent = [](Vec2 xi) { return Vec2{xi.x + 0.1 * xi.y * xi.y, xi.y + 0.05 * xi.x * xi.y * xi.y}; };
+  for (const Vec2 xi : tri_nodes(3)) mesh.curved_nodes.push_back(bent(xi));
+
+  const auto maps = tri_maps(mesh);
+  ASSERT_EQ(maps.size(), 2u);
+  EXPECT_TRUE(maps[0].is_affine());
+  EXPECT_NEAR(distance(maps[0].position({0, 0}), {2, 1}), 0, 1e-15);
+  EXPECT_FALSE(maps[1].is_affine());
+  const Vec2 xi{-0.3, -0.2};
+  EXPECT_NEAR(distance(maps[1].position(xi), bent(xi)), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,100 @@
+#include "triangulate/boundary_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "faces.hpp"
+
+namespace quadrille {
+namespace {
+
+using namespace testing_faces;
+
+struct Meshed {
+  explicit Meshed(CadFace f, double size)
+      : face(std::move(f)),
+        outline(face, 1e-13),
+        fit(outline, 8),
+        limits{size, radians(40.0), 1e-12 * face.diameter},
+        boundary(fit, {}, limits, draft) {}
+  CadFace face;
+  Outline outline;
+  EdgeFit fit;
+  EdgeLimits limits;
+  Draft draft;
+  BoundaryMesh boundary;
+};
+
+void expect_closed_loops(const Meshed& m) {
+  std::vector<int> starts(m.draft.vertices.size(), 0), ends = starts;
+  for (const Segment& s : m.boundary.segments()) ++starts[s.from], ++ends[s.to];
+  EXPECT_EQ(starts, ends);
+  EXPECT_EQ(*std::max_element(starts.begin(), starts.end()), 1);
+}
+
+TEST(BoundaryMesh, ACircleIsDividedEvenlyByItsTurn) {
+  const Meshed m(make_face({circle({0, 0}, 1)}), 10);
+  ASSERT_EQ(m.boundary.segments().size(), 9u);
+  for (const Segment& s : m.boundary.segments()) EXPECT_NEAR(s.length(), 2 * pi / 9, 1e-12);
+  expect_closed_loops(m);
+}
+
+TEST(BoundaryMesh, ASideIsDividedEvenlyByTheSize) {
+  const Meshed m(square(), 0.4);
+  ASSERT_EQ(m.boundary.segments().size(), 12u);
+  for (const Segment& s : m.boundary.segments()) EXPECT_NEAR(s.length(), 1.0 / 3, 1e-15);
+  expect_closed_loops(m);
+}
+
+TEST(BoundaryMesh, SplittingHalvesByArcLengthOnTheCurve) {
+  Meshed m(make_face({circle({0, 0}, 2)}), 10);
+  const Segment whole = m.boundary.segments()[3];
+  const int middle = m.boundary.split(3);
+  const Segment& first = m.boundary.segments()[3];
+  const Segment& second = m.boundary.segments().back();
+  EXPECT_EQ(first.to, middle);
+  EXPECT_EQ(second.from, middle);
+  EXPECT_EQ(second.to, whole.to);
+  EXPECT_NEAR(first.length(), second.length(), 1e-13);
+  EXPECT_NEAR(norm(m.draft.vertices[middle]), 2, 1e-15);
+  expect_closed_loops(m);
+}
+
+TEST(BoundaryMesh, GapsBoundTheLengthsOnBothSides) {
+  Meshed m(make_face({circle({0, 0}, 1), hole({0.399, 0}, 0.6)}), 10);
+  m.boundary.resolve_gaps(2.5);
+  expect_closed_loops(m);
+  const auto& segments = m.boundary.segments();
+  double shortest = 10;
+  for (const Segment& a : segments) {
+    shortest = std::min(shortest, a.length());
+    for (const Segment& b : segments) {
+      if (a.curve == b.curve) continue;
+      EXPECT_LE(a.length(), 2.5 * segment_distance(a, b) * (1 + 1e-5));
+    }
+  }
+  EXPECT_LT(shortest, 2.5e-3);
+  EXPECT_GT(shortest, 0.5e-3);
+}
+
+TEST(BoundaryMesh, TouchingCurvesAreNamedWithTheirPlace) {
+  Meshed m(make_face({circle({0, 0}, 1), hole({0.5, 0}, 0.5)}), 10);
+  try {
+    m.boundary.resolve_gaps(2.5);
+    FAIL() << "no error";
+  } catch (const ComputeError& error) {
+    EXPECT_NE(std::string(error.what()).find("touches or crosses itself"), std::string::npos) << error.what();
+  }
+}
+
+TEST(BoundaryMesh, GradingLimitsTheGrowthAlongTheBoundary) {
+  Meshed m(make_face({polygon({{0, 0}, {1, 0}, {1, 0.01}, {0.99, 1}, {0, 1}})}), 10);
+  m.boundary.grade(0.5);
+  const auto& segments = m.boundary.segments();
+  for (const Segment& a : segments)
+    for (const Segment& b : segments)
+      EXPECT_LE(a.length(), 2.001 * (b.length() + 0.5 * distance(a.samples[2], b.centre)));
+}
+
+}  // namespace
+}  // namespace quadrille

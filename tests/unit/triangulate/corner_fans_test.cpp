@@ -1,0 +1,102 @@
+#include "triangulate/corner_fans.hpp"
+
+#include <gtest/gtest.h>
+
+#include "faces.hpp"
+
+namespace quadrille {
+namespace {
+
+using namespace testing_faces;
+
+struct Planned {
+  explicit Planned(CadFace f, const TriangulateOptions& options = {})
+      : face(std::move(f)), outline(face, 1e-13), fit(outline, 8) {
+    fans = plan_fans(fit, options, {face.diameter / 4, radians(40.0), 1e-12 * face.diameter});
+  }
+  CadFace face;
+  Outline outline;
+  EdgeFit fit;
+  std::vector<Fan> fans;
+};
+
+TEST(CornerFans, ASquareNeedsNone) { EXPECT_TRUE(Planned(square()).fans.empty()); }
+
+TEST(CornerFans, ACircleNeedsNoneAtItsSeam) { EXPECT_TRUE(Planned(annulus()).fans.empty()); }
+
+TEST(CornerFans, AnLNeedsOneAtItsReflexCorner) {
+  const Planned l(l_shape());
+  ASSERT_EQ(l.fans.size(), 1u);
+  EXPECT_EQ(l.fans[0].junction, 3);
+  EXPECT_EQ(l.fans[0].num_sectors, 5);
+  EXPECT_EQ(l.fans[0].radii.size(), 10u);
+}
+
+TEST(CornerFans, AStadiumNeedsOneAtEachTangentJunction) {
+  const Planned s(stadium());
+  ASSERT_EQ(s.fans.size(), 4u);
+  for (const Fan& fan : s.fans) {
+    EXPECT_EQ(fan.num_sectors, 3);
+    EXPECT_NEAR(fan.radius, s.fans[0].radius, 1e-12);
+  }
+}
+
+TEST(CornerFans, RadiiFallByTheFactor) {
+  TriangulateOptions options;
+  options.fan_factor = 0.25;
+  options.fan_layers = 4;
+  const Planned h(half_disc(), options);
+  ASSERT_EQ(h.fans.size(), 2u);
+  for (const Fan& fan : h.fans) {
+    ASSERT_EQ(fan.radii.size(), 5u);
+    for (std::size_t i = 1; i < fan.radii.size(); ++i) EXPECT_NEAR(fan.radii[i - 1] / fan.radii[i], 0.25, 1e-15);
+  }
+}
+
+TEST(CornerFans, SideVerticesLieOnTheirCurvesAtTheRingsDistance) {
+  const Planned h(half_disc());
+  for (const Fan& fan : h.fans) {
+    const int out = fan.junction, in = 1 - out;
+    for (std::size_t i = 0; i < fan.radii.size(); ++i) {
+      const Vec2 apex = h.outline.junctions()[fan.junction].position;
+      EXPECT_NEAR(distance(apex, h.outline.at(out, fan.t_out[i])), fan.radii[i], 1e-15);
+      EXPECT_NEAR(distance(apex, h.outline.at(in, fan.t_in[i])), fan.radii[i], 1e-15);
+    }
+  }
+}
+
+TEST(CornerFans, BuiltFanHasItsTrianglesAndEdges) {
+  Planned h(half_disc());
+  Draft draft;
+  Fan& fan = h.fans[0];
+  build_fan(h.outline, fan, draft);
+  const int rings = static_cast<int>(fan.radii.size()), sectors = fan.num_sectors;
+  EXPECT_EQ(draft.vertices.size(), static_cast<std::size_t>(1 + rings * (sectors + 1)));
+  EXPECT_EQ(draft.triangles.size(), static_cast<std::size_t>(sectors * (2 * rings - 1)));
+  EXPECT_EQ(draft.edges.size(), static_cast<std::size_t>(2 * rings));
+  EXPECT_EQ(fan.rim.size(), static_cast<std::size_t>(sectors + 1));
+  for (const auto& [a, b, c] : draft.triangles)
+    EXPECT_GT(cross(draft.vertices[b] - draft.vertices[a], draft.vertices[c] - draft.vertices[a]), 0);
+  EXPECT_EQ(*std::max_element(draft.layers.begin(), draft.layers.end()), rings - 1);
+  EXPECT_EQ(std::count(draft.layers.begin(), draft.layers.end(), 0), sectors);
+}
+
+TEST(CornerFans, ASharpCornerIsProtectedByASingleRing) {
+  const Planned thin(make_face({polygon({{0, 0}, {1, -0.1}, {1, 0.1}})}), [] {
+    TriangulateOptions options;
+    options.fan_layers = 0;
+    return options;
+  }());
+  ASSERT_FALSE(thin.fans.empty());
+  EXPECT_EQ(thin.fans[0].junction, 0);
+  EXPECT_EQ(thin.fans[0].radii.size(), 1u);
+}
+
+TEST(CornerFans, RadiiKeepAwayFromOtherParts) {
+  const Planned l(make_face({polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), hole({0.8, 0.8}, 0.1)}));
+  ASSERT_EQ(l.fans.size(), 1u);
+  EXPECT_LE(l.fans[0].radius, (std::sqrt(0.08) - 0.1) / 3 * 1.01);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,96 @@
+#pragma once
+// Faces made by hand, for the tests of this folder.
+
+#include <algorithm>
+#include <vector>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "model/cad_face.hpp"
+
+namespace quadrille::testing_faces {
+
+using Loop = std::vector<Nurbs>;
+
+inline Joint make_joint(const CadFace& face, int curve) {
+  const Nurbs& in = face.curves[face.previous_in_loop(curve)];
+  const Nurbs& out = face.curves[curve];
+  Joint joint;
+  joint.position = out.poles.front();
+  joint.tangent_in = angle_of(tangent(in, in.end(), true));
+  joint.tangent_out = angle_of(tangent(out, out.begin()));
+  const double turn = wrap_pi(joint.tangent_out - joint.tangent_in);
+  joint.interior_angle = std::abs(turn) < 1e-9 ? pi : pi - turn;
+  joint.is_corner = std::abs(turn) > radians(1.0);
+  return joint;
+}
+
+inline double diameter_of(const CadFace& face) {
+  std::vector<Vec2> points;
+  for (int c = 0; c < face.loop_offsets[1]; ++c) {
+    const Nurbs& curve = face.curves[c];
+    for (int i = 0; i <= 64; ++i)
+      points.push_back(point(curve, curve.begin() + (curve.end() - curve.begin()) * i / 64));
+  }
+  double diameter = 0;
+  for (const Vec2 a : points)
+    for (const Vec2 b : points) diameter = std::max(diameter, distance(a, b));
+  return diameter;
+}
+
+/// The outline first, counter-clockwise; holes clockwise.
+inline CadFace make_face(const std::vector<Loop>& loops) {
+  CadFace face;
+  face.loop_offsets = {0};
+  for (const Loop& loop : loops) {
+    for (const Nurbs& curve : loop) face.curves.push_back(curve);
+    face.loop_offsets.push_back(face.num_curves());
+  }
+  face.curve_names.assign(face.num_curves(), "");
+  for (int c = 0; c < face.num_curves(); ++c) {
+    face.curve_cad_edges.push_back(c);
+    face.curves[face.previous_in_loop(c)].poles.back() = face.curves[c].poles.front();
+  }
+  for (int c = 0; c < face.num_curves(); ++c) face.joints.push_back(make_joint(face, c));
+  face.diameter = diameter_of(face);
+  return face;
+}
+
+inline Loop polygon(const std::vector<Vec2>& points) {
+  Loop loop;
+  for (std::size_t i = 0; i < points.size(); ++i) loop.push_back(segment(points[i], points[(i + 1) % points.size()]));
+  return loop;
+}
+
+inline Loop circle(Vec2 centre, double radius) { return {circular_arc(centre, radius, 0, 2 * pi)}; }
+inline Loop hole(Vec2 centre, double radius) { return {circular_arc(centre, radius, 2 * pi, 0)}; }
+
+inline CadFace square() { return make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})}); }
+inline CadFace half_disc() { return make_face({{segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)}}); }
+inline CadFace annulus() { return make_face({circle({0, 0}, 1), hole({0, 0}, 0.5)}); }
+inline CadFace l_shape() { return make_face({polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})}); }
+inline CadFace stadium() {
+  return make_face({{segment({-1, -1}, {1, -1}), circular_arc({1, 0}, 1, -pi / 2, pi / 2), segment({1, 1}, {-1, 1}),
+                     circular_arc({-1, 0}, 1, pi / 2, 1.5 * pi)}});
+}
+
+/// The whole face moved by x -> scale * R(angle) x + shift; mirrored about the x axis first where asked.
+inline CadFace moved(const CadFace& face, double scale, double angle, Vec2 shift, bool mirrored = false) {
+  const Vec2 d = scale * unit(angle);
+  std::vector<Loop> loops;
+  for (int l = 0; l < face.num_loops(); ++l) {
+    Loop loop(face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]);
+    for (Nurbs& curve : loop) {
+      for (Vec2& p : curve.poles) {
+        const double y = mirrored ? -p.y : p.y;
+        p = Vec2{d.x * p.x - d.y * y, d.y * p.x + d.x * y} + shift;
+      }
+      if (mirrored) curve = reversed(curve);
+    }
+    if (mirrored) std::reverse(loop.begin(), loop.end());
+    loops.push_back(loop);
+  }
+  return make_face(loops);
+}
+
+}  // namespace quadrille::testing_faces

@@ -1,0 +1,60 @@
+#include "triangulate/outline.hpp"
+
+#include <gtest/gtest.h>
+
+#include "faces.hpp"
+
+namespace quadrille {
+namespace {
+
+using namespace testing_faces;
+
+TEST(Outline, HalfDiscHasTwoPiecesAndTwoRightAngles) {
+  const CadFace face = half_disc();
+  const Outline outline(face, 1e-13);
+  ASSERT_EQ(outline.pieces().size(), 2u);
+  EXPECT_TRUE(outline.pieces()[0].is_straight);
+  EXPECT_FALSE(outline.pieces()[1].is_straight);
+  EXPECT_NEAR(outline.pieces()[1].length(), pi, 1e-13);
+  for (const Junction& junction : outline.junctions()) EXPECT_NEAR(junction.interior_angle, half_pi, 1e-14);
+  EXPECT_EQ(outline.junctions()[1].curvature_in, 0);
+  EXPECT_NEAR(outline.junctions()[1].curvature_out, 1, 1e-13);
+  EXPECT_NEAR(outline.junctions()[0].curvature_in, 1, 1e-13);
+}
+
+TEST(Outline, PiecesAreLinkedLoopByLoop) {
+  const CadFace face = make_face({polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), hole({2, 2}, 1)});
+  const Outline outline(face, 1e-13);
+  ASSERT_EQ(outline.pieces().size(), 5u);
+  EXPECT_EQ(outline.pieces()[3].next, 0);
+  EXPECT_EQ(outline.pieces()[0].previous, 3);
+  EXPECT_EQ(outline.pieces()[4].next, 4);
+  EXPECT_EQ(outline.pieces()[4].previous, 4);
+}
+
+TEST(Outline, AKnotOfACubicSplineDividesIt) {
+  Loop loop{cubic_spline({0, 1, 2}, {{0, 0}, {1, -0.5}, {2, 0}}, {1, -2}, {1, 2}), segment({2, 0}, {1, 3}),
+            segment({1, 3}, {0, 0})};
+  const CadFace face = make_face({loop});
+  const Outline outline(face, 1e-13);
+  ASSERT_EQ(outline.pieces().size(), 4u);
+  EXPECT_EQ(outline.pieces()[0].t1, 1);
+  EXPECT_EQ(outline.junctions()[1].interior_angle, pi);
+  EXPECT_NEAR(outline.junctions()[1].curvature_in, outline.junctions()[1].curvature_out, 1e-12);
+  EXPECT_GT(std::abs(outline.junctions()[1].curvature_slope_in - outline.junctions()[1].curvature_slope_out), 1e-3);
+}
+
+TEST(Outline, AStraightCurveOfHigherDegreeIsStraight) {
+  Nurbs line{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0.1, 0}, {0.9, 0}, {1, 0}}, {1, 1, 1, 1}};
+  const CadFace face = make_face({{line, segment({1, 0}, {0.5, 1}), segment({0.5, 1}, {0, 0})}});
+  EXPECT_TRUE(Outline(face, 1e-13).pieces()[0].is_straight);
+}
+
+TEST(Outline, ACurveThatReturnsOnItsOwnLineIsNotStraight) {
+  Nurbs line{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {2, 0}, {0.9, 0}, {1, 0}}, {1, 1, 1, 1}};
+  const CadFace face = make_face({{line, segment({1, 0}, {0.5, 1}), segment({0.5, 1}, {0, 0})}});
+  EXPECT_FALSE(Outline(face, 1e-13).pieces()[0].is_straight);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,91 @@
+// cad2tri: from a CAD file with one planar face to the curved triangle mesh on which the field is solved.
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "base/angle.hpp"
+#include "cad/file_kind.hpp"
+#include "cad/load_face.hpp"
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "io/boundary_names.hpp"
+#include "io/input_file.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+#include "triangulate/triangulate.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+void report_face(const CadFace& face, Report& report) {
+  int num_corners = 0;
+  for (const Joint& joint : face.joints) num_corners += joint.is_corner;
+  report.set("face.curves", face.num_curves());
+  report.set("face.loops", face.num_loops());
+  report.set("face.corners", num_corners);
+  report.set("face.diameter", face.diameter);
+  report.set("face.length_unit", face.length_unit);
+}
+
+std::string digest_format(CadFormat format) {
+  return format == CadFormat::step ? "step" : format == CadFormat::iges ? "iges" : "brep";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string input = "-", output = "-", names;
+  double corner_angle = 1;
+  TriangulateOptions options;
+
+  Tool tool;
+  tool.name = "cad2tri";
+  tool.summary = "turns a planar CAD face into a curved triangle mesh";
+  tool.description =
+      "Reads SHAPE (STEP, IGES or BREP), which must hold exactly one planar face, with any number of holes, and writes "
+      "the triangle mesh on which fieldsolve works, with the exact boundary curves as NURBS. The mesh is coarse: its "
+      "elements follow the curves with polynomials of a high order, are small only where the boundary bends or comes "
+      "near itself, and are graded geometrically towards corners at which the field is singular. Every element is "
+      "proved valid. Lengths are the numbers of the file, in the file's own unit.";
+  tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
+                   "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
+                   "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
+  tool.options = [&](Options& o) {
+    constexpr double unlimited = std::numeric_limits<double>::max();
+    o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
+    o.output(output, "triangle mesh to write (x.tri.h5)");
+    o.integer("--order", options.order, 1, 10, "polynomial order of the curved elements");
+    o.number("--corner-angle", corner_angle, 0, 90, "degrees", "tangent jumps above this are corners of the layout");
+    o.number("--size", options.size, 0, unlimited, "file units", "greatest size of an element; 0: diameter / 4");
+    o.number("--growth", options.growth, 0.05, 2, "size per distance", "growth of the element size away from details");
+    o.integer("--fan-layers", options.fan_layers, -1, 40,
+              "layers of the fans at singular corners; -1: as many as each corner's exponent asks for");
+    o.text("--boundary-names", names, "FILE",
+           "new names of boundary curves, JSON: {\"old name or number\": \"new name\"}", false);
+    o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio", "radius of a layer by that of the next one");
+  };
+  tool.run = [&](Session& s) {
+    const InputFile file = read_input(input);
+    s.begin_phase("load");
+    CadFace face = load_face_guarded(file.bytes, file.name, {radians(corner_angle)}, s.report());
+    s.end_phase();
+    std::vector<InputDigest> inputs{file.digest(digest_format(cad_format(file.bytes, file.name)))};
+    if (!names.empty()) {
+      const InputFile names_file = read_input(names);
+      rename_boundary(face, names_file);
+      inputs.push_back(names_file.digest("boundary-names"));
+    }
+    report_face(face, s.report());
+    s.begin_phase("triangulate");
+    TriMesh mesh = triangulate(face, options, s.report());
+    s.end_phase();
+    mesh.provenance = s.provenance({}, inputs);
+    s.say(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
+                      mesh.curved_elems.size()));
+    write_tri_mesh(output, mesh);
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}
