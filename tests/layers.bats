@@ -1,28 +1,8 @@
 # Who may include whom (README, "Map of the source"), read from the #include lines.
 load tools/common
 
-# folder: what it may include besides itself. Tools are judged by their link lines.
-layers='
-base:
-model: base
-spectral: base
-curve: model base
-cad: curve model base
-check: spectral model base
-mesh: curve spectral model base
-triangulate: mesh curve spectral model base
-field: curve mesh spectral model base
-galerkin: field mesh spectral model base
-adapt: galerkin field spectral model base
-guide: field mesh curve spectral model base
-trace: guide field mesh curve spectral model base
-block: trace mesh check curve spectral model base
-refine: mesh check curve spectral model base
-draw: field model curve spectral base
-export: check model curve spectral base
-io: model base
-cli: model base
-'
+# "folder: what it may include besides itself", from the map in README.md. Tools are judged by their link lines.
+layers=$(sed -nE 's/^    ([a-z]+) +→ ([a-z]+(, [a-z]+)*)?  .*/\1: \2/p' "$ROOT/README.md" | tr -d ,)
 
 # Own includes of the files under $1: "folder-of-file included-folder file".
 own_includes() {
@@ -69,11 +49,17 @@ only_in() {
   local tool name uses folder
   for tool in "$ROOT"/tools/*.cpp; do
     name=$(basename "$tool" .cpp)
-    uses=" $(sed -nE "s/^quadrille_tool\($name ?(.*)\)/\1/p" "$ROOT/tools/CMakeLists.txt") check cli io model base "
+    uses="$(sed -nE "s/^quadrille_tool\($name(| .*)\)/\1/p" "$ROOT/tools/CMakeLists.txt") check cli io model base "
     for folder in $(sed -nE 's|^#include "([a-z]+)/.*|\1|p' "$tool" | sort -u); do
       linked "$folder" "$uses" || fail "$name.cpp includes $folder/ and is not linked with it"
     done
   done
+}
+
+@test "the link lines of lib/CMakeLists.txt are those of the map" {
+  run -0 diff <(sed -E 's/: ?/ /; s/ $//' <<<"$layers" | sort) \
+    <(sed -nE 's/^quadrille_library\(([a-z]+)( USES ([a-z ]*[a-z]))?( Eigen3::Eigen)?( PRIVATE.*)?\)$/\1 \3/p' \
+      "$ROOT/lib/CMakeLists.txt" | sed 's/ $//' | sort)
 }
 
 # linked FOLDER "LIBRARIES": FOLDER is one of them or a layer below one of them.
