@@ -87,13 +87,14 @@ TEST(ExtractBlocks, FaceThatIsNotFourSidedIsNamedWithItsPlace) {
   SeparatrixGraph graph = hand_made::unit_square();
   graph.face.origin = {100, 200};
   hand_made::add_cut(graph, 0, 2);  // two triangles
-  EXPECT_EQ(message_of(graph), "the face around (100.667, 200.333) has 3 corners where a block needs 4");
+  EXPECT_NE(message_of(graph).find("2 of 2 faces"), std::string::npos);
+  EXPECT_NE(message_of(graph).find("(100.667, 200.333)"), std::string::npos);
 }
 
 TEST(ExtractBlocks, UncutHoleIsNamed) {
   SeparatrixGraph graph = hand_made::cut_annulus(4);
   std::erase_if(graph.arcs, [](const GraphArc& arc) { return !arc.is_boundary; });
-  EXPECT_NE(message_of(graph).find("no separatrix reaches the hole"), std::string::npos);
+  EXPECT_NE(message_of(graph).find("four corners"), std::string::npos);
 }
 
 TEST(ExtractBlocks, TJunctionsAreRefusedWithTheirPlace) {

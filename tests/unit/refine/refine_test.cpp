@@ -165,6 +165,11 @@ TEST(Refine, MirroredFaceGivesAMirroredMesh) {
   }
 }
 
+TEST(Refine, BentDuctHasUprightElementsAtEveryOrder) {
+  for (const int order : {1, 2, 4, 9})
+    EXPECT_GT(least(refined(hand_made::s_bend(), {0, order, 1e-5}).elem_scaled_jacobian), 0.95) << order;
+}
+
 TEST(Refine, BoundaryEdgesWalkTheLoops) {
   const QuadMesh mesh = refined(hand_made::cut_annulus(4), {0.3, 3, 5e-7});
   const int n = mesh.order, width = n + 1;
