@@ -14,6 +14,8 @@
 namespace quadrille {
 namespace {
 
+[[maybe_unused]] constexpr rlim_t most_memory = 4ULL << 30;
+
 // What the child sends: one letter for the kind of outcome, for a FormatError the length of its rule, then the text.
 enum Outcome : char { value = 'v', error = 'e', format_error = 'f', other = 'x' };
 
@@ -57,6 +59,11 @@ std::string outcome_of(const std::function<std::string()>& work) {
   const rlimit no_core{0, 0}, cpu{static_cast<rlim_t>(cpu_seconds), static_cast<rlim_t>(cpu_seconds) + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
+#ifndef __SANITIZE_ADDRESS__
+  // A count read from garbage must not take the machine's memory; the sanitizer's shadow would count as memory, too.
+  const rlimit memory{most_memory, most_memory};
+  setrlimit(RLIMIT_DATA, &memory);
+#endif
   // The parent's handlers would remove the parent's temporaries.
   for (const int signal :
        {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})

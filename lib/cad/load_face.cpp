@@ -22,6 +22,9 @@ void silence() {
   close(null);
 }
 
+// A face of thousands of edges takes less than one.
+constexpr int most_seconds = 60;
+
 }  // namespace
 
 CadFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report) {
@@ -40,9 +43,11 @@ CadFace load_face_guarded(const std::string& bytes, const std::string& name, con
     const CadFace face = load_face(bytes, name, options, inner);
     return to_bytes(face, inner);
   };
-  return from_bytes(run_in_child(work, name + ": the file is malformed: the " + format_name(format) +
-                                           " reader crashed or did not end"),
-                    report);
+  return from_bytes(
+      run_in_child(work,
+                   name + ": the file is malformed: the " + format_name(format) + " reader crashed or did not end",
+                   most_seconds),
+      report);
 }
 
 }  // namespace quadrille

@@ -99,6 +99,9 @@ class FaceReader {
       else
         report_.warn("W-CAD-004", raw_.file + ": ignored a point inside the face");
     }
+    if (model_.num_face_edges >= 0 && model_.num_face_edges != num_edges_)
+      throw FormatError(fmt::format("{}: the file names {} edges of the face, of which {} can be built", raw_.file,
+                                    model_.num_face_edges, num_edges_));
   }
 
  private:

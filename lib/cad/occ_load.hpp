@@ -17,6 +17,7 @@ struct OccModel {
   double tolerance = 1e-7;  ///< the file's own, in its unit
   int num_faces = 0;        ///< faces that the file describes, also those that could not be built
   int num_solids = 0;
+  int num_face_edges = -1;  ///< uses of edges by the loops of the only face, as the file says; -1 where unknown
   std::vector<std::pair<TopoDS_Shape, std::string>> names;  ///< of faces and edges
 
   /// The name of `shape`, whatever its orientation and place; empty where it has none.

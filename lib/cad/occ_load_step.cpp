@@ -9,6 +9,8 @@
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <StepShape_EdgeCurve.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -112,6 +114,19 @@ LengthUnit length_unit(const StepData_StepModel& model, const std::string& name)
   return found;
 }
 
+// How many edges the loops of a face name, whether they can be built or not.
+int num_edges(const StepShape_Face& face) {
+  int edges = 0;
+  if (face.Bounds().IsNull()) return 0;
+  for (int i = 1; i <= face.NbBounds(); ++i) {
+    const Handle(StepShape_FaceBound) bound = face.BoundsValue(i);
+    const auto loop = bound.IsNull() ? nullptr : Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
+    // A loop that is missing or of another kind counts as one edge, so that its loss is noticed.
+    edges += loop.IsNull() || loop->EdgeList().IsNull() ? 1 : loop->NbEdgeList();
+  }
+  return edges;
+}
+
 void collect(const STEPControl_Reader& reader, OccModel& model) {
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   const Handle(StepData_StepModel) file = reader.StepModel();
@@ -119,6 +134,7 @@ void collect(const STEPControl_Reader& reader, OccModel& model) {
     const Handle(Standard_Transient) entity = file->Value(i);
     const bool is_face = entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface));
     model.num_faces += is_face;
+    if (is_face) model.num_face_edges = num_edges(*Handle(StepShape_Face)::DownCast(entity));
     model.num_solids += entity->IsKind(STANDARD_TYPE(StepShape_SolidModel));
     if (!is_face && !entity->IsKind(STANDARD_TYPE(StepShape_EdgeCurve))) continue;
     const std::string name = text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name());

@@ -68,6 +68,11 @@ TEST(ChildProcess, an_endless_loop_is_ended) {
   EXPECT_EQ(message_of<FormatError>(loop, 1), crash);
 }
 
+TEST(ChildProcess, running_out_of_memory_is_a_format_error) {
+  const auto endless = []() -> std::string { throw std::bad_alloc(); };
+  EXPECT_EQ(message_of<FormatError>(endless), crash);
+}
+
 TEST(ChildProcess, does_not_run_the_parents_exit_handlers) {
   static int parent = getpid();
   std::atexit([] {
