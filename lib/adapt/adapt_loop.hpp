@@ -9,8 +9,8 @@
 namespace quadrille {
 
 struct AdaptOptions {
-  double raise_above = 1e-20;  ///< epsilon_u on the squared sensor S_e
-  double lower_below = 1e-26;  ///< epsilon_l, below raise_above
+  double raise_above = 1e-18;  ///< epsilon_u on the squared sensor S_e
+  double lower_below = 1e-24;  ///< epsilon_l, below raise_above
   int min_order = 2, max_order = 16;
   int max_steps = 20;             ///< bound on rounds; reaching it is a warning
   std::string sensor = "vector";  ///< "vector", "u" or "v"

@@ -1,5 +1,7 @@
 #include "field/boundary_values.hpp"
 
+#include <cmath>
+
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
@@ -40,6 +42,24 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
     value = value - lifting.jump * angle;
   }
   return value;
+}
+
+bool is_line_field(const CadFace& face) {
+  constexpr double tol = 1e-9;
+  constexpr int samples = 9;
+  const Vec2 first = boundary_value(face, 0, face.curves[0].begin());
+  bool opposite = false;
+  for (int curve = 0; curve < face.num_curves(); ++curve) {
+    const Nurbs& nurbs = face.curves[curve];
+    for (int i = 0; i < samples; ++i) {
+      const double golden = 0.6180339887498949 * i;  // even fractions of a circle would all lie on a line
+      const double f = golden - std::floor(golden);
+      const Vec2 value = boundary_value(face, curve, nurbs.begin() + f * (nurbs.end() - nurbs.begin()));
+      if (std::abs(cross(first, value)) > tol) return false;
+      opposite = opposite || dot(first, value) < 0;
+    }
+  }
+  return opposite;
 }
 
 }  // namespace quadrille

@@ -55,7 +55,12 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const std::vector<Lifting>& li
         return lifted_boundary_value(face, liftings, curve, t);
       }) {}
 
-LaplaceSolver::LaplaceSolver(const TriMesh& mesh) : LaplaceSolver(mesh, corner_liftings(mesh.face)) {}
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh) : LaplaceSolver(mesh, corner_liftings(mesh.face)) {
+  if (!is_line_field(mesh.face)) return;
+  throw ComputeError(
+      "all sides are straight and at multiples of 45 degrees to each other, of both parities: the guiding field "
+      "vanishes on curves instead of at points, and gives no block layout");
+}
 
 Eigen::MatrixXd LaplaceSolver::stiffness(int elem, int order) {
   if (maps_[elem].is_affine()) return stiffness_matrix(maps_[elem], order);

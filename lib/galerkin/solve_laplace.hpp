@@ -14,7 +14,8 @@
 namespace quadrille {
 
 /// Solves on `mesh` with order elem_order[e] on element e, data and liftings from mesh.face. Linear in the number of
-/// elements but for the sparse factorisation. Throws ComputeError when the factorisation breaks down.
+/// elements but for the sparse factorisation. Throws ComputeError when the factorisation breaks down and
+/// for a line field (field/boundary_values.hpp).
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report);
 
 /// The same for a sequence of order maps on one mesh: elements whose order has not changed keep their matrices.

@@ -46,5 +46,21 @@ TEST(BoundaryValues, SubtractTheLiftingOfAnotherJoint) {
   EXPECT_NEAR(value.y, 2 * angle, 1e-15);
 }
 
+CadFace polygon(const std::vector<Vec2>& corners) {
+  CadFace face;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    face.curves.push_back(segment(corners[i], corners[(i + 1) % corners.size()]));
+  }
+  return face;
+}
+
+TEST(BoundaryValues, DataOnALineAreNoticed) {
+  EXPECT_TRUE(is_line_field(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}})));               // 45 degree chamfer
+  EXPECT_FALSE(is_line_field(polygon({{0, 0}, {1, 0.5}, {0.75, 1}, {0.5, 1}})));               // general angles
+  EXPECT_FALSE(is_line_field(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})));                      // one parity: constant
+  EXPECT_FALSE(is_line_field(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 2.00001}, {0, 2.00001}})));  // nearly
+  EXPECT_FALSE(is_line_field(half_disc()));
+}
+
 }  // namespace
 }  // namespace quadrille

@@ -1,0 +1,65 @@
+#include "galerkin/element_matrices.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../test_meshes.hpp"
+#include "mesh/tri_maps.hpp"
+#include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+namespace {
+
+const TriMap straight(std::array<Vec2, 3>{Vec2{0.2, 0.1}, Vec2{1.5, 0.4}, Vec2{0.4, 1.3}});
+
+TEST(ElementMatrices, LinearMatrixIsTheTextbookOne) {
+  // K_ij = e_i . e_j / (4 area), e_i the edge opposite vertex i.
+  const Eigen::MatrixXd k = stiffness_matrix(straight, 1);
+  const Vec2 e[3] = {{-1.1, 0.9}, {-0.2, -1.2}, {1.3, 0.3}};
+  const double area = cross(Vec2{1.3, 0.3}, Vec2{0.2, 1.2}) / 2;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(k(i, j), dot(e[i], e[j]) / (4 * area), 1e-14);
+  }
+}
+
+TEST(ElementMatrices, IsSymmetricSemidefiniteWithConstantsAsItsKernel) {
+  const TriMesh disc = disc_mesh(6, 8);
+  for (const TriMap& map : {straight, tri_maps(disc)[2]}) {
+    for (const int order : {1, 2, 5, 12}) {
+      const Eigen::MatrixXd k = stiffness_matrix(map, order);
+      EXPECT_LT((k - k.transpose()).norm(), 1e-12);
+      Eigen::VectorXd one = Eigen::VectorXd::Zero(k.rows());
+      one.head(3).setOnes();
+      EXPECT_LT((k * one).norm(), 1e-12);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(k);
+      EXPECT_GT(eigen.eigenvalues()[0], -1e-12);
+      EXPECT_GT(eigen.eigenvalues()[1], 1e-12);
+    }
+  }
+}
+
+TEST(ElementMatrices, CurvedIntegrationAgreesWithTheAffineShortCut) {
+  // An affine element given as one of order 4 takes the other path.
+  std::vector<Vec2> nodes;
+  for (const Vec2 xi : tri_nodes(4)) nodes.push_back(straight.position(xi));
+  const TriMap as_curved(4, nodes.data());
+  for (const int order : {3, 8, 11}) {
+    EXPECT_LT((stiffness_matrix(straight, order) - stiffness_matrix(as_curved, order)).norm(), 1e-11);
+  }
+}
+
+TEST(ElementMatrices, QuadratureOfCurvedElementsHasConverged) {
+  const TriMesh disc = disc_mesh(8, 8);
+  const TriMap map = tri_maps(disc)[0];
+  for (const int order : {4, 8, 16}) {
+    const Eigen::MatrixXd fine = stiffness_matrix(map, order, 20);
+    EXPECT_LT((stiffness_matrix(map, order) - fine).cwiseAbs().maxCoeff(), 1e-11);
+  }
+}
+
+TEST(ElementMatrices, LowerOrdersAreCutOutOfHigherOnes) {
+  EXPECT_LT((cut_down(stiffness_matrix(straight, 11), 11, 6) - stiffness_matrix(straight, 6)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace quadrille
