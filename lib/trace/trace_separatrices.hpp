@@ -9,15 +9,23 @@
 namespace quadrille {
 
 struct TraceOptions {
-  double tolerance = 1e-10;      ///< of the integrator, as a share of the diameter
-  double step = 0;               ///< synchronous step in file units; 0: diameter / 200
-  double merge_distance = 0;     ///< in file units; 0: the normal rule
-  int max_lines = 2000;          ///< more lines (arcs of separatrices) than this is an error
-  double max_length = 20;        ///< of one line, in diameters
-  void validate() const;         ///< throws UsageError
+  double tolerance = 1e-10;   ///< of the integrator: bound of a step's estimated error, as a share of the diameter
+  double step = 0;            ///< greatest step of the integrator in file units; 0: diameter / 20
+  double merge_angle = 5;     ///< degrees: head-on lines are merged where that turns neither by more
+  double merge_distance = 0;  ///< file units: and where their fronts meet within this distance; 0: by the angle only
+  int max_lines = 2000;       ///< more arcs of separatrices than this is an error
+  double max_length = 20;     ///< of one line, in diameters
+  void validate() const;      ///< throws UsageError
 };
 
-/// Launches, advances all lines together, merges, intersects, builds the graph and takes its census.
+/// Throws FormatError unless the irregular nodes of `points` are zeros of the field (within 1e-6 of the diameter), its
+/// corners those of the face and its index sum that of the domain.
+void require_nodes_of_field(const FieldEvaluator& evaluator, const CriticalPoints& points);
+
+/// Launches, advances, merges, intersects, builds the graph and takes its census. Every line is followed to its end
+/// before any merge is decided: the result does not depend on the sequence of the lines or on a step.
+/// A domain between two loops in which nothing launches gets four cuts from the inner loop to the outer one, at equal
+/// shares of the inner loop's length from the start of its first curve.
 /// Throws ComputeError when a bound is met or a face is not four-sided, with the place.
 SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                    const TraceOptions& options, Report& report);

@@ -1,0 +1,241 @@
+#include "trace/advance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/project.hpp"
+
+namespace quadrille {
+namespace {
+
+// A point counts as outside an element from here on, in barycentric coordinates: keeps a line that grazes an edge from
+// going to and fro without advancing.
+constexpr double edge_slack = 1e-12;
+constexpr double overshoot = 0.05;  // how far a step may extrapolate beyond the element
+constexpr int max_steps = 100000;
+
+// Barycentric coordinate that vanishes on local edge k, and its linear part.
+double above_edge(int k, Vec2 xi) { return k == 0 ? (1 + xi.y) / 2 : k == 1 ? -(xi.x + xi.y) / 2 : (1 + xi.x) / 2; }
+double above_edge_rate(int k, Vec2 rate) { return k == 0 ? rate.y / 2 : k == 1 ? -(rate.x + rate.y) / 2 : rate.x / 2; }
+
+// Fraction along local edge k, as in tri_edge_point.
+double along_edge(int k, Vec2 xi) {
+  const double f = k == 0 ? (1 + xi.x) / 2 : k == 1 ? (1 + xi.y) / 2 : (1 - xi.y) / 2;
+  return std::clamp(f, 0.0, 1.0);
+}
+
+// Share of the step at which it crosses edge k outwards; the step's end lies outside.
+double crossing_share(const StreamStep& step, int k) {
+  double a = 0, b = 1, fa = above_edge(k, step.xi(0)), fb = above_edge(k, step.xi(1));
+  if (fa <= 0) return 0;
+  for (int i = 0; i < 100; ++i) {
+    // False position, with a bisection every third time.
+    double m = i % 3 == 2 ? (a + b) / 2 : a + (b - a) * fa / (fa - fb);
+    if (m <= a || m >= b) m = (a + b) / 2;
+    if (m <= a || m >= b) break;
+    const double f = above_edge(k, step.xi(m));
+    (f > 0 ? a : b) = m;
+    (f > 0 ? fa : fb) = f;
+    if (b - a < 1e-15 || std::abs(f) < 1e-16) return m;
+  }
+  return b;
+}
+
+struct Exit {
+  int edge = -1;
+  double share = 2;
+};
+
+Exit first_exit(const StreamStep& step) {
+  Exit exit;
+  const Vec2 last = step.xi(1);
+  for (int k = 0; k < 3; ++k) {
+    if (above_edge(k, last) >= -edge_slack) continue;
+    const double share = crossing_share(step, k);
+    if (share < exit.share) exit = {k, share};
+  }
+  return exit;
+}
+
+class Walker {
+ public:
+  Walker(const FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
+         Streamline& line)
+      : evaluator_(evaluator), nodes_(nodes), options_(options), line_(line) {
+    const Launch& launch = line.launch;
+    state_ = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there);
+    s_ = launch.radius;
+    h_ = std::max(launch.radius, 1e-3 * options.max_step);
+    near_origin_.assign(nodes.size(), false);
+    for (size_t n = 0; n < nodes.size(); ++n) near_origin_[n] = nodes[n] == launch.origin;
+  }
+
+  void walk() {
+    for (int count = 0; count < max_steps; ++count) {
+      if (s_ > options_.max_length)
+        return finish(Streamline::End::length, evaluator_.maps()[state_.elem].position(state_.xi));
+      StreamStep step;
+      StreamState end;
+      accepted_step(step, end);
+      const Exit exit = first_exit(step);
+      if (exit.edge >= 0) {
+        if (leave_element(step, exit)) return;
+      } else {
+        push(step);
+        state_ = end;
+      }
+      if (ends_at_node()) return;
+    }
+    finish(Streamline::End::length, evaluator_.maps()[state_.elem].position(state_.xi));
+  }
+
+ private:
+  void accepted_step(StreamStep& step, StreamState& end) {
+    h_ = std::min({h_, options_.max_step, reach()});
+    for (;;) {
+      double error = 0;
+      try_step(evaluator_, state_, h_, step, end, error);
+      const double ratio = error / options_.tolerance;
+      const double factor = !std::isfinite(ratio) ? 0.25 : ratio > 0 ? 0.9 * std::pow(ratio, -0.2) : 5.0;
+      if (ratio <= 1) {
+        step.s = s_;
+        h_ *= std::clamp(factor, 0.2, 5.0);
+        return;
+      }
+      h_ *= std::clamp(factor, 0.1, 0.9);
+      if (h_ < 1e-7 * options_.tolerance || h_ < 1e-15 * s_) fail();
+    }
+  }
+
+  // Length after which the tangent has left the element by the overshoot.
+  double reach() const {
+    double length = options_.max_step;
+    for (int k = 0; k < 3; ++k) {
+      const double rate = above_edge_rate(k, state_.rate);
+      if (rate < 0) length = std::min(length, (std::max(0.0, above_edge(k, state_.xi)) + overshoot) / -rate);
+    }
+    return length;
+  }
+
+  void push(const StreamStep& step) {
+    if (step.length > 0) line_.steps.push_back(step);
+    s_ += step.length;
+  }
+
+  // Goes over to the neighbour; true when the line ends on the boundary.
+  bool leave_element(StreamStep& step, const Exit& exit) {
+    step.length = exit.share * step.h;
+    push(step);
+    const int elem = step.elem;
+    const double fraction = along_edge(exit.edge, step.xi(exit.share));
+    const TriTopology& topology = evaluator_.topology();
+    const int neighbor = topology.elem2neighbors[elem][exit.edge];
+    const double guide = stream_state(evaluator_, elem, step.xi(exit.share), state_.angle).angle;
+    if (neighbor < 0) {
+      const int edge = topology.elem2boundary_edge[elem][exit.edge];
+      const BoundaryEdge& boundary = evaluator_.field().mesh.boundary_edges[edge];
+      const Vec2 x = evaluator_.maps()[elem].position(step.xi(exit.share));
+      const Nurbs& curve = evaluator_.field().mesh.face.curves[boundary.curve];
+      const Projection foot = project(curve, x, boundary.t0, boundary.t1);
+      line_.curve = boundary.curve;
+      line_.t = foot.t;
+      state_.angle = guide;
+      finish(Streamline::End::boundary, foot.position);
+      return true;
+    }
+    const int edge = topology.elem2neighbor_edges[elem][exit.edge];
+    state_ = stream_state(evaluator_, neighbor, tri_edge_point(edge, 1 - fraction), guide);
+    return false;
+  }
+
+  bool ends_at_node() {
+    const Vec2 x = evaluator_.maps()[state_.elem].position(state_.xi);
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      const double gap = distance(x, nodes_[n]);
+      if (gap > 10 * options_.hit_distance) near_origin_[n] = false;
+      if (gap > options_.hit_distance || near_origin_[n]) continue;
+      line_.end_node = static_cast<int>(n);
+      finish(Streamline::End::node, nodes_[n]);
+      return true;
+    }
+    return false;
+  }
+
+  void finish(Streamline::End how, Vec2 where) {
+    line_.end = how;
+    line_.end_position = where;
+    line_.end_angle = state_.angle;
+  }
+
+  [[noreturn]] void fail() const {
+    const Vec2 origin = evaluator_.field().mesh.face.origin;
+    const Vec2 from = line_.launch.origin + origin;
+    const Vec2 at = evaluator_.maps()[state_.elem].position(state_.xi) + origin;
+    throw ComputeError(
+        fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees cannot be followed beyond "
+                    "({:.6g}, {:.6g}): the field has no direction there",
+                    from.x, from.y, degrees(wrap_pi(line_.launch.angle)), at.x, at.y));
+  }
+
+  const FieldEvaluator& evaluator_;
+  const std::vector<Vec2>& nodes_;
+  const AdvanceOptions& options_;
+  Streamline& line_;
+  StreamState state_;
+  double s_ = 0, h_ = 0;
+  std::vector<bool> near_origin_;
+};
+
+}  // namespace
+
+// From the node to the first point: the cubic with both directions.
+Vec2 Streamline::lead_in(double s, Vec2& direction) const {
+  const double r = launch.radius, f = r > 0 ? s / r : 0;
+  const Vec2 d0 = r * unit(launch.angle), d1 = r * unit(launch.angle_there), rise = launch.x - launch.origin;
+  const Vec2 c2 = 3 * rise - 2 * d0 - d1, c3 = d0 + d1 - 2 * rise;
+  direction = r > 0 ? normalized(d0 + 2 * f * c2 + 3 * f * f * c3) : unit(launch.angle);
+  return launch.origin + f * (d0 + f * (c2 + f * c3));
+}
+
+Vec2 Streamline::at(const FieldEvaluator& evaluator, double s, Vec2& direction) const {
+  if (s <= launch.radius || steps.empty()) return lead_in(std::max(s, 0.0), direction);
+  if (s >= length()) {
+    direction = unit(end_angle);
+    return end_position;
+  }
+  const auto after =
+      std::upper_bound(steps.begin(), steps.end(), s, [](double v, const StreamStep& k) { return v < k.s; });
+  const StreamStep& step = after == steps.begin() ? steps.front() : *(after - 1);
+  const double theta = std::clamp((s - step.s) / step.h, 0.0, 1.0);
+  Vec2 x;
+  Mat2 dx_dxi;
+  evaluator.maps()[step.elem].evaluate(step.xi(theta), x, dx_dxi);
+  direction = normalized(dx_dxi * step.slope(theta));
+  return x;
+}
+
+Vec2 Streamline::at(const FieldEvaluator& evaluator, double s) const {
+  Vec2 direction;
+  return at(evaluator, s, direction);
+}
+
+std::vector<double> Streamline::step_ends() const {
+  std::vector<double> ends{0};
+  for (const StreamStep& step : steps) ends.push_back(step.s);
+  ends.push_back(length());
+  return ends;
+}
+
+Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
+                   const AdvanceOptions& options) {
+  Streamline line;
+  line.launch = launch;
+  Walker(evaluator, nodes, options, line).walk();
+  return line;
+}
+
+}  // namespace quadrille

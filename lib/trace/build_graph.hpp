@@ -1,0 +1,40 @@
+#pragma once
+// From finished lines to the planar graph: crossings become nodes, lines and boundary curves are split into arcs.
+
+#include <string>
+#include <vector>
+
+#include "model/separatrix_graph.hpp"
+#include "trace/crossings.hpp"
+
+namespace quadrille {
+
+/// An irregular node or a corner: what is a node whatever the lines do.
+struct FixedNode {
+  Vec2 position;
+  NodeKind kind = NodeKind::irregular;
+  int valence = 4;
+  int joint = -1;  ///< of a corner
+};
+
+/// An end of a line: a fixed node, or a place on the boundary.
+struct LineEnd {
+  int node = -1;
+  int curve = -1;
+  double t = 0;
+};
+
+struct FinishedLine {
+  LineEnd start, end;
+  Nurbs spline;      ///< a non-rational cubic from the one to the other
+  std::string kind;  ///< "traced", "merged", "cut"
+};
+
+/// Nodes in this sequence: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
+/// within `snap` (a length) of a joint are moved to it, ends within `snap` of each other are one node, crossings within
+/// `snap` of each other on one line too. `crossings`: of the lines' splines. Throws ComputeError where a line passes
+/// through the end of another.
+SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
+                            const std::vector<Crossing>& crossings, double snap);
+
+}  // namespace quadrille

@@ -1,0 +1,167 @@
+#include "trace/crossings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+struct Box {
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  void add(Vec2 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  void add(const Box& b) { add(b.low), add(b.high); }
+  void widen(double margin) { low -= {margin, margin}, high += {margin, margin}; }
+};
+
+bool meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+// A piece of a curve as a cubic Bezier over [t0, t1].
+struct Bezier {
+  std::array<Vec2, 4> p;
+  double t0, t1;
+
+  Box box() const {
+    Box b;
+    for (const Vec2 q : p) b.add(q);
+    return b;
+  }
+  // The control points' distance from an evenly walked chord, as a share of the chord.
+  bool is_straight() const {
+    const Vec2 third = (p[3] - p[0]) / 3;
+    const double off = std::max(norm(p[1] - p[0] - third), norm(p[2] - p[0] - 2 * third));
+    return off <= 0.02 * norm(p[3] - p[0]);
+  }
+};
+
+std::array<Bezier, 2> halves(const Bezier& b) {
+  const Vec2 q0 = (b.p[0] + b.p[1]) / 2, q1 = (b.p[1] + b.p[2]) / 2, q2 = (b.p[2] + b.p[3]) / 2;
+  const Vec2 r0 = (q0 + q1) / 2, r1 = (q1 + q2) / 2, m = (r0 + r1) / 2;
+  const double t = (b.t0 + b.t1) / 2;
+  return {Bezier{{b.p[0], q0, r0, m}, b.t0, t}, Bezier{{m, r1, q2, b.p[3]}, t, b.t1}};
+}
+
+std::vector<Bezier> spans(const Nurbs& c) {
+  std::vector<Bezier> beziers;
+  for (size_t k = 3; k + 4 < c.knots.size(); ++k) {
+    const double u0 = c.knots[k], u1 = c.knots[k + 1];
+    if (!(u0 < u1)) continue;
+    // Blossoms of the span's four poles.
+    const auto at = [&](double x, double y, double z) {
+      std::array<Vec2, 4> d{c.poles[k - 3], c.poles[k - 2], c.poles[k - 1], c.poles[k]};
+      const std::array<double, 3> u{x, y, z};
+      for (int r = 1; r <= 3; ++r)
+        for (int j = 3; j >= r; --j) {
+          const double low = c.knots[k - 3 + j], high = c.knots[k + 1 + j - r], w = (u[r - 1] - low) / (high - low);
+          d[j] = (1 - w) * d[j - 1] + w * d[j];
+        }
+      return d[3];
+    };
+    beziers.push_back({{at(u0, u0, u0), at(u0, u0, u1), at(u0, u1, u1), at(u1, u1, u1)}, u0, u1});
+  }
+  return beziers;
+}
+
+struct Curve {
+  std::vector<Bezier> beziers;
+  std::vector<Box> boxes;
+  Box box;
+};
+
+class Finder {
+ public:
+  Finder(const std::vector<Nurbs>& splines, double same) : splines_(splines), same_(same) {
+    for (const Nurbs& spline : splines) {
+      curves_.push_back({spans(spline), {}, {}});
+      Curve& curve = curves_.back();
+      for (const Bezier& b : curve.beziers) {
+        curve.boxes.push_back(b.box());
+        curve.boxes.back().widen(same);
+        curve.box.add(curve.boxes.back());
+      }
+    }
+  }
+
+  void run(int a, int b) {
+    if (!meet(curves_[a].box, curves_[b].box)) return;
+    first_ = found.size();
+    const Curve &ca = curves_[a], &cb = curves_[b];
+    for (size_t i = 0; i < ca.beziers.size(); ++i) {
+      if (!meet(ca.boxes[i], cb.box)) continue;
+      // Neighbouring spans of one curve share a point, and turn too little to meet elsewhere.
+      for (size_t j = a == b ? i + 2 : 0; j < cb.beziers.size(); ++j)
+        if (meet(ca.boxes[i], cb.boxes[j])) search(a, b, ca.beziers[i], cb.beziers[j], 0);
+    }
+  }
+
+  std::vector<Crossing> found;
+
+ private:
+  void search(int a, int b, const Bezier& p, const Bezier& q, int depth) {
+    if (p.is_straight() && q.is_straight()) return newton(a, b, p, q);
+    if (depth > 40) return;
+    const auto widened = [&](const Bezier& z) {
+      Box box = z.box();
+      box.widen(same_);
+      return box;
+    };
+    const bool split_p = !p.is_straight();
+    for (const Bezier& half : halves(split_p ? p : q))
+      if (meet(widened(half), widened(split_p ? q : p)))
+        split_p ? search(a, b, half, q, depth + 1) : search(a, b, p, half, depth + 1);
+  }
+
+  void newton(int a, int b, const Bezier& p, const Bezier& q) {
+    const Nurbs &ca = splines_[a], &cb = splines_[b];
+    double s = (p.t0 + p.t1) / 2, t = (q.t0 + q.t1) / 2;
+    const double ds = p.t1 - p.t0, dt = q.t1 - q.t0;
+    Vec2 gap, da, db;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      const auto x = derivatives(ca, s), y = derivatives(cb, t);
+      gap = y[0] - x[0], da = x[1], db = y[1];
+      const double area = cross(da, db);
+      if (std::abs(area) < 1e-9 * norm(da) * norm(db)) return;  // side by side
+      const double step_s = cross(gap, db) / area, step_t = cross(gap, da) / area;
+      s += step_s, t += step_t;
+      if (s < p.t0 - ds || s > p.t1 + ds || t < q.t0 - dt || t > q.t1 + dt) return;
+      if (std::abs(step_s) < 1e-14 * ds && std::abs(step_t) < 1e-14 * dt) break;
+    }
+    const double slack_s = 1e-9 * ds + same_ / norm(da), slack_t = 1e-9 * dt + same_ / norm(db);
+    if (s < p.t0 - slack_s || s > p.t1 + slack_s || t < q.t0 - slack_t || t > q.t1 + slack_t) return;
+    s = std::clamp(s, ca.begin(), ca.end()), t = std::clamp(t, cb.begin(), cb.end());
+    const Vec2 position = point(ca, s);
+    if (distance(position, point(cb, t)) > 2 * same_) return;
+    for (size_t i = first_; i < found.size(); ++i)
+      if (distance(found[i].position, position) <= same_) return;
+    const double angle = std::abs(std::atan2(cross(da, db), dot(da, db)));
+    found.push_back({a, b, s, t, position, std::min(angle, std::numbers::pi - angle)});
+  }
+
+  const std::vector<Nurbs>& splines_;
+  double same_;
+  std::vector<Curve> curves_;
+  size_t first_ = 0;  // of the pair at hand in `found`
+};
+
+}  // namespace
+
+std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same) {
+  Finder finder(splines, same);
+  const int n = static_cast<int>(splines.size());
+  for (int a = 0; a < n; ++a)
+    for (int b = a; b < n; ++b) finder.run(a, b);
+  std::vector<Crossing> found = std::move(finder.found);
+  std::stable_sort(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) {
+    return x.a != y.a ? x.a < y.a : x.s != y.s ? x.s < y.s : x.b < y.b;
+  });
+  return found;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,27 @@
+#pragma once
+// All places where spline curves cross each other or themselves.
+//
+// Every span is taken as a Bezier cubic; pairs whose control boxes meet are halved until both are nearly straight, then
+// Newton's method finds the crossing. Curves are C2, so tangential contacts of one curve with itself do not occur.
+
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// Curve a at parameter s meets curve b at parameter t; a < b, or a == b and s < t.
+struct Crossing {
+  int a = 0, b = 0;
+  double s = 0, t = 0;
+  Vec2 position;
+  double angle = 0;  ///< between the two tangents taken as undirected lines, radians in [0, pi/2]
+};
+
+/// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
+/// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not
+/// merely touch within round-off.
+std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same);
+
+}  // namespace quadrille

@@ -1,0 +1,108 @@
+#include "trace/launch_all.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/arc_length.hpp"
+
+namespace quadrille {
+namespace {
+
+// A line's first point lies this far from its node, as a share of the distance to the nearest feature: near enough that
+// the quadratic launch misses the separatrix by less than round-off counts, far enough that the field has a direction.
+constexpr double launch_share = 1e-4;
+constexpr int num_cuts = 4;
+
+// Distance to the nearest other node or joint, but no more than a few elements: their size follows the field's scale.
+double feature_distance(const FieldEvaluator& evaluator, const CriticalPoints& points, Vec2 x, int elem) {
+  Vec2 position;
+  Mat2 dx_dxi;
+  evaluator.value(elem, {-1.0 / 3, -1.0 / 3}, position, dx_dxi);
+  double feature = 4 * std::sqrt(std::abs(det(dx_dxi)));
+  const auto other = [&](Vec2 y) {
+    if (y != x) feature = std::min(feature, distance(x, y));
+  };
+  for (const CriticalPoint& p : points.critical_points) other(p.position);
+  for (const Joint& joint : evaluator.field().mesh.face.joints) other(joint.position);
+  return feature;
+}
+
+std::vector<double> directions_at(const FieldEvaluator& evaluator, const CriticalPoint& p, double feature) {
+  const bool is_simple = std::abs(p.index) == 1;
+  if (!is_simple) return launch_directions_on_circle(evaluator, p.position, 1e-2 * feature, p.valence);
+  return launch_directions({p.jacobian[0], p.jacobian[1], p.jacobian[2], p.jacobian[3]});
+}
+
+// Corners have no element of their own: any that touches the joint will do for its size.
+int element_at(const FieldEvaluator& evaluator, Vec2 x) { return std::max(0, evaluator.locator().find(x).elem); }
+
+}  // namespace
+
+std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points) {
+  std::vector<FixedNode> nodes;
+  for (const CriticalPoint& p : points.critical_points) {
+    const Vec2 place = p.position + face.origin;
+    if (p.valence <= 2)
+      throw ComputeError(
+          fmt::format("the zero of the field at ({:.6g}, {:.6g}) has index {:+d}: it has to be split into "
+                      "nodes of valence 3, which this version doesn't do",
+                      place.x, place.y, p.index));
+    nodes.push_back({p.position, NodeKind::irregular, p.valence, -1});
+  }
+  for (const Corner& c : points.corners) {
+    const Vec2 place = c.position + face.origin;
+    if (c.valence <= 0)
+      throw ComputeError(
+          fmt::format("degenerate corner of {:.1f} degrees at ({:.6g}, {:.6g}) needs midpoint division, "
+                      "which this version doesn't do",
+                      c.angle_degrees, place.x, place.y));
+    nodes.push_back({face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint});
+  }
+  return nodes;
+}
+
+std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+  const CadFace& face = evaluator.field().mesh.face;
+  std::vector<Launch> launches;
+  int node = 0;
+  for (const CriticalPoint& p : points.critical_points) {
+    const double feature = feature_distance(evaluator, points, p.position, p.elem);
+    for (const double angle : directions_at(evaluator, p, feature))
+      launches.push_back(launch_line(evaluator, node, p.position, angle, launch_share * feature, 1));
+    ++node;
+  }
+  for (const Corner& c : points.corners) {
+    const Joint& joint = face.joints[c.joint];
+    const double feature = feature_distance(evaluator, points, joint.position, element_at(evaluator, joint.position));
+    for (const double angle : corner_launch_directions(joint.interior_angle, c.valence))
+      launches.push_back(launch_line(evaluator, node, joint.position, joint.tangent_out + angle, launch_share * feature,
+                                     pi / joint.interior_angle));
+    ++node;
+  }
+  return launches;
+}
+
+std::vector<Launch> launch_cuts(const FieldEvaluator& evaluator) {
+  const CadFace& face = evaluator.field().mesh.face;
+  std::vector<ArcLength> lengths;
+  const int first = face.loop_offsets[1], last = face.loop_offsets[2];
+  double total = 0;
+  for (int c = first; c < last; ++c) {
+    lengths.emplace_back(face.curves[c]);
+    total += lengths.back().total();
+  }
+  std::vector<Launch> launches;
+  for (int k = 0; k < num_cuts; ++k) {
+    double along = total * k / num_cuts;
+    int c = first;
+    while (c + 1 < last && along >= lengths[c - first].total() * (1 - 1e-12)) along -= lengths[c++ - first].total();
+    launches.push_back(launch_from_boundary(evaluator, c, lengths[c - first].parameter(std::max(along, 0.0))));
+  }
+  return launches;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,23 @@
+#pragma once
+// The fixed nodes of the graph, and every separatrix that leaves them.
+
+#include <vector>
+
+#include "field/evaluate.hpp"
+#include "model/critical_points.hpp"
+#include "trace/build_graph.hpp"
+#include "trace/launch.hpp"
+
+namespace quadrille {
+
+/// Irregular nodes in the sequence of `points`, then its corners. Throws ComputeError where this version has no layout:
+/// degenerate corners (V = 0), zeros with V <= 2.
+std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points);
+
+/// V lines from each irregular node, V - 1 from each corner; Launch::node counts fixed_nodes.
+std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPoints& points);
+
+/// Four lines from the inner loop of a domain between two loops.
+std::vector<Launch> launch_cuts(const FieldEvaluator& evaluator);
+
+}  // namespace quadrille

@@ -1,0 +1,154 @@
+#include "trace/merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double head_on_angle = radians(30);     // between the directions of lines that pass each other
+constexpr double aggressive_angle = radians(40);  // the most that the aggressive rule may turn a line
+constexpr int num_samples = 48;
+
+double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
+
+// Places where a line comes nearest to a point: arc lengths of local minima of the distance below `reach(s)`.
+class Passes {
+ public:
+  Passes(const FieldEvaluator& evaluator, const Streamline& line) : evaluator_(evaluator), line_(line) {
+    // Step ends and the middles between them follow the line closely enough to bracket every minimum.
+    const std::vector<double> ends = line.step_ends();
+    for (size_t i = 0; i < ends.size(); ++i) {
+      if (i > 0 && ends[i] > ends[i - 1]) s_.push_back((ends[i - 1] + ends[i]) / 2);
+      if (s_.empty() || ends[i] > s_.back()) s_.push_back(ends[i]);
+    }
+    for (const double s : s_) x_.push_back(line.at(evaluator, s));
+  }
+
+  std::vector<double> by(Vec2 node, double slope, double distance_allowed) const {
+    std::vector<double> found;
+    const size_t last = s_.size() - 1;
+    for (size_t i = 1; i <= last; ++i) {
+      const double d = distance(x_[i], node);
+      if (d > distance(x_[i - 1], node) || (i < last && d >= distance(x_[i + 1], node))) continue;
+      const double spacing = s_[i] - s_[i - 1] + (i < last ? s_[i + 1] - s_[i] : 0.0);
+      if (d > std::max(slope * s_[i], distance_allowed) + spacing) continue;
+      found.push_back(foot(node, s_[i - 1], i < last ? s_[i + 1] : s_[i]));
+    }
+    return found;
+  }
+
+ private:
+  double foot(Vec2 node, double a, double b) const {
+    const auto ahead = [&](double s) {
+      Vec2 direction;
+      const Vec2 x = line_.at(evaluator_, s, direction);
+      return dot(node - x, direction) > 0;
+    };
+    if (ahead(b)) return b;
+    for (int i = 0; i < 60 && b - a > 1e-15 * b; ++i) {
+      const double m = (a + b) / 2;
+      (ahead(m) ? a : b) = m;
+    }
+    return (a + b) / 2;
+  }
+
+  const FieldEvaluator& evaluator_;
+  const Streamline& line_;
+  std::vector<double> s_;
+  std::vector<Vec2> x_;
+};
+
+// Fills in turn and gap.
+void judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, MergeCandidate& candidate) {
+  const CurveFunction curve = merged_curve(evaluator, a, b, candidate);
+  candidate.turn = 0;
+  for (int i = 1; i < num_samples; ++i) {
+    const double f = static_cast<double>(i) / num_samples, w = std::pow(std::cos(half_pi * f), 2);
+    Vec2 da, db, dm;
+    const Vec2 xa = a.at(evaluator, f * candidate.length_a, da), xb = b.at(evaluator, (1 - f) * candidate.length_b, db);
+    curve(f * candidate.length(), dm);
+    candidate.turn = std::max(candidate.turn, angle_between(dm, w * da - (1 - w) * db));
+    if (2 * i == num_samples) candidate.gap = distance(xa, xb);
+  }
+}
+
+}  // namespace
+
+CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                           const MergeCandidate& candidate) {
+  const double length = candidate.length(), la = candidate.length_a, lb = candidate.length_b;
+  return [&evaluator, &a, &b, length, la, lb](double s, Vec2& derivative) {
+    const double f = std::clamp(s / length, 0.0, 1.0), c = std::cos(half_pi * f), w = c * c;
+    Vec2 da, db;
+    const Vec2 xa = a.at(evaluator, f * la, da), xb = b.at(evaluator, (1 - f) * lb, db);
+    const double slope = -half_pi * std::sin(pi * f);
+    derivative = (w * la * da - (1 - w) * lb * db + slope * (xa - xb)) / length;
+    if (f == 0) return a.launch.origin;
+    if (f == 1) return b.launch.origin;
+    return w * xa + (1 - w) * xb;
+  };
+}
+
+std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+                                             const std::vector<Vec2>& nodes, const MergeOptions& options) {
+  // passes[line][node]. The blend's slope adds at most (pi / 2) gap / length to the direction.
+  const double slope = 4 * std::tan(options.max_angle);
+  std::vector<std::vector<std::vector<double>>> passes;
+  for (const Streamline& line : lines) {
+    const Passes along(evaluator, line);
+    passes.emplace_back();
+    for (const Vec2 node : nodes) passes.back().push_back(along.by(node, slope, 4 * options.distance));
+  }
+  std::vector<MergeCandidate> candidates;
+  const int n = static_cast<int>(lines.size());
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) {
+      if (lines[i].launch.node < 0 || lines[j].launch.node < 0) continue;
+      for (const double length_i : passes[i][lines[j].launch.node])
+        for (const double length_j : passes[j][lines[i].launch.node]) {
+          MergeCandidate c{i, j, length_i, length_j, 0, 0};
+          if (std::abs(length_i - length_j) > 0.3 * c.length()) continue;
+          Vec2 at_i, at_j;
+          lines[i].at(evaluator, length_i, at_i);
+          lines[j].at(evaluator, length_j, at_j);
+          if (angle_between(at_i, -unit(lines[j].launch.angle)) > head_on_angle) continue;
+          if (angle_between(at_j, -unit(lines[i].launch.angle)) > head_on_angle) continue;
+          judge(evaluator, lines[i], lines[j], c);
+          const bool aggressive = c.gap <= options.distance && c.turn <= aggressive_angle;
+          if (c.turn <= options.max_angle || aggressive) candidates.push_back(c);
+        }
+    }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const MergeCandidate& x, const MergeCandidate& y) { return x.turn < y.turn; });
+  return candidates;
+}
+
+std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& banned,
+                               int num_lines) {
+  std::vector<bool> taken(num_lines, false);
+  std::vector<int> chosen;
+  for (size_t first = 0; first < candidates.size();) {
+    size_t last = first;
+    while (last < candidates.size() && candidates[last].turn - candidates[first].turn < 1e-6) ++last;
+    std::vector<int> wanted(num_lines, 0), free;
+    for (size_t i = first; i < last; ++i) {
+      const MergeCandidate& c = candidates[i];
+      if (banned[i] || taken[c.a] || taken[c.b]) continue;
+      free.push_back(static_cast<int>(i));
+      ++wanted[c.a], ++wanted[c.b];
+    }
+    for (const int i : free) {
+      const MergeCandidate& c = candidates[i];
+      if (wanted[c.a] > 1 || wanted[c.b] > 1) continue;
+      taken[c.a] = taken[c.b] = true;
+      chosen.push_back(i);
+    }
+    first = last;
+  }
+  return chosen;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,49 @@
+#pragma once
+// Merging of separatrices that meet head on (paper, "Integration of Streamlines").
+//
+// Line A from node P passes node Q, line B from Q passes P, running the other way. Both are taken up to the foot of the
+// other's node and blended pointwise at equal shares f of their lengths,
+//
+//   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(1 - f),
+//
+// whose weights are flat at both ends: M leaves P along A and Q along B. The normal rule has no length in it: a pair is
+// merged when that turns no part of the line by more than an angle. The aggressive rule merges as well what passes
+// within a given distance at the place where fronts advancing at equal speed meet.
+
+#include <vector>
+
+#include "trace/advance.hpp"
+#include "trace/fit_line.hpp"
+
+namespace quadrille {
+
+struct MergeOptions {
+  double max_angle = 0;  ///< radians
+  double distance = 0;   ///< a length; 0: the normal rule only
+};
+
+/// Lines a and b (a < b), each used from its start up to the length given.
+struct MergeCandidate {
+  int a = 0, b = 0;
+  double length_a = 0, length_b = 0;
+  double turn = 0;  ///< largest angle between M and the blended directions, radians
+  double gap = 0;   ///< between the fronts where they meet
+
+  double length() const { return (length_a + length_b) / 2; }
+};
+
+/// All pairs that the rules allow, the smallest turn first. Linear in lines times nodes.
+std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+                                             const std::vector<Vec2>& nodes, const MergeOptions& options);
+
+/// Picks pairs in their sequence so that no line is in two. Pairs whose turns differ by less than 1e-6 are decided
+/// together: where two of them want one line neither gets it, so that symmetric shapes stay symmetric.
+/// `banned[i]`: candidate i is left out.
+std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& banned,
+                               int num_lines);
+
+/// M as a function of f * length(), with its derivative.
+CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                           const MergeCandidate& candidate);
+
+}  // namespace quadrille

@@ -1,0 +1,44 @@
+#pragma once
+// One step of a streamline in the reference triangle of one element: the embedded Runge-Kutta pair of Dormand and
+// Prince, orders 5 and 4, with its continuous extension of order 4 (Hairer, Norsett, Wanner, "Solving ODEs I", II.5-6).
+//
+//   d xi / d s = (d x / d xi)^-1 e(psi'(x(xi))),   s the arc length, psi' the guided cross angle (paper, eq. 2 ff.)
+
+#include <array>
+
+#include "base/vec2.hpp"
+#include "field/evaluate.hpp"
+
+namespace quadrille {
+
+/// An accepted step, or the part of it up to the element's edge.
+struct StreamStep {
+  int elem = 0;
+  double s = 0;       ///< arc length at its beginning
+  double h = 0;       ///< length of the whole step
+  double length = 0;  ///< of the part that is used, <= h
+  std::array<Vec2, 5> dense{};
+
+  /// Reference coordinates at share theta of h.
+  Vec2 xi(double theta) const;
+  /// d xi / d theta.
+  Vec2 slope(double theta) const;
+};
+
+/// State between steps.
+struct StreamState {
+  int elem = 0;
+  Vec2 xi;
+  double angle = 0;  ///< direction of the line, radians, continuous
+  Vec2 rate;         ///< d xi / d s
+};
+
+/// Fills in angle and rate at (elem, xi), guided by `direction`.
+StreamState stream_state(const FieldEvaluator& evaluator, int elem, Vec2 xi, double direction);
+
+/// Tries a step of length h from `state`. `step.dense` and `end` hold the result; `error` is the estimated error's
+/// length in the plane, infinite when the direction turns by more than 0.6 rad within the step or the field vanishes.
+void try_step(const FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step, StreamState& end,
+              double& error);
+
+}  // namespace quadrille

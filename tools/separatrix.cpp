@@ -1,0 +1,56 @@
+// Traces the separatrices of a guiding field and makes the planar graph of separatrices and boundary.
+
+#include "check/check.hpp"
+#include "cli/tool_main.hpp"
+#include "io/output_file.hpp"
+#include "io/stage_files.hpp"
+#include "trace/trace_separatrices.hpp"
+
+using namespace quadrille;
+
+int main(int argc, char** argv) {
+  std::string field_path, points_path = "-", output = "-";
+  TraceOptions options;
+  Tool tool;
+  tool.name = "separatrix";
+  tool.summary = "traces the separatrices of a guiding field";
+  tool.description =
+      "Launches a line in each direction of the cross at the irregular nodes and corners of CRIT, follows it through "
+      "FIELD to the boundary, merges lines that meet head on and makes the planar graph of separatrices and boundary. "
+      "Every face of it must have four corners, else the exit code is 1 and the message names the place.";
+  tool.examples = {
+      "separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json",
+      "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5"};
+  tool.options = [&](Options& o) {
+    o.input("FIELD", field_path, "guiding field (x.field.h5 or x.solve.h5)", true);
+    o.input("CRIT", points_path, "its critical points (x.crit.json)");
+    o.output(output, "graph of separatrices (x.sep.json)");
+    o.number("--tolerance", options.tolerance, 1e-14, 1e-3, "diameters", "error allowed in one step of a line");
+    o.number("--step", options.step, 0, 1e300, "file units", "greatest step along a line; 0 is a 20th of the diameter");
+    o.number("--merge-angle", options.merge_angle, 0, 40, "degrees", "merge lines that this turns by less");
+    o.number("--merge-distance", options.merge_distance, 0, 1e300, "file units",
+             "and lines that pass each other within this distance");
+    o.integer("--max-lines", options.max_lines, 1, 1000000, "most arcs of separatrices that the graph may have");
+    o.number("--max-length", options.max_length, 0.01, 1e4, "diameters", "longest line that is followed");
+  };
+  tool.run = [&](Session& s) {
+    s.begin_phase("read");
+    const InputFile field_file = read_input(field_path), points_file = read_input(points_path);
+    const Field field = read_field(field_file);
+    const CriticalPoints points = read_critical_points(points_file);
+    require_valid(check_field(field, CheckDepth::quick), field_file.name);
+    require_valid(check_critical_points(points, CheckDepth::quick), points_file.name);
+    require_same_origin(field_file, field.provenance, points_file, points.provenance);
+    s.begin_phase("trace");
+    const FieldEvaluator evaluator(field);
+    require_nodes_of_field(evaluator, points);
+    SeparatrixGraph graph = trace_separatrices(evaluator, points, options, s.report());
+    graph.provenance =
+        s.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
+    s.begin_phase("write");
+    write_separatrix_graph(output, graph);
+    s.end_phase();
+  };
+  tool.report_writer = write_report;
+  return tool_main(argc, argv, tool);
+}
