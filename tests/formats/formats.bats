@@ -1,0 +1,91 @@
+# The pages in formats/ against the code, the sample files and the schemas: one stem everywhere.
+load ../tools/common
+
+PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
+
+@test "every page has all headings" {
+  for page in $PAGES; do
+    for heading in Purpose "Who writes and reads it" "A complete small example" Conventions Rules "Reading it" "Version history"; do
+      grep -qx "## $heading" "$ROOT/formats/$page.md" || fail "$page.md has no heading '$heading'"
+    done
+    grep -qxE "## (Arrays|Keys)" "$ROOT/formats/$page.md"
+  done
+}
+
+@test "every page has its model, check, test and input/output of the same stem" {
+  for page in $PAGES; do
+    stem=${page//-/_}
+    assert_file_exist "$ROOT/lib/model/$stem.hpp"
+    assert_file_exist "$ROOT/lib/check/${stem}_check.cpp"
+    assert_file_exist "$ROOT/tests/unit/check/${stem}_check_test.cpp"
+    assert_file_exist "$ROOT/lib/io/${stem}_io.cpp"
+    [ "$page" = cad-face ] || assert_dir_exist "$ROOT/tests/formats/$stem/passed"
+  done
+}
+
+@test "pages, code and unit tests number the same rules" {
+  for page in $PAGES; do
+    stem=${page//-/_}
+    in_page=$(grep -oE '^\| [A-Z]{3}-R[0-9]+ ' "$ROOT/formats/$page.md" | tr -d '| ' | sort)
+    in_code=$(grep -oE '"[A-Z]{3}-R[0-9]+", RuleKind' "$ROOT/lib/check/${stem}_check.cpp" | cut -d'"' -f2 | sort)
+    assert_equal "$in_page" "$in_code"
+    for rule in $in_page; do
+      grep -q "\"$rule\"" "$ROOT/tests/unit/check/${stem}_check_test.cpp" || fail "$rule has no test"
+    done
+  done
+}
+
+@test "every dataset and key of the sample files is on its page" {
+  for file in "$ROOT"/tests/formats/*/passed/*; do
+    stem=$(basename "$(dirname "$(dirname "$file")")")
+    page=$ROOT/formats/${stem//_/-}.md
+    case $file in
+      *.json) names=$(jq -r '.. | objects | keys[]' "$file" | sort -u) ;;
+      *) names=$(h5dump -H "$file" | sed -n 's/.*DATASET "\(.*\)".*/\1/p' | sort -u) ;;
+    esac
+    for name in $names; do
+      grep -qwE -- "$name|${name%_offsets}" "$page" "$ROOT/formats/cad-face.md" "$ROOT/formats/tri-mesh.md" "$ROOT/formats/README.md" ||
+        fail "$name is not on ${page##*/}"
+    done
+  done
+}
+
+@test "the examples on the JSON pages are the sample files" {
+  for stem in critical_points separatrix_graph; do
+    sed -n '/^```json$/,/^```$/p' "$ROOT/formats/${stem//_/-}.md" | sed '1d;$d' | cmp - "$ROOT"/tests/formats/$stem/passed/square.*
+  done
+}
+
+# validates FORMAT FILE: whether the schema accepts the file.
+validates() {
+  python3 - "$ROOT/formats/$1.schema.json" "$2" << 'PYTHON'
+import json, sys, jsonschema
+schema, instance = (json.load(open(path)) for path in sys.argv[1:])
+jsonschema.Draft7Validator.check_schema(schema)
+jsonschema.Draft7Validator(schema).validate(instance)
+PYTHON
+}
+
+@test "the schemas accept what the tools write" {
+  stage_chain half_disc
+  validates critical-points half_disc.crit.json
+  validates separatrix-graph half_disc.sep.json
+}
+
+@test "the schemas accept the samples and refuse files that lack or mistype a member" {
+  crit=$ROOT/tests/formats/critical_points/passed/square.crit.json
+  sep=$ROOT/tests/formats/separatrix_graph/passed/square.sep.json
+  validates critical-points "$crit"
+  validates separatrix-graph "$sep"
+  for edit in 'del(.corners)' '.version = [2, 0]' '.format = "field"' '.critical_points[0].index = 0' \
+    '.critical_points[0].position = [1]' '.corners[0].valence = 1.5' '.index_sum.expected = 3'; do
+    jq "$edit" "$crit" > edited.json
+    run validates critical-points edited.json
+    assert_failure
+  done
+  for edit in 'del(.face)' '.nodes[0].kind = "nice"' '.arcs[0].pieces = []' '.splines[0].weights[0] = 0' 'del(.face.curves[0].degree)'; do
+    jq "$edit" "$sep" > edited.json
+    run validates separatrix-graph edited.json
+    assert_failure
+  done
+}
