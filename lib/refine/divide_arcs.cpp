@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "curve/nurbs.hpp"
 #include "refine/anchors.hpp"
 #include "refine/spacing.hpp"
 #include "spectral/lagrange.hpp"
@@ -51,6 +52,22 @@ double longest_interval(const std::vector<double>& ends) {
 
 double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }
 
+/// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then that from the tangent.
+double distance_from(const Nurbs& curve, Vec2 x, double t) {
+  const auto d = derivatives(curve, t);
+  const double speed2 = norm2(d[1]);
+  if (speed2 == 0) return distance(x, d[0]);
+  const auto near = derivatives(curve, t + dot(x - d[0], d[1]) / speed2);
+  const double speed = norm(near[1]);
+  return speed == 0 ? distance(x, near[0]) : std::abs(cross(x - near[0], near[1])) / speed;
+}
+
+/// The same for a chain by its fraction, which measures length: no step is needed.
+double distance_from(const Chain& chain, Vec2 x, double fraction) {
+  const ChainPoint near = chain.at(fraction);
+  return std::abs(cross(x - near.position, near.tangent));
+}
+
 /// Two elements must not meet in two edges, nor one meet itself.
 int least_topological_count(const BlockLayout& layout, int arc) {
   const GraphArc& a = layout.arcs[arc];
@@ -63,9 +80,9 @@ int least_topological_count(const BlockLayout& layout, int arc) {
 /// The division of one chord: segments between those anchors that are needed, and what each arc makes of them.
 class ChordDivider {
  public:
-  ChordDivider(const BlockLayout& layout, const Chord& chord, const std::vector<Chain>& chains,
+  ChordDivider(const BlockLayout& layout, const Chord& chord, const CurveTable& table, const std::vector<Chain>& chains,
                const std::vector<ArcParameter>& parameters, const DivideOptions& options)
-      : layout_(layout), chord_(chord), chains_(chains), parameters_(parameters), options_(options) {
+      : layout_(layout), chord_(chord), table_(table), chains_(chains), parameters_(parameters), options_(options) {
     count_ = first_count();
     std::vector<Break> breaks;
     for (int i = 0; i < num_arcs(); ++i)
@@ -149,7 +166,7 @@ class ChordDivider {
     std::vector<double> worst(counts_.size(), 0.0);  ///< by segment
     bool missed = false;
     for (std::size_t k = 1; k < ends.size(); ++k) {
-      const double error = interval_error(chain(i), ends[k - 1], ends[k], options_.order, options_.tolerance);
+      const double error = interval_error(table_, chain(i), ends[k - 1], ends[k], options_.order);
       if (error <= options_.tolerance) continue;
       missed = true;
       const std::size_t s = segment_of(static_cast<int>(chord_.backwards[i] ? ends.size() - 1 - k : k - 1));
@@ -202,6 +219,7 @@ class ChordDivider {
 
   const BlockLayout& layout_;
   const Chord& chord_;
+  const CurveTable& table_;
   const std::vector<Chain>& chains_;
   const std::vector<ArcParameter>& parameters_;
   const DivideOptions& options_;
@@ -215,33 +233,35 @@ class ChordDivider {
 
 }  // namespace
 
-double interval_error(const Chain& chain, double low, double high, int order, double good_enough) {
+double interval_error(const CurveTable& table, const Chain& chain, double low, double high, int order) {
   const ErrorSamples& samples = error_samples(order);
-  std::vector<Vec2> nodes;
-  for (const double xi : gll_points(order)) nodes.push_back(chain.at(between(low, high, xi)).position);
+  std::vector<ChainPoint> nodes;
+  for (const double xi : gll_points(order)) nodes.push_back(chain.at(between(low, high, xi)));
+  const int piece = nodes[order / 2].piece;
+  const bool in_one_piece =
+      std::all_of(nodes.begin(), nodes.end(), [&](const ChainPoint& p) { return p.piece == piece; });
   double worst = 0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     Vec2 value;
-    for (int k = 0; k <= order; ++k) value += samples.from_nodes(static_cast<int>(i), k) * nodes[k];
-    const double fraction = between(low, high, samples.points[i]);
-    const ChainPoint exact = chain.at(fraction);
-    double error = distance(value, exact.position);
-    if (error > good_enough) {  // how far is it from the nearest point rather than from this one?
-      const double ahead = dot(value - exact.position, exact.tangent) / chain.length();
-      error = std::min(error, distance(value, chain.at(fraction + ahead).position));
+    double t = 0;
+    for (int k = 0; k <= order; ++k) {
+      const double weight = samples.from_nodes(static_cast<int>(i), k);
+      value += weight * nodes[k].position;
+      t += weight * nodes[k].t;
     }
-    worst = std::max(worst, error);
+    worst = std::max(worst, in_one_piece ? distance_from(table.curve(chain.pieces()[piece].curve), value, t)
+                                         : distance_from(chain, value, between(low, high, samples.points[i])));
   }
   return worst;
 }
 
 std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                             const std::vector<Chain>& chains,
+                                             const CurveTable& table, const std::vector<Chain>& chains,
                                              const std::vector<ArcParameter>& parameters,
                                              const DivideOptions& options) {
   std::vector<std::vector<double>> ends(chains.size());
   for (const Chord& chord : chords) {
-    std::vector<std::vector<double>> divided = ChordDivider(layout, chord, chains, parameters, options).divide();
+    std::vector<std::vector<double>> divided = ChordDivider(layout, chord, table, chains, parameters, options).divide();
     for (std::size_t i = 0; i < divided.size(); ++i) ends[chord.arcs[i]] = std::move(divided[i]);
   }
   return ends;

@@ -27,12 +27,11 @@ struct DivideOptions {
 /// same number, equally spaced between breaks in their `parameters` (refine/align_chords). `chains`, `parameters`: one
 /// per arc. Throws ComputeError when a chord would need more than 10000 intervals, with its place.
 std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                             const std::vector<Chain>& chains,
+                                             const CurveTable& table, const std::vector<Chain>& chains,
                                              const std::vector<ArcParameter>& parameters, const DivideOptions& options);
 
-/// Greatest sampled distance of the order-N polynomial through the chain's points at Gauss-Lobatto-Legendre fractions
-/// of [low, high] from the chain. Where points at equal fractions are within `good_enough` their distance is taken as
-/// it is; else one Newton step looks for the nearest point.
-double interval_error(const Chain& chain, double low, double high, int order, double good_enough = 0);
+/// Greatest sampled distance from the chain of the order-N polynomial through its points at Gauss-Lobatto-Legendre
+/// fractions of [low, high]. `table`: the chain's own.
+double interval_error(const CurveTable& table, const Chain& chain, double low, double high, int order);
 
 }  // namespace quadrille

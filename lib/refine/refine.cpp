@@ -75,7 +75,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   const double size = options.size > 0 ? options.size : diameter / 20;
   const std::vector<ArcParameter> parameters = align_chords(chords, chains);
   const auto arc_ends =
-      divide_arcs(layout, chords, chains, parameters, {size, options.order, options.geometry_tol * diameter});
+      divide_arcs(layout, chords, table, chains, parameters, {size, options.order, options.geometry_tol * diameter});
   QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order);
   measure(mesh);
   require_valid_elements(mesh);

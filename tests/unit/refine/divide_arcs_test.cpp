@@ -26,14 +26,14 @@ Divided divided(const SeparatrixGraph& graph, const DivideOptions& options) {
   const CurveTable table(d.layout.face, d.layout.splines);
   std::vector<Chain> chains;
   for (const GraphArc& arc : d.layout.arcs) chains.emplace_back(table, arc.pieces);
-  d.ends = divide_arcs(d.layout, directed_chords(d.layout.block2arcs, d.layout.arc_chord), chains,
+  d.ends = divide_arcs(d.layout, directed_chords(d.layout.block2arcs, d.layout.arc_chord), table, chains,
                        std::vector<ArcParameter>(chains.size()), options);
   for (std::size_t a = 0; a < chains.size(); ++a) {
     d.breaks.push_back(chains[a].break_fractions());
     d.lengths.push_back(chains[a].length());
     if (!d.layout.arcs[a].is_boundary) continue;
     for (std::size_t k = 1; k < d.ends[a].size(); ++k)
-      d.worst = std::max(d.worst, interval_error(chains[a], d.ends[a][k - 1], d.ends[a][k], options.order));
+      d.worst = std::max(d.worst, interval_error(table, chains[a], d.ends[a][k - 1], d.ends[a][k], options.order));
   }
   return d;
 }
@@ -98,10 +98,10 @@ TEST(IntervalError, FallsWithTheOrderAsTheoryHasIt) {
   const Chain arc(table, {{1, 0, half_pi}});
   // Along a circle the normal error of an even order gains one power by symmetry.
   for (const int order : {1, 2, 3, 4, 5, 6}) {
-    const double ratio = interval_error(arc, 0, 0.4, order) / interval_error(arc, 0, 0.2, order);
+    const double ratio = interval_error(table, arc, 0, 0.4, order) / interval_error(table, arc, 0, 0.2, order);
     EXPECT_NEAR(std::log2(ratio), order % 2 == 0 ? order + 2 : order + 1, 0.15) << order;
   }
-  EXPECT_LE(interval_error(Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
+  EXPECT_LE(interval_error(table, Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
 }
 
 }  // namespace
