@@ -10,6 +10,7 @@ namespace {
 
 constexpr double head_on_angle = radians(30);     // between the directions of lines that pass each other
 constexpr double aggressive_angle = radians(40);  // the most that the aggressive rule may turn a line
+constexpr double tie_share = 1e-6;                // lengths that differ by less are equal
 constexpr int num_samples = 48;
 
 double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
@@ -122,7 +123,7 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
         }
     }
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const MergeCandidate& x, const MergeCandidate& y) { return x.turn < y.turn; });
+                   [](const MergeCandidate& x, const MergeCandidate& y) { return x.length() < y.length(); });
   return candidates;
 }
 
@@ -132,7 +133,8 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
   std::vector<int> chosen;
   for (size_t first = 0; first < candidates.size();) {
     size_t last = first;
-    while (last < candidates.size() && candidates[last].turn - candidates[first].turn < 1e-6) ++last;
+    const double same = candidates[first].length() * (1 + tie_share);
+    while (last < candidates.size() && candidates[last].length() <= same) ++last;
     std::vector<int> wanted(num_lines, 0), free;
     for (size_t i = first; i < last; ++i) {
       const MergeCandidate& c = candidates[i];

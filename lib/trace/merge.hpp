@@ -32,13 +32,14 @@ struct MergeCandidate {
   double length() const { return (length_a + length_b) / 2; }
 };
 
-/// All pairs that the rules allow, the smallest turn first. Linear in lines times nodes.
+/// All pairs that the rules allow, the shortest first: fronts advancing at equal speed meet in this sequence. Linear in
+/// lines times nodes.
 std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                                              const std::vector<Vec2>& nodes, const MergeOptions& options);
 
-/// Picks pairs in their sequence so that no line is in two. Pairs whose turns differ by less than 1e-6 are decided
-/// together: where two of them want one line neither gets it, so that symmetric shapes stay symmetric.
-/// `banned[i]`: candidate i is left out.
+/// Picks pairs in their sequence so that no line is in two. Pairs whose lengths differ by less than 1e-6 of
+/// themselves are decided together: where two of them want one line neither gets it, so that symmetric shapes stay
+/// symmetric. `banned[i]`: candidate i is left out.
 std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& banned,
                                int num_lines);
 

@@ -41,6 +41,7 @@ class Tracer {
     const MergeOptions merging{radians(options_.merge_angle), options_.merge_distance};
     candidates_ = merge_candidates(evaluator_, lines_, positions_, merging);
     merged_.resize(candidates_.size());
+    if (getenv("DBG")) for (auto& c : candidates_) fmt::print(stderr, "cand {}(n{}) {}(n{}) len {:.4f} {:.4f} turn {:.3f} gap {:.3g}\n", c.a, lines_[c.a].launch.node, c.b, lines_[c.b].launch.node, c.length_a, c.length_b, degrees(c.turn), c.gap);
     std::vector<bool> banned(candidates_.size(), false);
     std::vector<int> chosen;
     std::vector<Crossing> crossings;
