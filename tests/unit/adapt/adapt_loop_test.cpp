@@ -1,0 +1,113 @@
+#include "adapt/adapt_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../test_meshes.hpp"
+#include "base/error.hpp"
+#include "field/evaluate.hpp"
+#include "galerkin/solve_laplace.hpp"
+#include "triangulate/triangulate.hpp"
+
+namespace quadrille {
+namespace {
+
+Field solved(const TriMesh& mesh, int order) {
+  Report report;
+  return solve_laplace(mesh, std::vector<int>(mesh.num_elems(), order), report);
+}
+
+TriMesh half_disc() {
+  CadFace face;
+  face.diameter = 2;
+  face.curves = {segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)};
+  face.curve_names = {"diameter", "arc"};
+  face.curve_cad_edges = {0, 1};
+  face.joints = {{{-1, 0}, -half_pi, 0, half_pi, true}, {{1, 0}, 0, half_pi, half_pi, true}};
+  face.loop_offsets = {0, 2};
+  Report report;
+  return triangulate(face, {}, report);
+}
+
+// The half disc's field in closed form (method.md, 2).
+Vec2 half_disc_field(Vec2 x) {
+  const double r = norm(x), angle = angle_of(x);
+  double u = 1, power = r;
+  for (int n = 1; n < 600; n += 2, power *= r * r) {
+    u -= 4 / pi * (1.0 / n - n / (n * n - 16.0)) * power * std::sin(n * angle);
+  }
+  return {u, std::pow(r, 4) * std::sin(4 * angle)};
+}
+
+TEST(AdaptLoop, ReachesTheClosedFormOfTheHalfDisc) {
+  Report report;
+  const Field field = adapt_loop(solved(half_disc(), 8), {}, report);
+  const FieldEvaluator evaluator(field);
+  double worst = 0;
+  for (double angle = 0.05; angle < pi; angle += 0.1) {
+    for (const double r : {0.05, 0.3, 0.7, 0.9}) {
+      Vec2 value;
+      ASSERT_TRUE(evaluator.value_at(r * unit(angle), value));
+      worst = std::max(worst, distance(value, half_disc_field(r * unit(angle))));
+    }
+  }
+  EXPECT_LT(worst, 1e-8);
+  // The zeros lie where the closed form has them, to far less than the 1e-7 that blocks need.
+  const Vec2 zero{0.50508102270043128, 0.50508102270043128};
+  const Location at = evaluator.locator().find(zero);
+  const FieldSample sample = evaluator.sample(at.elem, at.xi);
+  EXPECT_LT(norm(inverse(sample.dv_dx) * sample.value), 1e-9 * 2);
+  EXPECT_TRUE(report.warnings().empty());
+}
+
+TEST(AdaptLoop, LowersAConstantToTheLeastOrder) {
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 3);
+  Report report;
+  const Field field = adapt_loop(solved(mesh, 8), {.min_order = 2}, report);
+  EXPECT_EQ(field.elem_order, std::vector<int>(mesh.num_elems(), 2));
+  EXPECT_EQ(field.adapt_steps.size(), 7u);
+  EXPECT_EQ(field.adapt_steps.front().num_lowered, mesh.num_elems());
+  EXPECT_EQ(field.adapt_steps.back().num_lowered, 0);
+}
+
+TEST(AdaptLoop, EndsWithEverySensorInsideItsLimits) {
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.7, 1}, 4);
+  const AdaptOptions options{.raise_above = 1e-10, .lower_below = 1e-14, .min_order = 2, .max_order = 12};
+  Report report;
+  const Field field = adapt_loop(solved(mesh, 5), options, report);
+  EXPECT_EQ(field.adapt_steps.back().num_raised + field.adapt_steps.back().num_lowered, 0);
+  const auto [low, high] = std::minmax_element(field.elem_order.begin(), field.elem_order.end());
+  EXPECT_GE(*low, 2);
+  EXPECT_LE(*high, 12);
+  EXPECT_GT(*high, *low);
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    EXPECT_TRUE(field.elem_sensor[e] <= options.raise_above || field.elem_order[e] == 12);
+  }
+}
+
+TEST(AdaptLoop, AdaptedFieldsStayAsTheyAre) {
+  Report report;
+  const Field once = adapt_loop(solved(half_disc(), 8), {}, report), twice = adapt_loop(once, {}, report);
+  EXPECT_EQ(once.elem_order, twice.elem_order);
+  EXPECT_EQ(once.u, twice.u);
+  EXPECT_EQ(twice.adapt_steps.size(), 1u);
+}
+
+TEST(AdaptLoop, SaysWhenItStopsEarly) {
+  Report report;
+  const Field field = adapt_loop(solved(half_disc(), 8), {.max_steps = 2}, report);
+  EXPECT_EQ(field.adapt_steps.size(), 3u);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_EQ(report.warnings()[0].code, "W-ADAPT-001");
+  EXPECT_EQ(*std::max_element(field.elem_order.begin(), field.elem_order.end()), 10);
+}
+
+TEST(AdaptLoop, RefusesThresholdsThatCross) {
+  EXPECT_THROW((AdaptOptions{.raise_above = 1e-12, .lower_below = 1e-10}.validate()), UsageError);
+  EXPECT_THROW((AdaptOptions{.min_order = 9, .max_order = 8}.validate()), UsageError);
+  EXPECT_NO_THROW(AdaptOptions{}.validate());
+}
+
+}  // namespace
+}  // namespace quadrille

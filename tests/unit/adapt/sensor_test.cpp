@@ -1,0 +1,64 @@
+#include "adapt/sensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../test_meshes.hpp"
+#include "base/error.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+namespace {
+
+// Two elements of order 3 with all coefficients 0.
+Field empty_field() {
+  Field field;
+  field.mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 1);
+  field.elem_order = {3, 3};
+  field.coef_offsets = {0, 10, 20};
+  field.u.assign(20, 0.0);
+  field.v.assign(20, 0.0);
+  return field;
+}
+
+TEST(Sensor, IsZeroForAComponentThatVanishes) {
+  const Field field = empty_field();
+  for (const SensorKind kind : {SensorKind::vector, SensorKind::u, SensorKind::v}) {
+    EXPECT_EQ(sense(field, kind), std::vector<double>({0, 0}));
+  }
+}
+
+TEST(Sensor, IsTheShareOfTheHighestDegree) {
+  Field field = empty_field();
+  field.u[0] = 3;   // a field longer than 1: the sensor is relative
+  field.u[9] = 4;   // degree 3
+  field.v[5] = 12;  // degree 2
+  field.v[16] = 1e-3;
+  field.u[14] = 0.5;  // element 1 is shorter than a unit field, whose square is 2 on the reference triangle
+  const std::vector<double> both = sense(field, SensorKind::vector);
+  EXPECT_NEAR(both[0], 16.0 / (25 + 144), 1e-15);
+  EXPECT_NEAR(both[1], 1e-6 / 2, 1e-20);
+  EXPECT_NEAR(sense(field, SensorKind::u)[0], 16.0 / 25, 1e-15);
+  EXPECT_EQ(sense(field, SensorKind::u)[1], 0);
+  EXPECT_EQ(sense(field, SensorKind::v)[0], 0);
+}
+
+TEST(Sensor, OfFanElementsCountsBySize) {
+  Field field = empty_field();
+  field.mesh.vertices = {{0, 0}, {1, 0}, {0, 1}, {0.1, 0}, {0, 0.1}};
+  field.mesh.elem2vertices = {{0, 1, 2}, {0, 3, 4}};
+  field.mesh.elem_layer = {-1, 0};
+  field.u[9] = field.u[19] = 1;
+  const std::vector<double> sensors = sense(field, SensorKind::vector);
+  EXPECT_NEAR(sensors[0], 0.5, 1e-15);
+  EXPECT_NEAR(sensors[1], 0.005, 1e-15);
+}
+
+TEST(Sensor, KindsHaveNames) {
+  EXPECT_EQ(sensor_kind("vector"), SensorKind::vector);
+  EXPECT_EQ(sensor_kind("u"), SensorKind::u);
+  EXPECT_EQ(sensor_kind("v"), SensorKind::v);
+  EXPECT_THROW(sensor_kind("w"), UsageError);
+}
+
+}  // namespace
+}  // namespace quadrille
