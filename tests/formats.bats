@@ -1,5 +1,5 @@
 # The pages in formats/ against the code, the sample files and the schemas: one stem everywhere.
-load ../tools/common
+load tools/common
 
 PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
 

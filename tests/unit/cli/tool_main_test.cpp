@@ -1,0 +1,192 @@
+#include "cli/tool_main.hpp"
+
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "base/error.hpp"
+
+namespace quadrille {
+namespace {
+
+/// What one run of a tool did.
+struct Result {
+  int code = 0;
+  std::string out, err;
+};
+
+Result run(const Tool& tool, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), tool.name);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Result result;
+  result.code = tool_main(static_cast<int>(argv.size()), argv.data(), tool);
+  result.out = testing::internal::GetCapturedStdout();
+  result.err = testing::internal::GetCapturedStderr();
+  return result;
+}
+
+/// A tool with one option of each kind; `body` is what it does.
+struct Sample {
+  std::string input, output, name = "plain", mode = "fast";
+  double size = 0.5;
+  int order = 4;
+  bool is_loud = false;
+  Provenance chain;
+
+  Tool tool(std::function<void(Session&)> body = [](Session&) {}) {
+    Tool t;
+    t.name = "sample";
+    t.summary = "does nothing";
+    t.examples = {"sample -o x"};
+    t.options = [this](Options& o) {
+      o.input("IN", input, "what is read");
+      o.output(output, "what is written");
+      o.number("--size", size, 0, 10, "length", "the size");
+      o.integer("--order", order, 1, 20, "the order");
+      o.choice("--mode", mode, {"fast", "slow"}, "the mode");
+      o.text("--name", name, "NAME", "a name");
+      o.flag("--loud", is_loud, "be loud");
+    };
+    t.run = [this, body](Session& session) {
+      chain = session.provenance({}, {{"step", "abc"}});
+      body(session);
+    };
+    return t;
+  }
+};
+
+TEST(ToolMain, FillsVariablesAndReturnsDone) {
+  Sample s;
+  const Result r = run(s.tool(), {"--size", "2.5", "--order=7", "--mode", "slow", "--loud", "file", "-o", "out"});
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.out + r.err, "");
+  EXPECT_EQ(s.size, 2.5);
+  EXPECT_EQ(s.order, 7);
+  EXPECT_EQ(s.mode, "slow");
+  EXPECT_TRUE(s.is_loud);
+  EXPECT_EQ(s.input, "file");
+  EXPECT_EQ(s.output, "out");
+}
+
+TEST(ToolMain, InputAndOutputAreDashByDefault) {
+  Sample s;
+  EXPECT_EQ(run(s.tool(), {}).code, 0);
+  EXPECT_EQ(s.input, "-");
+  EXPECT_EQ(s.output, "-");
+  EXPECT_EQ(run(s.tool(), {"-", "-o", "-"}).code, 0);
+}
+
+TEST(ToolMain, TheLastOfRepeatedOptionsCounts) {
+  Sample s;
+  EXPECT_EQ(run(s.tool(), {"--order", "3", "--order", "5"}).code, 0);
+  EXPECT_EQ(s.order, 5);
+}
+
+TEST(ToolMain, MistakesAreOneLineAndTryHelp) {
+  const std::vector<std::vector<std::string>> mistakes{
+      {"--nothing"},  {"--size", "-1"},           {"--size", "11"},   {"--size", "nan"},    {"--size", "1x"},
+      {"--size", ""}, {"--order", "2.5"},         {"--order", "21"},  {"--order"},          {"--mode", "medium"},
+      {"a", "b"},     {"--order", "99999999999"}, {"--threads", "0"}, {"--progress", "on"}, {"--loud=perhaps"}};
+  for (const auto& mistake : mistakes) {
+    Sample s;
+    const Result r = run(s.tool(), mistake);
+    EXPECT_EQ(r.code, 2) << mistake[0];
+    EXPECT_EQ(r.out, "");
+    EXPECT_EQ(r.err.rfind("sample: ", 0), 0u) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 2) << r.err;
+    EXPECT_NE(r.err.find("\ntry 'sample --help'\n"), std::string::npos) << r.err;
+  }
+}
+
+TEST(ToolMain, HelpStatesUnitDefaultAndInterval) {
+  Sample s;
+  const Result r = run(s.tool(), {"--order", "5", "--help"});
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.err, "");
+  EXPECT_NE(r.out.find("Usage: sample [OPTIONS] [IN]"), std::string::npos);
+  EXPECT_NE(r.out.find("(unit: length; default: 0.5; interval: 0 to 10)"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("(unit: none; default: 4; interval: 1 to 20)"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("EXAMPLES\n  sample -o x\n"), std::string::npos);
+}
+
+TEST(ToolMain, EveryFailureHasItsCode) {
+  const auto code = [](const std::function<void()>& fail) {
+    Sample s;
+    return run(s.tool([&](Session&) { fail(); }), {});
+  };
+  EXPECT_EQ(code([] { throw ComputeError("no"); }).code, 1);
+  EXPECT_EQ(code([] { throw UsageError("no"); }).code, 2);
+  EXPECT_EQ(code([] { throw FormatError("no"); }).code, 3);
+  EXPECT_EQ(code([] { throw OutputError("no"); }).code, 4);
+  EXPECT_EQ(code([] { throw Defect("no"); }).code, 70);
+  EXPECT_EQ(code([] { throw std::bad_alloc(); }).code, 70);
+  EXPECT_EQ(code([] { throw std::out_of_range("no"); }).code, 70);
+  EXPECT_EQ(code([] { throw 1; }).code, 70);
+  EXPECT_EQ(code([] { throw ComputeError("too bad"); }).err, "sample: too bad\n");
+  EXPECT_EQ(code([] { throw std::bad_alloc(); }).err, "sample: out of memory\n");
+  EXPECT_EQ(code([] { throw std::out_of_range("at"); }).err, "sample: a defect of ours: at\n");
+}
+
+TEST(ToolMain, ProvenanceHoldsOptionsAfterDefaultsWithSortedKeys) {
+  Sample s;
+  EXPECT_EQ(run(s.tool(), {"--size", "0.1", "-v", "--threads", "3", "--report", "", "-o", "out", "in"}).code, 0);
+  ASSERT_EQ(s.chain.size(), 1u);
+  EXPECT_EQ(s.chain[0].tool, "sample");
+  EXPECT_EQ(s.chain[0].inputs[0].sha256, "abc");
+  EXPECT_EQ(s.chain[0].options, R"({"loud":false,"mode":"fast","name":"plain","order":4,"size":0.10000000000000001})");
+}
+
+TEST(ToolMain, TextInProvenanceIsEscaped) {
+  Sample s;
+  run(s.tool(), {"--name", "a\"b\\\n"});
+  EXPECT_NE(s.chain[0].options.find(R"("name":"a\"b\\\u000a")"), std::string::npos) << s.chain[0].options;
+}
+
+TEST(ToolMain, WarningsArePrintedUnlessQuiet) {
+  Sample s;
+  const Tool tool = s.tool([](Session& session) { session.report().warn("W-X-001", "odd"); });
+  EXPECT_EQ(run(tool, {}).err, "sample: warning W-X-001: odd\n");
+  EXPECT_EQ(run(tool, {"-q"}).err, "");
+}
+
+TEST(ToolMain, SaysMoreWithV) {
+  Sample s;
+  const Tool tool = s.tool([](Session& session) { session.say("hello"); });
+  EXPECT_EQ(run(tool, {}).err, "");
+  EXPECT_EQ(run(tool, {"-v"}).err, "sample: hello\n");
+  EXPECT_EQ(run(tool, {"-vq"}).err, "");
+}
+
+TEST(ToolMain, TheReportIsWrittenAfterFailureToo) {
+  for (const bool fails : {false, true}) {
+    Sample s;
+    std::vector<std::string> keys;
+    Tool tool = s.tool([&](Session& session) {
+      session.begin_phase("work");
+      if (fails) throw ComputeError("too bad");
+    });
+    tool.report_writer = [&](const std::string& path, const std::string&, const std::string&, const Report& report) {
+      EXPECT_EQ(path, "r.json");
+      for (const auto& [key, value] : report.entries()) keys.push_back(key);
+    };
+    EXPECT_EQ(run(tool, {"--report", "r.json"}).code, fails ? 1 : 0);
+    const auto has = [&](const char* key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
+    EXPECT_TRUE(has("timings.work.cpu_seconds"));
+    EXPECT_TRUE(has("timings.total.wall_seconds"));
+    EXPECT_TRUE(has("exit_code"));
+    EXPECT_EQ(has("error"), fails);
+  }
+}
+
+TEST(ToolMain, AReportThatCannotBeWrittenIsAnOutputError) {
+  Sample s;
+  Tool tool = s.tool();
+  tool.report_writer = [](const auto&...) { throw OutputError("r.json: no space"); };
+  EXPECT_EQ(run(tool, {"--report", "r.json"}).code, 4);
+}
+
+}  // namespace
+}  // namespace quadrille
