@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <climits>
-#include <cstdlib>
+#include <cstdio>
 #include <cstring>
 
 #include "base/error.hpp"
@@ -44,13 +45,17 @@ std::string step_helper() {
 }
 
 /// Runs the helper on our standard input and output. What it has to say it says itself; its exit code becomes ours.
-void write_step(const std::string& input, const std::string& output) {
-  const std::string helper = step_helper();
-  std::array<std::string, 3> arguments{helper, input, output};
-  std::array<char*, 4> argv{arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawn(&child, helper.c_str(), nullptr, nullptr, argv.data(), environ);
-  if (error != 0) throw OutputError(fmt::format("{} cannot be run: {}", helper, std::strerror(error)));
+void write_step(std::string input, std::string output) {
+  std::string helper = step_helper(), flag = "-o";
+  std::array<char*, 5> argv{helper.data(), input.data(), flag.data(), output.data(), nullptr};
+  const pid_t child = fork();
+  if (child < 0) throw OutputError(fmt::format("{} cannot be run: {}", helper, std::strerror(errno)));
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a signal that ends us alone must not leave a writer behind
+    execv(helper.c_str(), argv.data());
+    fmt::print(stderr, "quadexport: {} cannot be run: {}\n", helper, std::strerror(errno));
+    _exit(static_cast<int>(ExitCode::bad_output));
+  }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

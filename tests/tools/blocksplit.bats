@@ -11,9 +11,9 @@ setup() {
 }
 
 @test "writes blocks silently" {
-  run --separate-stderr blocksplit "$sep" -o a.blocks.h5
+  run blocksplit "$sep" -o a.blocks.h5
   assert_success
-  assert_equal "$output$stderr" ""
+  assert_output ""
   assert_nothing_left a.blocks.h5
   run stagecheck a.blocks.h5
   assert_success
