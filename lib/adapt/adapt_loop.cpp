@@ -65,7 +65,8 @@ Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report
     field.elem_sensor = std::move(sensors);
     if (orders == field.elem_order) break;
     if (static_cast<int>(steps.size()) > options.max_steps) {
-      report.warn("W-ADAPT-001", fmt::format("orders still change after {} steps", options.max_steps));
+      report.warn("W-ADAPT-001", fmt::format("orders still change after {} {}", options.max_steps,
+                                             options.max_steps == 1 ? "step" : "steps"));
       break;
     }
     field = solver.solve(orders, report);

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "../test_meshes.hpp"
+#include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "field/evaluate.hpp"
 
@@ -118,6 +119,13 @@ TEST(SolveLaplace, ASolverReusedGivesTheSameBits) {
   const Field reused = solver.solve(second, report), fresh = solve_laplace(mesh, second, report);
   EXPECT_EQ(reused.u, fresh.u);
   EXPECT_EQ(reused.v, fresh.v);
+}
+
+TEST(SolveLaplace, RefusesALineField) {
+  // Sides at 0 and 45 degrees: v is a multiple of (1, 0) everywhere, and vanishes on curves.
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {1, 1}, 2);
+  Report report;
+  EXPECT_THROW(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 4), report), ComputeError);
 }
 
 TEST(SolveLaplace, OblongCrossesAreExactWithLiftings) {

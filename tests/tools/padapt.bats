@@ -1,0 +1,80 @@
+# padapt: Algorithm 1 of the paper.
+load common
+
+setup_file() {
+  cad2tri "$DATA/half_disc.step" | fieldsolve -o "$BATS_FILE_TMPDIR/half_disc.solve.h5"
+}
+
+setup() {
+  common_setup
+  ln -s "$BATS_FILE_TMPDIR/half_disc.solve.h5" half_disc.solve.h5
+}
+
+@test "writes a valid field, silently" {
+  run padapt half_disc.solve.h5 -o a.field.h5
+  assert_success
+  assert_output ''
+  assert_nothing_left a.field.h5 half_disc.solve.h5
+  stagecheck a.field.h5
+}
+
+@test "files, pipes and a second run give the same bytes" {
+  padapt half_disc.solve.h5 -o a.field.h5
+  padapt half_disc.solve.h5 -o b.field.h5
+  padapt < half_disc.solve.h5 > c.field.h5
+  cad2tri "$DATA/half_disc.step" | fieldsolve | padapt -o d.field.h5
+  for other in b c d; do cmp a.field.h5 $other.field.h5; done
+}
+
+@test "stops when no order changes, every element within its limits" {
+  padapt half_disc.solve.h5 -o a.field.h5 --report report.json
+  run -0 jq -e '.adapt.min_order >= 2 and .adapt.max_order <= 16 and .adapt.num_unresolved == 0 and .warnings == []
+    and .adapt.max_sensor <= 1e-18 and (.adapt.num_elements_by_order | add) > 0' report.json
+  # Adapting once more finds nothing to do.
+  padapt a.field.h5 -o b.field.h5 --report report.json
+  assert_equal "$(jq .adapt.steps report.json)" 1
+}
+
+@test "looser thresholds and lower limits give fewer unknowns" {
+  padapt half_disc.solve.h5 -o a.field.h5 --report tight.json
+  padapt --raise-above 1e-10 --lower-below 1e-14 half_disc.solve.h5 -o a.field.h5 --report loose.json
+  padapt --max-order 9 half_disc.solve.h5 -o a.field.h5 --report low.json
+  tight=$(jq .adapt.num_unknowns tight.json)
+  (($(jq .adapt.num_unknowns loose.json) < tight))
+  (($(jq .adapt.num_unknowns low.json) < tight))
+  assert_equal "$(jq .adapt.max_order low.json)" 9
+}
+
+@test "the sensor of one component or of both" {
+  for sensor in u v vector; do
+    padapt --sensor $sensor half_disc.solve.h5 -o $sensor.field.h5
+    stagecheck $sensor.field.h5
+  done
+  run cmp u.field.h5 v.field.h5
+  assert_failure
+  run -2 padapt --sensor w half_disc.solve.h5 -o a.field.h5
+  assert_file_not_exists a.field.h5
+}
+
+@test "a bound on the steps is a warning with a code" {
+  run --separate-stderr padapt --max-steps 1 half_disc.solve.h5 -o a.field.h5 --report report.json
+  assert_success
+  assert_regex "$stderr" 'orders still change after 1 step'
+  assert_equal "$(jq -r '.warnings[].code' report.json)" W-ADAPT-001
+  stagecheck a.field.h5
+}
+
+@test "thresholds and limits that contradict each other are usage errors" {
+  for options in "--raise-above 1e-20 --lower-below 1e-10" "--min-order 9 --max-order 8" "--max-order 21"; do
+    run --separate-stderr padapt $options half_disc.solve.h5 -o a.field.h5
+    assert_equal "$status" 2
+    assert_equal "${stderr_lines[1]}" "try 'padapt --help'"
+    assert_file_not_exists a.field.h5
+  done
+}
+
+@test "-v tells each step" {
+  run --separate-stderr padapt -v half_disc.solve.h5 -o a.field.h5 --report report.json
+  assert_success
+  assert_equal "$(grep -c 'raised, .* lowered' <<<"$stderr")" "$(jq .adapt.steps report.json)"
+}
