@@ -100,7 +100,7 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
                                fmt::format("irregular node of valence {} at {}", node.valence,
                                            place_text(node.position, layout.face.origin))));
   legend_valences(picture, valences);
-  picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+  legend_corner(picture, layout.face);
   return picture.str();
 }
 

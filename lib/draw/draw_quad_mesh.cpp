@@ -50,7 +50,7 @@ double ring_radius(const Picture& picture, const QuadMesh& mesh, int elem) {
   double radius = 0;
   for (int side = 0; side < 4; ++side)
     radius = std::max(radius, picture.scale() * distance(c, mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
-  return radius + 4;
+  return radius + 2;
 }
 
 std::string caption(const QuadMesh& mesh) {

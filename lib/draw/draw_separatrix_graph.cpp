@@ -94,7 +94,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   for (const int n : graph.t_junctions)
     picture.add(circle_mark("ring", picture.at(graph.nodes[n].position), 7, "T-junction"));
   legend_valences(picture, valences);
-  picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+  legend_corner(picture, graph.face);
   picture.legend_mark(circle_mark("dot", {0, 0}, 3), "crossing or end");
   return picture.str();
 }

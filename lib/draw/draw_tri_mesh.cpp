@@ -52,7 +52,7 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   picture.legend_mark(square("#f1f4f6"), "straight");
   if (num_curved > 0) picture.legend_mark(square("#d7e6ef"), "curved");
   if (last_layer >= 0) picture.legend_mark(square(ramp_colour(layer_ramp(), 0.3)), "corner fan");
-  picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+  legend_corner(picture, mesh.face);
   return picture.str();
 }
 

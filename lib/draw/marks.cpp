@@ -68,6 +68,12 @@ void draw_corners(Picture& picture, const CadFace& face) {
   }
 }
 
+void legend_corner(Picture& picture, const CadFace& face) {
+  const auto is_corner = [](const Joint& joint) { return joint.is_corner; };
+  if (std::any_of(face.joints.begin(), face.joints.end(), is_corner))
+    picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+}
+
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {
   return svg_element(
       "circle",

@@ -17,6 +17,8 @@ void draw_face_area(Picture& picture, const CadFace& face);
 void draw_boundary(Picture& picture, const CadFace& face);
 /// A small dot on each corner; hover: number, angle, place.
 void draw_corners(Picture& picture, const CadFace& face);
+/// Its legend entry, where the face has corners.
+void legend_corner(Picture& picture, const CadFace& face);
 
 /// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.
 std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title = {});

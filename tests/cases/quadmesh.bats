@@ -3,9 +3,11 @@ load ../tools/common
 
 quadmesh=$ROOT/pipelines/quadmesh
 
+# here COMMAND...: with the test's folder for temporaries too, so that what is left is seen.
+here() { TMPDIR=$PWD "$@"; }
+
 @test "the only words are one line about the mesh; nothing but the mesh is left" {
-  export TMPDIR=$PWD
-  run -0 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
   assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, worst scaled Jacobian 0\.[0-9]+$'
   assert_equal "$stderr" ""
   assert_nothing_left out.msh
@@ -56,6 +58,18 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_equal "$(jq .quads coarse.json)" 4
 }
 
+@test "--boundary-names renames boundary curves, by name or number" {
+  echo '{"0": "floor", "curve_1": "roof"}' >names.json
+  "$quadmesh" "$DATA/half_disc.step" -o out.msh --boundary-names names.json
+  run -0 sed -n '/^\$PhysicalNames/,/^\$EndPhysicalNames/s/^1 [0-9]* //p' out.msh
+  assert_output '"floor"
+"roof"'
+  echo '{"7": "wall"}' >names.json
+  run -3 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o other.msh --boundary-names names.json
+  [[ $stderr == "cad2tri: "*names.json*'"7"'* ]] || fail "$stderr"
+  assert_file_not_exists other.msh
+}
+
 @test "the same shape twice gives the same bytes at every stage" {
   for shape in half_disc plate_hole; do
     "$quadmesh" "$DATA/$shape.step" -o a.msh --workdir a
@@ -74,12 +88,11 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
 }
 
 @test "bad input: the message and the exit code of the stage come through, nothing is left" {
-  export TMPDIR=$PWD
   : >empty.step
   head -c 3000 "$DATA/half_disc.step" >truncated.step
   head -c 2000 /dev/urandom >garbage.step
   for shape in empty truncated garbage missing; do
-    run -3 --separate-stderr "$quadmesh" "$shape.step" -o out.msh
+    run -3 --separate-stderr here "$quadmesh" "$shape.step" -o out.msh
     assert_equal "${#stderr_lines[@]}" 1
     [[ $stderr == "cad2tri: "*"$shape.step"* ]] || fail "$shape: $stderr"
     assert_output ''
@@ -88,17 +101,15 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
 }
 
 @test "an impossible option of a stage is that stage's usage error" {
-  export TMPDIR=$PWD
-  run -2 --separate-stderr "$quadmesh" "$DATA/square.step" -o out.msh --order 0
+  run -2 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --order 0
   [[ $stderr == "quadrefine: --order"* ]] || fail "$stderr"
   assert_nothing_left
 }
 
 @test "an output that cannot be written is exit 4, nothing is left" {
-  export TMPDIR=$PWD
-  run -4 --separate-stderr "$quadmesh" "$DATA/square.step" -o nowhere/out.msh
+  run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o nowhere/out.msh
   [[ $stderr == "quadexport: "*nowhere/out.msh* ]] || fail "$stderr"
-  run -4 --separate-stderr "$quadmesh" "$DATA/square.step" -o out.msh --report nowhere/report.json
+  run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --report nowhere/report.json
   assert_nothing_left out.msh
 }
 
@@ -111,13 +122,12 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
 }
 
 @test "a stage that fails keeps the files before it, a picture of the last one and the command to look at it" {
-  export TMPDIR=$PWD
   mkdir fake
   for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
   rm fake/blocksplit
   printf '#!/bin/sh\necho "blocksplit: no luck at (1, 2)" >&2\nexit 1\n' >fake/blocksplit
   chmod +x fake/blocksplit
-  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh --workdir kept
+  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --workdir kept
   assert_equal "${stderr_lines[0]}" "blocksplit: no luck at (1, 2)"
   assert_equal "${stderr_lines[1]}" \
     "quadmesh: the files of the stages before blocksplit are kept in kept; look at the last one with"
@@ -126,19 +136,18 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_file_exists kept/half_disc.sep.json
   assert_file_not_exists out.msh
   # Without --workdir the temporary folder stays, and only then.
-  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
   picture=$(sed -n "s/.*xdg-open '\(.*\)'/\1/p" <<<"$stderr")
   assert_file_exists "$picture"
 }
 
 @test "a signal ends it with 128 + n and leaves nothing" {
-  export TMPDIR=$PWD
   mkdir fake
   for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
   rm fake/separatrix
   printf '#!/bin/sh\necho > started\nexec sleep 30\n' >fake/separatrix
   chmod +x fake/separatrix
-  QUADRILLE_BIN=$PWD/fake "$quadmesh" "$DATA/half_disc.step" -o out.msh 3>&- &
+  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD "$quadmesh" "$DATA/half_disc.step" -o out.msh 3>&- &
   local pid=$!
   until [[ -e started ]]; do sleep 0.05; done
   kill -TERM $pid
