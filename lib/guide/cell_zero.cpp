@@ -5,8 +5,6 @@
 namespace quadrille {
 namespace {
 
-constexpr double inside_tol = 1e-8;
-
 double outside(Vec2 lambda) { return std::max({-lambda.x, -lambda.y, lambda.x + lambda.y - 1}); }
 
 /// The nearest point of the triangle lambda >= 0, lambda1 + lambda2 <= 1.
@@ -41,16 +39,17 @@ bool polish_zero(const FieldEvaluator& evaluator, int elem, Vec2& xi) {
     const Vec2 step = inverse(dv_dxi) * s.value;
     const double length = norm(step);
     if (!(length < 1)) return false;
-    if (length >= last / 2 && last < 1e-12) return true;  // round-off: no further gain
+    if (length >= last / 2 && last < 1e-8) return true;  // round-off: no further gain
     xi = xi - step;
     last = length;
     if (length < 1e-16) return true;
   }
-  return last < 1e-12;
+  return last < 1e-8;
 }
 
 bool find_cell_zero(const FieldEvaluator& evaluator, const Cell& cell, const Mat2& inverse_jacobian, double contraction,
-                    Vec2& xi) {
+                    double value_noise, Vec2& xi) {
+  const double noise = frobenius_norm(inverse_jacobian) * value_noise, inside_tol = 1e-8 + 4 * noise;
   Vec2 lambda{1.0 / 3, 1.0 / 3};
   Vec2 step = inverse_jacobian * value(evaluator, cell, lambda);
   const double to_vertices = std::sqrt(5.0) / 3;
@@ -60,9 +59,10 @@ bool find_cell_zero(const FieldEvaluator& evaluator, const Cell& cell, const Mat
     const double moved = distance(lambda, next);
     lambda = next;
     step = inverse_jacobian * value(evaluator, cell, lambda);
-    if (moved < 1e-7) break;
+    if (moved < 1e-7 + noise) break;
   }
-  if (norm(step) > 1e-5) return false;  // the fixed point lies on the cell's edge, the zero of the extension beyond it
+  // At a fixed point on the cell's edge the zero of the extension lies beyond it.
+  if (norm(step) > 1e-5 + 10 * noise) return false;
   xi = cell.xi_at(lambda);
   return polish_zero(evaluator, cell.elem, xi) && outside(local_coordinates(cell, xi)) <= inside_tol;
 }

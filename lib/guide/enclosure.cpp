@@ -31,33 +31,32 @@ Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
   return angles;
 }
 
-double frobenius(const Mat2& m) { return std::sqrt(m.xx * m.xx + m.xy * m.xy + m.yx * m.yx + m.yy * m.yy); }
-
 }  // namespace
 
 void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings) {
   cell_ = &cell;
   centre_ = (cell.vertex(0) + cell.vertex(1) + cell.vertex(2)) / 3;
-  double radius2 = 0, size = 0;
+  double radius2 = 0, size = 0, rounding = 0;
   values_.resize(cell.num_coefs());
   for (int i = 0; i < cell.num_coefs(); ++i) {
     values_[i] = cell.value(i);
     radius2 = std::max(radius2, norm2(cell.point(i) - centre_));
-    size = std::max(size, norm2(values_[i]));
+    size = std::max(size, norm(values_[i]));
   }
   radius_ = std::sqrt(radius2);
-  slack_ = std::sqrt(size);
   ranges_.clear();
   gradient_error_ = 0;
   for (const Lifting& lifting : liftings) {
     const double to_apex = distance(lifting.apex, centre_), to_pole = distance(lifting.pole, centre_);
-    slack_ += norm(lifting.jump);
+    size += norm(lifting.jump);
+    rounding += norm(lifting.jump) * (1 / std::max(to_apex, radius_) + 1 / std::max(to_pole, radius_));
     if (std::min(to_apex, to_pole) > 2 * radius_)
       add_linearised(lifting);
     else
       add_by_angles(lifting);
   }
-  slack_ *= 1e-14;
+  // A position is rounded to its distance from the origin: close to a corner that turns the lifting's angle.
+  slack_ = 1e-14 * size + 4e-16 * (norm(centre_) + radius_) * rounding;
 }
 
 void Enclosure::add_linearised(const Lifting& lifting) {
@@ -138,15 +137,15 @@ bool Enclosure::isolates(Mat2& inverse_jacobian, double& contraction) const {
     }
   const double count = num_bernstein(n - 1);
   mean = {mean.xx / count, mean.xy / count, mean.yx / count, mean.yy / count};
-  if (!(std::abs(det(mean)) > 1e-14 * frobenius(mean) * frobenius(mean))) return false;
+  if (!(std::abs(det(mean)) > 1e-14 * frobenius_norm(mean) * frobenius_norm(mean))) return false;
   inverse_jacobian = inverse(mean);
   contraction = 0;
   for (int k = 0; k < n; ++k)
     for (int j = 0; j + k < n; ++j) {
       const Mat2 m = inverse_jacobian * derivative(j, k);
-      contraction = std::max(contraction, frobenius({m.xx - 1, m.xy, m.yx, m.yy - 1}));
+      contraction = std::max(contraction, frobenius_norm({m.xx - 1, m.xy, m.yx, m.yy - 1}));
     }
-  contraction += frobenius(inverse_jacobian) * (gradient_error_ * n * std::sqrt(stretch) + 2 * n * slack_);
+  contraction += frobenius_norm(inverse_jacobian) * (gradient_error_ * n * std::sqrt(stretch) + 2 * n * slack_);
   return contraction < 0.75;
 }
 

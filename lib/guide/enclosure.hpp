@@ -25,6 +25,8 @@ class Enclosure {
 
   /// No value in the cell is longer.
   double greatest_value() const;
+  /// What rounding may change in a value of the field over the cell.
+  double value_noise() const { return slack_; }
   Vec2 centre() const { return centre_; }
   double radius() const { return radius_; }
 
@@ -40,7 +42,7 @@ class Enclosure {
   const Cell* cell_ = nullptr;
   Vec2 centre_;
   double radius_ = 0;
-  double slack_ = 0;          ///< round-off of the Bernstein coefficients
+  double slack_ = 0;          ///< round-off of values: of coefficients, and of positions near corners
   std::vector<Vec2> values_;  ///< Bernstein coefficients of the field with linearised liftings
   std::vector<Range> ranges_;
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised

@@ -1,6 +1,7 @@
 #include "guide/find_critical_points.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "guide/cell_zero.hpp"
 #include "guide/multiple_zero.hpp"
@@ -10,20 +11,13 @@
 namespace quadrille {
 namespace {
 
-std::vector<Disc> tie_discs(const CadFace& face) {
-  std::vector<Disc> discs;
-  for (int j = 0; j < face.num_curves(); ++j)
-    if (face.joints[j].is_corner && is_tie(face.joints[j].interior_angle)) discs.push_back(tie_disc(face, j));
-  return discs;
-}
-
 /// Each zero once, from the lowest element that holds it: zeros on an edge or vertex are found on every side of it.
-/// The elements were searched in ascending sequence.
+/// The elements were searched in ascending sequence. Two zeros are no nearer than the cells that isolate them.
 std::vector<FoundZero> distinct(const std::vector<FoundZero>& zeros, double diameter) {
   std::vector<FoundZero> result;
   for (const FoundZero& zero : zeros) {
     const bool known = std::any_of(result.begin(), result.end(), [&](const FoundZero& other) {
-      return distance(zero.x, other.x) <= 1e-6 * std::min(zero.cell_radius, other.cell_radius) + 1e-13 * diameter;
+      return distance(zero.x, other.x) <= 1e-3 * std::min(zero.cell_radius, other.cell_radius) + 1e-12 * diameter;
     });
     if (!known) result.push_back(zero);
   }
@@ -82,10 +76,9 @@ void report_proof(const SearchCounts& counts, int num_elems, const CriticalPoint
 CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report) {
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
-  require_no_line_field(face);
 
-  const std::vector<Disc> ignored = tie_discs(face);
-  ZeroSearch search(evaluator, ignored);
+  CornerValences valences = corner_valences(evaluator);
+  ZeroSearch search(evaluator, valences.discs);
   for (int e = 0; e < mesh.num_elems() && !search.is_hopeless(); ++e) search.search(e);
   const std::vector<FoundZero> zeros = distinct(search.zeros(), face.diameter);
   require_simple_zeros(evaluator, zeros, search.open_cells());
@@ -93,12 +86,12 @@ CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& rep
   CriticalPoints points;
   points.origin = face.origin;
   for (const FoundZero& zero : zeros) {
-    const bool of_corner = std::any_of(ignored.begin(), ignored.end(),
+    const bool of_corner = std::any_of(valences.discs.begin(), valences.discs.end(),
                                        [&](const Disc& disc) { return distance(disc.centre, zero.x) <= disc.radius; });
     if (!of_corner) points.critical_points.push_back(critical_point(evaluator, zero));
   }
   sort_by_place(points.critical_points, 1e-6 * face.diameter);
-  points.corners = corner_valences(evaluator);
+  points.corners = std::move(valences.corners);
   points.index_sum = index_sum(points);
   points.index_sum_expected = 4 * face.euler_characteristic();
   report_proof(search.counts(), mesh.num_elems(), points, report);

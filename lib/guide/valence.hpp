@@ -1,7 +1,10 @@
 #pragma once
 // Valences of corners (method.md §3): near a corner the field follows the chord between the data on its two sides, so
 // that V is the integer nearest 2 omega / pi. At omega = 45, 135, 225, 315 degrees the chord passes through 0: a tie,
-// which the field away from the corner decides.
+// which the field away from the corner decides. Close to a tie a critical point may lie so near the corner that no
+// block fits between: the corner absorbs it, its valence V becomes V + V_k - 4.
+
+#include <vector>
 
 #include "field/evaluate.hpp"
 #include "guide/zero_search.hpp"
@@ -12,16 +15,14 @@ namespace quadrille {
 /// How far the interior angle is from the nearest tie, radians in [0, pi/4].
 double tie_distance(double interior_angle);
 
-/// True when the angle is within 1e-6 radians of a tie.
-inline bool is_tie(double interior_angle) { return tie_distance(interior_angle) < 1e-6; }
+struct CornerValences {
+  std::vector<Corner> corners;  ///< in the sequence of the joints
+  std::vector<Disc> discs;      ///< about the corners close to ties: what lies in them is part of the valence
+};
 
-/// The disc about a tie's corner within which its zeros are taken as part of the corner: closer than any block could
-/// be. At such a corner v vanishes like r^(pi/omega) along the bisector and no cell that touches it can be excluded.
-Disc tie_disc(const CadFace& face, int joint);
-
-/// All corners of the layout with their valences, in the sequence of the joints. At a tie V counts the quarter turns of
-/// the cross along an arc about the corner, just outside its tie_disc. Throws ComputeError when that arc leaves the
-/// domain or passes a zero.
-std::vector<Corner> corner_valences(const FieldEvaluator& evaluator);
+/// All corners of the layout. Within 0.02 radians of a tie V counts the quarter turns of the cross along an arc about
+/// the corner, at 2e-3 of the diameter where there is room. Throws ComputeError when that arc leaves the domain or
+/// passes a zero and the corner is within 1e-6 radians of the tie.
+CornerValences corner_valences(const FieldEvaluator& evaluator);
 
 }  // namespace quadrille

@@ -45,7 +45,7 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
   if (enclosure_.isolates(inverse_jacobian, contraction)) {
     ++counts_.isolated;
     Vec2 xi;
-    if (find_cell_zero(*evaluator_, cell, inverse_jacobian, contraction, xi))
+    if (find_cell_zero(*evaluator_, cell, inverse_jacobian, contraction, enclosure_.value_noise(), xi))
       zeros_.push_back({cell.elem, xi, evaluator_->maps()[cell.elem].position(xi), enclosure_.radius()});
     return;
   }

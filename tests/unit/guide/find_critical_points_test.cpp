@@ -176,7 +176,7 @@ TEST(FindCriticalPoints, names_a_multiple_zero_with_its_place_and_index) {
   const Complex a{0.25, -0.5};
   for (const int n : {1, 2, 3}) {
     EXPECT_PRED2(contains, message(product({a, a, a, a}), n), "index is 4");
-    EXPECT_PRED2(contains, message(product({a, a}), n), "(0.25, -0.5)");
+    EXPECT_PRED2(contains, message(product({a, a}), n), "near (0.25, -0.5)");
     EXPECT_PRED2(contains, message(product({}, {a, a}), n), "index is -2");
   }
   EXPECT_PRED2(contains, message(product({a, a + 1e-6}), 2), "index is 2");
@@ -185,16 +185,6 @@ TEST(FindCriticalPoints, names_a_multiple_zero_with_its_place_and_index) {
 TEST(FindCriticalPoints, gives_up_on_a_curve_of_zeros) {
   const auto crease = [](Vec2 x) { return Vec2{x.x - 0.3, 0}; };
   EXPECT_PRED2(contains, message_of([&] { zeros(crease, 4); }), "vanishes to higher order");
-}
-
-TEST(FindCriticalPoints, knows_a_line_field_by_its_face) {
-  // A plate with a chamfer of 45 degrees.
-  CadFace face = square_face({0, 0}, 1);
-  face.curves[0] = segment({0, 0}, {0.5, 0});
-  face.curves[1] = segment({0.5, 0}, {1, 0.5});
-  Field field;
-  field.mesh.face = face;
-  EXPECT_PRED2(contains, message_of([&] { Search{field}; }), "along whole curves");
 }
 
 TEST(FindCriticalPoints, corners_of_a_square_close_the_index_sum) {

@@ -48,14 +48,14 @@ Field wedge_field(double c) {
 TEST(CornerValences, a_tie_is_decided_by_the_next_term) {
   for (const double c : {3.0, 0.5}) {
     const Field smaller = wedge_field(c), larger = wedge_field(-c);
-    EXPECT_EQ(corner_valences(FieldEvaluator(smaller))[0].valence, 0);
-    EXPECT_EQ(corner_valences(FieldEvaluator(larger))[0].valence, 1);
+    EXPECT_EQ(corner_valences(FieldEvaluator(smaller)).corners[0].valence, 0);
+    EXPECT_EQ(corner_valences(FieldEvaluator(larger)).corners[0].valence, 1);
   }
 }
 
 TEST(CornerValences, away_from_ties_is_the_nearest_integer) {
   const Field field = wedge_field(1);
-  const std::vector<Corner> corners = corner_valences(FieldEvaluator(field));
+  const std::vector<Corner> corners = corner_valences(FieldEvaluator(field)).corners;
   ASSERT_EQ(corners.size(), 3u);
   EXPECT_NEAR(corners[1].angle_degrees, degrees(std::atan2(0.6, 0.4)), 1e-12);
   EXPECT_EQ(corners[1].valence, 1);  // 56.3 degrees
