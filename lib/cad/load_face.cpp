@@ -3,7 +3,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <Standard_Failure.hxx>
+
 #include "base/child_process.hpp"
+#include "base/error.hpp"
 #include "cad/assemble_face.hpp"
 #include "cad/face_bytes.hpp"
 #include "cad/file_kind.hpp"
@@ -30,8 +33,16 @@ constexpr int most_seconds = 60;
 CadFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report) {
   const CadFormat format = cad_format(bytes, name);
   report.set("input.format", format_name(format));
-  const OccModel model = occ_load(format, bytes, name);
-  return assemble_face(occ_face(model, name, report), options.corner_angle, report);
+  try {
+    const OccModel model = occ_load(format, bytes, name);
+    return assemble_face(occ_face(model, name, report), options.corner_angle, report);
+  } catch (const Standard_Failure& e) {
+    const std::string message = e.GetMessageString();
+    throw FormatError(name + ": the shape in the " + format_name(format) +
+                      " file is broken: " + (message.empty() ? e.DynamicType()->Name() : message));
+  } catch (const ComputeError& e) {
+    throw FormatError(name + ": " + e.what());
+  }
 }
 
 CadFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,

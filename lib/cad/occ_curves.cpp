@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/span.hpp"
@@ -31,6 +32,7 @@ std::array<double, 3> relative(const gp_Pnt& p, const std::array<double, 3>& ori
 
 // C + cos(u) a + sin(u) b is the affine image of the unit circle, and so is its NURBS.
 Nurbs conic(Vec2 centre, Vec2 a, Vec2 b, double first, double last) {
+  if (!(last - first < 2 * pi * (1 + 1e-9))) throw FormatError("an arc goes round more than once");
   Nurbs arc = circular_arc({0, 0}, 1, first, last);
   for (Vec2& pole : arc.poles) pole = centre + pole.x * a + pole.y * b;
   return arc;
@@ -83,6 +85,8 @@ Nurbs part(const Nurbs& whole, double low, double high, double first, double las
     return std::abs(t - low) <= near ? low : std::abs(t - high) <= near ? high : t;
   };
   first = snapped(first), last = snapped(last);
+  if (!(std::max(first, low) < last) || (!closed && !(first < high)))
+    throw FormatError("the ends of the edge lie off its B-spline curve");
   if (!closed || last <= high) return trimmed(whole, std::max(first, low), std::min(last, high));
   return joined(trimmed(whole, first, high), trimmed(whole, low, snapped(last - period)));
 }

@@ -10,6 +10,7 @@
 #include <XSAlgo.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
 #include <sstream>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "cad/occ_readers.hpp"
@@ -37,7 +38,9 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 
 OccModel occ_load_brep(const std::string& bytes) {
   OccModel model;
-  std::istringstream stream(bytes);
+  // The readers do not notice the end of the file, and would go on as long as a wrong count says.
+  std::istringstream stream(bytes + "\n");
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
   if (bytes.substr(0, 200).find("Open CASCADE Topology V") != std::string::npos)
     BinTools::Read(model.shape, stream);
   else
@@ -70,6 +73,10 @@ OccModel occ_load(CadFormat format, const std::string& bytes, const std::string&
     return model;
   } catch (const Standard_Failure& e) {
     throw FormatError(name + ": the " + format_name(format) + " file cannot be read: " + e.GetMessageString());
+  } catch (const std::ios::failure&) {
+    throw FormatError(name + ": the " + format_name(format) + " file is broken or truncated");
+  } catch (const std::length_error&) {
+    throw FormatError(name + ": the " + format_name(format) + " file is broken: a size in it is absurd");
   }
 }
 
