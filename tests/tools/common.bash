@@ -13,8 +13,9 @@ DATA=$ROOT/tests/data
 PATH=$BIN:$PATH
 export ROOT BIN DATA PATH LC_ALL=C
 
+# Not BATS_TEST_TMPDIR itself, where Bats leaves files of its own.
 common_setup() {
-  cd "$BATS_TEST_TMPDIR" || return 1
+  mkdir "$BATS_TEST_TMPDIR/here" && cd "$BATS_TEST_TMPDIR/here" || return 1
 }
 
 # A file with a setup of its own calls common_setup in it.
