@@ -32,19 +32,6 @@ long double multinomial(int n, int j, int k) { return binomial(n, k) * binomial(
 /// Monomials lambda0^i lambda1^j lambda2^k of degree n, in the sequence of the Bernstein coefficients.
 using Form = std::vector<long double>;
 
-/// The form times (lambda0 + lambda1 + lambda2).
-Form elevate(int order, const Form& form) {
-  Form result(num_bernstein(order + 1), 0);
-  for (int k = 0; k <= order; ++k)
-    for (int j = 0; j + k <= order; ++j) {
-      const long double c = form[bernstein_index(order, j, k)];
-      result[bernstein_index(order + 1, j, k)] += c;
-      result[bernstein_index(order + 1, j + 1, k)] += c;
-      result[bernstein_index(order + 1, j, k + 1)] += c;
-    }
-  return result;
-}
-
 /// Mode (p, q) of the orthogonal basis as a form of degree p + q. With lambda0 + lambda1 = 1 - lambda2:
 /// P_p (1 - lambda2)^p = sum_a (-1)^(p-a) C(p,a)^2 lambda1^a lambda0^(p-a),
 /// P_q^(2p+1,0)        = sum_s (-1)^s C(q+2p+1,q-s) C(q,s) (lambda0 + lambda1)^s lambda2^(q-s).
@@ -64,25 +51,17 @@ Form orthogonal_mode(int p, int q) {
   return form;
 }
 
-/// Column by column, [mode * num_bernstein + coefficient].
-std::vector<double> conversion_matrix(int order) {
-  if (order < 0 || order > max_order) throw Defect("no Bernstein conversion for order " + std::to_string(order));
-  const int size = num_bernstein(order);
-  std::vector<double> matrix(size * size);
-  for (int d = 0, mode = 0; d <= order; ++d)
-    for (int p = 0; p <= d; ++p, ++mode) {
-      Form form = orthogonal_mode(p, d - p);
-      for (int degree = d; degree < order; ++degree) form = elevate(degree, form);
-      for (int k = 0, i = 0; k <= order; ++k)
-        for (int j = 0; j + k <= order; ++j, ++i)
-          matrix[mode * size + i] = static_cast<double>(form[i] / multinomial(order, j, k));
-    }
-  return matrix;
-}
-
-const std::vector<double>& conversion(int order) {
-  static PerOrder<std::vector<double>> tables(conversion_matrix);
-  return tables[order];
+/// Bernstein coefficients of the modes of degree `order`, in that degree: [p * num_bernstein + coefficient].
+std::vector<double> modes_of_degree(int order) {
+  if (order < 0 || order > max_order) throw Defect("no Bernstein form for order " + std::to_string(order));
+  std::vector<double> table;
+  for (int p = 0; p <= order; ++p) {
+    const Form form = orthogonal_mode(p, order - p);
+    for (int k = 0, i = 0; k <= order; ++k)
+      for (int j = 0; j + k <= order; ++j, ++i)
+        table.push_back(static_cast<double>(form[i] / multinomial(order, j, k)));
+  }
+  return table;
 }
 
 /// Position in the coefficients of entry t = 0..m on the line parallel to `edge` that has n - m as the third exponent.
@@ -118,11 +97,14 @@ double lower_bound(int order, const std::vector<double>& coefs, int depth) {
 }  // namespace
 
 std::vector<double> bernstein_from_orthogonal(int order, const double* coefs) {
-  const std::vector<double>& matrix = conversion(order);
-  const int size = num_bernstein(order);
-  std::vector<double> result(size, 0.0);
-  for (int mode = 0; mode < size; ++mode)
-    for (int i = 0; i < size; ++i) result[i] += matrix[mode * size + i] * coefs[mode];
+  static PerOrder<std::vector<double>> tables(modes_of_degree);
+  std::vector<double> result;
+  for (int degree = 0; degree <= order; ++degree) {
+    result = degree == 0 ? std::vector<double>{0.0} : bernstein_elevate(degree - 1, result);
+    const double* mode = tables[degree].data();
+    for (int p = 0; p <= degree; ++p, mode += result.size(), ++coefs)
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] += *coefs * mode[i];
+  }
   return result;
 }
 

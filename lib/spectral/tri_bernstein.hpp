@@ -14,8 +14,8 @@ namespace quadrille {
 constexpr int num_bernstein(int order) { return (order + 1) * (order + 2) / 2; }
 constexpr int bernstein_index(int order, int j, int k) { return k * (2 * order + 3 - k) / 2 + j; }
 
-/// Coefficients of degree `order` from coefficients in the orthogonal basis (same degree). The conversion matrix is
-/// computed once per order and kept; its entries are exact to round-off for orders up to 30.
+/// Coefficients of degree `order` from coefficients in the orthogonal basis (same degree): degree by degree, each
+/// degree's modes added in their own Bernstein form, which is exact to round-off up to order 30, and elevated.
 std::vector<double> bernstein_from_orthogonal(int order, const std::vector<double>& coefs);
 std::vector<double> bernstein_from_orthogonal(int order, const double* coefs);
 
