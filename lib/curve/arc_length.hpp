@@ -23,11 +23,15 @@ class ArcLength {
   double parameter(double length) const;
 
  private:
-  bool is_polyline() const;
-  double fraction(std::size_t interval, double t) const;  ///< of the table's interval that lies before t
+  void add(double parameter, double length);
+  /// Length from parameters_[i] to t, which lies in interval i.
+  double inside(std::size_t i, double t) const;
+  /// Cubic guess of the parameter at `length` in interval i, from lengths and speeds at its ends.
+  double guess(std::size_t i, double length) const;
 
   const Nurbs* curve_;
-  std::vector<double> parameters_, lengths_;
+  std::vector<double> parameters_, lengths_, speeds_;
+  bool is_polyline_ = false;
 };
 
 }  // namespace quadrille

@@ -23,7 +23,9 @@ const ArcLength& CurveTable::arc_length(int id) const {
 Chain::Chain(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {
   double length = 0;
   for (const ArcPiece& piece : pieces_) {
-    length += std::abs(table_->arc_length(piece.curve).between(piece.t0, piece.t1));
+    const ArcLength& arc = table_->arc_length(piece.curve);
+    starts_.push_back(arc.at(piece.t0));
+    length += std::abs(arc.at(piece.t1) - starts_.back());
     ends_.push_back(length);
   }
 }
@@ -42,7 +44,7 @@ ChainPoint Chain::at(double s) const {
   else if (target >= ends_[i])
     t = piece.t1;
   else
-    t = arc.parameter(arc.at(piece.t0) + (backwards ? before - target : target - before));
+    t = arc.parameter(starts_[i] + (backwards ? before - target : target - before));
   const auto [low, high] = std::minmax(piece.t0, piece.t1);
   t = std::clamp(t, low, high);
   const Nurbs& curve = table_->curve(piece.curve);

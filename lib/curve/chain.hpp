@@ -48,7 +48,8 @@ class Chain {
  private:
   const CurveTable* table_;
   std::vector<ArcPiece> pieces_;
-  std::vector<double> ends_;  ///< length up to the end of each piece
+  std::vector<double> ends_;    ///< length up to the end of each piece
+  std::vector<double> starts_;  ///< length on its curve at which each piece begins
 };
 
 }  // namespace quadrille

@@ -8,17 +8,18 @@ namespace quadrille {
 namespace {
 
 // Roots of the Legendre polynomial by Newton.
-GaussRule make_rule() {
-  GaussRule rule;
-  for (int i = 0; i < GaussRule::num_points; ++i) {
-    double x = -std::cos(pi * (i + 0.75) / (GaussRule::num_points + 0.5)), slope = 0;
+template <int n>
+GaussRule<n> make_rule() {
+  GaussRule<n> rule;
+  for (int i = 0; i < n; ++i) {
+    double x = -std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 0;
     for (int iteration = 0; iteration < 8; ++iteration) {
       double p0 = 1, p1 = x;
-      for (int n = 2; n <= GaussRule::num_points; ++n) {
-        const double p2 = ((2 * n - 1) * x * p1 - (n - 1) * p0) / n;
+      for (int k = 2; k <= n; ++k) {
+        const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
         p0 = p1, p1 = p2;
       }
-      slope = GaussRule::num_points * (x * p1 - p0) / (x * x - 1);
+      slope = n * (x * p1 - p0) / (x * x - 1);
       x -= p1 / slope;
     }
     rule.points[i] = x;
@@ -29,9 +30,13 @@ GaussRule make_rule() {
 
 }  // namespace
 
-const GaussRule& gauss_rule() {
-  static const GaussRule rule = make_rule();
+template <int n>
+const GaussRule<n>& gauss_rule() {
+  static const GaussRule<n> rule = make_rule<n>();
   return rule;
 }
+
+template const GaussRule<8>& gauss_rule<8>();
+template const GaussRule<16>& gauss_rule<16>();
 
 }  // namespace quadrille

@@ -58,6 +58,25 @@ Vec2 point(const Nurbs& curve, double t) {
   return projected(de_boor(curve, k, curve.degree, local_poles(curve, k), [t](int) { return t; }));
 }
 
+Vec2 derivative(const Nurbs& curve, double t, bool from_left) {
+  const double s = std::clamp(t, curve.begin(), curve.end());
+  const int k = find_span(curve, s, from_left), p = curve.degree;
+  // De Boor's last step joins two points a, b: the curve is on their segment, the derivative along it.
+  LocalPoles d = local_poles(curve, k);
+  for (int r = 1; r < p; ++r)
+    for (int j = p; j >= r; --j) {
+      const double low = curve.knots[k - p + j], high = curve.knots[k + 1 + j - r];
+      const double u = (s - low) / (high - low), v = 1 - u;
+      d[j] = {v * d[j - 1].x + u * d[j].x, v * d[j - 1].y + u * d[j].y, v * d[j - 1].w + u * d[j].w};
+    }
+  const Homogeneous &a = d[p - 1], &b = d[p];
+  const double low = curve.knots[k], high = curve.knots[k + 1];
+  const double u = (s - low) / (high - low), w = (1 - u) * a.w + u * b.w;
+  // (A' w - A w') / w^2 with A' = p (b - a) / h, w' likewise, is p / h (a.w b - b.w a) / w^2.
+  const double scale = p / ((high - low) * w * w);
+  return {scale * (a.w * b.x - b.w * a.x), scale * (a.w * b.y - b.w * a.y)};
+}
+
 std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left) {
   const double s = std::clamp(t, curve.begin(), curve.end());
   const int k = find_span(curve, s, from_left), p = curve.degree;
@@ -77,8 +96,13 @@ std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left) {
 }
 
 Vec2 tangent(const Nurbs& curve, double t, bool from_left) {
+  const Vec2 first = derivative(curve, t, from_left);
+  const double range = curve.end() - curve.begin();
+  // The whole curve's size is asked for only where the derivative is small beside a distance of two of its poles.
+  if (norm(first) * range > 1e-6 * distance(curve.poles.front(), curve.poles[curve.poles.size() / 2]))
+    return normalized(first);
   const auto d = derivatives(curve, t, from_left);
-  const double range = curve.end() - curve.begin(), negligible = 1e-11 * polygon_length(curve);
+  const double negligible = 1e-11 * polygon_length(curve);
   // Where C' vanishes, C'(t -+ h) = -+ h C'' + h^2 / 2 C''' ...: the sign alternates on the left side.
   const bool left = from_left || t >= curve.end();
   if (norm(d[1]) * range > negligible) return normalized(d[1]);

@@ -13,6 +13,9 @@ namespace quadrille {
 /// The point at t.
 Vec2 point(const Nurbs& curve, double t);
 
+/// The first derivative with respect to t, at the cost of a point; one-sided as below.
+Vec2 derivative(const Nurbs& curve, double t, bool from_left = false);
+
 /// Point and first three derivatives with respect to t. At a knot the limit from the right, or from the left where
 /// `from_left` (at the ends the only one there is).
 std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left = false);

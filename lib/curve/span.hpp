@@ -14,7 +14,7 @@ inline constexpr int max_curve_degree = 25;
 
 /// A pole times its weight, and the weight.
 struct Homogeneous {
-  double x = 0, y = 0, w = 0;
+  double x, y, w;
 };
 
 /// The span k with knots[k] <= t < knots[k+1] (from the left: knots[k] < t <= knots[k+1]); never an empty one.
@@ -27,6 +27,7 @@ inline int find_span(const Nurbs& curve, double t, bool from_left = false) {
   return static_cast<int>(above - curve.knots.begin()) - 1;
 }
 
+/// Not initialised: clearing the room for the highest degree would cost as much as evaluating.
 using LocalPoles = std::array<Homogeneous, max_curve_degree + 1>;
 
 /// The degree + 1 poles that govern span k.
@@ -43,7 +44,9 @@ inline LocalPoles local_poles(const Nurbs& curve, int k) {
 /// De Boor's algorithm on span k for the local poles of a curve of `degree` (which may be a derivative of a curve of
 /// the higher degree `curve.degree`); step r uses parameter(r): a constant for a point, distinct ones for a blossom.
 template <class Parameter>
-Homogeneous de_boor(const Nurbs& curve, int k, int degree, LocalPoles d, Parameter parameter) {
+Homogeneous de_boor(const Nurbs& curve, int k, int degree, const LocalPoles& poles, Parameter parameter) {
+  LocalPoles d;
+  std::copy_n(poles.begin(), degree + 1, d.begin());
   for (int r = 1; r <= degree; ++r) {
     const double t = parameter(r);
     for (int j = degree; j >= r; --j) {
