@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "curve/nurbs.hpp"
 #include "triangulate/clearance.hpp"
 #include "triangulate/size_field.hpp"
 
@@ -72,14 +73,12 @@ void BoundaryMesh::append(Segment segment) {
   const Vec2 from = draft_->vertices[segment.from], to = draft_->vertices[segment.to];
   segment.samples.front() = from;
   segment.samples.back() = to;
-  const bool is_straight = segment.is_rim() || fit_->outline().face().curves[segment.curve].degree == 1;
-  for (int k = 1; k < 4; ++k) {
-    if (is_straight) {
-      segment.samples[k] = from + (k / 4.0) * (to - from);
-    } else {
-      const double s = segment.s0 + (k / 4.0) * segment.length();
-      segment.samples[k] = fit_->outline().at(segment.curve, fit_->outline().arc_length(segment.curve).parameter(s));
-    }
+  if (segment.is_rim() || fit_->outline().face().curves[segment.curve].degree == 1) {
+    for (int k = 1; k < 4; ++k) segment.samples[k] = from + (k / 4.0) * (to - from);
+  } else {
+    const Nurbs& curve = fit_->outline().face().curves[segment.curve];
+    const Stretch stretch(curve, segment.t0, segment.t1);
+    for (int k = 1; k < 4; ++k) segment.samples[k] = point(curve, stretch.parameter(k / 4.0));
   }
   segment.centre = (from + to) / 2;
   for (const Vec2 x : segment.samples) segment.radius = std::max(segment.radius, distance(x, segment.centre));
@@ -135,7 +134,8 @@ int BoundaryMesh::split(int i) {
   Segment first = segments_[i], second = segments_[i];
   if (first.is_rim()) throw Defect("the rim of a fan is not split");
   const Outline& outline = fit_->outline();
-  const double s = (first.s0 + first.s1) / 2, t = outline.arc_length(first.curve).parameter(s);
+  const double s = (first.s0 + first.s1) / 2;
+  const double t = Stretch(outline.face().curves[first.curve], first.t0, first.t1).parameter(0.5);
   const Vec2 middle = outline.at(first.curve, t);
   if (first.length() < least_length * outline.face().diameter) refuse_contact();
   first.to = second.from = draft_->add_vertex(middle);

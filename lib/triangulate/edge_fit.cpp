@@ -24,23 +24,20 @@ EdgeFit::EdgeFit(const Outline& outline, int order) : outline_(&outline), order_
 }
 
 std::vector<Vec2> EdgeFit::inner_nodes(int curve, double t0, double t1) const {
-  const ArcLength& length = outline_->arc_length(curve);
-  const double s0 = length.at(t0), s1 = length.at(t1);
+  const Nurbs& nurbs = outline_->face().curves[curve];
+  return inner_nodes(nurbs, Stretch(nurbs, t0, t1));
+}
+
+std::vector<Vec2> EdgeFit::inner_nodes(const Nurbs& curve, const Stretch& stretch) const {
   std::vector<Vec2> nodes;
-  for (int j = 1; j < order_; ++j) {
-    // From the nearer end, so that a symmetric edge has symmetric nodes.
-    const double f = fractions_[j];
-    const double s = f <= 0.5 ? s0 + f * (s1 - s0) : s1 - fractions_[order_ - j] * (s1 - s0);
-    nodes.push_back(outline_->at(curve, length.parameter(s)));
-  }
+  for (int j = 1; j < order_; ++j) nodes.push_back(point(curve, stretch.parameter(fractions_[j])));
   return nodes;
 }
 
 double EdgeFit::error(int curve, double t0, double t1) const {
   const Nurbs& nurbs = outline_->face().curves[curve];
-  const ArcLength& length = outline_->arc_length(curve);
-  const double s0 = length.at(t0), s1 = length.at(t1);
-  std::vector<Vec2> nodes = inner_nodes(curve, t0, t1);
+  const Stretch stretch(nurbs, t0, t1);
+  std::vector<Vec2> nodes = inner_nodes(nurbs, stretch);
   nodes.insert(nodes.begin(), point(nurbs, t0));
   nodes.push_back(point(nurbs, t1));
   double worst = 0;
@@ -48,8 +45,7 @@ double EdgeFit::error(int curve, double t0, double t1) const {
     // Relative to the first node: an error of 1e-12 must not drown in the digits of the place.
     Vec2 value;
     for (int j = 1; j <= order_; ++j) value += samples_(i, j) * (nodes[j] - nodes[0]);
-    const double t = length.parameter(s0 + sample_fractions_[i] * (s1 - s0));
-    const auto d = derivatives(nurbs, t);
+    const auto d = derivatives(nurbs, stretch.parameter(sample_fractions_[i]));
     const double speed = norm(d[1]);
     const Vec2 miss = value - (d[0] - nodes[0]);
     worst = std::max(worst, speed > 0 ? std::abs(cross(d[1] / speed, miss)) : norm(miss));

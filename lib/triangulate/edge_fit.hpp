@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "triangulate/outline.hpp"
+#include "triangulate/stretch.hpp"
 
 namespace quadrille {
 
@@ -24,6 +25,8 @@ class EdgeFit {
   double turn(int curve, double t0, double t1) const;
 
  private:
+  std::vector<Vec2> inner_nodes(const Nurbs& curve, const Stretch& stretch) const;
+
   const Outline* outline_;
   int order_;
   std::vector<double> fractions_;         ///< of the arc length, of all nodes

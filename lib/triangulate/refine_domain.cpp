@@ -111,18 +111,28 @@ bool DomainRefiner::split_encroached(const Triangles& triangles) {
   return !marked.empty();
 }
 
-std::vector<DomainRefiner::Candidate> DomainRefiner::candidates(const Triangles& triangles) const {
+std::vector<DomainRefiner::Candidate> DomainRefiner::candidates(const Triangles& triangles) {
   std::vector<Candidate> found;
+  std::vector<std::array<int, 3>> good;
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
     const auto& [p, q, r] = triangles[i].vertices;
+    if (std::binary_search(good_.begin(), good_.end(), triangles[i].vertices)) {
+      good.push_back(triangles[i].vertices);
+      continue;
+    }
     const Vec2 a = position(p), b = position(q), c = position(r);
     const Circle circle = circumcircle(a, b, c);
     const double size = sizes_.at((a + b + c) / 3);
     const double shortest = std::min({distance(a, b), distance(b, c), distance(c, a)});
     const bool is_large = circle.radius > large_ratio * size;
     const bool is_thin = circle.radius > thin_ratio * shortest && shortest > least_share * size;
-    if (is_large || is_thin) found.push_back({circle.centre, circle.radius, i, is_thin});
+    if (is_large || is_thin) {
+      found.push_back({circle.centre, circle.radius, i, is_thin});
+    } else {
+      good.push_back(triangles[i].vertices);
+    }
   }
+  good_ = std::move(good);
   // Largest first; what is equal but for rounding keeps the sequence of the triangles.
   const auto rank = [](const Candidate& c) { return std::llround(std::log(c.circumradius) * 1e6); };
   std::stable_sort(found.begin(), found.end(),

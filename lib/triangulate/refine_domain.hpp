@@ -39,7 +39,7 @@ class DomainRefiner {
   bool may_split(int segment) const;
   bool split_encroached(const Triangles& triangles);
   bool insert_centres(const Triangles& triangles);
-  std::vector<Candidate> candidates(const Triangles& triangles) const;
+  std::vector<Candidate> candidates(const Triangles& triangles);
   /// The segments that forbid the point, in `blockers`; the walk starts in a triangle.
   void find_blockers(const Triangles& triangles, const Candidate& candidate, std::vector<int>& blockers) const;
   Vec2 position(int point) const { return draft_->vertices[point2vertex_[point]]; }
@@ -49,6 +49,7 @@ class DomainRefiner {
   SizeField sizes_;
   ConstrainedDelaunay delaunay_;
   std::vector<int> point2vertex_, vertex2point_;
+  std::vector<std::array<int, 3>> good_;  ///< triangles that need nothing, sorted: the size field never changes
   std::map<std::pair<int, int>, int> vertices2segment_;  ///< (from, to) of the draft
 };
 
