@@ -73,12 +73,14 @@ void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double t
     throw FormatError(fmt::format("{}: {} crosses or touches {}: {} at {}", raw.file, loop_name(c->loop_b),
                                   loop_name(c->loop_a), edges, place(c->position)));
   }
+  std::vector<Box> boxes;
+  for (const auto& loop : curves) boxes.push_back(pole_box(loop));
   for (size_t hole = 1; hole < loops.size(); ++hole) {
     const Vec2 x = curves[hole].front().poles.front();
     if (winding_number(curves[0], x) != 1)
       throw FormatError(fmt::format("{}: {} at {} lies outside the outline", raw.file, loop_name(hole), place(x)));
     for (size_t other = 1; other < loops.size(); ++other)
-      if (other != hole && winding_number(curves[other], x) != 0)
+      if (other != hole && boxes[other].contains(x) && winding_number(curves[other], x) != 0)
         throw FormatError(
             fmt::format("{}: {} at {} lies inside {}", raw.file, loop_name(hole), place(x), loop_name(other)));
   }

@@ -18,6 +18,7 @@ struct Box {
   Vec2 low, high;
   Vec2 centre() const { return 0.5 * (low + high); }
   double diagonal() const { return distance(low, high); }
+  bool contains(Vec2 x) const { return low.x <= x.x && x.x <= high.x && low.y <= x.y && x.y <= high.y; }
 };
 
 /// The box of the poles, which holds the curves.
