@@ -1,5 +1,6 @@
 #include "base/child_process.hpp"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -55,7 +56,10 @@ std::string outcome_of(const std::function<std::string()>& work) {
   }
 }
 
-[[noreturn]] void run_child(const std::function<std::string()>& work, int fd, int cpu_seconds) {
+[[noreturn]] void run_child(const std::function<std::string()>& work, int fd, int cpu_seconds, pid_t parent) {
+  // Nobody waits for a child whose parent was killed.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
   const rlimit no_core{0, 0}, cpu{static_cast<rlim_t>(cpu_seconds), static_cast<rlim_t>(cpu_seconds) + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
@@ -102,11 +106,11 @@ std::string outcome_of(const std::function<std::string()>& work) {
 std::string run_in_child(const std::function<std::string()>& work, const std::string& crash_message, int cpu_seconds) {
   int ends[2];
   if (pipe(ends) != 0) throw Defect(std::string("cannot make a pipe: ") + std::strerror(errno));
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw Defect(std::string("cannot start a process: ") + std::strerror(errno));
   if (child == 0) {
     close(ends[0]);
-    run_child(work, ends[1], cpu_seconds);
+    run_child(work, ends[1], cpu_seconds, parent);
   }
   close(ends[1]);
   const std::string bytes = read_all(ends[0]);
