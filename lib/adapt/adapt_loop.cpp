@@ -60,7 +60,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report
   std::vector<AdaptStep> steps;
   while (true) {
     std::vector<double> sensors = sense(field, kind);
-    steps.push_back(change_orders(sensors, options, orders, was_raised));
+    steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));
     steps.back().num_unknowns = solver.num_unknowns(field.elem_order);
     field.elem_sensor = std::move(sensors);
     if (orders == field.elem_order) break;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "spectral/orthogonal_basis.hpp"
@@ -63,6 +64,19 @@ std::vector<double> sense(const Field& field, SensorKind kind) {
       norms.all += part.all;
     }
     sensors[e] *= norms.tail / std::max(norms.all, unit_field);
+  }
+  return sensors;
+}
+
+std::vector<double> equalized(std::vector<double> sensors) {
+  constexpr double same = 0.95;
+  std::vector<int> sequence(sensors.size());
+  std::iota(sequence.begin(), sequence.end(), 0);
+  std::stable_sort(sequence.begin(), sequence.end(), [&](int a, int b) { return sensors[a] > sensors[b]; });
+  double greatest = INFINITY;
+  for (const int e : sequence) {
+    if (sensors[e] < same * greatest) greatest = sensors[e];
+    sensors[e] = greatest;
   }
   return sensors;
 }

@@ -55,13 +55,24 @@ struct ReferenceMatrices {
   Eigen::MatrixXd k11, k12, k22;  // k12 holds both mixed products
 };
 
+// A A^T, both triangles.
+Eigen::MatrixXd gram(const Eigen::MatrixXd& a) {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(a.rows(), a.rows());
+  product.selfadjointView<Eigen::Lower>().rankUpdate(a);
+  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+  return product;
+}
+
 ReferenceMatrices make_reference_matrices(int order) {
-  const GradientTable table = make_gradient_table(order, order + 1);
-  const Eigen::VectorXd weights =
-      Eigen::Map<const Eigen::VectorXd>(table.weights.data(), static_cast<Eigen::Index>(table.weights.size()));
-  const Eigen::MatrixXd weighted1 = table.d1 * weights.asDiagonal(), weighted2 = table.d2 * weights.asDiagonal();
-  const Eigen::MatrixXd mixed = weighted1 * table.d2.transpose();
-  return {weighted1 * table.d1.transpose(), mixed + mixed.transpose(), weighted2 * table.d2.transpose()};
+  GradientTable table = make_gradient_table(order, order + 1);
+  for (std::size_t i = 0; i < table.points.size(); ++i) {
+    table.d1.col(i) *= std::sqrt(table.weights[i]);
+    table.d2.col(i) *= std::sqrt(table.weights[i]);
+  }
+  // The mixed products come from the square of the sum: three symmetric products cost less than two and a general one.
+  ReferenceMatrices k{gram(table.d1), gram(table.d1 + table.d2), gram(table.d2)};
+  k.k12 -= k.k11 + k.k22;
+  return k;
 }
 
 const ReferenceMatrices& reference_matrices(int order) {
@@ -98,10 +109,7 @@ Eigen::MatrixXd curved_stiffness(const TriMap& map, int order, int num_points) {
     gradients.col(2 * i) = (scale * j.yy) * table.d1.col(i) - (scale * j.yx) * table.d2.col(i);
     gradients.col(2 * i + 1) = (scale * j.xx) * table.d2.col(i) - (scale * j.xy) * table.d1.col(i);
   }
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  stiffness.selfadjointView<Eigen::Lower>().rankUpdate(gradients);
-  stiffness.triangularView<Eigen::StrictlyUpper>() = stiffness.transpose();
-  return stiffness;
+  return gram(gradients);
 }
 
 }  // namespace

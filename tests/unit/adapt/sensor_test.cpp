@@ -53,6 +53,13 @@ TEST(Sensor, OfFanElementsCountsBySize) {
   EXPECT_NEAR(sensors[1], 0.005, 1e-15);
 }
 
+TEST(Sensor, NearlyEqualOnesAreDecidedTogether) {
+  EXPECT_EQ(equalized({1e-18, 3e-20, 1.0001e-18, 0.97e-18, 0}),
+            std::vector<double>({1.0001e-18, 3e-20, 1.0001e-18, 1.0001e-18, 0}));
+  // A chain does not run away: what is 5 % below its group's greatest starts a new group.
+  EXPECT_EQ(equalized({1.0, 0.96, 0.92}), std::vector<double>({1.0, 1.0, 0.92}));
+}
+
 TEST(Sensor, KindsHaveNames) {
   EXPECT_EQ(sensor_kind("vector"), SensorKind::vector);
   EXPECT_EQ(sensor_kind("u"), SensorKind::u);
