@@ -40,8 +40,9 @@ bool parse_number(const std::string& text, T& value) {
 template <typename T>
 std::string interval(T low, T high) {
   if constexpr (std::is_floating_point_v<T>) {
-    const bool open_above = high >= std::numeric_limits<T>::max();
-    if (low <= std::numeric_limits<T>::lowest()) return open_above ? "any number" : fmt::format("at most {}", high);
+    constexpr double boundless = 1e300;
+    const bool open_above = high >= boundless;
+    if (low <= -boundless) return open_above ? "any number" : fmt::format("at most {}", high);
     if (open_above) return fmt::format("at least {}", low);
   } else if (high == std::numeric_limits<T>::max()) {
     return fmt::format("at least {}", low);
