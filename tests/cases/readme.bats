@@ -1,0 +1,26 @@
+# What the README shows works as it stands there.
+load ../tools/common
+
+@test "the worked example gives what it shows" {
+  ln -s "$ROOT/tests" .
+  mkdir build && ln -s "$BIN" build/bin
+  sed -n '/^## Step by step/,/^## /p' "$ROOT/README.md" >section
+  sed -nE 's/^    \$ (.*)/\1/p' section >commands
+  sed -nE '/^    \$/d; s/^    (.*)/\1/p' section >expected
+  assert [ "$(wc -l <commands)" -ge 8 ]
+  run -0 bash -euo pipefail commands
+  assert_output "$(cat expected)"
+  assert_file_not_empty d.msh
+  assert_file_not_empty d.field.svg
+}
+
+@test "every file that it links is there" {
+  grep -oE '\]\([^):]+\)' "$ROOT/README.md" | tr -d '])(' | sort -u >links
+  assert [ "$(wc -l <links)" -ge 7 ]
+  while read -r link; do assert_file_exists "$ROOT/$link"; done <links
+}
+
+@test "the table of tools names every tool and no other" {
+  run -0 diff <(sed -nE 's/^\| `([a-z0-9]+)` \|.*/\1/p' "$ROOT/README.md" | sort) \
+    <(find "$ROOT/tools" -name '*.cpp' ! -name '*-*' -exec basename {} .cpp \; | sort)
+}
