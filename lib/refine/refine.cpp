@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "mesh/chords.hpp"
@@ -13,6 +16,8 @@
 
 namespace quadrille {
 namespace {
+
+constexpr double max_element_nodes = 1e8;
 
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
   std::vector<Vec2> nodes;
@@ -28,6 +33,25 @@ void measure(QuadMesh& mesh) {
     mesh.elem_jacobian_bound.push_back(quad_jacobian_lower_bound(mesh.order, nodes.data()));
     mesh.elem_scaled_jacobian.push_back(quad_scaled_jacobian(mesh.order, nodes.data()));
   }
+}
+
+bool is_valid(const QuadMesh& mesh) {
+  return std::all_of(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end(), [](double b) { return b > 0; });
+}
+
+using ArcEnds = std::vector<std::vector<double>>;
+
+/// A slip of the pen in the size must not fill the memory.
+void require_bounded_size(const BlockLayout& layout, const ArcEnds& arc_ends, int order) {
+  double num_elems = 0;
+  for (const std::array<int, 4>& sides : layout.block2arcs)
+    num_elems += static_cast<double>(arc_ends[arc_of(sides[0])].size() - 1) *
+                 static_cast<double>(arc_ends[arc_of(sides[1])].size() - 1);
+  if (num_elems * (order + 1) * (order + 1) > max_element_nodes)
+    throw ComputeError(
+        fmt::format("size and geometric tolerance ask for {:.0f} elements of order {}, which is more "
+                    "than this program can hold",
+                    num_elems, order));
 }
 
 void require_valid_elements(const QuadMesh& mesh) {
@@ -67,17 +91,26 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   const CurveTable table(layout.face, layout.splines);
   std::vector<Chain> chains;
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(table, arc.pieces);
-  const std::vector<int> arc_chord = arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
-
-  const std::vector<Chord> chords = directed_chords(layout.block2arcs, arc_chord);
+  const std::vector<Chord> chords =
+      directed_chords(layout.block2arcs, arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size())));
 
   const double diameter = layout.face.diameter;
-  const double size = options.size > 0 ? options.size : diameter / 20;
-  const std::vector<ArcParameter> parameters = align_chords(chords, chains);
-  const auto arc_ends =
-      divide_arcs(layout, chords, table, chains, parameters, {size, options.order, options.geometry_tol * diameter});
-  QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order);
-  measure(mesh);
+  const DivideOptions division{options.size > 0 ? options.size : diameter / 20, options.order,
+                               options.geometry_tol * diameter};
+  const auto split_at = [&](const std::vector<ArcParameter>& parameters) {
+    const ArcEnds arc_ends = divide_arcs(layout, chords, table, chains, parameters, division);
+    require_bounded_size(layout, arc_ends, options.order);
+    QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order);
+    measure(mesh);
+    return mesh;
+  };
+
+  const std::vector<ArcParameter> aligned = align_chords(chords, chains);
+  QuadMesh mesh = split_at(aligned);
+  if (!is_valid(mesh) && !std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity))) {
+    QuadMesh plain = split_at(std::vector<ArcParameter>(chains.size()));
+    if (is_valid(plain)) mesh = std::move(plain);
+  }
   require_valid_elements(mesh);
   tell(mesh, chords.size(), report);
   return mesh;

@@ -14,7 +14,9 @@ struct RefineOptions {
   void validate() const;       ///< throws UsageError
 };
 
-/// Throws ComputeError with the place of the worst element when one cannot be proved valid.
+/// Lines across chords are aligned (refine/align_chords); where that leaves an invalid element and equal arc-length
+/// fractions do not, these are taken. Throws ComputeError with the place of the worst element when one cannot be proved
+/// valid, and when the mesh would be beyond all measure.
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);
 
 }  // namespace quadrille

@@ -197,6 +197,10 @@ TEST(Refine, FoldedBlockIsRefusedWithItsPlace) {
   }
 }
 
+TEST(Refine, MeshesBeyondMeasureAreRefused) {
+  EXPECT_THROW(refined(hand_made::unit_square(), {2e-4, 20, 5e-7}), ComputeError);
+}
+
 TEST(Refine, OptionsOutsideTheirIntervalsAreUsageErrors) {
   const SeparatrixGraph graph = hand_made::unit_square();
   EXPECT_THROW(refined(graph, {-1, 4, 5e-7}), UsageError);
