@@ -30,7 +30,7 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "a shape comes in through standard input" {
   "$quadmesh" - -o piped.msh <"$DATA/square.step"
-  "$quadmesh" "$DATA/square.step" -o file.msh
+  "$quadmesh" "$DATA/square.step" -o file.msh <&-
   cmp piped.msh file.msh
 }
 
