@@ -104,14 +104,18 @@ std::vector<double> launch_directions_on_circle(const FieldEvaluator& evaluator,
 }
 
 std::vector<double> corner_launch_directions(double interior_angle, int valence) {
-  // In the frame of the outgoing side v goes straight from (1, 0) to the value of the other side.
-  const double omega = interior_angle, turn = wrap_pi(4 * omega), half_chord = std::tan(turn / 2);
+  // In the frame of the outgoing side v goes straight from (1, 0) to the value of the other side; the valence says on
+  // which side of 0 it passes (at a tie, 4 omega = pi mod 2 pi, through 0: the bisector is the limit of either).
+  const double omega = interior_angle, turn = 4 * omega - 2 * pi * valence;
+  const bool has_chord = std::abs(turn) < pi + 1e-6;
+  const double half_chord = std::tan(std::clamp(turn, -pi + 1e-9, pi - 1e-9) / 2);
   const auto phase = [&](double theta) {
-    return std::abs(turn) < 1e-12 ? 0.0 : turn / 2 + std::atan(half_chord * (2 * theta / omega - 1));
+    if (!has_chord || std::abs(turn) < 1e-12) return turn * theta / omega;
+    return turn / 2 + std::atan(half_chord * (2 * theta / omega - 1));
   };
   std::vector<double> breaks{0};
   const double fan = half_chord / (2 * omega) - 1;  // square of the chord's place where G' = 0
-  if (fan > 0) {
+  if (has_chord && fan > 0) {
     const double offset = omega / 2 * std::sqrt(fan) / half_chord;
     breaks.push_back(omega / 2 - offset);
     breaks.push_back(omega / 2 + offset);
@@ -133,28 +137,27 @@ bool direction_at(const FieldEvaluator& evaluator, Vec2 x, double direction, dou
   return true;
 }
 
-// Bearing offset beta: the direction at origin + radius e(angle + beta) is angle + (1 + power) beta. By secants.
+// Bearing offset beta: the direction at origin + radius e(angle + beta) is angle + (1 + power) beta. Bracketed, because
+// next to corners of 45, 135, ... degrees the direction all but jumps there. False when the first point is outside.
 bool bend_launch(const FieldEvaluator& evaluator, Vec2 origin, double angle, double radius, double power,
                  double& beta) {
-  const auto residual = [&](double b, double& f) {
-    double direction = 0;
-    if (!direction_at(evaluator, origin + radius * unit(angle + b), angle, direction)) return false;
-    f = direction - angle - (1 + power) * b;
-    return true;
+  bool inside = true;
+  const auto residual = [&](double b) {
+    double direction = angle;
+    if (!direction_at(evaluator, origin + radius * unit(angle + b), angle, direction)) inside = false;
+    return direction - angle - (1 + power) * b;
   };
-  double b0 = 0, f0 = 0, b1, f1 = 0;
   beta = 0;
-  if (!residual(b0, f0)) return false;
-  b1 = f0 / (1 + power);
-  for (int i = 0; i < 12 && b1 != b0; ++i) {
-    if (std::abs(b1) > 0.2 || !residual(b1, f1)) return true;  // no use: start straight
-    if (f1 == f0) break;
-    const double next = b1 - f1 * (b1 - b0) / (f1 - f0);
-    b0 = b1, f0 = f1, b1 = next;
-    if (std::abs(b1 - b0) < 1e-15) break;
+  residual(0);
+  if (!inside) return false;
+  for (double width = 1e-12; width < 0.2; width *= 4) {
+    const double low = residual(-width), high = residual(width);
+    if (!inside) break;
+    if ((low < 0) == (high < 0)) continue;
+    beta = bisect(residual, -width, width);
+    return true;
   }
-  if (std::abs(b1) < 0.2) beta = b1;
-  return true;
+  return true;  // no such direction near by: start straight
 }
 
 }  // namespace

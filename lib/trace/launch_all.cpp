@@ -16,19 +16,28 @@ namespace {
 // the quadratic launch misses the separatrix by less than round-off counts, far enough that the field has a direction.
 constexpr double launch_share = 1e-4;
 constexpr int num_cuts = 4;
+// A corner near a tie has a field that turns ever faster across its line the nearer the corner. Starting farther off is
+// then no loss: such a line draws its neighbours in.
+constexpr double stiff_turn = 50;         // of the direction, radians per radian of the bearing
+constexpr double farthest_launch = 0.05;  // share of the distance to the nearest feature
 
-// Distance to the nearest other node or joint, but no more than a few elements: their size follows the field's scale.
-double feature_distance(const FieldEvaluator& evaluator, const CriticalPoints& points, Vec2 x, int elem) {
-  Vec2 position;
-  Mat2 dx_dxi;
-  evaluator.value(elem, {-1.0 / 3, -1.0 / 3}, position, dx_dxi);
-  double feature = 4 * std::sqrt(std::abs(det(dx_dxi)));
+// Distance to the nearest other node or joint, at most `limit`.
+double feature_distance(const CadFace& face, const CriticalPoints& points, Vec2 x, double limit) {
+  double feature = limit;
   const auto other = [&](Vec2 y) {
     if (y != x) feature = std::min(feature, distance(x, y));
   };
   for (const CriticalPoint& p : points.critical_points) other(p.position);
-  for (const Joint& joint : evaluator.field().mesh.face.joints) other(joint.position);
+  for (const Joint& joint : face.joints) other(joint.position);
   return feature;
+}
+
+// Elements follow the field's scale, but for the fans of corners, which are much smaller.
+double element_size(const FieldEvaluator& evaluator, int elem) {
+  Vec2 position;
+  Mat2 dx_dxi;
+  evaluator.maps()[elem].evaluate({-1.0 / 3, -1.0 / 3}, position, dx_dxi);
+  return std::sqrt(std::abs(det(dx_dxi)));
 }
 
 std::vector<double> directions_at(const FieldEvaluator& evaluator, const CriticalPoint& p, double feature) {
@@ -37,8 +46,23 @@ std::vector<double> directions_at(const FieldEvaluator& evaluator, const Critica
   return launch_directions({p.jacobian[0], p.jacobian[1], p.jacobian[2], p.jacobian[3]});
 }
 
-// Corners have no element of their own: any that touches the joint will do for its size.
-int element_at(const FieldEvaluator& evaluator, Vec2 x) { return std::max(0, evaluator.locator().find(x).elem); }
+// How fast the direction turns with the bearing from the node.
+double turn_rate(const FieldEvaluator& evaluator, const Launch& launch) {
+  const FieldSample f = evaluator.sample(launch.elem, launch.xi);
+  const Vec2 v = f.value, across = left_of(unit(launch.angle));
+  const double rate = cross(v, f.dv_dx * across) / (4 * norm2(v));
+  return std::abs(rate) * launch.radius;
+}
+
+Launch launch_from_corner(const FieldEvaluator& evaluator, int node, const Joint& joint, double angle, double feature) {
+  double share = launch_share;
+  for (;;) {
+    const Launch launch =
+        launch_line(evaluator, node, joint.position, angle, share * feature, pi / joint.interior_angle);
+    if (share >= farthest_launch || turn_rate(evaluator, launch) < stiff_turn) return launch;
+    share = std::min(4 * share, farthest_launch);
+  }
+}
 
 }  // namespace
 
@@ -70,17 +94,16 @@ std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPo
   std::vector<Launch> launches;
   int node = 0;
   for (const CriticalPoint& p : points.critical_points) {
-    const double feature = feature_distance(evaluator, points, p.position, p.elem);
+    const double feature = feature_distance(face, points, p.position, 4 * element_size(evaluator, p.elem));
     for (const double angle : directions_at(evaluator, p, feature))
       launches.push_back(launch_line(evaluator, node, p.position, angle, launch_share * feature, 1));
     ++node;
   }
   for (const Corner& c : points.corners) {
     const Joint& joint = face.joints[c.joint];
-    const double feature = feature_distance(evaluator, points, joint.position, element_at(evaluator, joint.position));
+    const double feature = feature_distance(face, points, joint.position, face.diameter / 10);
     for (const double angle : corner_launch_directions(joint.interior_angle, c.valence))
-      launches.push_back(launch_line(evaluator, node, joint.position, joint.tangent_out + angle, launch_share * feature,
-                                     pi / joint.interior_angle));
+      launches.push_back(launch_from_corner(evaluator, node, joint, joint.tangent_out + angle, feature));
     ++node;
   }
   return launches;

@@ -41,7 +41,6 @@ class Tracer {
     const MergeOptions merging{radians(options_.merge_angle), options_.merge_distance};
     candidates_ = merge_candidates(evaluator_, lines_, positions_, merging);
     merged_.resize(candidates_.size());
-    if (getenv("DBG")) for (auto& c : candidates_) fmt::print(stderr, "cand {}(n{}) {}(n{}) len {:.4f} {:.4f} turn {:.3f} gap {:.3g}\n", c.a, lines_[c.a].launch.node, c.b, lines_[c.b].launch.node, c.length_a, c.length_b, degrees(c.turn), c.gap);
     std::vector<bool> banned(candidates_.size(), false);
     std::vector<int> chosen;
     std::vector<Crossing> crossings;
@@ -137,8 +136,8 @@ class Tracer {
     const Vec2 from = line.launch.origin + face_.origin, to = line.end_position + face_.origin;
     throw ComputeError(
         fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees has reached neither boundary "
-                    "nor node after {:g} diameters, near ({:.6g}, {:.6g})",
-                    from.x, from.y, degrees(wrap_pi(line.launch.angle)), options_.max_length, to.x, to.y));
+                    "nor node after {:.3g} diameters, near ({:.6g}, {:.6g})",
+                    from.x, from.y, degrees(wrap_pi(line.launch.angle)), line.length() / face_.diameter, to.x, to.y));
   }
 
   void require_few_arcs(const SeparatrixGraph& graph) const {

@@ -1,0 +1,92 @@
+# separatrix: a field and its critical points in, a planar graph out.
+load common
+
+setup_file() {
+  stage_chain half_disc "$BATS_FILE_TMPDIR"
+}
+
+setup() {
+  common_setup
+  field=$BATS_FILE_TMPDIR/half_disc.field.h5
+  crit=$BATS_FILE_TMPDIR/half_disc.crit.json
+}
+
+@test "writes a valid graph silently" {
+  run separatrix "$field" "$crit" -o a.sep.json
+  assert_success
+  assert_output ""
+  assert_nothing_left a.sep.json
+  run stagecheck a.sep.json
+  assert_success
+}
+
+@test "the half disc has five lines, four faces and one merged pair" {
+  separatrix "$field" "$crit" -o a.sep.json --report a.json
+  run jq -c '.trace | [.launched, .lines, .merged, .faces]' a.json
+  assert_output '[6,5,1,4]'
+  run jq -c '[.lines[].kind] | sort' a.sep.json
+  assert_output '["merged","traced","traced","traced","traced"]'
+}
+
+@test "the half disc's graph is its own mirror image" {
+  separatrix "$field" "$crit" -o a.sep.json
+  run jq -e '[.nodes[].position] as $all |
+    all($all[]; . as [$x, $y] | any($all[]; ((.[0] + $x) | fabs) < 1e-6 and ((.[1] - $y) | fabs) < 1e-6))' a.sep.json
+  assert_success
+}
+
+@test "gives the same bytes through pipes and twice" {
+  separatrix "$field" "$crit" -o a.sep.json
+  critpoints "$field" | separatrix "$field" - > b.sep.json
+  separatrix "$field" < "$crit" > c.sep.json
+  cmp a.sep.json b.sep.json
+  cmp a.sep.json c.sep.json
+}
+
+@test "a bound on the number of arcs exits 1 with the count" {
+  run separatrix "$field" "$crit" --max-lines 3 -o a.sep.json
+  assert_failure 1
+  assert_output "separatrix: 5 separatrices cut each other into 5 arcs, more than the 3 allowed"
+  assert_nothing_left
+}
+
+@test "a bound on the length exits 1 with the place" {
+  run separatrix "$field" "$crit" --max-length 0.01 -o a.sep.json
+  assert_failure 1
+  assert_output --partial "has reached neither boundary nor node after"
+  assert_nothing_left
+}
+
+@test "a node that was moved is refused" {
+  jq '.critical_points[0].position[0] += 0.01' "$crit" > moved.crit.json
+  run separatrix "$field" moved.crit.json -o a.sep.json
+  assert_failure 3
+  assert_output --partial "run fieldsolve --nodes"
+  assert_nothing_left moved.crit.json
+}
+
+@test "critical points of another shape are refused" {
+  stage_chain square .
+  run separatrix "$field" square.crit.json -o a.sep.json
+  assert_failure 3
+}
+
+@test "numbers outside their interval are mistakes of the command line" {
+  run separatrix "$field" "$crit" --merge-angle 50
+  assert_failure 2
+  run separatrix "$field" "$crit" --tolerance 0
+  assert_failure 2
+}
+
+@test "a domain without nodes and corners is cut four times" {
+  stage_chain annulus .
+  run jq -c '[.lines[].kind]' annulus.sep.json
+  assert_output '["cut","cut","cut","cut"]'
+}
+
+@test "the examples of the help run" {
+  cp "$field" "$crit" .
+  separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json
+  critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5
+  assert_file_exists half_disc.blocks.h5
+}
