@@ -25,6 +25,10 @@ class Writer {
     (*this)(static_cast<std::uint64_t>(values.size()));
     for (const T& value : values) (*this)(value);
   }
+  // Member by member: the padding behind the last one is no data.
+  void operator()(const Joint& j) {
+    (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
+  }
   void operator()(const Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
 };
 
@@ -48,6 +52,9 @@ class Reader {
   void operator()(std::vector<T>& values) {
     values.resize(count());
     for (T& value : values) (*this)(value);
+  }
+  void operator()(Joint& j) {
+    (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
 

@@ -218,6 +218,34 @@ TEST(LoadFace, curves_are_exact) {
   EXPECT_NEAR(half.area(), pi / 2, 1e-14);
 }
 
+TEST(LoadFace, periodic_splines_may_begin_anywhere_and_run_across_their_seam) {
+  const Loaded whole = load("bad/periodic_spline.brep"), pieces = load("bad/periodic_pieces.brep");
+  expect_consistent(whole.face);
+  expect_consistent(pieces.face);
+  ASSERT_EQ(whole.face.num_curves(), 1);
+  ASSERT_EQ(pieces.face.num_curves(), 2);
+  EXPECT_EQ(whole.face.joints[0].interior_angle, pi);
+  EXPECT_EQ(pieces.face.joints[1].interior_angle, pi);
+  EXPECT_NEAR(whole.area(), 6.348241559181, 1e-11) << "from the extrapolated areas of inscribed polygons";
+  EXPECT_NEAR(pieces.area(), whole.area(), 1e-13);
+  EXPECT_NEAR(pieces.perimeter(), whole.perimeter(), 1e-12);
+}
+
+TEST(LoadFace, other_curves_are_converted) {
+  EXPECT_NEAR(load("bad/parabola.brep").area(), 8.0 / 3, 1e-14);
+  // Offset of the parabola (u^2 / 4, u) by 1/2 to its right, approximated to a hundredth of the tolerance.
+  const CadFace face = load("bad/offset.brep").face;
+  expect_consistent(face);
+  for (int i = 1; i < 50; ++i) {
+    const Vec2 x =
+        point(face.curves[0], face.curves[0].begin() + i * (face.curves[0].end() - face.curves[0].begin()) / 50);
+    // The nearest point of the parabola: u^3 / 8 + u (1 - x / 2) - y = 0.
+    double u = x.y;
+    for (int k = 0; k < 50; ++k) u -= (u * u * u / 8 + u * (1 - x.x / 2) - x.y) / (3 * u * u / 8 + 1 - x.x / 2);
+    EXPECT_NEAR(distance(x, {u * u / 4, u}), 0.5, 2e-9);
+  }
+}
+
 TEST(LoadFace, curves_are_split_at_inner_kinks) {
   const CadFace kinked = load("bad/kinked_spline.step").face;
   expect_consistent(kinked);

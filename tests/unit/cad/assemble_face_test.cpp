@@ -1,0 +1,115 @@
+#include "cad/assemble_face.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+RawEdge edge(const Nurbs& curve, int cad_edge, const std::string& name = {}) {
+  return {curve, curve.poles.front(), curve.poles.back(), cad_edge, name};
+}
+
+RawFace polygon(const std::vector<Vec2>& p) {
+  RawFace raw;
+  raw.file = "f.step";
+  raw.wires.emplace_back();
+  for (size_t i = 0; i < p.size(); ++i)
+    raw.wires[0].push_back(edge(segment(p[i], p[(i + 1) % p.size()]), static_cast<int>(i)));
+  return raw;
+}
+
+CadFace assembled(const RawFace& raw, double corner_angle = radians(1)) {
+  Report report;
+  return assemble_face(raw, corner_angle, report);
+}
+
+const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+TEST(AssembleFace, turns_clockwise_wires_but_keeps_their_first_edge) {
+  const CadFace face = assembled(polygon({{0, 0}, {0, 1}, {1, 1}, {1, 0}}));
+  EXPECT_EQ(face.curve_cad_edges, (std::vector<int>{0, 3, 2, 1}));
+  EXPECT_EQ(face.joints[0].position, (Vec2{0, 1}));
+  for (const Joint& joint : face.joints) EXPECT_NEAR(joint.interior_angle, half_pi, 1e-15);
+}
+
+TEST(AssembleFace, puts_the_outline_first_whatever_the_file_does) {
+  RawFace raw = polygon(square);
+  raw.wires.insert(raw.wires.begin(), {edge(circular_arc({0.5, 0.5}, 0.1, 0, 2 * pi), 4)});
+  const CadFace face = assembled(raw);
+  EXPECT_EQ(face.loop_offsets, (std::vector<int>{0, 4, 5}));
+  EXPECT_LT(curvature(face.curves[4], 1), 0);
+}
+
+TEST(AssembleFace, chains_edges_that_come_in_any_sequence) {
+  RawFace raw = polygon(square);
+  std::swap(raw.wires[0][1], raw.wires[0][3]);
+  EXPECT_EQ(assembled(raw).curve_cad_edges, (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(AssembleFace, closes_gaps_below_the_tolerance_bit_for_bit_and_no_others) {
+  RawFace raw = polygon(square);
+  raw.wires[0][1] = edge(segment({1 + 1e-8, 1e-8}, {1, 1}), 1);
+  const CadFace face = assembled(raw);
+  EXPECT_EQ(face.curves[0].poles.back(), face.curves[1].poles.front());
+  raw.wires[0][1] = edge(segment({1 + 1e-4, 0}, {1, 1}), 1);
+  EXPECT_THROW(assembled(raw), FormatError);
+}
+
+TEST(AssembleFace, drops_edges_without_length_with_a_warning) {
+  RawFace raw = polygon(square);
+  raw.wires[0].insert(raw.wires[0].begin() + 1, edge(segment({1, 0}, {1, 1e-9}), 4));
+  Report report;
+  EXPECT_EQ(assemble_face(raw, 0.01, report).num_curves(), 4);
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_EQ(report.warnings()[0].code, "W-CAD-005");
+}
+
+TEST(AssembleFace, knows_angles_close_to_zero_and_to_a_full_turn) {
+  const double h = 1e-5;
+  const CadFace slit = assembled(polygon({{0, 0}, {2, 0}, {2, 2}, {1 + h, 2}, {1, 1}, {1 - h, 2}, {0, 2}}));
+  EXPECT_NEAR(slit.joints[4].interior_angle, 2 * pi - 2 * std::atan(h), 1e-15);
+  EXPECT_TRUE(slit.joints[4].is_corner);
+  const CadFace spike = assembled(polygon({{0, 0}, {1, -1}, {1, -h}, {3, 0}, {1, h}, {1, 1}}));
+  EXPECT_NEAR(spike.joints[3].interior_angle, 2 * std::atan(h / 2), 1e-15);
+}
+
+TEST(AssembleFace, small_tangent_jumps_are_kept_but_are_no_corners) {
+  const double h = 1e-3;
+  const CadFace face = assembled(polygon({{0, 0}, {1, -h}, {2, 0}, {2, 1}, {0, 1}}));
+  EXPECT_FALSE(face.joints[1].is_corner);
+  EXPECT_NEAR(face.joints[1].interior_angle, pi - 2 * std::atan(h), 1e-15);
+  EXPECT_NEAR(face.joints[1].tangent_out - face.joints[1].tangent_in, 2 * std::atan(h), 1e-15);
+}
+
+TEST(AssembleFace, default_names_avoid_those_of_the_file) {
+  RawFace raw = polygon(square);
+  raw.wires[0][3].name = "curve_1";
+  EXPECT_EQ(assembled(raw).curve_names, (std::vector<std::string>{"curve_0", "curve_1_", "curve_2", "curve_1"}));
+}
+
+TEST(AssembleFace, is_the_same_at_any_scale) {
+  for (const double scale : {1e-9, 1.0, 1e9}) {
+    std::vector<Vec2> p = square;
+    for (Vec2& x : p) x *= scale;
+    RawFace raw = polygon(p);
+    raw.tolerance = 1e-7;
+    const CadFace face = assembled(raw);
+    EXPECT_EQ(face.num_curves(), 4);
+    EXPECT_NEAR(face.diameter / scale, std::sqrt(2.0), 1e-15);
+  }
+}
+
+TEST(AssembleFace, refuses_coordinates_that_are_not_numbers) {
+  RawFace raw = polygon(square);
+  raw.wires[0][2].curve.poles[0].x = std::nan("");
+  EXPECT_THROW(assembled(raw), FormatError);
+}
+
+}  // namespace
+}  // namespace quadrille

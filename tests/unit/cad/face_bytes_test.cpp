@@ -1,0 +1,60 @@
+#include "cad/face_bytes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+CadFace some_face() {
+  CadFace face;
+  face.length_unit = "inch";
+  face.metres_per_unit = 0.0254;
+  face.plane_origin = {1, 2, 1.0 / 3};
+  face.origin = {1e6, -0.0};
+  face.diameter = 0.1;
+  face.curves = {segment({0, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, 3)};
+  face.curve_names = {"wall", std::string("zero\0inside", 11)};
+  face.curve_cad_edges = {4, 2};
+  face.loop_offsets = {0, 2};
+  face.joints = {{{1, 2}, 0.5, -0.5, 3, true}, {{0, std::numeric_limits<double>::denorm_min()}, 1, 1, 3.1, false}};
+  face.name = "plate";
+  return face;
+}
+
+Report some_report() {
+  Report report;
+  report.set("a.count", 3);
+  report.set("a.ratio", 0.1);
+  report.set("a.flag", Report::Value(true));
+  report.set("a.text", "word");
+  report.set("a.list", Report::Value(std::vector<double>{1, 2.5}));
+  report.warn("W-CAD-001", "beside");
+  return report;
+}
+
+TEST(FaceBytes, come_back_as_they_were) {
+  Report report;
+  const CadFace face = from_bytes(to_bytes(some_face(), some_report()), report);
+  EXPECT_EQ(to_bytes(face, report), to_bytes(some_face(), some_report()));
+  EXPECT_EQ(face.curve_names, some_face().curve_names);
+  EXPECT_EQ(face.curves[1].poles, some_face().curves[1].poles);
+  EXPECT_EQ(face.joints[1].position, some_face().joints[1].position);
+  EXPECT_EQ(report.entries(), some_report().entries());
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_EQ(report.warnings()[0].message, "beside");
+}
+
+TEST(FaceBytes, cut_off_or_too_long_is_a_defect) {
+  const std::string bytes = to_bytes(some_face(), some_report());
+  Report report;
+  for (size_t n = 0; n < bytes.size(); n += 7) EXPECT_THROW(from_bytes(bytes.substr(0, n), report), Defect) << n;
+  EXPECT_THROW(from_bytes(bytes + "x", report), Defect);
+}
+
+}  // namespace
+}  // namespace quadrille
