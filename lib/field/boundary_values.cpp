@@ -15,31 +15,38 @@ Vec2 fourth_power(Vec2 d) {
   return {square.x * square.x - square.y * square.y, 2 * square.x * square.y};
 }
 
-// The direction in which the curve leaves the joint at its end t; zero inside the curve.
-Vec2 direction_from_joint(const Nurbs& curve, double t) {
-  if (t <= curve.begin()) return tangent(curve, t);
-  if (t >= curve.end()) return -tangent(curve, t, true);
-  return {};
+enum class Place { begin, inside, end };
+
+// Parameters within rounding of an end are that end: the direction from the joint to so near a point is noise.
+Place place_on(const Nurbs& curve, double t) {
+  const double tol = 1e-12 * (curve.end() - curve.begin());
+  if (t <= curve.begin() + tol) return Place::begin;
+  return t >= curve.end() - tol ? Place::end : Place::inside;
+}
+
+// The direction in which the curve leaves the joint at one of its ends.
+Vec2 direction_from_joint(const Nurbs& curve, Place place) {
+  return place == Place::begin ? tangent(curve, curve.begin()) : -tangent(curve, curve.end(), true);
 }
 
 }  // namespace
 
 Vec2 boundary_value(const CadFace& face, int curve, double t) {
   const Nurbs& nurbs = face.curves[curve];
-  return fourth_power(tangent(nurbs, t, t >= nurbs.end()));
+  return fourth_power(tangent(nurbs, t, place_on(nurbs, t) == Place::end));
 }
 
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
   const Nurbs& nurbs = face.curves[curve];
   Vec2 value = boundary_value(face, curve, t);
   if (liftings.empty()) return value;
-  const bool at_begin = t <= nurbs.begin(), at_end = t >= nurbs.end();
-  const int joint = at_begin ? curve : at_end ? face.next_in_loop(curve) : -1;
+  const Place place = place_on(nurbs, t);
+  const int joint = place == Place::begin ? curve : place == Place::end ? face.next_in_loop(curve) : -1;
   const Vec2 x = point(nurbs, t);
   for (const Lifting& lifting : liftings) {
-    const double angle = lifting.joint == joint ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, t))
-                                                : lifting_angle(lifting, x);
-    value = value - lifting.jump * angle;
+    const bool at_apex = lifting.joint == joint;
+    value -= lifting.jump *
+             (at_apex ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, place)) : lifting_angle(lifting, x));
   }
   return value;
 }

@@ -1,5 +1,9 @@
 #include "galerkin/solve_laplace.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "base/error.hpp"
@@ -34,6 +38,12 @@ double relative_residual(const CgSystem& system, const Eigen::MatrixX2d& x) {
   const Eigen::MatrixX2d residual = system.rhs - system.matrix.selfadjointView<Eigen::Lower>() * x;
   const double scale = system.rhs.norm();
   return scale > 0 ? residual.norm() / scale : residual.norm();
+}
+
+// An element for a message, with its place in the user's coordinates.
+std::string describe(const TriMesh& mesh, const std::vector<TriMap>& maps, int elem) {
+  const Vec2 x = maps[elem].position({-1.0 / 3, -1.0 / 3}) + mesh.face.origin;
+  return fmt::format("element {} near ({:.6g}, {:.6g})", elem, x.x, x.y);
 }
 
 }  // namespace
@@ -74,7 +84,12 @@ void LaplaceSolver::update_elements(const std::vector<int>& elem_order) {
   if (elem_order.size() != elem_order_.size()) throw Defect("the order map does not fit the mesh");
   for (std::size_t e = 0; e < elem_order.size(); ++e) {
     if (elem_order[e] == elem_order_[e]) continue;
-    elements_[e] = condense(elem_order[e], stiffness(static_cast<int>(e), elem_order[e]));
+    const int elem = static_cast<int>(e);
+    try {
+      elements_[e] = condense(elem_order[e], stiffness(elem, elem_order[e]));
+    } catch (const ComputeError& error) {
+      throw ComputeError(fmt::format("{}: {}", describe(*mesh_, maps_, elem), error.what()));
+    }
     elem_order_[e] = elem_order[e];
   }
 }
@@ -106,7 +121,9 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   report.set("solve.num_elements", mesh_->num_elems());
   report.set("solve.num_unknowns", map.num_unknowns);
   report.set("solve.num_liftings", liftings_.size());
-  report.set("solve.residual", relative_residual(system, dofs.topRows(map.num_unknowns)));
+  const double residual = relative_residual(system, dofs.topRows(map.num_unknowns));
+  if (!std::isfinite(residual)) throw ComputeError("the solution is not finite: some element has a folded shape");
+  report.set("solve.residual", residual);
   return field;
 }
 

@@ -54,6 +54,17 @@ CadFace polygon(const std::vector<Vec2>& corners) {
   return face;
 }
 
+TEST(BoundaryValues, ParametersWithinRoundingOfAnEndAreTheEnd) {
+  CadFace face = polygon({{0, 0}, {2, 0}, {1.3, 1.1}});
+  face.diameter = 2;
+  face.loop_offsets = {0, 3};
+  const Lifting lifting{1, {2, 0}, {3, -0.5}, {1, 0}};
+  const double end = face.curves[0].end();
+  EXPECT_NEAR(distance(lifted_boundary_value(face, {lifting}, 0, end * (1 - 1e-13)),
+                       lifted_boundary_value(face, {lifting}, 0, end)),
+              0, 1e-15);
+}
+
 TEST(BoundaryValues, DataOnALineAreNoticed) {
   EXPECT_TRUE(is_line_field(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}})));               // 45 degree chamfer
   EXPECT_FALSE(is_line_field(polygon({{0, 0}, {1, 0.5}, {0.75, 1}, {0.5, 1}})));               // general angles

@@ -128,6 +128,37 @@ TEST(SolveLaplace, RefusesALineField) {
   EXPECT_THROW(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 4), report), ComputeError);
 }
 
+TEST(SolveLaplace, ATurnedDomainGivesTheTurnedField) {
+  const Vec2 p{-0.4, -0.3}, a{1.9, 0.2}, b{-0.3, 0.8};
+  const double turn = 0.7;
+  const auto turned = [&](Vec2 x) { return std::cos(turn) * x + std::sin(turn) * left_of(x); };
+  const TriMesh mesh = parallelogram_mesh(p, a, b, 4);
+  const TriMesh turned_mesh = parallelogram_mesh(turned(p), turned(a), turned(b), 4);
+  const std::vector<int> orders = scattered_orders(mesh.num_elems(), 3, 5);
+  Report report;
+  const Field field = solve_laplace(mesh, orders, report), turned_field = solve_laplace(turned_mesh, orders, report);
+  const FieldEvaluator here(field), there(turned_field);
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const Vec2 value = here.sample(e, {-0.3, -0.4}).value, other = there.sample(e, {-0.3, -0.4}).value;
+    // A cross turned by an angle is a field value turned by four times the angle.
+    EXPECT_LT(distance(std::cos(4 * turn) * value + std::sin(4 * turn) * left_of(value), other), 1e-12);
+  }
+}
+
+TEST(SolveLaplace, NamesTheElementThatIsFolded) {
+  TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0.4, 1}, 3);
+  mesh.vertices[5] = {0.9, 0.1};  // an inner vertex pushed across its neighbours
+  mesh.face.origin = {100, 200};
+  Report report;
+  try {
+    solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 4), report);
+    FAIL() << "no exception";
+  } catch (const ComputeError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("element ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find("near (100."), std::string::npos) << error.what();
+  }
+}
+
 TEST(SolveLaplace, OblongCrossesAreExactWithLiftings) {
   // A parallelogram's data are two constants; the lifted problem still meets them on every side.
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 6);
