@@ -129,13 +129,12 @@ class Finder {
       const double area = cross(da, db);
       if (std::abs(area) < 1e-9 * norm(da) * norm(db)) return;  // side by side
       const double step_s = cross(gap, db) / area, step_t = cross(gap, da) / area;
-      s += step_s, t += step_t;
+      s = std::clamp(s + step_s, ca.begin(), ca.end()), t = std::clamp(t + step_t, cb.begin(), cb.end());
       if (s < p.t0 - ds || s > p.t1 + ds || t < q.t0 - dt || t > q.t1 + dt) return;
       if (std::abs(step_s) < 1e-14 * ds && std::abs(step_t) < 1e-14 * dt) break;
     }
     const double slack_s = 1e-9 * ds + same_ / norm(da), slack_t = 1e-9 * dt + same_ / norm(db);
     if (s < p.t0 - slack_s || s > p.t1 + slack_s || t < q.t0 - slack_t || t > q.t1 + slack_t) return;
-    s = std::clamp(s, ca.begin(), ca.end()), t = std::clamp(t, cb.begin(), cb.end());
     const Vec2 position = point(ca, s);
     if (distance(position, point(cb, t)) > 2 * same_) return;
     for (size_t i = first_; i < found.size(); ++i)

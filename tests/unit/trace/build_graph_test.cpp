@@ -1,0 +1,116 @@
+#include "trace/build_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+#include "trace/planar_faces.hpp"
+
+namespace quadrille {
+namespace {
+
+using hand_made::face;
+
+CadFace square() {
+  return face({{segment({0, 0}, {1, 0}), segment({1, 0}, {1, 1}), segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})}},
+              std::sqrt(2.0));
+}
+
+std::vector<FixedNode> four_corners(const CadFace& f) {
+  std::vector<FixedNode> nodes;
+  for (int j = 0; j < 4; ++j) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  return nodes;
+}
+
+// A straight line between two places of the boundary.
+FinishedLine line(const CadFace& f, int curve0, double t0, int curve1, double t1) {
+  const Vec2 a = point(f.curves[curve0], t0), b = point(f.curves[curve1], t1);
+  const double length = distance(a, b);
+  return {{-1, curve0, t0},
+          {-1, curve1, t1},
+          cubic_spline({0, length / 2, length}, {a, (a + b) / 2, b}, (b - a) / length, (b - a) / length),
+          "traced"};
+}
+
+SeparatrixGraph built(const CadFace& f, const std::vector<FixedNode>& fixed, const std::vector<FinishedLine>& lines) {
+  std::vector<Nurbs> splines;
+  for (const FinishedLine& l : lines) splines.push_back(l.spline);
+  return build_graph(f, fixed, lines, find_crossings(splines, 1e-9), 1e-9);
+}
+
+TEST(BuildGraph, ASquareWithoutLinesIsOneFace) {
+  const CadFace f = square();
+  const SeparatrixGraph graph = built(f, four_corners(f), {});
+  EXPECT_EQ(graph.nodes.size(), 4u);
+  EXPECT_EQ(graph.arcs.size(), 4u);
+  EXPECT_EQ(require_four_corners(graph), 1);
+}
+
+TEST(BuildGraph, TwoCrossingLinesMakeFourBlocks) {
+  const CadFace f = square();
+  const SeparatrixGraph graph = built(f, four_corners(f), {line(f, 0, 0.3, 2, 0.6), line(f, 1, 0.5, 3, 0.4)});
+  EXPECT_EQ(graph.nodes.size(), 9u);
+  EXPECT_EQ(graph.arcs.size(), 12u);
+  EXPECT_EQ(require_four_corners(graph), 4);
+  EXPECT_EQ(graph.nodes.back().kind, NodeKind::crossing);
+  for (const SeparatrixLine& l : graph.lines) EXPECT_EQ(l.arcs.size(), 2u);
+}
+
+TEST(BuildGraph, ArcsEndInTheirNodes) {
+  const CadFace f = square();
+  const SeparatrixGraph graph = built(f, four_corners(f), {line(f, 0, 0.3, 2, 0.6), line(f, 1, 0.5, 3, 0.4)});
+  for (const GraphArc& arc : graph.arcs) {
+    const ArcPiece &first = arc.pieces.front(), &last = arc.pieces.back();
+    EXPECT_LT(distance(point(graph.curve(first.curve), first.t0), graph.nodes[arc.from].position), 1e-14);
+    EXPECT_LT(distance(point(graph.curve(last.curve), last.t1), graph.nodes[arc.to].position), 1e-14);
+  }
+}
+
+TEST(BuildGraph, JointsWithoutNodeLieInsideAnArc) {
+  const CadFace f = hand_made::s_bend().face;
+  std::vector<FixedNode> fixed;
+  for (int j = 0; j < f.num_curves(); ++j)
+    if (f.joints[j].is_corner) fixed.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  const SeparatrixGraph graph = built(f, fixed, {});
+  ASSERT_EQ(graph.arcs.size(), 4u);
+  EXPECT_EQ(graph.arcs[0].pieces.size(), 5u);
+  EXPECT_EQ(graph.arcs[1].pieces.size(), 1u);
+  EXPECT_EQ(require_four_corners(graph), 1);
+}
+
+TEST(BuildGraph, EndsNearEachOtherAndNearJointsAreOneNode) {
+  // A square whose bottom is two curves with a smooth joint at (0.5, 0).
+  const CadFace f = face({{segment({0, 0}, {0.5, 0}), segment({0.5, 0}, {1, 0}), segment({1, 0}, {1, 1}),
+                           segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})}},
+                         std::sqrt(2.0));
+  std::vector<FixedNode> fixed;
+  for (const int j : {0, 2, 3, 4}) fixed.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  const SeparatrixGraph graph = built(f, fixed, {line(f, 0, 0.5 - 2e-10, 3, 0.5)});
+  ASSERT_EQ(graph.nodes.size(), 6u);
+  EXPECT_EQ(graph.nodes[4].position, (Vec2{0.5, 0}));
+  EXPECT_EQ(graph.nodes[4].curve, 1);
+  EXPECT_EQ(graph.splines[0].poles.front(), (Vec2{0.5, 0}));
+  EXPECT_EQ(require_four_corners(graph), 2);
+}
+
+TEST(BuildGraph, AClosedLoopWithOneNodeIsOneArc) {
+  const CadFace f = face({{circular_arc({0, 0}, 1, 0, 2 * pi)}}, 2);
+  const SeparatrixGraph graph = built(f, {}, {});
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].from, graph.arcs[0].to);
+  EXPECT_THROW(require_four_corners(graph), ComputeError);
+}
+
+TEST(BuildGraph, ALineThroughTheEndOfAnotherIsRefused) {
+  const CadFace f = square();
+  FinishedLine half = line(f, 1, 0.5, 3, 0.5);
+  // Ends at (0.5, 0.5) in a node of its own, on the way of the other line.
+  half.spline = cubic_spline({0, 0.25, 0.5}, {{1, 0.5}, {0.75, 0.5}, {0.5, 0.5}}, {-1, 0}, {-1, 0});
+  std::vector<FixedNode> fixed = four_corners(f);
+  fixed.push_back({{0.5, 0.5}, NodeKind::irregular, 3, -1});
+  half.end = {4, -1, 0};
+  EXPECT_THROW(built(f, fixed, {half, line(f, 0, 0.5, 2, 0.5)}), ComputeError);
+}
+
+}  // namespace
+}  // namespace quadrille

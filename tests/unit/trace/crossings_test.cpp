@@ -1,0 +1,77 @@
+#include "trace/crossings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "trace/fit_line.hpp"
+
+namespace quadrille {
+namespace {
+
+Nurbs straight(Vec2 a, Vec2 b) {
+  const double length = distance(a, b);
+  return cubic_spline({0, length / 3, length}, {a, a + (b - a) / 3, b}, (b - a) / length, (b - a) / length);
+}
+
+TEST(Crossings, TwoStraightLinesMeetOnce) {
+  const auto found = find_crossings({straight({0, 0}, {4, 3}), straight({0, 3}, {4, 0})}, 1e-9);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT(distance(found[0].position, {2, 1.5}), 1e-14);
+  EXPECT_NEAR(found[0].s, 2.5, 1e-13);
+  EXPECT_NEAR(found[0].t, 2.5, 1e-13);
+  EXPECT_NEAR(found[0].angle, pi - 2 * std::atan2(4, 3), 1e-12);
+}
+
+TEST(Crossings, LinesThatEndBeforeEachOtherDoNotMeet) {
+  EXPECT_TRUE(find_crossings({straight({0, 0}, {1, 1}), straight({0, 3}, {1.4, 1.6})}, 1e-9).empty());
+  EXPECT_TRUE(find_crossings({straight({0, 0}, {1, 0}), straight({0, 1e-6}, {1, 1e-6})}, 1e-9).empty());
+}
+
+TEST(Crossings, AWaveMeetsTheAxisAtEveryZero) {
+  const CurveFunction wave = [](double s, Vec2& d) {
+    d = {1, std::cos(s)};
+    return Vec2{s, std::sin(s)};
+  };
+  const double end = 6.5 * pi;
+  const auto found = find_crossings({fit_line(wave, end, 1e-10), straight({-1, 0}, {end, 0})}, 1e-9);
+  // The seven zeros 0, pi, ... 6 pi.
+  ASSERT_EQ(found.size(), 7u);
+  for (int k = 0; k < 7; ++k) EXPECT_NEAR(found[k].position.x, k * pi, 1e-8);
+}
+
+TEST(Crossings, ALoopCrossesItself) {
+  // The folium-like curve (s^2 - 1, s^3 - s) passes (0, 0) at s = -1 and s = 1, at right angles.
+  const CurveFunction loop = [](double u, Vec2& d) {
+    const double s = u - 2;
+    d = {2 * s, 3 * s * s - 1};
+    return Vec2{s * s - 1, s * s * s - s};
+  };
+  const auto found = find_crossings({fit_line(loop, 4, 1e-10)}, 1e-9);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT(norm(found[0].position), 1e-8);
+  EXPECT_NEAR(found[0].s, 1, 1e-7);
+  EXPECT_NEAR(found[0].t, 3, 1e-7);
+  EXPECT_NEAR(found[0].angle, half_pi, 1e-6);
+}
+
+TEST(Crossings, ThroughACommonKnotCountsOnce) {
+  // Both splines have a knot where they meet: four pairs of spans find the same place.
+  const auto knotted = [](Vec2 a, Vec2 b) {
+    return cubic_spline({0, 1, 2}, {a, (a + b) / 2, b}, (b - a) / 2, (b - a) / 2);
+  };
+  EXPECT_EQ(find_crossings({knotted({-1, -1}, {1, 1}), knotted({-1, 1}, {1, -1})}, 1e-9).size(), 1u);
+}
+
+TEST(Crossings, ComeInTheSequenceOfTheFirstLine) {
+  const auto found = find_crossings(
+      {straight({0, 0}, {4, 0}), straight({3, -1}, {3, 1}), straight({1, -1}, {1, 1}), straight({2, -1}, {2, 1})},
+      1e-9);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].b, 2);
+  EXPECT_EQ(found[1].b, 3);
+  EXPECT_EQ(found[2].b, 1);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,112 @@
+#include "trace/merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "../support/square_field.hpp"
+
+namespace quadrille {
+namespace {
+
+using Complex = std::complex<double>;
+
+// v = -e^{i skew} (z^2 - 1/4): nodes of valence 3 at -1/2 and 1/2. Without skew two of their separatrices run into each
+// other along the axis; with it they pass each other.
+struct TwoNodes : testing::Test {
+  void make(double skew) {
+    const auto value = [skew](Vec2 p) {
+      const Complex z(p.x, p.y), v = -std::polar(1.0, skew) * (z * z - 0.25);
+      return Vec2{v.real(), v.imag()};
+    };
+    field = interpolated_field(square_mesh({-1, -1}, 2, 4), 2, value);
+    evaluator = std::make_unique<FieldEvaluator>(field);
+    lines.clear();
+    for (int n = 0; n < 2; ++n) {
+      const Location at = evaluator->locator().find(nodes[n]);
+      for (const double angle : launch_directions(evaluator->sample(at.elem, at.xi).dv_dx))
+        lines.push_back(
+            advance(*evaluator, launch_line(*evaluator, n, nodes[n], angle, 1e-4, 1), nodes, {1e-11, 0.1, 10, 1e-7}));
+    }
+  }
+
+  std::vector<MergeCandidate> candidates(double degrees_allowed, double distance_allowed = 0) const {
+    return merge_candidates(*evaluator, lines, nodes, {radians(degrees_allowed), distance_allowed});
+  }
+
+  const std::vector<Vec2> nodes{{-0.5, 0}, {0.5, 0}};
+  Field field;
+  std::unique_ptr<FieldEvaluator> evaluator;
+  std::vector<Streamline> lines;
+};
+
+TEST_F(TwoNodes, ExactlyHeadOnLinesMergeIntoOneStraightLine) {
+  make(0);
+  const auto found = candidates(5);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT(found[0].turn, 1e-6);
+  EXPECT_LT(found[0].gap, 1e-6);
+  EXPECT_NEAR(found[0].length(), 1, 1e-6);
+  const CurveFunction merged = merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0]);
+  for (int i = 0; i <= 10; ++i) {
+    Vec2 d;
+    EXPECT_LT(distance(merged(found[0].length() * i / 10, d), {-0.5 + i / 10.0, 0}), 1e-6);
+  }
+}
+
+TEST_F(TwoNodes, MergingKeepsEndsAndEndDirections) {
+  make(0.2);
+  const auto found = candidates(20);
+  ASSERT_EQ(found.size(), 1u);
+  const Streamline &a = lines[found[0].a], &b = lines[found[0].b];
+  const CurveFunction merged = merged_curve(*evaluator, a, b, found[0]);
+  Vec2 start, end;
+  EXPECT_EQ(merged(0, start), nodes[0]);
+  EXPECT_EQ(merged(found[0].length(), end), nodes[1]);
+  EXPECT_LT(distance(normalized(start), unit(a.launch.angle)), 1e-12);
+  EXPECT_LT(distance(normalized(end), -unit(b.launch.angle)), 1e-12);
+  // The mirror image in the centre exchanges both lines: the merged line passes through it.
+  Vec2 d;
+  EXPECT_LT(norm(merged(found[0].length() / 2, d)), 1e-9);
+}
+
+TEST_F(TwoNodes, TheDerivativeIsThatOfTheCurve) {
+  make(0.2);
+  const auto found = candidates(20);
+  ASSERT_EQ(found.size(), 1u);
+  const CurveFunction merged = merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0]);
+  for (const double s : {0.2, 0.5, 0.7}) {
+    Vec2 d, unused;
+    merged(s, d);
+    EXPECT_LT(distance((merged(s + 1e-5, unused) - merged(s - 1e-5, unused)) / 2e-5, d), 1e-5);
+  }
+}
+
+TEST_F(TwoNodes, TheAngleDecidesAndTheDistanceOverrides) {
+  make(0.2);
+  const auto all = candidates(20);
+  ASSERT_EQ(all.size(), 1u);
+  const double turn = degrees(all[0].turn);
+  EXPECT_GT(turn, 1);
+  EXPECT_TRUE(candidates(0.9 * turn).empty());
+  EXPECT_EQ(candidates(1.1 * turn).size(), 1u);
+  EXPECT_TRUE(candidates(0, 0.9 * all[0].gap).empty());
+  EXPECT_EQ(candidates(0, 1.1 * all[0].gap).size(), 1u);
+}
+
+MergeCandidate pair(int a, int b, double length) { return {a, b, length, length, 0, 0}; }
+
+TEST(ChooseMerges, TakesTheFirstMeetingOfALine) {
+  const std::vector<MergeCandidate> all{pair(0, 1, 1), pair(1, 2, 2), pair(2, 3, 3)};
+  EXPECT_EQ(choose_merges(all, {false, false, false}, 4), (std::vector<int>{0, 2}));
+  EXPECT_EQ(choose_merges(all, {true, false, false}, 4), (std::vector<int>{1}));
+}
+
+TEST(ChooseMerges, DecidesTiesOfAnOrbitAlike) {
+  // Line 0 could go either way at the same time: neither, and the later meeting of 1 and 2 is free.
+  const std::vector<MergeCandidate> all{pair(0, 1, 1), pair(0, 2, 1 + 1e-9), pair(3, 4, 1 + 1e-9), pair(1, 2, 2)};
+  EXPECT_EQ(choose_merges(all, {false, false, false, false}, 5), (std::vector<int>{2, 3}));
+}
+
+}  // namespace
+}  // namespace quadrille
