@@ -3,8 +3,6 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <XSAlgo.hxx>
@@ -13,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "cad/occ_quiet.hpp"
 #include "cad/occ_readers.hpp"
 
 namespace quadrille {
@@ -64,7 +63,7 @@ std::string OccModel::name_of(const TopoDS_Shape& wanted) const {
 }
 
 OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();
+  quiet_kernel();
   try {
     OccModel model = read(format, bytes, name);
     if (model.shape.IsNull()) throw FormatError(name + ": the " + format_name(format) + " file holds no shape");

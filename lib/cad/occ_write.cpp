@@ -2,8 +2,6 @@
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_Static.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
@@ -21,6 +19,7 @@
 
 #include "base/error.hpp"
 #include "cad/occ_blocks.hpp"
+#include "cad/occ_quiet.hpp"
 #include "cad/write_step.hpp"
 
 namespace quadrille {
@@ -99,7 +98,7 @@ std::string written(const STEPControl_Writer& writer, const Handle(StepData_Step
 }  // namespace
 
 std::string step_of_blocks(const BlockLayout& layout) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();
+  quiet_kernel();
   try {
     const WrittenUnit unit = written_unit(layout.face);
     STEPControl_Writer writer;
