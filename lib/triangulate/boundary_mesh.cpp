@@ -17,7 +17,7 @@ namespace {
 
 constexpr double slack = 1 + 1e-9;
 /// Order 8 gains a factor of 500 a halving; low orders never reach 1e-12 with a sensible number of elements.
-constexpr int max_fit_depth_high = 6, max_fit_depth_low = 1, high_order = 7;
+constexpr int max_fit_depth_high = 12, max_fit_depth_low = 1, high_order = 7;
 constexpr int max_turn_depth = 30;
 /// Gaps below this share of the diameter are taken for touching curves.
 constexpr double least_length = 1e-9;
