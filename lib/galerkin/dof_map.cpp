@@ -20,27 +20,6 @@ std::vector<int> minimum_rule(const TriTopology& topology, const std::vector<int
   return edge2order;
 }
 
-// Entities are vertices, then edges. Those of one element are coupled with each other.
-std::vector<int> fill_reducing_sequence(const TriMesh& mesh, const TriTopology& topology) {
-  const int num_vertices = static_cast<int>(mesh.vertices.size());
-  const int num_entities = num_vertices + static_cast<int>(topology.edge2vertices.size());
-  std::vector<Eigen::Triplet<double>> couplings;
-  couplings.reserve(36 * mesh.elem2vertices.size());
-  for (int e = 0; e < mesh.num_elems(); ++e) {
-    const auto& v = mesh.elem2vertices[e];
-    const auto& k = topology.elem2edges[e];
-    const std::array<int, 6> entities{v[0], v[1], v[2], num_vertices + k[0], num_vertices + k[1], num_vertices + k[2]};
-    for (const int a : entities) {
-      for (const int b : entities) couplings.emplace_back(a, b, 1.0);
-    }
-  }
-  Eigen::SparseMatrix<double> graph(num_entities, num_entities);
-  graph.setFromTriplets(couplings.begin(), couplings.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-  Eigen::AMDOrdering<int>()(graph, inverse);
-  return {inverse.indices().data(), inverse.indices().data() + num_entities};
-}
-
 // Numbers all entities whose boundary flag is `wanted`, along the sequence.
 void number(const std::vector<int>& sequence, const std::vector<bool>& on_boundary, bool wanted, DofMap& map) {
   const int num_vertices = static_cast<int>(map.vertex2dof.size());
@@ -73,7 +52,28 @@ void add_element(const TriMesh& mesh, const TriTopology& topology, int elem, int
 
 }  // namespace
 
-DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& elem_order) {
+std::vector<int> fill_reducing_sequence(const TriMesh& mesh, const TriTopology& topology) {
+  const int num_vertices = static_cast<int>(mesh.vertices.size());
+  const int num_entities = num_vertices + static_cast<int>(topology.edge2vertices.size());
+  std::vector<Eigen::Triplet<double>> couplings;  // all entities of an element with each other
+  couplings.reserve(36 * mesh.elem2vertices.size());
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const auto& v = mesh.elem2vertices[e];
+    const auto& k = topology.elem2edges[e];
+    const std::array<int, 6> entities{v[0], v[1], v[2], num_vertices + k[0], num_vertices + k[1], num_vertices + k[2]};
+    for (const int a : entities) {
+      for (const int b : entities) couplings.emplace_back(a, b, 1.0);
+    }
+  }
+  Eigen::SparseMatrix<double> graph(num_entities, num_entities);
+  graph.setFromTriplets(couplings.begin(), couplings.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
+  Eigen::AMDOrdering<int>()(graph, inverse);
+  return {inverse.indices().data(), inverse.indices().data() + num_entities};
+}
+
+DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
+                    const std::vector<int>& elem_order) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   const int num_edges = static_cast<int>(topology.edge2vertices.size());
   DofMap map;
@@ -86,7 +86,6 @@ DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std:
     on_boundary[num_vertices + edge] = true;
     for (const int vertex : topology.edge2vertices[edge]) on_boundary[vertex] = true;
   }
-  const std::vector<int> sequence = fill_reducing_sequence(mesh, topology);
   number(sequence, on_boundary, false, map);
   map.num_unknowns = map.num_dofs;
   number(sequence, on_boundary, true, map);

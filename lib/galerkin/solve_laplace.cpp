@@ -51,6 +51,7 @@ std::string describe(const TriMesh& mesh, const std::vector<TriMap>& maps, int e
 LaplaceSolver::LaplaceSolver(const TriMesh& mesh, std::vector<Lifting> liftings, BoundaryData data)
     : mesh_(&mesh),
       topology_(tri_topology(mesh)),
+      sequence_(fill_reducing_sequence(mesh, topology_)),
       maps_(tri_maps(mesh)),
       liftings_(std::move(liftings)),
       dirichlet_(mesh, std::move(data)),
@@ -95,12 +96,12 @@ void LaplaceSolver::update_elements(const std::vector<int>& elem_order) {
 }
 
 int LaplaceSolver::num_unknowns(const std::vector<int>& elem_order) const {
-  return make_dof_map(*mesh_, topology_, elem_order).num_unknowns;
+  return make_dof_map(*mesh_, topology_, sequence_, elem_order).num_unknowns;
 }
 
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   update_elements(elem_order);
-  const DofMap map = make_dof_map(*mesh_, topology_, elem_order);
+  const DofMap map = make_dof_map(*mesh_, topology_, sequence_, elem_order);
   const Eigen::MatrixX2d given = dirichlet_.values(topology_, map);
   const CgSystem system = assemble_cg(map, elements_, given);
   Eigen::MatrixX2d dofs(map.num_dofs, 2);

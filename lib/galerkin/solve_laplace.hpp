@@ -37,6 +37,7 @@ class LaplaceSolver {
 
   const TriMesh* mesh_;
   TriTopology topology_;
+  std::vector<int> sequence_;  ///< of elimination (galerkin/dof_map.hpp)
   std::vector<TriMap> maps_;
   std::vector<Lifting> liftings_;
   DirichletData dirichlet_;

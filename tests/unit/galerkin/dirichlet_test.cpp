@@ -29,7 +29,8 @@ Vec2 trace(const TriMesh& mesh, const TriTopology& topology, const DofMap& map, 
 
 double worst_error(const TriMesh& mesh, int order, const std::function<Vec2(Vec2)>& f) {
   const TriTopology topology = tri_topology(mesh);
-  const DofMap map = make_dof_map(mesh, topology, std::vector<int>(mesh.num_elems(), order));
+  const DofMap map =
+      make_dof_map(mesh, topology, fill_reducing_sequence(mesh, topology), std::vector<int>(mesh.num_elems(), order));
   DirichletData data(mesh, [&](int curve, double t) { return f(point(mesh.face.curves[curve], t)); });
   const Eigen::MatrixX2d values = data.values(topology, map);
   double worst = 0;
