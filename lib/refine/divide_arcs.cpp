@@ -83,7 +83,7 @@ class ChordDivider {
   ChordDivider(const BlockLayout& layout, const Chord& chord, const CurveTable& table, const std::vector<Chain>& chains,
                const std::vector<ArcParameter>& parameters, const DivideOptions& options)
       : layout_(layout), chord_(chord), table_(table), chains_(chains), parameters_(parameters), options_(options) {
-    count_ = first_count();
+    count_ = base_count_ = first_count();
     std::vector<Break> breaks;
     for (int i = 0; i < num_arcs(); ++i)
       if (layout.arcs[chord.arcs[i]].is_boundary)
@@ -127,9 +127,9 @@ class ChordDivider {
     return std::max(least, static_cast<int>(wanted));
   }
 
-  /// Takes the least count, from the last one on, that suits all arcs.
+  /// Takes the least count that suits all arcs.
   void settle() {
-    count_ = std::max(count_, segments_.least_count());
+    count_ = std::max(base_count_, segments_.least_count());
     const int first = count_;
     while (!try_count(count_ - first >= max_tie_rounds)) ++count_;
     if (count_ > max_intervals) fail("the geometric tolerance");
@@ -186,13 +186,22 @@ class ChordDivider {
     return s;
   }
 
+  /// The anchors that the interval should rather end on; none where it is smooth, or so long that breaks are spread all
+  /// over it: then it must become shorter first.
   bool anchors_inside(int i, double low, double high, std::vector<int>& found) const {
-    const std::size_t before = found.size();
+    std::vector<int> inside;
+    std::vector<double> fractions;
     for (std::size_t a = 0; a < anchors_.size(); ++a)
       for (const Break& b : anchors_[a].breaks)
-        if (b.arc == i && b.fraction > low + same_fraction && b.fraction < high - same_fraction)
-          found.push_back(static_cast<int>(a));
-    return found.size() > before;
+        if (b.arc == i && b.fraction > low + same_fraction && b.fraction < high - same_fraction) {
+          inside.push_back(static_cast<int>(a));
+          fractions.push_back(b.fraction);
+        }
+    if (inside.empty()) return false;
+    const auto [first, last] = std::minmax_element(fractions.begin(), fractions.end());
+    if (inside.size() > 2 && *last - *first > (high - low) / 2) return false;
+    found.insert(found.end(), inside.begin(), inside.end());
+    return true;
   }
 
   /// The error of a smooth interval falls with its length to the power N + 1.
@@ -223,6 +232,7 @@ class ChordDivider {
   const std::vector<Chain>& chains_;
   const std::vector<ArcParameter>& parameters_;
   const DivideOptions& options_;
+  int base_count_ = 1;  ///< from the size alone
   int count_ = 1;
   std::vector<Anchor> anchors_;
   std::vector<int> needed_;  ///< anchors, ascending: the inner ends of the segments

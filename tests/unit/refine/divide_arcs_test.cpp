@@ -68,6 +68,24 @@ TEST(DivideArcs, ToleranceIsMetWithCutsOnBreaks) {
   }
 }
 
+TEST(DivideArcs, KnotsSpreadOverAnIntervalAreNoCutsBeforeItIsShort) {
+  std::vector<double> parameters;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 100; ++k) {
+    const double x = k / 100.0;
+    parameters.push_back(x);
+    points.push_back({x, 0.05 * std::sin(2 * pi * x)});
+  }
+  const Vec2 slope{1, 0.1 * pi};
+  const std::vector<Nurbs> loop{cubic_spline(parameters, points, slope, slope), segment({1, 0}, {1, 1}),
+                                segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})};
+  const Divided d =
+      divided(hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}}), {10, 4, 1e-5});
+  EXPECT_GT(d.breaks[0].size(), 50u);
+  EXPECT_LE(d.worst, 1e-5);
+  EXPECT_LE(d.ends[0].size() - 1, 8u);
+}
+
 TEST(DivideArcs, BreaksThatDoNoHarmAreNoCuts) {
   EXPECT_EQ(divided(hand_made::elbow(), {10, 4, 10}).ends[0].size(), 2u);
 }
