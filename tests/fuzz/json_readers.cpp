@@ -1,0 +1,21 @@
+// libFuzzer target: any bytes as a JSON stage file are read and checked, or refused by FormatError.
+
+#include <cstdint>
+
+#include "base/error.hpp"
+#include "check/check.hpp"
+#include "io/stage_files.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace quadrille;
+  const InputFile file{"fuzz", std::string(reinterpret_cast<const char*>(data), size), ""};
+  const auto attempt = [](const auto& read_and_check) {
+    try {
+      read_and_check();
+    } catch (const FormatError&) {
+    }
+  };
+  attempt([&] { check_critical_points(read_critical_points(file), CheckDepth::full); });
+  attempt([&] { check_separatrix_graph(read_separatrix_graph(file), CheckDepth::full); });
+  return 0;
+}
