@@ -1,5 +1,7 @@
 // Turns the graph of separatrices into a conforming layout of four-sided blocks.
 
+#include <fmt/format.h>
+
 #include "block/extract_blocks.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
@@ -30,6 +32,7 @@ int main(int argc, char** argv) {
     s.begin_phase("blocks");
     BlockLayout layout = extract_blocks(graph, s.report());
     layout.provenance = s.provenance(graph.provenance, {file.digest("separatrix-graph")});
+    s.say(fmt::format("{} blocks, {} arcs", layout.num_blocks(), layout.arcs.size()));
     s.begin_phase("write");
     write_block_layout(output, layout);
     s.end_phase();

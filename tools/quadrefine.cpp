@@ -1,5 +1,9 @@
 // Splits the blocks of a layout into the final curved quad mesh.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
@@ -36,6 +40,8 @@ int main(int argc, char** argv) {
     s.begin_phase("refine");
     QuadMesh mesh = refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, {file.digest("block-layout")});
+    s.say(fmt::format("{} quads of order {}, worst scaled Jacobian {:.3g}", mesh.num_elems(), mesh.order,
+                      *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end())));
     s.begin_phase("write");
     write_quad_mesh(output, mesh);
     s.end_phase();
