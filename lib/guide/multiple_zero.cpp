@@ -57,8 +57,9 @@ struct Contour {
 
 /// The smallest circle about the cluster, by doubling, on which the field stands out of its errors.
 std::optional<Contour> contour_of(const FieldEvaluator& evaluator, const Disc& cluster) {
+  const double diameter = evaluator.field().mesh.face.diameter;
   double least = 0;
-  for (double radius = 2 * cluster.radius; radius < evaluator.field().mesh.face.diameter; radius *= 2) {
+  for (double radius = std::max(2 * cluster.radius, 1e-9 * diameter); radius < diameter; radius *= 2) {
     const std::optional<int> index = circle_index(evaluator, cluster.centre, radius, least);
     if (!index) return {};
     if (least > 1e3 * field_noise) return Contour{radius, *index};
@@ -67,11 +68,12 @@ std::optional<Contour> contour_of(const FieldEvaluator& evaluator, const Disc& c
 }
 
 [[noreturn]] void refuse(const FieldEvaluator& evaluator, const std::vector<Disc>& parts) {
+  const CadFace& face = evaluator.field().mesh.face;
   const Disc cluster = cluster_of(evaluator, parts);
   const std::optional<Contour> contour = contour_of(evaluator, cluster);
-  const double radius = contour ? contour->radius : cluster.radius;
+  const double radius = contour ? contour->radius : std::max(cluster.radius, 1e-9 * face.diameter);
   const std::string what = contour ? fmt::format("its index is {}", contour->index) : "its index is not known";
-  const Vec2 x = cluster.centre + evaluator.field().mesh.face.origin;
+  const Vec2 x = cluster.centre + face.origin;
   throw ComputeError(fmt::format("the guiding field vanishes to higher order near ({:.6g}, {:.6g}), within {:.2g}: {}",
                                  rounded(x.x, radius), rounded(x.y, radius), radius, what));
 }
