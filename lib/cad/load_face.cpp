@@ -12,6 +12,7 @@
 #include "cad/file_kind.hpp"
 #include "cad/occ_face.hpp"
 #include "cad/occ_load.hpp"
+#include "cad/step_faults.hpp"
 
 namespace quadrille {
 namespace {
@@ -54,11 +55,16 @@ CadFace load_face_guarded(const std::string& bytes, const std::string& name, con
     const CadFace face = load_face(bytes, name, options, inner);
     return to_bytes(face, inner);
   };
-  return from_bytes(
-      run_in_child(work,
-                   name + ": the file is malformed: the " + format_name(format) + " reader crashed or did not end",
-                   most_seconds),
-      report);
+  const std::string crash =
+      name + ": the file is malformed: the " + format_name(format) + " reader crashed or did not end";
+  try {
+    return from_bytes(run_in_child(work, crash, most_seconds), report);
+  } catch (const FormatError& e) {
+    // Only now is it worth while to look for what a person could mend.
+    const std::string fault = e.what() == crash && format == CadFormat::step ? step_fault(bytes) : std::string();
+    if (fault.empty()) throw;
+    throw FormatError(name + ": the file is malformed: " + fault);
+  }
 }
 
 }  // namespace quadrille

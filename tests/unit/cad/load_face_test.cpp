@@ -275,9 +275,10 @@ TEST(LoadFace, refuses_what_is_no_cad_file) {
 }
 
 TEST(LoadFace, survives_files_on_which_the_kernel_crashes) {
-  expect_refused("bad/unknown_entity.step", "malformed");
-  expect_refused("bad/unknown_point.step", "malformed");
-  expect_refused("bad/points_are_directions.step", "malformed");
+  expect_refused("bad/unknown_entity.step",
+                 "malformed: #4 LINE refers to #1, which is of type CARTESIAN_PIONT");
+  expect_refused("bad/unknown_point.step", "malformed: #4 LINE refers to #1, which is of type CARTESIAN_PIONT");
+  expect_refused("bad/points_are_directions.step", "which is of type DIRECTION, not CARTESIAN_POINT");
   expect_refused("bad/broken_reference.step", "names 4 edges of the face, of which 3 can be built");
 }
 
