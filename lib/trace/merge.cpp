@@ -8,9 +8,10 @@
 namespace quadrille {
 namespace {
 
-constexpr double head_on_angle = radians(30);     // between the directions of lines that pass each other
-constexpr double aggressive_angle = radians(40);  // the most that the aggressive rule may turn a line
-constexpr double tie_share = 1e-6;                // lengths that differ by less are equal
+// Between a line where it passes a node and the line that leaves the node towards it. Lines turn where they pass a
+// node, by about 45 degrees at their foot: what decides is the turn of the merged line.
+constexpr double head_on_angle = radians(75);
+constexpr double tie_share = 1e-6;  // lengths that differ by less are equal
 constexpr int num_samples = 48;
 
 double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
@@ -118,7 +119,7 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
           if (angle_between(at_i, -unit(lines[j].launch.angle)) > head_on_angle) continue;
           if (angle_between(at_j, -unit(lines[i].launch.angle)) > head_on_angle) continue;
           judge(evaluator, lines[i], lines[j], c);
-          const bool aggressive = c.gap <= options.distance && c.turn <= aggressive_angle;
+          const bool aggressive = c.gap <= options.distance && c.turn <= greatest_merge_angle;
           if (c.turn <= options.max_angle || aggressive) candidates.push_back(c);
         }
     }
@@ -127,18 +128,17 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
   return candidates;
 }
 
-std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& banned,
-                               int num_lines) {
-  std::vector<bool> taken(num_lines, false);
+std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& allowed,
+                               std::vector<bool>& taken) {
   std::vector<int> chosen;
   for (size_t first = 0; first < candidates.size();) {
     size_t last = first;
     const double same = candidates[first].length() * (1 + tie_share);
     while (last < candidates.size() && candidates[last].length() <= same) ++last;
-    std::vector<int> wanted(num_lines, 0), free;
+    std::vector<int> wanted(taken.size(), 0), free;
     for (size_t i = first; i < last; ++i) {
       const MergeCandidate& c = candidates[i];
-      if (banned[i] || taken[c.a] || taken[c.b]) continue;
+      if (!allowed[i] || taken[c.a] || taken[c.b]) continue;
       free.push_back(static_cast<int>(i));
       ++wanted[c.a], ++wanted[c.b];
     }

@@ -17,6 +17,9 @@
 
 namespace quadrille {
 
+/// The most that any rule may turn a line, radians.
+inline constexpr double greatest_merge_angle = 0.7;
+
 struct MergeOptions {
   double max_angle = 0;  ///< radians
   double distance = 0;   ///< a length; 0: the normal rule only
@@ -37,11 +40,11 @@ struct MergeCandidate {
 std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                                              const std::vector<Vec2>& nodes, const MergeOptions& options);
 
-/// Picks pairs in their sequence so that no line is in two. Pairs whose lengths differ by less than 1e-6 of
-/// themselves are decided together: where two of them want one line neither gets it, so that symmetric shapes stay
-/// symmetric. `banned[i]`: candidate i is left out.
-std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& banned,
-                               int num_lines);
+/// Picks pairs in their sequence so that no line is in two; `taken` tells which lines are, before and after. Pairs
+/// whose lengths differ by less than 1e-6 of themselves are decided together: where two of them want one line neither
+/// gets it, so that symmetric shapes stay symmetric. Only pairs with allowed[i] are looked at.
+std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& allowed,
+                               std::vector<bool>& taken);
 
 /// M as a function of f * length(), with its derivative.
 CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,

@@ -38,17 +38,16 @@ class Tracer {
   }
 
   SeparatrixGraph run() {
-    const MergeOptions merging{radians(options_.merge_angle), options_.merge_distance};
-    candidates_ = merge_candidates(evaluator_, lines_, positions_, merging);
-    merged_.resize(candidates_.size());
-    std::vector<bool> banned(candidates_.size(), false);
+    add_candidates(radians(options_.merge_angle), options_.merge_distance);
+    num_regular_ = candidates_.size();
     std::vector<int> chosen;
     std::vector<Crossing> crossings;
     do {
-      chosen = choose_merges(candidates_, banned, static_cast<int>(lines_.size()));
+      do chosen = choose();
+      while (ban_for_lost(chosen));
       collect(chosen);
       crossings = crossings_of_finished();
-    } while (ban_crossed_merges(crossings, banned));
+    } while (ban_crossed_merges(crossings));
     SeparatrixGraph graph = build_graph(face_, fixed_, finished_, crossings, snap_share * face_.diameter);
     require_few_arcs(graph);
     tell(graph, chosen);
@@ -60,6 +59,60 @@ class Tracer {
   AdvanceOptions advance_options() const {
     const double d = face_.diameter;
     return {options_.tolerance * d, options_.step > 0 ? options_.step : d / 20, options_.max_length * d, hit_share * d};
+  }
+
+  void add_candidates(double max_angle, double distance) {
+    for (const MergeCandidate& c : merge_candidates(evaluator_, lines_, positions_, {max_angle, distance}))
+      candidates_.push_back(c);
+    merged_.resize(candidates_.size());
+    banned_.resize(candidates_.size(), false);
+  }
+
+  bool is_endless(int line) const { return lines_[line].end == Streamline::End::length; }
+
+  // By the rules; then lines that would go on for ever (spirals, limit cycles) are merged whatever that turns, if
+  // anything comes their way.
+  std::vector<int> choose() {
+    std::vector<bool> taken(lines_.size(), false), allowed(candidates_.size(), false);
+    for (size_t i = 0; i < num_regular_; ++i) allowed[i] = !banned_[i];
+    std::vector<int> chosen = choose_merges(candidates_, allowed, taken);
+    const std::vector<int> lost = lost_lines(chosen);
+    if (lost.empty()) return chosen;
+    if (candidates_.size() == num_regular_) add_candidates(greatest_merge_angle, 0);
+    const auto is_lost = [&](int line) { return std::binary_search(lost.begin(), lost.end(), line); };
+    allowed.assign(candidates_.size(), false);
+    for (size_t i = num_regular_; i < candidates_.size(); ++i)
+      allowed[i] = !banned_[i] && (is_lost(candidates_[i].a) || is_lost(candidates_[i].b));
+    for (const int c : choose_merges(candidates_, allowed, taken)) chosen.push_back(c);
+    return chosen;
+  }
+
+  // Endless lines that no merge has taken, ascending.
+  std::vector<int> lost_lines(const std::vector<int>& chosen) const {
+    std::vector<bool> merged_line(lines_.size(), false);
+    for (const int c : chosen) merged_line[candidates_[c].a] = merged_line[candidates_[c].b] = true;
+    std::vector<int> lost;
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+      if (is_endless(i) && !merged_line[i]) lost.push_back(i);
+    return lost;
+  }
+
+  // Where an endless line has nobody because others took its partner first, that merge is given up: its lines end.
+  bool ban_for_lost(const std::vector<int>& chosen) {
+    std::vector<int> merge_of(lines_.size(), -1);
+    for (const int c : chosen) merge_of[candidates_[c].a] = merge_of[candidates_[c].b] = c;
+    bool any = false;
+    for (const int line : lost_lines(chosen))
+      for (size_t i = 0; i < candidates_.size(); ++i) {
+        const MergeCandidate& wish = candidates_[i];
+        if (banned_[i] || (wish.a != line && wish.b != line)) continue;
+        const int taker = merge_of[wish.a == line ? wish.b : wish.a];
+        if (taker < 0 || is_endless(candidates_[taker].a) || is_endless(candidates_[taker].b)) continue;
+        any = any || !banned_[taker];
+        banned_[taker] = true;
+        break;
+      }
+    return any;
   }
 
   // Merged pairs and what is left of the lines, in the sequence of the lines.
@@ -84,7 +137,7 @@ class Tracer {
 
   FinishedLine traced(int i) {
     const Streamline& line = lines_[i];
-    if (line.end == Streamline::End::length) fail_too_long(line);
+    if (is_endless(i)) fail_too_long(line);
     if (!traced_[i]) {
       const auto along = [&](double s, Vec2& direction) { return line.at(evaluator_, s, direction); };
       traced_[i] = fit_line(along, line.length(), fit_share * face_.diameter);
@@ -114,7 +167,7 @@ class Tracer {
   }
 
   // Lines of one family never cross, unless a merge has bent one across the other: that merge is given up.
-  bool ban_crossed_merges(const std::vector<Crossing>& crossings, std::vector<bool>& banned) const {
+  bool ban_crossed_merges(const std::vector<Crossing>& crossings) {
     double turn = -1;
     for (const bool find : {true, false})
       for (const Crossing& c : crossings) {
@@ -126,7 +179,7 @@ class Tracer {
           if (find)
             turn = std::max(turn, candidates_[m].turn);
           else if (candidates_[m].turn > turn - 1e-6)
-            banned[m] = true;
+            banned_[m] = true;
         }
       }
     return turn >= 0;
@@ -166,7 +219,9 @@ class Tracer {
   std::vector<FixedNode> fixed_;
   std::vector<Vec2> positions_;
   std::vector<Streamline> lines_;
-  std::vector<MergeCandidate> candidates_;
+  std::vector<MergeCandidate> candidates_;  // by the rules, then the last resorts for endless lines
+  std::vector<bool> banned_;
+  size_t num_regular_ = 0;
   std::vector<std::optional<Nurbs>> traced_, merged_;  // splines by line and by candidate, fitted when first wanted
   std::vector<FinishedLine> finished_;
   std::vector<int> finished_merge_;  // candidate of each finished line, or -1

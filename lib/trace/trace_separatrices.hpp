@@ -9,9 +9,11 @@
 namespace quadrille {
 
 struct TraceOptions {
-  double tolerance = 1e-10;   ///< of the integrator: bound of a step's estimated error, as a share of the diameter
-  double step = 0;            ///< greatest step of the integrator in file units; 0: diameter / 20
-  double merge_angle = 5;     ///< degrees: head-on lines are merged where that turns neither by more
+  double tolerance = 1e-10;  ///< of the integrator: bound of a step's estimated error, as a share of the diameter
+  double step = 0;           ///< greatest step of the integrator in file units; 0: diameter / 20
+  /// Degrees: head-on lines are merged where that turns neither by more. On all benchmark shapes 15 removes most thin
+  /// strips of blocks and leaves the least scaled Jacobian of the mesh as good as without.
+  double merge_angle = 15;
   double merge_distance = 0;  ///< file units: and where their fronts meet within this distance; 0: by the angle only
   int max_lines = 2000;       ///< more arcs of separatrices than this is an error
   double max_length = 20;     ///< of one line, in diameters
