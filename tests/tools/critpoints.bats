@@ -16,8 +16,8 @@ setup() {
 }
 
 # The differences between a crit file and the entry of truth.json, as JSON; {} when there are none. Lengths are
-# compared with 1e-9 of the extent of the truth's sample points, which is less than the diameter: the issue's bound is
-# 1e-7, the accuracy reached is 2e-10.
+# compared with 1e-9 of the extent of the truth's sample points, which is less than the diameter: users are promised
+# 1e-7, and errors above a few 1e-10 would mean that a stage before has lost accuracy.
 compare='
   def extent(i): (map(.[i]) | max) - (map(.[i]) | min);
   def near(a; b; tol): ((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])) <= tol * tol;
