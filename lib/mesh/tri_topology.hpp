@@ -9,12 +9,12 @@
 namespace quadrille {
 
 struct TriTopology {
-  std::vector<std::array<int, 2>> edge2vertices;         ///< lower vertex first; sorted
-  std::vector<std::array<int, 2>> edge2elems;            ///< second is -1 on the boundary
-  std::vector<std::array<int, 3>> elem2edges;            ///< by local edge
-  std::vector<std::array<int, 3>> elem2neighbors;        ///< by local edge
-  std::vector<std::array<int, 3>> elem2neighbor_edges;   ///< the neighbour's local edge
-  std::vector<std::array<int, 3>> elem2boundary_edge;    ///< index into mesh.boundary_edges or -1
+  std::vector<std::array<int, 2>> edge2vertices;        ///< lower vertex first; sorted
+  std::vector<std::array<int, 2>> edge2elems;           ///< second is -1 on the boundary
+  std::vector<std::array<int, 3>> elem2edges;           ///< by local edge
+  std::vector<std::array<int, 3>> elem2neighbors;       ///< by local edge
+  std::vector<std::array<int, 3>> elem2neighbor_edges;  ///< the neighbour's local edge
+  std::vector<std::array<int, 3>> elem2boundary_edge;   ///< index into mesh.boundary_edges or -1
 };
 
 /// Throws FormatError where three elements share an edge, two have the same direction along one, or the boundary edges
