@@ -86,10 +86,51 @@ constexpr Rule<CriticalPoints> rules[] = {
     {"CRT-R07", RuleKind::full, jacobians_fit_indices},   {"CRT-R08", RuleKind::full, points_differ},
 };
 
+/// Critical points beside the field that they are said to be of.
+struct PointsOfField {
+  const CriticalPoints& points;
+  const Field& field;
+};
+
+void elements_exist(const PointsOfField& pair, Findings& findings) {
+  const auto& list = pair.points.critical_points;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!is_index(list[i].elem, pair.field.mesh.elem2vertices.size()))
+      findings.add("critical point {}: the field has no element {}", i, list[i].elem);
+}
+
+void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
+  const CadFace& face = pair.field.mesh.face;
+  std::size_t next = 0;
+  const auto& corners = pair.points.corners;
+  for (int j = 0; j < face.num_curves(); ++j) {
+    if (!face.joints[j].is_corner) continue;
+    if (next == corners.size() || corners[next].joint != j)
+      return findings.add("the corner at {} (joint {}) is not listed in its place",
+                          place(face, face.joints[j].position), j);
+    const Corner& c = corners[next++];
+    if (c.curves[0] != face.previous_in_loop(j) || c.curves[1] != j)
+      findings.add("corner {}: its curves are {} and {}", next - 1, face.previous_in_loop(j), j);
+    if (distance(c.position, face.joints[j].position) > 1e-9 * face.diameter ||
+        std::abs(c.angle_degrees - degrees(face.joints[j].interior_angle)) > 1e-6)
+      findings.add("corner {}: position or angle differs from that of joint {}", next - 1, j);
+  }
+  if (next != corners.size()) findings.add("corner {}: joint {} is no corner", next, corners[next].joint);
+}
+
+constexpr Rule<PointsOfField> rules_with_field[] = {
+    {"CRT-R09", RuleKind::quick, elements_exist},
+    {"CRT-R10", RuleKind::quick, corners_are_the_faces},
+};
+
 }  // namespace
 
 std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth) {
   return apply_rules(rules, points, depth);
+}
+
+std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const Field& field) {
+  return apply_rules(rules_with_field, PointsOfField{points, field}, CheckDepth::quick);
 }
 
 }  // namespace quadrille

@@ -55,5 +55,28 @@ TEST(CriticalPointsCheck, CrtR08PointsDiffer) {
   EXPECT_EQ(broken([](auto& c) { c.critical_points[1].position = c.critical_points[0].position; }), Rules{"CRT-R08"});
 }
 
+template <typename Damage>
+Rules broken_beside_field(const Damage& damage) {
+  CriticalPoints points = samples::critical_points();
+  damage(points);
+  return rules_of(check_critical_points_of(points, samples::field()));
+}
+
+TEST(CriticalPointsCheck, TheSampleFitsItsField) {
+  EXPECT_EQ(broken_beside_field([](CriticalPoints&) {}), Rules{});
+}
+
+TEST(CriticalPointsCheck, CrtR09ElementsExistInTheField) {
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.critical_points[0].elem = 4; }), Rules{"CRT-R09"});
+}
+TEST(CriticalPointsCheck, CrtR10CornersAreTheFaces) {
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.corners.pop_back(); }), Rules{"CRT-R10"});
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.corners.push_back(c.corners[3]); }), Rules{"CRT-R10"});
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.corners[1].joint = 2; }), Rules{"CRT-R10"});
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.corners[1].curves = {1, 0}; }), Rules{"CRT-R10"});
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.corners[1].position.x += 0.1; }), Rules{"CRT-R10"});
+  EXPECT_EQ(broken_beside_field([](auto& c) { c.corners[1].angle_degrees = 91; }), Rules{"CRT-R10"});
+}
+
 }  // namespace
 }  // namespace quadrille
