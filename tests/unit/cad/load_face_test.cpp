@@ -168,6 +168,20 @@ TEST(LoadFace, numbers_are_those_of_the_file_whatever_its_unit) {
   EXPECT_NEAR(brep.area(), 2, 1e-15);
 }
 
+TEST(LoadFace, iges_is_read_in_its_own_unit) {
+  // A half disc of radius 1 millimetre, written in inches.
+  const Loaded l = load("bad/half_disc_inches.iges");
+  expect_consistent(l.face);
+  EXPECT_EQ(l.face.length_unit, "inch");
+  EXPECT_NEAR(l.face.metres_per_unit, 0.0254, 1e-17);
+  EXPECT_NEAR(l.face.diameter, 2 / 25.4, 1e-11);
+  EXPECT_NEAR(l.area(), pi / 2 / 25.4 / 25.4, 1e-12);
+  EXPECT_EQ(l.face.num_curves(), 2);
+  const std::string bytes = bytes_of("bad/half_disc_inches.iges");
+  Report report;
+  EXPECT_THROW(load_face_guarded(bytes.substr(0, 810), "a.iges", {}, report), FormatError);
+}
+
 TEST(LoadFace, any_plane_and_its_frame) {
   const CadFace tilted = load("bad/tilted.step").face;
   expect_consistent(tilted);
@@ -275,8 +289,7 @@ TEST(LoadFace, refuses_what_is_no_cad_file) {
 }
 
 TEST(LoadFace, survives_files_on_which_the_kernel_crashes) {
-  expect_refused("bad/unknown_entity.step",
-                 "malformed: #4 LINE refers to #1, which is of type CARTESIAN_PIONT");
+  expect_refused("bad/unknown_entity.step", "malformed: #4 LINE refers to #1, which is of type CARTESIAN_PIONT");
   expect_refused("bad/unknown_point.step", "malformed: #4 LINE refers to #1, which is of type CARTESIAN_PIONT");
   expect_refused("bad/points_are_directions.step", "which is of type DIRECTION, not CARTESIAN_POINT");
   expect_refused("bad/broken_reference.step", "names 4 edges of the face, of which 3 can be built");
