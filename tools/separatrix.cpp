@@ -4,6 +4,7 @@
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "trace/require_nodes.hpp"
 #include "trace/trace_separatrices.hpp"
 
 using namespace quadrille;

@@ -32,29 +32,41 @@ class Passes {
   std::vector<double> by(Vec2 node, double slope, double distance_allowed) const {
     std::vector<double> found;
     const size_t last = s_.size() - 1;
-    for (size_t i = 1; i <= last; ++i) {
-      const double d = distance(x_[i], node);
-      if (d > distance(x_[i - 1], node) || (i < last && d >= distance(x_[i + 1], node))) continue;
+    double before = norm2(x_[0] - node), here = before;
+    for (size_t i = 1; i <= last; ++i, before = here) {
+      here = norm2(x_[i] - node);
+      if (here > before || (i < last && here >= norm2(x_[i + 1] - node))) continue;
       const double spacing = s_[i] - s_[i - 1] + (i < last ? s_[i + 1] - s_[i] : 0.0);
-      if (d > std::max(slope * s_[i], distance_allowed) + spacing) continue;
+      const double reach = std::max(slope * s_[i], distance_allowed) + spacing;
+      if (here > reach * reach) continue;
       found.push_back(foot(node, s_[i - 1], i < last ? s_[i + 1] : s_[i]));
     }
     return found;
   }
 
  private:
+  // Root of (node - x) . x' by false position (Illinois) between a and b.
   double foot(Vec2 node, double a, double b) const {
     const auto ahead = [&](double s) {
       Vec2 direction;
       const Vec2 x = line_.at(evaluator_, s, direction);
-      return dot(node - x, direction) > 0;
+      return dot(node - x, direction);
     };
-    if (ahead(b)) return b;
-    for (int i = 0; i < 60 && b - a > 1e-15 * b; ++i) {
-      const double m = (a + b) / 2;
-      (ahead(m) ? a : b) = m;
+    double fa = ahead(a), fb = ahead(b);
+    if (fb >= 0) return b;
+    if (fa <= 0) return a;
+    double m = b;
+    for (int i = 0, side = 0; i < 50; ++i) {
+      m = (a * fb - b * fa) / (fb - fa);
+      const double f = ahead(m);
+      if (std::abs(f) <= 1e-13 * b || b - a <= 1e-14 * b) break;
+      (f > 0 ? a : b) = m;
+      (f > 0 ? fa : fb) = f;
+      const int now = f > 0 ? 1 : -1;
+      if (now == side) (f > 0 ? fb : fa) /= 2;
+      side = now;
     }
-    return (a + b) / 2;
+    return m;
   }
 
   const FieldEvaluator& evaluator_;
@@ -63,18 +75,22 @@ class Passes {
   std::vector<Vec2> x_;
 };
 
-// Fills in turn and gap.
-void judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, MergeCandidate& candidate) {
+// Fills in turn and gap; false, with the gap only, where that alone turns the line far more than allowed.
+bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, const MergeOptions& options,
+           MergeCandidate& candidate) {
   const CurveFunction curve = merged_curve(evaluator, a, b, candidate);
+  candidate.gap = distance(a.at(evaluator, candidate.length_a / 2), b.at(evaluator, candidate.length_b / 2));
+  if (candidate.gap > std::max(options.distance, std::tan(options.max_angle) * candidate.length())) return false;
   candidate.turn = 0;
   for (int i = 1; i < num_samples; ++i) {
     const double f = static_cast<double>(i) / num_samples, w = std::pow(std::cos(half_pi * f), 2);
     Vec2 da, db, dm;
-    const Vec2 xa = a.at(evaluator, f * candidate.length_a, da), xb = b.at(evaluator, (1 - f) * candidate.length_b, db);
+    a.at(evaluator, f * candidate.length_a, da);
+    b.at(evaluator, (1 - f) * candidate.length_b, db);
     curve(f * candidate.length(), dm);
     candidate.turn = std::max(candidate.turn, angle_between(dm, w * da - (1 - w) * db));
-    if (2 * i == num_samples) candidate.gap = distance(xa, xb);
   }
+  return true;
 }
 
 }  // namespace
@@ -97,7 +113,7 @@ CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a,
 std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                                              const std::vector<Vec2>& nodes, const MergeOptions& options) {
   // passes[line][node]. The blend's slope adds at most (pi / 2) gap / length to the direction.
-  const double slope = 4 * std::tan(options.max_angle);
+  const double slope = 2 * std::tan(options.max_angle);
   std::vector<std::vector<std::vector<double>>> passes;
   for (const Streamline& line : lines) {
     const Passes along(evaluator, line);
@@ -118,7 +134,7 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
           lines[j].at(evaluator, length_j, at_j);
           if (angle_between(at_i, -unit(lines[j].launch.angle)) > head_on_angle) continue;
           if (angle_between(at_j, -unit(lines[i].launch.angle)) > head_on_angle) continue;
-          judge(evaluator, lines[i], lines[j], c);
+          if (!judge(evaluator, lines[i], lines[j], options, c)) continue;
           const bool aggressive = c.gap <= options.distance && c.turn <= greatest_merge_angle;
           if (c.turn <= options.max_angle || aggressive) candidates.push_back(c);
         }

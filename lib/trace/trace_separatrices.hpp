@@ -20,10 +20,6 @@ struct TraceOptions {
   void validate() const;      ///< throws UsageError
 };
 
-/// Throws FormatError unless the irregular nodes of `points` are zeros of the field (within 1e-6 of the diameter), its
-/// corners those of the face and its index sum that of the domain.
-void require_nodes_of_field(const FieldEvaluator& evaluator, const CriticalPoints& points);
-
 /// Launches, advances, merges, intersects, builds the graph and takes its census. Every line is followed to its end
 /// before any merge is decided: the result does not depend on the sequence of the lines or on a step.
 /// A domain between two loops in which nothing launches gets four cuts from the inner loop to the outer one, at equal

@@ -1,0 +1,78 @@
+#include "trace/merge_plan.hpp"
+
+#include <algorithm>
+
+namespace quadrille {
+
+MergePlan::MergePlan(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+                     const std::vector<Vec2>& nodes, const MergeOptions& options)
+    : evaluator_(evaluator), lines_(lines), nodes_(nodes) {
+  add_candidates(options);
+  num_regular_ = candidates_.size();
+}
+
+void MergePlan::add_candidates(const MergeOptions& options) {
+  for (const MergeCandidate& c : merge_candidates(evaluator_, lines_, nodes_, options)) candidates_.push_back(c);
+  given_up_.resize(candidates_.size(), false);
+}
+
+bool MergePlan::is_endless(int line) const { return lines_[line].end == Streamline::End::length; }
+
+// Endless lines that no merge has taken, ascending.
+std::vector<int> MergePlan::lost_lines(const std::vector<int>& chosen) const {
+  std::vector<bool> merged(lines_.size(), false);
+  for (const int c : chosen) merged[candidates_[c].a] = merged[candidates_[c].b] = true;
+  std::vector<int> lost;
+  for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+    if (is_endless(i) && !merged[i]) lost.push_back(i);
+  return lost;
+}
+
+std::vector<int> MergePlan::choose_once() {
+  std::vector<bool> taken(lines_.size(), false), allowed(candidates_.size(), false);
+  for (size_t i = 0; i < num_regular_; ++i) allowed[i] = !given_up_[i];
+  std::vector<int> chosen = choose_merges(candidates_, allowed, taken);
+  const std::vector<int> lost = lost_lines(chosen);
+  if (lost.empty()) return chosen;
+  if (candidates_.size() == num_regular_) add_candidates({greatest_merge_angle, 0});
+  const auto is_lost = [&](int line) { return std::binary_search(lost.begin(), lost.end(), line); };
+  allowed.assign(candidates_.size(), false);
+  for (size_t i = num_regular_; i < candidates_.size(); ++i)
+    allowed[i] = !given_up_[i] && (is_lost(candidates_[i].a) || is_lost(candidates_[i].b));
+  for (const int c : choose_merges(candidates_, allowed, taken)) chosen.push_back(c);
+  return chosen;
+}
+
+bool MergePlan::give_up_for(const std::vector<int>& lost, const std::vector<int>& chosen) {
+  std::vector<int> merge_of(lines_.size(), -1);
+  for (const int c : chosen) merge_of[candidates_[c].a] = merge_of[candidates_[c].b] = c;
+  bool any = false;
+  for (const int line : lost)
+    for (size_t i = 0; i < candidates_.size(); ++i) {
+      const MergeCandidate& wish = candidates_[i];
+      if (given_up_[i] || (wish.a != line && wish.b != line)) continue;
+      const int taker = merge_of[wish.a == line ? wish.b : wish.a];
+      if (taker < 0 || is_endless(candidates_[taker].a) || is_endless(candidates_[taker].b)) continue;
+      any = any || !given_up_[taker];
+      given_up_[taker] = true;
+      break;
+    }
+  return any;
+}
+
+std::vector<int> MergePlan::choose() {
+  std::vector<int> chosen = choose_once();
+  // Every round gives up a candidate for good, so this ends.
+  for (auto lost = lost_lines(chosen); !lost.empty() && give_up_for(lost, chosen); lost = lost_lines(chosen))
+    chosen = choose_once();
+  return chosen;
+}
+
+void MergePlan::give_up_worst(const std::vector<int>& candidates) {
+  double turn = 0;
+  for (const int c : candidates) turn = std::max(turn, candidates_[c].turn);
+  for (const int c : candidates)
+    if (candidates_[c].turn > turn - 1e-6) given_up_[c] = true;
+}
+
+}  // namespace quadrille
