@@ -40,6 +40,9 @@ std::string knot_fault(const Nurbs& curve) {
   return {};
 }
 
+/// Beyond this the lightest pole has no influence left in double precision near the heaviest one.
+constexpr double max_weight_ratio = 1e8;
+
 }  // namespace
 
 std::string number_fault(const Nurbs& curve) {
@@ -50,7 +53,17 @@ std::string number_fault(const Nurbs& curve) {
   }
   for (std::size_t i = 0; i < curve.knots.size(); ++i)
     if (!std::isfinite(curve.knots[i])) return fmt::format("knot {} is not finite", i);
+  const auto [least, greatest] = std::minmax_element(curve.weights.begin(), curve.weights.end());
+  if (*greatest > max_weight_ratio * *least)
+    return fmt::format("weights {:.3g} and {:.3g} differ by more than a factor of {:.0g}", *least, *greatest,
+                       max_weight_ratio);
   return knot_fault(curve);
+}
+
+bool has_far_pole(const Nurbs& curve, const CadFace& face) {
+  const Vec2 centre = face.curves.front().poles.front();
+  return std::any_of(curve.poles.begin(), curve.poles.end(),
+                     [&](Vec2 p) { return !(norm(p - centre) <= 1000 * face.diameter); });
 }
 
 Vec2 curve_point(const Nurbs& curve, double t) {

@@ -39,6 +39,7 @@ TEST(CadFaceCheck, FacR03CurveArraysFit) {
 }
 TEST(CadFaceCheck, FacR04CurvesAreClampedFiniteAndPositive) {
   EXPECT_EQ(broken([](CadFace& f) { f.curves[2].weights[1] = 0; }), Rules{"FAC-R04"});
+  EXPECT_EQ(broken([](CadFace& f) { f.curves[2].weights[1] = 1e9; }), Rules{"FAC-R04"});
   EXPECT_EQ(broken([](CadFace& f) { f.curves[2].knots[1] = 0.5; }), Rules{"FAC-R04"});
   EXPECT_EQ(broken([](CadFace& f) { f.curves[2].knots = {0, 0, 0, 0}; }), Rules{"FAC-R04"});
   EXPECT_EQ(broken([](CadFace& f) { f.curves[2].poles[0].x = std::numeric_limits<double>::quiet_NaN(); }),
@@ -53,6 +54,10 @@ TEST(CadFaceCheck, FacR05NumbersAreFinite) {
 TEST(CadFaceCheck, FacR06CurvesMeet) {
   EXPECT_EQ(broken([](CadFace& f) { f.curves[3].poles[1] = {0, 0.001}; }), Rules{"FAC-R06"});
   EXPECT_EQ(broken([](CadFace& f) { f.joints[2].position.x += 0.001; }), Rules{"FAC-R06"});
+  EXPECT_EQ(broken([](CadFace& f) {
+              f.curves[3] = {2, {0, 0, 0, 1, 1, 1}, {{0, 1}, {0, 1e4}, {0, 0}}, {1, 1, 1}};
+            }),
+            (Rules{"FAC-R06", "FAC-R10"}));
 }
 TEST(CadFaceCheck, FacR07AnglesAgree) {
   EXPECT_EQ(broken([](CadFace& f) { f.joints[1].interior_angle = 1; }), Rules{"FAC-R07"});
