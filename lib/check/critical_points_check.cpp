@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/angle.hpp"
 #include "check/rules.hpp"
 
@@ -74,9 +76,13 @@ void jacobians_fit_indices(const CriticalPoints& points, Findings& findings) {
 
 void points_differ(const CriticalPoints& points, Findings& findings) {
   const auto& list = points.critical_points;
+  double extent = 0;
+  for (const CriticalPoint& p : list) extent = std::max({extent, std::abs(p.position.x), std::abs(p.position.y)});
+  for (const Corner& c : points.corners) extent = std::max({extent, std::abs(c.position.x), std::abs(c.position.y)});
   for (std::size_t i = 0; i < list.size(); ++i)
     for (std::size_t j = i + 1; j < list.size(); ++j)
-      if (list[i].position == list[j].position) findings.add("critical points {} and {} are at one place", i, j);
+      if (distance(list[i].position, list[j].position) <= 1e-10 * extent)
+        findings.add("critical points {} and {} are at one place", i, j);
 }
 
 constexpr Rule<CriticalPoints> rules[] = {

@@ -52,6 +52,10 @@ TEST(CriticalPointsCheck, CrtR07JacobiansFitIndices) {
   EXPECT_EQ(broken([](auto& c) { c.critical_points[1].jacobian = {1, 0, 0, 1}; }), Rules{"CRT-R07"});
 }
 TEST(CriticalPointsCheck, CrtR08PointsDiffer) {
+  EXPECT_EQ(broken([](auto& c) {
+              c.critical_points[1].position = c.critical_points[0].position + Vec2{1e-12, 0};
+            }),
+            Rules{"CRT-R08"});
   EXPECT_EQ(broken([](auto& c) { c.critical_points[1].position = c.critical_points[0].position; }), Rules{"CRT-R08"});
 }
 
