@@ -47,6 +47,7 @@ void Session::begin_phase(const std::string& name) {
   phase_ = name;
   phase_cpu_ = cpu_seconds();
   phase_wall_ = wall_seconds();
+  if (phase_wall_ - start_ >= progress_after_) fmt::print(stderr, "{}: {} ...\n", tool_, phase_);
 }
 
 void Session::finish() {

@@ -1,6 +1,7 @@
 #include "cli/tool_main.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <exception>
@@ -58,6 +59,13 @@ void write_report_of(const Tool& tool, Session& session, const Outcome& outcome,
   tool.report_writer(path, tool.name, version, session.report());
 }
 
+/// After how many seconds phases are announced: never, at once, or on a terminal when the work takes a while.
+double progress_delay(const CommonOptions& common) {
+  if (common.progress == "always") return 0;
+  const bool is_wanted = common.progress == "auto" && common.verbosity >= 0 && isatty(STDERR_FILENO);
+  return is_wanted ? 1 : std::numeric_limits<double>::infinity();
+}
+
 /// Runs the tool; the report is written whatever happened.
 Outcome run_session(const Tool& tool, Session& session, const CommonOptions& common) {
   Outcome outcome = outcome_of([&] { tool.run(session); });
@@ -89,6 +97,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
     Session session(tool.name, line.options_json(), common.verbosity);
+    session.show_progress_after(progress_delay(common));
     return run_session(tool, session, common);
   }();
   if (outcome.code != ExitCode::done) complain(tool, outcome);

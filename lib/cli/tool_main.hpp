@@ -3,6 +3,7 @@
 // The only place that maps failures to exit codes, and the only folder that includes CLI11.
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Session {
   /// The chain `before` with this run's step appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
   const std::string& tool() const { return tool_; }
+  /// Announces phases that begin later than `seconds` after the start (--progress).
+  void show_progress_after(double seconds) { progress_after_ = seconds; }
   /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.
   void begin_phase(const std::string& name);
   void end_phase();
@@ -52,6 +55,7 @@ class Session {
   std::string tool_, options_json_, phase_;
   int verbosity_ = 0;
   double phase_cpu_ = 0, phase_wall_ = 0, start_ = 0;
+  double progress_after_ = std::numeric_limits<double>::infinity();
   Report report_;
 };
 

@@ -160,6 +160,14 @@ TEST(ToolMain, SaysMoreWithV) {
   EXPECT_EQ(run(tool, {"-vq"}).err, "");
 }
 
+TEST(ToolMain, AnnouncesPhasesOnlyWhenAsked) {
+  Sample s;
+  const Tool tool = s.tool([](Session& session) { session.begin_phase("work"); });
+  EXPECT_EQ(run(tool, {}).err, "");
+  EXPECT_EQ(run(tool, {"--progress", "never"}).err, "");
+  EXPECT_EQ(run(tool, {"--progress", "always"}).err, "sample: work ...\n");
+}
+
 TEST(ToolMain, TheReportIsWrittenAfterFailureToo) {
   for (const bool fails : {false, true}) {
     Sample s;
