@@ -22,5 +22,5 @@ load ../tools/common
 
 @test "the table of tools names every tool and no other" {
   run -0 diff <(sed -nE 's/^\| `([a-z0-9]+)` \|.*/\1/p' "$ROOT/README.md" | sort) \
-    <(find "$ROOT/tools" -name '*.cpp' ! -name '*-*' -exec basename {} .cpp \; | sort)
+    <(find "$ROOT/tools/" -name '*.cpp' ! -name '*-*' -exec basename {} .cpp \; | sort)
 }
