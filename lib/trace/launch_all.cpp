@@ -40,10 +40,11 @@ double element_size(const FieldEvaluator& evaluator, int elem) {
   return std::sqrt(std::abs(det(dx_dxi)));
 }
 
-std::vector<double> directions_at(const FieldEvaluator& evaluator, const CriticalPoint& p, double feature) {
+std::vector<double> directions_at(const FieldEvaluator& evaluator, const CriticalPoint& p, const Location& at,
+                                  double feature) {
   const bool is_simple = std::abs(p.index) == 1;
   if (!is_simple) return launch_directions_on_circle(evaluator, p.position, 1e-2 * feature, p.valence);
-  return launch_directions({p.jacobian[0], p.jacobian[1], p.jacobian[2], p.jacobian[3]});
+  return launch_directions(evaluator.sample(at.elem, at.xi).dv_dx);
 }
 
 // How fast the direction turns with the bearing from the node.
@@ -94,8 +95,10 @@ std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPo
   std::vector<Launch> launches;
   int node = 0;
   for (const CriticalPoint& p : points.critical_points) {
-    const double feature = feature_distance(face, points, p.position, 4 * element_size(evaluator, p.elem));
-    for (const double angle : directions_at(evaluator, p, feature))
+    const Location at = evaluator.locator().find(p.position);
+    if (at.elem < 0) throw FormatError("an irregular node lies outside the field's mesh");
+    const double feature = feature_distance(face, points, p.position, 4 * element_size(evaluator, at.elem));
+    for (const double angle : directions_at(evaluator, p, at, feature))
       launches.push_back(launch_line(evaluator, node, p.position, angle, launch_share * feature, 1));
     ++node;
   }

@@ -12,13 +12,16 @@ namespace {
 
 constexpr double node_share = 1e-6;  // of the diameter: how far a node may lie from its zero
 
+// A zero of the index that the file says.
 bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
+  if (p.valence != 4 - p.index) return false;
   const double diameter = evaluator.field().mesh.face.diameter;
   const Location at = evaluator.locator().find(p.position);
   if (at.elem < 0) return false;
   const FieldSample sample = evaluator.sample(at.elem, at.xi);
   // A multiple zero has no slope to tell its distance by, but the field is small about it.
   if (std::abs(p.index) != 1) return norm(sample.value) <= 1e-4;
+  if ((det(sample.dv_dx) > 0) != (p.index > 0)) return false;
   const Vec2 off = inverse(sample.dv_dx) * sample.value;
   return norm(off) <= node_share * diameter;
 }
