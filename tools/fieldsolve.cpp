@@ -2,17 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "io/input_file.hpp"
+#include "io/order_map.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 
 using namespace quadrille;
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-";
+  std::string input = "-", output = "-", orders_path;
+  LaplaceOptions options;
   int order = 8;
 
   Tool tool;
@@ -20,28 +25,50 @@ int main(int argc, char** argv) {
   tool.summary = "solves for the guiding field on a triangle mesh";
   tool.description =
       "Reads the triangle mesh TRI and writes the guiding field v = (u, v): harmonic inside, the cross (cos 4 theta, "
-      "sin 4 theta) of the tangent angle theta on the boundary. Continuous Galerkin with a modified hierarchical basis "
-      "of one order on all triangles, interior modes condensed, one sparse factorisation for both components. Boundary "
-      "data come from the exact curves; every tangent jump is carried by an exact harmonic function, so corners cost "
-      "no accuracy.";
+      "sin 4 theta) of the tangent angle theta on the boundary. Galerkin's method with elements that are continuous "
+      "(cg) "
+      "or coupled by traces on their edges (dg, hybridised), interior modes condensed, one sparse factorisation for "
+      "both components. Boundary data come from the exact curves; every tangent jump is carried by an exact harmonic "
+      "function, so corners cost no accuracy. --corners dg leaves the jumps in the data, as the paper does, for "
+      "comparison; only dg can follow them.";
   tool.examples = {"fieldsolve half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --field-order 12 half_disc.tri.h5 -o half_disc.solve.h5",
+                   "fieldsolve --method dg half_disc.tri.h5 -o half_disc.solve.h5",
+                   "fieldsolve --orders half_disc.field.h5 half_disc.tri.h5 -o half_disc.solve.h5",
                    "cad2tri half_disc.step | fieldsolve | padapt -o half_disc.field.h5"};
   tool.options = [&](Options& o) {
     o.input("TRI", input, "triangle mesh (x.tri.h5)");
     o.output(output, "field to write (x.solve.h5)");
-    o.integer("--field-order", order, 1, 20, "polynomial order of the field on every element");
+    o.integer("--field-order", order, 1, 20, "polynomial order of the field on every element (dg: at most 12)");
+    o.text("--orders", orders_path, "FILE",
+           "an order for each element, from an order map (JSON) or a field; replaces "
+           "--field-order",
+           false);
+    o.choice("--method", options.method, {"cg", "dg"}, "continuous or discontinuous (hybridised) elements");
+    o.choice("--corners", options.corners, {"lift", "dg"}, "tangent jumps: lifted exactly, or left in the data");
   };
   tool.run = [&](Session& s) {
+    options.validate();
+    const int max_order = max_field_order(options.method == "dg");
+    if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));
     const InputFile file = read_input(input);
     TriMesh mesh = read_tri_mesh(file);
     require_valid(check_tri_mesh(mesh, CheckDepth::quick), file.name);
+    std::vector<InputDigest> inputs{file.digest("tri-mesh")};
+    std::vector<int> orders(mesh.num_elems(), order);
+    if (!orders_path.empty()) {
+      const InputFile orders_file = read_input(orders_path);
+      orders = read_order_map(orders_file, mesh.num_elems(), max_order);
+      inputs.push_back(orders_file.digest("order-map"));
+    }
     s.begin_phase("solve");
-    Field field = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), order), s.report());
+    Field field = solve_laplace(mesh, orders, options, s.report());
     s.end_phase();
-    s.report().set("solve.field_order", order);
-    field.provenance = s.provenance(mesh.provenance, {file.digest("tri-mesh")});
-    s.say(fmt::format("{} elements of order {}, {} liftings", mesh.num_elems(), order, field.liftings.size()));
+    const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
+    s.report().set("solve.field_order", *highest);
+    field.provenance = s.provenance(mesh.provenance, inputs);
+    s.say(fmt::format("{} elements of order {}..{}, {} liftings", mesh.num_elems(), *lowest, *highest,
+                      field.liftings.size()));
     write_field(output, field);
   };
   tool.report_writer = write_report;

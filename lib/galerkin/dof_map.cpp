@@ -11,13 +11,19 @@ namespace quadrille {
 
 namespace {
 
-std::vector<int> minimum_rule(const TriTopology& topology, const std::vector<int>& elem_order) {
+// An order for every edge, chosen from those of its one or two elements.
+std::vector<int> edge_orders(const TriTopology& topology, const std::vector<int>& elem_order,
+                             const int& (*choose)(const int&, const int&)) {
   std::vector<int> edge2order;
   edge2order.reserve(topology.edge2elems.size());
   for (const auto& [first, second] : topology.edge2elems) {
-    edge2order.push_back(second < 0 ? elem_order[first] : std::min(elem_order[first], elem_order[second]));
+    edge2order.push_back(second < 0 ? elem_order[first] : choose(elem_order[first], elem_order[second]));
   }
   return edge2order;
+}
+
+bool is_backwards(const TriMesh& mesh, int elem, int edge) {
+  return mesh.elem2vertices[elem][edge] > mesh.elem2vertices[elem][(edge + 1) % 3];
 }
 
 // Numbers all entities whose boundary flag is `wanted`, along the sequence.
@@ -41,7 +47,7 @@ void add_element(const TriMesh& mesh, const TriTopology& topology, int elem, int
   }
   for (int k = 0; k < 3; ++k) {
     const int edge = topology.elem2edges[elem][k];
-    const bool backwards = mesh.elem2vertices[elem][k] > mesh.elem2vertices[elem][(k + 1) % 3];
+    const bool backwards = is_backwards(mesh, elem, k);
     for (int degree = 2; degree <= order; ++degree) {
       map.elem2dofs.push_back(degree <= map.edge2order[edge] ? map.edge2dof[edge] + degree - 2 : -1);
       map.elem2signs.push_back(backwards && degree % 2 == 1 ? -1 : 1);
@@ -79,7 +85,7 @@ DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std:
   DofMap map;
   map.vertex2dof.assign(num_vertices, -1);
   map.edge2dof.assign(num_edges, -1);
-  map.edge2order = minimum_rule(topology, elem_order);
+  map.edge2order = edge_orders(topology, elem_order, std::min<int>);
   std::vector<bool> on_boundary(num_vertices + num_edges, false);
   for (int edge = 0; edge < num_edges; ++edge) {
     if (topology.edge2elems[edge][1] >= 0) continue;
@@ -91,6 +97,35 @@ DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std:
   number(sequence, on_boundary, true, map);
   map.elem2offset.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) add_element(mesh, topology, e, elem_order[e], map);
+  return map;
+}
+
+DofMap make_trace_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
+                      const std::vector<int>& elem_order) {
+  const int num_vertices = static_cast<int>(mesh.vertices.size());
+  DofMap map;
+  map.edge2order = edge_orders(topology, elem_order, std::max<int>);
+  map.edge2dof.assign(map.edge2order.size(), -1);
+  for (const bool on_boundary : {false, true}) {
+    for (const int entity : sequence) {
+      const int edge = entity - num_vertices;
+      if (edge < 0 || (topology.edge2elems[edge][1] < 0) != on_boundary) continue;
+      map.edge2dof[edge] = map.num_dofs;
+      map.num_dofs += map.edge2order[edge] + 1;
+    }
+    if (!on_boundary) map.num_unknowns = map.num_dofs;
+  }
+  map.elem2offset.push_back(0);
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    for (int k = 0; k < 3; ++k) {
+      const int edge = topology.elem2edges[e][k];
+      for (int degree = 0; degree <= map.edge2order[edge]; ++degree) {
+        map.elem2dofs.push_back(map.edge2dof[edge] + degree);
+        map.elem2signs.push_back(is_backwards(mesh, e, k) && degree % 2 == 1 ? -1 : 1);
+      }
+    }
+    map.elem2offset.push_back(static_cast<int>(map.elem2dofs.size()));
+  }
   return map;
 }
 

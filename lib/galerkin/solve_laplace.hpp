@@ -1,54 +1,52 @@
 #pragma once
-// Both Laplace problems of the guiding field (paper, eq. 4) by continuous Galerkin: modified hierarchical basis on
-// triangles, minimum rule on edges, static condensation, one sparse Cholesky factorisation for u and v.
+// Both Laplace problems of the guiding field (paper, eq. 4), by continuous or hybridised discontinuous Galerkin on
+// triangles, interior modes condensed, one sparse Cholesky factorisation for u and v.
 
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "base/report.hpp"
-#include "galerkin/condense.hpp"
 #include "galerkin/dirichlet.hpp"
-#include "mesh/tri_topology.hpp"
+#include "galerkin/discretization.hpp"
 #include "model/field.hpp"
-#include "spectral/tri_map.hpp"
 
 namespace quadrille {
 
+struct LaplaceOptions {
+  std::string method = "cg";     ///< "cg": continuous, orders 1..20; "dg": hybridised discontinuous, orders 1..12
+  std::string corners = "lift";  ///< "lift": exact harmonic liftings; "dg": jumps left in the data (paper), needs "dg"
+  void validate() const;         ///< throws UsageError
+};
+
+constexpr int max_field_order(bool is_dg) { return is_dg ? 12 : 20; }
+
 /// Solves on `mesh` with order elem_order[e] on element e, data and liftings from mesh.face. Linear in the number of
-/// elements but for the sparse factorisation. Throws ComputeError when the factorisation breaks down and
-/// for a line field (field/boundary_values.hpp).
+/// elements but for the sparse factorisation. Throws ComputeError when the factorisation breaks down, for a line field
+/// (field/boundary_values.hpp), and where continuous elements are asked to follow data that jump.
+Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, const LaplaceOptions& options,
+                    Report& report);
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report);
 
 /// The same for a sequence of order maps on one mesh: elements whose order has not changed keep their matrices.
 class LaplaceSolver {
  public:
-  /// The guiding field's own data, liftings subtracted. `mesh` must outlive the solver.
-  explicit LaplaceSolver(const TriMesh& mesh);
-  /// Any continuous data.
-  LaplaceSolver(const TriMesh& mesh, BoundaryData data);
+  /// The guiding field's own data. `mesh` must outlive the solver.
+  explicit LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options = {});
+  /// Any data; continuous for the method "cg".
+  LaplaceSolver(const TriMesh& mesh, BoundaryData data, const std::string& method = "cg");
   Field solve(const std::vector<int>& elem_order, Report& report);
   /// Size of the condensed system for this order map.
-  int num_unknowns(const std::vector<int>& elem_order) const;
+  int num_unknowns(const std::vector<int>& elem_order) const { return discretization_->num_unknowns(elem_order); }
 
  private:
-  LaplaceSolver(const TriMesh& mesh, const std::vector<Lifting>& liftings);
-  LaplaceSolver(const TriMesh& mesh, std::vector<Lifting> liftings, BoundaryData data);
-  Eigen::MatrixXd stiffness(int elem, int order);
-  void update_elements(const std::vector<int>& elem_order);
-
-  const TriMesh* mesh_;
-  TriTopology topology_;
-  std::vector<int> sequence_;  ///< of elimination (galerkin/dof_map.hpp)
-  std::vector<TriMap> maps_;
+  std::unique_ptr<MeshContext> context_;
+  std::string method_;
   std::vector<Lifting> liftings_;
-  DirichletData dirichlet_;
-  std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
-  std::vector<CondensedElement> elements_;
-  /// A curved element's integrals are dear: they are made for table_order(order) and cut down.
-  struct Integrals {
-    int order = 0;
-    Eigen::MatrixXd stiffness;
-  };
-  std::vector<Integrals> curved_integrals_;
+  std::unique_ptr<Discretization> discretization_;
 };
+
+/// The options by which `field` was solved.
+LaplaceOptions options_of(const Field& field);
 
 }  // namespace quadrille

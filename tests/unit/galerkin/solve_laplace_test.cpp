@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <complex>
+#include <string>
 
 #include "../test_meshes.hpp"
 #include "base/error.hpp"
@@ -17,9 +18,10 @@ Vec2 power(Vec2 x, int n) {
   return {z.real(), z.imag()};
 }
 
-Field solve_power(const TriMesh& mesh, const std::vector<int>& orders, int n) {
+Field solve_power(const TriMesh& mesh, const std::vector<int>& orders, int n, const std::string& method = "cg") {
   Report report;
-  return LaplaceSolver(mesh, [&](int curve, double t) { return power(point(mesh.face.curves[curve], t), n); })
+  return LaplaceSolver(
+             mesh, [&](int curve, double t) { return power(point(mesh.face.curves[curve], t), n); }, method)
       .solve(orders, report);
 }
 
@@ -62,6 +64,76 @@ TEST_P(HarmonicPolynomial, IsReproducedWithAnyOrderMap) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, HarmonicPolynomial, testing::Values(1, 2, 3, 5, 8, 12, 16));
+
+class HybridisedPolynomial : public testing::TestWithParam<int> {};
+
+TEST_P(HybridisedPolynomial, IsReproducedOnStraightElements) {
+  const int n = GetParam();
+  const TriMesh mesh = parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, 3);
+  for (const int order : {n, n + 1, n + 3}) {
+    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), n, "dg");
+    EXPECT_LT(error_of_power(field, n), 1e-12) << order;
+  }
+}
+
+TEST_P(HybridisedPolynomial, IsReproducedWithAnyOrderMap) {
+  const int n = GetParam();
+  const TriMesh mesh = parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, 4);
+  const Field field = solve_power(mesh, scattered_orders(mesh.num_elems(), n, 12 - n), n, "dg");
+  EXPECT_LT(error_of_power(field, n), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, HybridisedPolynomial, testing::Values(1, 2, 3, 5, 8, 9));
+
+TEST(Hybridised, JumpsAcrossEdgesFallWithTheOrder) {
+  // z^9 is no polynomial of these orders; what is discontinuous is only as large as the error.
+  const TriMesh mesh = parallelogram_mesh({-1, -1}, {2, 0.3}, {0.2, 2}, 3);
+  double last = 1e9;
+  for (const int order : {3, 5, 7}) {
+    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), 9, "dg");
+    const double error = error_of_power(field, 9);
+    EXPECT_LT(error, last / 4);
+    last = error;
+  }
+}
+
+TEST(Hybridised, MeetsDataThatJumpInTheMeanOnly) {
+  // Left in the data, the jumps of a parallelogram's corners cost accuracy beside them, and little far away.
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 6);
+  const std::vector<int> orders(mesh.num_elems(), 10);
+  Report report;
+  const Field lifted = solve_laplace(mesh, orders, {"dg", "lift"}, report);
+  const Field direct = solve_laplace(mesh, orders, {"dg", "dg"}, report);
+  EXPECT_EQ(lifted.liftings.size(), 4u);
+  EXPECT_TRUE(direct.liftings.empty());
+  EXPECT_EQ(options_of(direct).corners, "dg");
+  EXPECT_EQ(options_of(lifted).corners, "lift");
+  const FieldEvaluator exact(lifted), rough(direct);
+  Vec2 a, b;
+  ASSERT_TRUE(exact.value_at({1.25, 0.5}, a));
+  ASSERT_TRUE(rough.value_at({1.25, 0.5}, b));
+  EXPECT_LT(distance(a, b), 1e-3);
+  EXPECT_GT(distance(a, b), 1e-12);
+}
+
+TEST(SolveLaplace, ContinuousElementsRefuseDataThatJump) {
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 2);
+  Report report;
+  EXPECT_THROW(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 4), {"cg", "dg"}, report), ComputeError);
+  const TriMesh square = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 2);
+  EXPECT_NO_THROW(solve_laplace(square, std::vector<int>(square.num_elems(), 4), {"cg", "dg"}, report));
+}
+
+TEST(SolveLaplace, MethodsAgreeOnALiftedField) {
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 6);
+  const std::vector<int> orders(mesh.num_elems(), 12);
+  Report report;
+  const Field cg = solve_laplace(mesh, orders, {"cg", "lift"}, report),
+              dg = solve_laplace(mesh, orders, {"dg", "lift"}, report);
+  const FieldEvaluator a(cg), b(dg);
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    EXPECT_LT(distance(a.sample(e, {-0.3, -0.4}).value, b.sample(e, {-0.3, -0.4}).value), 1e-6) << e;
+}
 
 TEST(SolveLaplace, OneElementWithoutUnknownsWorks) {
   TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 1);

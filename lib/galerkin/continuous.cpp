@@ -1,0 +1,69 @@
+#include "galerkin/continuous.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "galerkin/assemble.hpp"
+#include "galerkin/linear_solver.hpp"
+#include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// All modes of one element, columns u, v, from all dofs.
+Eigen::MatrixX2d element_modes(const DofMap& map, const CondensedElement& element, int elem, int order,
+                               const Eigen::MatrixX2d& dofs) {
+  const int nb = num_boundary_modes(order);
+  Eigen::MatrixX2d modes(num_tri_modes(order), 2);
+  modes.topRows(nb) = element_dofs(map, elem, dofs);
+  modes.bottomRows(num_interior_modes(order)) = element.interior_from_boundary * modes.topRows(nb);
+  return modes;
+}
+
+}  // namespace
+
+ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data)
+    : context_(&context),
+      stiffness_(context),
+      dirichlet_(*context.mesh, std::move(data)),
+      elem_order_(context.maps.size(), 0),
+      elements_(context.maps.size()) {}
+
+void ContinuousGalerkin::update_elements(const std::vector<int>& elem_order) {
+  for (std::size_t e = 0; e < elem_order.size(); ++e) {
+    if (elem_order[e] == elem_order_[e]) continue;
+    const int elem = static_cast<int>(e);
+    try {
+      elements_[e] = condense(elem_order[e], stiffness_(elem, elem_order[e]));
+    } catch (const ComputeError& error) {
+      throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
+    }
+    elem_order_[e] = elem_order[e];
+  }
+}
+
+int ContinuousGalerkin::num_unknowns(const std::vector<int>& elem_order) const {
+  return make_dof_map(*context_->mesh, context_->topology, context_->sequence, elem_order).num_unknowns;
+}
+
+Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
+  update_elements(elem_order);
+  const DofMap map = make_dof_map(*context_->mesh, context_->topology, context_->sequence, elem_order);
+  const Eigen::MatrixX2d given = dirichlet_.values(context_->topology, map);
+  const CondensedSystem system = assemble(map, elements_, given);
+  Eigen::MatrixX2d dofs(map.num_dofs, 2);
+  dofs << solve_symmetric(system.matrix, system.rhs), given;
+
+  Solution solution;
+  solution.num_unknowns = map.num_unknowns;
+  solution.residual = relative_residual(system, dofs.topRows(map.num_unknowns));
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    solution.elem_coefs.push_back(element_modes(map, elements_[e], static_cast<int>(e), elem_order[e], dofs));
+  return solution;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,34 @@
+#include "galerkin/discretization.hpp"
+
+#include <fmt/format.h>
+
+#include "galerkin/dof_map.hpp"
+#include "galerkin/element_matrices.hpp"
+#include "mesh/tri_maps.hpp"
+#include "spectral/modified_basis.hpp"
+
+namespace quadrille {
+
+MeshContext::MeshContext(const TriMesh& tri_mesh)
+    : mesh(&tri_mesh),
+      topology(tri_topology(tri_mesh)),
+      maps(tri_maps(tri_mesh)),
+      sequence(fill_reducing_sequence(tri_mesh, topology)) {}
+
+std::string MeshContext::describe(int elem) const {
+  const Vec2 x = maps[elem].position({-1.0 / 3, -1.0 / 3}) + mesh->face.origin;
+  return fmt::format("element {} near ({:.6g}, {:.6g})", elem, x.x, x.y);
+}
+
+StiffnessTable::StiffnessTable(const MeshContext& context) : context_(&context), curved_(context.maps.size()) {}
+
+Eigen::MatrixXd StiffnessTable::operator()(int elem, int order) {
+  const TriMap& map = context_->maps[elem];
+  if (map.is_affine()) return stiffness_matrix(map, order);
+  Integrals& integrals = curved_[elem];
+  const int higher = table_order(order);
+  if (integrals.order != higher) integrals = {higher, stiffness_matrix(map, higher)};
+  return cut_down(integrals.stiffness, higher, order);
+}
+
+}  // namespace quadrille

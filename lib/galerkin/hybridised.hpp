@@ -1,0 +1,33 @@
+#pragma once
+// Discontinuous Galerkin in hybridised form (galerkin/trace_element.hpp): unknowns on edges only, data imposed weakly,
+// so that they may jump at a corner.
+
+#include <array>
+
+#include "galerkin/discretization.hpp"
+#include "galerkin/trace_data.hpp"
+#include "galerkin/trace_element.hpp"
+
+namespace quadrille {
+
+class HybridisedGalerkin : public Discretization {
+ public:
+  /// `context` must outlive this. `penalty` > 1, see trace_element.hpp.
+  HybridisedGalerkin(const MeshContext& context, BoundaryData data, double penalty = 3);
+  Solution solve(const std::vector<int>& elem_order) override;
+  int num_unknowns(const std::vector<int>& elem_order) const override;
+
+ private:
+  /// What an element's matrices depend on: its order and those of its edges.
+  using Orders = std::array<int, 4>;
+  void update_elements(const std::vector<int>& elem_order, const DofMap& map);
+
+  const MeshContext* context_;
+  StiffnessTable stiffness_;
+  BoundaryData data_;
+  double penalty_;
+  std::vector<Orders> orders_;  ///< of elements_; 0 before the first solve
+  std::vector<CondensedElement> elements_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,64 @@
+#include "io/order_map.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "io/stage_files.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr int major = 1, minor = 0;
+
+std::vector<int> parsed(const InputFile& file) {
+  nlohmann::json json;
+  try {
+    json = nlohmann::json::parse(file.bytes);
+  } catch (const nlohmann::json::parse_error& e) {
+    throw FormatError(fmt::format("{}: neither a field nor JSON (byte {})", file.name, e.byte));
+  }
+  if (!json.is_object() || json.value("format", nlohmann::json()) != "order-map")
+    throw FormatError(fmt::format("{}: not an order map: the key \"format\" must say \"order-map\"", file.name));
+  const auto version = json.find("version");
+  if (version == json.end() || !version->is_array() || version->size() != 2 || (*version)[0] != major)
+    throw FormatError(
+        fmt::format("{}: order maps of version {}.x can be read, this one has another", file.name, major));
+  const auto orders = json.find("elem_order");
+  if (orders == json.end() || !orders->is_array())
+    throw FormatError(fmt::format("{}: the key \"elem_order\" must hold an array of integers", file.name));
+  std::vector<int> elem_order;
+  for (const auto& order : *orders) {
+    if (!order.is_number_integer() || order < 0 || order > 1000)
+      throw FormatError(fmt::format("{}: elem_order[{}] is no order", file.name, elem_order.size()));
+    elem_order.push_back(order.get<int>());
+  }
+  return elem_order;
+}
+
+}  // namespace
+
+std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order) {
+  const bool is_hdf5 = file.bytes.starts_with("\x89HDF");
+  const std::vector<int> elem_order = is_hdf5 ? read_field(file).elem_order : parsed(file);
+  if (static_cast<int>(elem_order.size()) != num_elems)
+    throw FormatError(
+        fmt::format("{}: {} orders, but the mesh has {} elements", file.name, elem_order.size(), num_elems), "ORD-R01");
+  for (std::size_t e = 0; e < elem_order.size(); ++e) {
+    if (elem_order[e] < 1 || elem_order[e] > max_order)
+      throw FormatError(
+          fmt::format("{}: order {} of element {} is outside 1..{}", file.name, elem_order[e], e, max_order),
+          "ORD-R02");
+  }
+  return elem_order;
+}
+
+std::string order_map_text(const std::vector<int>& elem_order) {
+  return fmt::format("{{\"format\": \"order-map\", \"version\": [{}, {}], \"elem_order\": [{}]}}\n", major, minor,
+                     fmt::join(elem_order, ", "));
+}
+
+}  // namespace quadrille

@@ -1,0 +1,19 @@
+#pragma once
+// An order for every element that somebody else has chosen: JSON (formats/order-map.md), or a field whose orders are
+// taken over.
+
+#include <string>
+#include <vector>
+
+#include "io/input_file.hpp"
+
+namespace quadrille {
+
+/// One order per element. Throws FormatError for anything that is neither an order map nor a field, for another number
+/// than `num_elems` and for an order outside [1, max_order].
+std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order);
+
+/// The map as JSON text.
+std::string order_map_text(const std::vector<int>& elem_order);
+
+}  // namespace quadrille
