@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     const CriticalPoints points = read_critical_points(points_file);
     require_valid(check_field(field, CheckDepth::quick), field_file.name);
     require_valid(check_critical_points(points, CheckDepth::quick), points_file.name);
+    require_valid(check_critical_points_of(points, field), points_file.name);
     require_same_origin(field_file, field.provenance, points_file, points.provenance);
     require_valid(check_critical_points_of(points, field), points_file.name);
     s.begin_phase("trace");
