@@ -77,6 +77,7 @@ std::vector<double> launch_directions(const Mat2& j) {
   breaks.push_back(2 * pi);
   const double first = std::ceil(g(0) / (2 * pi) - 1e-12);
   std::vector<double> directions;
+  directions.reserve(valence);
   for (int k = 0; k < valence; ++k) directions.push_back(s.right + middle_root(g, breaks, 2 * pi * (first + k)));
   return directions;
 }
@@ -150,7 +151,8 @@ bool bend_launch(const FieldEvaluator& evaluator, Vec2 origin, double angle, dou
   beta = 0;
   residual(0);
   if (!inside) return false;
-  for (double width = 1e-12; width < 0.2; width *= 4) {
+  double width = 1e-12;
+  while ((width *= 4) < 0.2) {
     const double low = residual(-width), high = residual(width);
     if (!inside) break;
     if ((low < 0) == (high < 0)) continue;

@@ -32,7 +32,7 @@ class Passes {
   std::vector<double> by(Vec2 node, double slope, double distance_allowed) const {
     std::vector<double> found;
     const size_t last = s_.size() - 1;
-    double before = norm2(x_[0] - node), here = before;
+    double before = norm2(x_[0] - node), here = 0;
     for (size_t i = 1; i <= last; ++i, before = here) {
       here = norm2(x_[i] - node);
       if (here > before || (i < last && here >= norm2(x_[i + 1] - node))) continue;

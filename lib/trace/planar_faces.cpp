@@ -26,11 +26,13 @@ std::vector<int> sector_quarters(const SeparatrixGraph& graph, int node, const s
   const int num_sectors = closed ? num : num - 1;
   if (num_sectors == valence) return std::vector<int>(num_sectors, 1);
   std::vector<double> angles;
+  angles.reserve(num_sectors);
   for (int k = 0; k < num_sectors; ++k)
     angles.push_back(wrap_two_pi(dart_angle(graph, darts[(k + 1) % num]) - dart_angle(graph, darts[k])));
   if (num_sectors == 1) return {valence};
   const double total = closed ? 2 * pi : std::accumulate(angles.begin(), angles.end(), 0.0);
   std::vector<int> quarters;
+  quarters.reserve(num_sectors);
   for (const double angle : angles) quarters.push_back(static_cast<int>(std::lround(valence * angle / total)));
   return quarters;
 }

@@ -21,6 +21,7 @@ namespace {
 constexpr double hit_share = 1e-7;   // as near to a node as this a line ends in it
 constexpr double fit_share = 2e-9;   // splines follow their lines within this
 constexpr double snap_share = 1e-9;  // nodes nearer than this are one
+constexpr double same_share = 1e-6;  // lines that meet head on within this are one, whatever the options say
 
 std::vector<Streamline> trace_all(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                   const std::vector<Vec2>& nodes, const TraceOptions& options) {
@@ -31,6 +32,7 @@ std::vector<Streamline> trace_all(const FieldEvaluator& evaluator, const Critica
   std::vector<Launch> launches = launch_all(evaluator, points);
   if (launches.empty() && face.num_loops() == 2) launches = launch_cuts(evaluator);
   std::vector<Streamline> lines;
+  lines.reserve(launches.size());
   for (const Launch& launch : launches) lines.push_back(advance(evaluator, launch, nodes, bounds));
   return lines;
 }
@@ -83,11 +85,13 @@ SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const Critic
   const double snap = snap_share * face.diameter;
   const std::vector<FixedNode> fixed = fixed_nodes(face, points);
   std::vector<Vec2> nodes;
+  nodes.reserve(fixed.size());
   for (const FixedNode& node : fixed) nodes.push_back(node.position);
   const std::vector<Streamline> lines = trace_all(evaluator, points, nodes, options);
   report.set("trace.launched", lines.size());
 
-  MergePlan plan(evaluator, lines, nodes, {radians(options.merge_angle), options.merge_distance});
+  const double merge_distance = std::max(options.merge_distance, same_share * face.diameter);
+  MergePlan plan(evaluator, lines, nodes, {radians(options.merge_angle), merge_distance});
   LineFinisher finisher(evaluator, lines, fit_share * face.diameter);
   std::vector<int> chosen;
   std::vector<Crossing> crossings;

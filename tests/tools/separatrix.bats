@@ -57,6 +57,23 @@ setup() {
   assert_nothing_left
 }
 
+@test "lines that meet exactly are one whatever the options say" {
+  separatrix "$field" "$crit" --merge-angle 0 -o a.sep.json --report a.json
+  run jq -c '.trace | [.merged, .faces]' a.json
+  assert_output '[1,4]'
+}
+
+@test "aggressive merging connects nodes with corners across a distance" {
+  stage_chain geometry_1 .
+  for distance in 0.01 0.3; do
+    separatrix geometry_1.field.h5 geometry_1.crit.json --merge-angle 1 --merge-distance $distance \
+      -o a.sep.json --report a.json
+    jq -c '.trace | [.merged, .faces]' a.json
+  done > counts
+  run cat counts
+  assert_output $'[1,25]\n[3,15]'
+}
+
 @test "a node that was moved is refused" {
   jq '.critical_points[0].position[0] += 0.01' "$crit" > moved.crit.json
   run separatrix "$field" moved.crit.json -o a.sep.json
