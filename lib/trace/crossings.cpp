@@ -23,6 +23,8 @@ bool meet(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
+double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
+
 // A piece of a curve as a cubic Bezier over [t0, t1].
 struct Bezier {
   std::array<Vec2, 4> p;
@@ -33,11 +35,27 @@ struct Bezier {
     for (const Vec2 q : p) b.add(q);
     return b;
   }
-  // The control points' distance from an evenly walked chord, as a share of the chord.
-  bool is_straight() const {
-    const Vec2 third = (p[3] - p[0]) / 3;
-    const double off = std::max(norm(p[1] - p[0] - third), norm(p[2] - p[0] - 2 * third));
-    return off <= 0.02 * norm(p[3] - p[0]);
+  Vec2 chord() const { return p[3] - p[0]; }
+  // Bound of the angle between the curve's tangents and its chord.
+  double cone() const {
+    double widest = 0;
+    for (int i = 0; i < 3; ++i) widest = std::max(widest, angle_between(chord(), p[i + 1] - p[i]));
+    return widest;
+  }
+  // Whether `other` lies wholly on one side of the strip along the chord that holds this curve.
+  bool is_beside(const Bezier& other, double margin) const {
+    const Vec2 normal = left_of(chord()) / norm(chord());
+    if (!std::isfinite(normal.x)) return false;
+    double low = 0, high = 0, other_low = 1e300, other_high = -1e300;
+    for (const Vec2 q : p) {
+      const double h = dot(normal, q - p[0]);
+      low = std::min(low, h), high = std::max(high, h);
+    }
+    for (const Vec2 q : other.p) {
+      const double h = dot(normal, q - p[0]);
+      other_low = std::min(other_low, h), other_high = std::max(other_high, h);
+    }
+    return other_low > high + margin || other_high < low - margin;
   }
 };
 
@@ -97,25 +115,25 @@ class Finder {
       if (!meet(ca.boxes[i], cb.box)) continue;
       // Neighbouring spans of one curve share a point, and turn too little to meet elsewhere.
       for (size_t j = a == b ? i + 2 : 0; j < cb.beziers.size(); ++j)
-        if (meet(ca.boxes[i], cb.boxes[j])) search(a, b, ca.beziers[i], cb.beziers[j], 0);
+        if (meet(ca.boxes[i], cb.boxes[j])) search(a, b, ca.beziers[i], cb.beziers[j]);
     }
   }
 
   std::vector<Crossing> found;
 
  private:
-  void search(int a, int b, const Bezier& p, const Bezier& q, int depth) {
-    if (p.is_straight() && q.is_straight()) return newton(a, b, p, q);
-    if (depth > 40) return;
-    const auto widened = [&](const Bezier& z) {
-      Box box = z.box();
-      box.widen(same_);
-      return box;
-    };
-    const bool split_p = !p.is_straight();
+  // Halves the longer piece until both together turn less than the angle between them: then they cross once at most.
+  void search(int a, int b, const Bezier& p, const Bezier& q) {
+    if (p.is_beside(q, same_) || q.is_beside(p, same_)) return;
+    const double along = angle_between(p.chord(), q.chord()), between = std::min(along, std::numbers::pi - along);
+    const double turn = p.cone() + q.cone(), size_p = norm(p.chord()), size_q = norm(q.chord());
+    const bool tiny = std::max(size_p, size_q) < 1e4 * same_;
+    if (tiny || (turn < between && turn < 0.5)) return newton(a, b, p, q);
+    const bool split_p = size_p > size_q;
+    Box whole = (split_p ? q : p).box();
+    whole.widen(same_);
     for (const Bezier& half : halves(split_p ? p : q))
-      if (meet(widened(half), widened(split_p ? q : p)))
-        split_p ? search(a, b, half, q, depth + 1) : search(a, b, p, half, depth + 1);
+      if (meet(half.box(), whole)) split_p ? search(a, b, half, q) : search(a, b, p, half);
   }
 
   void newton(int a, int b, const Bezier& p, const Bezier& q) {

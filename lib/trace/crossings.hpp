@@ -1,8 +1,9 @@
 #pragma once
 // All places where spline curves cross each other or themselves.
 //
-// Every span is taken as a Bezier cubic; pairs whose control boxes meet are halved until both are nearly straight, then
-// Newton's method finds the crossing. Curves are C2, so tangential contacts of one curve with itself do not occur.
+// Every span is taken as a Bezier cubic; pairs that nothing separates are halved until they turn less than the angle
+// between them, then Newton's method finds the one crossing that they may have. Curves are C2, so tangential contacts
+// of one curve with itself do not occur.
 
 #include <vector>
 

@@ -39,12 +39,21 @@ class Passes {
       const double spacing = s_[i] - s_[i - 1] + (i < last ? s_[i + 1] - s_[i] : 0.0);
       const double reach = std::max(slope * s_[i], distance_allowed) + spacing;
       if (here > reach * reach) continue;
+      if (i == last && !ends_beside(node)) continue;
       found.push_back(foot(node, s_[i - 1], i < last ? s_[i + 1] : s_[i]));
     }
     return found;
   }
 
  private:
+  // A line that ends before it has passed the node must end in it, or nearly abreast of it (a corner): else what lies
+  // between may be a hole.
+  bool ends_beside(Vec2 node) const {
+    const Vec2 gap = node - line_.end_position;
+    if (line_.end == Streamline::End::node) return line_.end_position == node;
+    return line_.end == Streamline::End::boundary && dot(gap, unit(line_.end_angle)) <= 0.5 * norm(gap);
+  }
+
   // Root of (node - x) . x' by false position (Illinois) between a and b.
   double foot(Vec2 node, double a, double b) const {
     const auto ahead = [&](double s) {

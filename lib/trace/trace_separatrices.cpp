@@ -21,7 +21,9 @@ namespace {
 constexpr double hit_share = 1e-7;   // as near to a node as this a line ends in it
 constexpr double fit_share = 2e-9;   // splines follow their lines within this
 constexpr double snap_share = 1e-9;  // nodes nearer than this are one
-constexpr double same_share = 1e-6;  // lines that meet head on within this are one, whatever the options say
+
+// Lines that meet head on within this angle (radians) are one, whatever the options say.
+constexpr double same_angle = 1e-4;
 
 std::vector<Streamline> trace_all(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                   const std::vector<Vec2>& nodes, const TraceOptions& options) {
@@ -90,8 +92,8 @@ SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const Critic
   const std::vector<Streamline> lines = trace_all(evaluator, points, nodes, options);
   report.set("trace.launched", lines.size());
 
-  const double merge_distance = std::max(options.merge_distance, same_share * face.diameter);
-  MergePlan plan(evaluator, lines, nodes, {radians(options.merge_angle), merge_distance});
+  const double merge_angle = std::max(radians(options.merge_angle), same_angle);
+  MergePlan plan(evaluator, lines, nodes, {merge_angle, options.merge_distance});
   LineFinisher finisher(evaluator, lines, fit_share * face.diameter);
   std::vector<int> chosen;
   std::vector<Crossing> crossings;

@@ -14,7 +14,7 @@ struct TraceOptions {
   /// Degrees: head-on lines are merged where that turns neither by more. On all benchmark shapes 15 removes most thin
   /// strips of blocks and leaves the least scaled Jacobian of the mesh as good as without.
   double merge_angle = 15;
-  double merge_distance = 0;  ///< file units: and where their fronts meet within it (always within 1e-6 diameters)
+  double merge_distance = 0;  ///< file units: and where their fronts meet within it
   int max_lines = 2000;       ///< more arcs of separatrices than this is an error
   double max_length = 20;     ///< of one line, in diameters
   void validate() const;      ///< throws UsageError

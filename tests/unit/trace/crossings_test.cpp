@@ -40,6 +40,32 @@ TEST(Crossings, AWaveMeetsTheAxisAtEveryZero) {
   for (int k = 0; k < 7; ++k) EXPECT_NEAR(found[k].position.x, k * pi, 1e-8);
 }
 
+TEST(Crossings, NearlyParallelCurvesCrossAsOftenAsTheyDo) {
+  // Two circles of radius 1 and centres 1e-4 apart cross at right angles to the centres' line, at 1e-4 rad.
+  const auto circle = [](Vec2 centre) {
+    return fit_line(
+        [centre](double s, Vec2& d) {
+          d = left_of(unit(s));
+          return centre + unit(s);
+        },
+        2, 1e-12);
+  };
+  const auto found = find_crossings({circle({0, 0}), circle({1e-4, 0})}, 1e-9);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT(distance(found[0].position, {5e-5, std::sqrt(1 - 25e-10)}), 1e-7);
+  EXPECT_NEAR(found[0].angle, 1e-4, 1e-7);
+  // Concentric arcs never do, however near.
+  const auto arc = [](double radius) {
+    return fit_line(
+        [radius](double s, Vec2& d) {
+          d = radius * left_of(unit(s));
+          return radius * unit(s);
+        },
+        2, 1e-12);
+  };
+  EXPECT_TRUE(find_crossings({arc(1), arc(1 + 1e-6)}, 1e-9).empty());
+}
+
 TEST(Crossings, ALoopCrossesItself) {
   // The folium-like curve (s^2 - 1, s^3 - s) passes (0, 0) at s = -1 and s = 1, at right angles.
   const CurveFunction loop = [](double u, Vec2& d) {
