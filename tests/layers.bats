@@ -41,7 +41,6 @@ only_in() {
   only_in triangulate 'CGAL/'
   only_in io '(H5|hdf5)[A-Za-z0-9]*\.h'
   only_in io 'nlohmann/'
-  only_in io 'openssl/'
   only_in cli 'CLI/'
 }
 
