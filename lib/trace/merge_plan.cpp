@@ -68,11 +68,13 @@ std::vector<int> MergePlan::choose() {
   return chosen;
 }
 
-void MergePlan::give_up_worst(const std::vector<int>& candidates) {
-  double turn = 0;
+bool MergePlan::give_up_worst(const std::vector<int>& candidates, double least_turn) {
+  double turn = -1;
   for (const int c : candidates) turn = std::max(turn, candidates_[c].turn);
+  if (turn < least_turn) return false;
   for (const int c : candidates)
     if (candidates_[c].turn > turn - 1e-6) given_up_[c] = true;
+  return true;
 }
 
 }  // namespace quadrille

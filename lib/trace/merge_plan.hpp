@@ -20,7 +20,8 @@ class MergePlan {
   std::vector<int> choose();
 
   /// Gives up the candidates that turn most of these, within 1e-6 alike: a symmetry orbit together.
-  void give_up_worst(const std::vector<int>& candidates);
+  /// False where none of them turns anything by more than `least_turn` (radians): nothing is given up then.
+  bool give_up_worst(const std::vector<int>& candidates, double least_turn);
 
   const MergeCandidate& candidate(int i) const { return candidates_[i]; }
 

@@ -139,20 +139,23 @@ Vec2 place_of(const SeparatrixGraph& graph, const std::vector<int>& cycle) {
   return sum / static_cast<double>(cycle.size()) + graph.face.origin;
 }
 
+std::vector<int> cycles_without_four_corners(const PlanarFaces& faces) {
+  std::vector<int> bad;
+  for (int f = 0; f < static_cast<int>(faces.cycles.size()); ++f)
+    if (num_corners(faces.quarters[f]) != 4 || faces.cycles[f].size() != 4) bad.push_back(f);
+  return bad;
+}
+
 int require_four_corners(const SeparatrixGraph& graph) {
   const PlanarFaces faces = planar_faces(graph);
   const int num_faces = static_cast<int>(faces.cycles.size());
-  int num_bad = 0, first_bad = -1;
-  for (int f = 0; f < num_faces; ++f) {
-    if (num_corners(faces.quarters[f]) == 4 && faces.cycles[f].size() == 4) continue;
-    if (num_bad++ == 0) first_bad = f;
-  }
-  if (num_bad > 0) {
-    const Vec2 place = place_of(graph, faces.cycles[first_bad]);
+  const std::vector<int> bad = cycles_without_four_corners(faces);
+  if (!bad.empty()) {
+    const Vec2 place = place_of(graph, faces.cycles[bad.front()]);
     throw ComputeError(fmt::format(
-        "{} of {} faces of the separatrix graph {} not four corners; the one around "
-        "({:.6g}, {:.6g}) has {}",
-        num_bad, num_faces, num_bad == 1 ? "has" : "have", place.x, place.y, num_corners(faces.quarters[first_bad])));
+        "{} of {} faces of the separatrix graph {} not four corners; the one around ({:.6g}, {:.6g}) has {}",
+        bad.size(), num_faces, bad.size() == 1 ? "has" : "have", place.x, place.y,
+        num_corners(faces.quarters[bad.front()])));
   }
   if (faces.num_components > 1)
     throw ComputeError(

@@ -42,6 +42,9 @@ int num_corners(const std::vector<int>& quarters);
 /// The mean of the middles of a cycle's arcs, file coordinates: a place to look at.
 Vec2 place_of(const SeparatrixGraph& graph, const std::vector<int>& cycle);
 
+/// The cycles that are no quadrilaterals: not four corners, or a node of two quarter turns on a side.
+std::vector<int> cycles_without_four_corners(const PlanarFaces& faces);
+
 /// Throws ComputeError unless every face has four corners; says how many have not, and where the first one lies.
 /// Returns the number of faces.
 int require_four_corners(const SeparatrixGraph& graph);

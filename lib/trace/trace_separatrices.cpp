@@ -54,8 +54,7 @@ bool give_up_crossed_merges(const std::vector<Crossing>& crossings, const LineFi
     for (const int line : {c.a, c.b})
       if (lines.merge_of()[line] >= 0) crossed.push_back(lines.merge_of()[line]);
   }
-  plan.give_up_worst(crossed);
-  return !crossed.empty();
+  return plan.give_up_worst(crossed, 0);
 }
 
 void require_few_arcs(const SeparatrixGraph& graph, int max_lines) {
@@ -95,18 +94,22 @@ SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const Critic
   const double merge_angle = std::max(radians(options.merge_angle), same_angle);
   MergePlan plan(evaluator, lines, nodes, {merge_angle, options.merge_distance});
   LineFinisher finisher(evaluator, lines, fit_share * face.diameter);
+  SeparatrixGraph graph;
   std::vector<int> chosen;
-  std::vector<Crossing> crossings;
+  // A merge may turn the layout into something that is none (aggressive ones do): it is given up, the worst first.
   do {
-    chosen = plan.choose();
-    finisher.finish(plan, chosen);
-    crossings = find_crossings(finisher.splines(), snap);
-  } while (give_up_crossed_merges(crossings, finisher, 2 * snap, plan));
+    std::vector<Crossing> crossings;
+    do {
+      chosen = plan.choose();
+      finisher.finish(plan, chosen);
+      crossings = find_crossings(finisher.splines(), snap);
+    } while (give_up_crossed_merges(crossings, finisher, 2 * snap, plan));
+    graph = build_graph(face, fixed, finisher.finished(), crossings, snap);
+    require_few_arcs(graph, options.max_lines);
+  } while (!cycles_without_four_corners(planar_faces(graph)).empty() && plan.give_up_worst(chosen, same_angle));
   report.set("trace.merged", chosen.size());
   report.set("trace.largest_merge_turn_degrees", degrees(largest_turn(plan, chosen)));
 
-  SeparatrixGraph graph = build_graph(face, fixed, finisher.finished(), crossings, snap);
-  require_few_arcs(graph, options.max_lines);
   report.set("trace.lines", graph.lines.size());
   report.set("trace.nodes", graph.nodes.size());
   report.set("trace.arcs", graph.arcs.size());
