@@ -2,6 +2,7 @@
 
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "field/error_estimate.hpp"
 #include "guide/find_critical_points.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
@@ -16,7 +17,7 @@ int main(int argc, char** argv) {
       "Reads a field and writes every zero of it once, with its index and valence, and the valence of every corner. "
       "That none is missing is proved: each element is cut into cells until a bound shows that a cell holds no zero, "
       "or "
-      "at most one, which is then computed.\n\n"
+      "at most one, which is then computed. Each has an error bar, from the estimated error of the field there.\n\n"
       "The sum of 4 - V over the critical points and of 2 - V over the corners must be four times the face's Euler "
       "characteristic (1 less the number of holes); otherwise nothing is written and the exit code is 1. So it is when "
       "the field vanishes to higher order, as at the centre of a disc.";
@@ -29,8 +30,9 @@ int main(int argc, char** argv) {
   tool.run = [&](Session& s) {
     s.begin_phase("read");
     const InputFile file = read_input(input);
-    const Field field = read_field(file);
+    Field field = read_field(file);
     require_valid(check_field(field, CheckDepth::quick), file.name);
+    if (field.elem_error.empty()) field.elem_error = error_estimate(field);
     s.begin_phase("search");
     const FieldEvaluator evaluator(field);
     CriticalPoints points = find_critical_points(evaluator, s.report());

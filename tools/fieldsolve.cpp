@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "io/input_file.hpp"
 #include "io/order_map.hpp"
@@ -63,9 +64,12 @@ int main(int argc, char** argv) {
     }
     s.begin_phase("solve");
     Field field = solve_laplace(mesh, orders, options, s.report());
+    s.begin_phase("estimate");
+    field.elem_error = error_estimate(field);
     s.end_phase();
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
     s.report().set("solve.field_order", *highest);
+    s.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
     field.provenance = s.provenance(mesh.provenance, inputs);
     s.say(fmt::format("{} elements of order {}..{}, {} liftings", mesh.num_elems(), *lowest, *highest,
                       field.liftings.size()));

@@ -49,6 +49,8 @@ int main(int argc, char** argv) {
     o.integer("--max-order", options.max_order, 1, 20, "highest order to go up to");
     o.integer("--max-steps", options.max_steps, 0, 100,
               "bound on the number of new solutions; reaching it is a warning");
+    o.number("--target-error", options.target_error, 0, 1, "size of the field",
+             "estimated error that elements at the highest order should reach; missing it is a warning");
     o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor sees");
   };
   tool.run = [&](Session& s) {

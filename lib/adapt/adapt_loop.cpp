@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 
 #include "adapt/order_policy.hpp"
 #include "adapt/sensor.hpp"
 #include "base/error.hpp"
+#include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
 
 namespace quadrille {
@@ -40,6 +43,42 @@ void report_result(const Field& field, const AdaptOptions& options, Report& repo
   report.set("adapt.max_order", last.max_order);
   report.set("adapt.max_sensor", last.max_sensor);
   report.set("adapt.num_unresolved", num_unresolved);
+  report.set("adapt.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
+  std::vector<double> unknowns, sensors;
+  for (const AdaptStep& step : field.adapt_steps) {
+    unknowns.push_back(step.num_unknowns);
+    sensors.push_back(step.max_sensor);
+  }
+  report.set("adapt.num_unknowns_by_step", Report::Value(unknowns));
+  report.set("adapt.max_sensor_by_step", Report::Value(sensors));
+}
+
+// Says how many elements at the highest order allowed miss the target, by how much and where the worst is. Elements of
+// fans count by their size, as they do in the sensor.
+void judge_errors(const Field& field, const AdaptOptions& options, Report& report) {
+  const std::vector<double> weights = fan_weights(field.mesh);
+  int num_missing = 0, worst = -1;
+  double greatest = options.target_error;
+  for (int e = 0; e < field.mesh.num_elems(); ++e) {
+    const double error = std::sqrt(weights[e]) * field.elem_error[e];
+    if (field.elem_order[e] < options.max_order || !(error > options.target_error)) continue;
+    ++num_missing;
+    if (error > greatest) {
+      greatest = error;
+      worst = e;
+    }
+  }
+  report.set("adapt.num_missing_target", num_missing);
+  if (num_missing == 0) return;
+  const auto& [a, b, c] = field.mesh.elem2vertices[worst];
+  const std::vector<Vec2>& x = field.mesh.vertices;
+  const Vec2 place = (x[a] + x[b] + x[c]) / 3 + field.mesh.face.origin;
+  report.warn(
+      "W-ADAPT-002",
+      fmt::format("the estimated error of the field is up to {:.1e}, above the target {:.1e}, although the order "
+                  "is at its highest, {}: {} {}, the worst near ({:.6g}, {:.6g})",
+                  greatest, options.target_error, options.max_order, num_missing,
+                  num_missing == 1 ? "element" : "elements", place.x, place.y));
 }
 
 }  // namespace
@@ -58,10 +97,13 @@ Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report
   std::vector<int> orders = start.elem_order;
   std::vector<bool> was_raised(orders.size(), false);
   std::vector<AdaptStep> steps;
+  std::vector<double> seconds;  // of each new solution
   while (true) {
     std::vector<double> sensors = sense(field, kind);
     steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));
     steps.back().num_unknowns = solver.num_unknowns(field.elem_order);
+    steps.back().elem_order = field.elem_order;
+    steps.back().elem_sensor = sensors;
     field.elem_sensor = std::move(sensors);
     if (orders == field.elem_order) break;
     if (static_cast<int>(steps.size()) > options.max_steps) {
@@ -69,11 +111,16 @@ Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report
                                              options.max_steps == 1 ? "step" : "steps"));
       break;
     }
+    const std::clock_t begin = std::clock();
     field = solver.solve(orders, report);
+    seconds.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   field.provenance = start.provenance;
   field.adapt_steps = std::move(steps);
+  field.elem_error = error_estimate(field);
+  report.set("adapt.cpu_seconds_by_step", Report::Value(seconds));
   report_result(field, options, report);
+  judge_errors(field, options, report);
   return field;
 }
 

@@ -30,7 +30,15 @@ double area(const TriMesh& mesh, int elem) {
   return cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]) / 2;
 }
 
-// Weights of the elements: 1 outside fans.
+}  // namespace
+
+SensorKind sensor_kind(const std::string& name) {
+  if (name == "vector") return SensorKind::vector;
+  if (name == "u") return SensorKind::u;
+  if (name == "v") return SensorKind::v;
+  throw UsageError("the sensor is vector, u or v, not " + name);
+}
+
 std::vector<double> fan_weights(const TriMesh& mesh) {
   std::vector<double> weights(mesh.num_elems(), 1.0);
   double greatest = 0;
@@ -39,15 +47,6 @@ std::vector<double> fan_weights(const TriMesh& mesh) {
     if (mesh.elem_layer[e] >= 0) weights[e] = area(mesh, e) / greatest;
   }
   return weights;
-}
-
-}  // namespace
-
-SensorKind sensor_kind(const std::string& name) {
-  if (name == "vector") return SensorKind::vector;
-  if (name == "u") return SensorKind::u;
-  if (name == "v") return SensorKind::v;
-  throw UsageError("the sensor is vector, u or v, not " + name);
 }
 
 std::vector<double> sense(const Field& field, SensorKind kind) {

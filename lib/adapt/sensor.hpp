@@ -23,6 +23,9 @@ SensorKind sensor_kind(const std::string& name);
 /// outermost layer, as is the error that they send to the far field: a sensor near a singularity never falls otherwise.
 std::vector<double> sense(const Field& field, SensorKind kind);
 
+/// The weights of squared errors in that: 1 outside fans, else the element's area over that of the largest element.
+std::vector<double> fan_weights(const TriMesh& mesh);
+
 /// Sensors that differ by less than 5 % made equal to the greatest of them, so that a threshold decides the elements of
 /// a symmetry orbit together and not by their rounding errors.
 std::vector<double> equalized(std::vector<double> sensors);

@@ -11,7 +11,7 @@ void numbers_are_finite(const CriticalPoints& points, Findings& findings) {
   if (!is_finite(points.origin)) findings.add("origin is not finite");
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
-    bool is_sound = is_finite(p.position) && is_finite(p.xi);
+    bool is_sound = is_finite(p.position) && is_finite(p.xi) && is_finite(p.error);
     for (const double d : p.jacobian) is_sound = is_sound && is_finite(d);
     if (!is_sound) findings.add("critical point {} holds a number that is not finite", i);
   }
@@ -85,11 +85,17 @@ void points_differ(const CriticalPoints& points, Findings& findings) {
         findings.add("critical points {} and {} are at one place", i, j);
 }
 
+void errors_are_sound(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.critical_points.size(); ++i)
+    if (points.critical_points[i].error < 0) findings.add("critical point {}: its error is negative", i);
+}
+
 constexpr Rule<CriticalPoints> rules[] = {
     {"CRT-R01", RuleKind::structure, numbers_are_finite}, {"CRT-R02", RuleKind::quick, valences_fit_indices},
     {"CRT-R03", RuleKind::quick, elements_are_sound},     {"CRT-R04", RuleKind::quick, corners_are_sound},
     {"CRT-R05", RuleKind::quick, index_sum_is_right},     {"CRT-R06", RuleKind::quick, index_sum_holds},
     {"CRT-R07", RuleKind::full, jacobians_fit_indices},   {"CRT-R08", RuleKind::quick, points_differ},
+    {"CRT-R11", RuleKind::quick, errors_are_sound},
 };
 
 /// Critical points beside the field that they are said to be of.

@@ -11,6 +11,8 @@ void arrays_agree(const Field& field, Findings& findings) {
     findings.add("elem_order has {} entries for {} elements", field.elem_order.size(), n);
   if (!field.elem_sensor.empty() && field.elem_sensor.size() != n)
     findings.add("elem_sensor has {} entries for {} elements", field.elem_sensor.size(), n);
+  if (!field.elem_error.empty() && field.elem_error.size() != n)
+    findings.add("elem_error has {} entries for {} elements", field.elem_error.size(), n);
 }
 
 void coefficients_fit(const Field& field, Findings& findings) {
@@ -39,6 +41,7 @@ void joints_exist(const Field& field, Findings& findings) {
 void numbers_are_finite(const Field& field, Findings& findings) {
   if (!are_finite(field.u) || !are_finite(field.v)) findings.add("u or v holds a number that is not finite");
   if (!are_finite(field.elem_sensor)) findings.add("elem_sensor holds a number that is not finite");
+  if (!are_finite(field.elem_error)) findings.add("elem_error holds a number that is not finite");
   for (std::size_t i = 0; i < field.liftings.size(); ++i) {
     const Lifting& lifting = field.liftings[i];
     if (!is_finite(lifting.apex) || !is_finite(lifting.pole) || !is_finite(lifting.jump))
@@ -69,14 +72,23 @@ void adapt_steps_are_sound(const Field& field, Findings& findings) {
     if (step.num_unknowns < 0 || step.num_raised < 0 || step.num_lowered < 0 || step.min_order < 1 ||
         step.max_order < step.min_order || !(step.max_sensor >= 0))
       findings.add("adapt step {}: counts must not be negative and min_order not above max_order", i);
+    const std::size_t n = field.elem_order.size();
+    if (step.elem_order.size() != step.elem_sensor.size() || (!step.elem_order.empty() && step.elem_order.size() != n))
+      findings.add("adapt step {}: elem_order and elem_sensor must have {} entries or none", i, n);
+    if (!are_finite(step.elem_sensor)) findings.add("adapt step {}: a sensor is not finite", i);
   }
+}
+
+void errors_are_sound(const Field& field, Findings& findings) {
+  for (std::size_t e = 0; e < field.elem_error.size(); ++e)
+    if (field.elem_error[e] < 0) findings.add("element {}: its error is negative", e);
 }
 
 constexpr Rule<Field> rules[] = {
     {"FLD-R01", RuleKind::structure, arrays_agree},      {"FLD-R02", RuleKind::structure, coefficients_fit},
     {"FLD-R03", RuleKind::structure, joints_exist},      {"FLD-R04", RuleKind::structure, numbers_are_finite},
     {"FLD-R05", RuleKind::quick, kinds_are_known},       {"FLD-R06", RuleKind::quick, liftings_fit},
-    {"FLD-R07", RuleKind::quick, adapt_steps_are_sound},
+    {"FLD-R07", RuleKind::quick, adapt_steps_are_sound}, {"FLD-R08", RuleKind::quick, errors_are_sound},
 };
 
 }  // namespace

@@ -58,4 +58,29 @@ bool FieldEvaluator::value_at(Vec2 x, Vec2& value_there) const {
   return true;
 }
 
+std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& points) const {
+  std::vector<PointSample> result;
+  result.reserve(points.size());
+  Location last;
+  for (const Vec2 x : points) {
+    Location at = walk(topology_, maps_, x, last);
+    if (at.elem < 0) at = locator_.find(x);
+    PointSample& here = result.emplace_back();
+    here.at = at;
+    if (at.elem < 0) continue;
+    const FieldSample s = sample(at.elem, at.xi);
+    here.value = s.value;
+    here.dv_dx = s.dv_dx;
+    last = at;
+  }
+  return result;
+}
+
+std::vector<FieldSample> FieldEvaluator::samples(const std::vector<Location>& places) const {
+  std::vector<FieldSample> result;
+  result.reserve(places.size());
+  for (const Location& at : places) result.push_back(sample(at.elem, at.xi));
+  return result;
+}
+
 }  // namespace quadrille

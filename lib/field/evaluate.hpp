@@ -17,6 +17,13 @@ struct FieldSample {
   Mat2 dv_dx;  ///< rows u, v
 };
 
+/// The field at a point of the plane; at.elem = -1: outside the mesh, and zeros.
+struct PointSample {
+  Location at;
+  Vec2 value;
+  Mat2 dv_dx;
+};
+
 class FieldEvaluator {
  public:
   /// `field` must outlive the evaluator. Builds maps, topology and locator.
@@ -31,6 +38,11 @@ class FieldEvaluator {
   FieldSample sample(int elem, Vec2 xi) const;
   /// Value at a physical point; false when x lies outside the mesh.
   bool value_at(Vec2 x, Vec2& value) const;
+  /// Value and gradient at many physical points: each is sought by a walk from the one before (mesh/locate), and by the
+  /// search grid where that ends without an answer. Quickest for points in a sequence that does not jump.
+  std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
+  /// sample() at many places, which must exist.
+  std::vector<FieldSample> samples(const std::vector<Location>& places) const;
 
   const Field& field() const { return *field_; }
   const std::vector<TriMap>& maps() const { return maps_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "field/error_estimate.hpp"
 #include "guide/cell_zero.hpp"
 #include "guide/multiple_zero.hpp"
 #include "guide/valence.hpp"
@@ -35,7 +36,10 @@ CriticalPoint critical_point(const FieldEvaluator& evaluator, const FoundZero& z
   const FieldSample s = evaluator.sample(zero.elem, zero.xi);
   const int sign = det(s.dv_dx) > 0 ? 1 : -1;
   const Mat2& j = s.dv_dx;
-  return {s.x, sign, 4 - sign, zero.elem, clamped(zero.xi), {j.xx, j.xy, j.yx, j.yy}};
+  const std::vector<double>& errors = evaluator.field().elem_error;
+  const double diameter = evaluator.field().mesh.face.diameter;
+  const double error = errors.empty() ? 0 : std::min(position_error(j, errors[zero.elem]), diameter);
+  return {s.x, sign, 4 - sign, zero.elem, clamped(zero.xi), {j.xx, j.xy, j.yx, j.yy}, error};
 }
 
 /// Tolerances are no ordering: points are put into columns of equal x first, each column is sorted by y.

@@ -11,6 +11,7 @@ namespace quadrille {
 /// which is then found or shown to lie elsewhere (guide/zero_search). Sorted by x, then y (equal within 1e-6 of the
 /// diameter counts as equal). The certificate goes to the report as proof.*.
 /// Throws ComputeError where zeros are not simple (guide/multiple_zero) or a corner's valence is open (guide/valence).
+/// Error bars are set where the field has elem_error.
 /// Does not judge the index sum: see require_index_sum.
 CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report);
 

@@ -27,6 +27,8 @@ class Archive {
   virtual ~Archive() = default;
 
   virtual bool is_reading() const = 0;
+  /// Whether the member is there to be read (members that a later minor version added may be missing); true on writing.
+  virtual bool has(const char* name) const = 0;
   /// Throws FormatError (reading) or Defect (writing): "<file>: <place of the field `name`> <problem>".
   [[noreturn]] virtual void fail(const char* name, const std::string& problem) const = 0;
 

@@ -5,7 +5,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion critical_points_version{"critical-points", 1, 0};
+constexpr FormatVersion critical_points_version{"critical-points", 1, 1};
 
 /// `id` is for people and programs that refer to an entry: its place in the list.
 void describe_id(Archive& archive, std::size_t expected) {
@@ -25,6 +25,7 @@ void describe_critical_points(Archive& archive, CriticalPoints& points) {
     a.field("elem", point.elem);
     a.field("xi", point.xi);
     a.field("jacobian", point.jacobian);
+    if (a.has("error")) a.field("error", point.error);
   });
   archive.field("corners", points.corners, [](Archive& a, Corner& corner) {
     a.field("joint", corner.joint);

@@ -6,7 +6,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion field_version{"field", 1, 0};
+constexpr FormatVersion field_version{"field", 1, 1};
 
 void describe_field(Archive& archive, Field& field) {
   archive.field("kind", field.kind, {"", "harmonic"});
@@ -23,6 +23,8 @@ void describe_field(Archive& archive, Field& field) {
     a.field("jump", lifting.jump, {"1/radian", "field value per radian"});
   });
   archive.field("elem_sensor", field.elem_sensor, {"1", "last sensor of each element; empty before padapt"});
+  if (archive.has("elem_error"))
+    archive.field("elem_error", field.elem_error, {"1", "estimated error of the field on each element; empty: none"});
   archive.field("adapt_steps", field.adapt_steps, [](Archive& a, AdaptStep& step) {
     a.field("num_unknowns", step.num_unknowns);
     a.field("num_raised", step.num_raised);
@@ -30,6 +32,8 @@ void describe_field(Archive& archive, Field& field) {
     a.field("min_order", step.min_order);
     a.field("max_order", step.max_order);
     a.field("max_sensor", step.max_sensor, {"1", "largest sensor of the round"});
+    if (a.has("elem_order")) a.field("elem_order", step.elem_order, {"", "orders of the round's solution"});
+    if (a.has("elem_sensor")) a.field("elem_sensor", step.elem_sensor, {"1", "their sensors"});
   });
 }
 

@@ -14,6 +14,7 @@ class Writer : public Archive {
   explicit Writer(const Hdf5GroupWriter& group) : group_(group) {}
 
   bool is_reading() const override { return false; }
+  bool has(const char*) const override { return true; }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override {
     throw Defect(fmt::format("'{}' {}", name, problem));
   }
@@ -66,6 +67,7 @@ class Reader : public Archive {
   explicit Reader(const Hdf5GroupReader& group) : group_(group) {}
 
   bool is_reading() const override { return true; }
+  bool has(const char* name) const override { return group_.has(name); }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override { group_.fail(name, problem); }
   void integers(const char* name, int* values, std::size_t count, Doc) override {
     copy_fixed(name, group_.integers(name, count == 1 ? 0 : 1), values, count);

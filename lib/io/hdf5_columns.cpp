@@ -26,6 +26,7 @@ struct Column {
 class ColumnWriter : public Archive {
  public:
   bool is_reading() const override { return false; }
+  bool has(const char*) const override { return true; }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override {
     throw Defect(fmt::format("'{}' {}", name, problem));
   }
@@ -129,6 +130,7 @@ class ColumnReader : public Archive {
   void set_row(std::size_t row) { row_ = row; }
 
   bool is_reading() const override { return true; }
+  bool has(const char* name) const override { return group_.has(name); }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override { group_.fail(name, problem); }
   void integers(const char* name, int* values, std::size_t count, Doc) override {
     const std::vector<int>& all = column(name, count, false, &Column::integers, &Hdf5GroupReader::integers).integers;

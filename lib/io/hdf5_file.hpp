@@ -81,6 +81,7 @@ class Hdf5GroupReader {
   std::vector<int> integers(const std::string& name, std::size_t width) const;
   std::vector<double> reals(const std::string& name, std::size_t width) const;
   std::vector<std::string> texts(const std::string& name, std::size_t width) const;
+  bool has(const std::string& name) const;  ///< a dataset or group of that name
   bool has_attribute(const std::string& name) const;
   std::string text_attribute(const std::string& name) const;
   std::vector<int> integer_attribute(const std::string& name) const;

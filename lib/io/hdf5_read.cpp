@@ -122,6 +122,10 @@ std::vector<std::string> Hdf5GroupReader::texts(const std::string& name, std::si
   return fixed_texts(padded, width_of_one, data.count);
 }
 
+bool Hdf5GroupReader::has(const std::string& name) const {
+  return H5Lexists(group_.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 bool Hdf5GroupReader::has_attribute(const std::string& name) const { return H5Aexists(group_.get(), name.c_str()) > 0; }
 
 std::string Hdf5GroupReader::text_attribute(const std::string& name) const {

@@ -20,6 +20,7 @@ class Writer : public Archive {
   explicit Writer(Json& object) : object_(object) { object_ = Json::object(); }
 
   bool is_reading() const override { return false; }
+  bool has(const char*) const override { return true; }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override {
     throw Defect(fmt::format("'{}' {}", name, problem));
   }
@@ -80,6 +81,7 @@ class Reader : public Archive {
   }
 
   bool is_reading() const override { return true; }
+  bool has(const char* name) const override { return object_.contains(name); }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override {
     throw FormatError(fmt::format("{}: '{}{}' {}", file_, place_, name, problem));
   }

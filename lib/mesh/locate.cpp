@@ -18,6 +18,23 @@ std::array<double, 2> hull(int order, const std::vector<double>& coefs) {
   return {*low, *high};
 }
 
+// Reference coordinates of x under the straight triangle of an element's corners: where the curved map has no inverse.
+Vec2 straight_inverse(const TriMap& map, Vec2 x) {
+  Vec2 xi;
+  TriMap({map.position({-1, -1}), map.position({1, -1}), map.position({-1, 1})}).invert(x, xi);
+  return xi;
+}
+
+// The local edge beyond which xi lies farthest and which has a neighbour; -1: none.
+int way_out(Vec2 xi, const std::array<int, 3>& neighbors) {
+  const std::array<double, 3> beyond{-(1 + xi.y), xi.x + xi.y, -(1 + xi.x)};  // edges 0, 1, 2
+  int best = -1;
+  for (int k = 0; k < 3; ++k) {
+    if (beyond[k] > 0 && neighbors[k] >= 0 && (best < 0 || beyond[k] > beyond[best])) best = k;
+  }
+  return best;
+}
+
 }  // namespace
 
 Locator::Locator(const TriMesh& mesh, const std::vector<TriMap>& maps) : maps_(&maps) {
@@ -72,6 +89,26 @@ Location Locator::find(Vec2 x) const {
     if (x.x < box.lower.x || x.x > box.upper.x || x.y < box.lower.y || x.y > box.upper.y) continue;
     Vec2 xi{-1.0 / 3, -1.0 / 3};
     if ((*maps_)[elem].invert(x, xi) && outside_reference(xi) <= reference_tol) return {elem, xi};
+  }
+  return {};
+}
+
+Location walk(const TriTopology& topology, const std::vector<TriMap>& maps, Vec2 x, Location from) {
+  constexpr int most_steps = 64;
+  constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
+  int elem = from.elem, previous = -1;
+  Vec2 guess = from.xi;
+  for (int step = 0; step < most_steps && elem >= 0; ++step) {
+    Vec2 xi = guess;
+    const bool is_inverse = maps[elem].invert(x, xi);
+    if (is_inverse && outside_reference(xi) <= reference_tol) return {elem, xi};
+    if (!is_inverse) xi = straight_inverse(maps[elem], x);
+    const int edge = way_out(xi, topology.elem2neighbors[elem]);
+    const int next = edge < 0 ? -1 : topology.elem2neighbors[elem][edge];
+    if (next == previous) return {};
+    previous = elem;
+    elem = next;
+    guess = centroid;
   }
   return {};
 }

@@ -1,10 +1,11 @@
 #pragma once
-// Which element holds a point, and where: a search grid over curved elements.
+// Which element holds a point, and where: a search grid over curved elements, and a walk from an element near by.
 
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
 
@@ -39,5 +40,11 @@ class Locator {
   int nx_ = 1, ny_ = 1;
   std::vector<int> offsets_, values_;  ///< search grid cell -> elements whose box touches it, ascending
 };
+
+/// The element that holds x, found from element to neighbour, always across the edge beyond which x lies farthest;
+/// begins in `from`, whose xi is the first guess. elem = -1 where the walk meets the boundary (the domain may be
+/// concave), goes round or takes more than 64 steps: that x lies outside only Locator::find can tell. On an edge the
+/// element is that which the walk reaches first. No allocation.
+Location walk(const TriTopology& topology, const std::vector<TriMap>& maps, Vec2 x, Location from);
 
 }  // namespace quadrille

@@ -30,6 +30,8 @@ struct AdaptStep {
   int num_raised = 0, num_lowered = 0;
   int min_order = 0, max_order = 0;
   double max_sensor = 0;
+  std::vector<int> elem_order;  ///< of the solution that the round began with
+  std::vector<double> elem_sensor;
 };
 
 struct Field {
@@ -42,6 +44,7 @@ struct Field {
   std::vector<double> u, v;       ///< coefficients c_n of both components
   std::vector<Lifting> liftings;
   std::vector<double> elem_sensor;   ///< last sensor of each element; empty before padapt
+  std::vector<double> elem_error;    ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
   std::vector<AdaptStep> adapt_steps;
 };
 

@@ -111,3 +111,12 @@ compare='
   assert_failure 4
   assert_nothing_left
 }
+
+@test "each point has an error bar, from the field's own estimate or one made on the spot" {
+  cad2tri "$DATA/half_disc.step" | fieldsolve --field-order 6 > a.solve.h5
+  critpoints a.solve.h5 -o a.crit.json
+  exact=0.50508102270043128
+  jq -e --argjson x $exact '.critical_points | length == 2 and all(
+    ((.position[0] | fabs) - $x) as $dx | (.position[1] - $x) as $dy | (($dx * $dx + $dy * $dy) | sqrt) as $error |
+    .error >= $error and .error <= 100 * $error)' a.crit.json
+}

@@ -78,3 +78,22 @@ setup() {
   assert_success
   assert_equal "$(grep -c 'raised, .* lowered' <<<"$stderr")" "$(jq .adapt.steps report.json)"
 }
+
+@test "says so when the estimated error misses its target at the highest order" {
+  cad2tri "$DATA/half_disc.step" | fieldsolve --field-order 4 > coarse.solve.h5
+  run -0 --separate-stderr padapt --max-order 5 --report report.json coarse.solve.h5 -o a.field.h5
+  assert_equal "$(jq -r '.warnings[].code' report.json)" W-ADAPT-002
+  [[ $stderr =~ "up to "[0-9.e-]+", above the target 1.0e-08, although the order is at its highest, 5".*"worst near (" ]]
+  run -0 --separate-stderr padapt --max-order 5 --target-error 0.1 coarse.solve.h5 -o a.field.h5
+  assert_equal "$stderr" ''
+}
+
+@test "keeps the history of orders and sensors in the file, their times in the report alone" {
+  cad2tri "$DATA/half_disc.step" | fieldsolve --field-order 6 > a.solve.h5
+  padapt --max-steps 2 --report report.json a.solve.h5 -o a.field.h5 2> warning
+  assert_equal "$(jq '.adapt.cpu_seconds_by_step | length' report.json)" 2
+  assert_equal "$(jq '.adapt.num_unknowns_by_step | length' report.json)" 3
+  m=$(h5dump -H -d /elem_order a.field.h5 | grep -oE 'SIMPLE \{ \( [0-9]+' | grep -oE '[0-9]+')
+  h5dump -d /adapt_steps/elem_order_offsets a.field.h5 | grep -q "(0): 0, $m, $((2 * m)), $((3 * m))"
+  h5dump -H -d /elem_error a.field.h5 | grep -q "SIMPLE { ( $m )"
+}

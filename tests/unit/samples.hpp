@@ -65,16 +65,17 @@ inline Field field() {
   f.u.assign(15, 0.0);
   f.v.assign(15, 0.0);
   for (const int first : {0, 3, 6, 12}) f.u[static_cast<std::size_t>(first)] = 1.4142135623730951;
-  f.adapt_steps = {{25, 1, 0, 1, 2, 1e-9}};
+  f.adapt_steps = {{25, 1, 0, 1, 2, 1e-9, {1, 1, 1, 1}, {0, 0, 1e-9, 0}}};
   f.elem_sensor = {0, 0, 1e-12, 0};
+  f.elem_error = {0, 0, 1e-6, 0};
   return f;
 }
 
 inline CriticalPoints critical_points() {
   CriticalPoints c;
   c.provenance = provenance();
-  c.critical_points = {{{0.25, 0.5}, 1, 3, 3, {-0.5, -0.25}, {2, 0, 0, 1}},
-                       {{0.75, 0.5}, -1, 5, 1, {-0.5, -0.25}, {1, 0, 0, -1}}};
+  c.critical_points = {{{0.25, 0.5}, 1, 3, 3, {-0.5, -0.25}, {2, 0, 0, 1}, 1e-9},
+                       {{0.75, 0.5}, -1, 5, 1, {-0.5, -0.25}, {1, 0, 0, -1}, 2e-9}};
   const Vec2 p[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int k = 0; k < 4; ++k) c.corners.push_back({k, p[k], 90, 1, {(k + 3) % 4, k}});
   c.index_sum = 4;

@@ -81,6 +81,9 @@ TEST(CriticalPointsCheck, CrtR10CornersAreTheFaces) {
   EXPECT_EQ(broken_beside_field([](auto& c) { c.corners[1].position.x += 0.1; }), Rules{"CRT-R10"});
   EXPECT_EQ(broken_beside_field([](auto& c) { c.corners[1].angle_degrees = 91; }), Rules{"CRT-R10"});
 }
+TEST(CriticalPointsCheck, CrtR11ErrorsAreNotNegative) {
+  EXPECT_EQ(broken([](auto& c) { c.critical_points[0].error = -1e-9; }), Rules{"CRT-R11"});
+}
 
 }  // namespace
 }  // namespace quadrille

@@ -23,6 +23,7 @@ TEST(FieldCheck, TheSampleIsValid) {
 TEST(FieldCheck, FldR01ArraysAgree) {
   EXPECT_EQ(broken([](Field& f) { f.elem_order.pop_back(); }), Rules{"FLD-R01"});
   EXPECT_EQ(broken([](Field& f) { f.elem_sensor.pop_back(); }), Rules{"FLD-R01"});
+  EXPECT_EQ(broken([](Field& f) { f.elem_error.pop_back(); }), Rules{"FLD-R01"});
 }
 TEST(FieldCheck, FldR02CoefficientsFit) {
   EXPECT_EQ(broken([](Field& f) { f.elem_order[1] = 2; }), Rules{"FLD-R02"});
@@ -50,6 +51,10 @@ TEST(FieldCheck, FldR06LiftingsFitTheirJoints) {
 TEST(FieldCheck, FldR07AdaptStepsAreSound) {
   EXPECT_EQ(broken([](Field& f) { f.adapt_steps[0].num_raised = -1; }), Rules{"FLD-R07"});
   EXPECT_EQ(broken([](Field& f) { f.adapt_steps[0].min_order = 3; }), Rules{"FLD-R07"});
+  EXPECT_EQ(broken([](Field& f) { f.adapt_steps[0].elem_order.pop_back(); }), Rules{"FLD-R07"});
+}
+TEST(FieldCheck, FldR08ErrorsAreNotNegative) {
+  EXPECT_EQ(broken([](Field& f) { f.elem_error[0] = -1e-9; }), Rules{"FLD-R08"});
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "../hand_made.hpp"
 #include "../support/square_field.hpp"
 #include "field/corner_lifting.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille {
 namespace {
@@ -75,6 +77,34 @@ TEST(FieldEvaluator, says_when_a_point_is_outside) {
   const Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2 p) { return p; });
   Vec2 value;
   EXPECT_FALSE(FieldEvaluator(field).value_at({1.5, 0.5}, value));
+}
+
+// Points all over the bounding box of a ring: curved elements, a hole, an outside, and jumps from one end to the other.
+TEST(FieldEvaluator, meets_single_evaluation_at_many_points_of_a_ring) {
+  Report report;
+  const CadFace ring =
+      hand_made::face({{circular_arc({0, 0}, 1, 0, 2 * pi)}, {circular_arc({0.1, 0}, 0.4, 0, -2 * pi)}}, 2);
+  Field field = interpolated_field(triangulate(ring, {}, report), 6, cubic);
+  const FieldEvaluator evaluator(field);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 2000; ++i) points.push_back({std::cos(7.0 * i) * 1.1, std::sin(0.01 * i) * 1.1});
+  const std::vector<PointSample> samples = evaluator.values_at(points);
+  ASSERT_EQ(samples.size(), points.size());
+  int num_inside = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vec2 value;
+    const bool is_inside = evaluator.value_at(points[i], value);
+    ASSERT_EQ(samples[i].at.elem >= 0, is_inside) << i;
+    if (!is_inside) continue;
+    ++num_inside;
+    EXPECT_NEAR(distance(samples[i].value, value), 0, 1e-12);
+    const FieldSample there = evaluator.sample(samples[i].at.elem, samples[i].at.xi);
+    EXPECT_NEAR(distance(there.x, points[i]), 0, 1e-13);
+    expect_near(samples[i].dv_dx, there.dv_dx);
+    EXPECT_EQ(evaluator.samples({samples[i].at})[0].value, there.value);
+  }
+  EXPECT_GT(num_inside, 500);
+  EXPECT_LT(num_inside, 1900);
 }
 
 }  // namespace

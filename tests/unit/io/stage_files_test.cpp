@@ -41,11 +41,15 @@ TEST_F(StageFiles, FieldSurvivesTheRoundTrip) {
   EXPECT_EQ(field.u, samples::field().u);
   EXPECT_EQ(field.adapt_steps.size(), 1u);
   EXPECT_EQ(field.adapt_steps[0].max_sensor, 1e-9);
+  EXPECT_EQ(field.adapt_steps[0].elem_order, samples::field().adapt_steps[0].elem_order);
+  EXPECT_EQ(field.adapt_steps[0].elem_sensor, samples::field().adapt_steps[0].elem_sensor);
+  EXPECT_EQ(field.elem_error, samples::field().elem_error);
   EXPECT_EQ(stage_format(read_input(path("first"))), "field");
 }
 
 TEST_F(StageFiles, CriticalPointsSurviveTheRoundTrip) {
   expect_same_bytes(samples::critical_points(), read_critical_points, write_critical_points);
+  EXPECT_EQ(read_critical_points(read_input(path("second"))).critical_points[1].error, 2e-9);
   EXPECT_EQ(stage_format(read_input(path("first"))), "critical-points");
 }
 

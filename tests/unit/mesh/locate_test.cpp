@@ -38,6 +38,24 @@ TEST_F(LocatorTest, knows_the_outside) {
     EXPECT_EQ(locator.find(x).elem, -1);
 }
 
+TEST_F(LocatorTest, walks_from_any_element_to_any_other) {
+  const TriTopology topology = tri_topology(mesh);
+  for (int from = 0; from < mesh.num_elems(); ++from)
+    for (int to = 0; to < mesh.num_elems(); ++to) {
+      const Vec2 xi{-0.4, -0.5};
+      const Location at = walk(topology, maps, maps[to].position(xi), {from, {-0.9, 0.7}});
+      EXPECT_EQ(at.elem, to);
+      EXPECT_NEAR(distance(at.xi, xi), 0, 1e-12);
+    }
+}
+
+TEST_F(LocatorTest, ends_a_walk_at_the_boundary) {
+  const TriTopology topology = tri_topology(mesh);
+  for (const Vec2 x : {Vec2{-1.001, 3}, Vec2{2.5, 3}, Vec2{0, 1.9999}, Vec2{0, 9}, Vec2{std::nan(""), 3}})
+    EXPECT_EQ(walk(topology, maps, x, {7, {0, -1}}).elem, -1);
+  EXPECT_EQ(walk(topology, maps, {0, 3}, {}).elem, -1);  // from nowhere
+}
+
 TEST(Locator, inverts_curved_elements) {
   // Two order-3 triangles that share the arc y = x (1 - x) / 2 between (0,0) and (1,0).
   const auto bend = [](Vec2 p) { return p + Vec2{0, p.x * (1 - p.x) / 2}; };

@@ -1,0 +1,58 @@
+#include "field/boundary_misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "field/boundary_values.hpp"
+#include "field/corner_lifting.hpp"
+#include "mesh/tri_maps.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+
+namespace {
+
+struct EdgePoint {
+  double t;
+  Vec2 xi;
+};
+
+double misfit_at(const Field& field, const TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
+  const CadFace& face = field.mesh.face;
+  const int offset = field.coef_offsets[edge.elem];
+  Vec2 x_h;
+  Mat2 dx_dxi, dv_dxi;
+  map.evaluate(at.xi, x_h, dx_dxi);
+  const Vec2 value = orthogonal_sum(field.elem_order[edge.elem], &field.u[offset], &field.v[offset], at.xi, dv_dxi);
+  const Vec2 data = lifted_boundary_value(face, field.liftings, edge.curve, at.t);
+  const Nurbs& curve = face.curves[edge.curve];
+  const Vec2 across = left_of(tangent(curve, at.t));
+  Vec2 slope = (dv_dxi * inverse(dx_dxi)) * across;
+  for (const Lifting& lifting : field.liftings) slope += lifting.jump * dot(lifting_gradient(lifting, x_h), across);
+  return distance(value, data) + norm(slope) * std::abs(dot(x_h - point(curve, at.t), across));
+}
+
+}  // namespace
+
+std::vector<double> boundary_misfit(const Field& field) {
+  constexpr double fractions[] = {0.1, 0.37, 0.63, 0.9};
+  const TriMesh& mesh = field.mesh;
+  const std::vector<TriMap> maps = tri_maps(mesh);
+  std::vector<ArcLength> lengths;
+  lengths.reserve(mesh.face.curves.size());
+  for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
+  std::vector<double> misfits(mesh.num_elems(), 0.0);
+  for (const BoundaryEdge& edge : mesh.boundary_edges) {
+    const ArcLength& length = lengths[edge.curve];
+    const double begin = length.at(edge.t0), whole = length.at(edge.t1) - begin;
+    for (const double s : fractions) {
+      const EdgePoint at{length.parameter(begin + s * whole), tri_edge_point(edge.edge, s)};
+      misfits[edge.elem] = std::max(misfits[edge.elem], misfit_at(field, maps[edge.elem], edge, at));
+    }
+  }
+  return misfits;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,125 @@
+#include "field/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "field/boundary_misfit.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr double rounding = 1e-15;  // of values of size 1
+// A misfit is the greatest of values that change sign along an edge, where a tail is a mean: less of it reaches others.
+constexpr double sent_of_misfit = 0.1;
+
+// What an element knows of its own error, and what it sends to others.
+struct Source {
+  double tail = 0;        // tau
+  double unresolved = 0;  // tau / sigma
+  Vec2 centre;
+  double radius = 0;
+  int order = 1;
+};
+
+// Norms of the modes by degree, of both components.
+std::vector<double> norms_by_degree(const Field& field, int elem) {
+  const int order = field.elem_order[elem], offset = field.coef_offsets[elem];
+  std::vector<double> norms(order + 1, 0.0);
+  for (int d = 0, i = 0; d <= order; ++d) {
+    for (; i < num_tri_modes(d); ++i) {
+      const double u = field.u[offset + i], v = field.v[offset + i];
+      norms[d] += u * u + v * v;
+    }
+    norms[d] = std::sqrt(norms[d]);
+  }
+  return norms;
+}
+
+// The tail carried on by one degree. The mean (degree 0) says nothing about a rate; order 2 has one norm for each of
+// the two maxima, and order 1 no rate at all.
+double extrapolated_tail(const std::vector<double>& norms) {
+  constexpr double slowest = 0.95;
+  const int order = static_cast<int>(norms.size()) - 1;
+  if (order == 1) return slowest * norms[1];
+  const int width = order == 2 ? 1 : 2;  // degrees to a maximum
+  const double last = std::max(norms[order], norms[order - width + 1]);
+  const double before = std::max(norms[order - width], norms[std::max(order - 2 * width + 1, 1)]);
+  const double rate = before > 0 ? std::min(std::pow(last / before, 1.0 / width), slowest) : slowest;
+  return rate * last;
+}
+
+Source source(const Field& field, int elem, double misfit) {
+  const std::vector<double> norms = norms_by_degree(field, elem);
+  const auto& [a, b, c] = field.mesh.elem2vertices[elem];
+  const std::vector<Vec2>& x = field.mesh.vertices;
+  Source s;
+  s.order = field.elem_order[elem];
+  s.tail = std::max(extrapolated_tail(norms), sent_of_misfit * misfit);
+  const double variation = std::sqrt(std::inner_product(norms.begin() + 1, norms.end(), norms.begin() + 1, 0.0));
+  s.unresolved = variation > 0 ? std::min(s.tail / variation, 1.0) : 1;
+  s.centre = (x[a] + x[b] + x[c]) / 3;
+  s.radius = std::sqrt(std::max({norm2(x[a] - s.centre), norm2(x[b] - s.centre), norm2(x[c] - s.centre)}));
+  return s;
+}
+
+double integer_power(double base, int exponent) {
+  double power = 1;
+  for (; exponent > 0; exponent /= 2, base *= base) {
+    if (exponent % 2 == 1) power *= base;
+  }
+  return power;
+}
+
+// Share of a source's tail that arrives at x.
+double weight(const Source& s, Vec2 x) {
+  constexpr double capacity = 0.73;  // of an equilateral triangle of circumradius 1
+  const double nearness = s.radius / std::max(std::sqrt(norm2(x - s.centre)), s.radius);
+  return nearness * std::max(integer_power(capacity * nearness, s.order + 1), s.unresolved);
+}
+
+// The sources that send most, strongest first; equal ones in the sequence of their elements.
+std::vector<int> strongest(const std::vector<Source>& sources) {
+  constexpr std::size_t most = 512;
+  std::vector<int> sequence(sources.size());
+  std::iota(sequence.begin(), sequence.end(), 0);
+  const auto sends_more = [&](int a, int b) {
+    const double left = sources[a].tail * sources[a].radius, right = sources[b].tail * sources[b].radius;
+    return left != right ? left > right : a < b;
+  };
+  const auto end = sequence.begin() + static_cast<std::ptrdiff_t>(std::min(most, sequence.size()));
+  std::partial_sort(sequence.begin(), end, sequence.end(), sends_more);
+  sequence.erase(end, sequence.end());
+  return sequence;
+}
+
+}  // namespace
+
+std::vector<double> error_estimate(const Field& field) {
+  constexpr double share_from_afar = 0.1;
+  const int n = field.mesh.num_elems();
+  const std::vector<double> misfits = boundary_misfit(field);
+  std::vector<Source> sources(n);
+  for (int e = 0; e < n; ++e) sources[e] = source(field, e, misfits[e]);
+  const std::vector<int> senders = strongest(sources);
+  std::vector<double> errors(n);
+  for (int e = 0; e < n; ++e) {
+    double from_afar = 0;
+    for (const int f : senders) {
+      if (f != e) from_afar += sources[f].tail * weight(sources[f], sources[e].centre);
+    }
+    errors[e] = std::max(sources[e].tail, misfits[e]) + share_from_afar * from_afar + rounding;
+  }
+  return errors;
+}
+
+double position_error(const Mat2& j, double field_error) {
+  const double sum = j.xx * j.xx + j.xy * j.xy + j.yx * j.yx + j.yy * j.yy, d = std::abs(det(j));
+  const double greatest = std::sqrt((sum + std::sqrt(std::max(sum * sum - 4 * d * d, 0.0))) / 2);
+  return d > 0 ? field_error * greatest / d : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace quadrille
