@@ -1,0 +1,39 @@
+# cmake --install: commands that work where they land, their manual pages and the pages of the formats.
+load ../tools/common
+
+setup_file() {
+  [[ -f $BIN/../cmake_install.cmake ]] || skip "the tools are not in a build folder"
+  cmake --install "$BIN/.." --prefix "$BATS_FILE_TMPDIR/usr" >"$BATS_FILE_TMPDIR/log"
+}
+
+setup() {
+  common_setup
+  usr=$BATS_FILE_TMPDIR/usr
+}
+
+@test "quadmesh and the STEP writer find their programs beside themselves" {
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" "$DATA/square.step" -o out.msh --workdir .
+  assert_output --regexp '^1 block, .*'
+  run -0 "$usr/bin/quadexport" square.blocks.h5 -o square.blocks.step
+  run -0 "$usr/bin/cad2tri" square.blocks.step -o again.tri.h5
+  run -0 env PATH=/usr/bin:/bin "$usr/bin/quadmesh" --version
+}
+
+@test "every command has a manual page that renders without a warning and ends with its examples" {
+  command -v groff || skip "no groff"
+  assert_equal "$(ls "$usr/share/man/man1" | sed 's/\.1$//')" "$(ls "$usr/bin")"
+  for page in "$usr"/share/man/man1/*.1; do
+    run -0 --separate-stderr groff -man -ww -Tascii "$page"
+    assert_equal "$stderr" ""
+    assert_equal "$(grep '^\.SH' "$page" | tail -1)" ".SH EXAMPLES"
+    assert_equal "$(sed -n '/^\.EX$/,/^\.EE$/p' "$page" | sed '1d;$d; s/\\-/-/g; s/\\e/\\/g')" \
+      "$("$usr/bin/$(basename "$page" .1)" --help | sed '1,/^EXAMPLES$/d; s/^  //')"
+  done
+}
+
+@test "the pages of the formats and their schemas are in share/doc" {
+  for file in "$ROOT"/formats/*.md "$ROOT"/formats/*.json; do
+    cmp "$file" "$usr/share/doc/quadrille/formats/${file##*/}"
+  done
+  assert_file_exists "$usr/share/doc/quadrille/LICENSE"
+}
