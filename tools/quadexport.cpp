@@ -1,5 +1,6 @@
 // Writes a quad mesh, or the blocks it came from, in the formats of other programs.
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -44,23 +45,46 @@ std::string step_helper() {
   return self.substr(0, self.rfind('/')) + "/../libexec/quadexport-step";
 }
 
-/// Runs the helper on our standard input and output. What it has to say it says itself; its exit code becomes ours.
+/// What the helper says until it ends.
+std::string read_all(int fd) {
+  std::string said;
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    const ssize_t count = read(fd, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return said;
+    said.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+/// Runs the helper on our standard input and output. Its message and exit code become ours.
 void write_step(std::string input, std::string output) {
   std::string helper = step_helper(), flag = "-o";
   std::array<char*, 5> argv{helper.data(), input.data(), flag.data(), output.data(), nullptr};
-  const pid_t child = fork();
+  std::array<int, 2> ends{};
+  const pid_t child = pipe2(ends.data(), O_CLOEXEC) == 0 ? fork() : -1;
   if (child < 0) throw OutputError(fmt::format("{} cannot be run: {}", helper, std::strerror(errno)));
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);  // a signal that ends us alone must not leave a writer behind
+    dup2(ends[1], STDERR_FILENO);
     execv(helper.c_str(), argv.data());
-    fmt::print(stderr, "quadexport: {} cannot be run: {}\n", helper, std::strerror(errno));
-    _exit(static_cast<int>(ExitCode::bad_output));
+    fmt::print(stderr, "{} cannot be run: {}\n", helper, std::strerror(errno));
+    std::fflush(stderr);
+    _exit(static_cast<int>(ExitCode::defect));
   }
+  close(ends[1]);
+  std::string said = read_all(ends[0]);
+  close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) throw Defect(fmt::format("the STEP writer was ended by signal {}", WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0) _exit(WEXITSTATUS(status));
+  if (WEXITSTATUS(status) == 0) {
+    fmt::print(stderr, "{}", said);
+    return;
+  }
+  if (const std::string name = "quadexport: "; said.starts_with(name)) said.erase(0, name.size());
+  throw Error(static_cast<ExitCode>(WEXITSTATUS(status)), said.substr(0, said.find('\n')));
 }
 
 void write_msh(const std::string& input, const std::string& output, Session& s) {

@@ -77,6 +77,8 @@ setup() {
 @test "an output that cannot be written ends with 4" {
   run quadexport "$quad" -o nowhere/a.msh
   assert_failure 4
-  run quadexport "$blocks" -o nowhere/a.step
+  run --separate-stderr quadexport "$blocks" -o nowhere/a.step --report a.json
   assert_failure 4
+  assert_equal "quadexport: $(jq -r '[.error, .exit_code] | join(" ")' a.json)" "$stderr 4"
+  [[ $stderr == "quadexport: nowhere/a.step: "* ]]
 }
