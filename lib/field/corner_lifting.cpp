@@ -53,14 +53,21 @@ double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
   return first_hit(backwards ? first : second, ray, nearest);
 }
 
-Vec2 find_pole(const CadFace& face, Vec2 apex, Vec2 exterior_bisector) {
-  const Ray ray{apex, exterior_bisector, 1e-6 * face.diameter};
+}  // namespace
+
+Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction) {
+  const Ray ray{start, direction, 1e-6 * face.diameter};
   double reach = 2 * face.diameter;
   for (const Nurbs& curve : face.curves) reach = first_hit(curve, ray, reach);
-  return apex + (reach / 2) * exterior_bisector;
+  return start + (reach / 2) * direction;
 }
 
-}  // namespace
+Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double interior_angle) {
+  const Vec2 turn = unit(interior_angle / 2);
+  const Vec2 interior_bisector{tangent_out.x * turn.x - tangent_out.y * turn.y,
+                               tangent_out.x * turn.y + tangent_out.y * turn.x};
+  return half_way(face, apex, -interior_bisector);
+}
 
 double lifting_angle(const Lifting& lifting, Vec2 x) {
   const Vec2 a = x - lifting.apex, b = x - lifting.pole;
@@ -86,10 +93,8 @@ std::vector<Lifting> corner_liftings(const CadFace& face) {
     if (norm(v_in - v_out) <= jump_tol) continue;
     const double angle = face.joints[joint].interior_angle;
     const Vec2 out = tangent(face.curves[joint], face.curves[joint].begin());
-    const Vec2 turn = unit(angle / 2);
-    const Vec2 interior_bisector{out.x * turn.x - out.y * turn.y, out.x * turn.y + out.y * turn.x};
     const Vec2 apex = face.joints[joint].position;
-    liftings.push_back({joint, apex, find_pole(face, apex, -interior_bisector), (v_in - v_out) / angle});
+    liftings.push_back({joint, apex, exterior_pole(face, apex, out, angle), (v_in - v_out) / angle});
   }
   return liftings;
 }

@@ -19,8 +19,15 @@ Vec2 lifting_gradient(const Lifting& lifting, Vec2 x);
 /// The limit of theta_c when x -> c along the unit direction d, which points into the closed domain.
 double lifting_angle_at_apex(const Lifting& lifting, Vec2 d);
 
-/// One lifting for every joint whose data jump by more than round-off. The pole is put on the exterior bisector, at
-/// half the way to whatever boundary the bisector meets first, and no farther than the diameter.
+/// The point half the way from `start`, on the boundary, along the unit `direction` out of the domain to whatever
+/// boundary the ray meets first, and no farther than the diameter.
+Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction);
+
+/// p_c for an apex on the boundary: half_way along the exterior bisector. `tangent_out`: the unit tangent of the
+/// boundary as it leaves the apex; `interior_angle` in radians.
+Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double interior_angle);
+
+/// One lifting for every joint whose data jump by more than round-off, with its exterior_pole.
 std::vector<Lifting> corner_liftings(const CadFace& face);
 
 }  // namespace quadrille

@@ -1,0 +1,85 @@
+#include "field/hole_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve/nurbs.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// A share of the best clearance that is good enough: the farther h_j is from the boundary, the smoother the data.
+constexpr double good_clearance = 0.8;
+
+using Polygon = std::vector<Vec2>;
+
+Polygon sampled_loop(const CadFace& face, int loop) {
+  constexpr int samples = 32;
+  Polygon polygon;
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    const Nurbs& curve = face.curves[c];
+    for (int i = 0; i < samples; ++i)
+      polygon.push_back(point(curve, curve.begin() + (curve.end() - curve.begin()) * i / samples));
+  }
+  return polygon;
+}
+
+// Area and first moments from triangles about the first point.
+Vec2 centroid(const Polygon& polygon) {
+  const Vec2 base = polygon.front();
+  double area = 0;
+  Vec2 moment;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec2 a = polygon[i] - base, b = polygon[i + 1] - base;
+    area += cross(a, b);
+    moment += cross(a, b) * (a + b) / 3.0;
+  }
+  return base + moment / area;
+}
+
+double segment_distance(Vec2 a, Vec2 b, Vec2 x) {
+  const double length2 = norm2(b - a);
+  const double f = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0.0;
+  return distance(x, a + f * (b - a));
+}
+
+// Distance to the polygon, negative outside of it.
+double clearance(const Polygon& polygon, Vec2 x) {
+  double nearest = INFINITY;
+  bool is_inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    nearest = std::min(nearest, segment_distance(a, b, x));
+    if ((a.y > x.y) != (b.y > x.y) && x.x < a.x + (b.x - a.x) * (x.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
+  }
+  return is_inside ? nearest : -nearest;
+}
+
+Vec2 hole_point(const CadFace& face, int loop) {
+  const Polygon polygon = sampled_loop(face, loop);
+  const Vec2 centre = centroid(polygon);
+  Vec2 best;
+  double most = -INFINITY;
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    const Nurbs& curve = face.curves[c];
+    for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
+      const double t = curve.begin() + f * (curve.end() - curve.begin());
+      const Vec2 x = half_way(face, point(curve, t), -left_of(tangent(curve, t)));
+      const double room = clearance(polygon, x);
+      if (room > most * (1 + 1e-6)) most = room, best = x;
+    }
+  }
+  return clearance(polygon, centre) >= good_clearance * most ? centre : best;
+}
+
+}  // namespace
+
+std::vector<Vec2> hole_points(const CadFace& face) {
+  std::vector<Vec2> points;
+  for (int loop = 1; loop < face.num_loops(); ++loop) points.push_back(hole_point(face, loop));
+  return points;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,46 @@
+#include "field/phase_terms.hpp"
+
+#include "field/corner_lifting.hpp"
+
+namespace quadrille {
+
+namespace {
+
+Lifting lifting(const CornerAngle& corner) { return {-1, corner.apex, corner.pole, {}}; }
+
+double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
+  double sum = 0;
+  for (const PhaseTurn& turn : turns) {
+    if (turn.turns != 0) sum += turn.turns * angle_of(x - turn.position);
+  }
+  return sum;
+}
+
+Vec2 gradient_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
+  Vec2 sum;
+  for (const PhaseTurn& turn : turns) {
+    const Vec2 r = x - turn.position;
+    if (turn.turns != 0) sum += turn.turns * left_of(r) / norm2(r);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward) {
+  return x == corner.apex ? lifting_angle_at_apex(lifting(corner), inward) : lifting_angle(lifting(corner), x);
+}
+
+double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward) {
+  double phase = sum_of_turns(terms.nodes, x) + sum_of_turns(terms.holes, x);
+  for (const CornerAngle& corner : terms.corner_angles) phase += corner.beta * corner_angle(corner, x, inward);
+  return phase;
+}
+
+Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x) {
+  Vec2 gradient = gradient_of_turns(terms.nodes, x) + gradient_of_turns(terms.holes, x);
+  for (const CornerAngle& corner : terms.corner_angles) gradient += corner.beta * lifting_gradient(lifting(corner), x);
+  return gradient;
+}
+
+}  // namespace quadrille

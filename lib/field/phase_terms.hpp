@@ -1,0 +1,19 @@
+#pragma once
+// Value and gradient of the explicit part of a phase (model/phase_terms.hpp; phase-field.md points 3 and 4).
+
+#include "base/vec2.hpp"
+#include "model/phase_terms.hpp"
+
+namespace quadrille {
+
+/// theta_c at x; at the apex itself its limit along `inward`, a unit vector into the closed domain.
+double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward);
+
+/// The explicit part at x: continuous but for multiples of 2 pi. x must be none of the nodes; `inward` is used only
+/// where x is an apex. Linear in the number of terms.
+double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward = {});
+
+/// Its gradient: d left_of(z - a) / |z - a|^2 and the like. Not at nodes and apexes.
+Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x);
+
+}  // namespace quadrille

@@ -1,0 +1,35 @@
+#pragma once
+// Which irregular nodes and corner valences a cross field shall have: the input of the phase form (phase-field.md).
+// Positions are relative to face.origin. The audit (field/phase_boundary.hpp) wants
+//   sum over nodes (4 - V) + sum over corners and boundary nodes (2 - V) = 4 chi.
+
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+struct PhaseNode {
+  Vec2 position;    ///< a_k, inside the domain
+  int valence = 3;  ///< V_k = 4 - d_k
+};
+
+struct CornerValence {
+  int joint = 0;    ///< index into face.joints; it may be a smooth one
+  int valence = 2;  ///< V_c; joints that are not listed have 2
+};
+
+/// A node on a smooth boundary point: a corner with omega = pi (phase-field.md point 8).
+struct BoundaryNode {
+  int curve = 0;
+  double t = 0;     ///< parameter, inside the curve
+  int valence = 3;  ///< 3 for a mesh; 1 is sound as a field only
+};
+
+struct PhaseNodes {
+  std::vector<PhaseNode> nodes;
+  std::vector<CornerValence> corners;
+  std::vector<BoundaryNode> boundary_nodes;
+};
+
+}  // namespace quadrille

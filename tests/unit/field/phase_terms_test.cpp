@@ -1,0 +1,48 @@
+#include "field/phase_terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/angle.hpp"
+
+namespace quadrille {
+namespace {
+
+const PhaseTerms terms{{{{0.2, 0.1}, 1}, {{-0.4, 0.3}, -1}, {{0.7, -0.2}, 2}},
+                       {{{5, 5}, 3}, {{-4, 2}, 0}},
+                       {{{-1, -1}, {-2, -2.5}, -2.0 / 3}, {{1, 1}, {1.5, 1.7}, 1.25}}};
+
+TEST(PhaseTerms, TurnOnceForEachIndexRoundItsNode) {
+  const auto turns_round = [](Vec2 centre) {
+    double sum = 0;
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 a = centre + 0.01 * unit(2 * pi * i / 100), b = centre + 0.01 * unit(2 * pi * (i + 1) / 100);
+      sum += wrap_pi(explicit_phase(terms, b) - explicit_phase(terms, a));
+    }
+    return sum / (2 * pi);
+  };
+  for (const PhaseTurn& node : terms.nodes) EXPECT_NEAR(turns_round(node.position), node.turns, 1e-12);
+  EXPECT_NEAR(turns_round({0.5, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(turns_round({5, 5}), 3, 1e-12);
+}
+
+TEST(PhaseTerms, GradientMatchesDifferences) {
+  const Vec2 x{0.4, 0.6};
+  const double h = 1e-5;
+  const Vec2 gradient = explicit_phase_gradient(terms, x);
+  const auto difference = [&](Vec2 d) {
+    return wrap_pi(explicit_phase(terms, x + d) - explicit_phase(terms, x - d)) / (2 * h);
+  };
+  EXPECT_NEAR(gradient.x, difference({h, 0}), 1e-8);
+  EXPECT_NEAR(gradient.y, difference({0, h}), 1e-8);
+}
+
+TEST(PhaseTerms, AtAnApexTakeTheLimitAlongTheDirection) {
+  const CornerAngle& corner = terms.corner_angles[0];
+  for (const double angle : {0.0, 0.3, 1.1, half_pi}) {
+    const Vec2 inward = unit(angle);
+    EXPECT_NEAR(explicit_phase(terms, corner.apex, inward), explicit_phase(terms, corner.apex + 1e-6 * inward), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace quadrille
