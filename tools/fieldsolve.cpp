@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     o.choice("--corners", options.corners, {"lift", "dg"}, "tangent jumps: lifted exactly, or left in the data");
   };
   tool.run = [&](Session& s) {
+    options.num_threads = s.threads();
     options.validate();
     const int max_order = max_field_order(options.method == "dg");
     if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor sees");
   };
   tool.run = [&](Session& s) {
+    options.num_threads = s.threads();
     options.validate();
     const InputFile file = read_input(input);
     const Field start = read_field(file);

@@ -92,7 +92,9 @@ Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report
   options.validate();
   if (start.kind != "harmonic") throw FormatError("only a harmonic field can be adapted, this one is " + start.kind);
   const SensorKind kind = sensor_kind(options.sensor);
-  LaplaceSolver solver(start.mesh, options_of(start));
+  LaplaceOptions solve_options = options_of(start);
+  solve_options.num_threads = options.num_threads;
+  LaplaceSolver solver(start.mesh, solve_options);
   Field field = start;
   std::vector<int> orders = start.elem_order;
   std::vector<bool> was_raised(orders.size(), false);

@@ -11,6 +11,7 @@ namespace quadrille {
 struct AdaptOptions {
   double raise_above = 1e-18;  ///< epsilon_u on the squared sensor S_e
   double lower_below = 1e-24;  ///< epsilon_l, below raise_above
+  int num_threads = 1;         ///< the result does not depend on it
   int min_order = 2, max_order = 16;
   int max_steps = 20;             ///< bound on rounds; reaching it is a warning
   double target_error = 1e-8;     ///< |v - v_h| that elements at max_order should reach; missing it is a warning

@@ -96,7 +96,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
-    Session session(tool.name, line.options_json(), common.verbosity);
+    Session session(tool.name, line.options_json(), common.verbosity, common.threads);
     session.show_progress_after(progress_delay(common));
     return run_session(tool, session, common);
   }();

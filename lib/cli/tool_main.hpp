@@ -35,11 +35,12 @@ class Options {
 /// What a running command may use besides its inputs.
 class Session {
  public:
-  Session(std::string tool, std::string options_json, int verbosity);
+  Session(std::string tool, std::string options_json, int verbosity, int threads = 1);
   Report& report() { return report_; }
   /// Prints "tool: text" on stderr at -v.
   void say(const std::string& text) const;
   int verbosity() const { return verbosity_; }  ///< -1 quiet, 0, 1, 2
+  int threads() const { return threads_; }      ///< how many may be used; results do not depend on it
   /// The chain `before` with this run's step appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
   const std::string& tool() const { return tool_; }
@@ -53,7 +54,7 @@ class Session {
 
  private:
   std::string tool_, options_json_, phase_;
-  int verbosity_ = 0;
+  int verbosity_ = 0, threads_ = 1;
   double phase_cpu_ = 0, phase_wall_ = 0, start_ = 0;
   double progress_after_ = std::numeric_limits<double>::infinity();
   Report report_;

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "galerkin/assemble.hpp"
+#include "base/parallel.hpp"
+#include "galerkin/condensed_system.hpp"
 #include "galerkin/linear_solver.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
@@ -26,43 +27,46 @@ Eigen::MatrixX2d element_modes(const DofMap& map, const CondensedElement& elemen
 
 }  // namespace
 
-ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data)
+ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads)
     : context_(&context),
+      num_threads_(num_threads),
       stiffness_(context),
       dirichlet_(*context.mesh, std::move(data)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {}
 
 void ContinuousGalerkin::update_elements(const std::vector<int>& elem_order) {
-  for (std::size_t e = 0; e < elem_order.size(); ++e) {
-    if (elem_order[e] == elem_order_[e]) continue;
-    const int elem = static_cast<int>(e);
+  parallel_for(static_cast<int>(elem_order.size()), num_threads_, [&](int e) {
+    if (elem_order[e] == elem_order_[e]) return;
     try {
-      elements_[e] = condense(elem_order[e], stiffness_(elem, elem_order[e]));
+      elements_[e] = condense(elem_order[e], stiffness_(e, elem_order[e]));
     } catch (const ComputeError& error) {
-      throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
+      throw ComputeError(fmt::format("{}: {}", context_->describe(e), error.what()));
     }
     elem_order_[e] = elem_order[e];
-  }
+  });
 }
 
 int ContinuousGalerkin::num_unknowns(const std::vector<int>& elem_order) const {
-  return make_dof_map(*context_->mesh, context_->topology, context_->sequence, elem_order).num_unknowns;
+  return make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order).num_unknowns;
 }
 
 Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
   update_elements(elem_order);
-  const DofMap map = make_dof_map(*context_->mesh, context_->topology, context_->sequence, elem_order);
+  const DofMap map = make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order);
   const Eigen::MatrixX2d given = dirichlet_.values(context_->topology, map);
-  const CondensedSystem system = assemble(map, elements_, given);
+  const Eigen::MatrixX2d rhs = right_hand_side(map, elements_, given);
+  CondensedCholesky cholesky(context_->tree, map, num_threads_);
+  cholesky.factor(elements_);
   Eigen::MatrixX2d dofs(map.num_dofs, 2);
-  dofs << solve_symmetric(system.matrix, system.rhs), given;
+  dofs << cholesky.solve(rhs), given;
 
   Solution solution;
   solution.num_unknowns = map.num_unknowns;
-  solution.residual = relative_residual(system, dofs.topRows(map.num_unknowns));
-  for (std::size_t e = 0; e < elements_.size(); ++e)
-    solution.elem_coefs.push_back(element_modes(map, elements_[e], static_cast<int>(e), elem_order[e], dofs));
+  solution.residual = relative_residual(map, elements_, rhs, dofs);
+  solution.elem_coefs.resize(elements_.size());
+  parallel_for(static_cast<int>(elements_.size()), num_threads_,
+               [&](int e) { solution.elem_coefs[e] = element_modes(map, elements_[e], e, elem_order[e], dofs); });
   return solution;
 }
 

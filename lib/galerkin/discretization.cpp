@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "galerkin/dof_map.hpp"
 #include "galerkin/element_matrices.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/modified_basis.hpp"
@@ -13,7 +12,7 @@ MeshContext::MeshContext(const TriMesh& tri_mesh)
     : mesh(&tri_mesh),
       topology(tri_topology(tri_mesh)),
       maps(tri_maps(tri_mesh)),
-      sequence(fill_reducing_sequence(tri_mesh, topology)) {}
+      tree(nested_dissection(tri_mesh, topology)) {}
 
 std::string MeshContext::describe(int elem) const {
   const Vec2 x = maps[elem].position({-1.0 / 3, -1.0 / 3}) + mesh->face.origin;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "galerkin/elimination_tree.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
@@ -19,7 +20,7 @@ struct MeshContext {
   const TriMesh* mesh;
   TriTopology topology;
   std::vector<TriMap> maps;
-  std::vector<int> sequence;  ///< of elimination, over vertices and edges (galerkin/dof_map.hpp)
+  EliminationTree tree;
 
   /// "element 7 near (0.5, 0.25)", in the user's coordinates.
   std::string describe(int elem) const;
@@ -30,6 +31,7 @@ struct MeshContext {
 class StiffnessTable {
  public:
   explicit StiffnessTable(const MeshContext& context);  ///< `context` must outlive the table
+  /// Different elements may be asked for by different threads.
   Eigen::MatrixXd operator()(int elem, int order);
 
  private:

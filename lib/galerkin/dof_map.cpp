@@ -1,9 +1,6 @@
 #include "galerkin/dof_map.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
-#include <array>
 
 #include "spectral/modified_basis.hpp"
 
@@ -57,26 +54,6 @@ void add_element(const TriMesh& mesh, const TriTopology& topology, int elem, int
 }
 
 }  // namespace
-
-std::vector<int> fill_reducing_sequence(const TriMesh& mesh, const TriTopology& topology) {
-  const int num_vertices = static_cast<int>(mesh.vertices.size());
-  const int num_entities = num_vertices + static_cast<int>(topology.edge2vertices.size());
-  std::vector<Eigen::Triplet<double>> couplings;  // all entities of an element with each other
-  couplings.reserve(36 * mesh.elem2vertices.size());
-  for (int e = 0; e < mesh.num_elems(); ++e) {
-    const auto& v = mesh.elem2vertices[e];
-    const auto& k = topology.elem2edges[e];
-    const std::array<int, 6> entities{v[0], v[1], v[2], num_vertices + k[0], num_vertices + k[1], num_vertices + k[2]};
-    for (const int a : entities) {
-      for (const int b : entities) couplings.emplace_back(a, b, 1.0);
-    }
-  }
-  Eigen::SparseMatrix<double> graph(num_entities, num_entities);
-  graph.setFromTriplets(couplings.begin(), couplings.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-  Eigen::AMDOrdering<int>()(graph, inverse);
-  return {inverse.indices().data(), inverse.indices().data() + num_entities};
-}
 
 DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
                     const std::vector<int>& elem_order) {

@@ -22,10 +22,6 @@ struct DofMap {
   std::vector<double> elem2signs;  ///< +1 or -1: the mode is this times the dof's shape
 };
 
-/// Vertices (numbers from 0) and edges (after the vertices) in a sequence that keeps the fill of a Cholesky
-/// factorisation low: approximate minimum degree on their graph. It serves every order map of the mesh.
-std::vector<int> fill_reducing_sequence(const TriMesh& mesh, const TriTopology& topology);
-
 /// Free dofs are numbered along `sequence`, then those of the boundary.
 DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
                     const std::vector<int>& elem_order);

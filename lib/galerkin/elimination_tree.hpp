@@ -1,8 +1,9 @@
 #pragma once
 // Nested dissection of a triangle mesh (George 1973): halves of halves, as long as they can be cut.
 //
-// Unknowns that both halves of a part share are eliminated with the part, after all that lie inside the halves. It keeps
-// the fill of a Cholesky factorisation near n log n, and gives it dense pieces and independent subtrees to work on.
+// Unknowns that both halves of a part share are eliminated with the part, after all that lie inside the halves. It
+// keeps the fill of a Cholesky factorisation near n log n, and gives it dense pieces and independent subtrees to work
+// on.
 
 #include <vector>
 

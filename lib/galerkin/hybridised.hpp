@@ -13,7 +13,7 @@ namespace quadrille {
 class HybridisedGalerkin : public Discretization {
  public:
   /// `context` must outlive this. `penalty` > 1, see trace_element.hpp.
-  HybridisedGalerkin(const MeshContext& context, BoundaryData data, double penalty = 3);
+  HybridisedGalerkin(const MeshContext& context, BoundaryData data, int num_threads = 1, double penalty = 3);
   Solution solve(const std::vector<int>& elem_order) override;
   int num_unknowns(const std::vector<int>& elem_order) const override;
 
@@ -23,6 +23,7 @@ class HybridisedGalerkin : public Discretization {
   void update_elements(const std::vector<int>& elem_order, const DofMap& map);
 
   const MeshContext* context_;
+  int num_threads_;
   StiffnessTable stiffness_;
   BoundaryData data_;
   double penalty_;

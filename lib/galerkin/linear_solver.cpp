@@ -5,65 +5,18 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "galerkin/partial_cholesky.hpp"
 
 namespace quadrille {
 
-namespace {
-
-/// A part of the mesh: the dofs that are eliminated with it, then those that it shares with the outside, both ascending.
-struct Part {
-  std::vector<int> dofs;
-  int num_eliminated = 0;
-  Front front;              ///< the panel stays, the rest goes to the parent
-  Eigen::MatrixX2d values;  ///< right-hand side over dofs; in the end the solution
-
-  int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
-};
-
-class Multifrontal {
- public:
-  Multifrontal(const EliminationTree& tree, const DofMap& map, const std::vector<CondensedElement>& elements,
-               const Eigen::MatrixX2d& rhs, int num_threads);
-  Eigen::MatrixX2d solve();
-
- private:
-  void find_dofs();
-  void divide_work();
-  void factor(int node, int num_threads);
-  void add_elements(int node);
-  void add_part(const Part& child, Part& part);
-  void substitute_back(int node);
-
-  const EliminationTree* tree_;
-  const DofMap* map_;
-  const std::vector<CondensedElement>* elements_;
-  const Eigen::MatrixX2d* rhs_;
-  int num_threads_;
-  std::vector<Part> parts_;  ///< by node of the tree
-  Eigen::MatrixX2d solution_;
-  struct Range {
-    int begin, end;
-  };
-  std::vector<Range> subtrees_;  ///< nodes [begin, end): independent of each other
-  std::vector<int> top_;         ///< the nodes above them, children first
-};
-
-Multifrontal::Multifrontal(const EliminationTree& tree, const DofMap& map,
-                           const std::vector<CondensedElement>& elements, const Eigen::MatrixX2d& rhs, int num_threads)
-    : tree_(&tree),
-      map_(&map),
-      elements_(&elements),
-      rhs_(&rhs),
-      num_threads_(num_threads),
-      parts_(tree.nodes.size()),
-      solution_(map.num_unknowns, 2) {
+CondensedCholesky::CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads)
+    : tree_(&tree), map_(&map), num_threads_(num_threads), parts_(tree.nodes.size()) {
   find_dofs();
+  find_places();
   divide_work();
 }
 
 // A dof is eliminated with the smallest part that holds all its elements.
-void Multifrontal::find_dofs() {
+void CondensedCholesky::find_dofs() {
   std::vector<int> dof2last(map_->num_unknowns, -1), dof2first(map_->num_unknowns, -1);  // places in tree.elements
   const auto free_dofs = [&](int place, auto&& use) {
     const int elem = tree_->elements[place];
@@ -91,49 +44,87 @@ void Multifrontal::find_dofs() {
                      std::back_inserter(dofs));
     }
     const auto is_inside = [&](int dof) { return dof2first[dof] >= node.begin && dof2last[dof] < node.end; };
-    if (!std::is_partitioned(dofs.begin(), dofs.end(), is_inside)) throw Defect("dofs do not follow the elimination tree");
+    if (!std::is_partitioned(dofs.begin(), dofs.end(), is_inside))
+      throw Defect("dofs do not follow the elimination tree");
     parts_[n].num_eliminated =
         static_cast<int>(std::partition_point(dofs.begin(), dofs.end(), is_inside) - dofs.begin());
   }
 }
 
-// Subtrees of about a 32nd of the elements.
-void Multifrontal::divide_work() {
-  const int num_nodes = static_cast<int>(parts_.size()), share = static_cast<int>(elements_->size()) / 32;
-  const auto size = [&](int node) { return tree_->nodes[node].end - tree_->nodes[node].begin; };
-  int begin = 0;
-  for (int node = 0; node < num_nodes; ++node) {
-    const int parent = tree_->nodes[node].parent;
-    const bool is_small = size(node) <= share || tree_->nodes[node].first < 0;
-    if (!is_small) {
-      top_.push_back(node);
-      begin = node + 1;
-    } else if (parent < 0 || size(parent) > share) {
-      subtrees_.push_back({begin, node + 1});
-      begin = node + 1;
+void CondensedCholesky::find_places() {
+  for (std::size_t n = 0; n < parts_.size(); ++n) {
+    const int parent = tree_->nodes[n].parent;
+    if (parent < 0) continue;
+    Part& part = parts_[n];
+    const std::vector<int>& there = parts_[parent].dofs;
+    part.places.resize(part.num_shared());
+    for (int i = 0, place = 0; i < part.num_shared(); ++i, ++place) {
+      while (there[place] != part.dofs[part.num_eliminated + i]) ++place;
+      part.places[i] = place;
     }
   }
 }
 
-void Multifrontal::add_elements(int node) {
+// Subtrees of about a 32nd of the elements.
+void CondensedCholesky::divide_work() {
+  const int num_nodes = static_cast<int>(parts_.size()), share = static_cast<int>(tree_->elements.size()) / 32;
+  const auto size = [&](int node) { return tree_->nodes[node].end - tree_->nodes[node].begin; };
+  std::vector<std::size_t> height(num_nodes, 0);  // above the subtrees
+  int begin = 0;
+  for (int n = 0; n < num_nodes; ++n) {
+    const EliminationTree::Node& node = tree_->nodes[n];
+    if (size(n) > share && node.first >= 0) {
+      height[n] = 1 + std::max(height[node.first], height[node.second]);
+      if (levels_.size() < height[n]) levels_.emplace_back();
+      levels_[height[n] - 1].push_back(n);
+    } else if (node.parent < 0 || size(node.parent) > share) {
+      subtrees_.push_back({begin, n + 1});
+    } else {
+      continue;
+    }
+    begin = n + 1;
+  }
+}
+
+void CondensedCholesky::upwards(const std::function<void(int, int)>& f) const {
+  parallel_for(static_cast<int>(subtrees_.size()), num_threads_, [&](int i) {
+    for (int node = subtrees_[i].begin; node < subtrees_[i].end; ++node) f(node, 1);
+  });
+  for (const std::vector<int>& level : levels_) {
+    const int size = static_cast<int>(level.size());
+    const bool is_wide = size > 2;  // few large matrices are themselves divided instead
+    parallel_for(size, is_wide ? num_threads_ : 1, [&](int i) { f(level[i], is_wide ? 1 : num_threads_); });
+  }
+}
+
+void CondensedCholesky::downwards(const std::function<void(int)>& f) const {
+  for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
+    parallel_for(static_cast<int>(level->size()), num_threads_, [&](int i) { f((*level)[i]); });
+  }
+  parallel_for(static_cast<int>(subtrees_.size()), num_threads_, [&](int i) {
+    for (int node = subtrees_[i].end - 1; node >= subtrees_[i].begin; --node) f(node);
+  });
+}
+
+void CondensedCholesky::add_elements(const std::vector<CondensedElement>& elements, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated;
-  std::vector<int> places;
+  std::vector<int> places;  // of an element's modes in part.dofs, -1: not free
   for (int place = tree_->nodes[node].begin; place < tree_->nodes[node].end; ++place) {
     const int elem = tree_->elements[place], offset = map_->elem2offset[elem];
     const int n = map_->elem2offset[elem + 1] - offset;
-    const Eigen::MatrixXd& schur = (*elements_)[elem].schur;
+    const Eigen::MatrixXd& schur = elements[elem].schur;
     const double* signs = &map_->elem2signs[offset];
     places.assign(n, -1);
     for (int i = 0; i < n; ++i) {
       const int dof = map_->elem2dofs[offset + i];
-      if (dof >= 0 && dof < map_->num_unknowns)
-        places[i] = static_cast<int>(std::lower_bound(part.dofs.begin(), part.dofs.end(), dof) - part.dofs.begin());
+      if (dof < 0 || dof >= map_->num_unknowns) continue;
+      places[i] = static_cast<int>(std::lower_bound(part.dofs.begin(), part.dofs.end(), dof) - part.dofs.begin());
     }
     for (int j = 0; j < n; ++j) {
       const int column = places[j];
       if (column < 0) continue;
-      double* const target = column < k ? &part.front.panel(0, column) : &part.front.rest(0, column - k) - k;
+      double* const target = column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
       for (int i = 0; i < n; ++i) {
         if (places[i] >= column) target[places[i]] += signs[i] * signs[j] * schur(i, j);
       }
@@ -141,72 +132,68 @@ void Multifrontal::add_elements(int node) {
   }
 }
 
-void Multifrontal::add_part(const Part& child, Part& part) {
-  const int n = child.num_shared(), k = part.num_eliminated;
-  std::vector<int> places(n);
-  for (int i = 0, place = 0; i < n; ++i, ++place) {
-    while (part.dofs[place] != child.dofs[child.num_eliminated + i]) ++place;
-    places[i] = place;
-  }
+void CondensedCholesky::add_half(Part& half, Part& part) {
+  const int n = half.num_shared(), k = part.num_eliminated;
+  const std::vector<int>& places = half.places;
   for (int j = 0; j < n; ++j) {
     const int column = places[j];
-    const double* const source = &child.front.rest(0, j);
-    double* const target = column < k ? &part.front.panel(0, column) : &part.front.rest(0, column - k) - k;
+    const double* const source = half.front.rest.col(j).data();
+    double* const target = column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
     for (int i = j; i < n; ++i) target[places[i]] += source[i];
-    part.values.row(column) += child.values.row(child.num_eliminated + j);
   }
+  half.front.rest.resize(0, 0);
 }
 
-void Multifrontal::factor(int n, int num_threads) {
+void CondensedCholesky::factor_part(const std::vector<CondensedElement>& elements, int n, int num_threads) {
   const EliminationTree::Node& node = tree_->nodes[n];
   Part& part = parts_[n];
-  const int size = static_cast<int>(part.dofs.size()), k = part.num_eliminated, shared = part.num_shared();
-  part.front.panel.setZero(size, k);
-  part.front.rest.setZero(shared, shared);
-  part.values.setZero(size, 2);
-  for (int i = 0; i < k; ++i) part.values.row(i) = rhs_->row(part.dofs[i]);
-  if (node.first < 0) add_elements(n);
+  part.front.panel.setZero(static_cast<int>(part.dofs.size()), part.num_eliminated);
+  part.front.rest.setZero(part.num_shared(), part.num_shared());
+  if (node.first < 0) {
+    add_elements(elements, n);
+  } else {
+    add_half(parts_[node.first], part);
+    add_half(parts_[node.second], part);
+  }
+  if (!eliminate(part.front, num_threads)) throw ComputeError("the Laplace problem's matrix is not positive definite");
+}
+
+void CondensedCholesky::substitute_forward(const Eigen::MatrixX2d& rhs, int n) {
+  const EliminationTree::Node& node = tree_->nodes[n];
+  Part& part = parts_[n];
+  const int k = part.num_eliminated, shared = part.num_shared();
+  part.values.setZero(part.dofs.size(), 2);
+  for (int i = 0; i < k; ++i) part.values.row(i) = rhs.row(part.dofs[i]);
   for (const int half : {node.first, node.second}) {
     if (half < 0) continue;
-    add_part(parts_[half], part);
-    parts_[half].front.rest.resize(0, 0);
+    const Part& from = parts_[half];
+    for (int i = 0; i < from.num_shared(); ++i)
+      part.values.row(from.places[i]) += from.values.row(from.num_eliminated + i);
   }
   if (k == 0) return;
-  if (!eliminate(part.front, num_threads)) throw ComputeError("the Laplace problem's matrix is not positive definite");
   part.front.panel.topRows(k).triangularView<Eigen::Lower>().solveInPlace(part.values.topRows(k));
   part.values.bottomRows(shared).noalias() -= part.front.panel.bottomRows(shared) * part.values.topRows(k);
 }
 
-void Multifrontal::substitute_back(int node) {
+void CondensedCholesky::substitute_back(Eigen::MatrixX2d& solution, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated, shared = part.num_shared();
   if (k == 0) return;
-  for (int i = 0; i < shared; ++i) part.values.row(k + i) = solution_.row(part.dofs[k + i]);
+  for (int i = 0; i < shared; ++i) part.values.row(k + i) = solution.row(part.dofs[k + i]);
   part.values.topRows(k).noalias() -= part.front.panel.bottomRows(shared).transpose() * part.values.bottomRows(shared);
   part.front.panel.topRows(k).triangularView<Eigen::Lower>().transpose().solveInPlace(part.values.topRows(k));
-  for (int i = 0; i < k; ++i) solution_.row(part.dofs[i]) = part.values.row(i);
+  for (int i = 0; i < k; ++i) solution.row(part.dofs[i]) = part.values.row(i);
 }
 
-Eigen::MatrixX2d Multifrontal::solve() {
-  const int num_subtrees = static_cast<int>(subtrees_.size());
-  parallel_for(num_subtrees, num_threads_, [&](int i) {
-    for (int node = subtrees_[i].begin; node < subtrees_[i].end; ++node) factor(node, 1);
-  });
-  for (const int node : top_) factor(node, num_threads_);
-  for (auto node = top_.rbegin(); node != top_.rend(); ++node) substitute_back(*node);
-  parallel_for(num_subtrees, num_threads_, [&](int i) {
-    for (int node = subtrees_[i].end - 1; node >= subtrees_[i].begin; --node) substitute_back(node);
-  });
-  return std::move(solution_);
+void CondensedCholesky::factor(const std::vector<CondensedElement>& elements) {
+  upwards([&](int node, int num_threads) { factor_part(elements, node, num_threads); });
 }
 
-}  // namespace
-
-Eigen::MatrixX2d solve_condensed(const EliminationTree& tree, const DofMap& map,
-                                 const std::vector<CondensedElement>& elements, const Eigen::MatrixX2d& rhs,
-                                 int num_threads) {
-  if (map.num_unknowns == 0) return rhs;
-  return Multifrontal(tree, map, elements, rhs, num_threads).solve();
+Eigen::MatrixX2d CondensedCholesky::solve(const Eigen::MatrixX2d& rhs) {
+  Eigen::MatrixX2d solution(map_->num_unknowns, 2);
+  upwards([&](int node, int) { substitute_forward(rhs, node); });
+  downwards([&](int node) { substitute_back(solution, node); });
+  return solution;
 }
 
 }  // namespace quadrille

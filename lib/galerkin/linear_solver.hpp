@@ -4,18 +4,58 @@
 // eliminated, the rest handed on to the part that holds it. The sparse matrix itself is never made.
 
 #include <Eigen/Dense>
+#include <functional>
 #include <vector>
 
 #include "galerkin/condense.hpp"
 #include "galerkin/dof_map.hpp"
 #include "galerkin/elimination_tree.hpp"
+#include "galerkin/partial_cholesky.hpp"
 
 namespace quadrille {
 
-/// Solves K x = rhs (columns u, v) for the sum K of the elements' Schur complements over the free dofs. `map` numbers
-/// them along tree.sequence. Throws ComputeError when K is not positive definite. n^1.5 for n elements, memory n log n.
-Eigen::MatrixX2d solve_condensed(const EliminationTree& tree, const DofMap& map,
-                                 const std::vector<CondensedElement>& elements, const Eigen::MatrixX2d& rhs,
-                                 int num_threads = 1);
+/// Cholesky factorisation of the sum of the elements' Schur complements over the free dofs. The result does not depend
+/// on the number of threads. For n elements: time n^1.5, memory n log n.
+class CondensedCholesky {
+ public:
+  /// Finds the structure. `map` numbers its dofs along tree.sequence; both must outlive this.
+  CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads = 1);
+  /// Throws ComputeError when the sum is not positive definite.
+  void factor(const std::vector<CondensedElement>& elements);
+  /// x for the right-hand sides u, v. After factor().
+  Eigen::MatrixX2d solve(const Eigen::MatrixX2d& rhs);
+
+ private:
+  /// A part of the mesh: the dofs that are eliminated with it, then those shared with its outside, both ascending.
+  struct Part {
+    std::vector<int> dofs;
+    int num_eliminated = 0;
+    std::vector<int> places;  ///< of the shared dofs in the parent's dofs
+    Front front;              ///< the panel stays, the rest goes to the parent
+    Eigen::MatrixX2d values;  ///< over dofs: right-hand side, then solution
+    int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
+  };
+  void find_dofs();
+  void find_places();
+  void divide_work();
+  void add_elements(const std::vector<CondensedElement>& elements, int node);
+  void add_half(Part& half, Part& part);
+  void factor_part(const std::vector<CondensedElement>& elements, int node, int num_threads);
+  void substitute_forward(const Eigen::MatrixX2d& rhs, int node);
+  void substitute_back(Eigen::MatrixX2d& solution, int node);
+  /// Calls f(node, threads) for halves before wholes, or the other way round.
+  void upwards(const std::function<void(int, int)>& f) const;
+  void downwards(const std::function<void(int)>& f) const;
+
+  const EliminationTree* tree_;
+  const DofMap* map_;
+  int num_threads_;
+  std::vector<Part> parts_;  ///< by node of the tree
+  struct Range {
+    int begin, end;
+  };
+  std::vector<Range> subtrees_;           ///< nodes [begin, end): independent of each other
+  std::vector<std::vector<int>> levels_;  ///< the nodes above the subtrees, lowest level first
+};
 
 }  // namespace quadrille

@@ -18,9 +18,9 @@ namespace quadrille {
 namespace {
 
 std::unique_ptr<Discretization> make_discretization(const std::string& method, const MeshContext& context,
-                                                    BoundaryData data) {
-  if (method == "dg") return std::make_unique<HybridisedGalerkin>(context, std::move(data));
-  return std::make_unique<ContinuousGalerkin>(context, std::move(data));
+                                                    BoundaryData data, int num_threads) {
+  if (method == "dg") return std::make_unique<HybridisedGalerkin>(context, std::move(data), num_threads);
+  return std::make_unique<ContinuousGalerkin>(context, std::move(data), num_threads);
 }
 
 void require_points_as_zeros(const CadFace& face) {
@@ -50,7 +50,7 @@ void LaplaceOptions::validate() const {
 LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data, const std::string& method)
     : context_(std::make_unique<MeshContext>(mesh)),
       method_(method),
-      discretization_(make_discretization(method, *context_, std::move(data))) {}
+      discretization_(make_discretization(method, *context_, std::move(data), 1)) {}
 
 LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
     : context_(std::make_unique<MeshContext>(mesh)), method_(options.method), liftings_(corner_liftings(mesh.face)) {
@@ -60,10 +60,10 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
     if (options.method == "cg") require_no_jump(mesh.face, liftings_);
     liftings_.clear();
   }
-  discretization_ =
-      make_discretization(method_, *context_, [&face = mesh.face, liftings = liftings_](int curve, double t) {
-        return lifted_boundary_value(face, liftings, curve, t);
-      });
+  const auto data = [&face = mesh.face, liftings = liftings_](int curve, double t) {
+    return lifted_boundary_value(face, liftings, curve, t);
+  };
+  discretization_ = make_discretization(method_, *context_, data, options.num_threads);
 }
 
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {

@@ -16,6 +16,7 @@ namespace quadrille {
 struct LaplaceOptions {
   std::string method = "cg";     ///< "cg": continuous, orders 1..20; "dg": hybridised discontinuous, orders 1..12
   std::string corners = "lift";  ///< "lift": exact harmonic liftings; "dg": jumps left in the data (paper), needs "dg"
+  int num_threads = 1;           ///< the result does not depend on it
   void validate() const;         ///< throws UsageError
 };
 

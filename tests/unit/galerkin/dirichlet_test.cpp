@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../test_meshes.hpp"
+#include "galerkin/elimination_tree.hpp"
 #include "spectral/modified_basis.hpp"
 
 namespace quadrille {
@@ -29,8 +30,8 @@ Vec2 trace(const TriMesh& mesh, const TriTopology& topology, const DofMap& map, 
 
 double worst_error(const TriMesh& mesh, int order, const std::function<Vec2(Vec2)>& f) {
   const TriTopology topology = tri_topology(mesh);
-  const DofMap map =
-      make_dof_map(mesh, topology, fill_reducing_sequence(mesh, topology), std::vector<int>(mesh.num_elems(), order));
+  const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).sequence,
+                                  std::vector<int>(mesh.num_elems(), order));
   DirichletData data(mesh, [&](int curve, double t) { return f(point(mesh.face.curves[curve], t)); });
   const Eigen::MatrixX2d values = data.values(topology, map);
   double worst = 0;

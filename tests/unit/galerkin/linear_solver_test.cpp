@@ -2,40 +2,86 @@
 
 #include <gtest/gtest.h>
 
+#include "../test_meshes.hpp"
 #include "base/error.hpp"
+#include "galerkin/condensed_system.hpp"
+#include "galerkin/discretization.hpp"
 
 namespace quadrille {
 namespace {
 
-// The lower triangle of the n x n second difference matrix, times `scale`.
-Eigen::SparseMatrix<double> second_difference(int n, double scale) {
-  Eigen::SparseMatrix<double> matrix(n, n);
-  for (int i = 0; i < n; ++i) {
-    matrix.insert(i, i) = 2 * scale;
-    if (i > 0) matrix.insert(i, i - 1) = -scale;
+// A mesh, its dofs and the condensed matrices of its elements.
+struct Problem {
+  explicit Problem(int n, int order)
+      : mesh(parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, n)),
+        context(mesh),
+        map(make_dof_map(mesh, context.topology, context.tree.sequence, std::vector<int>(mesh.num_elems(), order))) {
+    StiffnessTable stiffness(context);
+    for (int e = 0; e < mesh.num_elems(); ++e) elements.push_back(condense(order, stiffness(e, order)));
   }
-  return matrix;
+  Eigen::MatrixX2d solve(const Eigen::MatrixX2d& rhs, int num_threads) const {
+    CondensedCholesky cholesky(context.tree, map, num_threads);
+    cholesky.factor(elements);
+    return cholesky.solve(rhs);
+  }
+  TriMesh mesh;
+  MeshContext context;
+  DofMap map;
+  std::vector<CondensedElement> elements;
+};
+
+// The sum of the elements' matrices over the free dofs, entry by entry.
+Eigen::MatrixXd dense_matrix(const Problem& p) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p.map.num_unknowns, p.map.num_unknowns);
+  for (int e = 0; e < p.mesh.num_elems(); ++e) {
+    const int offset = p.map.elem2offset[e], n = p.map.elem2offset[e + 1] - offset;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        const int a = p.map.elem2dofs[offset + i], b = p.map.elem2dofs[offset + j];
+        if (a < 0 || b < 0 || a >= p.map.num_unknowns || b >= p.map.num_unknowns) continue;
+        sum(a, b) += p.map.elem2signs[offset + i] * p.map.elem2signs[offset + j] * p.elements[e].schur(i, j);
+      }
+    }
+  }
+  return sum;
 }
 
-TEST(LinearSolver, SolvesBothRightHandSides) {
-  // -x'' = 2 with zero ends has the solution s (n + 1 - s); a unit load at the first point a straight line.
-  const int n = 9;
-  Eigen::MatrixX2d rhs = Eigen::MatrixX2d::Zero(n, 2);
-  rhs.col(0).setConstant(2);
-  rhs(0, 1) = 1;
-  const Eigen::MatrixX2d x = solve_symmetric(second_difference(n, 1), rhs);
-  for (int i = 0; i < n; ++i) {
-    EXPECT_NEAR(x(i, 0), (i + 1) * (n - i), 1e-12);
-    EXPECT_NEAR(x(i, 1), (n - i) / (n + 1.0), 1e-14);
+Eigen::MatrixX2d sample_rhs(int n) {
+  Eigen::MatrixX2d rhs(n, 2);
+  for (int i = 0; i < n; ++i) rhs.row(i) << std::sin(i + 1.0), std::cos(3.0 * i);
+  return rhs;
+}
+
+TEST(CondensedCholesky, SolvesWhatADenseSolverSolves) {
+  for (const int n : {1, 2, 3, 7}) {
+    const Problem p(n, 4);
+    const Eigen::MatrixX2d rhs = sample_rhs(p.map.num_unknowns);
+    const Eigen::MatrixX2d dense = dense_matrix(p).llt().solve(rhs);
+    EXPECT_LT((p.solve(rhs, 1) - dense).norm(), 1e-11 * dense.norm()) << n;
   }
 }
 
-TEST(LinearSolver, NothingToSolveIsFine) {
-  EXPECT_EQ(solve_symmetric(Eigen::SparseMatrix<double>(0, 0), Eigen::MatrixX2d(0, 2)).rows(), 0);
+TEST(CondensedCholesky, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const Problem p(14, 5);
+  const Eigen::MatrixX2d rhs = sample_rhs(p.map.num_unknowns), one = p.solve(rhs, 1);
+  for (const int num_threads : {2, 3, 5}) EXPECT_EQ((p.solve(rhs, num_threads) - one).cwiseAbs().maxCoeff(), 0);
 }
 
-TEST(LinearSolver, RefusesAnIndefiniteMatrix) {
-  EXPECT_THROW(solve_symmetric(second_difference(4, -1), Eigen::MatrixX2d::Ones(4, 2)), ComputeError);
+TEST(CondensedCholesky, TheResidualIsThatOfTheSystem) {
+  const Problem p(3, 4);
+  const Eigen::MatrixX2d given = sample_rhs(p.map.num_dofs - p.map.num_unknowns);
+  const Eigen::MatrixX2d rhs = right_hand_side(p.map, p.elements, given);
+  Eigen::MatrixX2d dofs(p.map.num_dofs, 2);
+  dofs << p.solve(rhs, 1), given;
+  EXPECT_LT(relative_residual(p.map, p.elements, rhs, dofs), 1e-13);
+  dofs(0, 0) += 1e-3;
+  EXPECT_GT(relative_residual(p.map, p.elements, rhs, dofs), 1e-6);
+}
+
+TEST(CondensedCholesky, RefusesAnIndefiniteMatrix) {
+  Problem p(3, 3);
+  for (CondensedElement& element : p.elements) element.schur *= -1;
+  EXPECT_THROW(p.solve(sample_rhs(p.map.num_unknowns), 1), ComputeError);
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+#pragma once
+// Where the time of a computation goes, phase by phase.
+
+#include <ctime>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// Seconds that a phase took: of all threads of the process, and on the wall.
+struct Lap {
+  std::string phase;
+  double cpu_seconds = 0, wall_seconds = 0;
+};
+
+class Stopwatch {
+ public:
+  /// Ends the phase that began at the last lap, or when the watch was made.
+  void lap(const std::string& phase) {
+    const double cpu = now(CLOCK_PROCESS_CPUTIME_ID), wall = now(CLOCK_MONOTONIC);
+    laps_.push_back({phase, cpu - cpu_, wall - wall_});
+    cpu_ = cpu;
+    wall_ = wall;
+  }
+  const std::vector<Lap>& laps() const { return laps_; }
+
+ private:
+  static double now(clockid_t clock) {
+    timespec t{};
+    clock_gettime(clock, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+  double cpu_ = now(CLOCK_PROCESS_CPUTIME_ID), wall_ = now(CLOCK_MONOTONIC);
+  std::vector<Lap> laps_;
+};
+
+}  // namespace quadrille
