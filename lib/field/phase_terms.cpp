@@ -6,6 +6,9 @@ namespace quadrille {
 
 namespace {
 
+// A point this near to an apex, as a share of |c - p_c|, is the apex: the direction to it is noise.
+constexpr double apex_tol = 1e-13;
+
 Lifting lifting(const CornerAngle& corner) { return {-1, corner.apex, corner.pole, {}}; }
 
 double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
@@ -28,7 +31,8 @@ Vec2 gradient_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
 }  // namespace
 
 double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward) {
-  return x == corner.apex ? lifting_angle_at_apex(lifting(corner), inward) : lifting_angle(lifting(corner), x);
+  const bool at_apex = norm2(x - corner.apex) <= apex_tol * apex_tol * norm2(corner.pole - corner.apex);
+  return at_apex ? lifting_angle_at_apex(lifting(corner), inward) : lifting_angle(lifting(corner), x);
 }
 
 double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward) {

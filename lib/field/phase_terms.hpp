@@ -6,7 +6,7 @@
 
 namespace quadrille {
 
-/// theta_c at x; at the apex itself its limit along `inward`, a unit vector into the closed domain.
+/// theta_c at x; at the apex, or within rounding of it, its limit along `inward`, a unit vector into the closed domain.
 double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward);
 
 /// The explicit part at x: continuous but for multiples of 2 pi. x must be none of the nodes; `inward` is used only
