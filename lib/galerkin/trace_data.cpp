@@ -5,6 +5,7 @@
 
 #include "curve/arc_length.hpp"
 #include "galerkin/trace_element.hpp"
+#include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille {
@@ -13,8 +14,8 @@ namespace {
 
 // Legendre coefficients, degrees 0..order, of the data along one boundary edge, walked as its element does.
 Eigen::MatrixX2d project(const BoundaryEdge& edge, int order, const ArcLength& arc_length, const BoundaryData& data) {
-  constexpr int extra_points = 10;  // the data are no polynomial
-  const Quadrature rule = gauss_legendre(order + extra_points);
+  static PerOrder<Quadrature> rules([](int n) { return gauss_legendre(n + 10); });  // the data are no polynomial
+  const Quadrature& rule = rules[order];
   const double begin = arc_length.at(edge.t0), length = arc_length.at(edge.t1) - begin;
   Eigen::MatrixX2d coefs = Eigen::MatrixX2d::Zero(num_trace_modes(order), 2);
   Eigen::VectorXd modes(num_trace_modes(order));

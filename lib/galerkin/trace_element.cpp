@@ -80,7 +80,14 @@ EdgeTerms edge_terms(const TriMap& map, int order, int edge, int edge_order, int
   return terms;
 }
 
-double area(const TriMap& map, int num_points) {
+double area(const TriMap& map) {
+  if (map.is_affine()) {
+    Vec2 x;
+    Mat2 jacobian;
+    map.evaluate({0, 0}, x, jacobian);
+    return 2 * det(jacobian);
+  }
+  const int num_points = map.order();  // det J has degree 2 N - 2
   const Quadrature along = gauss_legendre(num_points), up = gauss_jacobi(num_points, 1, 0);
   double sum = 0;
   for (int i = 0; i < num_points; ++i) {
@@ -117,7 +124,7 @@ CondensedElement condense_to_trace(const TriMap& map, int order, const std::arra
     circumference += edges[k].weights.dot(edges[k].lengths);
     num_trace += num_trace_modes(edge_orders[k]);
   }
-  const double tau = penalty * order * (order + 1) / 2 * circumference / area(map, map.is_affine() ? 1 : map.order());
+  const double tau = penalty * order * (order + 1) / 2 * circumference / area(map);
 
   Eigen::MatrixXd inside = stiffness;
   Eigen::MatrixXd coupling(stiffness.rows(), num_trace);
