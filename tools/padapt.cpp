@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
       "Reads the field SOLVE and repeats: compare the solution with itself one order lower on each element (the "
       "sensor), raise the order by one where the sensor exceeds --raise-above, lower it by one where it is below "
       "--lower-below, solve again; until no order changes. An order once raised is not lowered again. The sensor is a "
-      "squared ratio: 1e-20 is a relative tail of 1e-10.";
+      "squared ratio: 1e-20 is a relative tail of 1e-10. A field that was adapted before is adapted on, with its "
+      "history, so that --max-steps 1 goes one step at a time.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
                    "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
                    "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
@@ -46,12 +47,15 @@ int main(int argc, char** argv) {
              "raise the order where the sensor exceeds it");
     o.number("--lower-below", options.lower_below, 0, 1, "squared ratio", "lower the order where the sensor is below");
     o.integer("--min-order", options.min_order, 1, 20, "lowest order to go down to");
-    o.integer("--max-order", options.max_order, 1, 20, "highest order to go up to");
+    o.integer("--max-order", options.max_order, 1, 20, "highest order to go up to (dg: at most 12)");
     o.integer("--max-steps", options.max_steps, 0, 100,
               "bound on the number of new solutions; reaching it is a warning");
     o.number("--target-error", options.target_error, 0, 1, "size of the field",
              "estimated error that elements at the highest order should reach; missing it is a warning");
     o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor sees");
+    o.choice("--sensor-scale", options.scale, {"absolute", "relative"},
+             "what the sensor is relative to: the size of the field on the boundary, or the sensed components on the "
+             "element (as in the paper)");
   };
   tool.run = [&](Session& s) {
     options.num_threads = s.threads();

@@ -16,6 +16,23 @@ namespace quadrille {
 
 namespace {
 
+// The history that `field` brings along, without its last round, which is the first one now; and the elements that it
+// has raised. A history that does not end with this field's orders is not its own.
+std::vector<AdaptStep> history_of(const Field& field, std::vector<bool>& was_raised) {
+  const std::size_t num_elems = field.elem_order.size();
+  std::vector<AdaptStep> steps = field.adapt_steps;
+  const bool is_whole = std::all_of(steps.begin(), steps.end(),
+                                    [&](const AdaptStep& step) { return step.elem_order.size() == num_elems; });
+  if (!is_whole || steps.empty() || steps.back().elem_order != field.elem_order) return {};
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    for (std::size_t e = 0; e < num_elems; ++e) {
+      if (steps[i + 1].elem_order[e] > steps[i].elem_order[e]) was_raised[e] = true;
+    }
+  }
+  steps.pop_back();
+  return steps;
+}
+
 // One round: changes the orders by the sensors and says what it did.
 AdaptStep change_orders(const std::vector<double>& sensors, const AdaptOptions& options, std::vector<int>& orders,
                         std::vector<bool>& was_raised) {
@@ -88,27 +105,30 @@ void AdaptOptions::validate() const {
   if (min_order > max_order) throw UsageError("--min-order must not exceed --max-order");
 }
 
-Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report) {
+Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& report) {
+  AdaptOptions options = requested;
+  options.max_order = std::min(options.max_order, max_field_order(start.method == "dg"));
   options.validate();
   if (start.kind != "harmonic") throw FormatError("only a harmonic field can be adapted, this one is " + start.kind);
   const SensorKind kind = sensor_kind(options.sensor);
+  const SensorScale scale = sensor_scale(options.scale);
   LaplaceOptions solve_options = options_of(start);
   solve_options.num_threads = options.num_threads;
   LaplaceSolver solver(start.mesh, solve_options);
   Field field = start;
   std::vector<int> orders = start.elem_order;
   std::vector<bool> was_raised(orders.size(), false);
-  std::vector<AdaptStep> steps;
+  std::vector<AdaptStep> steps = history_of(start, was_raised);
   std::vector<double> seconds;  // of each new solution
-  while (true) {
-    std::vector<double> sensors = sense(field, kind);
+  for (int round = 0;; ++round) {
+    std::vector<double> sensors = sense(field, kind, scale);
     steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));
     steps.back().num_unknowns = solver.num_unknowns(field.elem_order);
     steps.back().elem_order = field.elem_order;
     steps.back().elem_sensor = sensors;
     field.elem_sensor = std::move(sensors);
     if (orders == field.elem_order) break;
-    if (static_cast<int>(steps.size()) > options.max_steps) {
+    if (round == options.max_steps) {
       report.warn("W-ADAPT-001", fmt::format("orders still change after {} {}", options.max_steps,
                                              options.max_steps == 1 ? "step" : "steps"));
       break;

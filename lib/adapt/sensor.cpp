@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -39,6 +40,12 @@ SensorKind sensor_kind(const std::string& name) {
   throw UsageError("the sensor is vector, u or v, not " + name);
 }
 
+SensorScale sensor_scale(const std::string& name) {
+  if (name == "absolute") return SensorScale::absolute;
+  if (name == "relative") return SensorScale::relative;
+  throw UsageError("the sensor's scale is absolute or relative, not " + name);
+}
+
 std::vector<double> fan_weights(const TriMesh& mesh) {
   std::vector<double> weights(mesh.num_elems(), 1.0);
   double greatest = 0;
@@ -49,9 +56,11 @@ std::vector<double> fan_weights(const TriMesh& mesh) {
   return weights;
 }
 
-std::vector<double> sense(const Field& field, SensorKind kind) {
-  constexpr double unit_field = 2;  // |1|^2 on the reference triangle
-  std::vector<double> sensors = fan_weights(field.mesh);
+std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale) {
+  const bool is_absolute = scale == SensorScale::absolute;
+  const double least_norm = is_absolute ? 2 : std::numeric_limits<double>::min();  // 2: |1|^2, reference triangle
+  std::vector<double> sensors =
+      is_absolute ? fan_weights(field.mesh) : std::vector<double>(field.mesh.num_elems(), 1.0);
   for (int e = 0; e < field.mesh.num_elems(); ++e) {
     const int order = field.elem_order[e], offset = field.coef_offsets[e];
     Norms norms;
@@ -62,7 +71,7 @@ std::vector<double> sense(const Field& field, SensorKind kind) {
       norms.tail += part.tail;
       norms.all += part.all;
     }
-    sensors[e] *= norms.tail / std::max(norms.all, unit_field);
+    sensors[e] *= norms.tail / std::max(norms.all, least_norm);
   }
   return sensors;
 }

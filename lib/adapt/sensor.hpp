@@ -19,9 +19,18 @@ enum class SensorKind { vector, u, v };
 /// "vector", "u" or "v"; throws UsageError for anything else.
 SensorKind sensor_kind(const std::string& name);
 
-/// S_e of every element. Elements of a corner fan are weighed by the square of their size over that of the fan's
-/// outermost layer, as is the error that they send to the far field: a sensor near a singularity never falls otherwise.
-std::vector<double> sense(const Field& field, SensorKind kind);
+/// What the tail is compared with.
+enum class SensorScale {
+  absolute,  ///< as above; elements of a corner fan are weighed by fan_weights(), as is the error that they send to the
+             ///< far field: a sensor near a singularity never falls otherwise
+  relative   ///< the paper's own: the sensed components' norm on the element alone, no weights; 0/0 counts as 0
+};
+
+/// "absolute" or "relative"; throws UsageError for anything else.
+SensorScale sensor_scale(const std::string& name);
+
+/// S_e of every element.
+std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale = SensorScale::absolute);
 
 /// The weights of squared errors in that: 1 outside fans, else the element's area over that of the largest element.
 std::vector<double> fan_weights(const TriMesh& mesh);

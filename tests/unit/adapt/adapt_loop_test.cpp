@@ -91,7 +91,35 @@ TEST(AdaptLoop, AdaptedFieldsStayAsTheyAre) {
   const Field once = adapt_loop(solved(half_disc(), 8), {}, report), twice = adapt_loop(once, {}, report);
   EXPECT_EQ(once.elem_order, twice.elem_order);
   EXPECT_EQ(once.u, twice.u);
-  EXPECT_EQ(twice.adapt_steps.size(), 1u);
+  EXPECT_EQ(once.adapt_steps.size(), twice.adapt_steps.size());
+}
+
+TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
+  // Thresholds close together: without its history a step would lower what one before it has raised.
+  const AdaptOptions options{.raise_above = 1e-16, .lower_below = 5e-17, .max_order = 12};
+  AdaptOptions one_step = options;
+  one_step.max_steps = 1;
+  Report report;
+  const Field all = adapt_loop(solved(half_disc(), 6), options, report);
+  Field field = solved(half_disc(), 6);
+  for (std::size_t i = 0; i + 1 < all.adapt_steps.size(); ++i) field = adapt_loop(field, one_step, report);
+  EXPECT_EQ(all.elem_order, field.elem_order);
+  EXPECT_EQ(all.u, field.u);
+  ASSERT_EQ(all.adapt_steps.size(), field.adapt_steps.size());
+  for (std::size_t i = 0; i < all.adapt_steps.size(); ++i) {
+    EXPECT_EQ(all.adapt_steps[i].elem_order, field.adapt_steps[i].elem_order);
+    EXPECT_EQ(all.adapt_steps[i].num_raised, field.adapt_steps[i].num_raised);
+    EXPECT_EQ(all.adapt_steps[i].num_lowered, field.adapt_steps[i].num_lowered);
+  }
+}
+
+TEST(AdaptLoop, KeepsADiscontinuousFieldWithinItsOrders) {
+  const TriMesh mesh = half_disc();
+  Report report;
+  const Field start = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 11), {.method = "dg"}, report);
+  const Field field = adapt_loop(start, {.raise_above = 1e-24, .lower_below = 1e-30, .max_order = 20}, report);
+  EXPECT_EQ(*std::max_element(field.elem_order.begin(), field.elem_order.end()), 12);
+  EXPECT_EQ(field.method, "dg");
 }
 
 TEST(AdaptLoop, SaysWhenItStopsEarly) {

@@ -60,6 +60,23 @@ TEST(Sensor, NearlyEqualOnesAreDecidedTogether) {
   EXPECT_EQ(equalized({1.0, 0.96, 0.92}), std::vector<double>({1.0, 1.0, 0.92}));
 }
 
+TEST(Sensor, RelativeToTheElementAloneIsThePapers) {
+  Field field = empty_field();
+  field.mesh.elem_layer = {-1, 0};  // no weights
+  field.u[0] = 1;
+  field.v[9] = 1e-12;  // all there is of v
+  field.v[10] = field.v[19] = 1e-6;
+  EXPECT_EQ(sense(field, SensorKind::v, SensorScale::relative), std::vector<double>({1, 0.5}));
+  EXPECT_EQ(sense(field, SensorKind::u, SensorScale::relative), std::vector<double>({0, 0}));  // 0/0 on element 1
+  EXPECT_NEAR(sense(field, SensorKind::vector, SensorScale::relative)[0], 1e-24, 1e-36);
+}
+
+TEST(Sensor, ScalesHaveNames) {
+  EXPECT_EQ(sensor_scale("absolute"), SensorScale::absolute);
+  EXPECT_EQ(sensor_scale("relative"), SensorScale::relative);
+  EXPECT_THROW(sensor_scale("own"), UsageError);
+}
+
 TEST(Sensor, KindsHaveNames) {
   EXPECT_EQ(sensor_kind("vector"), SensorKind::vector);
   EXPECT_EQ(sensor_kind("u"), SensorKind::u);
