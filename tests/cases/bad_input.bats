@@ -107,6 +107,8 @@ ends_of_signal() {
     refuses 4 "cad2tri: $target: *" cad2tri "$DATA/square.step" -o out.tri.h5 --report "$target"
     rm -f out.msh out.tri.h5
   done
+  refuses 4 "*No space left*" bash -c "'$quadmesh' '$DATA/square.step' -o out.msh --report - >/dev/full"
+  rm out.msh
   for target in /proc/stages "$DATA/square.step/stages"; do
     refuses 4 "quadmesh: *$target*" "$quadmesh" "$DATA/square.step" -o out.msh --workdir "$target"
   done
