@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "galerkin/elimination_tree.hpp"
+#include "base/stopwatch.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
@@ -47,6 +48,7 @@ struct Solution {
   std::vector<Eigen::MatrixX2d> elem_coefs;  ///< modified basis of the element's order, columns u, v
   int num_unknowns = 0;                      ///< of the condensed system
   double residual = 0;                       ///< of the condensed system, relative to its right-hand side
+  std::vector<Lap> laps;                     ///< where the time went
 };
 
 class Discretization {

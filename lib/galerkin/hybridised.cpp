@@ -41,22 +41,31 @@ int HybridisedGalerkin::num_unknowns(const std::vector<int>& elem_order) const {
 }
 
 Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
+  Stopwatch watch;
   const DofMap map = make_trace_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order);
   update_elements(elem_order, map);
+  watch.lap("elements");
   const Eigen::MatrixX2d given = trace_data(*context_->mesh, context_->topology, map, data_);
   const Eigen::MatrixX2d rhs = right_hand_side(map, elements_, given);
+  watch.lap("data");
   CondensedCholesky cholesky(context_->tree, map, num_threads_);
+  watch.lap("structure");
   cholesky.factor(elements_);
+  watch.lap("factorisation");
   Eigen::MatrixX2d dofs(map.num_dofs, 2);
   dofs << cholesky.solve(rhs), given;
+  watch.lap("substitution");
 
   Solution solution;
   solution.num_unknowns = map.num_unknowns;
   solution.residual = relative_residual(map, elements_, rhs, dofs);
+  watch.lap("residual");
   solution.elem_coefs.resize(elements_.size());
   parallel_for(static_cast<int>(elements_.size()), num_threads_, [&](int e) {
     solution.elem_coefs[e] = elements_[e].interior_from_boundary * element_dofs(map, e, dofs);
   });
+  watch.lap("coefficients");
+  solution.laps = watch.laps();
   return solution;
 }
 

@@ -190,7 +190,7 @@ void CondensedCholesky::factor(const std::vector<CondensedElement>& elements) {
 }
 
 Eigen::MatrixX2d CondensedCholesky::solve(const Eigen::MatrixX2d& rhs) {
-  Eigen::MatrixX2d solution(map_->num_unknowns, 2);
+  Eigen::MatrixX2d solution = Eigen::MatrixX2d::Zero(map_->num_unknowns, 2);
   upwards([&](int node, int) { substitute_forward(rhs, node); });
   downwards([&](int node) { substitute_back(solution, node); });
   return solution;

@@ -91,6 +91,10 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   report.set("solve.num_unknowns", solution.num_unknowns);
   report.set("solve.num_liftings", liftings_.size());
   report.set("solve.residual", solution.residual);
+  for (const Lap& lap : solution.laps) {
+    report.set("solve.timings." + lap.phase + ".cpu_seconds", lap.cpu_seconds);
+    report.set("solve.timings." + lap.phase + ".wall_seconds", lap.wall_seconds);
+  }
   return field;
 }
 
