@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     constexpr double unlimited = std::numeric_limits<double>::max();
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
     o.output(output, "triangle mesh to write (x.tri.h5)");
-    o.integer("--order", options.order, 1, 10, "polynomial order of the curved elements");
+    o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees", "tangent jumps above this are corners of the layout");
     o.number("--size", options.size, 0, unlimited, "file units", "greatest size of an element; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance", "growth of the element size away from details");

@@ -140,7 +140,7 @@ void write_report(const Result& result, const EdgeFit& fit, double curve_tol, Re
 }  // namespace
 
 void TriangulateOptions::validate() const {
-  if (order < 1 || order > 10) throw UsageError("the order must lie in 1..10");
+  if (order < 1 || order > 16) throw UsageError("the order must lie in 1..16");
   if (!(size >= 0)) throw UsageError("the size must not be negative");
   if (!(growth > 0 && growth <= 2)) throw UsageError("the growth must lie in (0, 2]");
   if (!(curve_tol > 0)) throw UsageError("the curve tolerance must be positive");

@@ -7,7 +7,7 @@
 namespace quadrille {
 
 struct TriangulateOptions {
-  int order = 8;             ///< shape order N, 1..10
+  int order = 8;             ///< shape order N, 1..16: proofs are exact to round-off up to degree 2N - 2 = 30
   double size = 0;           ///< greatest element size in file units; 0: diameter / 4
   double growth = 0.5;       ///< Lipschitz constant of the size field (0, 2]
   double curve_tol = 1e-12;  ///< greatest distance between element edges and the curve, as a share of the diameter
