@@ -10,6 +10,7 @@
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 #include "field/hole_points.hpp"
+#include "field/mirror_images.hpp"
 #include "field/phase_terms.hpp"
 
 namespace quadrille {
@@ -148,18 +149,36 @@ void PhaseBoundary::make_corner_angle(Apex& apex, Vec2 tangent_in, Vec2 tangent_
 }
 
 void PhaseBoundary::make_turns(const PhaseNodes& asked) {
-  for (const PhaseNode& node : asked.nodes) terms_.nodes.push_back({node.position, 4 - node.valence});
-  const std::vector<Vec2> points = hole_points(*face_);
-  for (const Vec2 x : points) terms_.holes.push_back({x, 4});
+  for (const Vec2 x : hole_points(*face_)) terms_.holes.push_back({x, 4});
   for (const Apex& apex : apexes_) {
     const int loop = face_->loop_of(apex.curve);
     if (loop > 0) terms_.holes[loop - 1].turns += 2 - apex.valence;
   }
+  for (const PhaseNode& node : asked.nodes) {
+    const int turns = 4 - node.valence;
+    terms_.nodes.push_back({node.position, turns});
+    for (const MirrorImage& image : mirror_images(*face_, node.position)) {
+      terms_.images.push_back({image.position, turns});
+      image_loops_.push_back(image.loop);
+      if (image.loop > 0) terms_.holes[image.loop - 1].turns -= turns;
+    }
+  }
 }
 
 const PhaseTurn& PhaseBoundary::turn(int i) const {
-  const int num_nodes = static_cast<int>(terms_.nodes.size());
-  return i < num_nodes ? terms_.nodes[i] : terms_.holes[i - num_nodes];
+  const int num_nodes = static_cast<int>(terms_.nodes.size()), num_holes = static_cast<int>(terms_.holes.size());
+  if (i < num_nodes) return terms_.nodes[i];
+  return i < num_nodes + num_holes ? terms_.holes[i - num_nodes] : terms_.images[i - num_nodes - num_holes];
+}
+
+// How often a loop must wind round the place of turn i: the outline (counter-clockwise) once round all but what lies
+// beyond it, a hole (clockwise) round what lies inside it.
+int PhaseBoundary::winding(int i, int loop) const {
+  const int num_nodes = static_cast<int>(terms_.nodes.size()), num_holes = static_cast<int>(terms_.holes.size());
+  if (i < num_nodes) return loop == 0 ? 1 : 0;
+  const int home = i < num_nodes + num_holes ? i - num_nodes + 1 : image_loops_[i - num_nodes - num_holes];
+  if (loop == 0) return home == 0 ? 0 : 1;
+  return home == loop ? -1 : 0;
 }
 
 void PhaseBoundary::walk_loop(int loop) {
@@ -248,19 +267,14 @@ void PhaseBoundary::refuse(const Nurbs& piece) const {
       fmt::format("the irregular node near ({:.6g}, {:.6g}) is on the boundary; it must be inside", x.x, x.y));
 }
 
-// A loop winds once round what it encloses: the outline (counter-clockwise) round all, a hole round its own point.
 void PhaseBoundary::require_inside(int loop, const Walk& start, const Walk& end) const {
-  const int num_nodes = static_cast<int>(terms_.nodes.size());
   for (int i = 0; i < num_turns(); ++i) {
-    const int winding = round_to_turns(end.turn_angles[i] - start.turn_angles[i]);
-    if (i >= num_nodes) {
-      const int expected = loop == 0 ? 1 : loop == i - num_nodes + 1 ? -1 : 0;
-      if (winding != expected) throw Defect(fmt::format("no point found inside hole {}", i - num_nodes));
-    } else if (winding != (loop == 0 ? 1 : 0)) {
-      const Vec2 x = turn(i).position + face_->origin;
-      throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) is {}", x.x, x.y,
-                                     loop == 0 ? "outside the face" : "in a hole"));
-    }
+    if (round_to_turns(end.turn_angles[i] - start.turn_angles[i]) == winding(i, loop)) continue;
+    const Vec2 x = turn(i).position + face_->origin;
+    if (i >= static_cast<int>(terms_.nodes.size()))
+      throw Defect(fmt::format("({:.6g}, {:.6g}) was taken for a point outside the face", x.x, x.y));
+    throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) is {}", x.x, x.y,
+                                   loop == 0 ? "outside the face" : "in a hole"));
   }
 }
 

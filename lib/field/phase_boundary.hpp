@@ -3,8 +3,8 @@
 //
 //   Phi: 4 theta_t along smooth pieces, theta_t the tangent's angle followed along the loop; at corner c it jumps by
 //        delta_c = 2 pi V_c - 4 omega_c from the incoming to the outgoing side (point 2).
-//   g = Phi - sum d_k arg(z - a_k) - sum D_j arg(z - h_j) - sum beta_c theta_c, all followed along the loop:
-//   single-valued
+//   g = Phi - sum d_k arg(z - a_k) - sum D_j arg(z - h_j) - sum beta_c theta_c (less the images' terms), all followed
+//   along the loop: single-valued
 //       and continuous on each loop (point 5). On each loop Phi begins with 4 theta_t in (-4 pi, 4 pi], the args with
 //       their principal values: data of a hole are free up to 2 pi m_j anyway.
 
@@ -47,7 +47,7 @@ class PhaseBoundary {
     double t0 = 0, t1 = 0;
     double tangent_angle = 0;         ///< followed along the loop
     int corner_index = 0;             ///< sum (2 - V_c) over the corners passed: Phi = 4 theta_t - 2 pi corner_index
-    std::vector<double> turn_angles;  ///< of nodes, then holes, followed along the loop
+    std::vector<double> turn_angles;  ///< of nodes, holes, images, followed along the loop
   };
   /// The angles at the front of the walk along a loop.
   struct Walk;
@@ -61,8 +61,9 @@ class PhaseBoundary {
   void walk_piece(const Nurbs& piece, int curve, Walk& walk);
   void require_inside(int loop, const Walk& start, const Walk& end) const;
   void require_closure(int loop, const Walk& start, const Walk& end) const;
+  int winding(int i, int loop) const;
   const PhaseTurn& turn(int i) const;
-  int num_turns() const { return static_cast<int>(terms_.nodes.size() + terms_.holes.size()); }
+  int num_turns() const { return static_cast<int>(terms_.nodes.size() + terms_.holes.size() + terms_.images.size()); }
   bool is_tame(const Nurbs& piece) const;
   [[noreturn]] void refuse(const Nurbs& piece) const;
   double corner_angles(Vec2 x, int apex_term, Vec2 inward) const;
@@ -71,6 +72,7 @@ class PhaseBoundary {
 
   const CadFace* face_;
   PhaseTerms terms_;
+  std::vector<int> image_loops_;   ///< 0: beyond the outline, j: inside hole j
   std::vector<Apex> apexes_;       ///< sorted by curve, then t
   std::vector<int> apex_offsets_;  ///< curve c has apexes [apex_offsets_[c], apex_offsets_[c+1]), its joint first
   std::vector<std::vector<Piece>> pieces_;  ///< by curve, ascending

@@ -36,13 +36,14 @@ double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward) {
 }
 
 double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward) {
-  double phase = sum_of_turns(terms.nodes, x) + sum_of_turns(terms.holes, x);
+  double phase = sum_of_turns(terms.nodes, x) + sum_of_turns(terms.holes, x) + sum_of_turns(terms.images, x);
   for (const CornerAngle& corner : terms.corner_angles) phase += corner.beta * corner_angle(corner, x, inward);
   return phase;
 }
 
 Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x) {
-  Vec2 gradient = gradient_of_turns(terms.nodes, x) + gradient_of_turns(terms.holes, x);
+  Vec2 gradient =
+      gradient_of_turns(terms.nodes, x) + gradient_of_turns(terms.holes, x) + gradient_of_turns(terms.images, x);
   for (const CornerAngle& corner : terms.corner_angles) gradient += corner.beta * lifting_gradient(lifting(corner), x);
   return gradient;
 }

@@ -1,6 +1,8 @@
 #pragma once
 // The explicit part of a phase (phase-field.md point 3):
-//   sum_k d_k arg(z - a_k) + sum_j D_j arg(z - h_j) + sum_c beta_c theta_c,   theta_c = Arg((z - c) / (z - p_c)).
+//   sum_k d_k arg(z - a_k) + sum_j D_j arg(z - h_j) + sum_c beta_c theta_c,   theta_c = Arg((z - c) / (z - p_c)),
+// and, to leave a smooth remainder, sum d_k arg(z - a_k*) over mirror images a_k* outside the domain
+// (field/mirror_images). An image inside hole j is taken from D_j, so that the turns round the hole stay the same.
 
 #include <vector>
 
@@ -22,8 +24,9 @@ struct CornerAngle {
 };
 
 struct PhaseTerms {
-  std::vector<PhaseTurn> nodes;  ///< a_k, d_k = 4 - V_k, in the sequence asked for
-  std::vector<PhaseTurn> holes;  ///< h_j inside hole j, D_j: one for each hole, loops 1, 2, ...
+  std::vector<PhaseTurn> nodes;   ///< a_k, d_k = 4 - V_k, in the sequence asked for
+  std::vector<PhaseTurn> holes;   ///< h_j inside hole j, D_j less the images there: one for each hole, loops 1, 2, ...
+  std::vector<PhaseTurn> images;  ///< a_k*, d_k
   std::vector<CornerAngle> corner_angles;
 };
 

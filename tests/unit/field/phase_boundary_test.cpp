@@ -89,15 +89,18 @@ TEST(PhaseBoundary, OfASquareWithRightCornersIsConstant) {
 
 class DiscNodes : public testing::TestWithParam<double> {};
 
-// phi = sum arg((z - a)(1 - conj(a) z)), so that g = sum arg(1 - conj(a) z) but for whole turns.
+// phi = sum arg((z - a)(1 - conj(a) z)), so that g + sum arg(z - a*) = sum arg(1 - conj(a) z) but for whole turns.
 TEST_P(DiscNodes, LeaveTheirMirrorImages) {
   const CadFace face = disc();
   const PhaseNodes asked = four_nodes(GetParam(), 0.3);
   const PhaseBoundary boundary(face, asked);
+  double constant = 0;
+  for (const PhaseTurn& image : boundary.terms().images) constant += std::arg(-complex(image.position));
   const auto difference = [&](double t) {
-    const Vec2 x = point(face.curves[0], t);
-    double g = boundary.remainder(0, t);
-    for (const PhaseNode& node : asked.nodes) g -= std::arg(1.0 - std::conj(complex(node.position)) * complex(x));
+    const Complex z = complex(point(face.curves[0], t));
+    double g = boundary.remainder(0, t) + constant;
+    for (const PhaseTurn& image : boundary.terms().images) g += std::arg(1.0 - z / complex(image.position));
+    for (const PhaseNode& node : asked.nodes) g -= std::arg(1.0 - std::conj(complex(node.position)) * z);
     return g;
   };
   const double start = difference(0);

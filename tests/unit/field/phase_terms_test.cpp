@@ -9,6 +9,7 @@ namespace {
 
 const PhaseTerms terms{{{{0.2, 0.1}, 1}, {{-0.4, 0.3}, -1}, {{0.7, -0.2}, 2}},
                        {{{5, 5}, 3}, {{-4, 2}, 0}},
+                       {{{-3, -3}, -1}},
                        {{{-1, -1}, {-2, -2.5}, -2.0 / 3}, {{1, 1}, {1.5, 1.7}, 1.25}}};
 
 TEST(PhaseTerms, TurnOnceForEachIndexRoundItsNode) {

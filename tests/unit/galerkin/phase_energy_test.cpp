@@ -64,7 +64,7 @@ TEST(PhaseEnergy, OfASquareOfNodesInTheDiscIsLeastAtItsKnownRadius) {
     for (int k = 0; k < 4; ++k) sum += dot(gradient[k], unit(0.4 + half_pi * k));
     return sum;
   };
-  EXPECT_NEAR(outward(least), 0, 1e-4);
+  EXPECT_NEAR(outward(least), 0, 1e-8);
   EXPECT_LT(outward(least - 1e-4), -1e-2);
   EXPECT_GT(outward(least + 1e-4), 1e-2);
 }

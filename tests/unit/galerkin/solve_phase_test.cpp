@@ -210,6 +210,27 @@ TEST(SolvePhase, AroundATriangularHoleIsSingleValued) {
   EXPECT_LT(plate.misalignment(), 1e-8);
 }
 
+TEST(SolvePhase, FollowsNodesNearTheBoundary) {
+  // Far nearer than elements are small, beside straight sides, round holes and arcs.
+  const CadFace face = make_face({{segment({-2, -1}, {2, -1}), circular_arc({2, 0}, 1, -half_pi, half_pi),
+                                   segment({2, 1}, {-2, 1}), segment({-2, 1}, {-2, -1})},
+                                  hole({0.3, 0.1}, 0.4)});
+  for (const double depth : {1e-2, 1e-3, 1e-5}) {
+    const PhaseNodes asked{{{{-0.5, -1 + depth}, 3},
+                            {Vec2{2, 0} + (1 - depth) * unit(0.4), 3},
+                            {Vec2{0.3, 0.1} + (0.4 + depth) * unit(2.2), 5},
+                            {{0.9, 0.5}, 5},
+                            {{-1.2, 0.1}, 5},
+                            {{1.6, -0.3}, 5}},
+                           {{0, 1}, {3, 1}},
+                           {}};
+    const Solved plate(face, asked, {}, 0.25);
+    EXPECT_LT(plate.misalignment(), 1e-6) << depth;
+    for (const PhaseNode& node : asked.nodes)
+      EXPECT_NEAR(plate.turning(node.position, 0.3 * depth, 0, 2 * pi), 2 * pi * (4 - node.valence), 1e-9);
+  }
+}
+
 TEST(SolvePhase, TakesANodeOnASmoothBoundaryPoint) {
   PhaseNodes asked = scattered_nodes();
   asked.nodes.push_back({{0.1, 0.2}, 3});
