@@ -4,7 +4,7 @@ load tools/common
 PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
 
 @test "every page has all headings" {
-  for page in $PAGES; do
+  for page in $PAGES order-map; do
     for heading in Purpose "Who writes and reads it" "A complete small example" Conventions Rules "Reading it" "Version history"; do
       grep -qx "## $heading" "$ROOT/formats/$page.md" || fail "$page.md has no heading '$heading'"
     done
@@ -53,6 +53,16 @@ PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout qua
 @test "the examples on the JSON pages are the sample files" {
   for stem in critical_points separatrix_graph; do
     sed -n '/^```json$/,/^```$/p' "$ROOT/formats/${stem//_/-}.md" | sed '1d;$d' | cmp - "$ROOT"/tests/formats/$stem/passed/square.*
+  done
+}
+
+@test "the example on the page of order maps keeps its schema" {
+  sed -n '/^```json$/,/^```$/p' "$ROOT/formats/order-map.md" | sed '1d;$d' > orders.json
+  validates order-map orders.json
+  for edit in '.elem_order[0] = 0' '.version = [2, 0]' 'del(.elem_order)' '.elem_order[1] = 1.5'; do
+    jq "$edit" orders.json > edited.json
+    run validates order-map edited.json
+    assert_failure
   done
 }
 

@@ -6,13 +6,23 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "io/header.hpp"
 #include "io/stage_files.hpp"
 
 namespace quadrille {
 
 namespace {
 
-constexpr int major = 1, minor = 0;
+constexpr FormatVersion order_map_version{"order-map", 1, 0};
+
+std::vector<int> version_of(const nlohmann::json& json) {
+  std::vector<int> version;
+  const auto found = json.find("version");
+  if (found != json.end() && found->is_array())
+    for (const auto& number : *found)
+      if (number.is_number_integer()) version.push_back(number.get<int>());
+  return version;
+}
 
 std::vector<int> parsed(const InputFile& file) {
   nlohmann::json json;
@@ -23,10 +33,7 @@ std::vector<int> parsed(const InputFile& file) {
   }
   if (!json.is_object() || json.value("format", nlohmann::json()) != "order-map")
     throw FormatError(fmt::format("{}: not an order map: the key \"format\" must say \"order-map\"", file.name));
-  const auto version = json.find("version");
-  if (version == json.end() || !version->is_array() || version->size() != 2 || (*version)[0] != major)
-    throw FormatError(
-        fmt::format("{}: order maps of version {}.x can be read, this one has another", file.name, major));
+  require_version(file.name, order_map_version, order_map_version.format, version_of(json));
   const auto orders = json.find("elem_order");
   if (orders == json.end() || !orders->is_array())
     throw FormatError(fmt::format("{}: the key \"elem_order\" must hold an array of integers", file.name));
@@ -57,8 +64,8 @@ std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_or
 }
 
 std::string order_map_text(const std::vector<int>& elem_order) {
-  return fmt::format("{{\"format\": \"order-map\", \"version\": [{}, {}], \"elem_order\": [{}]}}\n", major, minor,
-                     fmt::join(elem_order, ", "));
+  return fmt::format("{{\"format\": \"order-map\", \"version\": [{}, {}], \"elem_order\": [{}]}}\n",
+                     order_map_version.major, order_map_version.minor, fmt::join(elem_order, ", "));
 }
 
 }  // namespace quadrille

@@ -108,13 +108,19 @@ setup() {
 @test "an order map that does not fit is refused with 3" {
   echo '{"format": "order-map", "version": [1, 0], "elem_order": [8, 8]}' > short.json
   echo '{"format": "order-map", "version": [2, 0], "elem_order": [8, 8]}' > newer.json
+  echo '{"format": "order-map", "version": [0, 9], "elem_order": [8, 8]}' > older.json
+  echo '{"format": "order-map", "version": "1.0", "elem_order": [8, 8]}' > unnumbered.json
   echo '[8, 8]' > bare.json
   echo 'eight' > words.json
-  for name in short newer bare words; do
+  for name in short newer older unnumbered bare words; do
     run --separate-stderr fieldsolve --orders $name.json half_disc.tri.h5 -o a.solve.h5
     assert_equal "$status" 3
     assert_equal "${#stderr_lines[@]}" 1
     assert_regex "$stderr" "^fieldsolve: .*$name.json"
     assert_file_not_exists a.solve.h5
+    case $name in
+      newer) assert_regex "$stderr" 'version 2\.0 is newer than this program' ;;
+      older) assert_regex "$stderr" 'version 0\.9 is from an older program' ;;
+    esac
   done
 }
