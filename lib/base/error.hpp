@@ -29,7 +29,8 @@ struct UsageError : Error {
   explicit UsageError(const std::string& message) : Error(ExitCode::usage, message) {}
 };
 
-/// Anything wrong with an input file, CAD topology included: exit 3. `rule` names a numbered rule (TRI-R01) or is empty.
+/// Anything wrong with an input file, CAD topology included: exit 3. `rule` names a numbered rule (TRI-R01) or is
+/// empty.
 struct FormatError : Error {
   explicit FormatError(const std::string& message, std::string broken_rule = {})
       : Error(ExitCode::bad_input, broken_rule.empty() ? message : broken_rule + ": " + message),

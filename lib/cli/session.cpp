@@ -30,7 +30,11 @@ double cpu_seconds() {
 }  // namespace
 
 Session::Session(std::string tool, std::string options_json, int verbosity, int threads)
-    : tool_(std::move(tool)), options_json_(std::move(options_json)), verbosity_(verbosity), threads_(threads), start_(wall_seconds()) {}
+    : tool_(std::move(tool)),
+      options_json_(std::move(options_json)),
+      verbosity_(verbosity),
+      threads_(threads),
+      start_(wall_seconds()) {}
 
 void Session::say(const std::string& text) const {
   if (verbosity_ >= 1) fmt::print(stderr, "{}: {}\n", tool_, text);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "galerkin/elimination_tree.hpp"
 #include "base/stopwatch.hpp"
+#include "galerkin/elimination_tree.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"

@@ -124,7 +124,8 @@ void CondensedCholesky::add_elements(const std::vector<CondensedElement>& elemen
     for (int j = 0; j < n; ++j) {
       const int column = places[j];
       if (column < 0) continue;
-      double* const target = column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
+      double* const target =
+          column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
       for (int i = 0; i < n; ++i) {
         if (places[i] >= column) target[places[i]] += signs[i] * signs[j] * schur(i, j);
       }
@@ -138,7 +139,8 @@ void CondensedCholesky::add_half(Part& half, Part& part) {
   for (int j = 0; j < n; ++j) {
     const int column = places[j];
     const double* const source = half.front.rest.col(j).data();
-    double* const target = column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
+    double* const target =
+        column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
     for (int i = j; i < n; ++i) target[places[i]] += source[i];
   }
   half.front.rest.resize(0, 0);

@@ -1,7 +1,7 @@
 #pragma once
 // The sparse symmetric positive definite system of the condensed elements, by the multifrontal method (Duff and Reid
-// 1983; Liu 1992): along an elimination tree, dense matrices of one part of the mesh after the other, the unknowns inside
-// eliminated, the rest handed on to the part that holds it. The sparse matrix itself is never made.
+// 1983; Liu 1992): along an elimination tree, dense matrices of one part of the mesh after the other, the unknowns
+// inside eliminated, the rest handed on to the part that holds it. The sparse matrix itself is never made.
 
 #include <Eigen/Dense>
 #include <functional>

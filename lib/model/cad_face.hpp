@@ -44,8 +44,9 @@ struct CadFace {
   std::array<double, 3> plane_origin{0, 0, 0};
   std::array<double, 3> plane_x{1, 0, 0};
   std::array<double, 3> plane_y{0, 1, 0};
-  Vec2 origin;          ///< add it to get the face's own 2-D coordinates
-  double diameter = 0;  ///< the largest distance between two points of the outline; every default length derives from it
+  Vec2 origin;  ///< add it to get the face's own 2-D coordinates
+  double diameter =
+      0;  ///< the largest distance between two points of the outline; every default length derives from it
 
   std::vector<Nurbs> curves;
   std::vector<std::string> curve_names;  ///< one per curve; unique tags for boundary groups are made from them

@@ -14,10 +14,10 @@ struct CriticalPoint {
   Vec2 position;
   int index = 0;
   int valence = 4;
-  int elem = 0;               ///< element of the field's mesh that holds it
-  Vec2 xi;                    ///< reference coordinates there
+  int elem = 0;                      ///< element of the field's mesh that holds it
+  Vec2 xi;                           ///< reference coordinates there
   std::array<double, 4> jacobian{};  ///< d v / d x at the point: u_x, u_y, v_x, v_y
-  double error = 0;                   ///< error bar |J^-1 e| of the position, e the field's error there; 0: unknown
+  double error = 0;                  ///< error bar |J^-1 e| of the position, e the field's error there; 0: unknown
 };
 
 struct Corner {

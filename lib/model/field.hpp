@@ -43,8 +43,8 @@ struct Field {
   std::vector<int> coef_offsets;  ///< element e owns coefficients [coef_offsets[e], coef_offsets[e+1])
   std::vector<double> u, v;       ///< coefficients c_n of both components
   std::vector<Lifting> liftings;
-  std::vector<double> elem_sensor;   ///< last sensor of each element; empty before padapt
-  std::vector<double> elem_error;    ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
+  std::vector<double> elem_sensor;  ///< last sensor of each element; empty before padapt
+  std::vector<double> elem_error;  ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
   std::vector<AdaptStep> adapt_steps;
 };
 

@@ -27,8 +27,8 @@ struct QuadMesh {
   std::vector<Vec2> nodes;
   std::vector<int> elem_nodes;
   std::vector<int> elem_block;
-  std::vector<double> elem_jacobian_bound;  ///< least Bernstein coefficient of det J: a proved lower bound
-  std::vector<double> elem_scaled_jacobian;  ///< least sampled det J / (|x_xi1| |x_xi2|)
+  std::vector<double> elem_jacobian_bound;       ///< least Bernstein coefficient of det J: a proved lower bound
+  std::vector<double> elem_scaled_jacobian;      ///< least sampled det J / (|x_xi1| |x_xi2|)
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   std::vector<std::string> block_names;
   int num_irregular = 0;  ///< irregular nodes of the layout, interior (V != 4)

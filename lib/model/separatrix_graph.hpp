@@ -34,7 +34,7 @@ struct GraphNode {
 struct GraphArc {
   int from = 0, to = 0;  ///< nodes
   bool is_boundary = false;
-  int length = 0;        ///< prescribed integer length; 0 = free
+  int length = 0;  ///< prescribed integer length; 0 = free
   std::vector<ArcPiece> pieces;
 };
 

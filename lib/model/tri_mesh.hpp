@@ -31,8 +31,8 @@ struct TriMesh {
   int order = 1;  ///< shape order N
   std::vector<Vec2> vertices;
   std::vector<std::array<int, 3>> elem2vertices;
-  std::vector<int> curved_elems;   ///< ascending
-  std::vector<Vec2> curved_nodes;  ///< (N+1)(N+2)/2 per curved element, in the sequence of spectral/tri_nodes
+  std::vector<int> curved_elems;             ///< ascending
+  std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the sequence of spectral/tri_nodes
   std::vector<BoundaryEdge> boundary_edges;  ///< sorted by curve, then t0: they walk each loop
   std::vector<int> elem_layer;  ///< -1, or the layer of the corner fan that holds the element: 0 touches the apex
 
