@@ -63,6 +63,49 @@ bool is_seen_within_a_quarter_turn(const Nurbs& piece, Vec2 from) {
 
 int round_to_turns(double angle) { return static_cast<int>(std::lround(angle / (2 * pi))); }
 
+// The joint that a boundary node at the end of a curve is, -1 for one inside.
+int joint_of(const CadFace& face, const BoundaryNode& node) {
+  if (node.curve < 0 || node.curve >= face.num_curves())
+    throw ComputeError(fmt::format("curve {} does not exist: the face has {}", node.curve, face.num_curves()));
+  const Nurbs& curve = face.curves[node.curve];
+  const double tol = parameter_tol * range_of(curve);
+  if (!(node.t >= curve.begin() - tol && node.t <= curve.end() + tol))
+    throw ComputeError(fmt::format("a boundary node at parameter {} is not on curve {}", node.t, node.curve));
+  if (node.t <= curve.begin() + tol) return node.curve;
+  return node.t >= curve.end() - tol ? face.next_in_loop(node.curve) : -1;
+}
+
+std::vector<int> joint_valences(const CadFace& face, const PhaseNodes& asked) {
+  std::vector<CornerValence> corners = asked.corners;
+  for (const BoundaryNode& node : asked.boundary_nodes) {
+    if (const int joint = joint_of(face, node); joint >= 0) corners.push_back({joint, node.valence});
+  }
+  std::vector<int> valences(face.num_curves(), 2);
+  std::vector<bool> is_listed(face.num_curves(), false);
+  for (const CornerValence& corner : corners) {
+    if (corner.joint < 0 || corner.joint >= face.num_curves())
+      throw ComputeError(
+          fmt::format("corner {} does not exist: the face has {} joints", corner.joint, face.num_curves()));
+    if (is_listed[corner.joint])
+      throw ComputeError(fmt::format("the corner at joint {} is listed twice", corner.joint));
+    is_listed[corner.joint] = true;
+    valences[corner.joint] = corner.valence;
+  }
+  return valences;
+}
+
+// Boundary nodes inside curves, by curve, then t.
+std::vector<BoundaryNode> inner_nodes(const CadFace& face, const PhaseNodes& asked) {
+  std::vector<BoundaryNode> inner;
+  for (const BoundaryNode& node : asked.boundary_nodes) {
+    if (joint_of(face, node) < 0) inner.push_back(node);
+  }
+  std::sort(inner.begin(), inner.end(), [](const BoundaryNode& a, const BoundaryNode& b) {
+    return a.curve != b.curve ? a.curve < b.curve : a.t < b.t;
+  });
+  return inner;
+}
+
 }  // namespace
 
 void require_index_sum(const CadFace& face, const PhaseNodes& asked) {
@@ -94,44 +137,18 @@ PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& asked) : fac
 }
 
 void PhaseBoundary::make_apexes(const PhaseNodes& asked) {
-  std::vector<int> joint_valence(face_->num_curves(), 2);
-  std::vector<bool> is_listed(face_->num_curves(), false);
-  const auto set_joint = [&](int joint, int valence) {
-    if (joint < 0 || joint >= face_->num_curves())
-      throw ComputeError(fmt::format("corner {} does not exist: the face has {} joints", joint, face_->num_curves()));
-    if (is_listed[joint]) throw ComputeError(fmt::format("the corner at joint {} is listed twice", joint));
-    is_listed[joint] = true;
-    joint_valence[joint] = valence;
-  };
-  for (const CornerValence& corner : asked.corners) set_joint(corner.joint, corner.valence);
-  std::vector<Apex> inside;
-  for (const BoundaryNode& node : asked.boundary_nodes) {
-    if (node.curve < 0 || node.curve >= face_->num_curves())
-      throw ComputeError(fmt::format("curve {} does not exist: the face has {}", node.curve, face_->num_curves()));
-    const Nurbs& curve = face_->curves[node.curve];
-    const double tol = parameter_tol * range_of(curve);
-    if (!(node.t >= curve.begin() - tol && node.t <= curve.end() + tol))
-      throw ComputeError(fmt::format("a boundary node at parameter {} is not on curve {}", node.t, node.curve));
-    if (node.t <= curve.begin() + tol)
-      set_joint(node.curve, node.valence);
-    else if (node.t >= curve.end() - tol)
-      set_joint(face_->next_in_loop(node.curve), node.valence);
-    else
-      inside.push_back({node.curve, node.t, pi, node.valence, -1, 0});
-  }
-  std::sort(inside.begin(), inside.end(),
-            [](const Apex& a, const Apex& b) { return a.curve != b.curve ? a.curve < b.curve : a.t < b.t; });
-
-  auto next = inside.begin();
+  const std::vector<int> valences = joint_valences(*face_, asked);
+  const std::vector<BoundaryNode> inner = inner_nodes(*face_, asked);
+  auto next = inner.begin();
   for (int c = 0; c < face_->num_curves(); ++c) {
     const Nurbs &curve = face_->curves[c], &before = face_->curves[face_->previous_in_loop(c)];
     apex_offsets_.push_back(static_cast<int>(apexes_.size()));
-    apexes_.push_back({c, curve.begin(), face_->joints[c].interior_angle, joint_valence[c], -1, 0});
+    apexes_.push_back({c, curve.begin(), face_->joints[c].interior_angle, valences[c], -1, 0});
     make_corner_angle(apexes_.back(), tangent(before, before.end(), true), tangent(curve, curve.begin()));
-    for (; next != inside.end() && next->curve == c; ++next) {
+    for (; next != inner.end() && next->curve == c; ++next) {
       if (next->t - apexes_.back().t <= parameter_tol * range_of(curve))
         throw ComputeError(fmt::format("two boundary nodes are at the same place of curve {}", c));
-      apexes_.push_back(*next);
+      apexes_.push_back({c, next->t, pi, next->valence, -1, 0});
       make_corner_angle(apexes_.back(), tangent(curve, next->t, true), tangent(curve, next->t));
     }
   }
