@@ -182,6 +182,18 @@ TEST(SolveLaplace, CurvedElementsConvergeSpectrally) {
   }
 }
 
+TEST(Hybridised, CurvedElementsReachTheAccuracyOfTheirGeometry) {
+  const TriMesh mesh = disc_mesh(12, 10);
+  double last = 1;
+  for (const int order : {4, 6, 8, 10}) {
+    const std::vector<int> orders(mesh.num_elems(), order);
+    const double error = error_of_power(solve_power(mesh, orders, 6, "dg"), 6);
+    EXPECT_LT(error, 0.1 * last) << order;
+    last = error;
+  }
+  EXPECT_LT(error_of_power(solve_power(mesh, scattered_orders(mesh.num_elems(), 10, 2), 4, "dg"), 4), 1e-9);
+}
+
 TEST(SolveLaplace, ASolverReusedGivesTheSameBits) {
   const TriMesh mesh = parallelogram_mesh({-1, -1}, {2, 0.3}, {0.2, 2}, 3);
   const std::vector<int> first(mesh.num_elems(), 4), second = scattered_orders(mesh.num_elems(), 3, 4);
