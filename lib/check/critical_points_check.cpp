@@ -51,11 +51,16 @@ void corners_are_sound(const CriticalPoints& points, Findings& findings) {
 }
 
 void index_sum_is_right(const CriticalPoints& points, Findings& findings) {
-  int sum = 0;
-  for (const CriticalPoint& p : points.critical_points) sum += 4 - p.valence;
-  for (const Corner& c : points.corners) sum += 2 - c.valence;
-  if (sum != points.index_sum)
-    findings.add("index_sum.value is {}, the points and corners listed add up to {}", points.index_sum, sum);
+  int nodes = 0, corners = 0, boundary = 0;
+  for (const CriticalPoint& p : points.critical_points) nodes += 4 - p.valence;
+  for (const Corner& c : points.corners) corners += 2 - c.valence;
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) boundary += 2 - b.valence;
+  if (nodes + corners + boundary != points.index_sum)
+    findings.add(
+        "index_sum.value is {}, but the lists add up to {}: 4 - V over {} critical points {}, 2 - V over {} corners "
+        "{}, over {} boundary nodes {}",
+        points.index_sum, nodes + corners + boundary, points.critical_points.size(), nodes, points.corners.size(),
+        corners, points.boundary_nodes.size(), boundary);
 }
 
 void index_sum_holds(const CriticalPoints& points, Findings& findings) {
@@ -90,12 +95,28 @@ void errors_are_sound(const CriticalPoints& points, Findings& findings) {
     if (points.critical_points[i].error < 0) findings.add("critical point {}: its error is negative", i);
 }
 
+void forms_are_known(const CriticalPoints& points, Findings& findings) {
+  if (points.form != "harmonic" && points.form != "phase")
+    findings.add("form '{}' is not known; it must be harmonic or phase", points.form);
+}
+
+void boundary_nodes_are_sound(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.boundary_nodes.size(); ++i) {
+    const IrregularBoundaryPoint& b = points.boundary_nodes[i];
+    if (!is_finite(b.t) || !is_finite(b.position) || b.curve < 0)
+      findings.add("boundary node {}: a number is not finite or its curve negative", i);
+    if (b.valence < 1 || b.valence > 4 || b.valence == 2)
+      findings.add("boundary node {}: valence {} must be 1, 3 or 4", i, b.valence);
+  }
+}
+
 constexpr Rule<CriticalPoints> rules[] = {
-    {"CRT-R01", RuleKind::structure, numbers_are_finite}, {"CRT-R02", RuleKind::quick, valences_fit_indices},
-    {"CRT-R03", RuleKind::quick, elements_are_sound},     {"CRT-R04", RuleKind::quick, corners_are_sound},
-    {"CRT-R05", RuleKind::quick, index_sum_is_right},     {"CRT-R06", RuleKind::quick, index_sum_holds},
-    {"CRT-R07", RuleKind::full, jacobians_fit_indices},   {"CRT-R08", RuleKind::quick, points_differ},
-    {"CRT-R11", RuleKind::quick, errors_are_sound},
+    {"CRT-R01", RuleKind::structure, numbers_are_finite},   {"CRT-R02", RuleKind::quick, valences_fit_indices},
+    {"CRT-R03", RuleKind::quick, elements_are_sound},       {"CRT-R04", RuleKind::quick, corners_are_sound},
+    {"CRT-R05", RuleKind::quick, index_sum_is_right},       {"CRT-R06", RuleKind::quick, index_sum_holds},
+    {"CRT-R07", RuleKind::full, jacobians_fit_indices},     {"CRT-R08", RuleKind::quick, points_differ},
+    {"CRT-R11", RuleKind::quick, errors_are_sound},         {"CRT-R12", RuleKind::quick, forms_are_known},
+    {"CRT-R13", RuleKind::quick, boundary_nodes_are_sound},
 };
 
 /// Critical points beside the field that they are said to be of.
@@ -130,9 +151,24 @@ void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
   if (next != corners.size()) findings.add("corner {}: joint {} is no corner", next, corners[next].joint);
 }
 
+void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings) {
+  const CadFace& face = pair.field.mesh.face;
+  for (std::size_t i = 0; i < pair.points.boundary_nodes.size(); ++i) {
+    const IrregularBoundaryPoint& b = pair.points.boundary_nodes[i];
+    if (!is_index(b.curve, face.curves.size()))
+      findings.add("boundary node {}: the face has no curve {}", i, b.curve);
+    else if (b.t < face.curves[b.curve].begin() || b.t > face.curves[b.curve].end())
+      findings.add("boundary node {}: curve {} has no parameter {}", i, b.curve, b.t);
+  }
+  const std::size_t num_offsets = pair.points.twist_offsets.size();
+  if (num_offsets != 0 && static_cast<int>(num_offsets) != face.num_loops() - 1)
+    findings.add("twist_offsets has {} entries for {} holes", num_offsets, face.num_loops() - 1);
+}
+
 constexpr Rule<PointsOfField> rules_with_field[] = {
     {"CRT-R09", RuleKind::quick, elements_exist},
     {"CRT-R10", RuleKind::quick, corners_are_the_faces},
+    {"CRT-R14", RuleKind::quick, boundary_nodes_lie_on_curves},
 };
 
 }  // namespace

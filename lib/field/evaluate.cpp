@@ -1,6 +1,9 @@
 #include "field/evaluate.hpp"
 
+#include <cmath>
+
 #include "field/corner_lifting.hpp"
+#include "field/phase_terms.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
@@ -12,25 +15,52 @@ constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 }  // namespace
 
 FieldEvaluator::FieldEvaluator(const Field& field)
-    : field_(&field), maps_(tri_maps(field.mesh)), topology_(tri_topology(field.mesh)), locator_(field.mesh, maps_) {}
+    : field_(&field),
+      is_phase_(field.kind == "phase"),
+      maps_(tri_maps(field.mesh)),
+      topology_(tri_topology(field.mesh)),
+      locator_(field.mesh, maps_) {}
+
+Vec2 FieldEvaluator::inward(int elem, Vec2 x) const { return normalized(maps_[elem].position(centroid) - x); }
 
 Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
   Vec2 sum;
   for (const Lifting& lifting : field_->liftings) {
     const bool at_apex = x == lifting.apex;
-    sum += lifting.jump * (at_apex ? lifting_angle_at_apex(lifting, normalized(maps_[elem].position(centroid) - x))
-                                   : lifting_angle(lifting, x));
+    sum += lifting.jump * (at_apex ? lifting_angle_at_apex(lifting, inward(elem, x)) : lifting_angle(lifting, x));
   }
   return sum;
 }
 
+double FieldEvaluator::phase(int elem, Vec2 xi, Vec2 x) const {
+  const double* s = &field_->phase.s[field_->coef_offsets[elem]];
+  return orthogonal_sum(field_->elem_order[elem], s, s, xi).x + explicit_phase(field_->phase.terms, x, inward(elem, x));
+}
+
 Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
   maps_[elem].evaluate(xi, x, dx_dxi);
+  if (is_phase_) return unit(phase(elem, xi, x));
   const int offset = field_->coef_offsets[elem];
   return orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi) + liftings(elem, x);
 }
 
+// d e^(i phi) = i e^(i phi) d phi.
+FieldSample FieldEvaluator::phase_sample(int elem, Vec2 xi) const {
+  FieldSample sample;
+  maps_[elem].evaluate(xi, sample.x, sample.dx_dxi);
+  const double* s = &field_->phase.s[field_->coef_offsets[elem]];
+  Mat2 ds_dxi;
+  const double remainder = orthogonal_sum(field_->elem_order[elem], s, s, xi, ds_dxi).x;
+  sample.value = unit(remainder + explicit_phase(field_->phase.terms, sample.x, inward(elem, sample.x)));
+  const Mat2 ds_dx = ds_dxi * inverse(sample.dx_dxi);
+  const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field_->phase.terms, sample.x);
+  const Vec2 across = left_of(sample.value);
+  sample.dv_dx = {across.x * slope.x, across.x * slope.y, across.y * slope.x, across.y * slope.y};
+  return sample;
+}
+
 FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {
+  if (is_phase_) return phase_sample(elem, xi);
   FieldSample s;
   maps_[elem].evaluate(xi, s.x, s.dx_dxi);
   const int offset = field_->coef_offsets[elem];

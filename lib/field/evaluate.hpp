@@ -13,7 +13,7 @@ namespace quadrille {
 struct FieldSample {
   Vec2 x;
   Mat2 dx_dxi;
-  Vec2 value;  ///< v = (u, v), liftings included
+  Vec2 value;  ///< v = (u, v), liftings included; a unit vector where the field is of kind "phase"
   Mat2 dv_dx;  ///< rows u, v
 };
 
@@ -51,8 +51,12 @@ class FieldEvaluator {
 
  private:
   Vec2 liftings(int elem, Vec2 x) const;
+  Vec2 inward(int elem, Vec2 x) const;  ///< from x towards the element's centroid
+  double phase(int elem, Vec2 xi, Vec2 x) const;
+  FieldSample phase_sample(int elem, Vec2 xi) const;
 
   const Field* field_;
+  bool is_phase_;
   std::vector<TriMap> maps_;
   TriTopology topology_;
   Locator locator_;

@@ -42,7 +42,7 @@ class Follower {
 
 }  // namespace
 
-std::optional<PhaseTurn> phase_turn(const FieldEvaluator& evaluator, Vec2 centre, double radius, double angle0,
+std::optional<ArcTurn> phase_turn(const FieldEvaluator& evaluator, Vec2 centre, double radius, double angle0,
                                     double angle1) {
   constexpr int steps = 128;
   Follower follower(evaluator, centre, radius);
@@ -52,7 +52,7 @@ std::optional<PhaseTurn> phase_turn(const FieldEvaluator& evaluator, Vec2 centre
   for (int i = 0; i <= steps; ++i)
     if (follower.value(angle(i), values[i])) inside.push_back(i);
   if (inside.size() < 2 || inside.back() - inside.front() != static_cast<int>(inside.size()) - 1) return {};
-  PhaseTurn result{0, 0, angle(inside.front()), angle(inside.back())};
+  ArcTurn result{0, 0, angle(inside.front()), angle(inside.back())};
   for (int i = inside.front(); i < inside.back(); ++i)
     if (!follower.turn(angle(i), values[i], angle(i + 1), values[i + 1], max_halvings, result.turn)) return {};
   result.least_value = follower.least();
@@ -60,7 +60,7 @@ std::optional<PhaseTurn> phase_turn(const FieldEvaluator& evaluator, Vec2 centre
 }
 
 std::optional<int> circle_index(const FieldEvaluator& evaluator, Vec2 centre, double radius, double& least_value) {
-  const std::optional<PhaseTurn> turn = phase_turn(evaluator, centre, radius, 0, 2 * pi);
+  const std::optional<ArcTurn> turn = phase_turn(evaluator, centre, radius, 0, 2 * pi);
   if (!turn || turn->angle0 > 0 || turn->angle1 < 2 * pi) return {};
   least_value = turn->least_value;
   return static_cast<int>(std::lround(turn->turn / (2 * pi)));

@@ -5,39 +5,112 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion critical_points_version{"critical-points", 1, 1};
+constexpr FormatVersion critical_points_version{"critical-points", 1, 2};
 
-/// `id` is for people and programs that refer to an entry: its place in the list.
-void describe_id(Archive& archive, std::size_t expected) {
-  int id = static_cast<int>(expected);
-  archive.field("id", id);
-  if (id != static_cast<int>(expected)) archive.fail("id", "must be the entry's place in the list, from 0");
+/// `id` is for people: its place in the list when the file was written. Edited lists need not keep it.
+void describe_id(Archive& archive, std::size_t place) {
+  int id = static_cast<int>(place);
+  if (!archive.is_reading()) archive.field("id", id);
+}
+
+/// A node added by hand needs no more than its position and valence.
+void describe_critical_point(Archive& a, CriticalPoint& point, std::size_t place) {
+  describe_id(a, place);
+  a.field("position", point.position);
+  a.field("valence", point.valence);
+  point.index = a.is_reading() ? 4 - point.valence : point.index;
+  if (a.has("index")) a.field("index", point.index);
+  if (a.has("elem")) a.field("elem", point.elem);
+  if (a.has("xi")) a.field("xi", point.xi);
+  if (a.has("jacobian")) a.field("jacobian", point.jacobian);
+  if (a.has("error")) a.field("error", point.error);
+  if (a.has("source")) a.field("source", point.source);
+}
+
+void describe_corner(Archive& a, Corner& corner) {
+  a.field("joint", corner.joint);
+  a.field("position", corner.position);
+  a.field("angle_degrees", corner.angle_degrees);
+  a.field("valence", corner.valence);
+  if (!a.is_reading()) {
+    bool is_degenerate = corner.valence == 0;
+    a.field("degenerate", is_degenerate);
+  }
+  a.field("curves", corner.curves);
+  if (a.has("source")) a.field("source", corner.source);
+}
+
+void describe_boundary_node(Archive& a, IrregularBoundaryPoint& point) {
+  a.field("curve", point.curve);
+  a.field("t", point.t);
+  a.field("position", point.position);
+  a.field("valence", point.valence);
+  if (a.has("source")) a.field("source", point.source);
+}
+
+void describe_mark(Archive& a, NodeMark& mark) {
+  a.field("position", mark.position);
+  a.field("valence", mark.valence);
+  a.field("where", mark.where);
+}
+
+void describe_change(Archive& a, NodeChange& change) {
+  a.field("kind", change.kind);
+  a.field("reason", change.reason);
+  a.field("before", change.before, describe_mark);
+  a.field("after", change.after, describe_mark);
+}
+
+void describe_cluster(Archive& a, Cluster& cluster) {
+  a.field("centre", cluster.centre);
+  a.field("radius", cluster.radius);
+  a.field("index", cluster.index);
+  a.field("members", cluster.members);
+  a.field("member_indices", cluster.member_indices);
+}
+
+void describe_certificate(Archive& a, Certificate& certificate) {
+  a.field("elements", certificate.elements);
+  a.field("cells_examined", certificate.cells_examined);
+  a.field("cells_excluded", certificate.cells_excluded);
+  a.field("cells_isolated", certificate.cells_isolated);
+  a.field("cells_left_to_corners", certificate.cells_left_to_corners);
+  a.field("greatest_depth", certificate.greatest_depth);
+  a.field("cells", certificate.cells, [](Archive& inner, CertificateCell& cell) {
+    inner.field("elem", cell.elem);
+    inner.field("vertices", cell.vertices);
+    inner.field("verdict", cell.verdict);
+  });
+  a.field("disc_centres", certificate.disc_centres);
+  a.field("disc_radii", certificate.disc_radii);
+}
+
+/// The sum that a file states, or that of its lists where it states none.
+void describe_index_sum(Archive& archive, CriticalPoints& points) {
+  points.index_sum = archive.is_reading() ? index_sum_of(points) : points.index_sum;
+  archive.object("index_sum", [&](Archive& a) {
+    if (a.has("value")) a.field("value", points.index_sum);
+    a.field("expected", points.index_sum_expected);
+  });
 }
 
 void describe_critical_points(Archive& archive, CriticalPoints& points) {
-  std::size_t next = 0;
+  if (archive.has("form")) archive.field("form", points.form);
   archive.field("origin", points.origin);
-  archive.field("critical_points", points.critical_points, [&](Archive& a, CriticalPoint& point) {
-    describe_id(a, next++);
-    a.field("position", point.position);
-    a.field("index", point.index);
-    a.field("valence", point.valence);
-    a.field("elem", point.elem);
-    a.field("xi", point.xi);
-    a.field("jacobian", point.jacobian);
-    if (a.has("error")) a.field("error", point.error);
-  });
-  archive.field("corners", points.corners, [](Archive& a, Corner& corner) {
-    a.field("joint", corner.joint);
-    a.field("position", corner.position);
-    a.field("angle_degrees", corner.angle_degrees);
-    a.field("valence", corner.valence);
-    a.field("curves", corner.curves);
-  });
-  archive.object("index_sum", [&](Archive& a) {
-    a.field("value", points.index_sum);
-    a.field("expected", points.index_sum_expected);
-  });
+  std::size_t next = 0, next_zero = 0;
+  archive.field("critical_points", points.critical_points,
+                [&](Archive& a, CriticalPoint& point) { describe_critical_point(a, point, next++); });
+  archive.field("corners", points.corners, describe_corner);
+  if (archive.has("boundary_nodes")) archive.field("boundary_nodes", points.boundary_nodes, describe_boundary_node);
+  if (archive.has("twist_offsets")) archive.field("twist_offsets", points.twist_offsets);
+  describe_index_sum(archive, points);
+  if (archive.has("changes")) archive.field("changes", points.changes, describe_change);
+  if (archive.has("clusters")) archive.field("clusters", points.clusters, describe_cluster);
+  if (archive.has("zeros"))
+    archive.field("zeros", points.zeros,
+                  [&](Archive& a, CriticalPoint& point) { describe_critical_point(a, point, next_zero++); });
+  if (archive.has("certificate"))
+    archive.object("certificate", [&](Archive& a) { describe_certificate(a, points.certificate); });
 }
 
 }  // namespace

@@ -6,7 +6,50 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion field_version{"field", 1, 1};
+constexpr FormatVersion field_version{"field", 1, 2};
+
+void describe_turn(Archive& a, PhaseTurn& turn) {
+  a.field("position", turn.position);
+  a.field("turns", turn.turns);
+}
+
+void describe_phase_nodes(Archive& archive, PhaseNodes& nodes) {
+  archive.field("nodes", nodes.nodes, [](Archive& a, PhaseNode& node) {
+    a.field("position", node.position, {"length", "a_k"});
+    a.field("valence", node.valence);
+  });
+  archive.field("corners", nodes.corners, [](Archive& a, CornerValence& corner) {
+    a.field("joint", corner.joint);
+    a.field("valence", corner.valence);
+  });
+  archive.field("boundary_nodes", nodes.boundary_nodes, [](Archive& a, BoundaryNode& node) {
+    a.field("curve", node.curve);
+    a.field("t", node.t);
+    a.field("valence", node.valence);
+  });
+}
+
+void describe_phase_terms(Archive& archive, PhaseTerms& terms) {
+  archive.field("nodes", terms.nodes, describe_turn);
+  archive.field("holes", terms.holes, describe_turn);
+  archive.field("images", terms.images, describe_turn);
+  archive.field("corner_angles", terms.corner_angles, [](Archive& a, CornerAngle& corner) {
+    a.field("apex", corner.apex, {"length", "c"});
+    a.field("pole", corner.pole, {"length", "p_c, outside the domain"});
+    a.field("beta", corner.beta, {"1", "4 - 2 pi V / omega"});
+  });
+}
+
+void describe_phase_form(Archive& archive, PhaseForm& phase) {
+  archive.object("asked", [&](Archive& a) { describe_phase_nodes(a, phase.nodes); });
+  archive.object("terms", [&](Archive& a) { describe_phase_terms(a, phase.terms); });
+  archive.field("s", phase.s, {"radian", "coefficients of s in the orthonormal Dubiner basis"});
+  archive.field("twist_offsets", phase.twist_offsets, {"", "asked for, one for each hole or none"});
+  archive.field("best_twists", phase.best_twists, {"1", "real twists of least energy"});
+  archive.field("twists", phase.twists, {"", "m_j, whole"});
+  archive.field("periods", phase.periods, {"radian", "of lambda round each hole"});
+  archive.field("twist_energy", phase.twist_energy, {"1", "energy above that of best_twists"});
+}
 
 void describe_field(Archive& archive, Field& field) {
   archive.field("kind", field.kind, {"", "harmonic"});
@@ -22,6 +65,7 @@ void describe_field(Archive& archive, Field& field) {
     a.field("pole", lifting.pole, {"length", "a point outside the domain"});
     a.field("jump", lifting.jump, {"1/radian", "field value per radian"});
   });
+  if (field.kind == "phase") archive.object("phase", [&](Archive& a) { describe_phase_form(a, field.phase); });
   archive.field("elem_sensor", field.elem_sensor, {"1", "last sensor of each element; empty before padapt"});
   if (archive.has("elem_error"))
     archive.field("elem_error", field.elem_error, {"1", "estimated error of the field on each element; empty: none"});

@@ -6,11 +6,17 @@
 // phi_n: the orthonormal Dubiner basis of the reference triangle (spectral/orthogonal_basis), degree P_e on element e,
 // sorted by total degree, so that the highest order is the tail. theta_c: phase-field.md point 4,
 // theta_c = Arg((z - c) / (z - p_c)), principal value, p_c outside the domain; its cut is the segment [c, p_c].
+//
+// Of kind "phase" (phase-field.md) it is a unit field with exactly the irregular nodes asked for:
+//
+//   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_terms.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
 
 #include <string>
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "model/phase_nodes.hpp"
+#include "model/phase_terms.hpp"
 #include "model/provenance.hpp"
 #include "model/tri_mesh.hpp"
 
@@ -34,15 +40,30 @@ struct AdaptStep {
   std::vector<double> elem_sensor;
 };
 
+/// What a field of kind "phase" has instead of u, v and liftings.
+struct PhaseForm {
+  PhaseNodes nodes;  ///< as asked for
+  PhaseTerms terms;
+  std::vector<double> s;           ///< coefficients, as u and v
+  std::vector<int> twist_offsets;  ///< as asked for, one for each hole or none
+  /// For each hole, counted from the data's own branch (field/phase_boundary.hpp), so only differences have a meaning:
+  std::vector<double> best_twists;  ///< m* = -K^-1 r / (2 pi), real
+  std::vector<int> twists;          ///< m
+  /// Of lambda round each hole, (r + 2 pi K m)_j / 4: where it is not 0 the conformal map is only local (point 10).
+  std::vector<double> periods;
+  double twist_energy = 0;  ///< 2 pi^2 (m - m*)^T K (m - m*): what whole twists cost above real ones
+};
+
 struct Field {
   Provenance provenance;
   TriMesh mesh;
-  std::string kind = "harmonic";  ///< "harmonic"; a later version adds "phase"
+  std::string kind = "harmonic";  ///< "harmonic" or "phase"
   std::string method = "cg";
   std::vector<int> elem_order;    ///< P_e
   std::vector<int> coef_offsets;  ///< element e owns coefficients [coef_offsets[e], coef_offsets[e+1])
   std::vector<double> u, v;       ///< coefficients c_n of both components
   std::vector<Lifting> liftings;
+  PhaseForm phase;                  ///< of kind "phase": u, v and liftings are empty then
   std::vector<double> elem_sensor;  ///< last sensor of each element; empty before padapt
   std::vector<double> elem_error;  ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
   std::vector<AdaptStep> adapt_steps;

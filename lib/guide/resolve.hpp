@@ -1,0 +1,52 @@
+#pragma once
+// From the field's own zeros to the irregular nodes of the layout (method.md §3, §5). Each step takes what the one
+// before left, changes it and says so in `changes`; the index sum stays. All lengths are in the file's unit.
+//
+//   find_critical_points   zeros, clusters, corners by angle or field, corners that absorb       (the field's own view)
+//   line_field_points      instead of it where the data lie on one line
+//   resolve_clusters       clusters become nodes
+//   override_corners       valences asked for
+//   resolve_features       --feature-size
+//   place_nodes            --place
+//
+// A step that leaves a node which is no zero of the field sets form = "phase".
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/critical_points.hpp"
+
+namespace quadrille {
+
+/// Curves a and b that meet in a corner, in either sequence, and the valence asked for.
+struct CornerOverride {
+  int curve_a = 0, curve_b = 0;
+  int valence = 2;
+};
+
+/// --corner-valence "3:4=2"; throws UsageError.
+CornerOverride parse_corner_override(const std::string& text);
+
+/// Whether blocks of angle / valence are between 15 and 165 degrees (method.md §5). Valence 0 is: it is degenerate.
+bool is_admissible_valence(double angle_degrees, int valence);
+
+/// Puts nodes for every cluster with index != 0: one of valence 4 - index where that is 3 to max_valence; else |index|
+/// nodes of valence 3 or 5 about the centre, as symmetric as the face is about it. A cluster of index 0 cancels.
+/// Nodes get the source "cluster", clusters of index 0 a change of the kind "cancel".
+void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& points);
+
+/// For a face whose boundary data lie on one line (field/boundary_values, is_line_field): corner valences by rule, and
+/// nodes where no symmetric choice fits.
+CriticalPoints line_field_points(const CadFace& face, int max_valence);
+
+/// Sets the valences asked for. What the index sum loses is taken from the nearest nodes or added beside the corner.
+/// Throws UsageError where the curves meet in no corner or the valence is not admissible.
+void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points);
+
+/// Small fillets and holes (method.md §5): nodes of valence 5 that features below `size` force go onto the boundary,
+/// those of valence 3 at convex walls inward to at least `size`, pairs cancel. size = 0: nothing.
+void resolve_features(const CadFace& face, double size, CriticalPoints& points);
+
+}  // namespace quadrille
