@@ -199,6 +199,21 @@ void CommandLine::text(const std::string& flag, std::string& value, const std::s
   if (recorded) impl_->record(flag, [&value] { return json_text(value); });
 }
 
+void CommandLine::texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
+                        const std::string& help) {
+  const auto set = [&values](const CLI::results_t& texts) {
+    values = texts;
+    return true;
+  };
+  impl_->add(flag, placeholder, set, help + " (may be given several times)")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  impl_->record(flag, [&values] {
+    std::vector<std::string> quoted;
+    for (const std::string& value : values) quoted.push_back(json_text(value));
+    return fmt::format("[{}]", fmt::join(quoted, ","));
+  });
+}
+
 void CommandLine::flag(const std::string& flag, bool& value, const std::string& help) {
   impl_->rows.push_back({flag, help});
   impl_->app.add_flag(flag, value);

@@ -34,6 +34,8 @@ class CommandLine : public Options {
               const std::string& help) override;
   void text(const std::string& flag, std::string& value, const std::string& placeholder, const std::string& help,
             bool recorded) override;
+  void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
+             const std::string& help) override;
   void flag(const std::string& flag, bool& value, const std::string& help) override;
 
   /// Adds the options of every command; called after the tool has declared its own.

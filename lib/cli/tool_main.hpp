@@ -29,6 +29,9 @@ class Options {
                       const std::string& help) = 0;
   virtual void text(const std::string& flag, std::string& value, const std::string& placeholder,
                     const std::string& help, bool recorded = true) = 0;
+  /// May be given several times; the values are kept in their sequence.
+  virtual void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
+                     const std::string& help) = 0;
   virtual void flag(const std::string& flag, bool& value, const std::string& help) = 0;
 };
 

@@ -85,6 +85,18 @@ TEST(ToolMain, TheLastOfRepeatedOptionsCounts) {
   EXPECT_EQ(s.order, 5);
 }
 
+TEST(ToolMain, AListKeepsAllItsValuesAndTheSequence) {
+  Sample s;
+  std::vector<std::string> parts;
+  Tool tool = s.tool();
+  tool.options = [&](Options& o) { o.texts("--part", parts, "A:B", "a part"); };
+  EXPECT_EQ(run(tool, {"--part", "2:1", "--part=3:4"}).code, 0);
+  EXPECT_EQ(parts, (std::vector<std::string>{"2:1", "3:4"}));
+  EXPECT_EQ(s.chain.back().options, R"({"part":["2:1","3:4"]})");
+  EXPECT_EQ(run(tool, {"--part"}).code, 2);
+  EXPECT_EQ(run(tool, {"--part", "1", "2"}).code, 2);  // one value each
+}
+
 TEST(ToolMain, MistakesAreOneLineAndTryHelp) {
   const std::vector<std::vector<std::string>> mistakes{
       {"--nothing"},  {"--size", "-1"},           {"--size", "11"},   {"--size", "nan"},    {"--size", "1x"},
