@@ -88,7 +88,7 @@ class Walker {
         push(step);
         state_ = end;
       }
-      if (ends_at_node()) return;
+      if (ends_at_node(evaluator_.maps()[state_.elem].position(state_.xi))) return;
     }
     finish(Streamline::End::length, evaluator_.maps()[state_.elem].position(state_.xi));
   }
@@ -141,9 +141,10 @@ class Walker {
       const Vec2 x = evaluator_.maps()[elem].position(step.xi(exit.share));
       const Nurbs& curve = evaluator_.field().mesh.face.curves[boundary.curve];
       const Projection foot = project(curve, x, boundary.t0, boundary.t1);
+      state_.angle = guide;
+      if (ends_at_node(foot.position)) return true;
       line_.curve = boundary.curve;
       line_.t = foot.t;
-      state_.angle = guide;
       finish(Streamline::End::boundary, foot.position);
       return true;
     }
@@ -152,8 +153,7 @@ class Walker {
     return false;
   }
 
-  bool ends_at_node() {
-    const Vec2 x = evaluator_.maps()[state_.elem].position(state_.xi);
+  bool ends_at_node(Vec2 x) {
     for (size_t n = 0; n < nodes_.size(); ++n) {
       const double gap = distance(x, nodes_[n]);
       if (gap > 10 * options_.hit_distance) near_origin_[n] = false;

@@ -25,9 +25,11 @@ class Builder {
 
   void add_fixed(const std::vector<FixedNode>& fixed) {
     for (const FixedNode& n : fixed) {
-      const double t = n.joint >= 0 ? face_.curves[n.joint].begin() : 0;
-      graph.nodes.push_back({n.position, n.kind, n.valence, n.joint, t});
+      const int curve = n.joint >= 0 ? n.joint : n.curve;
+      const double t = n.joint >= 0 ? face_.curves[n.joint].begin() : n.t;
+      graph.nodes.push_back({n.position, n.kind, n.valence, curve, t});
     }
+    num_fixed_ = graph.nodes.size();
   }
 
   void add_line_ends() {
@@ -39,6 +41,7 @@ class Builder {
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
       for (const int which : {0, 1}) {
         LineEnd end = which == 0 ? lines_[i].start : lines_[i].end;
+        if (end.node < 0) snap_to_fixed(end);
         if (end.node < 0) snap_to_joint(end);
         if (end.node >= 0)
           ends_[i][which] = end.node;
@@ -107,6 +110,12 @@ class Builder {
   SeparatrixGraph graph;
 
  private:
+  void snap_to_fixed(LineEnd& end) const {
+    const Vec2 x = point(face_.curves[end.curve], end.t);
+    for (size_t n = 0; n < num_fixed_; ++n)
+      if (graph.nodes[n].curve >= 0 && distance(x, graph.nodes[n].position) <= snap_) end.node = static_cast<int>(n);
+  }
+
   void snap_to_joint(LineEnd& end) const {
     const Vec2 x = point(face_.curves[end.curve], end.t);
     const int next = face_.next_in_loop(end.curve);
@@ -115,17 +124,15 @@ class Builder {
       // A closed curve has the same joint at both ends; either way it is the start of `joint`.
       end.curve = joint;
       end.t = face_.curves[joint].begin();
-      for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n)
-        if (graph.nodes[n].kind == NodeKind::corner && graph.nodes[n].curve == joint) end.node = n;
       return;
     }
   }
 
   int boundary_node(const LineEnd& end, bool is_cut) {
     const Vec2 x = point(face_.curves[end.curve], end.t);
-    if (!graph.nodes.empty()) {
+    if (graph.nodes.size() > num_fixed_) {
       const GraphNode& last = graph.nodes.back();
-      if (last.curve == end.curve && last.kind != NodeKind::corner && distance(last.position, x) <= snap_)
+      if (last.curve == end.curve && distance(last.position, x) <= snap_)
         return static_cast<int>(graph.nodes.size()) - 1;
     }
     graph.nodes.push_back({x, is_cut ? NodeKind::cut : NodeKind::boundary, 2, end.curve, end.t});
@@ -175,6 +182,7 @@ class Builder {
   const CadFace& face_;
   std::vector<FinishedLine>& lines_;
   double snap_;
+  size_t num_fixed_ = 0;
   std::vector<std::array<int, 2>> ends_;
   std::vector<std::vector<OnLine>> on_line_;
 };

@@ -9,12 +9,14 @@
 
 namespace quadrille {
 
-/// An irregular node or a corner: what is a node whatever the lines do.
+/// An irregular node, a corner or an irregular point of the boundary: what is a node whatever the lines do.
 struct FixedNode {
   Vec2 position;
   NodeKind kind = NodeKind::irregular;
   int valence = 4;
-  int joint = -1;  ///< of a corner
+  int joint = -1;  ///< of a corner, or of a boundary node at a smooth joint
+  int curve = -1;  ///< of a boundary node inside a curve, with its parameter
+  double t = 0;
 };
 
 /// An end of a line: a fixed node, or a place on the boundary.
@@ -31,9 +33,9 @@ struct FinishedLine {
 };
 
 /// Nodes in this sequence: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
-/// within `snap` (a length) of a joint are moved to it, ends within `snap` of each other are one node, crossings within
-/// `snap` of each other on one line too. `crossings`: of the lines' splines. Throws ComputeError where a line passes
-/// through the end of another.
+/// within `snap` (a length) of a fixed node on the boundary or of a joint are moved to it, ends within `snap` of each
+/// other are one node, crossings within `snap` of each other on one line too. `crossings`: of the lines' splines.
+/// Throws ComputeError where a line passes through the end of another.
 SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
                             const std::vector<Crossing>& crossings, double snap);
 

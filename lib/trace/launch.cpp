@@ -128,6 +128,19 @@ std::vector<double> corner_launch_directions(double interior_angle, int valence)
   return directions;
 }
 
+std::vector<double> phase_launch_directions(double phi_0, int valence) {
+  std::vector<double> directions;
+  directions.reserve(valence);
+  for (int k = 0; k < valence; ++k) directions.push_back((phi_0 + 2 * pi * k) / valence);
+  return directions;
+}
+
+std::vector<double> phase_corner_launch_directions(double interior_angle, int valence) {
+  std::vector<double> directions;
+  for (int k = 1; k < valence; ++k) directions.push_back(interior_angle * k / valence);
+  return directions;
+}
+
 namespace {
 
 // The direction of the field's cross next to `direction` at origin + radius e(bearing); false outside the mesh.

@@ -5,6 +5,9 @@
 // e(alpha) near a zero, and v on the straight chord between the data of both sides near a corner, G(alpha) = 4 alpha -
 // arg v takes each value 2 pi k once for each k, but for fans: three solutions for one k, of which the middle one is
 // launched and its neighbours run into it.
+//
+// A phase (phase-field.md point 7) has exact directions: 4 alpha = phi_0 + d alpha beside a node of index d = 4 - V, so
+// 360 / V degrees apart, and omega k / V at a corner or, with omega = pi, at a node on the boundary.
 
 #include <array>
 #include <vector>
@@ -26,6 +29,12 @@ std::vector<double> launch_directions_on_circle(const FieldEvaluator& evaluator,
 /// The V - 1 directions into the domain at a corner of valence V, as angles from the outgoing side's tangent,
 /// ascending in (0, interior_angle).
 std::vector<double> corner_launch_directions(double interior_angle, int valence);
+
+/// The V directions at a node of a phase, radians, phi_0 as in field/node_phase.
+std::vector<double> phase_launch_directions(double phi_0, int valence);
+
+/// The V - 1 directions into the domain at a corner or boundary node of a phase: interior_angle k / V.
+std::vector<double> phase_corner_launch_directions(double interior_angle, int valence);
 
 /// A line from its node to where integration begins.
 struct Launch {

@@ -8,6 +8,8 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "field/node_phase.hpp"
 
 namespace quadrille {
 namespace {
@@ -22,12 +24,12 @@ constexpr double stiff_turn = 50;         // of the direction, radians per radia
 constexpr double farthest_launch = 0.05;  // share of the distance to the nearest feature
 
 // Distance to the nearest other node or joint, at most `limit`.
-double feature_distance(const CadFace& face, const CriticalPoints& points, Vec2 x, double limit) {
+double feature_distance(const CadFace& face, const std::vector<FixedNode>& nodes, Vec2 x, double limit) {
   double feature = limit;
   const auto other = [&](Vec2 y) {
     if (y != x) feature = std::min(feature, distance(x, y));
   };
-  for (const CriticalPoint& p : points.critical_points) other(p.position);
+  for (const FixedNode& node : nodes) other(node.position);
   for (const Joint& joint : face.joints) other(joint.position);
   return feature;
 }
@@ -40,8 +42,11 @@ double element_size(const FieldEvaluator& evaluator, int elem) {
   return std::sqrt(std::abs(det(dx_dxi)));
 }
 
-std::vector<double> directions_at(const FieldEvaluator& evaluator, const CriticalPoint& p, const Location& at,
+bool is_phase(const FieldEvaluator& evaluator) { return evaluator.field().kind == "phase"; }
+
+std::vector<double> directions_at(const FieldEvaluator& evaluator, int node, const CriticalPoint& p, const Location& at,
                                   double feature) {
+  if (is_phase(evaluator)) return phase_launch_directions(node_phase(evaluator, node), p.valence);
   const bool is_simple = std::abs(p.index) == 1;
   if (!is_simple) return launch_directions_on_circle(evaluator, p.position, 1e-2 * feature, p.valence);
   return launch_directions(evaluator.sample(at.elem, at.xi).dv_dx);
@@ -55,14 +60,46 @@ double turn_rate(const FieldEvaluator& evaluator, const Launch& launch) {
   return std::abs(rate) * launch.radius;
 }
 
-Launch launch_from_corner(const FieldEvaluator& evaluator, int node, const Joint& joint, double angle, double feature) {
+/// What a corner or boundary node sees of the domain.
+struct Sector {
+  double tangent_out = 0;  ///< angle of the boundary as it leaves the node
+  double interior_angle = pi;
+};
+
+Sector sector_at(const CadFace& face, const FixedNode& node) {
+  if (node.joint >= 0) return {face.joints[node.joint].tangent_out, face.joints[node.joint].interior_angle};
+  return {angle_of(tangent(face.curves[node.curve], node.t)), pi};
+}
+
+std::vector<double> directions_in(const FieldEvaluator& evaluator, const Sector& sector, int valence) {
+  return is_phase(evaluator) ? phase_corner_launch_directions(sector.interior_angle, valence)
+                             : corner_launch_directions(sector.interior_angle, valence);
+}
+
+Launch launch_from_sector(const FieldEvaluator& evaluator, int node, Vec2 apex, const Sector& sector, double angle,
+                          double feature) {
   double share = launch_share;
   for (;;) {
     const Launch launch =
-        launch_line(evaluator, node, joint.position, angle, share * feature, pi / joint.interior_angle);
+        launch_line(evaluator, node, apex, sector.tangent_out + angle, share * feature, pi / sector.interior_angle);
     if (share >= farthest_launch || turn_rate(evaluator, launch) < stiff_turn) return launch;
     share = std::min(4 * share, farthest_launch);
   }
+}
+
+FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
+  const Nurbs& curve = face.curves[b.curve];
+  const double tol = 1e-12 * (curve.end() - curve.begin());
+  FixedNode node{point(curve, b.t), NodeKind::boundary, b.valence, -1, b.curve, b.t};
+  if (b.t <= curve.begin() + tol) node.joint = b.curve;
+  if (b.t >= curve.end() - tol) node.joint = face.next_in_loop(b.curve);
+  if (node.joint >= 0) node.position = face.joints[node.joint].position;
+  if (b.valence >= 3) return node;
+  const Vec2 place = node.position + face.origin;
+  throw ComputeError(
+      fmt::format("a node of valence {} on the smooth boundary at ({:.6g}, {:.6g}) makes a block whose "
+                  "sides go straight on there: no valid element has such a corner",
+                  b.valence, place.x, place.y));
 }
 
 }  // namespace
@@ -74,7 +111,7 @@ std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& po
     if (p.valence <= 2)
       throw ComputeError(
           fmt::format("the zero of the field at ({:.6g}, {:.6g}) has index {:+d}: it has to be split into "
-                      "nodes of valence 3, which this version doesn't do",
+                      "nodes of valence 3, which critpoints does",
                       place.x, place.y, p.index));
     nodes.push_back({p.position, NodeKind::irregular, p.valence, -1});
   }
@@ -87,27 +124,28 @@ std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& po
                       c.angle_degrees, place.x, place.y));
     nodes.push_back({face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint});
   }
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) nodes.push_back(boundary_node(face, b));
   return nodes;
 }
 
 std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
+  const std::vector<FixedNode> nodes = fixed_nodes(face, points);
+  const int num_inner = static_cast<int>(points.critical_points.size()), num = static_cast<int>(nodes.size());
   std::vector<Launch> launches;
-  int node = 0;
-  for (const CriticalPoint& p : points.critical_points) {
-    const Location at = evaluator.locator().find(p.position);
+  for (int n = 0; n < num_inner; ++n) {
+    const Vec2 x = nodes[n].position;
+    const Location at = evaluator.locator().find(x);
     if (at.elem < 0) throw FormatError("an irregular node lies outside the field's mesh");
-    const double feature = feature_distance(face, points, p.position, 4 * element_size(evaluator, at.elem));
-    for (const double angle : directions_at(evaluator, p, at, feature))
-      launches.push_back(launch_line(evaluator, node, p.position, angle, launch_share * feature, 1));
-    ++node;
+    const double feature = feature_distance(face, nodes, x, 4 * element_size(evaluator, at.elem));
+    for (const double angle : directions_at(evaluator, n, points.critical_points[n], at, feature))
+      launches.push_back(launch_line(evaluator, n, x, angle, launch_share * feature, 1));
   }
-  for (const Corner& c : points.corners) {
-    const Joint& joint = face.joints[c.joint];
-    const double feature = feature_distance(face, points, joint.position, face.diameter / 10);
-    for (const double angle : corner_launch_directions(joint.interior_angle, c.valence))
-      launches.push_back(launch_from_corner(evaluator, node, joint, joint.tangent_out + angle, feature));
-    ++node;
+  for (int n = num_inner; n < num; ++n) {
+    const Sector sector = sector_at(face, nodes[n]);
+    const double feature = feature_distance(face, nodes, nodes[n].position, face.diameter / 10);
+    for (const double angle : directions_in(evaluator, sector, nodes[n].valence))
+      launches.push_back(launch_from_sector(evaluator, n, nodes[n].position, sector, angle, feature));
   }
   return launches;
 }

@@ -10,11 +10,12 @@
 
 namespace quadrille {
 
-/// Irregular nodes in the sequence of `points`, then its corners. Throws ComputeError where this version has no layout:
-/// degenerate corners (V = 0), zeros with V <= 2.
+/// Irregular nodes in the sequence of `points`, then its corners, then its boundary nodes. Throws ComputeError where
+/// there is no layout: degenerate corners (V = 0), nodes with V <= 2, boundary nodes with V < 3.
 std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points);
 
-/// V lines from each irregular node, V - 1 from each corner; Launch::node counts fixed_nodes.
+/// V lines from each irregular node, V - 1 from each corner and boundary node; Launch::node counts fixed_nodes. Beside
+/// a field of kind "phase" the nodes of `points` are those of the field, in its sequence (require_nodes).
 std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPoints& points);
 
 /// Four lines from the inner loop of a domain between two loops.

@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "curve/nurbs.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr double node_share = 1e-6;  // of the diameter: how far a node may lie from its zero
+constexpr double node_share = 1e-6;   // of the diameter: how far a node may lie from its zero
+constexpr double asked_share = 1e-9;  // and from the place that the phase was asked for
 
 // A zero of the index that the file says.
 bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
@@ -26,24 +28,87 @@ bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
   return norm(off) <= node_share * diameter;
 }
 
+std::string place_of(const CadFace& face, Vec2 x) {
+  return fmt::format("({:.6g}, {:.6g})", x.x + face.origin.x, x.y + face.origin.y);
+}
+
+void require_zeros(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+  const CadFace& face = evaluator.field().mesh.face;
+  if (points.form == "phase")
+    throw FormatError(
+        "the critical points have the form \"phase\", so not all are zeros of the field, which is harmonic: run "
+        "fieldsolve --nodes with them");
+  for (const CriticalPoint& p : points.critical_points)
+    if (!is_zero(evaluator, p))
+      throw FormatError(
+          fmt::format("the node at {} is no zero of the field: run fieldsolve --nodes", place_of(face, p.position)));
+  if (!points.boundary_nodes.empty())
+    throw FormatError(fmt::format("a harmonic field has no node on the boundary, as at {}: run fieldsolve --nodes",
+                                  place_of(face, points.boundary_nodes.front().position)));
+}
+
+int asked_valence(const PhaseNodes& asked, int joint) {
+  const auto at = std::find_if(asked.corners.begin(), asked.corners.end(),
+                               [&](const CornerValence& corner) { return corner.joint == joint; });
+  return at == asked.corners.end() ? 2 : at->valence;
+}
+
+// The place of the first node that the phase doesn't have as `points` say; empty where all agree.
+std::string first_difference(const Field& field, const CriticalPoints& points) {
+  const CadFace& face = field.mesh.face;
+  const PhaseNodes& asked = field.phase.nodes;
+  const double tol = asked_share * face.diameter;
+  for (size_t i = 0; i < points.critical_points.size(); ++i) {
+    const CriticalPoint& p = points.critical_points[i];
+    if (i >= asked.nodes.size() || p.valence != asked.nodes[i].valence ||
+        !(distance(p.position, asked.nodes[i].position) <= tol))
+      return "the node at " + place_of(face, p.position);
+  }
+  for (const Corner& c : points.corners)
+    if (c.valence != asked_valence(asked, c.joint)) return "the corner at " + place_of(face, c.position);
+  const auto position = [&](int curve, double t) { return point(face.curves[curve], t); };
+  for (size_t i = 0; i < points.boundary_nodes.size(); ++i) {
+    const IrregularBoundaryPoint& b = points.boundary_nodes[i];
+    if (i >= asked.boundary_nodes.size() || b.valence != asked.boundary_nodes[i].valence ||
+        !(distance(position(b.curve, b.t), position(asked.boundary_nodes[i].curve, asked.boundary_nodes[i].t)) <= tol))
+      return "the boundary node at " + place_of(face, b.position);
+  }
+  return "";
+}
+
+bool are_twists_equal(std::vector<int> a, std::vector<int> b, int num_holes) {
+  a.resize(num_holes, 0), b.resize(num_holes, 0);
+  return a == b;
+}
+
+void require_asked(const Field& field, const CriticalPoints& points) {
+  const std::string difference = first_difference(field, points);
+  if (!difference.empty())
+    throw FormatError(difference + " is not what the field was solved for: run fieldsolve --nodes");
+  if (points.critical_points.size() != field.phase.nodes.nodes.size() ||
+      points.boundary_nodes.size() != field.phase.nodes.boundary_nodes.size())
+    throw FormatError(
+        fmt::format("the field was solved for {} irregular nodes and {} on the boundary, the file has {} and {}: run "
+                    "fieldsolve --nodes",
+                    field.phase.nodes.nodes.size(), field.phase.nodes.boundary_nodes.size(),
+                    points.critical_points.size(), points.boundary_nodes.size()));
+  if (!are_twists_equal(points.twist_offsets, field.phase.twist_offsets, field.mesh.face.num_loops() - 1))
+    throw FormatError("the field was solved with other twist_offsets: run fieldsolve --nodes");
+}
+
 }  // namespace
 
 void require_nodes_of_field(const FieldEvaluator& evaluator, const CriticalPoints& points) {
-  const CadFace& face = evaluator.field().mesh.face;
-  int sum = 0;
-  for (const CriticalPoint& p : points.critical_points) {
-    sum += 4 - p.valence;
-    if (is_zero(evaluator, p)) continue;
-    const Vec2 place = p.position + face.origin;
-    throw FormatError(
-        fmt::format("the node at ({:.6g}, {:.6g}) is no zero of the field: run fieldsolve --nodes", place.x, place.y));
-  }
-  for (const Corner& c : points.corners) {
-    sum += 2 - c.valence;
+  const Field& field = evaluator.field();
+  const CadFace& face = field.mesh.face;
+  for (const Corner& c : points.corners)
     if (c.joint < 0 || c.joint >= face.num_curves() || !face.joints[c.joint].is_corner)
       throw FormatError(fmt::format("joint {} of the critical points is no corner of the field's face", c.joint));
-  }
-  const int expected = 4 * face.euler_characteristic();
+  if (field.kind == "phase")
+    require_asked(field, points);
+  else
+    require_zeros(evaluator, points);
+  const int sum = index_sum_of(points), expected = 4 * face.euler_characteristic();
   if (sum != expected)
     throw FormatError(fmt::format("the index sum of nodes and corners is {} where the domain needs {}", sum, expected));
 }

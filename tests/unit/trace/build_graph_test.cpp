@@ -112,5 +112,55 @@ TEST(BuildGraph, ALineThroughTheEndOfAnotherIsRefused) {
   EXPECT_THROW(built(f, fixed, {half, line(f, 0, 0.5, 2, 0.5)}), ComputeError);
 }
 
+// A house: five corners of valence 1 and one node of valence 3 in the middle of its floor make three blocks.
+struct House : testing::Test {
+  CadFace f = face({{segment({0, 0}, {2, 0}), segment({2, 0}, {2, 1}), segment({2, 1}, {1, 2}), segment({1, 2}, {0, 1}),
+                     segment({0, 1}, {0, 0})}},
+                   2 * std::sqrt(2.0));
+  FixedNode floor{{1, 0}, NodeKind::boundary, 3, -1, 0, 1};
+
+  std::vector<FixedNode> fixed() const {
+    std::vector<FixedNode> nodes;
+    for (int j = 0; j < 5; ++j) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+    nodes.push_back(floor);
+    return nodes;
+  }
+};
+
+TEST_F(House, ANodeOnTheBoundarySplitsItAndCountsItsSectors) {
+  FinishedLine right = line(f, 0, 1, 2, 0.7), left = line(f, 0, 1, 3, 0.7);
+  right.start = left.start = {5, -1, 0};
+  const SeparatrixGraph graph = built(f, fixed(), {right, left});
+  EXPECT_EQ(graph.nodes.size(), 8u);
+  EXPECT_EQ(graph.nodes[5].curve, 0);
+  EXPECT_EQ(graph.nodes[5].valence, 3);
+  EXPECT_EQ(require_four_corners(graph), 3);
+}
+
+TEST_F(House, LinesThatEndBesideANodeOnTheBoundaryEndInIt) {
+  const SeparatrixGraph graph = built(f, fixed(), {line(f, 2, 0.7, 0, 1 + 5e-10), line(f, 3, 0.7, 0, 1 - 5e-10)});
+  EXPECT_EQ(graph.nodes.size(), 8u);
+  for (const SeparatrixLine& l : graph.lines) EXPECT_EQ(l.end, 5);
+  EXPECT_EQ(require_four_corners(graph), 3);
+}
+
+TEST_F(House, ANodeAtASmoothJointIsTheSame) {
+  f = face({{segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}), segment({2, 0}, {2, 1}), segment({2, 1}, {1, 2}),
+             segment({1, 2}, {0, 1}), segment({0, 1}, {0, 0})}},
+           2 * std::sqrt(2.0));
+  std::vector<FixedNode> nodes;
+  for (const int j : {0, 2, 3, 4, 5}) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  nodes.push_back({{1, 0}, NodeKind::boundary, 3, 1});
+  FinishedLine right = line(f, 1, 0, 3, 0.7);
+  right.start = {5, -1, 0};
+  const SeparatrixGraph graph = built(f, nodes, {right, line(f, 4, 0.7, 0, 1 - 5e-10)});
+  EXPECT_EQ(graph.nodes.size(), 8u);
+  EXPECT_EQ(require_four_corners(graph), 3);
+}
+
+TEST_F(House, WithoutItsLinesTheNodeIsAReflexCorner) {
+  EXPECT_THROW(require_four_corners(built(f, fixed(), {})), ComputeError);
+}
+
 }  // namespace
 }  // namespace quadrille

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/square_field.hpp"
+#include <string>
+
+#include "../support/phase_field.hpp"
 #include "base/error.hpp"
 
 namespace quadrille {
@@ -50,6 +52,88 @@ TEST_F(OneZero, RefusesAWrongIndexSum) {
   p = points();
   p.corners[1].valence = 2;
   EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
+}
+
+std::string message_of(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+  try {
+    require_nodes_of_field(evaluator, points);
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(OneZero, RefusesTheFormPhaseAndNodesOnTheBoundary) {
+  CriticalPoints p = points();
+  p.form = "phase";
+  EXPECT_NE(message_of(evaluator, p).find("which is harmonic: run fieldsolve --nodes"), std::string::npos);
+  p = points();
+  p.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
+  p.corners[0].valence = 1;
+  EXPECT_NE(message_of(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
+}
+
+// A square with a node of valence 3 inside and one on its lower side; the corners have 1, as the index sum wants.
+struct AskedPhase : testing::Test {
+  Field field = make_field();
+  FieldEvaluator evaluator{field};
+
+  static Field make_field() {
+    Field made = closed_phase(square_mesh({-1, -1}, 2, 3), {{{{0.25, 0.125}, 1}}, {}, {}, {}}, 0);
+    for (int j = 0; j < 4; ++j) made.phase.nodes.corners.push_back({j, 1});
+    made.phase.nodes.boundary_nodes.push_back({0, 1, 3});
+    return made;
+  }
+  CriticalPoints points() const {
+    CriticalPoints all;
+    all.form = "phase";
+    all.critical_points.push_back({{0.25, 0.125}, 1, 3, 0, {}, {}});
+    for (int j = 0; j < 4; ++j) all.corners.push_back({j, field.mesh.face.joints[j].position, 90, 1, {}});
+    all.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
+    return all;
+  }
+  void expect_refused(const CriticalPoints& p) const {
+    EXPECT_NE(message_of(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
+  }
+};
+
+TEST_F(AskedPhase, AcceptsWhatTheFieldWasAskedFor) {
+  CriticalPoints p = points();
+  EXPECT_EQ(message_of(evaluator, p), "");
+  p.form = "harmonic";  // the nodes decide, not the word
+  EXPECT_EQ(message_of(evaluator, p), "");
+}
+
+TEST_F(AskedPhase, RefusesNodesMovedByMoreThanABillionthOfTheDiameter) {
+  CriticalPoints p = points();
+  p.critical_points[0].position.x += 0.9e-9 * field.mesh.face.diameter;
+  p.boundary_nodes[0].t += 0.9e-9 * field.mesh.face.diameter;
+  EXPECT_EQ(message_of(evaluator, p), "");
+  CriticalPoints inside = p, outer = p;
+  inside.critical_points[0].position.x += 0.2e-9 * field.mesh.face.diameter;
+  expect_refused(inside);
+  outer.boundary_nodes[0].t += 0.2e-9 * field.mesh.face.diameter;
+  expect_refused(outer);
+}
+
+TEST_F(AskedPhase, RefusesOtherValencesAndNumbers) {
+  CriticalPoints p = points();
+  p.corners[1].valence = 2;
+  expect_refused(p);
+  p = points();
+  p.boundary_nodes.clear();
+  expect_refused(p);
+  p = points();
+  p.critical_points.push_back({{-0.5, 0}, 1, 3, 0, {}, {}});
+  expect_refused(p);
+  p = points();
+  p.critical_points[0].index = -1, p.critical_points[0].valence = 5;
+  expect_refused(p);
+}
+
+TEST_F(AskedPhase, NoTwistsAreTwistsOfZero) {
+  field.phase.twist_offsets = {0};
+  EXPECT_EQ(message_of(evaluator, points()), "");
 }
 
 }  // namespace

@@ -1,0 +1,154 @@
+// Launching from phases with closed forms (phase-field.md point 7).
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "../support/phase_field.hpp"
+#include "base/error.hpp"
+#include "field/node_phase.hpp"
+#include "field/phase_terms.hpp"
+#include "trace/launch_all.hpp"
+
+namespace quadrille {
+namespace {
+
+using Complex = std::complex<double>;
+
+Complex complex(Vec2 a) { return {a.x, a.y}; }
+
+const std::vector<Vec2> scattered{{0.3, 0.2}, {-0.4, 0.35}, {-0.25, -0.5}, {0.45, -0.3}};
+
+CriticalPoints points_of(const Field& field) {
+  CriticalPoints points;
+  points.form = "phase";
+  for (const PhaseNode& node : field.phase.nodes.nodes)
+    points.critical_points.push_back({node.position, 4 - node.valence, node.valence, 0, {}, {}});
+  return points;
+}
+
+TEST(NodePhase, IsTheClosedFormWithoutTheNodesOwnTurn) {
+  const Field field = disc_phase(scattered);
+  const FieldEvaluator evaluator(field);
+  for (int k = 0; k < 4; ++k) {
+    const Complex a = complex(scattered[k]);
+    Complex product = 1;
+    for (int j = 0; j < 4; ++j) {
+      const Complex b = complex(scattered[j]);
+      product *= (j == k ? 1.0 : a - b) * (1.0 - std::conj(b) * a);
+    }
+    EXPECT_NEAR(wrap_pi(node_phase(evaluator, k) - std::arg(product)), 0, 1e-13);
+  }
+}
+
+TEST(PhaseLaunch, LinesLeaveAtEqualAnglesAlongTheCross) {
+  for (const int valence : {3, 5, 6, 8}) {
+    const double phi_0 = 0.7;
+    const std::vector<double> rays = phase_launch_directions(phi_0, valence);
+    ASSERT_EQ(static_cast<int>(rays.size()), valence);
+    for (int k = 0; k < valence; ++k) {
+      EXPECT_NEAR(rays[k] - rays[0], 2 * pi * k / valence, 1e-14);
+      EXPECT_NEAR(wrap_pi(4 * rays[k] - phi_0 - (4 - valence) * rays[k]), 0, 1e-13);
+    }
+  }
+}
+
+TEST(PhaseLaunch, ASquareOfNodesInADiscLaunchesOutwardsAndToItsNeighbours) {
+  std::vector<Vec2> square;
+  for (int k = 0; k < 4; ++k) square.push_back(0.6 * unit(pi / 4 + k * half_pi));
+  const Field field = disc_phase(square);
+  const FieldEvaluator evaluator(field);
+  const std::vector<Launch> launches = launch_all(evaluator, points_of(field));
+  ASSERT_EQ(launches.size(), 12u);
+  for (const Launch& launch : launches) {
+    const double from_outwards = launch.angle - angle_of(launch.origin);
+    EXPECT_NEAR(wrap_pi(3 * from_outwards), 0, 1e-13);
+    EXPECT_LT(launch.radius, 1e-3);
+  }
+}
+
+TEST(PhaseLaunch, ANodeOfValenceSixLaunchesSixLines) {
+  // arg of conj(z)^2, turned by 0.5.
+  const Field field = closed_phase(square_mesh({-1, -1}, 2, 3), {{{{0.1, 0.2}, -2}}, {}, {}, {}}, 0.5);
+  const FieldEvaluator evaluator(field);
+  const std::vector<Launch> launches = launch_all(evaluator, points_of(field));
+  ASSERT_EQ(launches.size(), 6u);
+  for (const Launch& launch : launches) {
+    EXPECT_NEAR(wrap_pi(6 * launch.angle - 0.5), 0, 1e-13);
+    // The field of a single node has straight separatrices.
+    EXPECT_NEAR(wrap_pi(launch.angle_there - launch.angle), 0, 1e-11);
+  }
+}
+
+TEST(PhaseLaunch, BendsLinearlyWithTheSlopeOfTheOtherTerms) {
+  // 4 direction = phi_0 + d bearing + g . e r and direction = angle + 2 beta, bearing = angle + beta: beta = g . e r /
+  // (8 - d).
+  const Field field = disc_phase(scattered);
+  const FieldEvaluator evaluator(field);
+  PhaseTerms others = field.phase.terms;
+  others.nodes.erase(others.nodes.begin());
+  const Vec2 slope = explicit_phase_gradient(others, scattered[0]);
+  for (const double angle : phase_launch_directions(node_phase(evaluator, 0), 3)) {
+    const double beta = dot(slope, unit(angle)) / 7;
+    for (const double r : {1e-2, 1e-3}) {
+      const Launch launch = launch_line(evaluator, 0, scattered[0], angle, r, 1);
+      EXPECT_NEAR(wrap_pi(angle_of(launch.x - scattered[0]) - angle), beta * r, 3 * r * r);
+      EXPECT_NEAR(wrap_pi(launch.angle_there - angle), 2 * beta * r, 3 * r * r);
+    }
+  }
+}
+
+// A node of valence 3 in the middle of the square's lower side: beta = 4 - 2 V = -2.
+Field field_with_boundary_node() {
+  const Vec2 apex{0, -1}, pole{0, -3};
+  Field field = closed_phase(square_mesh({-1, -1}, 2, 3), {{}, {}, {}, {{apex, pole, -2}}}, 0);
+  // The cross is along the side: phi = 0 on the way out of the apex, to the right.
+  const double there = -2 * corner_angle(field.phase.terms.corner_angles[0], apex, {1, 0});
+  return closed_phase(std::move(field.mesh), field.phase.terms, -there);
+}
+
+TEST(PhaseLaunch, ABoundaryNodeDividesTheHalfPlane) {
+  const Field field = field_with_boundary_node();
+  const FieldEvaluator evaluator(field);
+  CriticalPoints points;
+  points.form = "phase";
+  points.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
+  const std::vector<Launch> launches = launch_all(evaluator, points);
+  ASSERT_EQ(launches.size(), 2u);
+  for (int k = 0; k < 2; ++k) {
+    const double angle = (k + 1) * pi / 3;
+    EXPECT_NEAR(launches[k].angle, angle, 1e-14);
+    // beta = g . e r / (8 - (4 - 2 V)), g = 2 d arg(z - p) at the apex = (-1, 0).
+    const double beta = -std::cos(angle) / 10, r = launches[k].radius;
+    EXPECT_NEAR(wrap_pi(angle_of(launches[k].x - Vec2{0, -1}) - angle), beta * r, 3 * r * r);
+  }
+}
+
+TEST(PhaseLaunch, CornersDivideTheirAngle) {
+  const std::vector<double> rays = phase_corner_launch_directions(radians(258), 3);
+  ASSERT_EQ(rays.size(), 2u);
+  EXPECT_NEAR(rays[0], radians(86), 1e-15);
+  EXPECT_NEAR(rays[1], radians(172), 1e-15);
+  EXPECT_TRUE(phase_corner_launch_directions(half_pi, 1).empty());
+}
+
+TEST(FixedNodes, BoundaryNodesComeLastAndAtJointsWithTheirJoint) {
+  const CadFace face = square_face({0, 0}, 1);
+  CriticalPoints points;
+  points.boundary_nodes = {{1, 0.25, {1, 0.25}, 3, "feature"}, {1, 1, {1, 1}, 3, "feature"}};
+  const std::vector<FixedNode> nodes = fixed_nodes(face, points);
+  ASSERT_EQ(nodes.size(), 2u);
+  EXPECT_EQ(nodes[0].kind, NodeKind::boundary);
+  EXPECT_EQ(nodes[0].joint, -1);
+  EXPECT_EQ(nodes[0].position, (Vec2{1, 0.25}));
+  EXPECT_EQ(nodes[1].joint, 2);
+  EXPECT_EQ(nodes[1].position, (Vec2{1, 1}));
+}
+
+TEST(FixedNodes, AStraightCornerOfABlockIsRefused) {
+  CriticalPoints points;
+  points.boundary_nodes.push_back({0, 0.5, {0.5, 0}, 1, "feature"});
+  EXPECT_THROW(fixed_nodes(square_face({0, 0}, 1), points), ComputeError);
+}
+
+}  // namespace
+}  // namespace quadrille
