@@ -1,0 +1,19 @@
+#include "guide/feature_nodes.hpp"
+
+namespace quadrille {
+
+NodeMark mark(const FeatureNode& node) {
+  return {node.position, node.valence, node.is_inside() ? "inside" : "boundary"};
+}
+
+void record(FeatureNodes& state, const std::string& kind, const std::vector<FeatureNode>& before,
+            const std::vector<FeatureNode>& after, const std::string& reason) {
+  NodeChange change;
+  change.kind = kind;
+  change.reason = reason;
+  for (const FeatureNode& node : before) change.before.push_back(mark(node));
+  for (const FeatureNode& node : after) change.after.push_back(mark(node));
+  state.changes.push_back(change);
+}
+
+}  // namespace quadrille
