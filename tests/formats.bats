@@ -50,10 +50,33 @@ PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout qua
   done
 }
 
+# block N LANGUAGE PAGE: the Nth block of code in that language on the page.
+block() {
+  awk -v wanted="$1" -v fence="\`\`\`$2" '$0 == "```" { inside = 0 } inside; $0 == fence { inside = ++n == wanted }' \
+    "$ROOT/formats/$3.md"
+}
+
 @test "the examples on the JSON pages are the sample files" {
   for stem in critical_points separatrix_graph; do
-    sed -n '/^```json$/,/^```$/p' "$ROOT/formats/${stem//_/-}.md" | sed '1d;$d' | cmp - "$ROOT"/tests/formats/$stem/passed/square.*
+    block 1 json ${stem//_/-} | cmp - "$ROOT"/tests/formats/$stem/passed/square.*
   done
+  block 2 json critical-points | cmp - "$ROOT/tests/formats/critical_points/passed/resolved.crit.json"
+}
+
+@test "points edited as the page tells stay valid" {
+  cp "$ROOT/tests/formats/critical_points/passed/square.crit.json" x.crit.json
+  block 1 sh critical-points |
+    awk 'sub(/x\.crit\.json$/, "x.crit.json >edited-" n + 1 ".crit.json") { ++n } 1' >edit.sh
+  bash -e edit.sh
+  for edited in edited-1 edited-2; do
+    stagecheck $edited.crit.json
+    validates critical-points $edited.crit.json
+    run ! cmp x.crit.json $edited.crit.json
+  done
+  assert_equal "$(jq -c '[.critical_points[0].position, .critical_points[0].valence]' edited-1.crit.json)" '[[0.35,0.5],3]'
+  assert_equal "$(jq -c '[.corners[2].valence, (.critical_points | length)]' edited-2.crit.json)" '[2,3]'
+  jq '.critical_points[0].valence = 5' x.crit.json >broken.crit.json
+  run -3 stagecheck broken.crit.json
 }
 
 @test "the example on the page of order maps keeps its schema" {
@@ -86,9 +109,12 @@ PYTHON
   crit=$ROOT/tests/formats/critical_points/passed/square.crit.json
   sep=$ROOT/tests/formats/separatrix_graph/passed/square.sep.json
   validates critical-points "$crit"
+  validates critical-points "${crit%/*}/resolved.crit.json"
   validates separatrix-graph "$sep"
   for edit in 'del(.corners)' '.version = [2, 0]' '.format = "field"' '.critical_points[0].index = 0' \
-    '.critical_points[0].position = [1]' '.corners[0].valence = 1.5' '.index_sum.expected = 3'; do
+    '.critical_points[0].position = [1]' '.corners[0].valence = 1.5' '.index_sum.expected = 3' '.form = "nice"' \
+    'del(.critical_points[0].valence)' '.certificate.cells = 1' '.boundary_nodes = [{"curve": 0}]' \
+    '.changes = [{"kind": "place", "reason": 1, "before": [], "after": []}]'; do
     jq "$edit" "$crit" > edited.json
     run validates critical-points edited.json
     assert_failure

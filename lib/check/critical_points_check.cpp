@@ -1,29 +1,65 @@
 #include <algorithm>
+#include <numeric>
 
 #include "base/angle.hpp"
+#include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
 
 namespace quadrille {
 
 namespace {
 
+constexpr int max_twist = 1000000;  // of whole turns; more would eat the digits of the phase
+
+bool is_sound(const CriticalPoint& p) {
+  return is_finite(p.position) && is_finite(p.xi) && is_finite(p.error) &&
+         std::all_of(p.jacobian.begin(), p.jacobian.end(), [](double d) { return is_finite(d); });
+}
+
+bool is_sound(const NodeChange& change) {
+  const auto is_finite_mark = [](const NodeMark& mark) { return is_finite(mark.position); };
+  return std::all_of(change.before.begin(), change.before.end(), is_finite_mark) &&
+         std::all_of(change.after.begin(), change.after.end(), is_finite_mark);
+}
+
+bool is_sound(const Certificate& c) {
+  const auto is_finite_cell = [](const CertificateCell& cell) {
+    return std::all_of(cell.vertices.begin(), cell.vertices.end(), [](double x) { return is_finite(x); });
+  };
+  return are_finite(c.disc_centres) && are_finite(c.disc_radii) && is_finite(c.cells_examined) &&
+         is_finite(c.cells_excluded) && is_finite(c.cells_isolated) && is_finite(c.cells_left_to_corners) &&
+         std::all_of(c.cells.begin(), c.cells.end(), is_finite_cell);
+}
+
+template <typename Entry, typename IsSound>
+void each_is_finite(const std::vector<Entry>& list, const char* name, const IsSound& sound, Findings& findings) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!sound(list[i])) findings.add("{} {} holds a number that is not finite", name, i);
+}
+
 void numbers_are_finite(const CriticalPoints& points, Findings& findings) {
   if (!is_finite(points.origin)) findings.add("origin is not finite");
-  for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
-    const CriticalPoint& p = points.critical_points[i];
-    bool is_sound = is_finite(p.position) && is_finite(p.xi) && is_finite(p.error);
-    for (const double d : p.jacobian) is_sound = is_sound && is_finite(d);
-    if (!is_sound) findings.add("critical point {} holds a number that is not finite", i);
-  }
-  for (std::size_t i = 0; i < points.corners.size(); ++i)
-    if (!is_finite(points.corners[i].position) || !is_finite(points.corners[i].angle_degrees))
-      findings.add("corner {} holds a number that is not finite", i);
+  const auto point_is_sound = [](const CriticalPoint& p) { return is_sound(p); };
+  each_is_finite(points.critical_points, "critical point", point_is_sound, findings);
+  each_is_finite(points.zeros, "zero", point_is_sound, findings);
+  each_is_finite(
+      points.corners, "corner", [](const Corner& c) { return is_finite(c.position) && is_finite(c.angle_degrees); },
+      findings);
+  each_is_finite(
+      points.boundary_nodes, "boundary node",
+      [](const IrregularBoundaryPoint& b) { return is_finite(b.position) && is_finite(b.t); }, findings);
+  each_is_finite(
+      points.clusters, "cluster",
+      [](const Cluster& c) { return is_finite(c.centre) && is_finite(c.radius) && are_finite(c.members); }, findings);
+  each_is_finite(
+      points.changes, "change", [](const NodeChange& c) { return is_sound(c); }, findings);
+  if (!is_sound(points.certificate)) findings.add("the certificate holds a number that is not finite");
 }
 
 void valences_fit_indices(const CriticalPoints& points, Findings& findings) {
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
-    if (p.valence != 4 - p.index || p.index == 0 || p.index > 4 || p.index < -60)
+    if (p.index == 0 || p.index > 4 || p.index < -60 || p.valence != 4 - p.index)
       findings.add("critical point {}: valence {} must be 4 - index, and index {} between -60 and 4 and not 0", i,
                    p.valence, p.index);
   }
@@ -51,10 +87,10 @@ void corners_are_sound(const CriticalPoints& points, Findings& findings) {
 }
 
 void index_sum_is_right(const CriticalPoints& points, Findings& findings) {
-  int nodes = 0, corners = 0, boundary = 0;
-  for (const CriticalPoint& p : points.critical_points) nodes += 4 - p.valence;
-  for (const Corner& c : points.corners) corners += 2 - c.valence;
-  for (const IrregularBoundaryPoint& b : points.boundary_nodes) boundary += 2 - b.valence;
+  long long nodes = 0, corners = 0, boundary = 0;  // a damaged file may hold valences of any size
+  for (const CriticalPoint& p : points.critical_points) nodes += 4LL - p.valence;
+  for (const Corner& c : points.corners) corners += 2LL - c.valence;
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) boundary += 2LL - b.valence;
   if (nodes + corners + boundary != points.index_sum)
     findings.add(
         "index_sum.value is {}, but the lists add up to {}: 4 - V over {} critical points {}, 2 - V over {} corners "
@@ -98,25 +134,103 @@ void errors_are_sound(const CriticalPoints& points, Findings& findings) {
 void forms_are_known(const CriticalPoints& points, Findings& findings) {
   if (points.form != "harmonic" && points.form != "phase")
     findings.add("form '{}' is not known; it must be harmonic or phase", points.form);
+  if (points.form == "harmonic" && (!points.boundary_nodes.empty() || !points.twist_offsets.empty()))
+    findings.add("boundary_nodes and twist_offsets are for the form phase; a harmonic field has none");
 }
 
 void boundary_nodes_are_sound(const CriticalPoints& points, Findings& findings) {
-  for (std::size_t i = 0; i < points.boundary_nodes.size(); ++i) {
-    const IrregularBoundaryPoint& b = points.boundary_nodes[i];
-    if (!is_finite(b.t) || !is_finite(b.position) || b.curve < 0)
-      findings.add("boundary node {}: a number is not finite or its curve negative", i);
-    if (b.valence < 1 || b.valence > 4 || b.valence == 2)
-      findings.add("boundary node {}: valence {} must be 1, 3 or 4", i, b.valence);
+  const auto& list = points.boundary_nodes;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i].curve < 0) findings.add("boundary node {}: its curve is negative", i);
+    if (list[i].valence < 1 || list[i].valence > 4 || list[i].valence == 2)
+      findings.add("boundary node {}: valence {} must be 1, 3 or 4", i, list[i].valence);
+    for (std::size_t j = 0; j < i; ++j)
+      if (list[i].curve == list[j].curve && list[i].t == list[j].t)
+        findings.add("boundary nodes {} and {} are at one place", j, i);
+  }
+  for (const int offset : points.twist_offsets)
+    if (std::abs(static_cast<double>(offset)) > max_twist)
+      findings.add("twist offset {} is not between -{} and {}", offset, max_twist, max_twist);
+}
+
+void zeros_are_sound(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.zeros.size(); ++i)
+    if (points.zeros[i].elem < 0 || points.zeros[i].error < 0)
+      findings.add("zero {}: its element or its error is negative", i);
+}
+
+void clusters_are_sound(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.clusters.size(); ++i) {
+    const Cluster& c = points.clusters[i];
+    if (c.radius < 0) findings.add("cluster {}: its radius is negative", i);
+    if (c.member_indices.empty()) continue;
+    const long long sum = std::accumulate(c.member_indices.begin(), c.member_indices.end(), 0LL);
+    if (c.member_indices.size() != c.members.size())
+      findings.add("cluster {}: {} member_indices for {} members", i, c.member_indices.size(), c.members.size());
+    else if (sum != c.index)
+      findings.add("cluster {}: its index is {}, its members' add up to {}", i, c.index, sum);
+  }
+}
+
+void certificate_is_sound(const CriticalPoints& points, Findings& findings) {
+  const Certificate& c = points.certificate;
+  if (c.elements < 0 || c.greatest_depth < 0 || c.cells_examined < 0 || c.cells_excluded < 0 || c.cells_isolated < 0 ||
+      c.cells_left_to_corners < 0)
+    findings.add("certificate: a count is negative");
+  for (std::size_t i = 0; i < c.cells.size(); ++i) {
+    if (c.cells[i].elem < 0) findings.add("certificate: the element of cell {} is negative", i);
+    if (c.cells[i].verdict != "zero" && c.cells[i].verdict != "open")
+      findings.add("certificate: the verdict '{}' of cell {} must be zero or open", c.cells[i].verdict, i);
+  }
+  if (c.disc_centres.size() != c.disc_radii.size())
+    findings.add("certificate: {} disc_centres, but {} disc_radii", c.disc_centres.size(), c.disc_radii.size());
+  if (std::any_of(c.disc_radii.begin(), c.disc_radii.end(), [](double r) { return r < 0; }))
+    findings.add("certificate: a radius is negative");
+}
+
+/// What the search left behind: for people and pictures, but true.
+void findings_of_the_search_are_sound(const CriticalPoints& points, Findings& findings) {
+  zeros_are_sound(points, findings);
+  clusters_are_sound(points, findings);
+  certificate_is_sound(points, findings);
+}
+
+bool is_known_place(const std::string& where) { return where == "inside" || where == "corner" || where == "boundary"; }
+
+long long index_of(const std::vector<NodeMark>& marks) {
+  long long sum = 0;
+  for (const NodeMark& mark : marks) sum += (mark.where == "inside" ? 4LL : 2LL) - mark.valence;
+  return sum;
+}
+
+void changes_keep_the_index_sum(const CriticalPoints& points, Findings& findings) {
+  for (std::size_t i = 0; i < points.changes.size(); ++i) {
+    const NodeChange& change = points.changes[i];
+    for (const auto* marks : {&change.before, &change.after})
+      for (const NodeMark& mark : *marks)
+        if (!is_known_place(mark.where))
+          findings.add("change {}: '{}' must be inside, corner or boundary", i, mark.where);
+    // A field that vanishes on whole curves has no index before.
+    if (change.kind != "line" && index_of(change.before) != index_of(change.after))
+      findings.add("change {} ({}): index {} before, {} after", i, change.kind, index_of(change.before),
+                   index_of(change.after));
   }
 }
 
 constexpr Rule<CriticalPoints> rules[] = {
-    {"CRT-R01", RuleKind::structure, numbers_are_finite},   {"CRT-R02", RuleKind::quick, valences_fit_indices},
-    {"CRT-R03", RuleKind::quick, elements_are_sound},       {"CRT-R04", RuleKind::quick, corners_are_sound},
-    {"CRT-R05", RuleKind::quick, index_sum_is_right},       {"CRT-R06", RuleKind::quick, index_sum_holds},
-    {"CRT-R07", RuleKind::full, jacobians_fit_indices},     {"CRT-R08", RuleKind::quick, points_differ},
-    {"CRT-R11", RuleKind::quick, errors_are_sound},         {"CRT-R12", RuleKind::quick, forms_are_known},
+    {"CRT-R01", RuleKind::structure, numbers_are_finite},
+    {"CRT-R02", RuleKind::quick, valences_fit_indices},
+    {"CRT-R03", RuleKind::quick, elements_are_sound},
+    {"CRT-R04", RuleKind::quick, corners_are_sound},
+    {"CRT-R05", RuleKind::quick, index_sum_is_right},
+    {"CRT-R06", RuleKind::quick, index_sum_holds},
+    {"CRT-R07", RuleKind::full, jacobians_fit_indices},
+    {"CRT-R08", RuleKind::quick, points_differ},
+    {"CRT-R11", RuleKind::quick, errors_are_sound},
+    {"CRT-R12", RuleKind::quick, forms_are_known},
     {"CRT-R13", RuleKind::quick, boundary_nodes_are_sound},
+    {"CRT-R15", RuleKind::quick, findings_of_the_search_are_sound},
+    {"CRT-R16", RuleKind::full, changes_keep_the_index_sum},
 };
 
 /// Critical points beside the field that they are said to be of.
@@ -155,13 +269,20 @@ void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings)
   const CadFace& face = pair.field.mesh.face;
   for (std::size_t i = 0; i < pair.points.boundary_nodes.size(); ++i) {
     const IrregularBoundaryPoint& b = pair.points.boundary_nodes[i];
-    if (!is_index(b.curve, face.curves.size()))
+    if (!is_index(b.curve, face.curves.size())) {
       findings.add("boundary node {}: the face has no curve {}", i, b.curve);
-    else if (b.t < face.curves[b.curve].begin() || b.t > face.curves[b.curve].end())
-      findings.add("boundary node {}: curve {} has no parameter {}", i, b.curve, b.t);
+      continue;
+    }
+    const Nurbs& curve = face.curves[b.curve];
+    if (b.t < curve.begin() || b.t > curve.end())
+      findings.add("boundary node {}: curve {} has no parameter {}, only {} to {}", i, b.curve, b.t, curve.begin(),
+                   curve.end());
+    else if (const Vec2 on_curve = curve_point(curve, b.t); distance(on_curve, b.position) > 1e-9 * face.diameter)
+      findings.add("boundary node {}: curve {} is at ({}, {}) there, less the origin", i, b.curve, on_curve.x,
+                   on_curve.y);
   }
   const std::size_t num_offsets = pair.points.twist_offsets.size();
-  if (num_offsets != 0 && static_cast<int>(num_offsets) != face.num_loops() - 1)
+  if (num_offsets != 0 && num_offsets + 1 != static_cast<std::size_t>(face.num_loops()))
     findings.add("twist_offsets has {} entries for {} holes", num_offsets, face.num_loops() - 1);
 }
 

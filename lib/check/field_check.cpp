@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "check/rules.hpp"
 #include "spectral/orthogonal_basis.hpp"
@@ -91,35 +92,100 @@ void errors_are_sound(const Field& field, Findings& findings) {
     if (field.elem_error[e] < 0) findings.add("element {}: its error is negative", e);
 }
 
-bool is_sound(const std::vector<PhaseTurn>& turns) {
-  return std::all_of(turns.begin(), turns.end(), [](const PhaseTurn& turn) { return is_finite(turn.position); });
+constexpr int max_turns = 1000000;  // whole turns of a term or twist; more would eat the digits of the phase
+
+bool is_bounded(int turns) { return turns >= -max_turns && turns <= max_turns; }
+
+void turns_are_sound(const std::vector<PhaseTurn>& turns, const char* name, Findings& findings) {
+  for (std::size_t k = 0; k < turns.size(); ++k)
+    if (!is_finite(turns[k].position) || !is_bounded(turns[k].turns))
+      findings.add("entry {} of terms/{}: not finite, or turns beyond {}", k, name, max_turns);
 }
 
+void hole_arrays_agree(const CadFace& face, const PhaseForm& phase, Findings& findings) {
+  const auto num_holes = static_cast<std::size_t>(std::max(face.num_loops() - 1, 0));
+  const auto require = [&](std::size_t size, const char* name) {
+    if (size != num_holes) findings.add("{} has {} entries for {} holes", name, size, num_holes);
+  };
+  require(phase.terms.holes.size(), "terms/holes");
+  require(phase.twists.size(), "twists");
+  require(phase.best_twists.size(), "best_twists");
+  require(phase.periods.size(), "periods");
+  if (!phase.twist_offsets.empty()) require(phase.twist_offsets.size(), "twist_offsets");
+}
+
+/// All that an evaluator adds up is there, finite and of a size that keeps the digits of the phase.
 void phase_is_sound(const Field& field, Findings& findings) {
   if (field.kind != "phase") return;
-  const CadFace& face = field.mesh.face;
   const PhaseForm& phase = field.phase;
   if (!field.liftings.empty()) findings.add("a field of kind phase has no liftings");
-  if (!is_sound(phase.terms.nodes) || !is_sound(phase.terms.holes) || !is_sound(phase.terms.images))
-    findings.add("a term of the phase holds a number that is not finite");
-  for (const CornerAngle& corner : phase.terms.corner_angles)
+  turns_are_sound(phase.terms.nodes, "nodes", findings);
+  turns_are_sound(phase.terms.holes, "holes", findings);
+  turns_are_sound(phase.terms.images, "images", findings);
+  for (std::size_t i = 0; i < phase.terms.corner_angles.size(); ++i) {
+    const CornerAngle& corner = phase.terms.corner_angles[i];
     if (!is_finite(corner.apex) || !is_finite(corner.pole) || !is_finite(corner.beta) || corner.apex == corner.pole)
-      findings.add("a corner angle of the phase is not finite, or its pole is its apex");
-  const std::size_t num_holes = face.num_loops() - 1;
-  if (phase.terms.holes.size() != num_holes || phase.twists.size() != num_holes ||
-      phase.best_twists.size() != num_holes || phase.periods.size() != num_holes ||
-      (!phase.twist_offsets.empty() && phase.twist_offsets.size() != num_holes))
-    findings.add("holes, twists, best_twists and periods must have {} entries, one a hole", num_holes);
-  if (phase.terms.nodes.size() != phase.nodes.nodes.size())
-    findings.add("terms has {} nodes, {} were asked for", phase.terms.nodes.size(), phase.nodes.nodes.size());
-  for (std::size_t k = 0; k < std::min(phase.terms.nodes.size(), phase.nodes.nodes.size()); ++k)
-    if (phase.terms.nodes[k].turns != 4 - phase.nodes.nodes[k].valence ||
-        phase.terms.nodes[k].position != phase.nodes.nodes[k].position)
-      findings.add("node {} of the terms is not the one asked for", k);
-  for (const CornerValence& corner : phase.nodes.corners)
+      findings.add("corner angle {} is not finite, or its pole is its apex", i);
+  }
+  hole_arrays_agree(field.mesh.face, phase, findings);
+  if (!are_finite(phase.best_twists) || !are_finite(phase.periods) || !is_finite(phase.twist_energy))
+    findings.add("best_twists, periods or twist_energy is not finite");
+  if (!std::all_of(phase.twists.begin(), phase.twists.end(), is_bounded) ||
+      !std::all_of(phase.twist_offsets.begin(), phase.twist_offsets.end(), is_bounded))
+    findings.add("a twist or offset is not between -{} and {}", max_turns, max_turns);
+}
+
+void corners_asked_exist(const CadFace& face, const PhaseNodes& asked, Findings& findings) {
+  std::set<int> joints;
+  for (const CornerValence& corner : asked.corners) {
     if (!is_index(corner.joint, face.joints.size())) findings.add("joint {} does not exist", corner.joint);
-  for (const BoundaryNode& node : phase.nodes.boundary_nodes)
-    if (!is_index(node.curve, face.curves.size())) findings.add("curve {} does not exist", node.curve);
+    if (!joints.insert(corner.joint).second) findings.add("joint {} is listed twice", corner.joint);
+    if (corner.valence < 0 || corner.valence > 4)
+      findings.add("joint {}: valence {} is outside 0 to 4", corner.joint, corner.valence);
+  }
+}
+
+void boundary_nodes_asked_exist(const CadFace& face, const PhaseNodes& asked, Findings& findings) {
+  for (std::size_t i = 0; i < asked.boundary_nodes.size(); ++i) {
+    const BoundaryNode& node = asked.boundary_nodes[i];
+    if (!is_index(node.curve, face.curves.size()))
+      findings.add("boundary node {}: curve {} does not exist", i, node.curve);
+    else if (!(node.t >= face.curves[node.curve].begin() && node.t <= face.curves[node.curve].end()))
+      findings.add("boundary node {}: curve {} has no parameter {}", i, node.curve, node.t);
+    if (node.valence < 1 || node.valence > 4 || node.valence == 2)
+      findings.add("boundary node {}: valence {} must be 1, 3 or 4", i, node.valence);
+  }
+}
+
+void nodes_are_those_asked(const PhaseForm& phase, Findings& findings) {
+  const auto& asked = phase.nodes.nodes;
+  const auto& terms = phase.terms.nodes;
+  if (terms.size() != asked.size())
+    return findings.add("terms has {} nodes, {} were asked for", terms.size(), asked.size());
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (asked[k].valence < 0 || asked[k].valence > 64 || asked[k].valence == 4)
+      findings.add("node {}: valence {} must be 0 to 64 and not 4", k, asked[k].valence);
+    if (terms[k].turns != 4LL - asked[k].valence || terms[k].position != asked[k].position)
+      findings.add("node {} of the terms is not the one asked for", k);
+  }
+}
+
+void index_sum_of_asked_holds(const CadFace& face, const PhaseNodes& asked, Findings& findings) {
+  long long sum = 0;
+  for (const PhaseNode& node : asked.nodes) sum += 4LL - node.valence;
+  for (const CornerValence& corner : asked.corners) sum += 2LL - corner.valence;
+  for (const BoundaryNode& node : asked.boundary_nodes) sum += 2LL - node.valence;
+  const int expected = 4 * (2 - face.num_loops());
+  if (sum != expected) findings.add("the index sum of what was asked for is {}, not {}", sum, expected);
+}
+
+void terms_are_those_asked(const Field& field, Findings& findings) {
+  if (field.kind != "phase") return;
+  const CadFace& face = field.mesh.face;
+  corners_asked_exist(face, field.phase.nodes, findings);
+  boundary_nodes_asked_exist(face, field.phase.nodes, findings);
+  nodes_are_those_asked(field.phase, findings);
+  index_sum_of_asked_holds(face, field.phase.nodes, findings);
 }
 
 constexpr Rule<Field> rules[] = {
@@ -127,7 +193,7 @@ constexpr Rule<Field> rules[] = {
     {"FLD-R03", RuleKind::structure, joints_exist},      {"FLD-R04", RuleKind::structure, numbers_are_finite},
     {"FLD-R05", RuleKind::quick, kinds_are_known},       {"FLD-R06", RuleKind::quick, liftings_fit},
     {"FLD-R07", RuleKind::quick, adapt_steps_are_sound}, {"FLD-R08", RuleKind::quick, errors_are_sound},
-    {"FLD-R09", RuleKind::quick, phase_is_sound},
+    {"FLD-R09", RuleKind::quick, phase_is_sound},        {"FLD-R10", RuleKind::quick, terms_are_those_asked},
 };
 
 }  // namespace

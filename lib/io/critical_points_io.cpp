@@ -13,17 +13,22 @@ void describe_id(Archive& archive, std::size_t place) {
   if (!archive.is_reading()) archive.field("id", id);
 }
 
+/// The index of a node whose valence is anything that a file may hold; CRT-R02 refuses what is no valence.
+int index_of(int valence) { return valence < -1000 ? 1000 : 4 - valence; }
+
 /// A node added by hand needs no more than its position and valence.
 void describe_critical_point(Archive& a, CriticalPoint& point, std::size_t place) {
   describe_id(a, place);
   a.field("position", point.position);
   a.field("valence", point.valence);
-  point.index = a.is_reading() ? 4 - point.valence : point.index;
+  point.index = a.is_reading() ? index_of(point.valence) : point.index;
   if (a.has("index")) a.field("index", point.index);
   if (a.has("elem")) a.field("elem", point.elem);
   if (a.has("xi")) a.field("xi", point.xi);
-  if (a.has("jacobian")) a.field("jacobian", point.jacobian);
+  const bool was_computed = a.has("jacobian");
+  if (was_computed) a.field("jacobian", point.jacobian);
   if (a.has("error")) a.field("error", point.error);
+  if (!was_computed) point.source = "hand";
   if (a.has("source")) a.field("source", point.source);
 }
 

@@ -52,7 +52,7 @@ void describe_phase_form(Archive& archive, PhaseForm& phase) {
 }
 
 void describe_field(Archive& archive, Field& field) {
-  archive.field("kind", field.kind, {"", "harmonic"});
+  archive.field("kind", field.kind, {"", "harmonic or phase"});
   archive.field("method", field.method, {"", "discretisation"});
   archive.object("mesh", [&](Archive& a) { describe_tri_mesh(a, field.mesh); });
   archive.field("elem_order", field.elem_order, {"", "polynomial order of the field on each element"});

@@ -6,7 +6,9 @@
 // put onto the boundary, moved, asked for by hand. `form` says which: "harmonic", every node is a zero of the field
 // and every corner has the valence that the field gives it; "phase", later stages need fieldsolve --nodes.
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,8 @@ struct CriticalPoint {
   Vec2 xi;                           ///< reference coordinates there
   std::array<double, 4> jacobian{};  ///< d v / d x at the point: u_x, u_y, v_x, v_y; zeros where it is no zero of v
   double error = 0;                  ///< error bar |J^-1 e| of the position, e the field's error there; 0: unknown
-  std::string source = "zero";       ///< where it comes from: "zero" of the field, else the kind of a NodeChange
+  std::string source =
+      "zero";  ///< where it comes from: "zero" of the field, put in by "hand", else the kind of a NodeChange
 };
 
 struct Corner {
@@ -106,13 +109,15 @@ struct CriticalPoints {
   Certificate certificate;
 };
 
-/// sum (4 - V) over the nodes and sum (2 - V) over corners and boundary nodes.
+/// sum (4 - V) over the nodes and sum (2 - V) over corners and boundary nodes; a damaged file's sum ends at the limits
+/// of int.
 inline int index_sum_of(const CriticalPoints& points) {
-  int sum = 0;
-  for (const CriticalPoint& p : points.critical_points) sum += 4 - p.valence;
-  for (const Corner& c : points.corners) sum += 2 - c.valence;
-  for (const IrregularBoundaryPoint& b : points.boundary_nodes) sum += 2 - b.valence;
-  return sum;
+  long long sum = 0;
+  for (const CriticalPoint& p : points.critical_points) sum += 4LL - p.valence;
+  for (const Corner& c : points.corners) sum += 2LL - c.valence;
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) sum += 2LL - b.valence;
+  using Limits = std::numeric_limits<int>;
+  return static_cast<int>(std::clamp<long long>(sum, Limits::min(), Limits::max()));
 }
 
 /// What the phase form is asked for.

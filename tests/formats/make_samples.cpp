@@ -21,21 +21,51 @@ std::string target(const std::string& format, const std::string& folder, const s
   return (root / format / folder / name).string();
 }
 
+template <typename Stage>
+using Write = void (*)(const std::string&, const Stage&);
+
+/// `stage` with one rule broken; the file is called after the rule.
 template <typename Stage, typename Damage>
-void write_samples(const char* format, const std::string& extension, void (*write)(const std::string&, const Stage&),
-                   const Stage& stage, const std::string& rule, const Damage& damage) {
+void write_broken(const std::string& folder, const std::string& extension, Write<Stage> write, Stage stage,
+                  const std::string& rule, const Damage& damage) {
+  damage(stage);
+  write(target(folder, "failed", rule + extension), stage);
+}
+
+template <typename Stage, typename Damage>
+void write_samples(const char* format, const std::string& extension, Write<Stage> write, const Stage& stage,
+                   const std::string& rule, const Damage& damage) {
   std::string folder = format;
   for (char& c : folder) c = c == '-' ? '_' : c;
   write(target(folder, "passed", "square" + extension), stage);
-  Stage broken = stage;
-  damage(broken);
-  write(target(folder, "failed", rule + extension), broken);
+  write_broken(folder, extension, write, stage, rule, damage);
   const bool is_json = extension.ends_with(".json");
   for (const int major : {0, 2}) {
     const std::string name = std::string("version-") + (major == 0 ? "older" : "newer") + extension;
     const auto write_empty = is_json ? write_json_stage : write_hdf5_stage;
     write_empty(target(folder, "failed", name), {format, major, 0}, stage.provenance, [](Archive&) {});
   }
+}
+
+/// Nodes that are not the field's own zeros: a second valid file, and what else can be wrong then.
+void write_resolved_points() {
+  const CriticalPoints points = samples::resolved_points();
+  write_critical_points(target("critical_points", "passed", "resolved.crit.json"), points);
+  const auto broken = [&](const std::string& rule, const auto& damage) {
+    write_broken("critical_points", ".crit.json", write_critical_points, points, rule, damage);
+  };
+  broken("CRT-R12", [](CriticalPoints& c) { c.form = "harmonic"; });
+  broken("CRT-R13", [](CriticalPoints& c) { c.boundary_nodes[0].curve = -1; });
+  broken("CRT-R15", [](CriticalPoints& c) { c.certificate.disc_radii.clear(); });
+  broken("CRT-R16", [](CriticalPoints& c) { c.changes[2].after[0].valence = 1; });
+}
+
+void write_phase_field() {
+  const Field field = samples::phase_field();
+  write_field(target("field", "passed", "phase.field.h5"), field);
+  write_broken("field", ".field.h5", write_field, field, "FLD-R09", [](Field& f) { f.phase.twists = {1}; });
+  write_broken("field", ".field.h5", write_field, field, "FLD-R10",
+               [](Field& f) { f.phase.nodes.nodes[0].position.x += 0.125; });
 }
 
 }  // namespace
@@ -60,4 +90,6 @@ int main(int argc, char** argv) {
   write_samples("quad-mesh", ".quad.h5", write_quad_mesh, samples::quad_mesh(), "QUA-R09", [](QuadMesh& m) {
     m.nodes[4] = {-0.1, 0.4};
   });
+  write_resolved_points();
+  write_phase_field();
 }

@@ -83,6 +83,64 @@ inline CriticalPoints critical_points() {
   return c;
 }
 
+/// What was made of a field's zeros (invented, to show every member): one of index 2 became two nodes, one near a
+/// corner was absorbed, one was put onto the boundary.
+inline CriticalPoints resolved_points() {
+  CriticalPoints c = critical_points();
+  c.form = "phase";
+  c.zeros = {{{0.25, 0.5}, 2, 2, 3, {-0.5, -0.25}, {0, 0, 0, 0}, 1e-6},
+             {{0.75, 0.5}, -1, 5, 1, {-0.5, -0.25}, {1, 0, 0, -1}, 2e-9},
+             {{0.03125, 0.015625}, -1, 5, 0, {-0.953125, -0.96875}, {2, 0, 0, -1}, 1e-9}};
+  c.critical_points = {{{0.25, 0.375}, 1, 3, 3, {-0.625, -0.25}, {}, 0, "cluster"},
+                       {{0.25, 0.625}, 1, 3, 3, {-0.375, -0.25}, {}, 0, "cluster"}};
+  c.corners[0].valence = 2;
+  c.corners[0].source = "absorb";
+  c.boundary_nodes = {{1, 0.5, {1, 0.5}, 3, "feature"}};
+  c.clusters = {{{0.25, 0.5}, 0.001, 2, {{0.25, 0.5}}, {}}};
+  c.changes = {{"cluster",
+                "a zero of index 2 becomes two nodes of valence 3",
+                {{{0.25, 0.5}, 2, "inside"}},
+                {{{0.25, 0.375}, 3, "inside"}, {{0.25, 0.625}, 3, "inside"}}},
+               {"absorb",
+                "nearer to the corner than any block could be",
+                {{{0, 0}, 1, "corner"}, {{0.03125, 0.015625}, 5, "inside"}},
+                {{{0, 0}, 2, "corner"}}},
+               {"feature",
+                "a fillet below the feature size forces it",
+                {{{0.75, 0.5}, 5, "inside"}},
+                {{{1, 0.5}, 3, "boundary"}}}};
+  c.certificate.elements = 4;
+  c.certificate.cells_examined = 20;
+  c.certificate.cells_excluded = 13;
+  c.certificate.cells_isolated = 1;
+  c.certificate.cells_left_to_corners = 1;
+  c.certificate.greatest_depth = 2;
+  c.certificate.cells = {{1, {0.75, 0.25, 1, 0.5, 0.75, 0.75}, "zero"},
+                         {3, {0.25, 0.25, 0.375, 0.5, 0.125, 0.5}, "open"},
+                         {3, {0.25, 0.75, 0.125, 0.5, 0.375, 0.5}, "open"}};
+  c.certificate.disc_centres = {{0, 0}};
+  c.certificate.disc_radii = {0.0625};
+  return c;
+}
+
+/// The square with one node of valence 3 in the middle and a corner of valence 2 (s is invented: 0).
+inline Field phase_field() {
+  Field f = field();
+  f.kind = "phase";
+  f.u.clear();
+  f.v.clear();
+  f.elem_sensor.clear();
+  f.elem_error.clear();
+  f.adapt_steps.clear();
+  f.phase.nodes.nodes = {{{0.5, 0.375}, 3}};
+  for (int k = 0; k < 4; ++k) f.phase.nodes.corners.push_back({k, k == 0 ? 2 : 1});
+  f.phase.terms.nodes = {{{0.5, 0.375}, 1}};
+  f.phase.terms.images = {{{0.5, -0.375}, 1}};
+  f.phase.terms.corner_angles = {{{0, 0}, {-1, -1}, -4}};
+  f.phase.s.assign(15, 0.0);
+  return f;
+}
+
 /// Two blocks, cut by one line from the middle of the lower side to the middle of the upper one.
 inline SeparatrixGraph separatrix_graph() {
   SeparatrixGraph g;

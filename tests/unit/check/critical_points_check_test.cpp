@@ -8,6 +8,9 @@
 namespace quadrille {
 namespace {
 
+constexpr int least = std::numeric_limits<int>::min();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
 template <typename Damage>
 Rules broken(const Damage& damage) {
   CriticalPoints points = samples::critical_points();
@@ -59,6 +62,12 @@ TEST(CriticalPointsCheck, CrtR08PointsDiffer) {
   EXPECT_EQ(broken([](auto& c) { c.critical_points[1].position = c.critical_points[0].position; }), Rules{"CRT-R08"});
 }
 
+TEST(CriticalPointsCheck, AnAskedValenceOfAnySizeIsRefusedWithoutOverflow) {
+  EXPECT_EQ(broken([](auto& c) { c.critical_points[0].valence = least; }), (Rules{"CRT-R02", "CRT-R05"}));
+  EXPECT_EQ(broken([](auto& c) { c.critical_points[0].index = least; }), Rules{"CRT-R02"});
+  EXPECT_EQ(broken([](auto& c) { c.corners[0].valence = least; }), (Rules{"CRT-R04", "CRT-R05"}));
+}
+
 template <typename Damage>
 Rules broken_beside_field(const Damage& damage) {
   CriticalPoints points = samples::critical_points();
@@ -83,6 +92,86 @@ TEST(CriticalPointsCheck, CrtR10CornersAreTheFaces) {
 }
 TEST(CriticalPointsCheck, CrtR11ErrorsAreNotNegative) {
   EXPECT_EQ(broken([](auto& c) { c.critical_points[0].error = -1e-9; }), Rules{"CRT-R11"});
+}
+
+/// The sample whose nodes are not the field's zeros.
+template <typename Damage>
+Rules broken_resolved(const Damage& damage) {
+  CriticalPoints points = samples::resolved_points();
+  damage(points);
+  return rules_of(check_critical_points(points, CheckDepth::full));
+}
+
+template <typename Damage>
+Rules broken_resolved_beside_field(const Damage& damage) {
+  CriticalPoints points = samples::resolved_points();
+  damage(points);
+  return rules_of(check_critical_points_of(points, samples::field()));
+}
+
+TEST(CriticalPointsCheck, TheResolvedSampleIsValid) {
+  EXPECT_EQ(broken_resolved([](CriticalPoints&) {}), Rules{});
+  EXPECT_EQ(broken_resolved_beside_field([](CriticalPoints&) {}), Rules{});
+}
+
+TEST(CriticalPointsCheck, CrtR01NumbersOfEveryListAreFinite) {
+  EXPECT_EQ(broken_resolved([](auto& c) { c.zeros[1].jacobian[2] = not_a_number; }), Rules{"CRT-R01"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.boundary_nodes[0].t = not_a_number; }), Rules{"CRT-R01"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.clusters[0].members[0].x = not_a_number; }), Rules{"CRT-R01"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.changes[1].after[0].position.y = not_a_number; }), Rules{"CRT-R01"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells[0].vertices[5] = not_a_number; }), Rules{"CRT-R01"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.disc_radii[0] = not_a_number; }), Rules{"CRT-R01"});
+}
+TEST(CriticalPointsCheck, CrtR05IndexSumCountsBoundaryNodes) {
+  EXPECT_EQ(broken_resolved([](auto& c) { c.boundary_nodes.clear(); }), Rules{"CRT-R05"});
+}
+TEST(CriticalPointsCheck, CrtR12FormsAreKnown) {
+  EXPECT_EQ(broken([](auto& c) { c.form = "magic"; }), Rules{"CRT-R12"});
+  EXPECT_EQ(broken([](auto& c) { c.twist_offsets = {1}; }), Rules{"CRT-R12"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.form = "harmonic"; }), Rules{"CRT-R12"});
+}
+TEST(CriticalPointsCheck, CrtR13BoundaryNodesAndTwistsAreSound) {
+  EXPECT_EQ(broken_resolved([](auto& c) { c.boundary_nodes[0].curve = -1; }), Rules{"CRT-R13"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.twist_offsets = {2000000}; }), Rules{"CRT-R13"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.twist_offsets = {least}; }), Rules{"CRT-R13"});
+  for (const int regular_or_worse : {-1, 0, 2, 5, least}) {
+    const Rules rules = broken_resolved([&](auto& c) { c.boundary_nodes[0].valence = regular_or_worse; });
+    EXPECT_EQ(rules, (Rules{"CRT-R05", "CRT-R13"})) << regular_or_worse;
+  }
+  EXPECT_EQ(broken_resolved([](auto& c) {
+              c.boundary_nodes.push_back(c.boundary_nodes[0]);
+              c.critical_points[0].valence = 2;
+              c.critical_points[0].index = 2;
+            }),
+            Rules{"CRT-R13"});
+}
+TEST(CriticalPointsCheck, CrtR14BoundaryNodesLieOnTheirCurves) {
+  EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.boundary_nodes[0].curve = 4; }), Rules{"CRT-R14"});
+  EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.boundary_nodes[0].t = 1.5; }), Rules{"CRT-R14"});
+  EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.boundary_nodes[0].t = 0.25; }), Rules{"CRT-R14"});
+  EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.twist_offsets = {0}; }), Rules{"CRT-R14"})
+      << "the square has no hole";
+}
+TEST(CriticalPointsCheck, CrtR15WhatTheSearchFoundIsSound) {
+  EXPECT_EQ(broken_resolved([](auto& c) { c.zeros[0].elem = -1; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.zeros[0].error = -1; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.clusters[0].radius = -1; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.clusters[0].member_indices = {1, 1}; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.clusters[0].member_indices = {1}; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells_excluded = -1; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells[0].verdict = "maybe"; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells[0].elem = -1; }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.disc_radii.pop_back(); }), Rules{"CRT-R15"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.disc_radii[0] = -1; }), Rules{"CRT-R15"});
+}
+TEST(CriticalPointsCheck, CrtR16ChangesKeepTheIndexSum) {
+  EXPECT_EQ(broken_resolved([](auto& c) { c.changes[0].after.pop_back(); }), Rules{"CRT-R16"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.changes[2].after[0].where = "inside"; }), Rules{"CRT-R16"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.changes[2].after[0].where = "outside"; }), Rules{"CRT-R16"});
+  EXPECT_EQ(broken_resolved([](auto& c) {
+              c.changes = {{"line", "no zeros were there", {}, {{{0, 0}, 1, "corner"}}}};
+            }),
+            Rules{});
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 namespace quadrille {
 namespace {
 
+constexpr int least = std::numeric_limits<int>::min();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
 template <typename Damage>
 Rules broken(const Damage& damage) {
   Field field = samples::field();
@@ -55,6 +58,67 @@ TEST(FieldCheck, FldR07AdaptStepsAreSound) {
 }
 TEST(FieldCheck, FldR08ErrorsAreNotNegative) {
   EXPECT_EQ(broken([](Field& f) { f.elem_error[0] = -1e-9; }), Rules{"FLD-R08"});
+}
+
+template <typename Damage>
+Rules broken_phase(const Damage& damage) {
+  Field field = samples::phase_field();
+  damage(field);
+  return rules_of(check_field(field, CheckDepth::full));
+}
+
+TEST(FieldCheck, ThePhaseSampleIsValid) {
+  EXPECT_EQ(broken_phase([](Field&) {}), Rules{});
+}
+
+TEST(FieldCheck, FldR02CoefficientsOfAPhaseFit) {
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.s.pop_back(); }), Rules{"FLD-R02"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.u.assign(15, 0.0); }), Rules{"FLD-R02"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.kind = "harmonic"; }), Rules{"FLD-R02"});
+}
+TEST(FieldCheck, FldR04CoefficientsOfAPhaseAreFinite) {
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.s[3] = std::numeric_limits<double>::infinity(); }), Rules{"FLD-R04"});
+}
+TEST(FieldCheck, FldR09PhaseIsSound) {
+  EXPECT_EQ(broken_phase([](Field& f) { f.liftings = {{0, {0, 0}, {-1, -1}, {1, 0}}}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.images[0].position.x = not_a_number; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.images[0].turns = 2000000; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.images[0].turns = least; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.corner_angles[0].pole = {0, 0}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.corner_angles[0].beta = not_a_number; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) {
+              f.phase.terms.holes = {{{0.5, 0.5}, 4}};
+            }),
+            Rules{"FLD-R09"})
+      << "the square has no hole";
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.twists = {0}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.twist_offsets = {0}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.best_twists = {0.5}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.periods = {0.5}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.twist_energy = not_a_number; }), Rules{"FLD-R09"});
+}
+TEST(FieldCheck, FldR10TermsAreThoseAskedFor) {
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.nodes[0].turns = -1; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.nodes[0].position.x += 1e-9; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.nodes.clear(); }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.nodes[0].valence = least; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[0].joint = 4; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[1].joint = 0; }), Rules{"FLD-R10"}) << "twice";
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[0].valence = 1; }), Rules{"FLD-R10"}) << "index sum";
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[0].valence = least; }), Rules{"FLD-R10"});
+  // A boundary node of valence 3 takes what a corner of valence 1 instead of 2 gives.
+  const auto with_boundary_node = [](int curve, double t, int valence) {
+    return broken_phase([&](Field& f) {
+      f.phase.nodes.corners[0].valence = 1;
+      f.phase.nodes.boundary_nodes = {{curve, t, valence}};
+    });
+  };
+  EXPECT_EQ(with_boundary_node(1, 0.5, 3), Rules{});
+  EXPECT_EQ(with_boundary_node(4, 0.5, 3), Rules{"FLD-R10"});
+  EXPECT_EQ(with_boundary_node(1, 1.5, 3), Rules{"FLD-R10"});
+  EXPECT_EQ(with_boundary_node(1, std::numeric_limits<double>::quiet_NaN(), 3), Rules{"FLD-R10"});
+  EXPECT_EQ(with_boundary_node(1, 0.5, 2), Rules{"FLD-R10"});
+  EXPECT_EQ(with_boundary_node(1, 0.5, least), Rules{"FLD-R10"});
 }
 
 }  // namespace

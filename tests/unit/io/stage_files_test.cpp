@@ -53,6 +53,43 @@ TEST_F(StageFiles, CriticalPointsSurviveTheRoundTrip) {
   EXPECT_EQ(stage_format(read_input(path("first"))), "critical-points");
 }
 
+TEST_F(StageFiles, PhaseFieldSurvivesTheRoundTrip) {
+  expect_same_bytes(samples::phase_field(), read_field, write_field);
+  const Field field = read_field(read_input(path("second")));
+  EXPECT_EQ(field.kind, "phase");
+  EXPECT_TRUE(field.u.empty());
+  EXPECT_EQ(field.phase.s, samples::phase_field().phase.s);
+  EXPECT_EQ(field.phase.nodes.corners[0].valence, 2);
+  EXPECT_EQ(field.phase.terms.images[0].position, (Vec2{0.5, -0.375}));
+  EXPECT_EQ(field.phase.terms.corner_angles[0].beta, -4);
+}
+
+TEST_F(StageFiles, ResolvedPointsSurviveTheRoundTrip) {
+  expect_same_bytes(samples::resolved_points(), read_critical_points, write_critical_points);
+  const CriticalPoints points = read_critical_points(read_input(path("second")));
+  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.critical_points[1].source, "cluster");
+  EXPECT_EQ(points.corners[0].source, "absorb");
+  EXPECT_EQ(points.boundary_nodes[0].t, 0.5);
+  EXPECT_EQ(points.changes[1].before[1].valence, 5);
+  EXPECT_EQ(points.clusters[0].members.size(), 1u);
+  EXPECT_EQ(points.zeros[2].index, -1);
+  EXPECT_EQ(points.certificate.cells[2].verdict, "open");
+  EXPECT_EQ(points.certificate.disc_radii, (std::vector<double>{0.0625}));
+}
+
+TEST_F(StageFiles, NodesAddedByHandNeedPlaceAndValenceOnly) {
+  const std::string text =
+      R"({"format": "critical-points", "version": [1, 2], "producer": "an editor", "provenance": [],
+    "origin": [0, 0], "form": "phase", "critical_points": [{"position": [0.5, 0.5], "valence": 6}],
+    "corners": [{"joint": 0, "position": [0, 0], "angle_degrees": 90, "valence": 1, "curves": [3, 0]}],
+    "index_sum": {"expected": 4}})";
+  const CriticalPoints points = read_critical_points({"file", text, ""});
+  EXPECT_EQ(points.critical_points[0].index, -2);
+  EXPECT_EQ(points.index_sum, -1) << "4 - 6 and 2 - 1";
+  EXPECT_TRUE(points.changes.empty());
+}
+
 TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
   expect_same_bytes(samples::separatrix_graph(), read_separatrix_graph, write_separatrix_graph);
   const SeparatrixGraph graph = read_separatrix_graph(read_input(path("second")));
