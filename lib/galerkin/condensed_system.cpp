@@ -7,7 +7,7 @@ namespace quadrille {
 namespace {
 
 // Adds `local`, over the element's own modes, to the free dofs' rows of `sum`.
-void add_to_free(const DofMap& map, int elem, const Eigen::MatrixX2d& local, Eigen::MatrixX2d& sum) {
+void add_to_free(const DofMap& map, int elem, const Eigen::MatrixXd& local, Eigen::MatrixXd& sum) {
   const int offset = map.elem2offset[elem];
   for (int i = 0; i < local.rows(); ++i) {
     const int dof = map.elem2dofs[offset + i];
@@ -22,9 +22,10 @@ bool has_given_dofs(const DofMap& map, int elem) {
 
 }  // namespace
 
-Eigen::MatrixX2d right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
-                                 const Eigen::MatrixX2d& given) {
-  Eigen::MatrixX2d dofs = Eigen::MatrixX2d::Zero(map.num_dofs, 2), rhs = Eigen::MatrixX2d::Zero(map.num_unknowns, 2);
+Eigen::MatrixXd right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
+                                const Eigen::MatrixXd& given) {
+  Eigen::MatrixXd dofs = Eigen::MatrixXd::Zero(map.num_dofs, given.cols()),
+                  rhs = Eigen::MatrixXd::Zero(map.num_unknowns, given.cols());
   dofs.bottomRows(given.rows()) = -given;
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
     if (has_given_dofs(map, e)) add_to_free(map, e, elements[e].schur * element_dofs(map, e, dofs), rhs);
@@ -32,9 +33,9 @@ Eigen::MatrixX2d right_hand_side(const DofMap& map, const std::vector<CondensedE
   return rhs;
 }
 
-Eigen::MatrixX2d element_dofs(const DofMap& map, int elem, const Eigen::MatrixX2d& dofs) {
+Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd& dofs) {
   const int offset = map.elem2offset[elem], n = map.elem2offset[elem + 1] - offset;
-  Eigen::MatrixX2d local = Eigen::MatrixX2d::Zero(n, 2);
+  Eigen::MatrixXd local = Eigen::MatrixXd::Zero(n, dofs.cols());
   for (int i = 0; i < n; ++i) {
     const int dof = map.elem2dofs[offset + i];
     if (dof >= 0) local.row(i) = map.elem2signs[offset + i] * dofs.row(dof);
@@ -42,10 +43,25 @@ Eigen::MatrixX2d element_dofs(const DofMap& map, int elem, const Eigen::MatrixX2
   return local;
 }
 
-double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixX2d& rhs,
-                         const Eigen::MatrixX2d& dofs) {
+Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>& elements,
+                          const Eigen::MatrixXd& dofs) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, dofs.cols());
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    if (!has_given_dofs(map, e)) continue;
+    const Eigen::MatrixXd local = elements[e].schur * element_dofs(map, e, dofs);
+    const int offset = map.elem2offset[e];
+    for (int i = 0; i < local.rows(); ++i) {
+      const int given = map.elem2dofs[offset + i] - map.num_unknowns;
+      if (given >= 0) sum.row(given) += map.elem2signs[offset + i] * local.row(i);
+    }
+  }
+  return sum;
+}
+
+double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
+                         const Eigen::MatrixXd& dofs) {
   // All dofs at once: the given ones' reactions are the right-hand side.
-  Eigen::MatrixX2d residual = Eigen::MatrixX2d::Zero(map.num_unknowns, 2);
+  Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(map.num_unknowns, dofs.cols());
   for (int e = 0; e < static_cast<int>(elements.size()); ++e)
     add_to_free(map, e, elements[e].schur * element_dofs(map, e, dofs), residual);
   const double scale = rhs.norm();

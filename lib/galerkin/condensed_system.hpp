@@ -1,6 +1,6 @@
 #pragma once
 // The global system of the condensed elements, element by element: the sum K of their Schur complements over the free
-// dofs, and the right-hand side from the given ones.
+// dofs, and the right-hand side from the given ones. Any number of functions at once, a column for each.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -10,15 +10,20 @@
 
 namespace quadrille {
 
-/// The right-hand side, columns u, v: minus the reactions of `given`, the values of the dofs [num_unknowns, num_dofs).
-Eigen::MatrixX2d right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
-                                 const Eigen::MatrixX2d& given);
+/// The right-hand side: minus the reactions of `given`, the values of the dofs [num_unknowns, num_dofs).
+Eigen::MatrixXd right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
+                                const Eigen::MatrixXd& given);
 
-/// The values of an element's own modes, columns u, v; 0 for modes without a dof.
-Eigen::MatrixX2d element_dofs(const DofMap& map, int elem, const Eigen::MatrixX2d& dofs);
+/// The values of an element's own modes; 0 for modes without a dof.
+Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd& dofs);
+
+/// What the given dofs' rows of the whole matrix make of `dofs`: where the free ones solve the system, the energy
+/// product a(f, g) of two columns is (given part of f) . (reaction of g).
+Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>& elements,
+                          const Eigen::MatrixXd& dofs);
 
 /// |rhs - K x| / |rhs|; |rhs - K x| where the right-hand side is 0. `dofs` are all: x, then the given ones.
-double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixX2d& rhs,
-                         const Eigen::MatrixX2d& dofs);
+double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
+                         const Eigen::MatrixXd& dofs);
 
 }  // namespace quadrille

@@ -7,35 +7,19 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/linear_solver.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille {
 
-namespace {
-
-// All modes of one element, columns u, v, from all dofs.
-Eigen::MatrixX2d element_modes(const DofMap& map, const CondensedElement& element, int elem, int order,
-                               const Eigen::MatrixX2d& dofs) {
-  const int nb = num_boundary_modes(order);
-  Eigen::MatrixX2d modes(num_tri_modes(order), 2);
-  modes.topRows(nb) = element_dofs(map, elem, dofs);
-  modes.bottomRows(num_interior_modes(order)) = element.interior_from_boundary * modes.topRows(nb);
-  return modes;
-}
-
-}  // namespace
-
-ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads)
+ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads)
     : context_(&context),
       num_threads_(num_threads),
       stiffness_(context),
-      dirichlet_(*context.mesh, std::move(data)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {}
 
-void ContinuousGalerkin::update_elements(const std::vector<int>& elem_order) {
+void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
   parallel_for(static_cast<int>(elem_order.size()), num_threads_, [&](int e) {
     if (elem_order[e] == elem_order_[e]) return;
     try {
@@ -47,33 +31,62 @@ void ContinuousGalerkin::update_elements(const std::vector<int>& elem_order) {
   });
 }
 
-int ContinuousGalerkin::num_unknowns(const std::vector<int>& elem_order) const {
+int ContinuousSystem::num_unknowns(const std::vector<int>& elem_order) const {
   return make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order).num_unknowns;
 }
 
-Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
-  Stopwatch watch;
+void ContinuousSystem::set_orders(const std::vector<int>& elem_order, Stopwatch& watch) {
+  cholesky_.reset();
   update_elements(elem_order);
   watch.lap("elements");
-  const DofMap map = make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order);
-  const Eigen::MatrixX2d given = dirichlet_.values(context_->topology, map);
-  const Eigen::MatrixX2d rhs = right_hand_side(map, elements_, given);
-  watch.lap("data");
-  CondensedCholesky cholesky(context_->tree, map, num_threads_);
+  map_ =
+      std::make_unique<DofMap>(make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order));
+  cholesky_ = std::make_unique<CondensedCholesky>(context_->tree, *map_, num_threads_);
   watch.lap("structure");
-  cholesky.factor(elements_);
+  cholesky_->factor(elements_);
   watch.lap("factorisation");
-  Eigen::MatrixX2d dofs(map.num_dofs, 2);
-  dofs << cholesky.solve(rhs), given;
-  watch.lap("substitution");
+}
 
-  Solution solution;
-  solution.num_unknowns = map.num_unknowns;
-  solution.residual = relative_residual(map, elements_, rhs, dofs);
+Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch& watch) {
+  const Eigen::MatrixXd rhs = right_hand_side(*map_, elements_, given);
+  watch.lap("data");
+  Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
+  dofs << cholesky_->solve(rhs), given;
+  watch.lap("substitution");
+  residual_ = relative_residual(*map_, elements_, rhs, dofs);
   watch.lap("residual");
-  solution.elem_coefs.resize(elements_.size());
-  parallel_for(static_cast<int>(elements_.size()), num_threads_,
-               [&](int e) { solution.elem_coefs[e] = element_modes(map, elements_[e], e, elem_order[e], dofs); });
+  return dofs;
+}
+
+Eigen::MatrixXd ContinuousSystem::reactions(const Eigen::MatrixXd& dofs) const {
+  return quadrille::reactions(*map_, elements_, dofs);
+}
+
+Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs) const {
+  const int order = elem_order_[elem], nb = num_boundary_modes(order);
+  Eigen::MatrixXd modes(num_tri_modes(order), dofs.cols());
+  modes.topRows(nb) = element_dofs(*map_, elem, dofs);
+  modes.bottomRows(num_interior_modes(order)) = elements_[elem].interior_from_boundary * modes.topRows(nb);
+  return modes;
+}
+
+std::vector<Eigen::MatrixXd> ContinuousSystem::all_modes(const Eigen::MatrixXd& dofs) const {
+  std::vector<Eigen::MatrixXd> all(elements_.size());
+  parallel_for(static_cast<int>(all.size()), num_threads_, [&](int e) { all[e] = modes(e, dofs); });
+  return all;
+}
+
+ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads)
+    : context_(&context), system_(context, num_threads), dirichlet_(*context.mesh, std::move(data)) {}
+
+Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
+  Stopwatch watch;
+  system_.set_orders(elem_order, watch);
+  const Eigen::MatrixXd dofs = system_.solve(dirichlet_.values(context_->topology, system_.map()), watch);
+  Solution solution;
+  solution.num_unknowns = system_.map().num_unknowns;
+  solution.residual = system_.residual();
+  solution.elem_coefs = system_.all_modes(dofs);
   watch.lap("coefficients");
   solution.laps = watch.laps();
   return solution;

@@ -1,18 +1,38 @@
 #pragma once
 // Continuous Galerkin: modified hierarchical basis, minimum rule on edges, interior modes condensed.
 
+#include <memory>
+
+#include "base/stopwatch.hpp"
 #include "galerkin/condense.hpp"
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
+#include "galerkin/linear_solver.hpp"
 
 namespace quadrille {
 
-class ContinuousGalerkin : public Discretization {
+/// The condensed Laplace system on one mesh: factored once for an order map, solved for any boundary values. Functions
+/// are the columns of matrices.
+class ContinuousSystem {
  public:
-  /// Data must be continuous around every loop. `context` must outlive this.
-  ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads = 1);
-  Solution solve(const std::vector<int>& elem_order) override;
-  int num_unknowns(const std::vector<int>& elem_order) const override;
+  /// `context` must outlive this.
+  explicit ContinuousSystem(const MeshContext& context, int num_threads = 1);
+  /// Makes the matrices of elements whose order has changed and factors. Throws ComputeError when that breaks down.
+  void set_orders(const std::vector<int>& elem_order, Stopwatch& watch);
+  /// After set_orders(), from here on. Numbers of the dofs.
+  const DofMap& map() const { return *map_; }
+  const std::vector<int>& elem_order() const { return elem_order_; }
+  /// All dofs from the given ones, [num_unknowns, num_dofs).
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch);
+  /// Of the last solve, relative to its right-hand side.
+  double residual() const { return residual_; }
+  /// What the given dofs' rows of the matrix make of all dofs (galerkin/condensed_system.hpp).
+  Eigen::MatrixXd reactions(const Eigen::MatrixXd& dofs) const;
+  /// All modes of one element in the modified basis.
+  Eigen::MatrixXd modes(int elem, const Eigen::MatrixXd& dofs) const;
+  /// The same of all elements.
+  std::vector<Eigen::MatrixXd> all_modes(const Eigen::MatrixXd& dofs) const;
+  int num_unknowns(const std::vector<int>& elem_order) const;
 
  private:
   void update_elements(const std::vector<int>& elem_order);
@@ -20,9 +40,24 @@ class ContinuousGalerkin : public Discretization {
   const MeshContext* context_;
   int num_threads_;
   StiffnessTable stiffness_;
-  DirichletData dirichlet_;
   std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
   std::vector<CondensedElement> elements_;
+  std::unique_ptr<DofMap> map_;
+  std::unique_ptr<CondensedCholesky> cholesky_;  ///< of map_
+  double residual_ = 0;
+};
+
+class ContinuousGalerkin : public Discretization {
+ public:
+  /// Data must be continuous around every loop. `context` must outlive this.
+  ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads = 1);
+  Solution solve(const std::vector<int>& elem_order) override;
+  int num_unknowns(const std::vector<int>& elem_order) const override { return system_.num_unknowns(elem_order); }
+
+ private:
+  const MeshContext* context_;
+  ContinuousSystem system_;
+  DirichletData dirichlet_;
 };
 
 }  // namespace quadrille

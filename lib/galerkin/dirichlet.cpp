@@ -35,47 +35,83 @@ const EdgeProjection& edge_projection(int order) {
   return tables[order];
 }
 
-Eigen::RowVector2d row(Vec2 a) { return {a.x, a.y}; }
-
 }  // namespace
 
+BoundaryPoints::BoundaryPoints(const TriMesh& mesh)
+    : mesh_(&mesh), arc_lengths_(mesh.face.num_curves()), edges_(mesh.boundary_edges.size()) {}
+
+const std::vector<double>& BoundaryPoints::parameters(int b, int order) {
+  Edge& edge = edges_[b];
+  if (edge.order == order) return edge.parameters;
+  const BoundaryEdge& boundary_edge = mesh_->boundary_edges[b];
+  auto& arc_length = arc_lengths_[boundary_edge.curve];
+  if (!arc_length) arc_length = std::make_unique<ArcLength>(mesh_->face.curves[boundary_edge.curve]);
+  const double begin = arc_length->at(boundary_edge.t0), length = arc_length->at(boundary_edge.t1) - begin;
+  edge.parameters.clear();
+  for (const double s : edge_projection(order).points)
+    edge.parameters.push_back(arc_length->parameter(begin + (1 + s) / 2 * length));
+  edge.order = order;
+  return edge.parameters;
+}
+
 DirichletData::DirichletData(const TriMesh& mesh, BoundaryData data)
-    : mesh_(&mesh), data_(std::move(data)), arc_lengths_(mesh.face.num_curves()), edges_(mesh.boundary_edges.size()) {
+    : DirichletData(std::make_shared<BoundaryPoints>(mesh), 2,
+                    [data = std::move(data)](int curve, double t, double* values) {
+                      const Vec2 value = data(curve, t);
+                      values[0] = value.x;
+                      values[1] = value.y;
+                    }) {}
+
+DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data)
+    : DirichletData(std::move(points), 1,
+                    [data = std::move(data)](int curve, double t, double* values) { values[0] = data(curve, t); }) {}
+
+DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, int num_columns, Sampler sampler)
+    : points_(std::move(points)),
+      num_columns_(num_columns),
+      sampler_(std::move(sampler)),
+      edges_(points_->mesh().boundary_edges.size()) {
   for (std::size_t b = 0; b < edges_.size(); ++b) {
-    const BoundaryEdge& boundary_edge = mesh.boundary_edges[b];
-    edges_[b].first = row(data_(boundary_edge.curve, boundary_edge.t0));
-    edges_[b].last = row(data_(boundary_edge.curve, boundary_edge.t1));
+    const BoundaryEdge& boundary_edge = points_->mesh().boundary_edges[b];
+    edges_[b].first = at(boundary_edge.curve, boundary_edge.t0);
+    edges_[b].last = at(boundary_edge.curve, boundary_edge.t1);
   }
 }
 
-void DirichletData::project(const BoundaryEdge& boundary_edge, int order, Edge& edge) {
-  const int curve = boundary_edge.curve;
-  if (!arc_lengths_[curve]) arc_lengths_[curve] = std::make_unique<ArcLength>(mesh_->face.curves[curve]);
-  const ArcLength& arc_length = *arc_lengths_[curve];
-  const double begin = arc_length.at(boundary_edge.t0), length = arc_length.at(boundary_edge.t1) - begin;
+Eigen::RowVectorXd DirichletData::at(int curve, double t) const {
+  Eigen::RowVectorXd values(num_columns_);
+  sampler_(curve, t, values.data());
+  return values;
+}
+
+void DirichletData::project(int b, int order) {
+  Edge& edge = edges_[b];
   const EdgeProjection& projection = edge_projection(order);
-  const int n = static_cast<int>(projection.points.size());
-  Eigen::MatrixX2d bubble(n, 2);
+  const std::vector<double>& parameters = points_->parameters(b, order);
+  const int n = static_cast<int>(parameters.size()), curve = points_->mesh().boundary_edges[b].curve;
+  Eigen::MatrixXd bubble(n, num_columns_);
+  Eigen::RowVectorXd value(num_columns_);
   for (int i = 0; i < n; ++i) {
     const double f = (1 + projection.points[i]) / 2;
-    const double t = arc_length.parameter(begin + f * length);
-    bubble.row(i) = row(data_(curve, t)) - (1 - f) * edge.first - f * edge.last;
+    sampler_(curve, parameters[i], value.data());
+    bubble.row(i) = value - (1 - f) * edge.first - f * edge.last;
   }
   edge.coefs = projection.matrix * bubble;
   edge.order = order;
 }
 
-Eigen::MatrixX2d DirichletData::values(const TriTopology& topology, const DofMap& map) {
-  Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(map.num_dofs - map.num_unknowns, 2);
+Eigen::MatrixXd DirichletData::values(const TriTopology& topology, const DofMap& map) {
+  const TriMesh& mesh = points_->mesh();
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, num_columns_);
   for (std::size_t b = 0; b < edges_.size(); ++b) {
-    const BoundaryEdge& boundary_edge = mesh_->boundary_edges[b];
-    const auto& vertices = mesh_->elem2vertices[boundary_edge.elem];
+    const BoundaryEdge& boundary_edge = mesh.boundary_edges[b];
+    const auto& vertices = mesh.elem2vertices[boundary_edge.elem];
     const int vertex0 = vertices[boundary_edge.edge], vertex1 = vertices[(boundary_edge.edge + 1) % 3];
     values.row(map.vertex2dof[vertex0] - map.num_unknowns) = edges_[b].first;
     const int edge = topology.elem2edges[boundary_edge.elem][boundary_edge.edge], order = map.edge2order[edge];
     if (order < 2) continue;
-    if (edges_[b].order != table_order(order)) project(boundary_edge, table_order(order), edges_[b]);
-    Eigen::MatrixX2d coefs = edges_[b].coefs.topRows(order - 1);
+    if (edges_[b].order != table_order(order)) project(static_cast<int>(b), table_order(order));
+    Eigen::MatrixXd coefs = edges_[b].coefs.topRows(order - 1);
     if (vertex0 > vertex1) {  // the edge's own direction is the other one: odd degrees change sign
       for (int d = 3; d <= order; d += 2) coefs.row(d - 2) *= -1;
     }

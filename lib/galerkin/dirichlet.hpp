@@ -1,5 +1,5 @@
 #pragma once
-// Boundary coefficients of a pair of functions given on the exact curves.
+// Boundary coefficients of functions given on the exact curves.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -12,32 +12,59 @@
 
 namespace quadrille {
 
-/// The pair's value at parameter t of a boundary curve.
+/// A pair's value at parameter t of a boundary curve.
 using BoundaryData = std::function<Vec2(int curve, double t)>;
+/// A function's value there.
+using BoundaryScalar = std::function<double(int curve, double t)>;
+
+/// Where the data are asked for: at Gauss points along each boundary edge. The point at fraction s of an edge lies at
+/// fraction s of the curve's arc length, as the element's own geometry nodes do. Found once for all data on a mesh.
+class BoundaryPoints {
+ public:
+  /// `mesh` must outlive this.
+  explicit BoundaryPoints(const TriMesh& mesh);
+  /// Curve parameters of the points for projections of `order` on boundary edge b, in the element's direction.
+  const std::vector<double>& parameters(int b, int order);
+  const TriMesh& mesh() const { return *mesh_; }
+
+ private:
+  struct Edge {
+    int order = 0;
+    std::vector<double> parameters;
+  };
+  const TriMesh* mesh_;
+  std::vector<std::unique_ptr<ArcLength>> arc_lengths_;  ///< by curve, made on first use
+  std::vector<Edge> edges_;                              ///< by boundary edge
+};
 
 /// Values of the boundary dofs for any order map of one mesh. Exact at vertices; on an edge the projection in the norm
-/// of the derivative along it, which is diagonal in the edge modes: orders share what has been computed once. The point
-/// at fraction s of an edge lies at fraction s of the curve's arc length, as the element's own geometry nodes do.
+/// of the derivative along it, which is diagonal in the edge modes: orders share what has been computed once.
 class DirichletData {
  public:
   /// `mesh` must outlive this.
   DirichletData(const TriMesh& mesh, BoundaryData data);
-  /// Values of the dofs [num_unknowns, num_dofs), columns u, v.
-  Eigen::MatrixX2d values(const TriTopology& topology, const DofMap& map);
+  /// One function; `points` may be shared with others on their mesh.
+  DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data);
+  /// Values of the dofs [num_unknowns, num_dofs): columns u, v, or the one function.
+  Eigen::MatrixXd values(const TriTopology& topology, const DofMap& map);
 
  private:
   /// Projection of the data on one edge, walked as its element does.
   struct Edge {
     int order = 0;  ///< of the projection; 0: not made yet
-    Eigen::RowVector2d first, last;
-    Eigen::MatrixX2d coefs;  ///< of the edge modes of degree 2..order
+    Eigen::RowVectorXd first, last;
+    Eigen::MatrixXd coefs;  ///< of the edge modes of degree 2..order
   };
-  void project(const BoundaryEdge& boundary_edge, int order, Edge& edge);
+  /// Writes num_columns_ values.
+  using Sampler = std::function<void(int curve, double t, double* values)>;
+  DirichletData(std::shared_ptr<BoundaryPoints> points, int num_columns, Sampler sampler);
+  Eigen::RowVectorXd at(int curve, double t) const;
+  void project(int b, int order);
 
-  const TriMesh* mesh_;
-  BoundaryData data_;
-  std::vector<std::unique_ptr<ArcLength>> arc_lengths_;  ///< by curve, made on first use
-  std::vector<Edge> edges_;                              ///< by boundary edge
+  std::shared_ptr<BoundaryPoints> points_;
+  int num_columns_;
+  Sampler sampler_;
+  std::vector<Edge> edges_;  ///< by boundary edge
 };
 
 }  // namespace quadrille

@@ -45,14 +45,14 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   const DofMap map = make_trace_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order);
   update_elements(elem_order, map);
   watch.lap("elements");
-  const Eigen::MatrixX2d given = trace_data(*context_->mesh, context_->topology, map, data_);
-  const Eigen::MatrixX2d rhs = right_hand_side(map, elements_, given);
+  const Eigen::MatrixXd given = trace_data(*context_->mesh, context_->topology, map, data_);
+  const Eigen::MatrixXd rhs = right_hand_side(map, elements_, given);
   watch.lap("data");
   CondensedCholesky cholesky(context_->tree, map, num_threads_);
   watch.lap("structure");
   cholesky.factor(elements_);
   watch.lap("factorisation");
-  Eigen::MatrixX2d dofs(map.num_dofs, 2);
+  Eigen::MatrixXd dofs(map.num_dofs, 2);
   dofs << cholesky.solve(rhs), given;
   watch.lap("substitution");
 

@@ -160,11 +160,11 @@ void CondensedCholesky::factor_part(const std::vector<CondensedElement>& element
   if (!eliminate(part.front, num_threads)) throw ComputeError("the Laplace problem's matrix is not positive definite");
 }
 
-void CondensedCholesky::substitute_forward(const Eigen::MatrixX2d& rhs, int n) {
+void CondensedCholesky::substitute_forward(const Eigen::MatrixXd& rhs, int n) {
   const EliminationTree::Node& node = tree_->nodes[n];
   Part& part = parts_[n];
   const int k = part.num_eliminated, shared = part.num_shared();
-  part.values.setZero(part.dofs.size(), 2);
+  part.values.setZero(static_cast<int>(part.dofs.size()), rhs.cols());
   for (int i = 0; i < k; ++i) part.values.row(i) = rhs.row(part.dofs[i]);
   for (const int half : {node.first, node.second}) {
     if (half < 0) continue;
@@ -177,7 +177,7 @@ void CondensedCholesky::substitute_forward(const Eigen::MatrixX2d& rhs, int n) {
   part.values.bottomRows(shared).noalias() -= part.front.panel.bottomRows(shared) * part.values.topRows(k);
 }
 
-void CondensedCholesky::substitute_back(Eigen::MatrixX2d& solution, int node) {
+void CondensedCholesky::substitute_back(Eigen::MatrixXd& solution, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated, shared = part.num_shared();
   if (k == 0) return;
@@ -191,8 +191,8 @@ void CondensedCholesky::factor(const std::vector<CondensedElement>& elements) {
   upwards([&](int node, int num_threads) { factor_part(elements, node, num_threads); });
 }
 
-Eigen::MatrixX2d CondensedCholesky::solve(const Eigen::MatrixX2d& rhs) {
-  Eigen::MatrixX2d solution = Eigen::MatrixX2d::Zero(map_->num_unknowns, 2);
+Eigen::MatrixXd CondensedCholesky::solve(const Eigen::MatrixXd& rhs) {
+  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(map_->num_unknowns, rhs.cols());
   upwards([&](int node, int) { substitute_forward(rhs, node); });
   downwards([&](int node) { substitute_back(solution, node); });
   return solution;

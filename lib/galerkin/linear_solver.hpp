@@ -22,8 +22,8 @@ class CondensedCholesky {
   CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads = 1);
   /// Throws ComputeError when the sum is not positive definite.
   void factor(const std::vector<CondensedElement>& elements);
-  /// x for the right-hand sides u, v. After factor().
-  Eigen::MatrixX2d solve(const Eigen::MatrixX2d& rhs);
+  /// x for each column of right-hand sides. After factor(), as often as wanted.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 
  private:
   /// A part of the mesh: the dofs that are eliminated with it, then those shared with its outside, both ascending.
@@ -32,7 +32,7 @@ class CondensedCholesky {
     int num_eliminated = 0;
     std::vector<int> places;  ///< of the shared dofs in the parent's dofs
     Front front;              ///< the panel stays, the rest goes to the parent
-    Eigen::MatrixX2d values;  ///< over dofs: right-hand side, then solution
+    Eigen::MatrixXd values;   ///< over dofs: right-hand side, then solution
     int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
   };
   void find_dofs();
@@ -41,8 +41,8 @@ class CondensedCholesky {
   void add_elements(const std::vector<CondensedElement>& elements, int node);
   void add_half(Part& half, Part& part);
   void factor_part(const std::vector<CondensedElement>& elements, int node, int num_threads);
-  void substitute_forward(const Eigen::MatrixX2d& rhs, int node);
-  void substitute_back(Eigen::MatrixX2d& solution, int node);
+  void substitute_forward(const Eigen::MatrixXd& rhs, int node);
+  void substitute_back(Eigen::MatrixXd& solution, int node);
   /// Calls f(node, threads) for halves before wholes, or the other way round.
   void upwards(const std::function<void(int, int)>& f) const;
   void downwards(const std::function<void(int)>& f) const;

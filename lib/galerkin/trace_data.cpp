@@ -29,10 +29,10 @@ Eigen::MatrixX2d project(const BoundaryEdge& edge, int order, const ArcLength& a
 
 }  // namespace
 
-Eigen::MatrixX2d trace_data(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
-                            const BoundaryData& data) {
+Eigen::MatrixXd trace_data(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
+                           const BoundaryData& data) {
   std::vector<std::unique_ptr<ArcLength>> arc_lengths(mesh.face.num_curves());
-  Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(map.num_dofs - map.num_unknowns, 2);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, 2);
   for (const BoundaryEdge& boundary_edge : mesh.boundary_edges) {
     auto& arc_length = arc_lengths[boundary_edge.curve];
     if (!arc_length) arc_length = std::make_unique<ArcLength>(mesh.face.curves[boundary_edge.curve]);

@@ -11,7 +11,7 @@ namespace quadrille {
 /// Values of the trace dofs [num_unknowns, num_dofs), columns u, v: the projection in the mean square along each edge.
 /// The point at fraction s of an edge lies at fraction s of the curve's arc length. Data are never asked for at the
 /// ends of an edge.
-Eigen::MatrixX2d trace_data(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
-                            const BoundaryData& data);
+Eigen::MatrixXd trace_data(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
+                           const BoundaryData& data);
 
 }  // namespace quadrille
