@@ -27,10 +27,11 @@ struct Minimand {
 };
 
 struct MinimiseOptions {
-  double tolerance = 1e-10;       ///< length of the last Newton step
-  int max_iterations = 200;       ///< of either method
-  double newton_gradient = 1e-2;  ///< greatest entry of the gradient with which Newton's method is tried
-  double flat_curvature = 1e-5;   ///< share of the largest curvature below which a direction counts as flat
+  double tolerance = 1e-10;          ///< length of the last Newton step
+  int max_iterations = 200;          ///< of either method
+  double newton_gradient = 1e-2;     ///< greatest entry of the gradient with which Newton's method is tried
+  bool begins_with_hessian = false;  ///< BFGS too, instead of with the identity; for what has proved badly scaled
+  double flat_curvature = 1e-5;      ///< share of the largest curvature below which a direction counts as flat
 };
 
 struct Minimum {

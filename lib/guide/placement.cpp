@@ -44,6 +44,7 @@ class Placement {
       MinimiseOptions options;
       options.tolerance = options_.tolerance;
       options.max_iterations = std::min(iterations_between_scales, options_.max_iterations - iterations);
+      options.begins_with_hessian = iterations > 0;
       result = minimise(minimand(), VectorXd::Zero(movements_.cols()), options);
       points_ = placed(result.x);
       iterations += result.iterations;
