@@ -1,0 +1,134 @@
+#include "guide/node_ring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <optional>
+
+#include "base/angle.hpp"
+#include "guide/room.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double equal = 1e-6;  // of the diameter, or radians
+
+std::vector<Vec2> regular_polygon(Vec2 centre, double radius, double angle, int n) {
+  std::vector<Vec2> vertices;
+  for (int k = 0; k < n; ++k) vertices.push_back(centre + radius * unit(angle + 2 * pi * k / n));
+  return vertices;
+}
+
+std::vector<double> axis_directions(const CadFace& face, const std::vector<Isometry>& group, Vec2 centre) {
+  std::vector<double> directions;
+  for (const Isometry& g : group) {
+    if (!g.is_mirrored || distance(g(centre), centre) > equal * face.diameter) continue;
+    directions.push_back(g.angle / 2);
+    directions.push_back(g.angle / 2 + pi);
+  }
+  return directions;
+}
+
+std::vector<double> foot_directions(const CadFace& face, Vec2 centre) {
+  std::vector<double> directions;
+  for (const BoundaryFoot& foot : nearest_feet(face, centre)) directions.push_back(angle_of(foot.position - centre));
+  return directions;
+}
+
+/// A vertex or the middle of a side in each direction.
+std::vector<double> with_sides(const std::vector<double>& directions, int n) {
+  std::vector<double> angles;
+  for (const double d : directions)
+    for (const double angle : {d, d + pi / n}) angles.push_back(angle);
+  return angles;
+}
+
+/// The orientation of the members' own places, where they stand out of noise.
+std::optional<double> member_angle(const CadFace& face, const Cluster& cluster) {
+  const int n = std::abs(cluster.index);
+  const int sign = cluster.index > 0 ? 1 : -1;
+  if (static_cast<int>(cluster.members.size()) != n || static_cast<int>(cluster.member_indices.size()) != n) return {};
+  const double noise = std::pow(1e-8, 1.0 / n) * std::abs(signed_room(face, cluster.centre));
+  Vec2 sum;
+  for (int i = 0; i < n; ++i) {
+    const Vec2 from_centre = cluster.members[i] - cluster.centre;
+    if (cluster.member_indices[i] != sign || norm(from_centre) < noise) return {};
+    sum += unit(n * angle_of(from_centre));
+  }
+  if (norm(sum) < 0.5 * n) return {};
+  return angle_of(sum) / n;
+}
+
+/// Keeps what comes within the tolerance of the least.
+void keep_least(std::vector<double>& angles, double tol, const std::function<double(double)>& measure) {
+  std::vector<double> values;
+  for (const double a : angles) values.push_back(measure(a));
+  const double least = *std::min_element(values.begin(), values.end());
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (values[i] <= least + tol) kept.push_back(angles[i]);
+  angles = kept;
+}
+
+double orientation(const CadFace& face, const std::vector<Isometry>& group, const Cluster& cluster) {
+  const int n = std::abs(cluster.index);
+  const double period = 2 * pi / n;
+  const std::optional<double> members = member_angle(face, cluster);
+  std::vector<double> directions = axis_directions(face, group, cluster.centre);
+  if (directions.empty() && members) return *members;
+  if (directions.empty()) directions = foot_directions(face, cluster.centre);
+  std::vector<double> angles = with_sides(directions, n);
+  if (members) keep_least(angles, equal, [&](double a) { return std::abs(std::remainder(a - *members, period)); });
+  keep_least(angles, equal * face.diameter, [&](double a) {
+    double room = 0;
+    for (int k = 0; k < n; ++k) room += room_along(face, cluster.centre, unit(a + k * period)) / n;
+    return cluster.index > 0 ? -room : room;
+  });
+  const double joint = angle_of(face.joints[0].position - cluster.centre);
+  const auto beside_joint = [&](double a) { return std::remainder(a - joint, period); };
+  keep_least(angles, equal, [&](double a) { return std::abs(beside_joint(a)); });
+  keep_least(angles, equal, [&](double a) { return -beside_joint(a); });
+  return angles.front();
+}
+
+double radius_inside(const Cluster& cluster, double room, const std::vector<Vec2>& others) {
+  double radius = 0.5 * room;
+  for (const Vec2 x : others) radius = std::min(radius, distance(x, cluster.centre) / 3);
+  return radius;
+}
+
+/// About a hole: the radius at which the polygon's vertices have the most room.
+double radius_outside(const CadFace& face, const Cluster& cluster, double angle) {
+  constexpr int steps = 200;
+  double best = 0, most = -INFINITY;
+  for (int i = 1; i < steps; ++i) {
+    double room = INFINITY;
+    for (const Vec2 x : regular_polygon(cluster.centre, face.diameter * i / steps, angle, std::abs(cluster.index)))
+      room = std::min(room, signed_room(face, x));
+    if (room > most + equal * face.diameter) most = room, best = face.diameter * i / steps;
+  }
+  return best;
+}
+
+}  // namespace
+
+Vec2 onto_fixed_points(const CadFace& face, const std::vector<Isometry>& group, Vec2 x) {
+  const double reach = equal * face.diameter;
+  if (group.size() > 1 && !group[1].is_mirrored && distance(x, group[1].centre) < reach) return group[1].centre;
+  for (const Isometry& g : group)
+    if (g.is_mirrored && distance(g(x), x) < 2 * reach) return (x + g(x)) / 2;
+  return x;
+}
+
+std::vector<Vec2> node_ring(const CadFace& face, const std::vector<Isometry>& group, const Cluster& cluster,
+                            const std::vector<Vec2>& others) {
+  const double room = signed_room(face, cluster.centre);
+  if (std::abs(cluster.index) == 1 && room > 0) return {cluster.centre};
+  const double angle = orientation(face, group, cluster);
+  const double radius = room > 0 ? radius_inside(cluster, room, others) : radius_outside(face, cluster, angle);
+  return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
+}
+
+}  // namespace quadrille

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "curve/symmetry.hpp"
+#include "guide/node_ring.hpp"
+#include "guide/resolve.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double equal = 1e-6;  // of the diameter
+
+CriticalPoint node_at(Vec2 position, int index) {
+  CriticalPoint node;
+  node.position = position;
+  node.index = index;
+  node.valence = 4 - index;
+  node.source = "cluster";
+  return node;
+}
+
+bool is_member(const Cluster& cluster, Vec2 x, double tol) {
+  return std::any_of(cluster.members.begin(), cluster.members.end(), [&](Vec2 m) { return distance(m, x) <= tol; });
+}
+
+/// A cluster that an isometry of the face maps onto another one, resolved before.
+struct Model {
+  std::size_t cluster;
+  Isometry map;
+};
+
+class Resolver {
+ public:
+  Resolver(const CadFace& face, int max_valence, CriticalPoints& points)
+      : face_(face), max_valence_(max_valence), points_(points), group_(symmetries(face)) {}
+
+  void run() {
+    if (points_.clusters.empty()) return;
+    take_members_out();
+    for (Cluster& cluster : points_.clusters) cluster.centre = onto_fixed_points(face_, group_, cluster.centre);
+    align_orbits();
+    for (std::size_t i = 0; i < points_.clusters.size(); ++i) nodes_.push_back(nodes_of(i));
+    for (std::size_t i = 0; i < points_.clusters.size(); ++i) record(i);
+    points_.form = "phase";
+    points_.index_sum = index_sum_of(points_);
+  }
+
+ private:
+  void take_members_out() {
+    const std::vector<CriticalPoint> before = points_.critical_points;
+    const double tol = 1e-12 * face_.diameter;
+    std::erase_if(points_.critical_points, [&](const CriticalPoint& p) {
+      return p.source == "zero" && std::any_of(points_.clusters.begin(), points_.clusters.end(),
+                                               [&](const Cluster& c) { return is_member(c, p.position, tol); });
+    });
+    if (points_.zeros.empty()) points_.zeros = before;
+  }
+
+  std::optional<Model> model_of(std::size_t i) const {
+    const Cluster& cluster = points_.clusters[i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (const Isometry& g : group_)
+        if (points_.clusters[j].index == cluster.index &&
+            distance(g(points_.clusters[j].centre), cluster.centre) < equal * face_.diameter)
+          return Model{j, g};
+    return {};
+  }
+
+  /// Clusters of one orbit get centres that are exact images of each other.
+  void align_orbits() {
+    for (std::size_t i = 0; i < points_.clusters.size(); ++i) {
+      models_.push_back(model_of(i));
+      if (models_[i]) points_.clusters[i].centre = models_[i]->map(points_.clusters[models_[i]->cluster].centre);
+    }
+  }
+
+  std::vector<Vec2> other_places(std::size_t i) const {
+    std::vector<Vec2> places;
+    for (const CriticalPoint& p : points_.critical_points) places.push_back(p.position);
+    for (std::size_t j = 0; j < points_.clusters.size(); ++j)
+      if (j != i && points_.clusters[j].index != 0) places.push_back(points_.clusters[j].centre);
+    return places;
+  }
+
+  std::vector<CriticalPoint> nodes_of(std::size_t i) const {
+    const Cluster& cluster = points_.clusters[i];
+    if (cluster.index == 0) return {};
+    std::vector<CriticalPoint> nodes;
+    if (models_[i]) {
+      nodes = nodes_[models_[i]->cluster];
+      for (CriticalPoint& node : nodes) node.position = models_[i]->map(node.position);
+      return nodes;
+    }
+    const int valence = 4 - cluster.index;
+    if (valence >= 3 && valence <= max_valence_) return {node_at(cluster.centre, cluster.index)};
+    for (const Vec2 x : node_ring(face_, group_, cluster, other_places(i)))
+      nodes.push_back(node_at(x, cluster.index > 0 ? 1 : -1));
+    return nodes;
+  }
+
+  std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {
+    const std::string what = cluster.members.size() > 1
+                                 ? fmt::format("{} zeros within {:.3g} of each other, nearer than any block could be",
+                                               cluster.members.size(), 2 * cluster.radius)
+                                 : "a multiple zero";
+    if (nodes.empty()) return what + ", cancel: their indices add up to 0";
+    if (nodes.size() == 1)
+      return fmt::format("{}, of index {} in all, become one node of valence {}", what, cluster.index,
+                         nodes[0].valence);
+    return fmt::format("{}, of index {} in all, become {} nodes of valence {} on a circle", what, cluster.index,
+                       nodes.size(), nodes[0].valence);
+  }
+
+  void record(std::size_t i) {
+    const Cluster& cluster = points_.clusters[i];
+    NodeChange change{cluster.index == 0 ? "cancel" : "cluster", reason(cluster, nodes_[i]), {}, {}};
+    if (cluster.member_indices.empty()) change.before.push_back({cluster.centre, 4 - cluster.index, "inside"});
+    for (std::size_t k = 0; k < cluster.member_indices.size(); ++k)
+      change.before.push_back({cluster.members[k], 4 - cluster.member_indices[k], "inside"});
+    for (const CriticalPoint& node : nodes_[i]) {
+      change.after.push_back({node.position, node.valence, "inside"});
+      points_.critical_points.push_back(node);
+    }
+    points_.changes.push_back(change);
+  }
+
+  const CadFace& face_;
+  int max_valence_;
+  CriticalPoints& points_;
+  std::vector<Isometry> group_;
+  std::vector<std::optional<Model>> models_;
+  std::vector<std::vector<CriticalPoint>> nodes_;  ///< of each cluster
+};
+
+}  // namespace
+
+void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& points) {
+  Resolver(face, max_valence, points).run();
+}
+
+}  // namespace quadrille
