@@ -305,6 +305,14 @@ double PhaseBoundary::corner_angles(Vec2 x, int apex_term, Vec2 inward) const {
   return sum;
 }
 
+std::vector<double> PhaseBoundary::interior_angles() const {
+  std::vector<double> angles(terms_.corner_angles.size());
+  for (const Apex& apex : apexes_) {
+    if (apex.term >= 0) angles[apex.term] = apex.angle;
+  }
+  return angles;
+}
+
 const PhaseBoundary::Piece& PhaseBoundary::piece_at(int curve, double t, bool from_left) const {
   const std::vector<Piece>& pieces = pieces_[curve];
   const auto next = std::partition_point(pieces.begin(), pieces.end() - 1,

@@ -27,6 +27,8 @@ class PhaseBoundary {
   PhaseBoundary(const CadFace& face, const PhaseNodes& asked);
 
   const PhaseTerms& terms() const { return terms_; }
+  /// omega_c of each of terms().corner_angles.
+  std::vector<double> interior_angles() const;
   /// Phi at t; at corners the value of the outgoing side, at a curve's end that of the incoming one.
   double phase(int curve, double t) const;
   /// g at t: the data of s. The same number at the end of a curve and at the start of its successor.

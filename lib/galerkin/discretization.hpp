@@ -46,9 +46,9 @@ class StiffnessTable {
 
 struct Solution {
   std::vector<Eigen::MatrixXd> elem_coefs;  ///< modified basis of the element's order, columns u, v
-  int num_unknowns = 0;                      ///< of the condensed system
-  double residual = 0;                       ///< of the condensed system, relative to its right-hand side
-  std::vector<Lap> laps;                     ///< where the time went
+  int num_unknowns = 0;                     ///< of the condensed system
+  double residual = 0;                      ///< of the condensed system, relative to its right-hand side
+  std::vector<Lap> laps;                    ///< where the time went
 };
 
 class Discretization {

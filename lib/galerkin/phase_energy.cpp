@@ -2,47 +2,49 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "field/phase_terms.hpp"
-#include "mesh/locate.hpp"
-#include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille {
 
-namespace {
+Location locate_node(const Locator& locator, const TriMesh& mesh, Vec2 node) {
+  const Location at = locator.find(node);
+  if (at.elem >= 0) return at;
+  const Vec2 x = node + mesh.face.origin;
+  throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) is outside the mesh", x.x, x.y));
+}
 
-// Gradient of s.
-Vec2 remainder_gradient(const PhaseSolution& solution, const TriMap& map, const Location& at) {
+Vec2 remainder_gradient(const TriMap& map, Vec2 xi, int order, const double* coefs) {
   Vec2 x;
   Mat2 dx_dxi, ds_dxi;
-  map.evaluate(at.xi, x, dx_dxi);
-  const double* s = &solution.s[solution.coef_offsets[at.elem]];
-  orthogonal_sum(solution.elem_order[at.elem], s, s, at.xi, ds_dxi);
+  map.evaluate(xi, x, dx_dxi);
+  orthogonal_sum(order, coefs, coefs, xi, ds_dxi);
   const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
   return {ds_dx.xx, ds_dx.xy};
 }
 
-}  // namespace
+Vec2 phase_energy_gradient(const PhaseTerms& terms, int k, Vec2 remainder_slope) {
+  const PhaseTurn node = terms.nodes[k];
+  PhaseTerms others = terms;
+  others.nodes.erase(others.nodes.begin() + k);
+  const Vec2 slope = remainder_slope + explicit_phase_gradient(others, node.position);
+  return -2 * pi * node.turns * Vec2{slope.y, -slope.x};
+}
 
-std::vector<Vec2> phase_energy_gradient(const TriMesh& mesh, const PhaseSolution& solution) {
-  const std::vector<TriMap> maps = tri_maps(mesh);
-  const Locator locator(mesh, maps);
-  std::vector<Vec2> gradient;
-  for (std::size_t k = 0; k < solution.terms.nodes.size(); ++k) {
-    const PhaseTurn node = solution.terms.nodes[k];
-    const Location at = locator.find(node.position);
-    if (at.elem < 0) {
-      const Vec2 x = node.position + mesh.face.origin;
-      throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) is outside the mesh", x.x, x.y));
-    }
-    PhaseTerms others = solution.terms;
-    others.nodes.erase(others.nodes.begin() + static_cast<std::ptrdiff_t>(k));
-    const Vec2 slope = remainder_gradient(solution, maps[at.elem], at) + explicit_phase_gradient(others, node.position);
-    gradient.push_back(-2 * pi * node.turns * Vec2{slope.y, -slope.x});
-  }
-  return gradient;
+std::function<PhaseEnergy(const PhaseNodes&)> phase_energy_function(const Field& field, const PhaseOptions& options,
+                                                                    int num_threads) {
+  struct Kept {
+    TriMesh mesh;
+    PhaseSolver solver;
+    Kept(const Field& f, int threads) : mesh(f.mesh), solver(mesh, f.elem_order, threads) {}
+  };
+  return [kept = std::make_shared<Kept>(field, num_threads), options](const PhaseNodes& asked) {
+    return kept->solver.energy(asked, options);
+  };
 }
 
 }  // namespace quadrille

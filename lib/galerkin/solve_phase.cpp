@@ -3,148 +3,196 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "field/phase_boundary.hpp"
 #include "galerkin/continuous.hpp"
+#include "galerkin/explicit_energy.hpp"
+#include "galerkin/phase_energy.hpp"
 #include "galerkin/twists.hpp"
+#include "mesh/locate.hpp"
 #include "spectral/modified_basis.hpp"
 
 namespace quadrille {
 
 namespace {
 
-// s with m = 0 and the harmonic measures w_1, w_2, ... of the holes; column f of elem_coefs[e] in the modified basis.
-struct Functions {
-  std::vector<Eigen::MatrixXd> elem_coefs;
-  int num_unknowns = 0;
-  double residual = 0;
-};
-
-// The data of function f: 0 is s, the others are 1 on their hole.
-double datum(const CadFace& face, const PhaseBoundary& boundary, int f, int curve, double t) {
-  if (f == 0) return boundary.remainder(curve, t);
-  return face.loop_of(curve) == f ? 1 : 0;
-}
-
-// Two functions a solve: that is what the discretisation takes.
-Functions solve_functions(const MeshContext& context, const std::vector<int>& elem_order,
-                          const PhaseBoundary& boundary) {
-  const CadFace& face = context.mesh->face;
-  const int num_functions = face.num_loops();
-  Functions functions;
-  for (const int order : elem_order)
-    functions.elem_coefs.emplace_back(Eigen::MatrixXd::Zero((order + 1) * (order + 2) / 2, num_functions));
-  for (int f = 0; f < num_functions; f += 2) {
-    const bool has_second = f + 1 < num_functions;
-    ContinuousGalerkin discretization(context, [&, f](int curve, double t) {
-      return Vec2{datum(face, boundary, f, curve, t), has_second ? datum(face, boundary, f + 1, curve, t) : 0};
-    });
-    const Solution solution = discretization.solve(elem_order);
-    for (std::size_t e = 0; e < elem_order.size(); ++e)
-      functions.elem_coefs[e].middleCols(f, has_second ? 2 : 1) = solution.elem_coefs[e].leftCols(has_second ? 2 : 1);
-    functions.num_unknowns = solution.num_unknowns;
-    functions.residual = std::max(functions.residual, solution.residual);
-  }
-  return functions;
-}
-
-// The loop that each vertex lies on, -1 inside.
-std::vector<int> vertex_loops(const TriMesh& mesh) {
-  std::vector<int> vertex2loop(mesh.vertices.size(), -1);
-  for (const BoundaryEdge& edge : mesh.boundary_edges) {
-    const int loop = mesh.face.loop_of(edge.curve);
-    for (const int end : {edge.edge, (edge.edge + 1) % 3}) vertex2loop[mesh.elem2vertices[edge.elem][end]] = loop;
-  }
-  return vertex2loop;
-}
-
-// Row f, column j: a(f, w_j), the sum of the reactions over hole j's boundary. The sum of the vertex modes on the hole
-// has the boundary values of w_j, and any such function gives the same because f is discretely harmonic.
-Eigen::MatrixXd reactions(const MeshContext& context, const std::vector<int>& elem_order, const Functions& functions) {
-  const TriMesh& mesh = *context.mesh;
-  const int num_holes = mesh.face.num_loops() - 1;
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(num_holes + 1, num_holes);
-  if (num_holes == 0) return sums;
-  const std::vector<int> vertex2loop = vertex_loops(mesh);
-  StiffnessTable stiffness(context);
-  for (int e = 0; e < mesh.num_elems(); ++e) {
-    const auto& vertices = mesh.elem2vertices[e];
-    if (vertex2loop[vertices[0]] < 1 && vertex2loop[vertices[1]] < 1 && vertex2loop[vertices[2]] < 1) continue;
-    const Eigen::MatrixXd flux = stiffness(e, elem_order[e]).topRows(3) * functions.elem_coefs[e];
-    for (int k = 0; k < 3; ++k) {
-      const int loop = vertex2loop[vertices[k]];
-      if (loop >= 1) sums.col(loop - 1) += flux.row(k).transpose();
-    }
-  }
-  return sums;
-}
-
-// Point 6, from r_j and K_ij.
-void choose_twists(const Eigen::MatrixXd& reaction, const std::vector<int>& offsets, PhaseSolution& solution) {
-  const int num_holes = static_cast<int>(reaction.cols());
-  if (num_holes == 0) return;
-  const Eigen::VectorXd r = reaction.row(0).transpose();
-  const Eigen::MatrixXd k = reaction.bottomRows(num_holes);
-  const Eigen::VectorXd best = -k.ldlt().solve(r) / (2 * pi);
-  if (!best.allFinite()) throw ComputeError("the twists of the holes are not finite: some element has a folded shape");
-  solution.twists = nearest_twists(k, best);
-  for (std::size_t j = 0; j < offsets.size(); ++j) solution.twists[j] += offsets[j];
-  const Eigen::VectorXd m = Eigen::Map<const Eigen::VectorXi>(solution.twists.data(), num_holes).cast<double>();
-  const Eigen::VectorXd periods = (r + 2 * pi * k * m) / 4;
-  solution.best_twists.assign(best.begin(), best.end());
-  solution.periods.assign(periods.begin(), periods.end());
-  solution.twist_energy = 2 * pi * pi * (m - best).dot(k * (m - best));
-}
-
-void add_coefficients(const Functions& functions, PhaseSolution& solution) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(1 + static_cast<int>(solution.twists.size()));
-  for (std::size_t j = 0; j < solution.twists.size(); ++j)
-    weights[1 + static_cast<int>(j)] = 2 * pi * solution.twists[j];
-  solution.coef_offsets.push_back(0);
-  for (std::size_t e = 0; e < solution.elem_order.size(); ++e) {
-    const Eigen::VectorXd coefs =
-        modified_to_orthogonal(solution.elem_order[e]).transpose() * (functions.elem_coefs[e] * weights);
-    solution.s.insert(solution.s.end(), coefs.begin(), coefs.end());
-    solution.coef_offsets.push_back(static_cast<int>(solution.s.size()));
-  }
+Eigen::VectorXd as_vector(const std::vector<int>& values) {
+  return Eigen::Map<const Eigen::VectorXi>(values.data(), static_cast<int>(values.size())).cast<double>();
 }
 
 }  // namespace
 
-PhaseSolution solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
-                          const PhaseOptions& options, Report& report) {
+/// What is made ready once: for the mesh, then for the orders.
+struct PhaseSolver::Parts {
+  Parts(const TriMesh& mesh, int num_threads)
+      : context(mesh), system(context, num_threads), points(std::make_shared<BoundaryPoints>(mesh)) {}
+
+  MeshContext context;
+  ContinuousSystem system;
+  std::shared_ptr<BoundaryPoints> points;
+  std::unique_ptr<Locator> locator;  ///< made for the first energy
+
+  std::vector<int> elem_order;
+  bool is_factored = false;
+  Eigen::MatrixXd measures;        ///< all dofs of w_j, a column for each hole
+  Eigen::MatrixXd given_measures;  ///< their part on the boundary
+  Eigen::MatrixXd k;               ///< K_ij = a(w_i, w_j)
+  Stopwatch watch;
+};
+
+/// The solution for one set of nodes.
+struct PhaseSolver::State {
+  PhaseForm form;        ///< without s
+  Eigen::VectorXd dofs;  ///< of s, twists included
+  double residual = 0;
+  double remainder_energy = 0;          ///< a(s, s) / 2
+  std::vector<double> interior_angles;  ///< of the terms' corner angles
+};
+
+PhaseSolver::PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads)
+    : parts_(std::make_unique<Parts>(mesh, num_threads)) {
+  set_orders(std::move(elem_order));
+}
+PhaseSolver::~PhaseSolver() = default;
+PhaseSolver::PhaseSolver(PhaseSolver&&) noexcept = default;
+
+void PhaseSolver::set_orders(std::vector<int> elem_order) {
+  if (elem_order.size() != parts_->context.maps.size()) throw Defect("the order map does not fit the mesh");
+  if (elem_order == parts_->elem_order) return;
+  parts_->elem_order = std::move(elem_order);
+  parts_->is_factored = false;
+}
+
+int PhaseSolver::num_unknowns(const std::vector<int>& elem_order) const {
+  return parts_->system.num_unknowns(elem_order);
+}
+
+void PhaseSolver::factor() {
+  if (parts_->is_factored) return;
+  parts_->system.set_orders(parts_->elem_order, parts_->watch);
+  measure_holes();
+  parts_->is_factored = true;
+}
+
+// w_j is 1 at the vertices of hole j, and no edge mode is needed to be 1 between them.
+void PhaseSolver::measure_holes() {
+  const TriMesh& mesh = *parts_->context.mesh;
+  const DofMap& map = parts_->system.map();
+  const int num_holes = mesh.face.num_loops() - 1;
+  if (num_holes == 0) return;
+  parts_->given_measures = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, num_holes);
+  for (const BoundaryEdge& edge : mesh.boundary_edges) {
+    const int loop = mesh.face.loop_of(edge.curve);
+    if (loop == 0) continue;
+    for (const int end : {edge.edge, (edge.edge + 1) % 3}) {
+      const int dof = map.vertex2dof[mesh.elem2vertices[edge.elem][end]];
+      parts_->given_measures(dof - map.num_unknowns, loop - 1) = 1;
+    }
+  }
+  parts_->measures = parts_->system.solve(parts_->given_measures, parts_->watch);
+  parts_->k = parts_->given_measures.transpose() * parts_->system.reactions(parts_->measures);
+  parts_->k = (parts_->k + parts_->k.transpose().eval()) / 2;
+}
+
+PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOptions& options) {
+  const TriMesh& mesh = *parts_->context.mesh;
   const std::size_t num_holes = mesh.face.num_loops() - 1;
   if (!options.twist_offsets.empty() && options.twist_offsets.size() != num_holes)
     throw UsageError(fmt::format("{} twist offsets for {} holes", options.twist_offsets.size(), num_holes));
-  if (static_cast<int>(elem_order.size()) != mesh.num_elems()) throw Defect("the order map does not fit the mesh");
   const PhaseBoundary boundary(mesh.face, asked);
-  const MeshContext context(mesh);
-  const Functions functions = solve_functions(context, elem_order, boundary);
-  if (!std::isfinite(functions.residual))
-    throw ComputeError("the solution is not finite: some element has a folded shape");
+  factor();
+  DirichletData data(parts_->points, [&](int curve, double t) { return boundary.remainder(curve, t); });
+  const Eigen::MatrixXd given = data.values(parts_->context.topology, parts_->system.map());
 
-  PhaseSolution solution;
-  solution.terms = boundary.terms();
-  solution.elem_order = elem_order;
-  solution.num_unknowns = functions.num_unknowns;
-  solution.residual = functions.residual;
-  choose_twists(reactions(context, elem_order, functions), options.twist_offsets, solution);
-  add_coefficients(functions, solution);
-  report.set("solve.num_unknowns", solution.num_unknowns);
-  report.set("solve.residual", solution.residual);
-  report.set("phase.num_nodes", solution.terms.nodes.size());
-  report.set("phase.num_corner_angles", solution.terms.corner_angles.size());
-  report.set("phase.twists", std::vector<double>(solution.twists.begin(), solution.twists.end()));
-  report.set("phase.best_twists", solution.best_twists);
-  report.set("phase.periods", solution.periods);
-  report.set("phase.twist_energy", solution.twist_energy);
-  return solution;
+  State state;
+  state.dofs = parts_->system.solve(given, parts_->watch);
+  state.residual = parts_->system.residual();
+  if (!std::isfinite(state.residual)) throw ComputeError("the solution is not finite: some element has a folded shape");
+  const Eigen::VectorXd reaction = parts_->system.reactions(state.dofs);
+  state.remainder_energy = given.col(0).dot(reaction) / 2;
+
+  PhaseForm& form = state.form;
+  form.nodes = asked;
+  form.terms = boundary.terms();
+  state.interior_angles = boundary.interior_angles();
+  form.twist_offsets = options.twist_offsets;
+  if (num_holes == 0) return state;
+  const Eigen::MatrixXd& k = parts_->k;
+  const Eigen::VectorXd r = parts_->given_measures.transpose() * reaction;
+  const Eigen::VectorXd best = -k.ldlt().solve(r) / (2 * pi);
+  if (!best.allFinite()) throw ComputeError("the twists of the holes are not finite: some element has a folded shape");
+  form.twists = nearest_twists(k, best);
+  for (std::size_t j = 0; j < options.twist_offsets.size(); ++j) form.twists[j] += options.twist_offsets[j];
+  const Eigen::VectorXd m = as_vector(form.twists);
+  const Eigen::VectorXd periods = (r + 2 * pi * k * m) / 4;
+  form.best_twists.assign(best.begin(), best.end());
+  form.periods.assign(periods.begin(), periods.end());
+  form.twist_energy = 2 * pi * pi * (m - best).dot(k * (m - best));
+  state.dofs += 2 * pi * (parts_->measures * m);
+  state.remainder_energy += 2 * pi * m.dot(r) + 2 * pi * pi * m.dot(k * m);
+  return state;
 }
 
-PhaseSolution solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
-                          Report& report) {
+Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report) {
+  parts_->watch = Stopwatch();
+  State state = this->state(asked, options);
+  const TriMesh& mesh = *parts_->context.mesh;
+  Field field;
+  field.provenance = mesh.provenance;
+  field.mesh = mesh;
+  field.kind = "phase";
+  field.elem_order = parts_->elem_order;
+  field.phase = std::move(state.form);
+  field.coef_offsets.push_back(0);
+  const std::vector<Eigen::MatrixXd> modes = parts_->system.all_modes(state.dofs);
+  std::vector<double>& s = field.phase.s;
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const Eigen::VectorXd coefs = modified_to_orthogonal(field.elem_order[e]).transpose() * modes[e];
+    s.insert(s.end(), coefs.begin(), coefs.end());
+    field.coef_offsets.push_back(static_cast<int>(s.size()));
+  }
+  parts_->watch.lap("coefficients");
+
+  const PhaseForm& form = field.phase;
+  report.set("solve.method", field.method);
+  report.set("solve.num_elements", mesh.num_elems());
+  report.set("solve.num_unknowns", parts_->system.map().num_unknowns);
+  report.set("solve.residual", state.residual);
+  report.set("phase.num_nodes", form.terms.nodes.size());
+  report.set("phase.num_corner_angles", form.terms.corner_angles.size());
+  report.set("phase.twists", std::vector<double>(form.twists.begin(), form.twists.end()));
+  report.set("phase.best_twists", form.best_twists);
+  report.set("phase.periods", form.periods);
+  report.set("phase.twist_energy", form.twist_energy);
+  return field;
+}
+
+PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& options) {
+  const State state = this->state(asked, options);
+  const MeshContext& context = parts_->context;
+  if (!parts_->locator) parts_->locator = std::make_unique<Locator>(*context.mesh, context.maps);
+  PhaseEnergy energy;
+  energy.value =
+      state.remainder_energy + explicit_energy(context.mesh->face, asked, state.form.terms, state.interior_angles);
+  for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
+    const Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
+    const Eigen::VectorXd s =
+        modified_to_orthogonal(parts_->elem_order[at.elem]).transpose() * parts_->system.modes(at.elem, state.dofs);
+    const Vec2 slope = remainder_gradient(context.maps[at.elem], at.xi, parts_->elem_order[at.elem], s.data());
+    energy.gradient.push_back(phase_energy_gradient(state.form.terms, static_cast<int>(k), slope));
+  }
+  return energy;
+}
+
+Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
+                  const PhaseOptions& options, Report& report) {
+  return PhaseSolver(mesh, elem_order).solve(asked, options, report);
+}
+
+Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked, Report& report) {
   return solve_phase(mesh, elem_order, asked, {}, report);
 }
 

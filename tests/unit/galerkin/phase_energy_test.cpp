@@ -20,10 +20,17 @@ TriMesh fine_mesh(const CadFace& face) {
   return triangulate(face, options, report);
 }
 
-std::vector<Vec2> gradient_of(const TriMesh& mesh, const PhaseNodes& asked) {
-  Report report;
-  return phase_energy_gradient(mesh, solve_phase(mesh, std::vector<int>(mesh.num_elems(), 12), asked, report));
-}
+// One mesh for many sets of nodes.
+class Energy {
+ public:
+  explicit Energy(const TriMesh& mesh) : mesh_(mesh), solver_(mesh_, std::vector<int>(mesh.num_elems(), 12)) {}
+  std::vector<Vec2> gradient(const PhaseNodes& asked) { return solver_.energy(asked).gradient; }
+  double value(const PhaseNodes& asked) { return solver_.energy(asked).value; }
+
+ private:
+  TriMesh mesh_;
+  PhaseSolver solver_;
+};
 
 double disc_energy(const std::vector<PhaseNode>& nodes) {
   double energy = 0;
@@ -39,7 +46,7 @@ double disc_energy(const std::vector<PhaseNode>& nodes) {
 
 TEST(PhaseEnergy, GradientOnTheDiscIsThatOfTheClosedForm) {
   const PhaseNodes asked{{{{0.5, 0.1}, 3}, {{-0.2, 0.45}, 3}, {{-0.55, -0.2}, 3}, {{0.1, -0.6}, 3}}, {}, {}};
-  const std::vector<Vec2> gradient = gradient_of(fine_mesh(make_face({circle({0, 0}, 1)})), asked);
+  const std::vector<Vec2> gradient = Energy(fine_mesh(make_face({circle({0, 0}, 1)}))).gradient(asked);
   const double h = 1e-5;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto difference = [&](Vec2 d) {
@@ -54,12 +61,12 @@ TEST(PhaseEnergy, GradientOnTheDiscIsThatOfTheClosedForm) {
 }
 
 TEST(PhaseEnergy, OfASquareOfNodesInTheDiscIsLeastAtItsKnownRadius) {
-  const TriMesh mesh = fine_mesh(make_face({circle({0, 0}, 1)}));
+  Energy energy(fine_mesh(make_face({circle({0, 0}, 1)})));
   const double least = std::pow(3.0 / 11, 1.0 / 8);
   const auto outward = [&](double radius) {
     PhaseNodes asked;
     for (int k = 0; k < 4; ++k) asked.nodes.push_back({radius * unit(0.4 + half_pi * k), 3});
-    const std::vector<Vec2> gradient = gradient_of(mesh, asked);
+    const std::vector<Vec2> gradient = energy.gradient(asked);
     double sum = 0;
     for (int k = 0; k < 4; ++k) sum += dot(gradient[k], unit(0.4 + half_pi * k));
     return sum;
@@ -69,10 +76,46 @@ TEST(PhaseEnergy, OfASquareOfNodesInTheDiscIsLeastAtItsKnownRadius) {
   EXPECT_GT(outward(least + 1e-4), 1e-2);
 }
 
+TEST(PhaseEnergy, OnTheDiscIsTheClosedForm) {
+  Energy energy(fine_mesh(make_face({circle({0, 0}, 1)})));
+  const std::vector<PhaseNode> nodes{{{0.5, 0.1}, 3}, {{-0.2, 0.45}, 3}, {{-0.55, -0.2}, 3}, {{0.1, -0.6}, 3}};
+  const double constant = energy.value({nodes, {}, {}}) - disc_energy(nodes);
+  for (const Vec2 x : {Vec2{0.7, 0.3}, {0.05, 0.02}, {0.1, -0.9}, {0.985, 0}}) {
+    std::vector<PhaseNode> moved = nodes;
+    moved[0].position = x;
+    EXPECT_NEAR(energy.value({moved, {}, {}}), disc_energy(moved) + constant, 1e-8) << x.x;
+  }
+}
+
+// Corners of all kinds, curved sides, a boundary node, a hole and its twist.
+TEST(PhaseEnergy, GradientIsThatOfTheValue) {
+  Energy energy(fine_mesh(make_face(
+      {{segment({-2, -1}, {2, -0.8}), circular_arc({2, 0.2}, 1, -half_pi, half_pi), segment({2, 1.2}, {-2, 1}),
+        circular_arc({-2.75, 0}, 1.25, std::atan2(1, 0.75), -std::atan2(1, 0.75))},
+       polygon({{0.4, 0}, {0.6, 0.4}, {1, 0.1}})})));
+  const PhaseNodes asked{{{{-0.5, -0.5}, 3}, {{0.9, 0.7}, 3}, {{1.9, -0.3}, 5}},
+                         {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 3}, {5, 3}, {6, 4}},
+                         {{2, 1.7, 3}}};
+  const std::vector<Vec2> gradient = energy.gradient(asked);
+  const double h = 1e-3;
+  for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
+    const auto difference = [&](Vec2 d) {  // of order 4
+      const auto at = [&](double steps) {
+        PhaseNodes moved = asked;
+        moved.nodes[k].position += steps * d;
+        return energy.value(moved);
+      };
+      return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    };
+    EXPECT_NEAR(gradient[k].x, difference({h, 0}), 1e-6) << k;
+    EXPECT_NEAR(gradient[k].y, difference({0, h}), 1e-6) << k;
+  }
+}
+
 // A gradient's own derivatives are symmetric: with corners of all kinds, a hole and its twist.
 TEST(PhaseEnergy, GradientIsOneOfAFunctionWhereThereAreHolesAndCorners) {
-  const TriMesh mesh = fine_mesh(
-      make_face({polygon({{0, 0}, {4, 0.3}, {3.6, 3}, {0.4, 3.3}}), polygon({{2.4, 1.3}, {2.6, 2}, {3, 1.5}})}));
+  Energy energy(fine_mesh(
+      make_face({polygon({{0, 0}, {4, 0.3}, {3.6, 3}, {0.4, 3.3}}), polygon({{2.4, 1.3}, {2.6, 2}, {3, 1.5}})})));
   const PhaseNodes asked{
       {{{1.1, 1.2}, 3}, {{1.3, 2.1}, 5}, {{2, 0.8}, 5}}, {{0, 1}, {1, 1}, {2, 2}, {3, 1}, {4, 3}, {5, 3}, {6, 2}}, {}};
   constexpr int size = 6;
@@ -83,7 +126,7 @@ TEST(PhaseEnergy, GradientIsOneOfAFunctionWhereThereAreHolesAndCorners) {
     PhaseNodes ahead = asked, behind = asked;
     (i % 2 == 0 ? ahead.nodes[i / 2].position.x : ahead.nodes[i / 2].position.y) += h;
     (i % 2 == 0 ? behind.nodes[i / 2].position.x : behind.nodes[i / 2].position.y) -= h;
-    const std::vector<Vec2> a = gradient_of(mesh, ahead), b = gradient_of(mesh, behind);
+    const std::vector<Vec2> a = energy.gradient(ahead), b = energy.gradient(behind);
     for (int j = 0; j < size; ++j) hessian[i][j] = (entry(a, j) - entry(b, j)) / (2 * h);
   }
   for (int i = 0; i < size; ++i) {

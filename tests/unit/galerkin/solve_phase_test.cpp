@@ -8,10 +8,7 @@
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
-#include "field/phase_terms.hpp"
-#include "mesh/locate.hpp"
-#include "mesh/tri_maps.hpp"
-#include "spectral/orthogonal_basis.hpp"
+#include "field/evaluate.hpp"
 #include "spectral/tri_nodes.hpp"
 #include "triangulate/triangulate.hpp"
 
@@ -36,23 +33,19 @@ class Solved {
   Solved(const CadFace& face, const PhaseNodes& nodes, const PhaseOptions& options = {}, double share = 0.1)
       : mesh(triangulate(face, small_elements(face, share), report_)),
         asked(nodes),
-        solution(solve_phase(mesh, std::vector<int>(mesh.num_elems(), 12), asked, options, report_)),
-        maps_(tri_maps(mesh)),
-        locator_(mesh, maps_) {}
+        field(solve_phase(mesh, std::vector<int>(mesh.num_elems(), 12), asked, options, report_)),
+        solution(field.phase),
+        evaluator_(std::make_unique<FieldEvaluator>(field)) {}
 
+  // Of v, in (-pi, pi].
   double phase(int elem, Vec2 xi, Vec2& x) const {
-    x = maps_[elem].position(xi);
-    const int order = solution.elem_order[elem], offset = solution.coef_offsets[elem];
-    std::vector<double> values(num_tri_modes(order));
-    orthogonal_values(order, xi, values.data());
-    double phi = explicit_phase(solution.terms, x, normalized(maps_[elem].position({-1.0 / 3, -1.0 / 3}) - x));
-    for (std::size_t n = 0; n < values.size(); ++n) phi += solution.s[offset + static_cast<int>(n)] * values[n];
-    return phi;
+    Mat2 dx_dxi;
+    return angle_of(evaluator_->value(elem, xi, x, dx_dxi));
   }
   double phase(Vec2 x) const {
-    const Location at = locator_.find(x);
-    EXPECT_GE(at.elem, 0) << x.x << ", " << x.y;
-    return at.elem < 0 ? 0 : phase(at.elem, at.xi, x);
+    Vec2 value;
+    EXPECT_TRUE(evaluator_->value_at(x, value)) << x.x << ", " << x.y;
+    return angle_of(value);
   }
   // Calls f(x, phi) at points of all elements, edges and vertices included.
   void for_points(const std::function<void(Vec2, double)>& f) const {
@@ -127,11 +120,11 @@ class Solved {
  public:
   TriMesh mesh;
   PhaseNodes asked;
-  PhaseSolution solution;
+  Field field;
+  const PhaseForm& solution;
 
  private:
-  std::vector<TriMap> maps_;
-  Locator locator_;
+  std::unique_ptr<FieldEvaluator> evaluator_;
 };
 
 // arg of the product of (z - a)(1 - conj(a) z).

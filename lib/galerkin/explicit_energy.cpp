@@ -1,0 +1,156 @@
+#include "galerkin/explicit_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+
+namespace {
+
+/// weight * ln |z - position| in L.
+struct Source {
+  Vec2 position;
+  double weight;
+};
+
+/// Part of a curve; `apex` is the source at its begin or end, -1: none.
+struct Piece {
+  double t0, t1;
+  int apex0, apex1;
+};
+
+class BoundaryIntegral {
+ public:
+  BoundaryIntegral(const CadFace& face, const std::vector<Source>& sources, int first_apex, int num_apexes)
+      : face_(face), sources_(sources), first_apex_(first_apex), num_apexes_(num_apexes) {}
+
+  /// int L (dPhi - dA / 2) along the curve between ascending `cuts`.
+  double over(int curve, const std::vector<double>& cuts) {
+    curve_ = &face_.curves[curve];
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+      sum += over({cuts[i], cuts[i + 1], apex_at(cuts[i]), apex_at(cuts[i + 1])}, 0);
+    return sum;
+  }
+
+ private:
+  int apex_at(double t) const {
+    const Vec2 x = point(*curve_, t);
+    for (int a = first_apex_; a < first_apex_ + 2 * num_apexes_; a += 2)
+      if (distance(sources_[a].position, x) <= 1e-11 * face_.diameter) return a;
+    return -1;
+  }
+
+  double over(const Piece& piece, int depth) const {
+    constexpr int deepest = 60;
+    if (depth == deepest || is_short(piece)) return integral(piece);
+    const double middle = (piece.t0 + piece.t1) / 2;
+    return over({piece.t0, middle, piece.apex0, -1}, depth + 1) + over({middle, piece.t1, -1, piece.apex1}, depth + 1);
+  }
+
+  bool is_short(const Piece& piece) const {
+    constexpr double greatest_turn = 0.8, nearest = 0.5;
+    if (piece.apex0 >= 0 && piece.apex1 >= 0) return false;
+    const Vec2 x[] = {point(*curve_, piece.t0), point(*curve_, (piece.t0 + piece.t1) / 2), point(*curve_, piece.t1)};
+    const double length = distance(x[0], x[1]) + distance(x[1], x[2]);
+    if (dot(tangent(*curve_, piece.t0), tangent(*curve_, piece.t1, true)) < std::cos(greatest_turn)) return false;
+    if (dot(x[1] - x[0], x[2] - x[1]) < std::cos(greatest_turn) * distance(x[0], x[1]) * distance(x[1], x[2]))
+      return false;
+    for (int i = 0; i < static_cast<int>(sources_.size()); ++i) {
+      if (i == piece.apex0 || i == piece.apex1) continue;
+      for (const Vec2 at : x)
+        if (norm2(at - sources_[i].position) < nearest * nearest * length * length) return false;
+    }
+    return true;
+  }
+
+  // Beside an apex L is a logarithm: t goes like u^6 there.
+  double integral(const Piece& piece) const {
+    static const Quadrature rule = gauss_legendre(16), fine_rule = gauss_legendre(20);
+    const bool at_begin = piece.apex0 >= 0, is_graded = at_begin || piece.apex1 >= 0;
+    const double length = piece.t1 - piece.t0;
+    const Quadrature& used = is_graded ? fine_rule : rule;
+    double sum = 0;
+    for (std::size_t q = 0; q < used.points.size(); ++q) {
+      const double u = (1 + used.points[q]) / 2, weight = used.weights[q] / 2;
+      if (!is_graded) {
+        sum += weight * length * integrand(piece.t0 + length * u, -1, 0);
+        continue;
+      }
+      const double share = std::pow(u, 6), slope = 6 * std::pow(u, 5);
+      const double t = at_begin ? piece.t0 + length * share : piece.t1 - length * share;
+      sum += weight * length * slope * integrand(t, at_begin ? piece.apex0 : piece.apex1, share);
+    }
+    return sum;
+  }
+
+  double integrand(double t, int apex, double share) const {
+    constexpr double too_near = 3e-6;  // the direction from the apex is the rounding of a point there
+    const auto [x, d1, d2, d3] = derivatives(*curve_, t);
+    const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
+    double log_sum = 0, turning = 0;
+    for (int i = 0; i < static_cast<int>(sources_.size()); ++i) {
+      const Vec2 r = x - sources_[i].position;
+      const double r2 = norm2(r);
+      log_sum += sources_[i].weight * std::log(r2) / 2;
+      turning += sources_[i].weight * (i == apex && share < too_near ? bend / 2 : cross(r, d1) / r2);
+    }
+    return log_sum * (4 * bend - turning / 2);
+  }
+
+  const CadFace& face_;
+  const std::vector<Source>& sources_;
+  int first_apex_, num_apexes_;
+  const Nurbs* curve_ = nullptr;
+};
+
+// Ends, inner knots and boundary nodes of a curve.
+std::vector<double> cuts_of(const CadFace& face, int c, const PhaseNodes& asked) {
+  const Nurbs& curve = face.curves[c];
+  std::vector<double> cuts(curve.knots.begin() + curve.degree, curve.knots.end() - curve.degree);
+  const double tol = 1e-12 * (curve.end() - curve.begin());
+  for (const BoundaryNode& node : asked.boundary_nodes)
+    if (node.curve == c && node.t > curve.begin() + tol && node.t < curve.end() - tol) cuts.push_back(node.t);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), [&](double a, double b) { return b - a <= tol; }), cuts.end());
+  cuts.back() = curve.end();
+  return cuts;
+}
+
+// L without source i, at its place.
+double log_of_others(const std::vector<Source>& sources, std::size_t i) {
+  double sum = 0;
+  for (std::size_t j = 0; j < sources.size(); ++j)
+    if (j != i) sum += sources[j].weight * std::log(distance(sources[j].position, sources[i].position));
+  return sum;
+}
+
+}  // namespace
+
+double explicit_energy(const CadFace& face, const PhaseNodes& asked, const PhaseTerms& terms,
+                       const std::vector<double>& interior_angles) {
+  std::vector<Source> sources;
+  for (const PhaseTurn& turn : terms.nodes) sources.push_back({turn.position, static_cast<double>(turn.turns)});
+  for (const auto* turns : {&terms.holes, &terms.images})
+    for (const PhaseTurn& turn : *turns)
+      if (turn.turns != 0) sources.push_back({turn.position, static_cast<double>(turn.turns)});
+  const std::size_t first_apex = sources.size();
+  for (const CornerAngle& corner : terms.corner_angles) {
+    sources.push_back({corner.apex, corner.beta});
+    sources.push_back({corner.pole, -corner.beta});
+  }
+  BoundaryIntegral integral(face, sources, static_cast<int>(first_apex), static_cast<int>(terms.corner_angles.size()));
+  double energy = 0;
+  for (int c = 0; c < face.num_curves(); ++c) energy += integral.over(c, cuts_of(face, c, asked));
+  for (std::size_t k = 0; k < terms.nodes.size(); ++k) energy -= pi * terms.nodes[k].turns * log_of_others(sources, k);
+  for (std::size_t c = 0; c < terms.corner_angles.size(); ++c)
+    energy -= terms.corner_angles[c].beta * interior_angles[c] / 2 * log_of_others(sources, first_apex + 2 * c);
+  return energy;
+}
+
+}  // namespace quadrille
