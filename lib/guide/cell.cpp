@@ -36,6 +36,7 @@ Cell element_cell(const FieldEvaluator& evaluator, int elem) {
   cell.components = {of_degree(cell.degree, map.order(), map.coefs_x().data()),
                      of_degree(cell.degree, map.order(), map.coefs_y().data()),
                      of_degree(cell.degree, order, &field.u[offset]), of_degree(cell.degree, order, &field.v[offset])};
+  for (int i = 0; i < cell.num_coefs(); ++i) cell.scale = std::max(cell.scale, norm(cell.value(i)));
   return cell;
 }
 
@@ -43,6 +44,7 @@ void bisect(const Cell& cell, Cell& first, Cell& second) {
   const int edge = longest_side(cell), from = edge, to = (edge + 1) % 3;
   first.elem = second.elem = cell.elem;
   first.degree = second.degree = cell.degree;
+  first.scale = second.scale = cell.scale;
   first.xi = second.xi = cell.xi;
   first.xi[to] = second.xi[from] = 0.5 * (cell.xi[from] + cell.xi[to]);
   for (int c = 0; c < 4; ++c) {

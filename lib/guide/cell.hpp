@@ -15,7 +15,8 @@ namespace quadrille {
 struct Cell {
   int elem = 0;
   int degree = 1;
-  std::array<Vec2, 3> xi;                         ///< vertices in the element's reference coordinates
+  double scale = 0;        ///< greatest coefficient of the element's field: what rounding refers to
+  std::array<Vec2, 3> xi;  ///< vertices in the element's reference coordinates
   std::array<std::vector<double>, 4> components;  ///< x, y, u, v without liftings
 
   int num_coefs() const { return static_cast<int>(components[0].size()); }

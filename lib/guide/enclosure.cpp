@@ -33,8 +33,9 @@ Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
 
 }  // namespace
 
-void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings) {
+void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, double margin) {
   cell_ = &cell;
+  margin_ = margin;
   centre_ = (cell.vertex(0) + cell.vertex(1) + cell.vertex(2)) / 3;
   double radius2 = 0, size = 0, rounding = 0;
   values_.resize(cell.num_coefs());
@@ -56,7 +57,7 @@ void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings) {
       add_by_angles(lifting);
   }
   // A position is rounded to its distance from the origin: close to a corner that turns the lifting's angle.
-  slack_ = 1e-14 * size + 4e-16 * (norm(centre_) + radius_) * rounding;
+  slack_ = 1e-14 * size + 1e-15 * cell.scale + 4e-16 * (norm(centre_) + radius_) * rounding;
 }
 
 void Enclosure::add_linearised(const Lifting& lifting) {
@@ -95,7 +96,7 @@ bool Enclosure::excludes_zero() const {
   y = y / static_cast<double>(values_.size());
   for (int step = 0; step < 12; ++step) {
     const double length = norm(y);
-    if (length <= slack_) return false;
+    if (length <= slack_ + margin_) return false;
     const Vec2 direction = y / length;
     double least = infinity;
     Vec2 nearest;
@@ -103,7 +104,7 @@ bool Enclosure::excludes_zero() const {
       const double d = dot(direction, value);
       if (d < least) least = d, nearest = value;
     }
-    if (least + support(direction) > slack_) return true;
+    if (least + support(direction) > slack_ + margin_) return true;
     // The extreme point of the hull widened by the ranges.
     for (const Range& range : ranges_) {
       const double side = dot(direction, range.jump) > 0 ? -1 : 1;

@@ -14,8 +14,9 @@ namespace quadrille {
 
 class Enclosure {
  public:
-  /// Recomputes everything for `cell`, which must live as long as the results are used; storage is kept.
-  void set(const Cell& cell, const std::vector<Lifting>& liftings);
+  /// Recomputes everything for `cell`, which must live as long as the results are used; storage is kept. `margin`: how
+  /// far the field itself is left open (guide/edge_jumps): a value no longer than that may be a zero.
+  void set(const Cell& cell, const std::vector<Lifting>& liftings, double margin = 0);
 
   /// True when the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
   bool excludes_zero() const;
@@ -25,8 +26,8 @@ class Enclosure {
 
   /// No value in the cell is longer.
   double greatest_value() const;
-  /// What rounding may change in a value of the field over the cell.
-  double value_noise() const { return slack_; }
+  /// What rounding and the margin may change in a value of the field over the cell.
+  double value_noise() const { return slack_ + margin_; }
   Vec2 centre() const { return centre_; }
   double radius() const { return radius_; }
 
@@ -42,7 +43,8 @@ class Enclosure {
   const Cell* cell_ = nullptr;
   Vec2 centre_;
   double radius_ = 0;
-  double slack_ = 0;          ///< round-off of values: of coefficients, and of positions near corners
+  double slack_ = 0;  ///< round-off of values: of coefficients, and of positions near corners
+  double margin_ = 0;
   std::vector<Vec2> values_;  ///< Bernstein coefficients of the field with linearised liftings
   std::vector<Range> ranges_;
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised

@@ -1,31 +1,21 @@
 #include "guide/find_critical_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
 #include "field/error_estimate.hpp"
-#include "guide/cell_zero.hpp"
-#include "guide/multiple_zero.hpp"
+#include "guide/absorb.hpp"
+#include "guide/clusters.hpp"
+#include "guide/distinct_zeros.hpp"
 #include "guide/valence.hpp"
-#include "guide/zero_search.hpp"
 
 namespace quadrille {
 namespace {
 
-/// Each zero once, from the lowest element that holds it: zeros on an edge or vertex are found on every side of it.
-/// The elements were searched in ascending sequence. Two zeros are no nearer than the cells that isolate them.
-std::vector<FoundZero> distinct(const std::vector<FoundZero>& zeros, double diameter) {
-  std::vector<FoundZero> result;
-  for (const FoundZero& zero : zeros) {
-    const bool known = std::any_of(result.begin(), result.end(), [&](const FoundZero& other) {
-      return distance(zero.x, other.x) <= 1e-3 * std::min(zero.cell_radius, other.cell_radius) + 1e-12 * diameter;
-    });
-    if (!known) result.push_back(zero);
-  }
-  return result;
-}
-
-/// A point of the closed reference triangle: a zero on an edge may stand round-off beyond it.
+/// A point of the closed reference triangle: a zero on an edge may stand round-off, or its jump, beyond it.
 Vec2 clamped(Vec2 xi) {
   xi = {std::max(xi.x, -1.0), std::max(xi.y, -1.0)};
   const double excess = xi.x + xi.y;
@@ -34,72 +24,140 @@ Vec2 clamped(Vec2 xi) {
 
 CriticalPoint critical_point(const FieldEvaluator& evaluator, const FoundZero& zero) {
   const FieldSample s = evaluator.sample(zero.elem, zero.xi);
-  const int sign = det(s.dv_dx) > 0 ? 1 : -1;
   const Mat2& j = s.dv_dx;
   const std::vector<double>& errors = evaluator.field().elem_error;
   const double diameter = evaluator.field().mesh.face.diameter;
   const double error = errors.empty() ? 0 : std::min(position_error(j, errors[zero.elem]), diameter);
-  return {s.x, sign, 4 - sign, zero.elem, clamped(zero.xi), {j.xx, j.xy, j.yx, j.yy}, error};
+  return {s.x, zero.index, 4 - zero.index, zero.elem, clamped(zero.xi), {j.xx, j.xy, j.yx, j.yy}, error};
 }
 
+Vec2 place_of(const CriticalPoint& p) { return p.position; }
+Vec2 place_of(const Cluster& c) { return c.centre; }
+
 /// Tolerances are no ordering: points are put into columns of equal x first, each column is sorted by y.
-void sort_by_place(std::vector<CriticalPoint>& points, double tol) {
-  const auto by_x = [](const CriticalPoint& a, const CriticalPoint& b) { return a.position.x < b.position.x; };
-  const auto by_y = [](const CriticalPoint& a, const CriticalPoint& b) { return a.position.y < b.position.y; };
+template <typename Points>
+void sort_by_place(Points& points, double tol) {
+  const auto by_x = [](const auto& a, const auto& b) { return place_of(a).x < place_of(b).x; };
+  const auto by_y = [](const auto& a, const auto& b) { return place_of(a).y < place_of(b).y; };
   std::stable_sort(points.begin(), points.end(), by_x);
   for (auto first = points.begin(); first != points.end();) {
     auto last = first + 1;
-    while (last != points.end() && last->position.x - (last - 1)->position.x <= tol) ++last;
+    while (last != points.end() && place_of(*last).x - place_of(*(last - 1)).x <= tol) ++last;
     std::stable_sort(first, last, by_y);
     first = last;
   }
 }
 
-int index_sum(const CriticalPoints& points) {
-  int sum = 0;
-  for (const CriticalPoint& p : points.critical_points) sum += 4 - p.valence;
-  for (const Corner& c : points.corners) sum += 2 - c.valence;
-  return sum;
+std::vector<CriticalPoint> sorted_points(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {
+  std::vector<CriticalPoint> points;
+  for (const FoundZero& zero : zeros) points.push_back(critical_point(evaluator, zero));
+  sort_by_place(points, 1e-6 * evaluator.field().mesh.face.diameter);
+  return points;
 }
 
-void report_proof(const SearchCounts& counts, int num_elems, const CriticalPoints& points, Report& report) {
+template <typename Condition>
+std::vector<FoundZero> those(const std::vector<FoundZero>& zeros, const Condition& holds) {
+  std::vector<FoundZero> result;
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    if (holds(i)) result.push_back(zeros[i]);
+  return result;
+}
+
+CertificateCell certificate_cell(int elem, const std::array<Vec2, 3>& p, const char* verdict) {
+  return {elem, {p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y}, verdict};
+}
+
+Certificate certificate_of(const ZeroSearch& search, const std::vector<FoundZero>& zeros,
+                           const std::vector<Disc>& discs, int num_elems) {
+  const SearchCounts& counts = search.counts();
+  Certificate c;
+  c.elements = num_elems;
+  c.cells_examined = static_cast<double>(counts.examined);
+  c.cells_excluded = static_cast<double>(counts.excluded);
+  c.cells_isolated = static_cast<double>(counts.isolated);
+  c.cells_left_to_corners = static_cast<double>(counts.ignored);
+  c.greatest_depth = counts.greatest_depth;
+  for (const FoundZero& zero : zeros) c.cells.push_back(certificate_cell(zero.elem, zero.cell, "zero"));
+  for (const OpenCell& cell : search.open_cells()) c.cells.push_back(certificate_cell(cell.elem, cell.cell, "open"));
+  for (const Disc& disc : discs) {
+    c.disc_centres.push_back(disc.centre);
+    c.disc_radii.push_back(disc.radius);
+  }
+  return c;
+}
+
+void report_proof(const ZeroSearch& search, const CriticalPoints& points, Report& report) {
+  const SearchCounts& counts = search.counts();
   report.set("critical_points", points.critical_points.size());
   report.set("corners", points.corners.size());
+  report.set("clusters", points.clusters.size());
   report.set("index_sum.value", points.index_sum);
   report.set("index_sum.expected", points.index_sum_expected);
-  report.set("proof.elements", num_elems);
+  report.set("proof.elements", points.certificate.elements);
   report.set("proof.cells_examined", counts.examined);
   report.set("proof.cells_excluded", counts.excluded);
   report.set("proof.cells_isolated", counts.isolated);
   report.set("proof.cells_left_to_corners", counts.ignored);
+  report.set("proof.cells_open", search.open_cells().size());
   report.set("proof.greatest_depth", counts.greatest_depth);
+}
+
+void search_all(ZeroSearch& search, const TriMesh& mesh) {
+  for (int e = 0; e < mesh.num_elems() && !search.is_hopeless(); ++e) search.search(e);
+  if (!search.is_hopeless()) return;
+  const Vec2 x = search.open_cells().back().centre + mesh.face.origin;
+  throw ComputeError(
+      fmt::format("the guiding field vanishes to higher order, or on a whole curve, near ({:.4g}, {:.4g})", x.x, x.y));
+}
+
+void require_in(const char* name, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    throw UsageError(fmt::format("{} is {}, it must be between {} and {}", name, value, low, high));
 }
 
 }  // namespace
 
-CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report) {
+void SearchOptions::validate() const {
+  require_in("the cluster distance", cluster_distance, 0, 0.1);
+  require_in("the length of corner absorption", corner_absorb, 0, 0.1);
+  require_in("the noise", noise, 1e-14, 1e-2);
+}
+
+CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const SearchOptions& options, Report& report) {
+  options.validate();
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
 
-  CornerValences valences = corner_valences(evaluator);
-  ZeroSearch search(evaluator, valences.discs);
-  for (int e = 0; e < mesh.num_elems() && !search.is_hopeless(); ++e) search.search(e);
-  const std::vector<FoundZero> zeros = distinct(search.zeros(), face.diameter);
-  require_simple_zeros(evaluator, zeros, search.open_cells());
+  CornerValences valences = corner_valences(evaluator, options.noise);
+  ZeroSearch search(evaluator, valences.discs, options.noise);
+  search_all(search, mesh);
+  const std::vector<FoundZero> found = distinct_zeros(evaluator, search.zeros());
+  const std::vector<FoundZero> zeros = those(found, [&](std::size_t i) {
+    return std::none_of(valences.discs.begin(), valences.discs.end(),
+                        [&](const Disc& disc) { return distance(disc.centre, found[i].x) <= disc.radius; });
+  });
 
   CriticalPoints points;
   points.origin = face.origin;
-  for (const FoundZero& zero : zeros) {
-    const bool of_corner = std::any_of(valences.discs.begin(), valences.discs.end(),
-                                       [&](const Disc& disc) { return distance(disc.centre, zero.x) <= disc.radius; });
-    if (!of_corner) points.critical_points.push_back(critical_point(evaluator, zero));
-  }
-  sort_by_place(points.critical_points, 1e-6 * face.diameter);
   points.corners = std::move(valences.corners);
-  points.index_sum = index_sum(points);
+  const std::vector<bool> is_absorbed =
+      absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points.corners, points.changes);
+  const std::vector<FoundZero> free = those(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
+  Clustering clustering =
+      find_clusters(evaluator, free, search.open_cells(), {options.cluster_distance * face.diameter, options.noise});
+  points.clusters = std::move(clustering.clusters);
+  sort_by_place(points.clusters, 1e-6 * face.diameter);
+  points.critical_points = sorted_points(evaluator, clustering.simple);
+  if (clustering.simple.size() != zeros.size()) points.zeros = sorted_points(evaluator, zeros);
+  points.certificate = certificate_of(search, zeros, valences.discs, mesh.num_elems());
+  points.index_sum = index_sum_with_clusters(points);
   points.index_sum_expected = 4 * face.euler_characteristic();
-  report_proof(search.counts(), mesh.num_elems(), points, report);
+  report_proof(search, points, report);
   return points;
+}
+
+CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report) {
+  return find_critical_points(evaluator, SearchOptions{}, report);
 }
 
 }  // namespace quadrille

@@ -1,19 +1,46 @@
 #pragma once
-// All zeros of the guiding field, once each, with indices; valences of corners; the index sum (method.md §1, §3, §5).
+// The field's own view of its irregular points: all zeros, once each, with indices; which of them belong together;
+// valences of corners and what they absorb (method.md §1, §3, §5).
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
+#include "guide/zero_search.hpp"
 #include "model/critical_points.hpp"
 
 namespace quadrille {
 
+/// Lengths as shares of the face's diameter.
+struct SearchOptions {
+  /// In [0, 0.1]. Zeros no farther apart are one cluster (guide/clusters); 0: multiple zeros only. On real outlines
+  /// zeros that make useful blocks stand 5e-3 of the size apart, so the default leaves them alone.
+  double cluster_distance = 2e-3;
+  /// In [0, 0.1]. Corners take in nodes no farther away (guide/absorb); 0: none.
+  double corner_absorb = 2e-3;
+  /// In [1e-14, 1e-2]. Cells in which |v| stays below are not told from a multiple zero. Pairs of zeros d apart need
+  /// less than |J| d / 4; less than what the field was solved to shows the zeros of the discrete field, not of v.
+  double noise = field_noise;
+
+  /// Throws UsageError where a number is outside its interval.
+  void validate() const;
+};
+
 /// Every element is subdivided in Bernstein form until each cell is proved empty or proved to hold at most one zero,
-/// which is then found or shown to lie elsewhere (guide/zero_search). Sorted by x, then y (equal within 1e-6 of the
-/// diameter counts as equal). The certificate goes to the report as proof.*.
-/// Throws ComputeError where zeros are not simple (guide/multiple_zero) or a corner's valence is open (guide/valence).
-/// Error bars are set where the field has elem_error.
-/// Does not judge the index sum: see require_index_sum.
+/// which is then found or shown to lie elsewhere (guide/zero_search), or |v| in it is below `noise`.
+///   critical_points   simple zeros that are in no cluster and that no corner absorbs; error bars where the field has
+///                     elem_error
+///   clusters          the others but for absorbed ones: they have no node yet (guide/resolve, resolve_clusters)
+///   corners           valences of guide/valence, changed by guide/absorb; each of these is in `changes`
+///   zeros             all simple zeros found, where critical_points are not just these; else empty
+///   certificate       what the search did; its counts go to the report as proof.*
+///   index_sum         with clusters
+/// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal).
+/// Throws ComputeError where the field vanishes on a curve, where the index of a multiple zero (guide/clusters) or a
+/// corner's valence (guide/valence) is open. Does not judge the index sum: see require_index_sum.
+CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const SearchOptions& options, Report& report);
 CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report);
+
+/// sum (4 - V) over the nodes, the indices of clusters, and sum (2 - V) over corners and boundary nodes.
+int index_sum_with_clusters(const CriticalPoints& points);
 
 /// Throws ComputeError when index_sum != index_sum_expected, saying by how much and which corner is nearest a tie.
 void require_index_sum(const CriticalPoints& points);

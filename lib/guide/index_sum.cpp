@@ -9,6 +9,12 @@
 
 namespace quadrille {
 
+int index_sum_with_clusters(const CriticalPoints& points) {
+  int sum = index_sum_of(points);
+  for (const Cluster& cluster : points.clusters) sum += cluster.index;
+  return sum;
+}
+
 void require_index_sum(const CriticalPoints& points) {
   const int excess = points.index_sum - points.index_sum_expected;
   if (excess == 0) return;

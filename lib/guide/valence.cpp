@@ -12,7 +12,7 @@
 namespace quadrille {
 namespace {
 
-constexpr double near_tie = 0.02, tie = 1e-6;  // radians
+constexpr double tie = 1e-6;  // radians
 
 /// The least extent of the two curves at a joint.
 double room(const CadFace& face, int joint) {
@@ -24,20 +24,35 @@ double room(const CadFace& face, int joint) {
   return std::min(extent(joint), extent(face.previous_in_loop(joint)));
 }
 
-/// Where the corner's arc runs: on it the field, of size (r / diameter)^(pi / omega), must stand out of its errors.
-Disc corner_disc(const CadFace& face, int joint) {
-  const double rim = std::pow(10.0, -7 * face.joints[joint].interior_angle / pi);
-  return {face.joints[joint].position, std::min(std::max(2e-3, rim) * face.diameter, 0.2 * room(face, joint))};
+/// What |v| must exceed on an arc to be trusted: the error is that half the way along it.
+double enough(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc, double noise) {
+  const std::vector<double>& errors = evaluator.field().elem_error;
+  const Vec2 middle = disc.centre + disc.radius * unit(joint.tangent_out + 0.5 * joint.interior_angle);
+  const int elem = errors.empty() ? -1 : evaluator.locator().find(middle).elem;
+  return elem < 0 ? 10 * noise : std::max(10 * noise, 3 * errors[elem]);
 }
 
 /// Quads in the sector, from the turn of the phase on an arc from the outgoing to the incoming side.
-std::optional<int> valence_by_arc(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc) {
+std::optional<int> valence_by_arc(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc, double noise) {
   constexpr double margin = 0.05;  // curved sides: what lies outside the domain is left out
   const auto turn = phase_turn(evaluator, disc.centre, disc.radius, joint.tangent_out - margin,
                                joint.tangent_out + joint.interior_angle + margin);
-  if (!turn || turn->least_value < field_noise) return {};
+  if (!turn || turn->least_value < enough(evaluator, joint, disc, noise)) return {};
   // The cross at both ends lies along the sides: the sector holds the quarter turns between them less the field's own.
   return static_cast<int>(std::lround((4 * joint.interior_angle - turn->turn) / (2 * pi)));
+}
+
+/// The valence at a tie and the disc of the arc that tells it. At a tie |v| grows like (r / diameter)^(pi / omega): the
+/// arcs begin where that is 1e-8, no nearer than positions can be told, and double.
+std::optional<int> valence_at_tie(const FieldEvaluator& evaluator, int joint, double noise, Disc& disc) {
+  const CadFace& face = evaluator.field().mesh.face;
+  const Joint& corner = face.joints[joint];
+  const double greatest = 0.2 * room(face, joint);
+  disc.centre = corner.position;
+  const double least = std::max(1e-9, std::pow(10.0, -8 * corner.interior_angle / pi));
+  for (disc.radius = least * face.diameter; disc.radius <= greatest; disc.radius *= 2)
+    if (const auto valence = valence_by_arc(evaluator, corner, disc, noise)) return valence;
+  return {};
 }
 
 [[noreturn]] void refuse(const Joint& joint, Vec2 origin) {
@@ -54,23 +69,27 @@ double tie_distance(double interior_angle) {
   return std::abs(quarters - std::floor(quarters) - 0.5) * half_pi;
 }
 
-CornerValences corner_valences(const FieldEvaluator& evaluator) {
+CornerValences corner_valences(const FieldEvaluator& evaluator, double noise) {
   const CadFace& face = evaluator.field().mesh.face;
   CornerValences result;
   for (int j = 0; j < face.num_curves(); ++j) {
     const Joint& joint = face.joints[j];
     if (!joint.is_corner) continue;
     int valence = static_cast<int>(std::lround(joint.interior_angle / half_pi));
-    const double doubt = tie_distance(joint.interior_angle);
-    if (doubt < near_tie) {
-      const Disc disc = corner_disc(face, j);
-      const auto by_arc = valence_by_arc(evaluator, joint, disc);
-      if (!by_arc && doubt < tie) refuse(joint, face.origin);
-      if (by_arc) result.discs.push_back(disc);
-      valence = by_arc.value_or(valence);
+    const bool is_tie = tie_distance(joint.interior_angle) < tie;
+    if (is_tie) {
+      Disc disc;
+      const auto by_arc = valence_at_tie(evaluator, j, noise, disc);
+      if (!by_arc) refuse(joint, face.origin);
+      result.discs.push_back(disc);
+      valence = *by_arc;
     }
-    result.corners.push_back(
-        {j, joint.position, degrees(joint.interior_angle), valence, {face.previous_in_loop(j), j}});
+    result.corners.push_back({j,
+                              joint.position,
+                              degrees(joint.interior_angle),
+                              valence,
+                              {face.previous_in_loop(j), j},
+                              is_tie ? "field" : "angle"});
   }
   return result;
 }

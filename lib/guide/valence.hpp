@@ -1,8 +1,8 @@
 #pragma once
 // Valences of corners (method.md §3): near a corner the field follows the chord between the data on its two sides, so
 // that V is the integer nearest 2 omega / pi. At omega = 45, 135, 225, 315 degrees the chord passes through 0: a tie,
-// which the field away from the corner decides. Close to a tie a critical point may lie so near the corner that no
-// block fits between: the corner absorbs it, its valence V becomes V + V_k - 4.
+// which the field away from the corner decides. This is the valence in the limit at the corner. Close to a tie a
+// critical point may lie so near the corner that no block fits between: what becomes of it is for guide/absorb.
 
 #include <vector>
 
@@ -12,17 +12,20 @@
 
 namespace quadrille {
 
+/// Radians from a tie below which both neighbouring valences are as good.
+inline constexpr double near_tie = 0.02;
+
 /// How far the interior angle is from the nearest tie, radians in [0, pi/4].
 double tie_distance(double interior_angle);
 
 struct CornerValences {
   std::vector<Corner> corners;  ///< in the sequence of the joints
-  std::vector<Disc> discs;      ///< about the corners close to ties: what lies in them is part of the valence
+  std::vector<Disc> discs;      ///< about the corners at ties: what lies in them is part of the valence
 };
 
-/// All corners of the layout. Within 0.02 radians of a tie V counts the quarter turns of the cross along an arc about
-/// the corner, at 2e-3 of the diameter where there is room. Throws ComputeError when that arc leaves the domain or
-/// passes a zero and the corner is within 1e-6 radians of the tie.
-CornerValences corner_valences(const FieldEvaluator& evaluator);
+/// All corners of the layout. Within 1e-6 radians of a tie V counts the quarter turns of the cross along an arc about
+/// the corner (source "field"), the smallest on which |v| stands out of its errors: more than max(10 noise, 3 e), e the
+/// error estimate there. Throws ComputeError when no arc within a fifth of the corner's curves does.
+CornerValences corner_valences(const FieldEvaluator& evaluator, double noise = field_noise);
 
 }  // namespace quadrille

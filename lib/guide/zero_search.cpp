@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "guide/cell_zero.hpp"
+#include "guide/edge_jumps.hpp"
 
 namespace quadrille {
 namespace {
@@ -11,10 +12,23 @@ namespace {
 constexpr int max_depth = 72;           // 2^-36 of an element's size
 constexpr long long max_cells = 50000;  // in one element; a simple zero needs some hundred at most
 
+std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
+
+/// Whether some vertex of the cell lies on local edge k of its element: halving is exact.
+bool touches(const Cell& cell, int k) {
+  return std::any_of(cell.xi.begin(), cell.xi.end(), [k](Vec2 xi) {
+    return k == 0 ? xi.y == -1 : k == 1 ? xi.x + xi.y == 0 : xi.x == -1;
+  });
+}
+
 }  // namespace
 
-ZeroSearch::ZeroSearch(const FieldEvaluator& evaluator, std::vector<Disc> ignored)
-    : evaluator_(&evaluator), ignored_(std::move(ignored)), halves_(max_depth) {}
+ZeroSearch::ZeroSearch(const FieldEvaluator& evaluator, std::vector<Disc> ignored, double noise)
+    : evaluator_(&evaluator),
+      ignored_(std::move(ignored)),
+      noise_(noise),
+      jumps_(edge_jumps(evaluator)),
+      halves_(max_depth) {}
 
 void ZeroSearch::search(int elem) {
   budget_ = max_cells;
@@ -27,11 +41,30 @@ bool ZeroSearch::is_ignored() const {
   });
 }
 
+double ZeroSearch::margin(const Cell& cell) const {
+  double greatest = 0;
+  if (jumps_.empty()) return greatest;
+  for (int k = 0; k < 3; ++k)
+    if (touches(cell, k)) greatest = std::max(greatest, jumps_[cell.elem][k]);
+  return greatest;
+}
+
+void ZeroSearch::isolate(const Cell& cell, const Mat2& inverse_jacobian, double contraction) {
+  ++counts_.isolated;
+  const double noise = enclosure_.value_noise();
+  Vec2 xi;
+  if (!find_cell_zero(*evaluator_, cell, inverse_jacobian, contraction, noise, xi)) return;
+  const FieldSample s = evaluator_->sample(cell.elem, xi);
+  const double shift = noise * frobenius_norm(s.dv_dx) / std::abs(det(s.dv_dx));  // |J^-1| noise
+  zeros_.push_back({cell.elem, xi, s.x, det(s.dv_dx) > 0 ? 1 : -1, enclosure_.radius(), shift, vertices(cell)});
+}
+
 void ZeroSearch::visit(const Cell& cell, int depth) {
   if (budget_ == 0) return;
   ++counts_.examined;
   counts_.greatest_depth = std::max(counts_.greatest_depth, depth);
-  enclosure_.set(cell, evaluator_->field().liftings);
+  const double jump = margin(cell);
+  enclosure_.set(cell, evaluator_->field().liftings, jump);
   if (enclosure_.excludes_zero()) {
     ++counts_.excluded;
     return;
@@ -42,15 +75,9 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
   }
   Mat2 inverse_jacobian;
   double contraction = 0;
-  if (enclosure_.isolates(inverse_jacobian, contraction)) {
-    ++counts_.isolated;
-    Vec2 xi;
-    if (find_cell_zero(*evaluator_, cell, inverse_jacobian, contraction, enclosure_.value_noise(), xi))
-      zeros_.push_back({cell.elem, xi, evaluator_->maps()[cell.elem].position(xi), enclosure_.radius()});
-    return;
-  }
-  if (--budget_ == 0 || depth == max_depth || enclosure_.greatest_value() < field_noise) {
-    open_.push_back({cell.elem, enclosure_.centre(), enclosure_.radius()});
+  if (enclosure_.isolates(inverse_jacobian, contraction)) return isolate(cell, inverse_jacobian, contraction);
+  if (--budget_ == 0 || depth == max_depth || enclosure_.greatest_value() < std::max(noise_, jump)) {
+    open_.push_back({cell.elem, enclosure_.centre(), enclosure_.radius(), vertices(cell)});
     return;
   }
   auto& [first, second] = halves_[depth];

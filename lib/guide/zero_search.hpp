@@ -1,6 +1,7 @@
 #pragma once
 // The search for zeros in all elements: cells are halved until each is proved empty or proved to hold at most one.
 
+#include <array>
 #include <vector>
 
 #include "guide/cell.hpp"
@@ -14,10 +15,14 @@ struct Disc {
   double radius = 0;
 };
 
+/// A zero of the polynomial of `elem`. With jumps between elements it may lie beyond the element's edge.
 struct FoundZero {
   int elem = 0;
   Vec2 xi, x;
-  double cell_radius = 0;  ///< of the cell in which it was found
+  int index = 0;               ///< the sign of det(dv/dx)
+  double cell_radius = 0;      ///< of the cell in which it was found
+  double shift = 0;            ///< how far rounding and jumps may move it: |J^-1| times the value's own noise
+  std::array<Vec2, 3> cell{};  ///< that cell's vertices in the plane
 };
 
 /// A cell that could be neither excluded nor isolated.
@@ -25,6 +30,7 @@ struct OpenCell {
   int elem = 0;
   Vec2 centre;
   double radius = 0;
+  std::array<Vec2, 3> cell{};
 };
 
 struct SearchCounts {
@@ -37,7 +43,8 @@ inline constexpr double field_noise = 1e-10;
 
 class ZeroSearch {
  public:
-  ZeroSearch(const FieldEvaluator& evaluator, std::vector<Disc> ignored);
+  /// Cells in which |v| stays below `noise` are not halved further.
+  ZeroSearch(const FieldEvaluator& evaluator, std::vector<Disc> ignored, double noise = field_noise);
 
   /// Searches one element. Stops early, with an open cell, when the element needs more cells than zeros ever do.
   void search(int elem);
@@ -45,16 +52,20 @@ class ZeroSearch {
   const std::vector<FoundZero>& zeros() const { return zeros_; }
   const std::vector<OpenCell>& open_cells() const { return open_; }
   /// True when there is no point in going on: some element needed too many cells, or very many cells are open.
-  bool is_hopeless() const { return budget_ == 0 || open_.size() > 1000; }
+  bool is_hopeless() const { return budget_ == 0 || open_.size() > 4000; }
   const SearchCounts& counts() const { return counts_; }
 
  private:
   void visit(const Cell& cell, int depth);
+  void isolate(const Cell& cell, const Mat2& inverse_jacobian, double contraction);
   bool is_ignored() const;
+  double margin(const Cell& cell) const;
 
   const FieldEvaluator* evaluator_;
   std::vector<Disc> ignored_;
-  std::vector<std::array<Cell, 2>> halves_;  ///< by depth: storage of the recursion
+  double noise_;
+  std::vector<std::array<double, 3>> jumps_;  ///< of guide/edge_jumps
+  std::vector<std::array<Cell, 2>> halves_;   ///< by depth: storage of the recursion
   Enclosure enclosure_;
   long long budget_ = 1;  ///< cells left for this element
   std::vector<FoundZero> zeros_;

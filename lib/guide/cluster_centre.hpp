@@ -1,0 +1,21 @@
+#pragma once
+// The centre of a multiple zero, however noise splits it.
+//
+// u and v are harmonic, so that near the zeros w = u + i v = A(z) + conj(B(z)), A and B analytic. The Fourier
+// coefficients of w on a circle of radius R about z0 are those of A's and B's Taylor series: c_k = A_k R^k for k > 0,
+// c_-k = conj(B_k) R^k. Where one of them, c_n with n the index, outweighs all others, the circle holds n zeros of
+// about A_n (z - z0)^n + A_{n-1} (z - z0)^{n-1} + ..., whose centroid is z0 - A_{n-1} / (n A_n) (Vieta); for n < 0 the
+// same of conj(w). An error e of the field moves it by e / (n |c_n|) R only, while it splits the zero by e^(1/n).
+
+#include <optional>
+
+#include "field/evaluate.hpp"
+
+namespace quadrille {
+
+/// The centroid of the zeros about `centre` whose indices sum to `index`, |index| >= 2, from the largest circle between
+/// radius `inner` and `outer` that lies in the mesh and on which the coefficient of `index` has nine tenths of the
+/// power. Nothing where there is none, or where the centroid is farther than `inner` from `centre`.
+std::optional<Vec2> moment_centre(const FieldEvaluator& evaluator, Vec2 centre, int index, double inner, double outer);
+
+}  // namespace quadrille

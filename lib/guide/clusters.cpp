@@ -1,0 +1,203 @@
+#include "guide/clusters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "base/error.hpp"
+#include "guide/cluster_centre.hpp"
+#include "guide/winding.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double equal = 1 + 1e-6;
+
+/// A zero, or open cells that touch.
+struct Part {
+  Vec2 centre;
+  double radius = 0;
+  int elem = 0;
+  int zero = -1;  ///< index into the zeros; -1: open cells
+};
+
+/// Which of n things hang together.
+class Groups {
+ public:
+  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int i, int j) { parent_[std::max(root(i), root(j))] = std::min(root(i), root(j)); }
+  /// Members of each group, ascending, by their first.
+  std::vector<std::vector<int>> all() {
+    std::vector<std::vector<int>> by_root(parent_.size()), result;
+    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) by_root[root(i)].push_back(i);
+    for (auto& group : by_root)
+      if (!group.empty()) result.push_back(std::move(group));
+    return result;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// A circle about discs: the middle of the box about them.
+template <typename Discs>
+Disc circle_about(const Discs& discs) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec2 lower{infinity, infinity}, upper{-infinity, -infinity};
+  for (const auto& d : discs) {
+    lower = {std::min(lower.x, d.centre.x - d.radius), std::min(lower.y, d.centre.y - d.radius)};
+    upper = {std::max(upper.x, d.centre.x + d.radius), std::max(upper.y, d.centre.y + d.radius)};
+  }
+  Disc circle{0.5 * (lower + upper), 0};
+  for (const auto& d : discs) circle.radius = std::max(circle.radius, distance(circle.centre, d.centre) + d.radius);
+  return circle;
+}
+
+std::vector<Part> parts_of(const std::vector<FoundZero>& zeros, const std::vector<OpenCell>& open_cells) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < zeros.size(); ++i) parts.push_back({zeros[i].x, 0, zeros[i].elem, static_cast<int>(i)});
+  Groups touching(open_cells.size());
+  for (std::size_t i = 0; i < open_cells.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (distance(open_cells[i].centre, open_cells[j].centre) <= 2 * (open_cells[i].radius + open_cells[j].radius))
+        touching.join(static_cast<int>(i), static_cast<int>(j));
+  for (const std::vector<int>& group : touching.all()) {
+    std::vector<Disc> discs;
+    for (const int i : group) discs.push_back({open_cells[i].centre, open_cells[i].radius});
+    const Disc circle = circle_about(discs);
+    parts.push_back({circle.centre, circle.radius, open_cells[group[0]].elem, -1});
+  }
+  return parts;
+}
+
+class ClusterFinder {
+ public:
+  ClusterFinder(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
+                const std::vector<OpenCell>& open_cells, const ClusterCriterion& criterion)
+      : evaluator_(&evaluator),
+        zeros_(&zeros),
+        criterion_(criterion),
+        diameter_(evaluator.field().mesh.face.diameter),
+        parts_(parts_of(zeros, open_cells)) {}
+
+  Clustering find() const {
+    Groups groups(parts_.size());
+    for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
+      for (int j = 0; j < i; ++j)
+        if (hang_together(parts_[i], parts_[j])) groups.join(i, j);
+    Clustering result;
+    for (const std::vector<int>& group : groups.all()) {
+      if (group.size() == 1 && parts_[group[0]].zero >= 0)
+        result.simple.push_back((*zeros_)[parts_[group[0]].zero]);
+      else
+        result.clusters.push_back(cluster(group));
+    }
+    return result;
+  }
+
+ private:
+  double error(int elem) const {
+    const std::vector<double>& errors = evaluator_->field().elem_error;
+    return errors.empty() ? 0 : errors[elem];
+  }
+
+  /// Criterion (a) but for the distance.
+  bool stays_small(const Part& a, const Part& b) const {
+    const double small = std::max(10 * criterion_.noise, 4 * std::max(error(a.elem), error(b.elem)));
+    for (const double share : {0.25, 0.5, 0.75}) {
+      Vec2 value;
+      if (!evaluator_->value_at(a.centre + share * (b.centre - a.centre), value) || norm(value) > small) return false;
+    }
+    return true;
+  }
+
+  bool hang_together(const Part& a, const Part& b) const {
+    const double gap = distance(a.centre, b.centre) - a.radius - b.radius;
+    if (gap <= std::max(a.radius, b.radius)) return true;
+    if (gap <= criterion_.distance * equal && sees(*evaluator_, a.centre, b.centre)) return true;
+    return gap <= 0.05 * diameter_ && stays_small(a, b);
+  }
+
+  /// How far a circle about `centre` may reach: to the nearest of all parts that are not in `group`.
+  double outer_radius(const std::vector<int>& group, Vec2 centre) const {
+    double reach = diameter_ / 2;
+    for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
+      if (!std::binary_search(group.begin(), group.end(), i))
+        reach = std::min(reach, 0.9 * (distance(parts_[i].centre, centre) - parts_[i].radius));
+    return reach;
+  }
+
+  /// On the smallest circle about the cluster, by steps of a quarter, on which the field stands out of its errors.
+  int index_by_contour(const std::vector<int>& group, const Disc& circle) const {
+    const double outer = outer_radius(group, circle.centre);
+    const double enough = std::max(10 * criterion_.noise, 4 * error(parts_[group[0]].elem));
+    double best = 0;
+    std::optional<int> result;
+    for (double radius = std::max(1.25 * circle.radius, 1e-9 * diameter_); radius <= outer; radius *= 1.25) {
+      double least = 0;
+      const std::optional<int> index = circle_index(*evaluator_, circle.centre, radius, least);
+      if (!index) break;
+      if (least > best) best = least, result = index;
+      if (least > enough) break;
+    }
+    if (result) return *result;
+    const Vec2 x = circle.centre + evaluator_->field().mesh.face.origin;
+    throw ComputeError(fmt::format(
+        "the guiding field vanishes to higher order near ({:.6g}, {:.6g}), within {:.2g}: its index is not known", x.x,
+        x.y, circle.radius));
+  }
+
+  Cluster cluster(const std::vector<int>& group) const {
+    std::vector<Part> parts;
+    for (const int i : group) parts.push_back(parts_[i]);
+    const Disc circle = circle_about(parts);
+    Cluster result;
+    const bool is_told_apart = std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.zero >= 0; });
+    for (const Part& part : parts) {
+      result.members.push_back(part.centre);
+      result.centre += part.centre / static_cast<double>(parts.size());
+      if (!is_told_apart) continue;
+      result.member_indices.push_back((*zeros_)[part.zero].index);
+      result.index += result.member_indices.back();
+    }
+    if (!is_told_apart) {
+      result.index = index_by_contour(group, circle);
+      result.centre = circle.centre;
+    }
+    if (std::abs(result.index) >= 2) {
+      const double inner = std::max(2 * circle.radius, 1e-6 * diameter_), outer = outer_radius(group, circle.centre);
+      result.centre = moment_centre(*evaluator_, circle.centre, result.index, inner, outer).value_or(result.centre);
+    }
+    for (const Part& part : parts)
+      result.radius = std::max(result.radius, distance(result.centre, part.centre) + part.radius);
+    return result;
+  }
+
+  const FieldEvaluator* evaluator_;
+  const std::vector<FoundZero>* zeros_;
+  ClusterCriterion criterion_;
+  double diameter_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+bool sees(const FieldEvaluator& evaluator, Vec2 a, Vec2 b) {
+  for (int i = 1; i < 10; ++i)
+    if (evaluator.locator().find(a + (i / 10.0) * (b - a)).elem < 0) return false;
+  return true;
+}
+
+Clustering find_clusters(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
+                         const std::vector<OpenCell>& open_cells, const ClusterCriterion& criterion) {
+  return ClusterFinder(evaluator, zeros, open_cells, criterion).find();
+}
+
+}  // namespace quadrille

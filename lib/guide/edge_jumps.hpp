@@ -1,0 +1,22 @@
+#pragma once
+// How far a discontinuous field (hybridised DG) jumps across the edges of its mesh, so that its zeros can be counted.
+//
+// Such a field has two values on an edge, and a zero near it may appear on both sides or on neither. The rule that
+// makes it single-valued: any continuous field w will do that stays within the local jump of the one-sided values;
+// where J is regular and turns by less than the jump allows, all such w have the same zeros, each within |J^-1 jump| of
+// the one-sided one. Hence the search of an element is widened by the jump (guide/zero_search), and zeros of two
+// elements that are nearer than their shifts are one (guide/distinct_zeros).
+
+#include <array>
+#include <vector>
+
+#include "field/evaluate.hpp"
+
+namespace quadrille {
+
+/// For each element and local edge: no less than the jump across the edge and, since a zero may pass a vertex, than
+/// the sum of the jumps across all edges that meet in one of its ends. Sampled at P + 2 points of an edge and doubled.
+/// Empty for continuous fields (method "cg").
+std::vector<std::array<double, 3>> edge_jumps(const FieldEvaluator& evaluator);
+
+}  // namespace quadrille
