@@ -181,7 +181,8 @@ SmallFeature hole(const CadFace& face, int loop, double extent) {
   std::vector<CurvePart> parts;
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c)
     parts.push_back({c, face.curves[c].begin(), face.curves[c].end()});
-  return {FeatureKind::hole, Stretch(face, std::move(parts), true), extent, hole_capacity(face, loop)};
+  const Stretch whole(face, std::move(parts), true);
+  return {FeatureKind::hole, whole, whole, extent, hole_capacity(face, loop)};
 }
 
 }  // namespace
@@ -198,7 +199,8 @@ std::vector<SmallFeature> small_features(const CadFace& face, double size) {
       if (bend.is_loop || (is_small_hole && run.is_loop)) continue;
       const FeatureKind kind = bend.side() > 0 ? FeatureKind::convex : FeatureKind::reflex;
       if (carried(run.turning()) > 0)
-        bends.push_back({kind, Stretch(face, parts_of(bend), false), bend.radius(), carried(run.turning())});
+        bends.push_back({kind, Stretch(face, parts_of(bend), false), Stretch(face, parts_of(run), run.is_loop),
+                         bend.radius(), carried(run.turning())});
     }
     if (is_small_hole) holes.push_back(hole(face, loop, extent));
   }

@@ -23,6 +23,7 @@ enum class FeatureKind { convex, reflex, hole };
 struct SmallFeature {
   FeatureKind kind = FeatureKind::reflex;
   Stretch stretch;
+  Stretch run;        ///< of a bend; of a hole the hole
   double extent = 0;  ///< least radius of a bend, diameter of a hole
   int capacity = 0;   ///< |index| that it carries
 };

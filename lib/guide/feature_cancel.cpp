@@ -70,7 +70,7 @@ FeatureNode middle_of(const std::vector<FeatureNode>& members, const Walls& wall
   }
   middle.position = sum / static_cast<double>(members.size());
   middle.valence = 4 - index;
-  middle.feature = -1;
+  middle.hole = -1;
   middle.changed_by = "cancel";
   return std::abs(index) == 1 && walls.sees(members.front().position, middle.position) ? middle : FeatureNode{};
 }
@@ -99,10 +99,6 @@ bool resolve(FeatureNodes& state, const Walls& walls, const std::vector<int>& se
   return true;
 }
 
-void drop_regular(std::vector<FeatureNode>& nodes) {
-  std::erase_if(nodes, [](const FeatureNode& node) { return node.is_inside() && node.valence == 4; });
-}
-
 /// The nearest class of pairs of which some set can be resolved; false: there is none.
 bool cancel_nearest(FeatureNodes& state, const Walls& walls, double below) {
   const std::vector<Pair> pairs = opposite_pairs(state, walls, below);
@@ -112,7 +108,7 @@ bool cancel_nearest(FeatureNodes& state, const Walls& walls, double below) {
     bool is_done = false;
     for (const std::vector<int>& set : linked(pairs, first, last))
       is_done |= resolve(state, walls, set, pairs[first].distance, below);
-    drop_regular(state.nodes);
+    drop_regular(state);
     if (is_done) return true;
     first = last;
   }

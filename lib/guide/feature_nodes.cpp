@@ -2,6 +2,10 @@
 
 namespace quadrille {
 
+void drop_regular(FeatureNodes& state) {
+  std::erase_if(state.nodes, [](const FeatureNode& node) { return node.is_inside() && node.valence == 4; });
+}
+
 NodeMark mark(const FeatureNode& node) {
   return {node.position, node.valence, node.is_inside() ? "inside" : "boundary"};
 }

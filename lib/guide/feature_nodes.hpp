@@ -14,7 +14,7 @@ struct FeatureNode {
   int curve = -1;          ///< -1: inside, else on the boundary
   double t = 0;            ///< parameter on the curve
   int source = -1;         ///< index into critical_points or boundary_nodes that it stands for
-  int feature = -1;        ///< small feature that it was put onto or moved away from
+  int hole = -1;           ///< small hole that it was put onto
   std::string changed_by;  ///< kind of the last NodeChange, empty: none
 
   bool is_inside() const { return curve < 0; }
@@ -26,8 +26,12 @@ struct FeatureNodes {
   double size = 0;  ///< L
   double tie = 0;   ///< lengths that differ by less are equal
   std::vector<FeatureNode> nodes;
+  std::vector<Corner> corners;
   std::vector<NodeChange> changes;
 };
+
+/// Takes nodes of valence 4 inside out of the list: they are none.
+void drop_regular(FeatureNodes& state);
 
 NodeMark mark(const FeatureNode& node);
 

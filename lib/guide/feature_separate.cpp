@@ -16,7 +16,7 @@ struct Push {
   double lack = 0;  ///< greatest part of the distance asked for that is missing
 };
 
-/// Two boundary nodes, or two nodes of one feature on the boundary, have no way to go.
+/// Boundary nodes stay where their feature is.
 bool is_fixed_pair(const FeatureNode& a, const FeatureNode& b) { return !a.is_inside() && !b.is_inside(); }
 
 void push_nodes(const FeatureNodes& state, double apart, Push& push) {
@@ -80,11 +80,25 @@ void record_left(FeatureNodes& state, double apart) {
   for (size_t i = 0; i < nodes.size(); ++i) {
     for (size_t j = i + 1; j < nodes.size(); ++j) {
       const double d = distance(nodes[i].position, nodes[j].position);
-      const bool is_one_hole = nodes[i].feature >= 0 && nodes[i].feature == nodes[j].feature;
+      const bool is_one_hole = nodes[i].hole >= 0 && nodes[i].hole == nodes[j].hole;
       if (d >= apart * (1 - 1e-9) || (is_one_hole && is_fixed_pair(nodes[i], nodes[j]))) continue;
       record(state, "feature", {nodes[i], nodes[j]}, {nodes[i], nodes[j]},
              fmt::format("left {:.4g} apart, nearer than half the feature size, {:.4g}: there is no room", d, apart));
     }
+  }
+}
+
+void record_near_walls(FeatureNodes& state, const Walls& walls, double apart) {
+  const std::vector<FeatureNode> nodes = state.nodes;
+  for (const FeatureNode& node : nodes) {
+    if (!node.is_inside() || !node.is_changed()) continue;
+    double nearest = apart * (1 - 1e-9);
+    for (const WallFoot& foot : walls.feet(node.position, nearest))
+      if (!foot.is_reflex) nearest = std::min(nearest, foot.distance);
+    if (nearest < apart * (1 - 1e-9))
+      record(state, "feature", {node}, {node},
+             fmt::format("left {:.4g} off a wall, nearer than half the feature size, {:.4g}: there is no room", nearest,
+                         apart));
   }
 }
 
@@ -106,6 +120,7 @@ void separate(FeatureNodes& state, const Walls& walls) {
   state.nodes = best;
   record_moves(state, before, apart);
   record_left(state, apart);
+  record_near_walls(state, walls, apart);
 }
 
 }  // namespace quadrille

@@ -46,7 +46,9 @@ CriticalPoints line_field_points(const CadFace& face, int max_valence);
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points);
 
 /// Small fillets and holes (method.md §5): nodes of valence 5 that features below `size` force go onto the boundary,
-/// those of valence 3 at convex walls inward to at least `size`, pairs cancel. size = 0: nothing.
+/// those of valence 3 at convex walls inward to at least `size`, pairs cancel. size = 0: nothing. What a feature is and
+/// what it forces: guide/feature_bends. Two nodes on the boundary nearer than size / 2 become one of valence 4.
+/// Nodes that were moved keep `elem` and `xi` of where they were. Throws UsageError where size is no length.
 void resolve_features(const CadFace& face, double size, CriticalPoints& points);
 
 }  // namespace quadrille

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -15,11 +16,14 @@
 #include "guide/feature_bends.hpp"
 #include "guide/feature_cancel.hpp"
 #include "guide/feature_inward.hpp"
+#include "guide/feature_merge.hpp"
 #include "guide/feature_separate.hpp"
 #include "guide/resolve.hpp"
 
 namespace quadrille {
 namespace {
+
+constexpr double least_block_angle = 15;  // degrees (method.md §5)
 
 struct Claim {
   int node = 0;
@@ -30,6 +34,7 @@ FeatureNodes nodes_of(const CadFace& face, double size, const CriticalPoints& po
   FeatureNodes state;
   state.size = size;
   state.tie = 1e-6 * face.diameter;
+  state.corners = points.corners;
   for (size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
     state.nodes.push_back({p.position, p.valence, -1, 0, static_cast<int>(i), -1, {}});
@@ -84,32 +89,38 @@ std::vector<std::vector<Claim>> claims_of(const FeatureNodes& state, const std::
   return claims;
 }
 
-/// Evenly over an open stretch, or over a closed one with the mean offset that `wanted` (ascending) has.
-std::vector<double> even_fractions(const std::vector<double>& wanted, bool is_closed) {
+/// `n` places, evenly over an open stretch, or over a closed one with the mean offset of the `wanted` (ascending).
+std::vector<BoundaryPlace> even_places(const Stretch& stretch, const std::vector<double>& wanted) {
   const double n = static_cast<double>(wanted.size());
-  double offset = 0.5 / n;
-  if (is_closed) {
-    offset = 0;
-    for (size_t i = 0; i < wanted.size(); ++i) offset += (wanted[i] - static_cast<double>(i) / n) / n;
-  }
-  std::vector<double> even;
-  for (size_t i = 0; i < wanted.size(); ++i) even.push_back(offset + static_cast<double>(i) / n);
+  double offset = stretch.is_closed() ? 0 : 0.5 / n;
+  for (size_t i = 0; stretch.is_closed() && i < wanted.size(); ++i)
+    offset += (wanted[i] - static_cast<double>(i) / n) / n;
+  std::vector<BoundaryPlace> even;
+  for (size_t i = 0; i < wanted.size(); ++i) even.push_back(stretch.at(offset + static_cast<double>(i) / n));
   return even;
 }
 
-/// Where nodes go on their feature: the middle where the feature is made for one, else their feet, kept off each other
-/// and off the ends.
-std::vector<double> fractions_on(const SmallFeature& feature, const std::vector<Claim>& claims) {
-  const bool is_closed = feature.stretch.is_closed();
-  if (!is_closed && claims.size() == 1 && feature.capacity == 1) return {0.5};
-  const double least = 0.5 / static_cast<double>(claims.size());
-  std::vector<double> wanted;
-  for (const Claim& claim : claims) wanted.push_back(claim.foot.fraction);
-  bool is_crowded = false;
-  for (size_t i = 0; i + 1 < wanted.size(); ++i) is_crowded |= wanted[i + 1] - wanted[i] < least;
-  if (is_closed && wanted.size() > 1) is_crowded |= wanted.front() + 1 - wanted.back() < least;
-  if (!is_closed) is_crowded |= wanted.front() < least / 2 || wanted.back() > 1 - least / 2;
-  return is_crowded ? even_fractions(wanted, is_closed) : wanted;
+/// The least distance between two that follow each other.
+double least_distance(const std::vector<BoundaryPlace>& places, bool is_closed) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = is_closed ? 0 : 1; places.size() > 1 && i < places.size(); ++i)
+    least = std::min(least, distance(places[i].position, places[i == 0 ? places.size() - 1 : i - 1].position));
+  return least;
+}
+
+/// Where nodes go, in ascending sequence of the fractions of their feet: to the middle of a feature made for one, else
+/// to the feet on the run. Evenly where the feet are nearer than half a radius, or on a hole nearer than half as far as
+/// evenly, or nearer than `apart` where evenly they are not.
+std::vector<BoundaryPlace> places_on(const SmallFeature& feature, const std::vector<double>& feet, double apart) {
+  const bool is_hole = feature.kind == FeatureKind::hole;
+  if (!is_hole && feature.capacity == 1) return {feature.stretch.at(0.5)};
+  std::vector<BoundaryPlace> places;
+  for (const double foot : feet) places.push_back(feature.run.at(foot));
+  const std::vector<BoundaryPlace> even = even_places(feature.stretch, feet);
+  const double here = least_distance(places, is_hole), there = least_distance(even, is_hole);
+  const bool is_crowded =
+      here < (is_hole ? 0.5 * there : 0.5 * feature.extent) || (is_hole && here < apart && there >= apart);
+  return is_crowded ? even : places;
 }
 
 std::string reason(const FeatureNodes& state, const SmallFeature& feature, double distance) {
@@ -120,16 +131,41 @@ std::string reason(const FeatureNodes& state, const SmallFeature& feature, doubl
                      state.size, distance);
 }
 
-void put_onto(FeatureNodes& state, const SmallFeature& feature, int id, std::vector<Claim> claims) {
+/// A corner of valence V takes a node of valence 5 for V + 1 blocks; not where they were more than four or too narrow.
+void put_into_corner(FeatureNodes& state, int joint, int k, const std::string& why) {
+  const auto corner =
+      std::find_if(state.corners.begin(), state.corners.end(), [&](const Corner& c) { return c.joint == joint; });
+  if (corner == state.corners.end() || corner->valence >= 4 ||
+      corner->angle_degrees < least_block_angle * (corner->valence + 1))
+    return;
+  const NodeMark before{corner->position, corner->valence, "corner"};
+  corner->valence += 1;
+  corner->source = "feature";
+  const NodeMark after{corner->position, corner->valence, "corner"};
+  state.changes.push_back({"feature", why, {mark(state.nodes[k]), before}, {after}});
+  state.nodes[k].valence = 4;
+}
+
+void put_onto(const CadFace& face, FeatureNodes& state, const SmallFeature& feature, int id,
+              std::vector<Claim> claims) {
+  for (Claim& claim : claims) claim.foot = feature.run.foot(state.nodes[claim.node].position);
   std::stable_sort(claims.begin(), claims.end(),
                    [](const Claim& a, const Claim& b) { return a.foot.fraction < b.foot.fraction; });
-  const std::vector<double> fractions = fractions_on(feature, claims);
+  std::vector<double> feet;
+  for (const Claim& claim : claims) feet.push_back(claim.foot.fraction);
+  const int hole = feature.kind == FeatureKind::hole ? id : -1;
+  const std::vector<BoundaryPlace> places = places_on(feature, feet, state.size / 2);
   for (size_t i = 0; i < claims.size(); ++i) {
-    const BoundaryPlace place = feature.stretch.at(fractions[i]);
+    const BoundaryPlace& place = places[i];
     FeatureNode& node = state.nodes[claims[i].node];
+    const std::string why = reason(state, feature, claims[i].foot.distance);
+    if (face.joints[place.curve].is_corner && place.t == face.curves[place.curve].begin()) {
+      put_into_corner(state, place.curve, claims[i].node, why);
+      continue;
+    }
     const FeatureNode before = node;
-    node = {place.position, 3, place.curve, place.t, before.source, id, "feature"};
-    record(state, "feature", {before}, {node}, reason(state, feature, claims[i].foot.distance));
+    node = {place.position, 3, place.curve, place.t, before.source, hole, "feature"};
+    record(state, "feature", {before}, {node}, why);
   }
 }
 
@@ -149,13 +185,14 @@ void move_to_features(const CadFace& face, const Walls& walls, FeatureNodes& sta
   for (size_t f = 0; f < features.size(); ++f) {
     if (claims[f].empty()) continue;
     if (features[f].kind != FeatureKind::convex) {
-      put_onto(state, features[f], static_cast<int>(f), claims[f]);
+      put_onto(face, state, features[f], static_cast<int>(f), claims[f]);
       continue;
     }
     for (const Claim& claim : claims[f])
       moves.push_back(inward_move(face, state.nodes[claim.node], features[f], claim));
   }
   move_inward(state, walls, moves);
+  drop_regular(state);
 }
 
 CriticalPoint inner_point(const CriticalPoints& points, const FeatureNode& node) {
@@ -189,6 +226,7 @@ void write_back(const FeatureNodes& state, CriticalPoints& points) {
   if (is_changed) points.form = "phase";
   points.critical_points = std::move(inside);
   points.boundary_nodes = std::move(boundary);
+  points.corners = state.corners;
   points.changes.insert(points.changes.end(), state.changes.begin(), state.changes.end());
   points.index_sum = index_sum_of(points);
 }
@@ -203,6 +241,7 @@ void resolve_features(const CadFace& face, double size, CriticalPoints& points) 
   cancel_pairs(state, walls, size);
   move_to_features(face, walls, state);
   cancel_pairs(state, walls, size / 2);
+  merge_on_boundary(face, state);
   separate(state, walls);
   if (!state.changes.empty()) write_back(state, points);
 }
