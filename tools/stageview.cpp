@@ -61,9 +61,9 @@ int main(int argc, char** argv) {
   tool.summary = "draws a picture (SVG) of any stage file";
   tool.description =
       "The kind of FILE is recognised by its content: triangle mesh, guiding field, critical points, separatrices, "
-      "blocks or quads. Critical points are drawn over their field when it is given by --field. Elements, blocks and "
-      "points "
-      "show their numbers and figures when the pointer rests on them in a browser.";
+      "blocks or quads. Critical points are drawn over their field when it is given by --field, with error bars, "
+      "clusters, what was changed and the cells of the certificate. Elements, blocks and points show their numbers and "
+      "figures, changes their reasons, when the pointer rests on them in a browser.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg"};

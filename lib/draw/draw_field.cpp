@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "curve/nurbs.hpp"
 #include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
@@ -19,14 +20,35 @@ namespace {
 /// Few enough colours to share paths, enough to look smooth.
 double stepped(double value, double steps) { return std::round(value * steps) / steps; }
 
+bool is_phase(const Field& field) { return field.kind == "phase"; }
+
+std::string title(const Field& field, const std::string& show) {
+  const std::string what = show == "psi"     ? "cross angle ψ"
+                           : show == "order" ? "order of each element"
+                                             : "component " + show;
+  return (is_phase(field) ? "Phase form: " : "Guiding field: ") + what;
+}
+
+/// "4 nodes asked for, 8 corner valences".
+std::string asked_text(const PhaseForm& phase) {
+  std::string text = counted(static_cast<int>(phase.nodes.nodes.size()), "node") + " asked for";
+  if (!phase.nodes.boundary_nodes.empty())
+    text += ", " + counted(static_cast<int>(phase.nodes.boundary_nodes.size()), "boundary node");
+  if (!phase.nodes.corners.empty())
+    text += ", " + counted(static_cast<int>(phase.nodes.corners.size()), "corner valence");
+  return text;
+}
+
 std::string caption(const Field& field) {
   const auto [least, greatest] = std::minmax_element(field.elem_order.begin(), field.elem_order.end());
   if (field.elem_order.empty()) return "no elements";
   const std::string orders =
       *least == *greatest ? fmt::format("order {}", *least) : fmt::format("orders {} to {}", *least, *greatest);
-  std::string text = fmt::format("{}, {}, {} coefficients per component", counted(field.mesh.num_elems(), "triangle"),
-                                 orders, field.u.size());
+  const std::string coefficients = is_phase(field) ? fmt::format("{} coefficients", field.phase.s.size())
+                                                   : fmt::format("{} coefficients per component", field.u.size());
+  std::string text = fmt::format("{}, {}, {}", counted(field.mesh.num_elems(), "triangle"), orders, coefficients);
   if (!field.liftings.empty()) text += ", " + counted(static_cast<int>(field.liftings.size()), "lifting");
+  if (is_phase(field)) text += ", " + asked_text(field.phase);
   return text;
 }
 
@@ -87,25 +109,44 @@ void draw_orders(Picture& picture, const Field& field) {
                         fmt::format("{}", order));
 }
 
+/// The nodes that a phase was asked for.
+void draw_nodes_asked(Picture& picture, const Field& field) {
+  std::vector<int> valences;
+  for (const PhaseNode& node : field.phase.nodes.nodes) {
+    valences.push_back(node.valence);
+    picture.add(valence_mark(picture.at(node.position), node.valence, 9,
+                             fmt::format("node of valence {} asked for at {}", node.valence,
+                                         place_text(node.position, field.mesh.face.origin))));
+  }
+  for (const BoundaryNode& node : field.phase.nodes.boundary_nodes) {
+    const Nurbs& curve = field.mesh.face.curves[node.curve];
+    picture.add(
+        boundary_mark(picture.at(point(curve, node.t)), node.valence, 9,
+                      fmt::format("boundary node of valence {} asked for on curve {}", node.valence, node.curve)));
+  }
+  legend_valences(picture, valences);
+  if (!field.phase.nodes.boundary_nodes.empty())
+    picture.legend_mark(boundary_mark({0, 0}, field.phase.nodes.boundary_nodes.front().valence, 8),
+                        "node on the boundary");
+}
+
 }  // namespace
 
 std::string draw_field(const Field& field, const DrawOptions& options) {
-  const std::string title = options.show == "psi"     ? "Guiding field: cross angle ψ"
-                            : options.show == "order" ? "Guiding field: order of each element"
-                                                      : "Guiding field: component " + options.show;
-  Picture picture(bounding_box(field.mesh.face), options, title, caption(field));
+  Picture picture(bounding_box(field.mesh.face), options, title(field, options.show), caption(field));
   if (options.show == "order") {
     draw_orders(picture, field);
   } else if (options.show == "psi" || options.show == "u" || options.show == "v") {
     const FieldEvaluator evaluator(field);
     options.show == "psi" ? draw_cross_angle(picture, evaluator)
                           : draw_component(picture, evaluator, options.show == "u");
-    draw_zero_contours(picture, evaluator);
+    if (!is_phase(field)) draw_zero_contours(picture, evaluator);  // a unit field has no zeros where they could meet
   } else {
     throw UsageError("--show: '" + options.show + "' is not one of psi|u|v|order");
   }
   draw_boundary(picture, field.mesh.face);
   draw_corners(picture, field.mesh.face);
+  if (is_phase(field)) draw_nodes_asked(picture, field);
   return picture.str();
 }
 

@@ -20,6 +20,24 @@ PathData closed_loop(const Picture& picture, const CadFace& face, int loop) {
   return path;
 }
 
+/// A regular polygon with a vertex on top.
+std::string polygon_mark(const std::string& css_class, Vec2 centre, int num_vertices, double radius,
+                         const std::string& title) {
+  std::string points;
+  for (int k = 0; k < num_vertices; ++k) {
+    const Vec2 p = centre + radius * unit(half_pi + 2 * pi * k / num_vertices);
+    points += fmt::format("{}{},{}", k > 0 ? " " : "", svg_number(p.x), svg_number(p.y));
+  }
+  return svg_element("polygon", {{"class", css_class}, {"points", points}}, title);
+}
+
+std::string valence_figure(const std::string& css_class, Vec2 centre, int valence, double radius,
+                           const std::string& title) {
+  const bool is_polygon = valence >= 3 && valence <= 8;
+  return is_polygon ? polygon_mark(css_class, centre, valence, radius, title)
+                    : circle_mark(css_class, centre, 0.8 * radius, title);
+}
+
 }  // namespace
 
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1) {
@@ -40,10 +58,14 @@ void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, do
   }
 }
 
-void draw_face_area(Picture& picture, const CadFace& face) {
+std::string face_outline(const Picture& picture, const CadFace& face) {
   std::string d;
   for (int l = 0; l < face.num_loops(); ++l) d += closed_loop(picture, face, l).str();
-  picture.add(svg_element("path", {{"class", "face"}, {"d", d}}));
+  return d;
+}
+
+void draw_face_area(Picture& picture, const CadFace& face) {
+  picture.add(svg_element("path", {{"class", "face"}, {"d", face_outline(picture, face)}}));
 }
 
 void draw_boundary(Picture& picture, const CadFace& face) {
@@ -82,14 +104,30 @@ std::string circle_mark(const std::string& css_class, Vec2 centre, double radius
 }
 
 std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title) {
-  const std::string css_class = valence == 3 ? "v3" : valence == 5 ? "v5" : "vx";
-  if (valence < 3 || valence > 8) return circle_mark(css_class, centre, 0.8 * radius, title);
-  std::string points;
-  for (int k = 0; k < valence; ++k) {
-    const Vec2 p = centre + radius * unit(half_pi + 2 * pi * k / valence);
-    points += fmt::format("{}{},{}", k > 0 ? " " : "", svg_number(p.x), svg_number(p.y));
-  }
-  return svg_element("polygon", {{"class", css_class}, {"points", points}}, title);
+  return valence_figure(valence == 3 ? "v3" : valence == 5 ? "v5" : "vx", centre, valence, radius, title);
+}
+
+std::string valence_outline(Vec2 centre, int valence, double radius, const std::string& title) {
+  return valence_figure("ghost", centre, valence, radius, title);
+}
+
+std::string boundary_mark(Vec2 centre, int valence, double radius, const std::string& title) {
+  return polygon_mark(valence == 1 ? "v3" : valence == 3 ? "v5" : "vx", centre, 4, radius, title);
+}
+
+std::string arrow_mark(Vec2 from, Vec2 to) {
+  constexpr double head_length = 7, head_width = 2.6;
+  const Vec2 along = normalized(to - from), across = head_width * left_of(along);
+  const Vec2 neck = to - head_length * along;
+  PathData shaft, head;
+  shaft.move_to(from);
+  shaft.line_to(neck);
+  head.move_to(to);
+  head.line_to(neck + across);
+  head.line_to(neck - across);
+  head.close();
+  return svg_element("path", {{"class", "change"}, {"d", shaft.str()}}) +
+         svg_element("path", {{"class", "head"}, {"d", head.str()}});
 }
 
 void legend_valences(Picture& picture, std::vector<int> valences) {

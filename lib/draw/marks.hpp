@@ -14,6 +14,8 @@ void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, do
 
 /// The face as an area (below everything) and its boundary (above the rest). Every curve has its name as hover text.
 void draw_face_area(Picture& picture, const CadFace& face);
+/// The data of a path around it, for the rule evenodd.
+std::string face_outline(const Picture& picture, const CadFace& face);
 void draw_boundary(Picture& picture, const CadFace& face);
 /// A small dot on each corner; hover: number, angle, place.
 void draw_corners(Picture& picture, const CadFace& face);
@@ -22,6 +24,12 @@ void legend_corner(Picture& picture, const CadFace& face);
 
 /// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.
 std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
+/// The same figure, hollow and quiet: a node that is there no more.
+std::string valence_outline(Vec2 centre, int valence, double radius, const std::string& title = {});
+/// A square on its point, in the colour of the index 2 - valence: a node on the boundary.
+std::string boundary_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
+/// A thin line with its head at `to`; at least 9 pixels long.
+std::string arrow_mark(Vec2 from, Vec2 to);
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title = {});
 
 /// Legend entries for the valences that occur, each once, ascending.

@@ -39,6 +39,17 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
 .v5{fill:#c6472f;stroke:#fff;stroke-width:1.2}
 .vx{fill:#7b4ea3;stroke:#fff;stroke-width:1.2}
 .dot{fill:#fff;stroke:#44535f;stroke-width:1.2}
+.cell-zero{fill:none;stroke:#7d8b98;stroke-width:.8}
+.cell-open{fill:#f0b64e;fill-opacity:.35;stroke:#c27a12;stroke-width:.8}
+.disc{fill:none;stroke:#7d8b98;stroke-width:1;stroke-dasharray:1.5 3}
+.cluster{fill:none;stroke:#7b4ea3;stroke-width:1.5;stroke-dasharray:5 3.5}
+.member{fill:#7b4ea3;stroke:none}
+.change{fill:none;stroke:#0b7d68;stroke-width:1.3}
+.head{fill:#0b7d68;stroke:none}
+.ghost{fill:#fff;fill-opacity:.75;stroke:#0b7d68;stroke-width:1.2}
+.taker{fill:none;stroke:#0b7d68;stroke-width:2}
+.error{fill:#1d2731;fill-opacity:.06;stroke:#1d2731;stroke-width:1}
+.inner{font-size:10px;font-weight:bold;text-anchor:middle;fill:#fff}
 .label{font-size:13px;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
 .small{font-size:10px;text-anchor:middle}
 path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
@@ -83,6 +94,13 @@ Picture::Picture(const Box& box, const DrawOptions& options, const std::string& 
 }
 
 void Picture::open_group(const std::string& css_class) { add("<g class=\"" + xml_escaped(css_class) + "\">"); }
+
+void Picture::open_clipped_group(const std::string& css_class, const std::string& outline) {
+  const std::string id = fmt::format("clip{}", definitions_.size());
+  definitions_ +=
+      svg_element("clipPath", {{"id", id}}, {}, svg_element("path", {{"clip-rule", "evenodd"}, {"d", outline}})) + '\n';
+  add(fmt::format("<g class=\"{}\" clip-path=\"url(#{})\">", xml_escaped(css_class), id));
+}
 
 void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
   texts_ += svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(size_.y - x.y + 4)}},

@@ -36,6 +36,8 @@ class Picture {
   /// Markup inside the flipped group, in sequence. Groups give a common class to many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
   void open_group(const std::string& css_class);
+  /// A group of which only what lies in `outline` (path data, rule evenodd) is shown.
+  void open_clipped_group(const std::string& css_class, const std::string& outline);
   void close_group() { add("</g>"); }
 
   /// A text centred at x (pixels, y up), moved by `offset`; drawn above everything.

@@ -129,6 +129,159 @@ TEST(Draw, CriticalPointsShowValences) {
   EXPECT_EQ(count(with_field, "<title>boundary curve"), 4);
 }
 
+/// One of everything, 1000 pixels a unit over the square.
+CriticalPoints resolved_points() {
+  CriticalPoints points;
+  points.form = "phase";
+  points.critical_points = {{{0.2, 0.5}, 1, 3, 0, {}, {}, 0, "cluster"},
+                            {{0.4, 0.5}, 1, 3, 0, {}, {}, 0, "cluster"},
+                            {{0.7, 0.3}, -1, 5, 0, {}, {}, 0.05, "zero"}};
+  points.corners = {{0, {0, 0}, 90, 2, {3, 0}, "absorb"}, {1, {1, 0}, 90, 0, {0, 1}}};
+  points.boundary_nodes = {{1, 0.5, {1, 0.5}, 3, "feature"}};
+  points.clusters = {{{0.3, 0.5}, 0.04, 2, {{0.29, 0.5}, {0.31, 0.5}}, {1, 1}}};
+  points.changes = {{"cluster", "two < four", {{{0.3, 0.5}, 2}}, {{{0.2, 0.5}, 3}, {{0.4, 0.5}, 3}}},
+                    {"absorb", "near", {{{0, 0}, 1, "corner"}, {{0.1, 0.1}, 5}}, {{{0, 0}, 2, "corner"}}},
+                    {"cancel", "a pair", {{{0.6, 0.8}, 3}, {{0.65, 0.8}, 5}}, {}},
+                    {"place", "hardly moved", {{{0.7, 0.301}, 5}}, {{{0.7, 0.3}, 5}}},
+                    {"line", "by rule", {}, {{{1, 0}, 0, "corner"}}}};
+  points.certificate.cells_examined = 321;
+  points.certificate.cells = {{1, {0.7, 0.2, 0.8, 0.3, 0.6, 0.3}, "zero"}, {0, {0.3, 0.4, 0.4, 0.5, 0.2, 0.5}, "open"}};
+  points.certificate.disc_centres = {{0, 0}};
+  points.certificate.disc_radii = {0.0625};
+  return points;
+}
+
+DrawOptions thousand_pixels_a_unit() {
+  DrawOptions options;
+  options.width = 1072;
+  return options;
+}
+
+TEST(Draw, ErrorBarsAreCirclesWhereTheyCanBeSeen) {
+  const Field field = linear_field();
+  CriticalPoints points = resolved_points();
+  EXPECT_EQ(count(draw_critical_points(points, &field, thousand_pixels_a_unit()),
+                  "<circle class=\"error\" cx=\"700\" cy=\"300\" r=\"50\">"),
+            1);
+  points.critical_points[2].error = 1e-9;
+  const std::string svg = draw_critical_points(points, &field, thousand_pixels_a_unit());
+  EXPECT_EQ(count(svg, "class=\"error\""), 0) << "no legend either";
+  EXPECT_EQ(count(svg, "valence 5 at (0.7, 0.3) ± 1e-09<"), 1);
+}
+
+TEST(Draw, CertificateShowsCellsAndDiscsInsideTheFace) {
+  const Field field = linear_field();
+  const std::string svg = draw_critical_points(resolved_points(), &field, thousand_pixels_a_unit());
+  EXPECT_EQ(count(svg, "<path class=\"cell-zero\" d=\"M700 200L800 300L600 300z\">"), 1);
+  EXPECT_EQ(count(svg, "<title>cell in element 1: holds exactly one zero<"), 1);
+  EXPECT_EQ(count(svg, "<title>cell in element 0: could not be decided<"), 1);
+  EXPECT_EQ(count(svg, "<circle class=\"disc\" cx=\"0\" cy=\"0\" r=\"62.5\">"), 1);
+  EXPECT_EQ(count(svg, "<clipPath "), 1);
+  EXPECT_EQ(count(svg, "321 cells searched"), 1);
+}
+
+TEST(Draw, ClustersAreDashedCirclesWithTheirIndex) {
+  const Field field = linear_field();
+  CriticalPoints points = resolved_points();
+  std::string svg = draw_critical_points(points, &field, thousand_pixels_a_unit());
+  EXPECT_EQ(count(svg, "<circle class=\"cluster\" cx=\"300\" cy=\"500\" r=\"40\">"), 1);
+  EXPECT_EQ(count(svg, ">+2</text>"), 1);
+  EXPECT_EQ(count(svg, "class=\"member\""), 2);
+  points.clusters[0].radius = 1e-12;
+  svg = draw_critical_points(points, &field, thousand_pixels_a_unit());
+  EXPECT_EQ(count(svg, "<circle class=\"cluster\" cx=\"300\" cy=\"500\" r=\"17\">"), 1) << "never smaller than a mark";
+}
+
+TEST(Draw, ChangesAreArrowsFromBeforeToAfterWithTheirReason) {
+  const Field field = linear_field();
+  CriticalPoints points = resolved_points();
+  const auto changes = points.changes;
+  const auto heads = [&](std::size_t i) {  // without that of the legend
+    points.changes = {changes[i]};
+    return count(draw_critical_points(points, &field, thousand_pixels_a_unit()), "class=\"head\"") - 1;
+  };
+  EXPECT_EQ(heads(0), 2) << "one cluster, two nodes";
+  EXPECT_EQ(heads(1), 1) << "from the absorbed node; the corner stays";
+  EXPECT_EQ(heads(2), 0) << "nothing is left of a pair";
+  EXPECT_EQ(heads(3), 0) << "no room: a ring";
+  EXPECT_EQ(heads(4), 0) << "nothing was before: a ring";
+  points.changes = {changes[3]};
+  EXPECT_EQ(count(draw_critical_points(points, &field, thousand_pixels_a_unit()), "<circle class=\"change\""), 1);
+  const std::string svg = draw_critical_points(resolved_points(), &field, thousand_pixels_a_unit());
+  expect_sound(svg);
+  EXPECT_EQ(count(svg, "<g><title>cluster: two &lt; four</title>"), 1);
+  EXPECT_EQ(count(svg, "<g><title>absorb: near</title>"), 1);
+  EXPECT_EQ(count(svg, "5 changes"), 1);
+}
+
+TEST(Draw, AbsorbedCornersAndBoundaryNodesAreMarked) {
+  const Field field = linear_field();
+  const std::string svg = draw_critical_points(resolved_points(), &field, {});
+  EXPECT_EQ(count(svg, "class=\"taker\""), 2) << "the corner and its legend";
+  EXPECT_EQ(count(svg, "90 degrees, valence 2, source: absorb<"), 1);
+  EXPECT_EQ(count(svg, "90 degrees, valence 0, degenerate<"), 1);
+  EXPECT_EQ(count(svg, "<title>boundary node of valence 3 at (1, 0.5)"), 1);
+  EXPECT_EQ(count(svg, "<title>irregular node of valence 3"), 2);
+  EXPECT_EQ(count(svg, "<title>critical point of valence 5"), 1);
+  EXPECT_EQ(count(svg, ">node on the boundary<"), 1);
+}
+
+TEST(Draw, LegendsAreForWhatOccurs) {
+  CriticalPoints points = resolved_points();
+  points.clusters.clear();
+  points.changes.clear();
+  points.boundary_nodes.clear();
+  points.certificate = {};
+  points.corners[0].source = "angle";
+  const std::string svg = draw_critical_points(points, nullptr, {});
+  expect_sound(svg);
+  for (const char* label :
+       {">cluster and its index<", ">change<", ">cancelled<", ">node before a change<", ">node on the boundary<",
+        ">undecided cell<", ">cell with one zero<", ">left to the corner<", ">corner that absorbed a node<"}) {
+    EXPECT_EQ(count(svg, label), 0) << label;
+    EXPECT_EQ(count(draw_critical_points(resolved_points(), nullptr, {}), label), 1) << label;
+  }
+}
+
+TEST(Draw, OnePointAloneHasRoomAroundIt) {
+  CriticalPoints points;
+  points.critical_points = {{{7, 7}, 1, 3, 0, {}, {}, 0.5}};
+  const std::string svg = draw_critical_points(points, nullptr, {});
+  expect_sound(svg);
+  EXPECT_LT(svg.size(), 10000u);
+}
+
+/// Half a turn of the square's cross field: phi = 0, one node of valence 3 asked for (its terms are not drawn).
+Field phase_field() {
+  Field field = linear_field();
+  field.kind = "phase";
+  field.phase.s.assign(field.u.size(), 0.0);
+  field.u.clear();
+  field.v.clear();
+  field.phase.nodes.nodes = {{{0.5, 0.5}, 3}};
+  field.phase.nodes.corners = {{0, 2}};
+  field.phase.nodes.boundary_nodes = {{1, 0.25, 3}};
+  return field;
+}
+
+TEST(Draw, PhaseFormShowsTheNodesAskedForAndNoZeroContours) {
+  for (const char* show : {"psi", "u", "v", "order"}) {
+    DrawOptions options = thousand_pixels_a_unit();
+    options.show = show;
+    const std::string svg = draw_field(phase_field(), options);
+    expect_sound(svg);
+    EXPECT_EQ(count(svg, ">Phase form: "), 2) << "the title and what is seen of it; " << show;
+    EXPECT_EQ(count(svg, "class=\"zero-"), 0);
+    EXPECT_EQ(count(svg, "6 coefficients, 1 node asked for, 1 boundary node, 1 corner valence<"), 1);
+    EXPECT_EQ(count(svg, "<title>node of valence 3 asked for at (0.5, 0.5)<"), 1);
+    EXPECT_EQ(count(svg, "<title>boundary node of valence 3 asked for on curve 1<"), 1);
+  }
+  const Field field = phase_field();
+  const std::string svg = draw_critical_points(resolved_points(), &field, {});
+  EXPECT_EQ(count(svg, "class=\"zero-"), 0);
+  EXPECT_EQ(count(svg, "class=\"cross\""), 1);
+}
+
 TEST(Draw, NoCriticalPointsAtAllIsAPictureToo) { expect_sound(draw_critical_points({}, nullptr, {})); }
 
 SeparatrixGraph halved_square() {
