@@ -418,6 +418,31 @@ TEST(ResolveFeatures, SaysWhereThereIsNoRoom) {
   EXPECT_NE(points.changes.back().reason.find("no room"), std::string::npos);
 }
 
+TEST(ResolveFeatures, GivesAFeatureNoMoreNodesThanItCarries) {
+  const CadFace face =
+      hand_made::face({rectangle({-4, -4}, {4, 4}, 0), window({-1, -1}, {1, 1}, 0.1)}, std::sqrt(128.0));
+  const Vec2 corner{0.98, 0.98}, middle = Vec2{0.9, 0.9} + 0.1 * unit(pi / 4);
+  CriticalPoints nearest =
+      points_with(face, {node(corner + 0.03 * unit(pi / 4), 5), node(corner + 0.2 * unit(pi / 4), 5)});
+  resolve_features(face, 0.3, nearest);
+  ASSERT_EQ(nearest.boundary_nodes.size(), 1u);
+  EXPECT_TRUE(has_boundary_node_at(nearest, middle, 3, 1e-12));
+  EXPECT_TRUE(has_node_at(nearest, corner + 0.2 * unit(pi / 4), 5, 1e-15));
+  CriticalPoints alike = points_with(face, {node({1.1, 0.9}, 5), node({0.9, 1.1}, 5)});
+  resolve_features(face, 0.15, alike);
+  EXPECT_TRUE(alike.boundary_nodes.empty());
+  EXPECT_EQ(alike.critical_points.size(), 2u);
+}
+
+TEST(ResolveFeatures, LeavesANodeHalfwayBetweenTwoFeatures) {
+  const CadFace face =
+      hand_made::face({rectangle({-4, -4}, {4, 4}, 0), window({-1, -0.2}, {1, 0.2}, 0.1)}, std::sqrt(128.0));
+  CriticalPoints points = points_with(face, {node({1.1, 0}, 5)});
+  resolve_features(face, 0.3, points);
+  EXPECT_TRUE(points.boundary_nodes.empty());
+  EXPECT_EQ(points.form, "harmonic");
+}
+
 TEST(SmallFeatures, CountsWhatARunCarries) {
   const CadFace face =
       hand_made::face({filleted({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {0.1, 0.2, 0, 1.0})}, std::sqrt(20.0));
@@ -442,6 +467,13 @@ TEST(SmallFeatures, CountsWhatARunCarries) {
   EXPECT_EQ(with_hole[2].kind, FeatureKind::hole);
   EXPECT_NEAR(with_hole[2].extent, 0.6, 1e-6);
   EXPECT_EQ(with_hole[2].capacity, 4);
+  // A small ellipse is one hole, whatever its ends.
+  Loop ellipse{circular_arc({0, 0}, 1, 0, -2 * pi)};
+  for (Vec2& pole : ellipse[0].poles) pole.y *= 0.5;
+  const CadFace with_ellipse = hand_made::face({rectangle({-9, -9}, {9, 9}, 0), ellipse}, std::sqrt(648.0));
+  EXPECT_EQ(small_features(with_ellipse, 1).size(), 2u);
+  ASSERT_EQ(small_features(with_ellipse, 2.1).size(), 1u);
+  EXPECT_EQ(small_features(with_ellipse, 2.1)[0].kind, FeatureKind::hole);
 }
 
 }  // namespace
