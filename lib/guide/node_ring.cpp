@@ -131,4 +131,25 @@ std::vector<Vec2> node_ring(const CadFace& face, const std::vector<Isometry>& gr
   return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
 }
 
+std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<Isometry>& group, int max_valence,
+                                         const Cluster& cluster, const std::vector<Vec2>& others,
+                                         const std::string& source) {
+  const int valence = 4 - cluster.index;
+  if (valence >= 3 && valence <= max_valence && signed_room(face, cluster.centre) > 0)
+    return {made_node(cluster.centre, cluster.index, source)};
+  std::vector<CriticalPoint> nodes;
+  for (const Vec2 x : node_ring(face, group, cluster, others))
+    nodes.push_back(made_node(x, cluster.index > 0 ? 1 : -1, source));
+  return nodes;
+}
+
+CriticalPoint made_node(Vec2 position, int index, const std::string& source) {
+  CriticalPoint node;
+  node.position = position;
+  node.index = index;
+  node.valence = 4 - index;
+  node.source = source;
+  return node;
+}
+
 }  // namespace quadrille

@@ -1,6 +1,7 @@
 #pragma once
 // Irregular nodes as a regular polygon about a point, as symmetric as the face is about it.
 
+#include <string>
 #include <vector>
 
 #include "curve/symmetry.hpp"
@@ -28,5 +29,14 @@ Vec2 onto_fixed_points(const CadFace& face, const std::vector<Isometry>& group, 
 /// outside the face (in a hole) the radius with the most room for all nodes.
 std::vector<Vec2> node_ring(const CadFace& face, const std::vector<Isometry>& group, const Cluster& cluster,
                             const std::vector<Vec2>& others);
+
+/// The nodes for a cluster of index != 0: one at its centre where 4 - index is 3 to max_valence (and the centre inside
+/// the face), else a node_ring. With the source given; no element is set.
+std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<Isometry>& group, int max_valence,
+                                         const Cluster& cluster, const std::vector<Vec2>& others,
+                                         const std::string& source);
+
+/// A node that is no zero of the field.
+CriticalPoint made_node(Vec2 position, int index, const std::string& source);
 
 }  // namespace quadrille

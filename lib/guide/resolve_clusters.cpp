@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "curve/symmetry.hpp"
@@ -13,15 +11,6 @@ namespace quadrille {
 namespace {
 
 constexpr double equal = 1e-6;  // of the diameter
-
-CriticalPoint node_at(Vec2 position, int index) {
-  CriticalPoint node;
-  node.position = position;
-  node.index = index;
-  node.valence = 4 - index;
-  node.source = "cluster";
-  return node;
-}
 
 bool is_member(const Cluster& cluster, Vec2 x, double tol) {
   return std::any_of(cluster.members.begin(), cluster.members.end(), [&](Vec2 m) { return distance(m, x) <= tol; });
@@ -89,17 +78,12 @@ class Resolver {
   std::vector<CriticalPoint> nodes_of(std::size_t i) const {
     const Cluster& cluster = points_.clusters[i];
     if (cluster.index == 0) return {};
-    std::vector<CriticalPoint> nodes;
     if (models_[i]) {
-      nodes = nodes_[models_[i]->cluster];
+      std::vector<CriticalPoint> nodes = nodes_[models_[i]->cluster];
       for (CriticalPoint& node : nodes) node.position = models_[i]->map(node.position);
       return nodes;
     }
-    const int valence = 4 - cluster.index;
-    if (valence >= 3 && valence <= max_valence_) return {node_at(cluster.centre, cluster.index)};
-    for (const Vec2 x : node_ring(face_, group_, cluster, other_places(i)))
-      nodes.push_back(node_at(x, cluster.index > 0 ? 1 : -1));
-    return nodes;
+    return cluster_nodes(face_, group_, max_valence_, cluster, other_places(i), "cluster");
   }
 
   std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {

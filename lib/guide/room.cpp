@@ -77,21 +77,25 @@ class InteriorMeasure {
   std::optional<Axis> axis_;
 };
 
-/// The best point of a grid over the face, which need not be fine: the measure is smooth.
-Vec2 best_of_grid(const CadFace& face, const InteriorMeasure& measure) {
-  constexpr int steps = 24;
-  const Vec2 middle = face.joints[0].position;
+std::optional<Vec2> best_of_grid(const CadFace& face, const InteriorMeasure& measure, int steps) {
   std::optional<Vec2> best;
   double most = 0;
   for (int i = -steps; i <= steps; ++i)
     for (int j = -steps; j <= steps; ++j) {
-      const Vec2 x = measure.onto_fixed(middle + face.diameter / steps * Vec2{i + 0.41, j + 0.43});
+      const Vec2 offset = face.diameter / steps * Vec2{i + 0.41, j + 0.43};
+      const Vec2 x = measure.onto_fixed(face.joints[0].position + offset);
       if (signed_room(face, x) < 1e-3 * face.diameter) continue;
       const double here = measure.value(x);
       if (!best || here > most) best = x, most = here;
     }
-  if (!best) throw ComputeError("the face has no point farther than a thousandth of its diameter from its boundary");
-  return *best;
+  return best;
+}
+
+/// Where to begin: the measure is smooth, so the grid is refined only until it meets the face.
+Vec2 interior_start(const CadFace& face, const InteriorMeasure& measure) {
+  for (int steps = 12; steps <= 192; steps *= 2)
+    if (const auto best = best_of_grid(face, measure, steps)) return *best;
+  throw ComputeError("the face has no point farther than a thousandth of its diameter from its boundary");
 }
 
 /// Steepest ascent with halved steps, then Newton with differences of the gradient.
@@ -151,7 +155,7 @@ double room_along(const CadFace& face, Vec2 x, Vec2 direction) {
 
 Vec2 most_interior_point(const CadFace& face, const std::vector<Isometry>& group) {
   const InteriorMeasure measure(face, mirror_axis(group));
-  return ascended(face, measure, best_of_grid(face, measure));
+  return ascended(face, measure, interior_start(face, measure));
 }
 
 }  // namespace quadrille

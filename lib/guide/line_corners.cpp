@@ -1,0 +1,128 @@
+#include "guide/line_corners.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/angle.hpp"
+#include "guide/valence.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double equal = 1e-6;
+constexpr double tie = 1e-6;  // radians
+
+/// What is minimised, the first that differs decides: angle defect, minus adjacent lengths, minus distances.
+using Cost = std::array<double, 3>;
+
+Cost operator+(const Cost& a, const Cost& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+bool is_less(const Cost& a, const Cost& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::abs(a[i] - b[i]) > equal) return a[i] < b[i];
+  return false;
+}
+
+/// Defects are in right angles squared.
+double angle_defect(double angle, int valence) {
+  const double off = angle / valence / half_pi - 1;
+  return valence * off * off;
+}
+
+bool is_tie(const Corner& corner) {
+  return corner.angle_degrees > 90 && tie_distance(radians(corner.angle_degrees)) < tie;
+}
+
+/// Ties take the larger valence, and so do corners of 45 degrees.
+Corner corner_at(const CadFace& face, int joint) {
+  const double angle = face.joints[joint].interior_angle;
+  Corner corner{joint, face.joints[joint].position, degrees(angle), 0, {face.previous_in_loop(joint), joint}};
+  corner.valence = static_cast<int>(std::floor(angle / half_pi + 0.5 + tie));
+  if (is_tie(corner)) corner.source = "line";
+  return corner;
+}
+
+double side_length(const CadFace& face, int curve) {
+  return distance(face.joints[curve].position, face.joints[face.next_in_loop(curve)].position);
+}
+
+/// What it costs to take the smaller valence at a corner.
+Cost cost_of_smaller(const CadFace& face, Vec2 centroid, const Corner& c) {
+  const double angle = radians(c.angle_degrees);
+  return {angle_defect(angle, c.valence - 1) - angle_defect(angle, c.valence),
+          -(side_length(face, c.curves[0]) + side_length(face, c.curves[1])) / face.diameter,
+          -distance(c.position, centroid) / face.diameter};
+}
+
+/// Corners that isometries of the face map onto each other.
+struct Orbit {
+  std::vector<std::size_t> corners;
+  Cost cost{};
+};
+
+std::vector<Orbit> orbits_of_ties(const CadFace& face, const std::vector<Isometry>& group,
+                                  const std::vector<Corner>& corners) {
+  std::vector<Orbit> orbits;
+  std::vector<bool> is_done(corners.size(), false);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (is_done[i] || !is_tie(corners[i])) continue;
+    Orbit orbit;
+    for (std::size_t j = i; j < corners.size(); ++j) {
+      const bool is_image = std::any_of(group.begin(), group.end(), [&](const Isometry& g) {
+        return distance(g(corners[i].position), corners[j].position) < equal * face.diameter;
+      });
+      if (!is_image) continue;
+      is_done[j] = true;
+      orbit.corners.push_back(j);
+      orbit.cost = orbit.cost + cost_of_smaller(face, group[0].centre, corners[i]);
+    }
+    orbits.push_back(orbit);
+  }
+  return orbits;
+}
+
+struct Choice {
+  Cost cost{};
+  std::vector<std::size_t> orbits;  ///< that take the smaller valence
+};
+
+/// The cheapest choice of orbits with `count` corners in all: the best for every count below, orbit by orbit.
+std::optional<Choice> cheapest(const std::vector<Orbit>& orbits, int count) {
+  if (count < 0) return {};
+  std::vector<std::optional<Choice>> best(count + 1);
+  best[0] = Choice{};
+  for (std::size_t o = 0; o < orbits.size(); ++o) {
+    const int size = static_cast<int>(orbits[o].corners.size());
+    for (int n = count; n >= size; --n) {
+      if (!best[n - size]) continue;
+      Choice with = *best[n - size];
+      with.cost = with.cost + orbits[o].cost;
+      with.orbits.push_back(o);
+      if (!best[n] || is_less(with.cost, best[n]->cost)) best[n] = with;
+    }
+  }
+  return best[count];
+}
+
+}  // namespace
+
+LineCorners line_corners(const CadFace& face, const std::vector<Isometry>& group) {
+  LineCorners result;
+  result.missing_index = 4 * face.euler_characteristic();
+  for (int j = 0; j < face.num_curves(); ++j) {
+    if (!face.joints[j].is_corner) continue;
+    result.corners.push_back(corner_at(face, j));
+    result.missing_index -= 2 - result.corners.back().valence;
+  }
+  const std::vector<Orbit> orbits = orbits_of_ties(face, group, result.corners);
+  const std::optional<Choice> choice = cheapest(orbits, result.missing_index);
+  if (!choice) return result;
+  result.missing_index = 0;
+  for (const std::size_t o : choice->orbits)
+    for (const std::size_t c : orbits[o].corners) --result.corners[c].valence;
+  return result;
+}
+
+}  // namespace quadrille
