@@ -8,7 +8,9 @@
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "field/error_estimate.hpp"
+#include "galerkin/phase_request.hpp"
 #include "galerkin/solve_laplace.hpp"
+#include "galerkin/solve_phase.hpp"
 #include "io/input_file.hpp"
 #include "io/order_map.hpp"
 #include "io/output_file.hpp"
@@ -16,8 +18,41 @@
 
 using namespace quadrille;
 
+namespace {
+
+// The irregular nodes of the file, if they can be had on this mesh's face. They need not be of a field on this mesh:
+// nodes moved, or made for another mesh, have elements that say nothing.
+CriticalPoints read_nodes(const InputFile& file, TriMesh& mesh) {
+  CriticalPoints points = read_critical_points(file);
+  require_valid(check_critical_points(points, CheckDepth::quick), file.name);
+  Field of_face;
+  std::swap(of_face.mesh, mesh);
+  std::vector<Violation> violations = check_critical_points_of(points, of_face);
+  std::swap(of_face.mesh, mesh);
+  std::erase_if(violations, [](const Violation& violation) { return violation.rule == "CRT-R09"; });
+  require_valid(violations, file.name);
+  if (points.origin != mesh.face.origin)
+    throw FormatError(fmt::format("{}: its origin is not that of the mesh: it belongs to another face", file.name));
+  require_possible(mesh.face, phase_nodes_of(points), file.name);
+  return points;
+}
+
+void say_phase(const PhaseForm& phase, Session& s) {
+  std::vector<int> nodes, corners;
+  for (const PhaseNode& node : phase.nodes.nodes) nodes.push_back(node.valence);
+  for (const CornerValence& corner : phase.nodes.corners) corners.push_back(corner.valence);
+  s.say(fmt::format("{} nodes of valence {}; corners of valence {}", nodes.size(), fmt::join(nodes, " "),
+                    fmt::join(corners, " ")));
+  for (std::size_t j = 0; j < phase.twists.size(); ++j)
+    s.say(fmt::format("hole {}: twist {}, best {:.6f}, period of lambda {:.3e}", j + 1, phase.twists[j],
+                      phase.best_twists[j], phase.periods[j]));
+  if (!phase.twists.empty()) s.say(fmt::format("energy of whole twists above real ones: {:.3e}", phase.twist_energy));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-", orders_path;
+  std::string input = "-", output = "-", orders_path, nodes_path;
   LaplaceOptions options;
   int order = 8;
 
@@ -31,11 +66,14 @@ int main(int argc, char** argv) {
       "or coupled by traces on their edges (dg, hybridised), interior modes condensed, one sparse factorisation for "
       "both components. Boundary data come from the exact curves; every tangent jump is carried by an exact harmonic "
       "function, so corners cost no accuracy. --corners dg leaves the jumps in the data, as the paper does, for "
-      "comparison; only dg can follow them.";
+      "comparison; only dg can follow them. With --nodes the field is not harmonic but a unit field with exactly the "
+      "irregular nodes and corner valences of CRIT (the phase form, x.phase.h5): whatever critpoints has made of the "
+      "harmonic field's zeros, or you by hand.";
   tool.examples = {"fieldsolve half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --field-order 12 half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --method dg half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --orders half_disc.field.h5 half_disc.tri.h5 -o half_disc.solve.h5",
+                   "fieldsolve --nodes half_disc.crit.json half_disc.tri.h5 -o half_disc.phase.h5",
                    "cad2tri half_disc.step | fieldsolve | padapt -o half_disc.field.h5"};
   tool.options = [&](Options& o) {
     o.input("TRI", input, "triangle mesh (x.tri.h5)");
@@ -45,6 +83,8 @@ int main(int argc, char** argv) {
            "an order for each element, from an order map (JSON) or a field; replaces "
            "--field-order",
            false);
+    o.text("--nodes", nodes_path, "CRIT",
+           "critical points (x.crit.json) whose nodes and corner valences the field shall have; cg only", false);
     o.choice("--method", options.method, {"cg", "dg"}, "continuous or discontinuous (hybridised) elements");
     o.choice("--corners", options.corners, {"lift", "dg"}, "tangent jumps: lifted exactly, or left in the data");
   };
@@ -52,6 +92,8 @@ int main(int argc, char** argv) {
     options.num_threads = s.threads();
     options.validate();
     const int max_order = max_field_order(options.method == "dg");
+    if (!nodes_path.empty() && (options.method != "cg" || options.corners != "lift"))
+      throw UsageError("--nodes goes with --method cg and --corners lift alone");
     if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));
     const InputFile file = read_input(input);
     TriMesh mesh = read_tri_mesh(file);
@@ -63,8 +105,19 @@ int main(int argc, char** argv) {
       orders = read_order_map(orders_file, mesh.num_elems(), max_order);
       inputs.push_back(orders_file.digest("order-map"));
     }
-    s.begin_phase("solve");
-    Field field = solve_laplace(mesh, orders, options, s.report());
+    Field field;
+    if (nodes_path.empty()) {
+      s.begin_phase("solve");
+      field = solve_laplace(mesh, orders, options, s.report());
+    } else {
+      const InputFile nodes_file = read_input(nodes_path);
+      const CriticalPoints points = read_nodes(nodes_file, mesh);
+      inputs.push_back(nodes_file.digest("critical-points"));
+      s.begin_phase("solve");
+      PhaseSolver solver(mesh, orders, options.num_threads);
+      field = solver.solve(phase_nodes_of(points), {points.twist_offsets}, s.report());
+      say_phase(field.phase, s);
+    }
     s.begin_phase("estimate");
     field.elem_error = error_estimate(field);
     s.end_phase();
@@ -73,7 +126,7 @@ int main(int argc, char** argv) {
     s.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
     field.provenance = s.provenance(mesh.provenance, inputs);
     s.say(fmt::format("{} elements of order {}..{}, {} liftings", mesh.num_elems(), *lowest, *highest,
-                      field.liftings.size()));
+                      nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size()));
     write_field(output, field);
   };
   tool.report_writer = write_report;

@@ -5,16 +5,42 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <functional>
+#include <memory>
 
 #include "adapt/order_policy.hpp"
 #include "adapt/sensor.hpp"
 #include "base/error.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
+#include "galerkin/solve_phase.hpp"
 
 namespace quadrille {
 
 namespace {
+
+// A field like the first one, of other orders.
+struct Solver {
+  std::function<Field(const std::vector<int>& orders, Report& report)> solve;
+  std::function<int(const std::vector<int>& orders)> num_unknowns;
+};
+
+Solver solver_of(const Field& start, int num_threads) {
+  if (start.kind == "phase") {
+    const auto solver = std::make_shared<PhaseSolver>(start.mesh, start.elem_order, num_threads);
+    const PhaseOptions options{start.phase.twist_offsets};
+    return {[=, &start](const std::vector<int>& orders, Report& report) {
+              solver->set_orders(orders);
+              return solver->solve(start.phase.nodes, options, report);
+            },
+            [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
+  }
+  LaplaceOptions options = options_of(start);
+  options.num_threads = num_threads;
+  const auto solver = std::make_shared<LaplaceSolver>(start.mesh, options);
+  return {[=](const std::vector<int>& orders, Report& report) { return solver->solve(orders, report); },
+          [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
+}
 
 // The history that `field` brings along, without its last round, which is the first one now; and the elements that it
 // has raised. A history that does not end with this field's orders is not its own.
@@ -109,12 +135,9 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   AdaptOptions options = requested;
   options.max_order = std::min(options.max_order, max_field_order(start.method == "dg"));
   options.validate();
-  if (start.kind != "harmonic") throw FormatError("only a harmonic field can be adapted, this one is " + start.kind);
   const SensorKind kind = sensor_kind(options.sensor);
   const SensorScale scale = sensor_scale(options.scale);
-  LaplaceOptions solve_options = options_of(start);
-  solve_options.num_threads = options.num_threads;
-  LaplaceSolver solver(start.mesh, solve_options);
+  const Solver solver = solver_of(start, options.num_threads);
   Field field = start;
   std::vector<int> orders = start.elem_order;
   std::vector<bool> was_raised(orders.size(), false);

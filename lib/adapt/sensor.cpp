@@ -58,20 +58,23 @@ std::vector<double> fan_weights(const TriMesh& mesh) {
 
 std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale) {
   const bool is_absolute = scale == SensorScale::absolute;
+  const bool is_phase = field.kind == "phase";
   const double least_norm = is_absolute ? 2 : std::numeric_limits<double>::min();  // 2: |1|^2, reference triangle
   std::vector<double> sensors =
       is_absolute ? fan_weights(field.mesh) : std::vector<double>(field.mesh.num_elems(), 1.0);
   for (int e = 0; e < field.mesh.num_elems(); ++e) {
     const int order = field.elem_order[e], offset = field.coef_offsets[e];
     Norms norms;
-    for (const auto* component : {&field.u, &field.v}) {
+    for (const auto* component : {&field.u, &field.v, &field.phase.s}) {
+      if (component->empty()) continue;
       if (kind == SensorKind::u && component == &field.v) continue;
       if (kind == SensorKind::v && component == &field.u) continue;
       const Norms part = squared_norms(&(*component)[offset], order);
       norms.tail += part.tail;
       norms.all += part.all;
     }
-    sensors[e] *= norms.tail / std::max(norms.all, least_norm);
+    // The size of s says nothing: twists make it large, and 2 pi more or less is the same field.
+    sensors[e] *= norms.tail / (is_phase && is_absolute ? least_norm : std::max(norms.all, least_norm));
   }
   return sensors;
 }

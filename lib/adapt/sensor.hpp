@@ -4,7 +4,8 @@
 // The projection onto order P - 1 drops the modes of degree P: the basis is orthonormal and sorted by degree. Norms are
 // those of the reference triangle, whose area 2 stands for |Omega_e|. The denominator is at least that of a field of
 // length 1 on the element: |v| <= 1 everywhere, so the scale is absolute and 0/0 cannot happen. Taken of the polynomial
-// part: liftings are exact.
+// part: liftings are exact. A field of kind "phase" has one component, s, whatever is asked for; its scale is 1 radian,
+// because |v - v_h| is |s - s_h|.
 
 #include <string>
 #include <vector>

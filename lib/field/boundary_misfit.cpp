@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "base/angle.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
 #include "field/corner_lifting.hpp"
+#include "field/phase_boundary.hpp"
+#include "field/phase_terms.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
@@ -34,6 +38,24 @@ double misfit_at(const Field& field, const TriMap& map, const BoundaryEdge& edge
   return distance(value, data) + norm(slope) * std::abs(dot(x_h - point(curve, at.t), across));
 }
 
+// |phi_h - Phi| of a phase, radians: what |v - v_h| is, as v is a unit vector.
+double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const TriMap& map, const BoundaryEdge& edge,
+                       const EdgePoint& at) {
+  const CadFace& face = field.mesh.face;
+  const double* s = &field.phase.s[field.coef_offsets[edge.elem]];
+  Vec2 x_h;
+  Mat2 dx_dxi, ds_dxi;
+  map.evaluate(at.xi, x_h, dx_dxi);
+  const double value = orthogonal_sum(field.elem_order[edge.elem], s, s, at.xi, ds_dxi).x;
+  const int loop = face.loop_of(edge.curve);
+  const double data = boundary.remainder(edge.curve, at.t) + (loop > 0 ? 2 * pi * field.phase.twists[loop - 1] : 0);
+  const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
+  const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field.phase.terms, x_h);
+  const Nurbs& curve = face.curves[edge.curve];
+  const Vec2 across = left_of(tangent(curve, at.t));
+  return std::abs(value - data) + std::abs(dot(slope, across) * dot(x_h - point(curve, at.t), across));
+}
+
 }  // namespace
 
 std::vector<double> boundary_misfit(const Field& field) {
@@ -43,13 +65,17 @@ std::vector<double> boundary_misfit(const Field& field) {
   std::vector<ArcLength> lengths;
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
+  std::unique_ptr<PhaseBoundary> phase;
+  if (field.kind == "phase") phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.nodes);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const ArcLength& length = lengths[edge.curve];
     const double begin = length.at(edge.t0), whole = length.at(edge.t1) - begin;
     for (const double s : fractions) {
       const EdgePoint at{length.parameter(begin + s * whole), tri_edge_point(edge.edge, s)};
-      misfits[edge.elem] = std::max(misfits[edge.elem], misfit_at(field, maps[edge.elem], edge, at));
+      const TriMap& map = maps[edge.elem];
+      const double misfit = phase ? phase_misfit_at(field, *phase, map, edge, at) : misfit_at(field, map, edge, at);
+      misfits[edge.elem] = std::max(misfits[edge.elem], misfit);
     }
   }
   return misfits;

@@ -25,17 +25,17 @@ struct Source {
   int order = 1;
 };
 
-// Norms of the modes by degree, of both components.
+// Norms of the modes by degree, of both components, or of s.
 std::vector<double> norms_by_degree(const Field& field, int elem) {
   const int order = field.elem_order[elem], offset = field.coef_offsets[elem];
   std::vector<double> norms(order + 1, 0.0);
-  for (int d = 0, i = 0; d <= order; ++d) {
-    for (; i < num_tri_modes(d); ++i) {
-      const double u = field.u[offset + i], v = field.v[offset + i];
-      norms[d] += u * u + v * v;
+  for (const auto* component : {&field.u, &field.v, &field.phase.s}) {
+    if (component->empty()) continue;
+    for (int d = 0, i = 0; d <= order; ++d) {
+      for (; i < num_tri_modes(d); ++i) norms[d] += (*component)[offset + i] * (*component)[offset + i];
     }
-    norms[d] = std::sqrt(norms[d]);
   }
+  for (double& norm : norms) norm = std::sqrt(norm);
   return norms;
 }
 

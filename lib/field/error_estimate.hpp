@@ -21,8 +21,8 @@
 
 namespace quadrille {
 
-/// |v - v_h| on each element. Linear in the number of modes and of elements (the 512 strongest senders are
-/// heard).
+/// |v - v_h| on each element; of a field of kind "phase" |s - s_h|, which is that as v is a unit vector. Linear in the
+/// number of modes and of elements (the 512 strongest senders are heard).
 std::vector<double> error_estimate(const Field& field);
 
 /// How far a zero moves at most for an error of that size: |J^-1 e| <= |e| / (least singular value of J = dv/dx).

@@ -23,11 +23,13 @@ std::unique_ptr<Discretization> make_discretization(const std::string& method, c
   return std::make_unique<ContinuousGalerkin>(context, std::move(data), num_threads);
 }
 
-void require_points_as_zeros(const CadFace& face) {
+// Nothing is wrong with the solution, but its zeros say nothing about a layout.
+void warn_of_line_field(const CadFace& face, Report& report) {
   if (!is_line_field(face)) return;
-  throw ComputeError(
-      "all sides are straight and at multiples of 45 degrees to each other, of both parities: the guiding field "
-      "vanishes on curves instead of at points, and gives no block layout");
+  report.warn("W-SOLVE-001",
+              "all sides are straight and at multiples of 45 degrees to each other, of both parities: the harmonic "
+              "field vanishes on curves instead of at points; critpoints will choose corner valences by rule, for "
+              "fieldsolve --nodes");
 }
 
 // Continuous elements would smear a jump over their size, and no refinement would show it.
@@ -55,7 +57,6 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data, const std::
 LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
     : context_(std::make_unique<MeshContext>(mesh)), method_(options.method), liftings_(corner_liftings(mesh.face)) {
   options.validate();
-  require_points_as_zeros(mesh.face);
   if (options.corners == "dg") {
     if (options.method == "cg") require_no_jump(mesh.face, liftings_);
     liftings_.clear();
@@ -100,6 +101,7 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
 
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, const LaplaceOptions& options,
                     Report& report) {
+  warn_of_line_field(mesh.face, report);
   return LaplaceSolver(mesh, options).solve(elem_order, report);
 }
 

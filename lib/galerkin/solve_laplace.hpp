@@ -23,8 +23,9 @@ struct LaplaceOptions {
 constexpr int max_field_order(bool is_dg) { return is_dg ? 12 : 20; }
 
 /// Solves on `mesh` with order elem_order[e] on element e, data and liftings from mesh.face. Linear in the number of
-/// elements but for the sparse factorisation. Throws ComputeError when the factorisation breaks down, for a line field
-/// (field/boundary_values.hpp), and where continuous elements are asked to follow data that jump.
+/// elements but for the sparse factorisation. Warns (W-SOLVE-001) of a line field (field/boundary_values.hpp), whose
+/// zeros are curves. Throws ComputeError when the factorisation breaks down, and where continuous elements are asked to
+/// follow data that jump.
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, const LaplaceOptions& options,
                     Report& report);
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report);

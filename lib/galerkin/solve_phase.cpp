@@ -161,7 +161,12 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   report.set("solve.num_elements", mesh.num_elems());
   report.set("solve.num_unknowns", parts_->system.map().num_unknowns);
   report.set("solve.residual", state.residual);
+  std::vector<double> node_valences, corner_valences;
+  for (const PhaseNode& node : form.nodes.nodes) node_valences.push_back(node.valence);
+  for (const CornerValence& corner : form.nodes.corners) corner_valences.push_back(corner.valence);
   report.set("phase.num_nodes", form.terms.nodes.size());
+  report.set("phase.node_valences", node_valences);
+  report.set("phase.corner_valences", corner_valences);
   report.set("phase.num_corner_angles", form.terms.corner_angles.size());
   report.set("phase.twists", std::vector<double>(form.twists.begin(), form.twists.end()));
   report.set("phase.best_twists", form.best_twists);

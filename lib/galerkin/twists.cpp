@@ -8,15 +8,20 @@ namespace {
 
 constexpr double tie_tol = 1e-6;
 
+// a e_i + b e_j, j > i; b = 0: one entry alone.
+struct Step {
+  int i, j;
+  double a, b;
+};
+
 // All steps by one in one or two entries, in a fixed sequence.
-std::vector<Eigen::VectorXd> steps(int size) {
-  std::vector<Eigen::VectorXd> all;
+std::vector<Step> steps(int size) {
+  std::vector<Step> all;
   for (int i = 0; i < size; ++i) {
     for (const double a : {1.0, -1.0}) {
-      const Eigen::VectorXd step = a * Eigen::VectorXd::Unit(size, i);
-      all.push_back(step);
+      all.push_back({i, i, a, 0});
       for (int j = i + 1; j < size; ++j) {
-        for (const double b : {1.0, -1.0}) all.emplace_back(step + b * Eigen::VectorXd::Unit(size, j));
+        for (const double b : {1.0, -1.0}) all.push_back({i, j, a, b});
       }
     }
   }
@@ -30,14 +35,17 @@ std::vector<int> nearest_twists(const Eigen::MatrixXd& gram, const Eigen::Vector
   Eigen::VectorXd m(size);
   for (int i = 0; i < size; ++i) m[i] = std::ceil(target[i] - 0.5 - tie_tol);
 
-  const std::vector<Eigen::VectorXd> all = steps(size);
+  const std::vector<Step> all = steps(size);
+  Eigen::VectorXd slope = gram * (m - target);
   for (bool improved = true; improved;) {
     improved = false;
-    for (const Eigen::VectorXd& step : all) {
+    for (const auto& [i, j, a, b] : all) {
       // |m + step - target|^2 - |m - target|^2 in the norm of the Gram matrix
-      const double own = step.dot(gram * step);
-      if (2 * step.dot(gram * (m - target)) + own >= -tie_tol * own) continue;
-      m += step;
+      const double own = a * a * gram(i, i) + b * b * gram(j, j) + 2 * a * b * gram(i, j);
+      if (2 * (a * slope[i] + b * slope[j]) + own >= -tie_tol * own) continue;
+      m[i] += a;
+      m[j] += b;
+      slope = gram * (m - target);
       improved = true;
     }
   }

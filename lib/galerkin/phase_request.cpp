@@ -1,0 +1,57 @@
+#include "galerkin/phase_request.hpp"
+
+#include <fmt/format.h>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+#include "field/phase_boundary.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// method.md section 5; a corner within rounding of a bound is on it.
+constexpr double least_degrees = 15 - 1e-6, greatest_degrees = 165 + 1e-6;
+
+bool is_admissible(double angle, int valence) {
+  if (valence == 0) return true;
+  const double block = degrees(angle) / valence;
+  return valence > 0 && least_degrees <= block && block <= greatest_degrees;
+}
+
+void require_admissible(const CadFace& face, double angle, int valence, Vec2 position, const std::string& what) {
+  if (is_admissible(angle, valence)) return;
+  const Vec2 x = position + face.origin;
+  throw ComputeError(fmt::format(
+      "{} at ({:.6g}, {:.6g}) cannot have valence {}: its angle is {:.6g} degrees, and blocks need 15 to 165 degrees",
+      what, x.x, x.y, valence, degrees(angle)));
+}
+
+void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {
+  for (const CornerValence& corner : asked.corners) {
+    if (corner.joint < 0 || corner.joint >= face.num_curves()) continue;  // PhaseBoundary says so
+    const Joint& joint = face.joints[corner.joint];
+    require_admissible(
+        face, joint.interior_angle, corner.valence, joint.position,
+        fmt::format("the corner of curves {} and {}", face.previous_in_loop(corner.joint), corner.joint));
+  }
+  for (const BoundaryNode& node : asked.boundary_nodes) {
+    if (node.curve < 0 || node.curve >= face.num_curves()) continue;
+    require_admissible(face, pi, node.valence, point(face.curves[node.curve], node.t),
+                       fmt::format("the boundary node on curve {}", node.curve));
+  }
+}
+
+}  // namespace
+
+void require_possible(const CadFace& face, const PhaseNodes& asked, const std::string& name) {
+  try {
+    require_admissible_valences(face, asked);
+    const PhaseBoundary boundary(face, asked);
+  } catch (const ComputeError& error) {
+    throw FormatError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace quadrille
