@@ -10,6 +10,7 @@
 #include "guide/absorb.hpp"
 #include "guide/clusters.hpp"
 #include "guide/distinct_zeros.hpp"
+#include "guide/sort_by_place.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille {
@@ -31,27 +32,10 @@ CriticalPoint critical_point(const FieldEvaluator& evaluator, const FoundZero& z
   return {s.x, zero.index, 4 - zero.index, zero.elem, clamped(zero.xi), {j.xx, j.xy, j.yx, j.yy}, error};
 }
 
-Vec2 place_of(const CriticalPoint& p) { return p.position; }
-Vec2 place_of(const Cluster& c) { return c.centre; }
-
-/// Tolerances are no ordering: points are put into columns of equal x first, each column is sorted by y.
-template <typename Points>
-void sort_by_place(Points& points, double tol) {
-  const auto by_x = [](const auto& a, const auto& b) { return place_of(a).x < place_of(b).x; };
-  const auto by_y = [](const auto& a, const auto& b) { return place_of(a).y < place_of(b).y; };
-  std::stable_sort(points.begin(), points.end(), by_x);
-  for (auto first = points.begin(); first != points.end();) {
-    auto last = first + 1;
-    while (last != points.end() && place_of(*last).x - place_of(*(last - 1)).x <= tol) ++last;
-    std::stable_sort(first, last, by_y);
-    first = last;
-  }
-}
-
 std::vector<CriticalPoint> sorted_points(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {
   std::vector<CriticalPoint> points;
   for (const FoundZero& zero : zeros) points.push_back(critical_point(evaluator, zero));
-  sort_by_place(points, 1e-6 * evaluator.field().mesh.face.diameter);
+  sort_by_place(points, 1e-6 * evaluator.field().mesh.face.diameter, [](const CriticalPoint& p) { return p.position; });
   return points;
 }
 
@@ -146,7 +130,7 @@ CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const Searc
   Clustering clustering =
       find_clusters(evaluator, free, search.open_cells(), {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
-  sort_by_place(points.clusters, 1e-6 * face.diameter);
+  sort_by_place(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
   points.critical_points = sorted_points(evaluator, clustering.simple);
   if (clustering.simple.size() != zeros.size()) points.zeros = sorted_points(evaluator, zeros);
   points.certificate = certificate_of(search, zeros, valences.discs, mesh.num_elems());

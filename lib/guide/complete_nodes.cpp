@@ -1,0 +1,40 @@
+#include "guide/complete_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "guide/sort_by_place.hpp"
+
+namespace quadrille {
+
+std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints& points) {
+  const auto is_at_centre = [&](const CriticalPoint& p) {
+    return std::any_of(points.clusters.begin(), points.clusters.end(), [&](const Cluster& cluster) {
+      return distance(cluster.centre, p.position) <= 1e-5 * face.diameter;
+    });
+  };
+  std::vector<bool> are_free;
+  for (const CriticalPoint& p : points.critical_points)
+    are_free.push_back((p.source == "cluster" && !is_at_centre(p)) || p.source == "corner" || p.source == "line");
+  return are_free;
+}
+
+void complete_nodes(const FieldEvaluator& evaluator, CriticalPoints& points) {
+  const CadFace& face = evaluator.field().mesh.face;
+  for (CriticalPoint& p : points.critical_points) {
+    if (p.source == "zero") continue;
+    const Location at = evaluator.locator().find(p.position);
+    if (at.elem < 0) {
+      const Vec2 x = p.position + face.origin;
+      throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) came to lie outside the face", x.x, x.y));
+    }
+    p.elem = at.elem;
+    p.xi = at.xi;
+  }
+  sort_by_place(points.critical_points, 1e-6 * face.diameter, [](const CriticalPoint& p) { return p.position; });
+  points.index_sum = index_sum_of(points);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,19 @@
+#pragma once
+// What is left to do when all nodes are chosen.
+
+#include <vector>
+
+#include "field/evaluate.hpp"
+#include "model/critical_points.hpp"
+
+namespace quadrille {
+
+/// Which nodes have no place of their own yet: those that a cluster was split into, that were made up for a corner or
+/// for a line field. A cluster's only node stands at its centre.
+std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints& points);
+
+/// Gives every node the element that holds it, sorts the nodes by place, sets the index sum. Throws ComputeError where
+/// a node is not inside the mesh.
+void complete_nodes(const FieldEvaluator& evaluator, CriticalPoints& points);
+
+}  // namespace quadrille
