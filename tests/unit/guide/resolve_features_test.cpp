@@ -469,7 +469,7 @@ TEST(SmallFeatures, CountsWhatARunCarries) {
   EXPECT_EQ(with_hole[2].capacity, 4);
   // A small ellipse is one hole, whatever its ends.
   Loop ellipse{circular_arc({0, 0}, 1, 0, -2 * pi)};
-  for (Vec2& pole : ellipse[0].poles) pole.y *= 0.5;
+  for (Vec2& pole : ellipse[0].poles) pole.y *= 0.3;
   const CadFace with_ellipse = hand_made::face({rectangle({-9, -9}, {9, 9}, 0), ellipse}, std::sqrt(648.0));
   EXPECT_EQ(small_features(with_ellipse, 1).size(), 2u);
   ASSERT_EQ(small_features(with_ellipse, 2.1).size(), 1u);
