@@ -39,6 +39,14 @@ stages_run() {
   assert_equal "$(stages_run)" "quadrefine quadexport"
 }
 
+@test "a node that is moved by hand gets a field of its own" {
+  jq '.form = "phase" | .critical_points[0].position[0] -= 0.1' half_disc.crit.json > moved
+  mv moved half_disc.crit.json
+  assert_equal "$(stages_run)" "fieldsolve padapt separatrix blocksplit quadrefine quadexport"
+  assert_equal "$(stages_run)" ""
+  assert_equal "$(stages_run separatrix='--merge-angle 10')" "separatrix blocksplit quadrefine quadexport"
+}
+
 @test "a failing stage leaves no target, and the next make tries it again" {
   run ! make -s -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.msh quadrefine='--order 0'
   assert_equal "$(stages_run)" "quadrefine quadexport"

@@ -141,6 +141,43 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_file_exists "$picture"
 }
 
+# fake/critpoints: writes its arguments to `arguments`, and asks for the first node 0.1 to the left of the field's own.
+moving_critpoints() {
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/critpoints
+  cat >fake/critpoints <<END
+#!/bin/sh
+echo "\$@" >arguments
+field=\$1
+while [ "\$1" != -o ]; do shift; done
+"$BIN/critpoints" "\$field" -o moved.json --report "\$4" &&
+  jq '.form = "phase" | .critical_points[0].position[0] -= 0.1' moved.json >"\$2"
+END
+  chmod +x fake/critpoints
+}
+
+@test "nodes that are not the field's own get a field that has them, in two more stages" {
+  moving_critpoints
+  QUADRILLE_BIN=$PWD/fake run -0 "$quadmesh" "$DATA/half_disc.step" -o out.msh --workdir stages --report report.json
+  run -0 jq -c '[.form, .blocks, (.stages | keys_unsorted | .[3:7])]' report.json
+  assert_output '["phase",4,["critpoints","phase_fieldsolve","phase_padapt","separatrix"]]'
+  assert_file_exists stages/half_disc.phase.h5
+  run -0 jq -c '[.nodes[] | select(.kind == "irregular").position[0] * 1e6 | round]' stages/half_disc.sep.json
+  assert_output '[-605081,505081]'
+}
+
+@test "the options that choose nodes reach critpoints" {
+  moving_critpoints
+  QUADRILLE_BIN=$PWD/fake run -0 "$quadmesh" "$DATA/half_disc.step" -o out.msh --feature-size 0.1 \
+    --corner-valence 0:1=1 --place=energy --corner-valence=1:0=1 --place-weight 0 --max-valence 5
+  run -0 cat arguments
+  assert_output --partial ".field.h5 --feature-size 0.1 --corner-valence 0:1=1 --place energy --corner-valence 1:0=1 \
+--place-weight 0 --max-valence 5 -o "
+  run -2 "$quadmesh" "$DATA/half_disc.step" --feature-size
+  assert_line "quadmesh: --feature-size needs a value"
+}
+
 @test "a signal ends it with 128 + n and leaves nothing" {
   mkdir fake
   for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done

@@ -82,6 +82,67 @@ setup() {
   assert_nothing_left moved.crit.json
 }
 
+# phase SHAPE CRIT: SHAPE.phase.h5, the field that has the nodes of CRIT; SHAPE's stage files are here.
+phase() {
+  fieldsolve --nodes "$2" --orders "$1.field.h5" "$1.tri.h5" | padapt -o "$1.phase.h5"
+}
+
+# The nodes of CRIT moved along x by a twentieth of geometry_1's diameter: one of two that mirror each other.
+move_node() {
+  jq '.form = "phase" | .critical_points[0].position[0] += '"$2" "$1"
+}
+
+@test "a node that was moved is where the file says, in a field made for it" {
+  stage_chain geometry_1 .
+  move_node geometry_1.crit.json 0.48 > moved.crit.json
+  phase geometry_1 moved.crit.json
+  separatrix geometry_1.phase.h5 moved.crit.json -o a.sep.json
+  run -0 stagecheck a.sep.json
+  run -0 jq -c --slurpfile asked moved.crit.json \
+    '[.nodes[] | select(.kind == "irregular").position] == [$asked[0].critical_points[].position]' a.sep.json
+  assert_output true
+  blocksplit a.sep.json | quadrefine --report a.json -o a.quad.h5
+  run -0 jq '.irregular_nodes == 2 and .least_jacobian_bound > 0' a.json
+  assert_output true
+}
+
+@test "nodes of valence 3 on a hole leave eight blocks about it" {
+  stage_chain plate_hole .
+  jq '.form = "phase" | .critical_points = [] | .boundary_nodes = [range(4) | (2 * . + 1) * atan2(1; 1) |
+    {curve: 4, t: ., position: [2.1 + 0.7 * cos, 1.4 - 0.7 * sin], valence: 3, source: "feature"}]' \
+    plate_hole.crit.json > hole.crit.json
+  phase plate_hole hole.crit.json
+  separatrix plate_hole.phase.h5 hole.crit.json -o a.sep.json --report a.json
+  run -0 jq -c '.trace | [.lines, .faces]' a.json
+  assert_output '[8,8]'
+  run -0 jq -c '[.nodes[] | select(.kind == "boundary").valence] | sort' a.sep.json
+  assert_output '[2,2,2,2,2,2,2,2,3,3,3,3]'
+  run -0 stagecheck a.sep.json
+}
+
+@test "the form phase beside a harmonic field is refused" {
+  jq '.form = "phase"' "$crit" > asked.crit.json
+  run separatrix "$field" asked.crit.json -o a.sep.json
+  assert_failure 3
+  assert_output --partial 'form "phase"'
+  assert_output --partial "run fieldsolve --nodes"
+  assert_nothing_left asked.crit.json
+}
+
+@test "a field made for other nodes is refused" {
+  cp "$BATS_FILE_TMPDIR"/half_disc.{tri,field}.h5 .
+  move_node "$crit" -0.1 > moved.crit.json
+  phase half_disc moved.crit.json
+  for other in "$crit" <(move_node moved.crit.json 1e-6) <(jq 'del(.critical_points[0])' moved.crit.json); do
+    run separatrix half_disc.phase.h5 - -o a.sep.json < "$other"
+    assert_failure 3
+  done
+  run separatrix half_disc.phase.h5 "$crit" -o a.sep.json
+  assert_failure 3
+  assert_output --partial "is not what the field was solved for: run fieldsolve --nodes"
+  assert_file_not_exists a.sep.json
+}
+
 @test "critical points of another shape are refused" {
   stage_chain square .
   run separatrix "$field" square.crit.json -o a.sep.json
