@@ -24,12 +24,14 @@ double room(const CadFace& face, int joint) {
   return std::min(extent(joint), extent(face.previous_in_loop(joint)));
 }
 
-/// What |v| must exceed on an arc to be trusted: the error is that half the way along it.
+/// What |v| must exceed on an arc to be trusted. The error is that half the way along it; an angle off the tie lets the
+/// chord miss 0 by twice as much, and the zero that makes up for it must lie inside.
 double enough(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc, double noise) {
   const std::vector<double>& errors = evaluator.field().elem_error;
   const Vec2 middle = disc.centre + disc.radius * unit(joint.tangent_out + 0.5 * joint.interior_angle);
   const int elem = errors.empty() ? -1 : evaluator.locator().find(middle).elem;
-  return elem < 0 ? 10 * noise : std::max(10 * noise, 3 * errors[elem]);
+  const double from_tie = 20 * tie_distance(joint.interior_angle);
+  return std::max({10 * noise, from_tie, elem < 0 ? 0 : 3 * errors[elem]});
 }
 
 /// Quads in the sector, from the turn of the phase on an arc from the outgoing to the incoming side.
