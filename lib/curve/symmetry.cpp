@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -121,13 +122,18 @@ std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre) {
   return {};
 }
 
-bool permutes(const Isometry& g, const std::vector<Crossing>& crossings) {
-  return std::all_of(crossings.begin(), crossings.end(), [&](const Crossing& c) {
+/// By how much the images of the crossings miss other crossings on average, signed; nothing where one finds no other.
+std::optional<double> mean_miss(const Isometry& g, const std::vector<Crossing>& crossings) {
+  double sum = 0;
+  for (const Crossing& c : crossings) {
     const double image = g.is_mirrored ? g.angle - c.angle : g.angle + c.angle;
-    return std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& other) {
+    const auto met = std::find_if(crossings.begin(), crossings.end(), [&](const Crossing& other) {
       return (other.is_outward == c.is_outward) != g.is_mirrored && std::abs(wrap_pi(other.angle - image)) < angle_tol;
     });
-  });
+    if (met == crossings.end()) return {};
+    sum += wrap_pi(met->angle - image);
+  }
+  return sum / static_cast<double>(crossings.size());
 }
 
 /// A curve with a box about its poles, which holds it.
@@ -178,34 +184,37 @@ int rotation_order(Vec2 centre, const std::vector<Crossing>& crossings, const Bo
   const int most = static_cast<int>(crossings.size()) / 2;  // as many go out as in
   for (int n = most; n > 1; --n) {
     const Isometry g{centre, 2 * pi / n, false};
-    if (most % n == 0 && permutes(g, crossings) && boundary.is_onto(g)) return n;
+    if (most % n == 0 && mean_miss(g, crossings) && boundary.is_onto(g)) return n;
   }
   return 1;
 }
 
-/// The angle of one mirrored isometry in [0, 2 pi / n); negative where there is none.
-double mirror_angle(Vec2 centre, int n, const std::vector<Crossing>& crossings, const BoundaryMap& boundary) {
+/// The angle of one mirrored isometry: from one pair of crossings, bettered by the mean of all.
+std::optional<double> mirror_angle(Vec2 centre, int n, const std::vector<Crossing>& crossings,
+                                   const BoundaryMap& boundary) {
   const double period = 2 * pi / n;
   std::vector<double> tried;
   for (const Crossing& other : crossings) {
     if (other.is_outward == crossings[0].is_outward) continue;
     const double sum = crossings[0].angle + other.angle;
-    const double angle = sum - period * std::floor(sum / period);
-    if (std::any_of(tried.begin(), tried.end(),
-                    [&](double t) { return std::abs(std::remainder(t - angle, period)) < angle_tol; }))
-      continue;
-    tried.push_back(angle);
-    const Isometry g{centre, angle, true};
-    if (permutes(g, crossings) && boundary.is_onto(g)) return angle;
+    Isometry g{centre, sum - period * std::floor(sum / period), true};
+    const bool is_known = std::any_of(tried.begin(), tried.end(), [&](double t) {
+      return std::abs(std::remainder(t - g.angle, period)) < angle_tol;
+    });
+    if (is_known) continue;
+    tried.push_back(g.angle);
+    const std::optional<double> miss = mean_miss(g, crossings);
+    if (!miss) continue;
+    g.angle += *miss;
+    if (boundary.is_onto(g)) return g.angle;
   }
-  return -1;
+  return {};
 }
 
-/// `first_mirror` < 0: rotations only.
-std::vector<Isometry> group(Vec2 centre, int n, double first_mirror) {
+std::vector<Isometry> group(Vec2 centre, int n, std::optional<double> first_mirror) {
   std::vector<Isometry> all;
   for (int k = 0; k < n; ++k) all.push_back({centre, 2 * pi * k / n, false});
-  for (int k = 0; k < n && first_mirror >= 0; ++k) all.push_back({centre, first_mirror + 2 * pi * k / n, true});
+  for (int k = 0; k < n && first_mirror; ++k) all.push_back({centre, *first_mirror + 2 * pi * k / n, true});
   return all;
 }
 

@@ -119,6 +119,17 @@ TEST(Symmetries, of_moved_faces_are_conjugate) {
       }
 }
 
+TEST(Symmetries, of_rounded_and_far_coordinates) {
+  const auto rounded = [](double v) { return std::round(v * 1e8) / 1e8; };
+  CadFace face = moved(regular_polygon(6), 1, 0.4, {1, 1});
+  std::vector<Vec2> points;
+  for (const Joint& j : face.joints) points.push_back({rounded(j.position.x), rounded(j.position.y)});
+  EXPECT_EQ(order_of(make_face({polygon(points)})), Order(6, 6));
+  EXPECT_EQ(order_of(moved(stadium(), 1, 0.4, {2e4, -3e4})), Order(2, 2));
+  EXPECT_EQ(order_of(moved(annulus(), 1, 0.4, {2e4, -3e4})), Order(4, 4));
+  EXPECT_EQ(order_of(moved(l_shape(), 1, 0.4, {2e4, -3e4})), Order(1, 1));
+}
+
 TEST(Symmetries, are_a_group_that_maps_corners_onto_corners) {
   const CadFace face = moved(regular_polygon(6), 2, 0.4, {1, 1});
   const std::vector<Isometry> group = symmetries(face);
