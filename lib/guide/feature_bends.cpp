@@ -13,6 +13,7 @@ namespace {
 
 constexpr int samples_per_span = 24;
 constexpr double equal = 1e-6;
+constexpr double flat = 1e-3;  // curvature x diameter below which a wall counts as straight
 
 /// Where a curve is curved to one side (+1 left, -1 right) more than a limit; `turning` >= 0.
 struct Bent {
@@ -144,6 +145,8 @@ const Chain& run_of(const std::vector<Chain>& runs, const Chain& bend) {
 
 int carried(double turning) { return static_cast<int>(std::floor(turning / half_pi + 0.6)); }
 
+FeatureKind kind_of(const Chain& chain) { return chain.side() > 0 ? FeatureKind::convex : FeatureKind::reflex; }
+
 std::vector<CurvePart> parts_of(const Chain& chain) {
   std::vector<CurvePart> parts;
   for (const Bent& bent : chain.parts) parts.push_back(bent.part);
@@ -191,21 +194,33 @@ std::vector<SmallFeature> small_features(const CadFace& face, double size) {
   const double below = size * (1 - equal);
   std::vector<SmallFeature> bends, holes;
   for (int loop = 0; loop < face.num_loops(); ++loop) {
-    const std::vector<Chain> runs = chains(face, loop, 1e-3 / face.diameter);
+    const std::vector<Chain> runs = chains(face, loop, flat / face.diameter);
     const double extent = loop == 0 ? face.diameter : diameter_of(points_of(face, loop), below);
     const bool is_small_hole = loop > 0 && extent < below;
     for (const Chain& bend : chains(face, loop, 1 / below)) {
       const Chain& run = run_of(runs, bend);
       if (bend.is_loop || (is_small_hole && run.is_loop)) continue;
-      const FeatureKind kind = bend.side() > 0 ? FeatureKind::convex : FeatureKind::reflex;
       if (carried(run.turning()) > 0)
-        bends.push_back({kind, Stretch(face, parts_of(bend), false), Stretch(face, parts_of(run), run.is_loop),
+        bends.push_back({kind_of(bend), Stretch(face, parts_of(bend), false), Stretch(face, parts_of(run), run.is_loop),
                          bend.radius(), carried(run.turning())});
     }
     if (is_small_hole) holes.push_back(hole(face, loop, extent));
   }
   bends.insert(bends.end(), holes.begin(), holes.end());
   return bends;
+}
+
+std::vector<SmallFeature> runs_of_any_size(const CadFace& face) {
+  std::vector<SmallFeature> features;
+  for (int loop = 0; loop < face.num_loops(); ++loop) {
+    for (const Chain& run : chains(face, loop, flat / face.diameter)) {
+      if (carried(run.turning()) == 0 || (loop == 0 && run.is_loop)) continue;
+      const Stretch stretch(face, parts_of(run), run.is_loop);
+      features.push_back(
+          {run.is_loop ? FeatureKind::hole : kind_of(run), stretch, stretch, run.radius(), carried(run.turning())});
+    }
+  }
+  return features;
 }
 
 }  // namespace quadrille

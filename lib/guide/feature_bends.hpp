@@ -31,4 +31,7 @@ struct SmallFeature {
 /// Bends before holes, in the sequence of the loops. size > 0, in the file's unit.
 std::vector<SmallFeature> small_features(const CadFace& face, double size);
 
+/// Whole runs that carry an index, of any size: what else may have forced a node. A loop that is one run is a hole.
+std::vector<SmallFeature> runs_of_any_size(const CadFace& face);
+
 }  // namespace quadrille

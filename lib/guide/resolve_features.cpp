@@ -1,5 +1,6 @@
 // A node of index +-1 belongs to the nearest small feature (guide/feature_bends) that carries an index of its sign and
-// is nearer than L; one with two features equally near belongs to neither. A feature takes no more nodes than it
+// is nearer than L; one with two features equally near belongs to neither, nor does one that has something larger of
+// that kind nearer by. A feature takes no more nodes than it
 // carries, nearest first, nodes equally near together or not at all.
 
 #include <fmt/format.h>
@@ -67,6 +68,24 @@ int owner(const FeatureNodes& state, const std::vector<SmallFeature>& features, 
   return is_tied ? -1 : nearest;
 }
 
+bool share(const Stretch& a, const Stretch& b) {
+  for (const CurvePart& p : a.parts()) {
+    for (const CurvePart& q : b.parts()) {
+      if (p.curve == q.curve && p.t0 < q.t1 && q.t0 < p.t1) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a run that is no part of the feature is nearer to the node.
+bool has_nearer(const FeatureNodes& state, const std::vector<SmallFeature>& runs, const SmallFeature& feature,
+                const FeatureNode& node, double distance) {
+  return std::any_of(runs.begin(), runs.end(), [&](const SmallFeature& run) {
+    return (run.kind == FeatureKind::convex) == (feature.kind == FeatureKind::convex) &&
+           !share(run.stretch, feature.stretch) && run.stretch.foot(node.position).distance < distance - state.tie;
+  });
+}
+
 /// As many as the feature carries; nodes of equal distance together or not at all.
 void keep_carried(const FeatureNodes& state, size_t capacity, std::vector<Claim>& claims) {
   std::stable_sort(claims.begin(), claims.end(),
@@ -77,13 +96,17 @@ void keep_carried(const FeatureNodes& state, size_t capacity, std::vector<Claim>
   claims.resize(kept);
 }
 
-std::vector<std::vector<Claim>> claims_of(const FeatureNodes& state, const std::vector<SmallFeature>& features) {
+std::vector<std::vector<Claim>> claims_of(const CadFace& face, const FeatureNodes& state,
+                                          const std::vector<SmallFeature>& features) {
+  const std::vector<SmallFeature> runs = runs_of_any_size(face);
   std::vector<std::vector<Claim>> claims(features.size());
   for (size_t i = 0; i < state.nodes.size(); ++i) {
     const FeatureNode& node = state.nodes[i];
     StretchFoot foot;
     if (!node.is_inside() || std::abs(node.index()) != 1) continue;
-    if (const int f = owner(state, features, node, foot); f >= 0) claims[f].push_back({static_cast<int>(i), foot});
+    const int f = owner(state, features, node, foot);
+    if (f >= 0 && !has_nearer(state, runs, features[f], node, foot.distance))
+      claims[f].push_back({static_cast<int>(i), foot});
   }
   for (size_t f = 0; f < features.size(); ++f) keep_carried(state, features[f].capacity, claims[f]);
   return claims;
@@ -180,7 +203,7 @@ InwardMove inward_move(const CadFace& face, const FeatureNode& node, const Small
 
 void move_to_features(const CadFace& face, const Walls& walls, FeatureNodes& state) {
   const std::vector<SmallFeature> features = small_features(face, state.size);
-  const std::vector<std::vector<Claim>> claims = claims_of(state, features);
+  const std::vector<std::vector<Claim>> claims = claims_of(face, state, features);
   std::vector<InwardMove> moves;
   for (size_t f = 0; f < features.size(); ++f) {
     if (claims[f].empty()) continue;

@@ -443,6 +443,18 @@ TEST(ResolveFeatures, LeavesANodeHalfwayBetweenTwoFeatures) {
   EXPECT_EQ(points.form, "harmonic");
 }
 
+TEST(ResolveFeatures, LeavesTheNodeOfALargerFeatureBesideASmallOne) {
+  const CadFace face = hand_made::face(
+      {rectangle({-4, -4}, {4, 4}, 0), window({-2, -2}, {0, 0}, 1), {circular_arc({0.6, 0.6}, 0.1, 0, -2 * pi)}},
+      std::sqrt(128.0));
+  CriticalPoints points = points_with(face, {node({0.1, 0.1}, 5)});  // 0.56 off the arc, 0.61 off the hole
+  resolve_features(face, 0.9, points);
+  EXPECT_TRUE(points.boundary_nodes.empty());
+  CriticalPoints nearer = points_with(face, {node({0.2, 0.2}, 5)});
+  resolve_features(face, 0.9, nearer);
+  EXPECT_EQ(nearer.boundary_nodes.size(), 1u);
+}
+
 TEST(SmallFeatures, CountsWhatARunCarries) {
   const CadFace face =
       hand_made::face({filleted({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {0.1, 0.2, 0, 1.0})}, std::sqrt(20.0));
