@@ -1,45 +1,136 @@
-// critpoints: all critical points of a guiding field and the valences of the corners.
+// critpoints: the irregular nodes of the layout and the valences of the corners, from a guiding field.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "field/boundary_values.hpp"
 #include "field/error_estimate.hpp"
+#include "galerkin/phase_energy.hpp"
+#include "guide/complete_nodes.hpp"
 #include "guide/find_critical_points.hpp"
+#include "guide/placement.hpp"
+#include "guide/resolve.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 
+using namespace quadrille;
+
+namespace {
+
+struct NodeOptions {
+  SearchOptions search;
+  int max_valence = 6;
+  std::vector<std::string> corner_valences;
+  double feature_size = 0;
+  std::string place = "keep";
+  PlacementOptions placement;
+
+  std::vector<CornerOverride> overrides() const {
+    std::vector<CornerOverride> result;
+    for (const std::string& text : corner_valences) result.push_back(parse_corner_override(text));
+    return result;
+  }
+};
+
+void declare(Options& o, NodeOptions& options) {
+  o.number("--cluster-distance", options.search.cluster_distance, 0, 0.1, "diameters",
+           "zeros nearer to each other than this are one cluster, which becomes one node or a symmetric set, or "
+           "cancels; 0: only zeros that cannot be told apart");
+  o.number("--corner-absorb", options.search.corner_absorb, 0, 0.1, "diameters",
+           "zeros nearer to a corner than this become part of its valence where that is admissible; 0: none");
+  o.integer("--max-valence", options.max_valence, 5, 12, "clusters that ask for a node of a greater one are split");
+  o.texts("--corner-valence", options.corner_valences, "A:B=V",
+          "V blocks at the corner where the boundary curves A and B meet");
+  o.number("--feature-size", options.feature_size, 0, 1e300, "file units",
+           "nodes that fillets and holes smaller than this force go onto the boundary or away from it, or cancel; 0: "
+           "they stay");
+  o.choice("--place", options.place, {"keep", "energy"},
+           "nodes stay where the field has them, or all move to the least energy; what clusters become always does");
+  o.number("--place-weight", options.placement.weight, 0, 100, "1",
+           "of the distance to the boundary against the energy; 0: the energy alone");
+}
+
+/// The field's zeros as they are, or on a line field the nodes by rule.
+CriticalPoints nodes_of(const FieldEvaluator& evaluator, const NodeOptions& options, Report& report) {
+  const CadFace& face = evaluator.field().mesh.face;
+  if (is_line_field(face)) return line_field_points(face, options.max_valence);
+  CriticalPoints points = find_critical_points(evaluator, options.search, report);
+  resolve_clusters(face, options.max_valence, points);
+  return points;
+}
+
+void place(const Field& field, const NodeOptions& options, int num_threads, CriticalPoints& points, Report& report) {
+  std::vector<bool> is_free = nodes_without_place(field.mesh.face, points);
+  if (options.place == "energy") is_free.assign(is_free.size(), true);
+  if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
+  const auto energy = phase_energy_function(field, {points.twist_offsets}, num_threads);
+  const auto of_points = [&](const CriticalPoints& at) {
+    PhaseEnergy e = energy(phase_nodes_of(at));
+    return NodeEnergy{e.value, std::move(e.gradient)};
+  };
+  place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace quadrille;
   std::string input = "-", output = "-";
+  NodeOptions options;
   Tool tool;
   tool.name = "critpoints";
-  tool.summary = "finds the critical points of a guiding field";
+  tool.summary = "chooses the irregular nodes of the layout and the valences of the corners";
   tool.description =
-      "Reads a field and writes every zero of it once, with its index and valence, and the valence of every corner. "
+      "Reads a field and finds every zero of it once, with its index and valence, and the valence of every corner. "
       "That none is missing is proved: each element is cut into cells until a bound shows that a cell holds no zero, "
-      "or "
-      "at most one, which is then computed. Each has an error bar, from the estimated error of the field there.\n\n"
-      "The sum of 4 - V over the critical points and of 2 - V over the corners must be four times the face's Euler "
-      "characteristic (1 less the number of holes); otherwise nothing is written and the exit code is 1. So it is when "
-      "the field vanishes to higher order, as at the centre of a disc.";
+      "or at most one, which is then computed. Each has an error bar, from the estimated error of the field there.\n\n"
+      "Zeros that no layout can use become nodes that it can: multiple zeros and zeros nearer to each other than any "
+      "block are split symmetrically, merged or cancelled, corners absorb zeros that touch them, small fillets and "
+      "holes hand theirs to the boundary, corner valences may be asked for. Where sides lie at multiples of 45 degrees "
+      "only, and the field vanishes on curves, valences are chosen by rule. Each change is listed in the output with "
+      "its reason. Unless \"form\" is \"harmonic\" there, the later stages need a field made for these nodes: "
+      "fieldsolve --nodes.\n\n"
+      "The sum of 4 - V over the nodes and of 2 - V over the corners must be four times the face's Euler "
+      "characteristic (1 less the number of holes); otherwise nothing is written and the exit code is 1.";
   tool.examples = {"critpoints half_disc.field.h5 -o half_disc.crit.json",
-                   "critpoints half_disc.field.h5 | jq '.critical_points[] | select(.valence == 3) | .position'"};
+                   "critpoints half_disc.field.h5 | jq '.critical_points[] | select(.valence == 3) | .position'",
+                   "critpoints --place energy half_disc.field.h5 -o half_disc.placed.crit.json",
+                   "critpoints --feature-size 0.1 half_disc.field.h5 | jq '.changes'"};
   tool.options = [&](Options& o) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
-    o.output(output, "file for the critical points; - is standard output");
+    o.output(output, "file for the nodes; - is standard output");
+    declare(o, options);
   };
   tool.run = [&](Session& s) {
+    const std::vector<CornerOverride> overrides = options.overrides();
     s.begin_phase("read");
     const InputFile file = read_input(input);
     Field field = read_field(file);
     require_valid(check_field(field, CheckDepth::quick), file.name);
+    if (field.kind != "harmonic")
+      throw FormatError(file.name + ": the field was made for the nodes that it has; critpoints reads harmonic ones");
     if (field.elem_error.empty()) field.elem_error = error_estimate(field);
     s.begin_phase("search");
     const FieldEvaluator evaluator(field);
-    CriticalPoints points = find_critical_points(evaluator, s.report());
+    CriticalPoints points = nodes_of(evaluator, options, s.report());
+    s.begin_phase("resolve");
+    const CadFace& face = field.mesh.face;
+    override_corners(face, overrides, points);
+    resolve_features(face, options.feature_size, points);
     require_index_sum(points);
-    s.say(std::to_string(points.critical_points.size()) + " critical points, " + std::to_string(points.corners.size()) +
-          " corners, index sum " + std::to_string(points.index_sum));
+    s.begin_phase("place");
+    place(field, options, s.threads(), points, s.report());
     s.begin_phase("write");
+    complete_nodes(evaluator, points);
+    s.report().set("critical_points", points.critical_points.size());
+    s.report().set("form", points.form);
+    s.report().set("changes", points.changes.size());
+    s.say(fmt::format("{} irregular nodes, {} corners, index sum {}, {} changes, form {}",
+                      points.critical_points.size() + points.boundary_nodes.size(), points.corners.size(),
+                      points.index_sum, points.changes.size(), points.form));
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
     write_critical_points(output, points);
   };
