@@ -11,18 +11,20 @@
 namespace quadrille {
 namespace {
 
-constexpr double joint_tol = 1e-9;  // of a curve's parameter range: nearer to an end is the joint there
+constexpr double knot_tol = 1e-9;  // of a curve's parameter range: nearer to a knot or end is the knot or joint
 
 double length_of(const Nurbs& curve, double t0, double t1) { return ArcLength(curve).between(t0, t1); }
 
 BoundaryPlace place(const CadFace& face, int curve, double t) {
   const Nurbs& c = face.curves[curve];
-  const double tol = joint_tol * (c.end() - c.begin());
+  const double tol = knot_tol * (c.end() - c.begin());
   if (t >= c.end() - tol) {
     curve = face.next_in_loop(curve);
     t = face.curves[curve].begin();
-  } else if (t <= c.begin() + tol) {
-    t = c.begin();
+  } else {
+    for (const double knot : c.knots) {
+      if (std::abs(t - knot) <= tol) t = knot;
+    }
   }
   return {curve, t, point(face.curves[curve], t)};
 }

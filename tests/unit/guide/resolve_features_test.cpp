@@ -279,6 +279,21 @@ TEST(ResolveFeatures, PutsTheFourNodesOfAHoleAtTheirFeetAlsoOnItsJoints) {
   }
 }
 
+TEST(ResolveFeatures, PutsNodesOnAKnotRatherThanBesideIt) {
+  const CadFace face = hand_made::face(
+      {rectangle({-2, -2}, {2, 2}, 0), {circular_arc({0, 0}, 0.1, pi / 4, pi / 4 - 2 * pi)}}, std::sqrt(32.0));
+  std::vector<CriticalPoint> nodes;
+  for (int k = 0; k < 4; ++k) nodes.push_back(node(0.135 * unit(pi / 4 + k * half_pi + 1e-10), 5));
+  CriticalPoints points = points_with(face, nodes);
+  resolve_features(face, 0.3, points);
+  expect_sound(face, points);
+  ASSERT_EQ(points.boundary_nodes.size(), 4u);
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) {
+    const std::vector<double>& knots = face.curves[b.curve].knots;
+    EXPECT_NE(std::find(knots.begin(), knots.end(), b.t), knots.end()) << b.t;
+  }
+}
+
 TEST(ResolveFeatures, KeepsNodesOfAHoleOffOneSpot) {
   const CadFace face = square_with_hole(0.1, 0);
   CriticalPoints points = points_with(
