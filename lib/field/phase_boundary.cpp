@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
+#include "field/hole_foci.hpp"
 #include "field/hole_points.hpp"
 #include "field/mirror_images.hpp"
 #include "field/phase_terms.hpp"
@@ -106,6 +107,25 @@ std::vector<BoundaryNode> inner_nodes(const CadFace& face, const PhaseNodes& ask
   return inner;
 }
 
+// p_c: for a hole with bends the focus nearest to the usual place of those that c sees. What is at c and p_c is a part
+// of the hole's turns, too.
+Vec2 pole_of(const CadFace& face, const std::vector<HoleFocus>& foci, int loop, Vec2 apex, Vec2 tangent_out,
+             double interior_angle) {
+  const Vec2 usual = exterior_pole(face, apex, tangent_out, interior_angle);
+  Vec2 pole = usual;
+  double nearest = INFINITY;
+  for (const HoleFocus& focus : foci) {
+    const double away = distance(focus.position, apex), from_usual = distance(focus.position, usual);
+    if (focus.loop != loop || !(from_usual < nearest)) continue;
+    const Vec2 turn = (focus.position - apex) / away;
+    const Vec2 side = wrap_two_pi(angle_of(turn) - angle_of(tangent_out)) > interior_angle ? turn : Vec2{};
+    if (side == Vec2{} || away >= 1.9999 * distance(half_way(face, apex, turn), apex)) continue;
+    pole = focus.position;
+    nearest = from_usual;
+  }
+  return pole;
+}
+
 }  // namespace
 
 void require_index_sum(const CadFace& face, const PhaseNodes& asked) {
@@ -129,7 +149,8 @@ struct PhaseBoundary::Walk {
   std::vector<double> turn_angles;
 };
 
-PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& asked) : face_(&face), pieces_(face.num_curves()) {
+PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& asked)
+    : face_(&face), foci_(hole_foci(face)), pieces_(face.num_curves()) {
   require_index_sum(face, asked);
   make_apexes(asked);
   make_turns(asked);
@@ -162,7 +183,8 @@ void PhaseBoundary::make_corner_angle(Apex& apex, Vec2 tangent_in, Vec2 tangent_
   if (std::abs(jump) <= jump_tol) return;
   const Vec2 x = point(face_->curves[apex.curve], apex.t);
   apex.term = static_cast<int>(terms_.corner_angles.size());
-  terms_.corner_angles.push_back({x, exterior_pole(*face_, x, tangent_out, apex.angle), jump / apex.angle});
+  terms_.corner_angles.push_back(
+      {x, pole_of(*face_, foci_, face_->loop_of(apex.curve), x, tangent_out, apex.angle), jump / apex.angle});
 }
 
 void PhaseBoundary::make_turns(const PhaseNodes& asked) {
@@ -171,15 +193,33 @@ void PhaseBoundary::make_turns(const PhaseNodes& asked) {
     const int loop = face_->loop_of(apex.curve);
     if (loop > 0) terms_.holes[loop - 1].turns += 2 - apex.valence;
   }
+  for (const HoleFocus& focus : foci_) {
+    PhaseTurn& hole = terms_.holes[focus.loop - 1];
+    const int turns = std::clamp(focus.turns, 0, std::max(hole.turns, 0));
+    hole.turns -= turns;
+    terms_.images.push_back({focus.position, turns});
+    image_loops_.push_back(focus.loop);
+  }
   for (const PhaseNode& node : asked.nodes) {
     const int turns = 4 - node.valence;
     terms_.nodes.push_back({node.position, turns});
     for (const MirrorImage& image : mirror_images(*face_, node.position)) {
       terms_.images.push_back({image.position, turns});
       image_loops_.push_back(image.loop);
-      if (image.loop > 0) terms_.holes[image.loop - 1].turns -= turns;
+      if (image.loop > 0) centre_of_turns(image).turns -= turns;
     }
   }
+}
+
+// What an image's turns are taken from: of the hole's centre and foci the nearest.
+PhaseTurn& PhaseBoundary::centre_of_turns(const MirrorImage& image) {
+  PhaseTurn* nearest = &terms_.holes[image.loop - 1];
+  for (std::size_t i = 0; i < foci_.size(); ++i) {
+    if (foci_[i].loop != image.loop) continue;
+    const bool is_nearer = distance(foci_[i].position, image.position) < distance(nearest->position, image.position);
+    if (is_nearer) nearest = &terms_.images[i];
+  }
+  return *nearest;
 }
 
 const PhaseTurn& PhaseBoundary::turn(int i) const {

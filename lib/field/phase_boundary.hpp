@@ -10,6 +10,8 @@
 
 #include <vector>
 
+#include "field/hole_foci.hpp"
+#include "field/mirror_images.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/phase_terms.hpp"
@@ -64,6 +66,7 @@ class PhaseBoundary {
   void require_inside(int loop, const Walk& start, const Walk& end) const;
   void require_closure(int loop, const Walk& start, const Walk& end) const;
   int winding(int i, int loop) const;
+  PhaseTurn& centre_of_turns(const MirrorImage& image);
   const PhaseTurn& turn(int i) const;
   int num_turns() const { return static_cast<int>(terms_.nodes.size() + terms_.holes.size() + terms_.images.size()); }
   bool is_tame(const Nurbs& piece) const;
@@ -74,6 +77,7 @@ class PhaseBoundary {
 
   const CadFace* face_;
   PhaseTerms terms_;
+  std::vector<HoleFocus> foci_;
   std::vector<int> image_loops_;   ///< 0: beyond the outline, j: inside hole j
   std::vector<Apex> apexes_;       ///< sorted by curve, then t
   std::vector<int> apex_offsets_;  ///< curve c has apexes [apex_offsets_[c], apex_offsets_[c+1]), its joint first

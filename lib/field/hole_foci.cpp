@@ -1,0 +1,123 @@
+#include "field/hole_foci.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// A bend is where the curvature exceeds this times its mean round the hole.
+constexpr double sharp = 1.5;
+// A greater turn between two curves is a corner.
+constexpr double corner_turn = 1e-3;
+
+/// A short part of the boundary: clockwise round the hole, so that it turns to the right where the hole is convex.
+struct Part {
+  Vec2 middle, tangent;
+  double length = 0;
+  double turn = 0;  ///< to the right
+  bool begins_at_corner = false;
+};
+
+std::vector<Part> parts_of(const CadFace& face, int loop) {
+  constexpr int parts_of_curve = 256;
+  std::vector<Part> parts;
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    const Nurbs& curve = face.curves[c];
+    const double step = (curve.end() - curve.begin()) / parts_of_curve;
+    const Joint& joint = face.joints[c];
+    Vec2 before = tangent(curve, curve.begin()), from = point(curve, curve.begin());
+    for (int i = 0; i < parts_of_curve; ++i) {
+      const double t = curve.begin() + i * step;
+      const Vec2 after = tangent(curve, t + step, true), to = point(curve, t + step);
+      Part part{point(curve, t + step / 2), tangent(curve, t + step / 2), distance(from, to), 0, false};
+      part.turn = -std::atan2(cross(before, after), dot(before, after));
+      part.begins_at_corner = i == 0 && std::abs(wrap_pi(joint.tangent_out - joint.tangent_in)) > corner_turn;
+      parts.push_back(part);
+      before = after;
+      from = to;
+    }
+  }
+  return parts;
+}
+
+// Begins at a corner, or else where the boundary is flattest, so that no bend goes over the end.
+void rotate_to_start(std::vector<Part>& parts) {
+  const auto is_flatter = [](const Part& a, const Part& b) { return a.turn * b.length < b.turn * a.length; };
+  auto start = std::find_if(parts.begin(), parts.end(), [](const Part& part) { return part.begins_at_corner; });
+  if (start == parts.end()) start = std::min_element(parts.begin(), parts.end(), is_flatter);
+  std::rotate(parts.begin(), start, parts.end());
+}
+
+/// Parts [begin, end).
+struct Run {
+  std::size_t begin, end;
+};
+
+std::vector<Run> sharp_runs(const std::vector<Part>& parts) {
+  double length = 0;
+  for (const Part& part : parts) length += part.length;
+  const double least = sharp * 2 * pi / length;
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!(parts[i].turn > least * parts[i].length)) continue;
+    const bool goes_on = !runs.empty() && runs.back().end == i && !parts[i].begins_at_corner;
+    if (goes_on) {
+      runs.back().end = i + 1;
+    } else {
+      runs.push_back({i, i + 1});
+    }
+  }
+  return runs;
+}
+
+double turn_of(const std::vector<Part>& parts, Run run) {
+  double turn = 0;
+  for (std::size_t i = run.begin; i < run.end; ++i) turn += parts[i].turn;
+  return turn;
+}
+
+// The run with what turns the same way beside it, as far as half the way to the next run or to a corner.
+Run extended(const std::vector<Part>& parts, Run run, std::size_t first, std::size_t last) {
+  while (run.begin > first && !parts[run.begin].begins_at_corner && parts[run.begin - 1].turn > 0) --run.begin;
+  while (run.end < last && !parts[run.end].begins_at_corner && parts[run.end].turn > 0) ++run.end;
+  return run;
+}
+
+// Half of the radius inside, at the part where half of the bend's turn is done.
+Vec2 focus_of(const CadFace& face, const std::vector<Part>& parts, Run run) {
+  const double half = (1 - 1e-6) * turn_of(parts, run) / 2;
+  std::size_t i = run.begin, j = run.end - 1;  // the same one, or neighbours that are each other's mirror image
+  for (double sum = parts[i].turn; sum < half; sum += parts[i].turn) ++i;
+  for (double sum = parts[j].turn; sum < half; sum += parts[j].turn) --j;
+  const Vec2 middle = (parts[i].middle + parts[j].middle) / 2;
+  const Vec2 inward = -left_of(normalized(parts[i].tangent + parts[j].tangent));
+  const double radius = (parts[i].length + parts[j].length) / (parts[i].turn + parts[j].turn);
+  const double room = distance(half_way(face, parts[i].middle, inward), parts[i].middle);
+  return middle + std::min(radius / 2, room) * inward;
+}
+
+}  // namespace
+
+std::vector<HoleFocus> hole_foci(const CadFace& face) {
+  std::vector<HoleFocus> foci;
+  for (int loop = 1; loop < face.num_loops(); ++loop) {
+    std::vector<Part> parts = parts_of(face, loop);
+    rotate_to_start(parts);
+    const std::vector<Run> runs = sharp_runs(parts);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const std::size_t first = r == 0 ? 0 : (runs[r - 1].end + runs[r].begin) / 2;
+      const std::size_t last = r + 1 == runs.size() ? parts.size() : (runs[r].end + runs[r + 1].begin) / 2;
+      const int turns = static_cast<int>(std::lround(2 * turn_of(parts, extended(parts, runs[r], first, last)) / pi));
+      if (turns > 0) foci.push_back({focus_of(face, parts, runs[r]), loop, turns});
+    }
+  }
+  return foci;
+}
+
+}  // namespace quadrille
