@@ -114,10 +114,10 @@ Vec2 ascended(const CadFace& face, const InteriorMeasure& measure, Vec2 x) {
       if (norm(step) < 1e-13 * face.diameter) break;
       continue;
     }
-    const double reach = 0.2 * signed_room(face, x);
-    if (dot(step, g) <= 0 || norm(step) > reach) step = reach * (norm(g) > 0 ? normalized(g) : Vec2{});
+    if (dot(step, g) <= 0) step = 0.2 * signed_room(face, x) * normalized(g);
     const double before = measure.value(x);
-    while (norm(step) > 1e-7 * face.diameter && measure.value(x + step) < before) step *= 0.5;
+    const auto is_worse = [&](Vec2 y) { return signed_room(face, y) <= 0 || measure.value(y) < before; };
+    while (norm(step) > 1e-7 * face.diameter && is_worse(x + step)) step *= 0.5;
     x += step;
   }
   return x;

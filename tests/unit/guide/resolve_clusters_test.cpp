@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
 #include "curve/symmetry.hpp"
 #include "guide/resolve.hpp"
+#include "guide/room.hpp"
 
 namespace quadrille {
 namespace {
@@ -207,6 +209,34 @@ TEST(ResolveClusters, moved_faces_get_moved_nodes) {
         for (const CriticalPoint& p : here.critical_points)
           EXPECT_TRUE(has_node_at(there, h(p.position), 1e-10 * image.diameter));
       }
+}
+
+TEST(ResolveClusters, index_sum_is_kept_and_nodes_stay_inside_on_random_polygons) {
+  std::mt19937 random(5);
+  const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() % 1000) / 1000; };
+  for (int trial = 0; trial < 100; ++trial) {
+    const int n = 3 + static_cast<int>(random() % 7);
+    std::vector<Vec2> outline;
+    for (int k = 0; k < n; ++k) outline.push_back(between(1, 2) * unit(2 * pi * k / n));
+    const CadFace face = make_face({polygon(outline), hole({0, 0}, 0.1)});
+    std::vector<Cluster> clusters;
+    int sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int index = static_cast<int>(random() % 11) - 5;
+      const Vec2 x = between(0.15, 0.4) * unit(2.1 * k + between(0, 0.5));
+      clusters.push_back(multiple_zero(x, index));
+      sum += index;
+    }
+    const CriticalPoints points = resolved(face, clusters, 3 + static_cast<int>(random() % 4));
+    EXPECT_EQ(points.index_sum, sum);
+    EXPECT_EQ(index_sum_of(points), sum);
+    for (const NodeChange& change : points.changes) EXPECT_EQ(index_of(change.before), index_of(change.after));
+    for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
+      EXPECT_GT(signed_room(face, points.critical_points[i].position), 0);
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GT(distance(points.critical_points[i].position, points.critical_points[j].position), 1e-3);
+    }
+  }
 }
 
 }  // namespace
