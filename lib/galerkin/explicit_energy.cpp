@@ -91,12 +91,13 @@ class BoundaryIntegral {
 
   double integrand(double t, int apex, double share) const {
     constexpr double too_near = 3e-6;  // the direction from the apex is the rounding of a point there
+    const double least2 = 1e-34 * face_.diameter * face_.diameter;  // a point beside an apex may be rounded onto it
     const auto [x, d1, d2, d3] = derivatives(*curve_, t);
     const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
     double log_sum = 0, turning = 0;
     for (int i = 0; i < static_cast<int>(sources_.size()); ++i) {
       const Vec2 r = x - sources_[i].position;
-      const double r2 = norm2(r);
+      const double r2 = std::max(norm2(r), least2);
       log_sum += sources_[i].weight * std::log(r2) / 2;
       turning += sources_[i].weight * (i == apex && share < too_near ? bend / 2 : cross(r, d1) / r2);
     }
