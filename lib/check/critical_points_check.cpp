@@ -110,7 +110,7 @@ void jacobians_fit_indices(const CriticalPoints& points, Findings& findings) {
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
     const double det = p.jacobian[0] * p.jacobian[3] - p.jacobian[1] * p.jacobian[2];
-    if (std::abs(p.index) == 1 && det * p.index < 0)
+    if ((p.index == 1 || p.index == -1) && det * p.index < 0)
       findings.add("critical point {}: index {} and the sign of its Jacobian's determinant disagree", i, p.index);
   }
 }
