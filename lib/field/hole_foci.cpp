@@ -24,24 +24,34 @@ struct Part {
   bool begins_at_corner = false;
 };
 
+double turn_between(Vec2 before, Vec2 after) { return -std::atan2(cross(before, after), dot(before, after)); }
+
+// In halves until they turn little.
+void add_parts(const Nurbs& curve, double t0, double t1, int depth, std::vector<Part>& parts) {
+  constexpr double most_turn = 0.05;
+  constexpr int deepest = 20;
+  const double middle = (t0 + t1) / 2;
+  const Vec2 along = tangent(curve, middle);
+  const double turn = turn_between(tangent(curve, t0), along) + turn_between(along, tangent(curve, t1, true));
+  if (std::abs(turn) > most_turn && depth < deepest) {
+    add_parts(curve, t0, middle, depth + 1, parts);
+    add_parts(curve, middle, t1, depth + 1, parts);
+    return;
+  }
+  const Vec2 x = point(curve, middle);
+  parts.push_back({x, along, distance(point(curve, t0), x) + distance(x, point(curve, t1)), turn, false});
+}
+
 std::vector<Part> parts_of(const CadFace& face, int loop) {
-  constexpr int parts_of_curve = 256;
+  constexpr int parts_of_curve = 32;
   std::vector<Part> parts;
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
     const Nurbs& curve = face.curves[c];
-    const double step = (curve.end() - curve.begin()) / parts_of_curve;
+    const double begin = curve.begin(), step = (curve.end() - begin) / parts_of_curve;
     const Joint& joint = face.joints[c];
-    Vec2 before = tangent(curve, curve.begin()), from = point(curve, curve.begin());
-    for (int i = 0; i < parts_of_curve; ++i) {
-      const double t = curve.begin() + i * step;
-      const Vec2 after = tangent(curve, t + step, true), to = point(curve, t + step);
-      Part part{point(curve, t + step / 2), tangent(curve, t + step / 2), distance(from, to), 0, false};
-      part.turn = -std::atan2(cross(before, after), dot(before, after));
-      part.begins_at_corner = i == 0 && std::abs(wrap_pi(joint.tangent_out - joint.tangent_in)) > corner_turn;
-      parts.push_back(part);
-      before = after;
-      from = to;
-    }
+    const std::size_t first = parts.size();
+    for (int i = 0; i < parts_of_curve; ++i) add_parts(curve, begin + i * step, begin + (i + 1) * step, 0, parts);
+    parts[first].begins_at_corner = std::abs(wrap_pi(joint.tangent_out - joint.tangent_in)) > corner_turn;
   }
   return parts;
 }

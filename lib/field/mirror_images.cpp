@@ -16,6 +16,11 @@ namespace {
 constexpr double farthest_foot = 0.25, farthest_ratio = 3;
 // An image no farther than this times the distance of its foot is worth a term.
 constexpr double farthest_image = 5;
+// Seen from farther than this less 1 times the radius of a convex bend of the boundary, data are smooth round it
+// anyway, and its circle is no image of the rest.
+constexpr double greatest_shrink = 2.5;
+// An image nearer to another curve than this times its node's depth makes worse data there than it takes away.
+constexpr double least_clearance = 0.6;
 // Images nearer to each other than this share of the depth are one: both sides of a smooth joint.
 constexpr double same_image = 1e-3;
 
@@ -41,11 +46,15 @@ void add_candidate(const CadFace& face, int c, Vec2 x, std::vector<Candidate>& c
   const Vec2 along = tangent(curve, foot.t, foot.t >= curve.end()), from_foot = x - foot.position;
   if (std::abs(dot(along, from_foot)) > 1e-6 * depth || cross(along, from_foot) <= 0) return;
   const double shrink = 1 - curvature(curve, foot.t, foot.t >= curve.end()) * depth;
-  if (shrink * farthest_image < 1) return;
+  if (shrink * farthest_image < 1 || shrink > greatest_shrink) return;
   const Vec2 outward = -left_of(along);
   const double beyond = depth / shrink, room = 2 * distance(half_way(face, foot.position, outward), foot.position);
   if (beyond > 0.9 * room) return;
-  candidates.push_back({{foot.position + beyond * outward, face.loop_of(c)}, depth});
+  const Vec2 image = foot.position + beyond * outward;
+  for (int other = 0; other < face.num_curves(); ++other) {
+    if (other != c && project(face.curves[other], image).distance < least_clearance * std::min(depth, beyond)) return;
+  }
+  candidates.push_back({{image, face.loop_of(c)}, depth});
 }
 
 }  // namespace

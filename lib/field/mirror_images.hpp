@@ -17,7 +17,7 @@ struct MirrorImage {
 
 /// Images of x, inside the domain, by inversion in the circles of curvature at its feet on the curves: at most one for
 /// each curve, as far as feet are within a quarter of the diameter and three times the distance of the nearest one,
-/// and where the image has room outside the domain.
+/// and where the node is not far off a small bend, and the image has room outside the domain, to all sides.
 std::vector<MirrorImage> mirror_images(const CadFace& face, Vec2 x);
 
 }  // namespace quadrille
