@@ -13,6 +13,15 @@ std::vector<double> of_degree(int degree, int order, const double* orthogonal_co
   return b;
 }
 
+/// A linear function of degree `degree`, with these values at the vertices.
+std::vector<double> linear(int degree, double at0, double at1, double at2) {
+  std::vector<double> b;
+  b.reserve(num_bernstein(degree));
+  for (int k = 0; k <= degree; ++k)
+    for (int j = 0; j + k <= degree; ++j) b.push_back(at0 + (j * (at1 - at0) + k * (at2 - at0)) / degree);
+  return b;
+}
+
 int longest_side(const Cell& cell) {
   int longest = 0;
   double length = 0;
@@ -33,10 +42,19 @@ Cell element_cell(const FieldEvaluator& evaluator, int elem) {
   cell.elem = elem;
   cell.degree = std::max(order, map.order());
   cell.xi = {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}};
-  cell.components = {of_degree(cell.degree, map.order(), map.coefs_x().data()),
-                     of_degree(cell.degree, map.order(), map.coefs_y().data()),
-                     of_degree(cell.degree, order, &field.u[offset]), of_degree(cell.degree, order, &field.v[offset])};
-  for (int i = 0; i < cell.num_coefs(); ++i) cell.scale = std::max(cell.scale, norm(cell.value(i)));
+  if (map.order() == 1) {
+    const std::array<Vec2, 3> p{map.position(cell.xi[0]), map.position(cell.xi[1]), map.position(cell.xi[2])};
+    cell.components[0] = linear(cell.degree, p[0].x, p[1].x, p[2].x);
+    cell.components[1] = linear(cell.degree, p[0].y, p[1].y, p[2].y);
+  } else {
+    cell.components[0] = of_degree(cell.degree, map.order(), map.coefs_x().data());
+    cell.components[1] = of_degree(cell.degree, map.order(), map.coefs_y().data());
+  }
+  cell.components[2] = of_degree(cell.degree, order, &field.u[offset]);
+  cell.components[3] = of_degree(cell.degree, order, &field.v[offset]);
+  double scale2 = 0;
+  for (int i = 0; i < cell.num_coefs(); ++i) scale2 = std::max(scale2, norm2(cell.value(i)));
+  cell.scale = std::sqrt(scale2);
   return cell;
 }
 

@@ -37,14 +37,17 @@ void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, doub
   cell_ = &cell;
   margin_ = margin;
   centre_ = (cell.vertex(0) + cell.vertex(1) + cell.vertex(2)) / 3;
-  double radius2 = 0, size = 0, rounding = 0;
+  double radius2 = 0, size2 = 0, rounding = 0;
   values_.resize(cell.num_coefs());
   for (int i = 0; i < cell.num_coefs(); ++i) {
     values_[i] = cell.value(i);
     radius2 = std::max(radius2, norm2(cell.point(i) - centre_));
-    size = std::max(size, norm(values_[i]));
+    size2 = std::max(size2, norm2(values_[i]));
   }
   radius_ = std::sqrt(radius2);
+  double size = std::sqrt(size2);
+  Vec2 shift;
+  Mat2 slope;
   ranges_.clear();
   gradient_error_ = 0;
   for (const Lifting& lifting : liftings) {
@@ -52,19 +55,20 @@ void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, doub
     size += norm(lifting.jump);
     rounding += norm(lifting.jump) * (1 / std::max(to_apex, radius_) + 1 / std::max(to_pole, radius_));
     if (std::min(to_apex, to_pole) > 2 * radius_)
-      add_linearised(lifting);
+      add_linearised(lifting, shift, slope);
     else
       add_by_angles(lifting);
   }
+  for (int i = 0; i < cell.num_coefs(); ++i) values_[i] += shift + slope * (cell.point(i) - centre_);
   // A position is rounded to its distance from the origin: close to a corner that turns the lifting's angle.
   slack_ = 1e-14 * size + 1e-15 * cell.scale + 4e-16 * (norm(centre_) + radius_) * rounding;
 }
 
-void Enclosure::add_linearised(const Lifting& lifting) {
-  const double angle = lifting_angle(lifting, centre_);
-  const Vec2 gradient = lifting_gradient(lifting, centre_);
-  for (int i = 0; i < cell_->num_coefs(); ++i)
-    values_[i] += lifting.jump * (angle + dot(gradient, cell_->point(i) - centre_));
+void Enclosure::add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope) {
+  const Vec2 gradient = lifting_gradient(lifting, centre_), jump = lifting.jump;
+  shift += lifting_angle(lifting, centre_) * jump;
+  slope = {slope.xx + jump.x * gradient.x, slope.xy + jump.x * gradient.y, slope.yx + jump.y * gradient.x,
+           slope.yy + jump.y * gradient.y};
   const double near_apex = distance(lifting.apex, centre_) - radius_;
   const double near_pole = distance(lifting.pole, centre_) - radius_;
   const double bend = 1 / (near_apex * near_apex) + 1 / (near_pole * near_pole);
@@ -151,8 +155,9 @@ bool Enclosure::isolates(Mat2& inverse_jacobian, double& contraction) const {
 }
 
 double Enclosure::greatest_value() const {
-  double greatest = 0;
-  for (const Vec2 value : values_) greatest = std::max(greatest, norm(value));
+  double greatest2 = 0;
+  for (const Vec2 value : values_) greatest2 = std::max(greatest2, norm2(value));
+  double greatest = std::sqrt(greatest2);
   for (const Range& range : ranges_) greatest += norm(range.jump) * range.half_width;
   return greatest;
 }

@@ -36,7 +36,7 @@ class Enclosure {
     Vec2 jump;
     double half_width;  ///< of the angle's rest
   };
-  void add_linearised(const Lifting& lifting);
+  void add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope);  ///< linear parts go into shift and slope
   void add_by_angles(const Lifting& lifting);
   double support(Vec2 direction) const;
 

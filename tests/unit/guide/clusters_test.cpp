@@ -1,0 +1,89 @@
+#include "guide/clusters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "../support/square_field.hpp"
+#include "guide/cluster_centre.hpp"
+#include "guide/edge_jumps.hpp"
+
+namespace quadrille {
+namespace {
+
+using Complex = std::complex<double>;
+
+FoundZero zero(Vec2 x, int index) {
+  FoundZero result;
+  result.x = x;
+  result.index = index;
+  return result;
+}
+
+struct ClustersTest : testing::Test {
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 1, [](Vec2) { return Vec2{1, 0}; });
+  FieldEvaluator evaluator{field};
+};
+
+TEST_F(ClustersTest, hang_together_through_others) {
+  const std::vector<FoundZero> row{zero({0, 0}, 1), zero({0.1, 0}, -1), zero({0.2, 0}, 1), zero({0.5, 0}, 1)};
+  const Clustering found = find_clusters(evaluator, row, {}, {0.1, 1e-10});
+  ASSERT_EQ(found.clusters.size(), 1u);
+  EXPECT_EQ(found.clusters[0].members.size(), 3u);
+  EXPECT_EQ(found.clusters[0].index, 1);
+  EXPECT_NEAR(distance(found.clusters[0].centre, {0.1, 0}), 0, 1e-15);
+  EXPECT_NEAR(found.clusters[0].radius, 0.1, 1e-15);
+  ASSERT_EQ(found.simple.size(), 1u);
+  EXPECT_EQ(found.simple[0].x, (Vec2{0.5, 0}));
+}
+
+TEST_F(ClustersTest, do_not_reach_across_what_is_outside) {
+  EXPECT_TRUE(sees(evaluator, {-0.9, -0.9}, {0.9, 0.9}));
+  EXPECT_FALSE(sees(evaluator, {0.9, 0}, {1.3, 0}));
+}
+
+TEST_F(ClustersTest, the_error_of_the_field_makes_a_cluster_too) {
+  // z^2 - d^2: between the zeros |v| is at most d^2.
+  const double d = 0.02;
+  Field pair = interpolated_field(square_mesh({-1, -1}, 2, 2), 2, [&](Vec2 x) {
+    const Complex w = std::pow(Complex(x.x, x.y), 2) - d * d;
+    return Vec2{w.real(), w.imag()};
+  });
+  const std::vector<FoundZero> zeros{zero({-d, 0}, 1), zero({d, 0}, 1)};
+  for (const double error : {0.1 * d * d, d * d}) {
+    pair.elem_error.assign(pair.mesh.num_elems(), error);
+    const FieldEvaluator with_error(pair);
+    EXPECT_EQ(find_clusters(with_error, zeros, {}, {0, 1e-10}).clusters.size(), error < d * d ? 0u : 1u);
+  }
+}
+
+TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
+  const Vec2 at{0.1, -0.2};
+  const std::vector<std::pair<int, double>> cases{{2, 1e-6}, {3, 1e-8}, {4, 1e-10}, {-2, 1e-6}, {-3, 1e-8}};
+  for (const auto& [index, e] : cases) {
+    const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 5, [&](Vec2 x) {
+      const Complex z{x.x - at.x, x.y - at.y}, w = std::pow(z, std::abs(index)) * (1.0 + 0.3 * z) + e;
+      return Vec2{w.real(), index > 0 ? w.imag() : -w.imag()};
+    });
+    const auto centre = moment_centre(FieldEvaluator(field), at + Vec2{1e-3, 2e-3}, index, 0.01, 0.5);
+    ASSERT_TRUE(centre.has_value());
+    EXPECT_NEAR(distance(*centre, at), 0, 10 * e) << index;  // the zeros themselves are e^(1/n) away
+  }
+}
+
+TEST(EdgeJumps, bound_what_is_between_neighbours) {
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 1), 2, [](Vec2 x) { return Vec2{x.x, x.y}; });
+  EXPECT_TRUE(edge_jumps(FieldEvaluator(field)).empty());
+  field.method = "dg";
+  field.u[field.coef_offsets[1]] += std::sqrt(2.0) * 1e-6;  // a constant 1e-6
+  const auto jumps = edge_jumps(FieldEvaluator(field));
+  ASSERT_EQ(jumps.size(), 2u);
+  for (const auto& of_elem : jumps)
+    for (const double jump : of_elem) {
+      EXPECT_GE(jump, 1e-6);  // every edge meets an end of the diagonal
+      EXPECT_LE(jump, 4e-6);
+    }
+}
+
+}  // namespace
+}  // namespace quadrille
