@@ -222,9 +222,9 @@ void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::v
   report.set("placement.symmetries", placement.num_symmetries());
   // The gradient's own noise is not the user's business as long as nobody sees it in the nodes.
   if (!minimum.is_converged && !(minimum.last_step > 0 && minimum.last_step <= 1e-8))
-    report.warn("W-PLACE-001", fmt::format("the least energy was not found after {} steps: nodes still move by {:.1e} "
-                                           "of the diameter",
-                                           minimum.iterations, minimum.last_step));
+    report.warn("W-PLACE-001",
+                fmt::format("the least energy was not found in {} steps; the nodes are on their way to it",
+                            minimum.iterations));
   warn_of_pairs(face, placement, report);
 
   const CriticalPoints before = points;
