@@ -7,9 +7,11 @@
 // delta (guide/wall_distance.hpp) is a smooth distance to the boundary. On a disc four nodes come to rest at the radius
 // r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3: 0.850 for w = 0, 0.691 for w = 1.4, 0.640 for w = 2.
 //
-// The default weight is the one that suits most blocks (tests/benchmarks/placement): nodes are as far from the boundary
-// as the field's own zeros, or further where they hug a strongly curved one, a disc's ring blocks are within 2 % of
-// their best shape, and pairs of opposite index still keep their distance, which they lose above it.
+// The default weight suits most blocks of tests/benchmarks/placement: nodes within a tenth of the diameter of the
+// boundary stay as far from it as the field's own zeros (within 4 %) or move further off, most where they hug a
+// strongly curved one; the worst angles of blocks get better on every shape; greater weights push pairs of opposite
+// index together. Lines that met head-on between the field's own zeros may miss each other then, which costs blocks: so
+// the zeros stay where they are unless asked for.
 //
 // Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
 // pairs are kept apart (guide/node_guards.hpp) and reported.
