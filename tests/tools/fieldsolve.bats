@@ -2,7 +2,10 @@
 load common
 
 setup_file() {
-  cad2tri "$DATA/half_disc.step" -o "$BATS_FILE_TMPDIR/half_disc.tri.h5"
+  cd "$BATS_FILE_TMPDIR" || return 1
+  cad2tri "$DATA/half_disc.step" -o half_disc.tri.h5
+  fieldsolve half_disc.tri.h5 | padapt -o half_disc.field.h5
+  critpoints half_disc.field.h5 -o half_disc.crit.json
 }
 
 setup() {
@@ -123,4 +126,118 @@ setup() {
       older) assert_regex "$stderr" 'version 0\.9 is from an older program' ;;
     esac
   done
+}
+
+# nodes_of: the half disc's own nodes, edited by a jq program, as nodes.json.
+nodes_of() {
+  jq "$1" "$BATS_FILE_TMPDIR/half_disc.crit.json" > nodes.json
+}
+
+@test "--nodes solves for nodes that were moved by hand" {
+  nodes_of '.critical_points[0].position[0] += 0.1'
+  run fieldsolve --nodes nodes.json half_disc.tri.h5 -o a.phase.h5 --report report.json
+  assert_success
+  assert_output ''
+  stagecheck a.phase.h5
+  run -0 jq -c '[.phase.num_nodes, .phase.node_valences, .phase.corner_valences, .phase.twists, .phase.periods]' report.json
+  assert_output '[2,[3,3],[1,1],[],[]]'
+  run -0 --separate-stderr fieldsolve -v --nodes nodes.json half_disc.tri.h5 -o b.phase.h5
+  assert_regex "$stderr" '2 nodes of valence 3 3; corners of valence 1 1'
+  cmp a.phase.h5 b.phase.h5
+  fieldsolve --nodes - half_disc.tri.h5 < nodes.json > c.phase.h5
+  cmp a.phase.h5 c.phase.h5
+}
+
+@test "--nodes: provenance has the digests of both inputs" {
+  nodes_of .
+  fieldsolve --nodes nodes.json half_disc.tri.h5 -o a.phase.h5
+  for input in nodes.json half_disc.tri.h5; do
+    h5dump -a /provenance a.phase.h5 | grep -q "$(sha256sum < "$input" | cut -d ' ' -f 1)"
+  done
+}
+
+@test "--nodes: with orders of somebody else, and adapted" {
+  nodes_of '.critical_points[0].position = [-0.4, 0.5]'
+  fieldsolve --nodes nodes.json --field-order 5 half_disc.tri.h5 -o a.phase.h5 --report report.json
+  assert_equal "$(jq .solve.field_order report.json)" 5
+  padapt a.phase.h5 -o a.field.h5 --report report.json
+  stagecheck a.field.h5
+  run -0 jq -e '.adapt.max_error < 1e-6 and .warnings == []' report.json
+  fieldsolve --nodes nodes.json --orders a.field.h5 half_disc.tri.h5 -o b.phase.h5
+  h5diff a.field.h5 b.phase.h5 /elem_order
+  h5diff a.field.h5 b.phase.h5 /phase/s
+}
+
+@test "--nodes: twists and periods of holes are reported, offsets obeyed" {
+  cad2tri "$DATA/annulus.step" -o r.tri.h5
+  fieldsolve r.tri.h5 | padapt | critpoints - -o r.crit.json
+  for offset in 0 1; do
+    jq ".form = \"phase\" | .twist_offsets = [$offset]" r.crit.json > nodes.json
+    fieldsolve --nodes nodes.json r.tri.h5 -o $offset.phase.h5 --report $offset.json
+  done
+  run -0 jq -n --slurpfile a 0.json --slurpfile b 1.json '$b[0].phase.twists[0] - $a[0].phase.twists[0]'
+  assert_output 1
+  run -0 jq -e '.phase.twist_energy < 1e-9 and (.phase.periods[0] | fabs) < 1e-6' 0.json
+  run -0 jq -e '.phase.twist_energy > 1' 1.json
+  jq '.form = "phase" | .twist_offsets = [0, 0]' r.crit.json > nodes.json
+  run --separate-stderr fieldsolve --nodes nodes.json r.tri.h5 -o c.phase.h5
+  assert_equal "$status" 3
+  assert_regex "$stderr" '^fieldsolve: nodes.json: CRT-R14: twist_offsets has 2 entries for 1 holes'
+  assert_file_not_exists c.phase.h5
+}
+
+# refused PROGRAM MESSAGE: nodes edited by a jq program are refused with 3 and one line that says this.
+refused() {
+  nodes_of "$1"
+  run --separate-stderr fieldsolve --nodes nodes.json half_disc.tri.h5 -o a.phase.h5
+  assert_equal "$status" 3
+  assert_equal "${#stderr_lines[@]}" 1
+  assert_regex "$stderr" "^fieldsolve: nodes.json: .*$2"
+  assert_file_not_exists a.phase.h5
+}
+
+@test "--nodes: an impossible set is refused with the arithmetic" {
+  refused 'del(.critical_points[1])' 'index_sum.value is 4, but the lists add up to 3: 4 - V over 1 critical points 1'
+  refused 'del(.critical_points[1]) | .index_sum.value = 3' 'the index sum is 3, not 4'
+  refused 'del(.critical_points[1], .corners[0]) | .index_sum = {value: 0, expected: 0}' 'add up'
+}
+
+@test "--nodes: nodes outside the face are refused with their place" {
+  refused '.critical_points[0].position = [0.2, -0.3]' '\(0.2, -0.3\) is outside the face'
+  refused '.critical_points[0].position = [0.2, 0]' 'near \(.*\) is on the boundary'
+}
+
+@test "--nodes: corners that no block fits are refused by name and angle" {
+  # Valence 0 is degenerate and can be had; it takes the place of a node.
+  nodes_of '.corners[0].valence = 0 | del(.critical_points[0])'
+  fieldsolve --nodes nodes.json half_disc.tri.h5 -o b.phase.h5 --report report.json
+  assert_equal "$(jq -c .phase.corner_valences report.json)" '[0,1]'
+  cad2tri "$DATA/trapezoid.step" -o t.tri.h5
+  fieldsolve t.tri.h5 | padapt | critpoints - -o t.crit.json
+  sharpest=$(jq '[.corners[].angle_degrees] | index(min)' t.crit.json)
+  jq ".corners[$sharpest].valence += 3 | .critical_points += [range(3) | {position: [0.5 + 0.1 * ., 0.5], valence: 3}]" \
+    t.crit.json > nodes.json
+  run --separate-stderr fieldsolve --nodes nodes.json t.tri.h5 -o c.phase.h5
+  assert_equal "$status" 3
+  assert_regex "$stderr" '^fieldsolve: nodes.json: the corner of curves [0-9] and [0-9] at \(.*\) cannot have valence [34]: its angle is [0-9.]+ degrees'
+}
+
+@test "--nodes: a face other than the mesh's is refused, and so are discontinuous elements" {
+  nodes_of .
+  cad2tri "$DATA/square.step" -o s.tri.h5
+  run --separate-stderr fieldsolve --nodes nodes.json s.tri.h5 -o a.phase.h5
+  assert_equal "$status" 3
+  assert_regex "$stderr" '^fieldsolve: nodes.json: CRT-R10'
+  run --separate-stderr fieldsolve --nodes nodes.json --method dg half_disc.tri.h5 -o a.phase.h5
+  assert_equal "$status" 2
+  assert_file_not_exists a.phase.h5
+}
+
+@test "where the field vanishes on curves it is solved all the same, with a warning" {
+  cad2tri "$DATA/octagon.step" -o o.tri.h5
+  run --separate-stderr fieldsolve o.tri.h5 -o o.solve.h5 --report report.json
+  assert_success
+  assert_regex "$stderr" 'W-SOLVE-001: .*vanishes on curves'
+  assert_equal "$(jq -r '.warnings[].code' report.json)" W-SOLVE-001
+  stagecheck o.solve.h5
 }

@@ -123,3 +123,15 @@ setup() {
   h5dump -d /adapt_steps/elem_order_offsets a.field.h5 | grep -q "(0): 0, $m, $((2 * m)), $((3 * m))"
   h5dump -H -d /elem_error a.field.h5 | grep -q "SIMPLE { ( $m )"
 }
+
+@test "a phase field is adapted for its own nodes" {
+  critpoints half_disc.solve.h5 | jq '.critical_points[0].position[0] += 0.1' > nodes.json
+  cad2tri "$DATA/half_disc.step" | fieldsolve --field-order 6 --nodes nodes.json -o a.phase.h5
+  padapt a.phase.h5 -o b.phase.h5 --report report.json
+  stagecheck b.phase.h5
+  run -0 jq -e '.adapt.steps > 1 and .adapt.max_sensor <= 1e-18 and .warnings == []' report.json
+  h5diff a.phase.h5 b.phase.h5 /phase/asked
+  padapt b.phase.h5 -o c.phase.h5 --report report.json # finds nothing to do
+  assert_equal "$(jq '.adapt.cpu_seconds_by_step | length' report.json)" 0
+  h5diff b.phase.h5 c.phase.h5 /phase
+}
