@@ -9,9 +9,9 @@
 //
 // The default weight suits most blocks of tests/benchmarks/placement: nodes within a tenth of the diameter of the
 // boundary stay as far from it as the field's own zeros (within 4 %) or move further off, most where they hug a
-// strongly curved one; the worst angles of blocks get better on every shape; greater weights push pairs of opposite
-// index together. Lines that met head-on between the field's own zeros may miss each other then, which costs blocks: so
-// the zeros stay where they are unless asked for.
+// strongly curved one; the worst angles of blocks are no worse on any shape there; greater weights push pairs of
+// opposite index together. Lines that met head-on between the field's own zeros may miss each other then, which costs
+// blocks: so the zeros stay where they are unless asked for.
 //
 // Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
 // pairs are kept apart (guide/node_guards.hpp) and reported.
