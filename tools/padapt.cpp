@@ -36,12 +36,14 @@ int main(int argc, char** argv) {
       "sensor), raise the order by one where the sensor exceeds --raise-above, lower it by one where it is below "
       "--lower-below, solve again; until no order changes. An order once raised is not lowered again. The sensor is a "
       "squared ratio: 1e-20 is a relative tail of 1e-10. A field that was adapted before is adapted on, with its "
-      "history, so that --max-steps 1 goes one step at a time.";
+      "history, so that --max-steps 1 goes one step at a time. A field for given nodes (x.phase.h5) is solved for them "
+      "again; "
+      "its sensor sees its one unknown, the phase in radians, whatever --sensor says.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
                    "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
                    "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
   tool.options = [&](Options& o) {
-    o.input("SOLVE", input, "field (x.solve.h5)");
+    o.input("SOLVE", input, "field (x.solve.h5, x.phase.h5)");
     o.output(output, "adapted field to write (x.field.h5)");
     o.number("--raise-above", options.raise_above, 0, 1, "squared ratio",
              "raise the order where the sensor exceeds it");

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
 #include "field/evaluate.hpp"
+#include "galerkin/phase_energy.hpp"
 #include "spectral/tri_nodes.hpp"
 #include "triangulate/triangulate.hpp"
 
@@ -259,6 +260,30 @@ TEST(SolvePhase, TurnsWithTheFace) {
   });
   EXPECT_LT(worst, 1e-8);
   EXPECT_NEAR(there.solution.periods.at(0), here.solution.periods.at(0), 1e-8);
+}
+
+TEST(SolvePhase, ASolverReusedGivesTheSameBits) {
+  Report report;
+  const CadFace face =
+      make_face({circle({0, 0}, 1), hole({-0.4, 0}, 0.1), hole({0.4, 0.1}, 0.15), hole({0, 0.5}, 0.1)});
+  const TriMesh mesh = triangulate(face, {}, report);
+  const std::vector<int> low(mesh.num_elems(), 5), high(mesh.num_elems(), 9);
+  PhaseNodes first, second;
+  for (int k = 0; k < 8; ++k) {
+    first.nodes.push_back({0.8 * unit(k + 0.1), 5});
+    second.nodes.push_back({0.75 * unit(k + 0.3), 5});
+  }
+  PhaseSolver solver(mesh, low, 2);
+  const Field a = solver.solve(first, {}, report), b = solver.solve(second, {{1, 0, -1}}, report);
+  solver.set_orders(high);
+  const Field c = solver.solve(first, {}, report);
+  EXPECT_EQ(a.phase.s, solve_phase(mesh, low, first, report).phase.s);
+  EXPECT_EQ(b.phase.s, solve_phase(mesh, low, second, {{1, 0, -1}}, report).phase.s);
+  EXPECT_EQ(c.phase.s, solve_phase(mesh, high, first, report).phase.s);
+  EXPECT_EQ(c.phase.twists, a.phase.twists);
+  EXPECT_GT(b.phase.twist_energy, 1);
+  const PhaseEnergy energy = phase_energy_function(c)(first), same = solver.energy(first);
+  EXPECT_EQ(energy.value, same.value);
 }
 
 TEST(SolvePhase, RefusesOffsetsThatDoNotFitTheHoles) {

@@ -1,0 +1,51 @@
+#include "galerkin/phase_request.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../triangulate/faces.hpp"
+#include "base/error.hpp"
+
+namespace quadrille {
+namespace {
+
+using namespace testing_faces;
+
+std::string refusal(const CadFace& face, const PhaseNodes& asked) {
+  try {
+    require_possible(face, asked, "x.crit.json");
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PhaseRequest, TakesWhatIsPossible) {
+  EXPECT_EQ(refusal(square(), {{}, {{0, 1}, {1, 1}, {2, 1}, {3, 1}}, {}}), "");
+  EXPECT_EQ(refusal(square(), {{{{0.5, 0.5}, 5}}, {{0, 0}, {1, 1}, {2, 1}, {3, 1}}, {}}), "");  // a degenerate corner
+}
+
+TEST(PhaseRequest, RefusesBlocksTooFlatOrTooSharpByTheirCorner) {
+  EXPECT_EQ(
+      refusal(square(),
+              {{{{0.5, 0.5}, 3}, {{0.6, 0.5}, 3}, {{0.4, 0.5}, 3}, {{0.4, 0.6}, 3}, {{0.4, 0.7}, 3}, {{0.5, 0.7}, 3}},
+               {{0, 7}, {1, 1}, {2, 1}, {3, 1}},
+               {}}),
+      "x.crit.json: the corner of curves 3 and 0 at (0, 0) cannot have valence 7: its angle is 90 degrees, and "
+      "blocks need 15 to 165 degrees");
+  EXPECT_NE(refusal(l_shape(), {{}, {{3, 1}}, {}}).find("its angle is 270 degrees"), std::string::npos);
+  EXPECT_NE(refusal(square(), {{}, {}, {{1, 0.5, 1}}}).find("the boundary node on curve 1 at (1, 0.5)"),
+            std::string::npos);
+}
+
+TEST(PhaseRequest, RefusesWithTheArithmeticOfTheIndexSum) {
+  EXPECT_NE(refusal(square(), {{{{0.5, 0.5}, 5}}, {{0, 1}, {1, 1}, {2, 1}, {3, 1}}, {}}).find("together 3"),
+            std::string::npos);
+}
+
+TEST(PhaseRequest, RefusesNodesOutside) {
+  EXPECT_NE(refusal(square(), {{{{1.5, 0.5}, 5}}, {{0, 0}, {1, 1}, {2, 1}, {3, 1}}, {}}).find("(1.5, 0.5) is outside"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace quadrille
