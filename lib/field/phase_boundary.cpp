@@ -24,6 +24,9 @@ constexpr double jump_tol = 1e-10;
 constexpr double closure_tol = 1e-7;
 // Parameters this near (as a share of the curve's interval) are the same point of the curve.
 constexpr double parameter_tol = 1e-12;
+// Nodes nearer to a joint or to each other than this are at one place: the angle under which one sees the other from
+// nearer is rounding error.
+constexpr double same_place_tol = 1e-8;
 // A node that cannot be told from the boundary at this share of the diameter lies on it.
 constexpr double node_tol = 1e-9;
 // Angles from a piece's references stay below acos(0.1) < pi / 2.
@@ -72,8 +75,9 @@ int joint_of(const CadFace& face, const BoundaryNode& node) {
   const double tol = parameter_tol * range_of(curve);
   if (!(node.t >= curve.begin() - tol && node.t <= curve.end() + tol))
     throw ComputeError(fmt::format("a boundary node at parameter {} is not on curve {}", node.t, node.curve));
-  if (node.t <= curve.begin() + tol) return node.curve;
-  return node.t >= curve.end() - tol ? face.next_in_loop(node.curve) : -1;
+  const double near = same_place_tol * range_of(curve);
+  if (node.t <= curve.begin() + near) return node.curve;
+  return node.t >= curve.end() - near ? face.next_in_loop(node.curve) : -1;
 }
 
 std::vector<int> joint_valences(const CadFace& face, const PhaseNodes& asked) {
@@ -167,7 +171,7 @@ void PhaseBoundary::make_apexes(const PhaseNodes& asked) {
     apexes_.push_back({c, curve.begin(), face_->joints[c].interior_angle, valences[c], -1, 0});
     make_corner_angle(apexes_.back(), tangent(before, before.end(), true), tangent(curve, curve.begin()));
     for (; next != inner.end() && next->curve == c; ++next) {
-      if (next->t - apexes_.back().t <= parameter_tol * range_of(curve))
+      if (next->t - apexes_.back().t <= same_place_tol * range_of(curve))
         throw ComputeError(fmt::format("two boundary nodes are at the same place of curve {}", c));
       apexes_.push_back({c, next->t, pi, next->valence, -1, 0});
       make_corner_angle(apexes_.back(), tangent(curve, next->t, true), tangent(curve, next->t));
