@@ -110,7 +110,7 @@ class ClusterFinder {
 
   /// Criterion (a) but for the distance.
   bool stays_small(const Part& a, const Part& b) const {
-    const double small = std::max(10 * criterion_.noise, 4 * std::max(error(a.elem), error(b.elem)));
+    const double small = std::max(10 * criterion_.noise, 1.5 * std::max(error(a.elem), error(b.elem)));
     for (const double share : {0.25, 0.5, 0.75}) {
       Vec2 value;
       if (!evaluator_->value_at(a.centre + share * (b.centre - a.centre), value) || norm(value) > small) return false;

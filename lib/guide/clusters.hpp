@@ -4,7 +4,7 @@
 //
 // Two zeros are of one cluster when
 //   (a) |v| stays within the field's own error between them, so that they cannot be told from a multiple zero: at 1/4,
-//       1/2 and 3/4 of the way it is at most max(10 noise, 4 e), e the error estimate of their elements (zeros of z^n
+//       1/2 and 3/4 of the way it is at most max(10 noise, 1.5 e), e the error estimate of their elements (zeros of z^n
 //       split by a constant e have 5/4 e there), and they are no farther apart than a twentieth of the diameter; or
 //   (b) they are no farther apart than `distance`.
 // In both cases the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. What hangs

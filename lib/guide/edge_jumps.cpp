@@ -37,7 +37,7 @@ double jump(const FieldEvaluator& evaluator, int elem, int edge) {
 
 }  // namespace
 
-std::vector<std::array<double, 3>> edge_jumps(const FieldEvaluator& evaluator) {
+std::vector<Jumps> edge_jumps(const FieldEvaluator& evaluator) {
   const TriMesh& mesh = evaluator.field().mesh;
   const TriTopology& topology = evaluator.topology();
   if (evaluator.field().method == "cg") return {};
@@ -49,12 +49,11 @@ std::vector<std::array<double, 3>> edge_jumps(const FieldEvaluator& evaluator) {
       by_edge[edge] = jump(evaluator, e, k);
       for (const int vertex : topology.edge2vertices[edge]) by_vertex[vertex] += by_edge[edge];
     }
-  std::vector<std::array<double, 3>> result(mesh.num_elems());
+  std::vector<Jumps> result(mesh.num_elems());
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int k = 0; k < 3; ++k) {
-      const int edge = topology.elem2edges[e][k];
-      const auto [a, b] = topology.edge2vertices[edge];
-      result[e][k] = std::max({by_edge[edge], by_vertex[a], by_vertex[b]});
+      result[e].edge[k] = by_edge[topology.elem2edges[e][k]];
+      result[e].vertex[k] = by_vertex[mesh.elem2vertices[e][k]] / 2;
     }
   return result;
 }

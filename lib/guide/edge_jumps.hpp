@@ -14,9 +14,14 @@
 
 namespace quadrille {
 
-/// For each element and local edge: no less than the jump across the edge and, since a zero may pass a vertex, than
-/// the sum of the jumps across all edges that meet in one of its ends. Sampled at P + 2 points of an edge and doubled.
-/// Empty for continuous fields (method "cg").
-std::vector<std::array<double, 3>> edge_jumps(const FieldEvaluator& evaluator);
+/// Of one element.
+struct Jumps {
+  std::array<double, 3> edge{};    ///< across local edge k, 0 on the boundary
+  std::array<double, 3> vertex{};  ///< at local vertex k: the sum over half the edges that meet there
+};
+
+/// The jumps of each element. Those of edges are the greatest at P + 2 points, doubled. Empty for continuous fields
+/// (method "cg").
+std::vector<Jumps> edge_jumps(const FieldEvaluator& evaluator);
 
 }  // namespace quadrille

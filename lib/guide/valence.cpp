@@ -34,14 +34,21 @@ double enough(const FieldEvaluator& evaluator, const Joint& joint, const Disc& d
   return std::max({10 * noise, from_tie, elem < 0 ? 0 : 3 * errors[elem]});
 }
 
+struct ArcValence {
+  int valence = 0;
+  double trust = 0;  ///< |v| on the arc by what it must exceed
+};
+
 /// Quads in the sector, from the turn of the phase on an arc from the outgoing to the incoming side.
-std::optional<int> valence_by_arc(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc, double noise) {
+std::optional<ArcValence> valence_by_arc(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc,
+                                         double noise) {
   constexpr double margin = 0.05;  // curved sides: what lies outside the domain is left out
   const auto turn = phase_turn(evaluator, disc.centre, disc.radius, joint.tangent_out - margin,
                                joint.tangent_out + joint.interior_angle + margin);
-  if (!turn || turn->least_value < enough(evaluator, joint, disc, noise)) return {};
+  if (!turn || turn->least_value < 10 * noise) return {};
   // The cross at both ends lies along the sides: the sector holds the quarter turns between them less the field's own.
-  return static_cast<int>(std::lround((4 * joint.interior_angle - turn->turn) / (2 * pi)));
+  return ArcValence{static_cast<int>(std::lround((4 * joint.interior_angle - turn->turn) / (2 * pi))),
+                    turn->least_value / enough(evaluator, joint, disc, noise)};
 }
 
 /// The valence at a tie and the disc of the arc that tells it. At a tie |v| grows like (r / diameter)^(pi / omega): the
@@ -50,11 +57,15 @@ std::optional<int> valence_at_tie(const FieldEvaluator& evaluator, int joint, do
   const CadFace& face = evaluator.field().mesh.face;
   const Joint& corner = face.joints[joint];
   const double greatest = 0.2 * room(face, joint);
-  disc.centre = corner.position;
   const double least = std::max(1e-9, std::pow(10.0, -8 * corner.interior_angle / pi));
-  for (disc.radius = least * face.diameter; disc.radius <= greatest; disc.radius *= 2)
-    if (const auto valence = valence_by_arc(evaluator, corner, disc, noise)) return valence;
-  return {};
+  ArcValence best;
+  for (double radius = least * face.diameter; radius <= greatest && best.trust < 1; radius *= 2) {
+    const Disc arc{corner.position, radius};
+    const auto here = valence_by_arc(evaluator, corner, arc, noise);
+    if (here && here->trust > best.trust) best = *here, disc = arc;
+  }
+  if (best.trust == 0) return {};
+  return best.valence;
 }
 
 [[noreturn]] void refuse(const Joint& joint, Vec2 origin) {

@@ -25,8 +25,9 @@ struct CornerValences {
 
 /// All corners of the layout. Within 1e-6 radians of a tie V counts the quarter turns of the cross along an arc about
 /// the corner (source "field"), the smallest on which |v| stands out of its errors: more than max(10 noise, 3 e), e the
-/// error estimate there, and than 20 times the distance from the tie, so that it is not that which decides. Throws
-/// ComputeError when no arc within a fifth of the corner's curves does.
+/// error estimate there, and than 20 times the distance from the tie, so that it is not that which decides. Where no
+/// arc within a fifth of the corner's curves does, the one that comes nearest to it. Throws ComputeError where none
+/// exceeds 10 noise.
 CornerValences corner_valences(const FieldEvaluator& evaluator, double noise = field_noise);
 
 }  // namespace quadrille

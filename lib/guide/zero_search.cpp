@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "guide/cell_zero.hpp"
-#include "guide/edge_jumps.hpp"
 
 namespace quadrille {
 namespace {
@@ -15,10 +14,15 @@ constexpr long long max_cells = 50000;  // in one element; a simple zero needs s
 std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
 
 /// Whether some vertex of the cell lies on local edge k of its element: halving is exact.
-bool touches(const Cell& cell, int k) {
+bool touches_edge(const Cell& cell, int k) {
   return std::any_of(cell.xi.begin(), cell.xi.end(), [k](Vec2 xi) {
     return k == 0 ? xi.y == -1 : k == 1 ? xi.x + xi.y == 0 : xi.x == -1;
   });
+}
+
+bool touches_vertex(const Cell& cell, int k) {
+  const Vec2 vertex = k == 0 ? Vec2{-1, -1} : k == 1 ? Vec2{1, -1} : Vec2{-1, 1};
+  return std::find(cell.xi.begin(), cell.xi.end(), vertex) != cell.xi.end();
 }
 
 }  // namespace
@@ -44,8 +48,10 @@ bool ZeroSearch::is_ignored() const {
 double ZeroSearch::margin(const Cell& cell) const {
   double greatest = 0;
   if (jumps_.empty()) return greatest;
-  for (int k = 0; k < 3; ++k)
-    if (touches(cell, k)) greatest = std::max(greatest, jumps_[cell.elem][k]);
+  for (int k = 0; k < 3; ++k) {
+    if (touches_edge(cell, k)) greatest = std::max(greatest, jumps_[cell.elem].edge[k]);
+    if (touches_vertex(cell, k)) greatest = std::max(greatest, jumps_[cell.elem].vertex[k]);
+  }
   return greatest;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "guide/cell.hpp"
+#include "guide/edge_jumps.hpp"
 #include "guide/enclosure.hpp"
 
 namespace quadrille {
@@ -25,7 +26,7 @@ struct FoundZero {
   std::array<Vec2, 3> cell{};  ///< that cell's vertices in the plane
 };
 
-/// A cell that could be neither excluded nor isolated.
+/// A cell that could be neither excluded nor isolated: |v| in it is below the noise, or below the jump to a neighbour.
 struct OpenCell {
   int elem = 0;
   Vec2 centre;
@@ -64,8 +65,8 @@ class ZeroSearch {
   const FieldEvaluator* evaluator_;
   std::vector<Disc> ignored_;
   double noise_;
-  std::vector<std::array<double, 3>> jumps_;  ///< of guide/edge_jumps
-  std::vector<std::array<Cell, 2>> halves_;   ///< by depth: storage of the recursion
+  std::vector<Jumps> jumps_;
+  std::vector<std::array<Cell, 2>> halves_;  ///< by depth: storage of the recursion
   Enclosure enclosure_;
   long long budget_ = 1;  ///< cells left for this element
   std::vector<FoundZero> zeros_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <complex>
 
 #include "../support/square_field.hpp"
@@ -78,11 +79,13 @@ TEST(EdgeJumps, bound_what_is_between_neighbours) {
   field.u[field.coef_offsets[1]] += std::sqrt(2.0) * 1e-6;  // a constant 1e-6
   const auto jumps = edge_jumps(FieldEvaluator(field));
   ASSERT_EQ(jumps.size(), 2u);
-  for (const auto& of_elem : jumps)
-    for (const double jump : of_elem) {
-      EXPECT_GE(jump, 1e-6);  // every edge meets an end of the diagonal
-      EXPECT_LE(jump, 4e-6);
-    }
+  for (const Jumps& of_elem : jumps) {
+    EXPECT_EQ(std::count(of_elem.edge.begin(), of_elem.edge.end(), 0.0), 2);  // all but the diagonal are boundary
+    const double diagonal = *std::max_element(of_elem.edge.begin(), of_elem.edge.end());
+    EXPECT_NEAR(diagonal, 2e-6, 1e-12);
+    EXPECT_NEAR(*std::max_element(of_elem.vertex.begin(), of_elem.vertex.end()), 1e-6, 1e-12);
+    EXPECT_EQ(*std::min_element(of_elem.vertex.begin(), of_elem.vertex.end()), 0);
+  }
 }
 
 }  // namespace
