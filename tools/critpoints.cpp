@@ -26,6 +26,7 @@ struct NodeOptions {
   int max_valence = 6;
   std::vector<std::string> corner_valences;
   double feature_size = 0;
+  std::string degenerate = "divide";
   std::string place = "keep";
   PlacementOptions placement;
 
@@ -45,6 +46,8 @@ void declare(Options& o, NodeOptions& options) {
   o.integer("--max-valence", options.max_valence, 5, 12, "clusters that ask for a node of a greater one are split");
   o.texts("--corner-valence", options.corner_valences, "A:B=V",
           "V blocks at the corner where the boundary curves A and B meet");
+  o.choice("--degenerate", options.degenerate, {"divide", "keep"},
+           "corners too sharp for a block: midpoint division by a node of valence 3, or none, and no layout");
   o.number("--feature-size", options.feature_size, 0, 1e300, "file units",
            "nodes that fillets and holes smaller than this force go onto the boundary or away from it, or cancel; 0: "
            "they stay");
@@ -119,6 +122,7 @@ int main(int argc, char** argv) {
     s.begin_phase("resolve");
     const CadFace& face = field.mesh.face;
     override_corners(face, overrides, points);
+    if (options.degenerate == "divide") divide_degenerate_corners(face, points);
     resolve_features(face, options.feature_size, points);
     require_index_sum(points);
     s.begin_phase("place");

@@ -6,6 +6,7 @@
 //   line_field_points      instead of it where the data lie on one line
 //   resolve_clusters       clusters become nodes
 //   override_corners       valences asked for
+//   divide_degenerate_corners
 //   resolve_features       --feature-size
 //   place_nodes            --place
 //
@@ -55,6 +56,12 @@ CriticalPoints line_field_points(const CadFace& face, int max_valence);
 /// there. Nodes get the source "corner", each corner a change of that kind. No elements are set.
 /// Throws UsageError where the curves meet in no corner, the valence is not admissible or one corner gets two.
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points);
+
+/// Midpoint division (paper; method.md §6): corners of valence 0 and at least 15 degrees get valence 1 and a node of
+/// valence 3 on their bisector, at a quarter of the room there or half the shorter side. Two of its lines meet the
+/// corner's sides at right angles, the third runs away from the corner. Sharper corners stay degenerate. Nodes and
+/// corners get the source "divide", each corner a change of that kind.
+void divide_degenerate_corners(const CadFace& face, CriticalPoints& points);
 
 /// Small fillets and holes (method.md §5): nodes of valence 5 that features below `size` force go onto the boundary,
 /// those of valence 3 at convex walls inward to at least `size`, pairs cancel. size = 0: nothing. What a feature is and

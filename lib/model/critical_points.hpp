@@ -58,7 +58,7 @@ struct NodeMark {
 
 /// One thing done to the field's own zeros and valences, and why. The index sum of `before` and `after` is the same.
 struct NodeChange {
-  std::string kind;    ///< "cluster", "cancel", "absorb", "corner", "line", "feature", "place"
+  std::string kind;    ///< "cluster", "cancel", "absorb", "corner", "line", "divide", "feature", "place"
   std::string reason;  ///< a sentence for people
   std::vector<NodeMark> before, after;
 };

@@ -118,10 +118,12 @@ std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& po
   for (const Corner& c : points.corners) {
     const Vec2 place = c.position + face.origin;
     if (c.valence <= 0)
-      throw ComputeError(
-          fmt::format("degenerate corner of {:.1f} degrees at ({:.6g}, {:.6g}) needs midpoint division, "
-                      "which this version doesn't do",
-                      c.angle_degrees, place.x, place.y));
+      throw ComputeError(fmt::format(
+          "the corner of {:.1f} degrees at ({:.6g}, {:.6g}) has valence 0 and leaves a block of three sides: "
+          "{}",
+          c.angle_degrees, place.x, place.y,
+          c.angle_degrees < 15 ? "below 15 degrees there is no good block"
+                               : "critpoints --degenerate divide makes three of four sides of it"));
     nodes.push_back({face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint});
   }
   for (const IrregularBoundaryPoint& b : points.boundary_nodes) nodes.push_back(boundary_node(face, b));

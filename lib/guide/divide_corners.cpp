@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "guide/node_ring.hpp"
+#include "guide/resolve.hpp"
+#include "guide/room.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double share_of_room = 0.25, share_of_side = 0.5;
+
+/// How far a straight line from the corner to the other end of a side is.
+double side_length(const CadFace& face, int curve, bool is_outgoing) {
+  const Nurbs& c = face.curves[curve];
+  return distance(c.poles.front(), c.poles.back()) > 0
+             ? distance(c.poles.front(), c.poles.back())
+             : distance(point(c, is_outgoing ? c.begin() : c.end()), point(c, 0.5 * (c.begin() + c.end())));
+}
+
+Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::vector<CriticalPoint>& nodes) {
+  const Joint& joint = face.joints[corner.joint];
+  const Vec2 bisector = unit(joint.tangent_out + joint.interior_angle / 2);
+  const double off = 1e-6 * face.diameter;  // off the corner itself
+  const double sides = std::min(side_length(face, corner.curves[0], false), side_length(face, corner.curves[1], true));
+  double radius =
+      std::min(share_of_room * room_along(face, joint.position + off * bisector, bisector), share_of_side * sides);
+  for (const CriticalPoint& p : nodes) radius = std::min(radius, 0.5 * distance(p.position, joint.position));
+  return joint.position + radius * bisector;
+}
+
+}  // namespace
+
+void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
+  const std::vector<CriticalPoint> others = points.critical_points;
+  for (Corner& corner : points.corners) {
+    if (corner.valence != 0 || !is_admissible_valence(corner.angle_degrees, 1)) continue;
+    if (points.form == "harmonic" && points.zeros.empty()) points.zeros = others;
+    const CriticalPoint node = made_node(centre_of_division(face, corner, others), 1, "divide");
+    const Vec2 x = corner.position + face.origin;
+    points.changes.push_back(
+        {"divide",
+         fmt::format("midpoint division: {:.6g} degrees at ({:.6g}, {:.6g}) leave no block its right angle, so that a "
+                     "block of three sides would lie there; a node of valence 3 makes three of four sides of it",
+                     corner.angle_degrees, x.x, x.y),
+         {{corner.position, 0, "corner"}},
+         {{corner.position, 1, "corner"}, {node.position, node.valence, "inside"}}});
+    points.critical_points.push_back(node);
+    corner.valence = 1;
+    corner.source = "divide";
+    points.form = "phase";
+  }
+}
+
+}  // namespace quadrille
