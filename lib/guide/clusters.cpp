@@ -94,10 +94,13 @@ class ClusterFinder {
         if (hang_together(parts_[i], parts_[j])) groups.join(i, j);
     Clustering result;
     for (const std::vector<int>& group : groups.all()) {
-      if (group.size() == 1 && parts_[group[0]].zero >= 0)
+      const bool has_zero = std::any_of(group.begin(), group.end(), [this](int i) { return parts_[i].zero >= 0; });
+      if (group.size() == 1 && has_zero) {
         result.simple.push_back((*zeros_)[parts_[group[0]].zero]);
-      else
-        result.clusters.push_back(cluster(group));
+        continue;
+      }
+      Cluster found = cluster(group);
+      if (has_zero || found.index != 0) result.clusters.push_back(std::move(found));
     }
     return result;
   }

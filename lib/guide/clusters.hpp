@@ -11,7 +11,7 @@
 // together through others is one cluster, so that a symmetric set of zeros gives a symmetric set of clusters. Cells
 // that the search left open (|v| below noise all over) are parts of clusters too; neighbouring ones hang together.
 // A cluster's index is the sum of its members'; with open cells the winding number round all of it. It may be 0: a pair
-// of opposite index.
+// of opposite index. Open cells of index 0 without any zero that was found are no cluster: nothing stands there.
 
 #include <vector>
 

@@ -58,6 +58,15 @@ TEST_F(ClustersTest, the_error_of_the_field_makes_a_cluster_too) {
   }
 }
 
+TEST_F(ClustersTest, open_cells_without_a_zero_are_none) {
+  const OpenCell open{0, {0.1, 0.2}, 1e-3, {}};
+  EXPECT_TRUE(find_clusters(evaluator, {}, {open}, {0.1, 1e-10}).clusters.empty());
+  const Clustering found = find_clusters(evaluator, {zero({0.1, 0.2}, 1)}, {open}, {0.1, 1e-10});
+  ASSERT_EQ(found.clusters.size(), 1u);
+  EXPECT_EQ(found.clusters[0].index, 0);  // of the constant field, whatever the made-up zero says
+  EXPECT_TRUE(found.clusters[0].member_indices.empty());
+}
+
 TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
   const Vec2 at{0.1, -0.2};
   const std::vector<std::pair<int, double>> cases{{2, 1e-6}, {3, 1e-8}, {4, 1e-10}, {-2, 1e-6}, {-3, 1e-8}};
