@@ -88,7 +88,7 @@ TEST(ResolveClusters, disc_gets_the_four_nodes_of_an_o_grid) {
 TEST(ResolveClusters, noise_that_splits_a_multiple_zero_does_not_decide) {
   const CadFace face = disc();
   std::vector<Vec2> places;
-  for (int k = 0; k < 4; ++k) places.push_back(3e-3 * unit(0.3 + k * half_pi));
+  for (int k = 0; k < 4; ++k) places.push_back(3e-3 * unit(0.6 + k * half_pi));
   const CriticalPoints points = resolved(face, {zeros_at(places, 1)});
   EXPECT_TRUE(has_node_at(points, {0.5, 0}, 1e-12));
   EXPECT_EQ(num_symmetries(face, points), 8);
