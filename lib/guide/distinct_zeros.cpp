@@ -30,4 +30,15 @@ std::vector<FoundZero> distinct_zeros(const FieldEvaluator& evaluator, const std
   return result;
 }
 
+std::vector<OpenCell> unexplained(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros) {
+  std::vector<OpenCell> result;
+  for (const OpenCell& cell : open_cells) {
+    const bool is_explained = std::any_of(zeros.begin(), zeros.end(), [&](const FoundZero& zero) {
+      return distance(cell.centre, zero.x) + cell.radius <= 8 * zero.shift;
+    });
+    if (!is_explained) result.push_back(cell);
+  }
+  return result;
+}
+
 }  // namespace quadrille

@@ -15,4 +15,8 @@ namespace quadrille {
 /// `zeros` as found by searching the elements in ascending sequence. Quadratic in their number.
 std::vector<FoundZero> distinct_zeros(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros);
 
+/// The open cells but for those that lie no farther from a zero than rounding may shift it: beside a zero with small J
+/// the smallest cells cannot be isolated, and what they hold is that zero.
+std::vector<OpenCell> unexplained(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros);
+
 }  // namespace quadrille

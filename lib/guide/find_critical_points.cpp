@@ -127,8 +127,8 @@ CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const Searc
   const std::vector<bool> is_absorbed =
       absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points.corners, points.changes);
   const std::vector<FoundZero> free = those(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
-  Clustering clustering =
-      find_clusters(evaluator, free, search.open_cells(), {options.cluster_distance * face.diameter, options.noise});
+  Clustering clustering = find_clusters(evaluator, free, unexplained(search.open_cells(), zeros),
+                                        {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
   sort_by_place(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
   points.critical_points = sorted_points(evaluator, clustering.simple);
