@@ -8,11 +8,11 @@
 #include <limits>
 #include <vector>
 
+#include "../hand_made.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "guide/feature_bends.hpp"
 #include "guide/resolve.hpp"
-#include "hand_made.hpp"
 
 namespace quadrille {
 namespace {
