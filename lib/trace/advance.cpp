@@ -16,7 +16,6 @@ namespace {
 // going to and fro without advancing.
 constexpr double edge_slack = 1e-12;
 constexpr double overshoot = 0.05;  // how far a step may extrapolate beyond the element
-constexpr int max_steps = 100000;
 
 // Barycentric coordinate that vanishes on local edge k, and its linear part.
 double above_edge(int k, Vec2 xi) { return k == 0 ? (1 + xi.y) / 2 : k == 1 ? -(xi.x + xi.y) / 2 : (1 + xi.x) / 2; }
@@ -63,19 +62,20 @@ Exit first_exit(const StreamStep& step) {
 
 class Walker {
  public:
+  // Begins at the line's front.
   Walker(const FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
          Streamline& line)
-      : evaluator_(evaluator), nodes_(nodes), options_(options), line_(line) {
-    const Launch& launch = line.launch;
-    state_ = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there);
-    s_ = launch.radius;
-    h_ = std::max(launch.radius, 1e-3 * options.max_step);
-    near_origin_.assign(nodes.size(), false);
-    for (size_t n = 0; n < nodes.size(); ++n) near_origin_[n] = nodes[n] == launch.origin;
-  }
+      : evaluator_(evaluator),
+        nodes_(nodes),
+        options_(options),
+        line_(line),
+        state_(line.front),
+        s_(line.length()),
+        h_(line.next_step),
+        is_near_origin_(line.steps.empty()) {}
 
   void walk() {
-    for (int count = 0; count < max_steps; ++count) {
+    for (int count = static_cast<int>(line_.steps.size()); count < max_stream_steps; ++count) {
       if (s_ > options_.max_length)
         return finish(Streamline::End::length, evaluator_.maps()[state_.elem].position(state_.xi));
       StreamStep step;
@@ -154,10 +154,12 @@ class Walker {
   }
 
   bool ends_at_node(Vec2 x) {
+    const double hit = options_.hit_distance;
+    if (distance(x, line_.launch.origin) > 10 * hit) is_near_origin_ = false;
     for (size_t n = 0; n < nodes_.size(); ++n) {
-      const double gap = distance(x, nodes_[n]);
-      if (gap > 10 * options_.hit_distance) near_origin_[n] = false;
-      if (gap > options_.hit_distance || near_origin_[n]) continue;
+      const Vec2 gap = x - nodes_[n];
+      if (std::abs(gap.x) > hit || std::abs(gap.y) > hit || norm(gap) > hit) continue;
+      if (is_near_origin_ && nodes_[n] == line_.launch.origin) continue;
       line_.end_node = static_cast<int>(n);
       finish(Streamline::End::node, nodes_[n]);
       return true;
@@ -169,6 +171,8 @@ class Walker {
     line_.end = how;
     line_.end_position = where;
     line_.end_angle = state_.angle;
+    line_.front = state_;
+    line_.next_step = h_;
   }
 
   [[noreturn]] void fail() const {
@@ -186,8 +190,8 @@ class Walker {
   const AdvanceOptions& options_;
   Streamline& line_;
   StreamState state_;
-  double s_ = 0, h_ = 0;
-  std::vector<bool> near_origin_;
+  double s_, h_;
+  bool is_near_origin_;  // has not left its node yet
 };
 
 }  // namespace
@@ -234,8 +238,15 @@ Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const 
                    const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
+  line.front = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there);
+  line.next_step = std::max(launch.radius, 1e-3 * options.max_step);
   Walker(evaluator, nodes, options, line).walk();
   return line;
+}
+
+void follow(const FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
+            const AdvanceOptions& options) {
+  if (line.end == Streamline::End::length) Walker(evaluator, nodes, options, line).walk();
 }
 
 }  // namespace quadrille

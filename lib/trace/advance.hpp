@@ -12,6 +12,8 @@
 
 namespace quadrille {
 
+inline constexpr int max_stream_steps = 100000;
+
 struct AdvanceOptions {
   double tolerance = 1e-10;  ///< bound of a step's estimated error, a length
   double max_step = 0;       ///< a length
@@ -31,6 +33,8 @@ class Streamline {
   double t = 0;
   Vec2 end_position;  ///< on the curve or the node, exactly
   double end_angle = 0;
+  StreamState front;  ///< End::length: where it goes on from, and the step it would try
+  double next_step = 0;
 
   double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
   /// Position at arc length s in [0, length()].
@@ -45,8 +49,12 @@ class Streamline {
 };
 
 /// Integrates from the launch. Throws ComputeError when the line cannot be followed: where the field vanishes at no
-/// node.
+/// node. A line also ends, as by its length, after max_stream_steps.
 Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
                    const AdvanceOptions& options);
+
+/// Goes on with a line that a length ended, to the length of these options: the steps are those of one advance().
+void follow(const FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
+            const AdvanceOptions& options);
 
 }  // namespace quadrille

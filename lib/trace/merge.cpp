@@ -16,7 +16,13 @@ constexpr int num_samples = 48;
 
 double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
 
-// Places where a line comes nearest to a point: arc lengths of local minima of the distance below `reach(s)`.
+// A stretch of a line, between two arc lengths, on which it comes nearest to a point.
+struct Pass {
+  double low = 0, high = 0;
+  double foot = -1;  // where that is; found when it is asked for
+};
+
+// Places where a line comes nearest to a point: local minima of the distance below a length that grows with s.
 class Passes {
  public:
   Passes(const FieldEvaluator& evaluator, const Streamline& line) : evaluator_(evaluator), line_(line) {
@@ -29,8 +35,8 @@ class Passes {
     for (const double s : s_) x_.push_back(line.at(evaluator, s));
   }
 
-  std::vector<double> by(Vec2 node, double slope, double distance_allowed) const {
-    std::vector<double> found;
+  std::vector<Pass> by(Vec2 node, double slope, double distance_allowed) const {
+    std::vector<Pass> found;
     const size_t last = s_.size() - 1;
     double before = norm2(x_[0] - node), here = 0;
     for (size_t i = 1; i <= last; ++i, before = here) {
@@ -40,9 +46,14 @@ class Passes {
       const double reach = std::max(slope * s_[i], distance_allowed) + spacing;
       if (here > reach * reach) continue;
       if (i == last && !ends_beside(node)) continue;
-      found.push_back(foot(node, s_[i - 1], i < last ? s_[i + 1] : s_[i]));
+      found.push_back({s_[i - 1], i < last ? s_[i + 1] : s_[i], -1});
     }
     return found;
+  }
+
+  double foot(Vec2 node, Pass& pass) const {
+    if (pass.foot < 0) pass.foot = find_foot(node, pass.low, pass.high);
+    return pass.foot;
   }
 
  private:
@@ -55,7 +66,7 @@ class Passes {
   }
 
   // Root of (node - x) . x' by false position (Illinois) between a and b.
-  double foot(Vec2 node, double a, double b) const {
+  double find_foot(Vec2 node, double a, double b) const {
     const auto ahead = [&](double s) {
       Vec2 direction;
       const Vec2 x = line_.at(evaluator_, s, direction);
@@ -84,22 +95,48 @@ class Passes {
   std::vector<Vec2> x_;
 };
 
-// Fills in turn and gap; false, with the gap only, where that alone turns the line far more than allowed.
+// Both lines and their blend at share f of the lengths.
+struct Blend {
+  Vec2 position, derivative;  ///< of M, with respect to f
+  Vec2 along_a, along_b;      ///< unit directions of both lines, each its own way
+};
+
+Blend blend(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length_a, double length_b,
+            double f) {
+  const double c = std::cos(half_pi * f), w = c * c, slope = -half_pi * std::sin(pi * f);
+  Blend m;
+  const Vec2 xa = a.at(evaluator, f * length_a, m.along_a), xb = b.at(evaluator, (1 - f) * length_b, m.along_b);
+  m.position = w * xa + (1 - w) * xb;
+  m.derivative = w * length_a * m.along_a - (1 - w) * length_b * m.along_b + slope * (xa - xb);
+  return m;
+}
+
+// Fills in turn and gap; false where the rules don't allow the pair. The first sample that turns too far settles it:
+// samples are taken far from each other first.
 bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, const MergeOptions& options,
            MergeCandidate& candidate) {
-  const CurveFunction curve = merged_curve(evaluator, a, b, candidate);
   candidate.gap = distance(a.at(evaluator, candidate.length_a / 2), b.at(evaluator, candidate.length_b / 2));
   if (candidate.gap > std::max(options.distance, std::tan(options.max_angle) * candidate.length())) return false;
+  const bool aggressive = candidate.gap <= options.distance;
+  const double most = aggressive ? std::max(options.max_angle, greatest_merge_angle) : options.max_angle;
   candidate.turn = 0;
-  for (int i = 1; i < num_samples; ++i) {
+  constexpr int stride = 19;  // no divisor in common with num_samples
+  for (int i = stride; i != 0; i = (i + stride) % num_samples) {
     const double f = static_cast<double>(i) / num_samples, w = std::pow(std::cos(half_pi * f), 2);
-    Vec2 da, db, dm;
-    a.at(evaluator, f * candidate.length_a, da);
-    b.at(evaluator, (1 - f) * candidate.length_b, db);
-    curve(f * candidate.length(), dm);
-    candidate.turn = std::max(candidate.turn, angle_between(dm, w * da - (1 - w) * db));
+    const Blend m = blend(evaluator, a, b, candidate.length_a, candidate.length_b, f);
+    candidate.turn = std::max(candidate.turn, angle_between(m.derivative, w * m.along_a - (1 - w) * m.along_b));
+    if (candidate.turn > most) return false;
   }
   return true;
+}
+
+// Whether two lengths are so unequal that the pair's fronts would not meet.
+bool is_unequal(double a, double b) { return std::abs(a - b) > 0.3 * (a + b) / 2; }
+
+// The same for all lengths within two passes.
+bool are_unequal(const Pass& a, const Pass& b) {
+  const double gap = std::max(a.low - b.high, b.low - a.high);
+  return gap > 0.3 * (a.high + b.high) / 2;
 }
 
 }  // namespace
@@ -108,14 +145,12 @@ CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a,
                            const MergeCandidate& candidate) {
   const double length = candidate.length(), la = candidate.length_a, lb = candidate.length_b;
   return [&evaluator, &a, &b, length, la, lb](double s, Vec2& derivative) {
-    const double f = std::clamp(s / length, 0.0, 1.0), c = std::cos(half_pi * f), w = c * c;
-    Vec2 da, db;
-    const Vec2 xa = a.at(evaluator, f * la, da), xb = b.at(evaluator, (1 - f) * lb, db);
-    const double slope = -half_pi * std::sin(pi * f);
-    derivative = (w * la * da - (1 - w) * lb * db + slope * (xa - xb)) / length;
+    const double f = std::clamp(s / length, 0.0, 1.0);
+    const Blend m = blend(evaluator, a, b, la, lb, f);
+    derivative = m.derivative / length;
     if (f == 0) return a.launch.origin;
     if (f == 1) return b.launch.origin;
-    return w * xa + (1 - w) * xb;
+    return m.position;
   };
 }
 
@@ -123,29 +158,33 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
                                              const std::vector<Vec2>& nodes, const MergeOptions& options) {
   // passes[line][node]. The blend's slope adds at most (pi / 2) gap / length to the direction.
   const double slope = 2 * std::tan(options.max_angle);
-  std::vector<std::vector<std::vector<double>>> passes;
+  std::vector<Passes> along;
+  std::vector<std::vector<std::vector<Pass>>> passes;
+  along.reserve(lines.size());
   for (const Streamline& line : lines) {
-    const Passes along(evaluator, line);
+    along.emplace_back(evaluator, line);
     passes.emplace_back();
-    for (const Vec2 node : nodes) passes.back().push_back(along.by(node, slope, 4 * options.distance));
+    for (const Vec2 node : nodes) passes.back().push_back(along.back().by(node, slope, 4 * options.distance));
   }
+  // Whether line i passes the start of line j head on.
+  const auto meets = [&](int i, double length, int j) {
+    Vec2 direction;
+    lines[i].at(evaluator, length, direction);
+    return angle_between(direction, -unit(lines[j].launch.angle)) <= head_on_angle;
+  };
   std::vector<MergeCandidate> candidates;
   const int n = static_cast<int>(lines.size());
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j) {
-      if (lines[i].launch.node < 0 || lines[j].launch.node < 0) continue;
-      for (const double length_i : passes[i][lines[j].launch.node])
-        for (const double length_j : passes[j][lines[i].launch.node]) {
-          MergeCandidate c{i, j, length_i, length_j, 0, 0};
-          if (std::abs(length_i - length_j) > 0.3 * c.length()) continue;
-          Vec2 at_i, at_j;
-          lines[i].at(evaluator, length_i, at_i);
-          lines[j].at(evaluator, length_j, at_j);
-          if (angle_between(at_i, -unit(lines[j].launch.angle)) > head_on_angle) continue;
-          if (angle_between(at_j, -unit(lines[i].launch.angle)) > head_on_angle) continue;
-          if (!judge(evaluator, lines[i], lines[j], options, c)) continue;
-          const bool aggressive = c.gap <= options.distance && c.turn <= greatest_merge_angle;
-          if (c.turn <= options.max_angle || aggressive) candidates.push_back(c);
+      const int from_i = lines[i].launch.node, from_j = lines[j].launch.node;
+      if (from_i < 0 || from_j < 0) continue;
+      for (Pass& pass_i : passes[i][from_j])
+        for (Pass& pass_j : passes[j][from_i]) {
+          if (are_unequal(pass_i, pass_j)) continue;
+          MergeCandidate c{i, j, along[i].foot(nodes[from_j], pass_i), along[j].foot(nodes[from_i], pass_j), 0, 0};
+          if (is_unequal(c.length_a, c.length_b)) continue;
+          if (!meets(i, c.length_a, j) || !meets(j, c.length_b, i)) continue;
+          if (judge(evaluator, lines[i], lines[j], options, c)) candidates.push_back(c);
         }
     }
   std::stable_sort(candidates.begin(), candidates.end(),

@@ -33,6 +33,8 @@ struct MergeCandidate {
   double gap = 0;   ///< between the fronts where they meet
 
   double length() const { return (length_a + length_b) / 2; }
+  /// What fronts advancing at equal speed have gone together when they meet.
+  double meeting() const { return length(); }
 };
 
 /// All pairs that the rules allow, the shortest first: fronts advancing at equal speed meet in this sequence. Linear in

@@ -5,8 +5,8 @@
 namespace quadrille {
 
 MergePlan::MergePlan(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
-                     const std::vector<Vec2>& nodes, const MergeOptions& options)
-    : evaluator_(evaluator), lines_(lines), nodes_(nodes) {
+                     const std::vector<Vec2>& nodes, const MergeOptions& options, double reach)
+    : evaluator_(evaluator), lines_(lines), nodes_(nodes), reach_(reach) {
   add_candidates(options);
   num_regular_ = candidates_.size();
 }
@@ -28,12 +28,24 @@ std::vector<int> MergePlan::lost_lines(const std::vector<int>& chosen) const {
   return lost;
 }
 
+// A pair that is not known yet has a line longer than the reach, and lengths so unequal are no pair that its mean is
+// above 0.85 of it: pairs below are chosen before it, whatever else there is.
+bool MergePlan::needs_longer_lines(const std::vector<int>& chosen) const {
+  if (reach_ == 0) return false;
+  const auto may_be_late = [this](int c) {
+    const MergeCandidate& pair = candidates_[c];
+    return pair.meeting() > 0.85 * reach_ && (is_endless(pair.a) || is_endless(pair.b));
+  };
+  return !lost_lines(chosen).empty() || std::any_of(chosen.begin(), chosen.end(), may_be_late);
+}
+
 std::vector<int> MergePlan::choose_once() {
   std::vector<bool> taken(lines_.size(), false), allowed(candidates_.size(), false);
   for (size_t i = 0; i < num_regular_; ++i) allowed[i] = !given_up_[i];
   std::vector<int> chosen = choose_merges(candidates_, allowed, taken);
+  is_cut_short_ = is_cut_short_ || needs_longer_lines(chosen);
   const std::vector<int> lost = lost_lines(chosen);
-  if (lost.empty()) return chosen;
+  if (lost.empty() || is_cut_short_) return chosen;
   if (candidates_.size() == num_regular_) add_candidates({greatest_merge_angle, 0});
   const auto is_lost = [&](int line) { return std::binary_search(lost.begin(), lost.end(), line); };
   allowed.assign(candidates_.size(), false);
@@ -62,6 +74,7 @@ bool MergePlan::give_up_for(const std::vector<int>& lost, const std::vector<int>
 
 std::vector<int> MergePlan::choose() {
   std::vector<int> chosen = choose_once();
+  if (is_cut_short_) return chosen;
   // Every round gives up a candidate for good, so this ends.
   for (auto lost = lost_lines(chosen); !lost.empty() && give_up_for(lost, chosen); lost = lost_lines(chosen))
     chosen = choose_once();

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -13,31 +15,20 @@
 #include "trace/launch_all.hpp"
 #include "trace/merge_plan.hpp"
 #include "trace/planar_faces.hpp"
+#include "trace/trace_lines.hpp"
 
 namespace quadrille {
 namespace {
 
 // Shares of the diameter.
-constexpr double hit_share = 1e-7;   // as near to a node as this a line ends in it
 constexpr double fit_share = 2e-9;   // splines follow their lines within this
 constexpr double snap_share = 1e-9;  // nodes nearer than this are one
 
+// Diameters to which lines are followed in turn, until what is known of them says enough.
+constexpr double reaches[] = {1, 4, std::numeric_limits<double>::infinity()};
+
 // Lines that meet head on within this angle (radians) are one, whatever the options say.
 constexpr double same_angle = 1e-4;
-
-std::vector<Streamline> trace_all(const FieldEvaluator& evaluator, const CriticalPoints& points,
-                                  const std::vector<Vec2>& nodes, const TraceOptions& options) {
-  const CadFace& face = evaluator.field().mesh.face;
-  const double d = face.diameter;
-  const AdvanceOptions bounds{options.tolerance * d, options.step > 0 ? options.step : d / 20, options.max_length * d,
-                              hit_share * d};
-  std::vector<Launch> launches = launch_all(evaluator, points);
-  if (launches.empty() && face.num_loops() == 2) launches = launch_cuts(evaluator);
-  std::vector<Streamline> lines;
-  lines.reserve(launches.size());
-  for (const Launch& launch : launches) lines.push_back(advance(evaluator, launch, nodes, bounds));
-  return lines;
-}
 
 bool ends_at(const Nurbs& spline, Vec2 x, double near) {
   return distance(spline.poles.front(), x) <= near || distance(spline.poles.back(), x) <= near;
@@ -71,6 +62,38 @@ double largest_turn(const MergePlan& plan, const std::vector<int>& chosen) {
   return turn;
 }
 
+struct Partition {
+  SeparatrixGraph graph;
+  size_t num_merged = 0;
+  double largest_turn = 0;
+};
+
+// The graph of the lines as far as they have been followed; nothing where that says too little.
+std::optional<Partition> partition(const FieldEvaluator& evaluator, const std::vector<FixedNode>& fixed,
+                                   const std::vector<Vec2>& nodes, const LineTracer& tracer,
+                                   const TraceOptions& options) {
+  const CadFace& face = evaluator.field().mesh.face;
+  const double snap = snap_share * face.diameter, merge_angle = std::max(radians(options.merge_angle), same_angle);
+  const std::vector<Streamline>& lines = tracer.lines();
+  MergePlan plan(evaluator, lines, nodes, {merge_angle, options.merge_distance}, tracer.reach());
+  LineFinisher finisher(evaluator, lines, fit_share * face.diameter);
+  SeparatrixGraph graph;
+  std::vector<int> chosen;
+  // A merge may turn the layout into something that is none (aggressive ones do): it is given up, the worst first.
+  do {
+    std::vector<Crossing> crossings;
+    do {
+      chosen = plan.choose();
+      if (plan.is_cut_short()) return std::nullopt;
+      finisher.finish(plan, chosen);
+      crossings = find_crossings(finisher.splines(), snap);
+    } while (give_up_crossed_merges(crossings, finisher, 2 * snap, plan));
+    graph = build_graph(face, fixed, finisher.finished(), crossings, snap);
+    require_few_arcs(graph, options.max_lines);
+  } while (!cycles_without_four_corners(planar_faces(graph)).empty() && plan.give_up_worst(chosen, same_angle));
+  return Partition{std::move(graph), chosen.size(), largest_turn(plan, chosen)};
+}
+
 }  // namespace
 
 void TraceOptions::validate() const {
@@ -83,32 +106,21 @@ SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const Critic
                                    const TraceOptions& options, Report& report) {
   options.validate();
   const CadFace& face = evaluator.field().mesh.face;
-  const double snap = snap_share * face.diameter;
   const std::vector<FixedNode> fixed = fixed_nodes(face, points);
   std::vector<Vec2> nodes;
   nodes.reserve(fixed.size());
   for (const FixedNode& node : fixed) nodes.push_back(node.position);
-  const std::vector<Streamline> lines = trace_all(evaluator, points, nodes, options);
-  report.set("trace.launched", lines.size());
-
-  const double merge_angle = std::max(radians(options.merge_angle), same_angle);
-  MergePlan plan(evaluator, lines, nodes, {merge_angle, options.merge_distance});
-  LineFinisher finisher(evaluator, lines, fit_share * face.diameter);
-  SeparatrixGraph graph;
-  std::vector<int> chosen;
-  // A merge may turn the layout into something that is none (aggressive ones do): it is given up, the worst first.
-  do {
-    std::vector<Crossing> crossings;
-    do {
-      chosen = plan.choose();
-      finisher.finish(plan, chosen);
-      crossings = find_crossings(finisher.splines(), snap);
-    } while (give_up_crossed_merges(crossings, finisher, 2 * snap, plan));
-    graph = build_graph(face, fixed, finisher.finished(), crossings, snap);
-    require_few_arcs(graph, options.max_lines);
-  } while (!cycles_without_four_corners(planar_faces(graph)).empty() && plan.give_up_worst(chosen, same_angle));
-  report.set("trace.merged", chosen.size());
-  report.set("trace.largest_merge_turn_degrees", degrees(largest_turn(plan, chosen)));
+  LineTracer tracer(evaluator, points, nodes, options);
+  std::optional<Partition> found;
+  for (const double reach : reaches) {
+    tracer.follow_to(reach * face.diameter);
+    found = partition(evaluator, fixed, nodes, tracer, options);
+    if (found) break;
+  }
+  SeparatrixGraph graph = std::move(found->graph);
+  report.set("trace.launched", tracer.lines().size());
+  report.set("trace.merged", found->num_merged);
+  report.set("trace.largest_merge_turn_degrees", degrees(found->largest_turn));
 
   report.set("trace.lines", graph.lines.size());
   report.set("trace.nodes", graph.nodes.size());
