@@ -4,10 +4,14 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#ifdef __x86_64__
+#include <cpuid.h>
+#include <immintrin.h>
+#endif
 
 namespace quadrille {
 
-// Sixty lines of FIPS 180-4 instead of libcrypto: loading that library costs more than hashing any stage file.
+// FIPS 180-4 in a few lines instead of libcrypto: loading that library costs more than hashing any stage file.
 namespace {
 
 constexpr std::array<std::uint32_t, 64> constants{
@@ -29,12 +33,14 @@ std::uint32_t big_endian(const unsigned char* p) {
 void add_block(State& state, const unsigned char* block) {
   std::array<std::uint32_t, 64> w;
   for (std::size_t t = 0; t < 16; ++t) w[t] = big_endian(block + 4 * t);
+#pragma GCC unroll 16
   for (std::size_t t = 16; t < 64; ++t) {
     const std::uint32_t a = w[t - 15], b = w[t - 2];
     w[t] = w[t - 16] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ (a >> 3)) + w[t - 7] +
            (std::rotr(b, 17) ^ std::rotr(b, 19) ^ (b >> 10));
   }
   auto [a, b, c, d, e, f, g, h] = state;
+#pragma GCC unroll 8  // after eight rounds every letter is back in its register: nothing has to be moved
   for (std::size_t t = 0; t < 64; ++t) {
     const std::uint32_t t1 =
         h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + ((e & f) ^ (~e & g)) + constants[t] + w[t];
@@ -45,13 +51,58 @@ void add_block(State& state, const unsigned char* block) {
   for (std::size_t i = 0; i < 8; ++i) state[i] += added[i];
 }
 
-}  // namespace
+void add_blocks_in_software(State& state, const unsigned char* data, std::size_t num_blocks) {
+  for (std::size_t i = 0; i < num_blocks; ++i) add_block(state, data + 64 * i);
+}
 
-std::string sha256_hex(std::string_view bytes) {
+#ifdef __x86_64__
+/// The same by the processor's own instructions, four rounds at a time: a fifth of a short tool's work was hashing.
+__attribute__((target("sha,sse4.1"))) void add_blocks_in_hardware(State& state, const unsigned char* data,
+                                                                  std::size_t num_blocks) {
+  const __m128i byte_swap = _mm_set_epi8(12, 13, 14, 15, 8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3);
+  // The instructions keep the state as words (f, e, b, a) and (h, g, d, c).
+  const auto load = [](const std::uint32_t* p) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p)); };
+  const __m128i badc = _mm_shuffle_epi32(load(state.data()), 0xb1), hgfe = _mm_shuffle_epi32(load(&state[4]), 0x1b);
+  __m128i feba = _mm_alignr_epi8(badc, hgfe, 8), hgdc = _mm_blend_epi16(hgfe, badc, 0xf0);
+  for (std::size_t block = 0; block < num_blocks; ++block, data += 64) {
+    const __m128i feba_before = feba, hgdc_before = hgdc;
+    __m128i w[16];
+    for (std::size_t i = 0; i < 16; ++i) {
+      if (i < 4)
+        w[i] = _mm_shuffle_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(data + 16 * i)), byte_swap);
+      else
+        w[i] = _mm_sha256msg2_epu32(
+            _mm_add_epi32(_mm_sha256msg1_epu32(w[i - 4], w[i - 3]), _mm_alignr_epi8(w[i - 1], w[i - 2], 4)), w[i - 1]);
+      const __m128i sum = _mm_add_epi32(w[i], load(&constants[4 * i]));
+      hgdc = _mm_sha256rnds2_epu32(hgdc, feba, sum);
+      feba = _mm_sha256rnds2_epu32(feba, hgdc, _mm_shuffle_epi32(sum, 0x0e));
+    }
+    feba = _mm_add_epi32(feba, feba_before);
+    hgdc = _mm_add_epi32(hgdc, hgdc_before);
+  }
+  const __m128i abef = _mm_shuffle_epi32(feba, 0x1b), dchg = _mm_shuffle_epi32(hgdc, 0xb1);
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(state.data()), _mm_blend_epi16(abef, dchg, 0xf0));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(&state[4]), _mm_alignr_epi8(dchg, abef, 8));
+}
+#endif
+
+using AddBlocks = void (*)(State&, const unsigned char*, std::size_t);
+
+AddBlocks fastest() {
+#ifdef __x86_64__
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  constexpr unsigned sha = 1u << 29;  // leaf 7, EBX
+  if (__get_cpuid_count(7, 0, &a, &b, &c, &d) && (b & sha) && __builtin_cpu_supports("sse4.1"))
+    return add_blocks_in_hardware;
+#endif
+  return add_blocks_in_software;
+}
+
+std::string digest(std::string_view bytes, AddBlocks add_blocks) {
   State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
   const std::size_t num_whole = bytes.size() / 64, rest = bytes.size() % 64;
-  for (std::size_t i = 0; i < num_whole; ++i) add_block(state, data + 64 * i);
+  add_blocks(state, data, num_whole);
   // The end: a one bit, zeros, and the length in bits in the last eight bytes.
   std::array<unsigned char, 128> tail{};
   if (rest > 0) std::memcpy(tail.data(), data + 64 * num_whole, rest);
@@ -59,7 +110,7 @@ std::string sha256_hex(std::string_view bytes) {
   const std::size_t tail_size = rest < 56 ? 64 : 128;
   const std::uint64_t num_bits = std::uint64_t{bytes.size()} * 8;
   for (std::size_t i = 0; i < 8; ++i) tail[tail_size - 1 - i] = static_cast<unsigned char>(num_bits >> (8 * i));
-  for (std::size_t i = 0; i < tail_size; i += 64) add_block(state, tail.data() + i);
+  add_blocks(state, tail.data(), tail_size / 64);
 
   constexpr char digits[] = "0123456789abcdef";
   std::string out;
@@ -67,5 +118,11 @@ std::string sha256_hex(std::string_view bytes) {
     for (int shift = 28; shift >= 0; shift -= 4) out += digits[(word >> shift) & 15];
   return out;
 }
+
+}  // namespace
+
+std::string sha256_hex(std::string_view bytes) { return digest(bytes, fastest()); }
+
+std::string sha256_hex_in_software(std::string_view bytes) { return digest(bytes, add_blocks_in_software); }
 
 }  // namespace quadrille

@@ -22,5 +22,13 @@ TEST(Sha256, EveryPadding) {
   EXPECT_EQ(sha256_hex(std::string(64, 'x')), "7ce100971f64e7001e8fe5a51973ecdfe1ced42befe7ee8d5fd6219506b5393c");
 }
 
+TEST(Sha256, WithAndWithoutTheProcessorsInstructions) {
+  std::string bytes;
+  for (int length = 0; length < 700; ++length) {
+    EXPECT_EQ(sha256_hex(bytes), sha256_hex_in_software(bytes)) << length;
+    bytes += static_cast<char>(37 * length + length / 7);
+  }
+}
+
 }  // namespace
 }  // namespace quadrille
