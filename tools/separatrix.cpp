@@ -28,7 +28,11 @@ int main(int argc, char** argv) {
     o.input("CRIT", points_path, "its critical points (x.crit.json)");
     o.output(output, "graph of separatrices (x.sep.json)");
     o.number("--tolerance", options.tolerance, 1e-14, 1e-3, "diameters", "error allowed in one step of a line");
-    o.number("--step", options.step, 0, 1e300, "file units", "greatest step along a line; 0 is a 20th of the diameter");
+    o.choice("--integrator", options.integrator, {"rk", "ab4"},
+             "how lines are followed: Runge-Kutta in reference space with error control, or, to compare with, the "
+             "paper's Adams-Bashforth in physical space with a fixed step");
+    o.number("--step", options.step, 0, 1e300, "file units",
+             "greatest step along a line, 0 a 20th of the diameter; with ab4 every step, 0 a 500th");
     o.number("--merge-angle", options.merge_angle, 0, 40, "degrees", "merge lines that this turns by less");
     o.number("--merge-distance", options.merge_distance, 0, 1e300, "file units",
              "and lines that pass each other within this distance");

@@ -215,6 +215,10 @@ Vec2 Streamline::at(const FieldEvaluator& evaluator, double s, Vec2& direction) 
       std::upper_bound(steps.begin(), steps.end(), s, [](double v, const StreamStep& k) { return v < k.s; });
   const StreamStep& step = after == steps.begin() ? steps.front() : *(after - 1);
   const double theta = std::clamp((s - step.s) / step.h, 0.0, 1.0);
+  if (step.elem == in_the_plane) {
+    direction = normalized(step.slope(theta));
+    return step.xi(theta);
+  }
   Vec2 x;
   Mat2 dx_dxi;
   evaluator.maps()[step.elem].evaluate(step.xi(theta), x, dx_dxi);

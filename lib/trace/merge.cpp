@@ -130,6 +130,8 @@ bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamlin
   return true;
 }
 
+bool is_endless(const Streamline& line) { return line.end == Streamline::End::length; }
+
 // Whether two lengths are so unequal that the pair's fronts would not meet.
 bool is_unequal(double a, double b) { return std::abs(a - b) > 0.3 * (a + b) / 2; }
 
@@ -178,6 +180,7 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
     for (int j = i + 1; j < n; ++j) {
       const int from_i = lines[i].launch.node, from_j = lines[j].launch.node;
       if (from_i < 0 || from_j < 0) continue;
+      if (options.only_endless && !is_endless(lines[i]) && !is_endless(lines[j])) continue;
       for (Pass& pass_i : passes[i][from_j])
         for (Pass& pass_j : passes[j][from_i]) {
           if (are_unequal(pass_i, pass_j)) continue;

@@ -21,8 +21,9 @@ namespace quadrille {
 inline constexpr double greatest_merge_angle = 0.7;
 
 struct MergeOptions {
-  double max_angle = 0;  ///< radians
-  double distance = 0;   ///< a length; 0: the normal rule only
+  double max_angle = 0;       ///< radians
+  double distance = 0;        ///< a length; 0: the normal rule only
+  bool only_endless = false;  ///< only pairs of which one line has neither reached boundary nor node
 };
 
 /// Lines a and b (a < b), each used from its start up to the length given.

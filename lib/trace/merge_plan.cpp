@@ -46,7 +46,7 @@ std::vector<int> MergePlan::choose_once() {
   is_cut_short_ = is_cut_short_ || needs_longer_lines(chosen);
   const std::vector<int> lost = lost_lines(chosen);
   if (lost.empty() || is_cut_short_) return chosen;
-  if (candidates_.size() == num_regular_) add_candidates({greatest_merge_angle, 0});
+  if (candidates_.size() == num_regular_) add_candidates({greatest_merge_angle, 0, true});
   const auto is_lost = [&](int line) { return std::binary_search(lost.begin(), lost.end(), line); };
   allowed.assign(candidates_.size(), false);
   for (size_t i = num_regular_; i < candidates_.size(); ++i)

@@ -11,9 +11,12 @@
 
 namespace quadrille {
 
+/// The `elem` of a step whose coordinates are positions in the plane.
+inline constexpr int in_the_plane = -1;
+
 /// An accepted step, or the part of it up to the element's edge.
 struct StreamStep {
-  int elem = 0;
+  int elem = 0;       ///< or in_the_plane
   double s = 0;       ///< arc length at its beginning
   double h = 0;       ///< length of the whole step
   double length = 0;  ///< of the part that is used, <= h

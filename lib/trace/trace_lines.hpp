@@ -18,7 +18,7 @@ class LineTracer {
              const TraceOptions& options);
 
   /// Follows all lines that have no end yet to a length, at most options.max_length. Throws ComputeError as advance().
-  /// Lines keep their address and what they had.
+  /// Lines keep their address and what they had. The integrator "ab4" goes all the way at once.
   void follow_to(double length);
 
   /// How far lines without an end have been followed; 0: as far as they may be.
@@ -27,8 +27,11 @@ class LineTracer {
   const std::vector<Streamline>& lines() const { return lines_; }
 
  private:
+  void follow_by_adams_bashforth();
+
   const FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;
+  bool is_adams_bashforth_;
   AdvanceOptions bounds_;
   double max_length_ = 0;
   std::vector<Launch> launches_;

@@ -1,6 +1,8 @@
 #pragma once
 // From irregular nodes and corners to the planar graph of separatrices and boundary.
 
+#include <string>
+
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
@@ -9,8 +11,9 @@
 namespace quadrille {
 
 struct TraceOptions {
-  double tolerance = 1e-10;  ///< of the integrator: bound of a step's estimated error, as a share of the diameter
-  double step = 0;           ///< greatest step of the integrator in file units; 0: diameter / 20
+  std::string integrator = "rk";  ///< "rk": advance(); "ab4": the paper's, advance_adams_bashforth(), for comparison
+  double tolerance = 1e-10;       ///< of the integrator: bound of a step's estimated error, as a share of the diameter
+  double step = 0;  ///< of the integrator in file units: the greatest, 0: diameter / 20; of ab4 each, 0: diameter / 500
   /// Degrees: head-on lines are merged where that turns neither by more. On all benchmark shapes 15 removes most thin
   /// strips of blocks and leaves the least scaled Jacobian of the mesh as good as without.
   double merge_angle = 15;

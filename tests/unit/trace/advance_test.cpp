@@ -110,6 +110,37 @@ TEST(Advance, EndsOnACurvedLineOnlyAtTheBoundary) {
   EXPECT_NEAR(wrap_pi(line.end_angle - pi), 0, 1e-9);
 }
 
+TEST(Advance, GoesOnAsIfItHadNeverStopped) {
+  const Field field =
+      interpolated_field(square_mesh({0, 0}, 1, 4), 4, [](Vec2 p) { return vec(std::pow(complex(p), 4)); });
+  const FieldEvaluator evaluator(field);
+  const Launch launch = launch_from_boundary(evaluator, 0, 0.6);
+  const Streamline whole = advance(evaluator, launch, {}, options());
+  AdvanceOptions bounds = options();
+  bounds.max_length = 0.2;
+  Streamline line = advance(evaluator, launch, {}, bounds);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(line.end, Streamline::End::length) << i;
+    bounds.max_length += 0.3;
+    follow(evaluator, line, {}, bounds);
+  }
+  ASSERT_EQ(line.end, Streamline::End::boundary);
+  EXPECT_EQ(line.end_position, whole.end_position);
+  EXPECT_EQ(line.step_ends(), whole.step_ends());
+  follow(evaluator, line, {}, bounds);  // an end is an end
+  EXPECT_EQ(line.step_ends(), whole.step_ends());
+}
+
+TEST(Advance, TheNumberOfStepsIsBounded) {
+  const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 1, [](Vec2) { return Vec2{1, 0}; });
+  const FieldEvaluator evaluator(field);
+  AdvanceOptions bounds = options();
+  bounds.max_step = 1e-6;
+  const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, 0.1}, 0), {}, bounds);
+  EXPECT_EQ(line.end, Streamline::End::length);
+  EXPECT_EQ(static_cast<int>(line.steps.size()), max_stream_steps);
+}
+
 TEST(Advance, GivesUpWhereTheFieldHasNoDirection) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 1, [](Vec2) { return Vec2{0, 0}; });
   const FieldEvaluator evaluator(field);

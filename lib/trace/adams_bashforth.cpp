@@ -1,0 +1,161 @@
+#include "trace/adams_bashforth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/project.hpp"
+
+namespace quadrille {
+namespace {
+
+// x + share h (...): the cubic with positions and directions of both ends.
+StreamStep hermite(Vec2 x, Vec2 direction, Vec2 end, Vec2 end_direction, double s, double h) {
+  const Vec2 rise = end - x, bend = h * direction - rise;
+  return {in_the_plane, s, h, h, {x, rise, bend, rise - h * end_direction - bend, {}}};
+}
+
+class Walker {
+ public:
+  Walker(const FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
+         Streamline& line)
+      : evaluator_(evaluator),
+        nodes_(nodes),
+        options_(options),
+        line_(line),
+        at_{line.launch.elem, line.launch.xi},
+        x_(line.launch.x),
+        angle_(line.launch.angle_there) {}
+
+  void walk() {
+    const double h = options_.max_step;
+    Vec2 f[4];
+    if (!direction(x_, f[0])) fail();
+    for (int count = 0; count < max_stream_steps && line_.length() <= options_.max_length; ++count) {
+      const Location before = at_;
+      Vec2 next;
+      const bool is_inside = count < 3 ? runge_kutta(f[0], h, next) : true;
+      if (count >= 3) next = x_ + (h / 24) * (55.0 * f[0] - 59.0 * f[1] + 37.0 * f[2] - 9.0 * f[3]);
+      Vec2 there;
+      if (!is_inside || !direction(next, there)) return leave(before, f[0], h);
+      line_.steps.push_back(hermite(x_, f[0], next, there, line_.length(), h));
+      x_ = next;
+      for (int i = 3; i > 0; --i) f[i] = f[i - 1];
+      f[0] = there;
+      if (ends_at_node()) return;
+    }
+    finish(Streamline::End::length, x_);
+  }
+
+ private:
+  bool locate(Vec2 x) {
+    Location at = walk_to(x);
+    if (at.elem < 0) at = evaluator_.locator().find(x);
+    if (at.elem >= 0) at_ = at;
+    return at.elem >= 0;
+  }
+
+  Location walk_to(Vec2 x) const { return quadrille::walk(evaluator_.topology(), evaluator_.maps(), x, at_); }
+
+  // False outside the mesh. Turns angle_.
+  bool direction(Vec2 x, Vec2& f) {
+    if (!locate(x)) return false;
+    Vec2 position;
+    Mat2 dx_dxi;
+    const Vec2 value = evaluator_.value(at_.elem, at_.xi, position, dx_dxi);
+    if (!(norm2(value) > 0)) fail();
+    angle_ = guided_angle(value, angle_);
+    f = unit(angle_);
+    return true;
+  }
+
+  bool runge_kutta(Vec2 k1, double h, Vec2& next) {
+    Vec2 k2, k3, k4;
+    if (!direction(x_ + (h / 2) * k1, k2) || !direction(x_ + (h / 2) * k2, k3) || !direction(x_ + h * k3, k4))
+      return false;
+    next = x_ + (h / 6) * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    return true;
+  }
+
+  // The boundary lies within the next step: halving Euler's step with the direction's own turn is as good as the rest.
+  void leave(Location before, Vec2 f, double h) {
+    at_ = before;
+    const double angle = angle_of(f);
+    angle_ = angle + std::remainder(angle_ - angle, 2 * pi);
+    double share = 0.5;
+    while (h > 1e-14 * options_.max_step) {
+      const Location here = at_;
+      const double angle_here = angle_;
+      Vec2 next, there;
+      if (runge_kutta(f, share * h, next) && direction(next, there)) {
+        line_.steps.push_back(hermite(x_, f, next, there, line_.length(), share * h));
+        x_ = next, f = there, h *= 1 - share;
+      } else {
+        at_ = here, angle_ = angle_here, h *= share;
+      }
+    }
+    finish_on_boundary();
+  }
+
+  void finish_on_boundary() {
+    const TriMesh& mesh = evaluator_.field().mesh;
+    double nearest = 1e-3 * mesh.face.diameter;
+    for (const int edge : evaluator_.topology().elem2boundary_edge[at_.elem]) {
+      if (edge < 0) continue;
+      const BoundaryEdge& boundary = mesh.boundary_edges[edge];
+      const Projection foot = project(mesh.face.curves[boundary.curve], x_, boundary.t0, boundary.t1);
+      const double gap = distance(foot.position, x_);
+      if (gap >= nearest) continue;
+      nearest = gap;
+      line_.curve = boundary.curve;
+      line_.t = foot.t;
+      finish(Streamline::End::boundary, foot.position);
+    }
+    if (line_.end != Streamline::End::boundary) fail();
+  }
+
+  bool ends_at_node() {
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      if (nodes_[n] == line_.launch.origin || distance(x_, nodes_[n]) > options_.hit_distance) continue;
+      line_.end_node = static_cast<int>(n);
+      finish(Streamline::End::node, nodes_[n]);
+      return true;
+    }
+    return false;
+  }
+
+  void finish(Streamline::End how, Vec2 where) {
+    line_.end = how;
+    line_.end_position = where;
+    line_.end_angle = angle_;
+    line_.front = {at_.elem, at_.xi, angle_, {}};
+  }
+
+  [[noreturn]] void fail() const {
+    const Vec2 place = x_ + evaluator_.field().mesh.face.origin;
+    throw ComputeError(fmt::format("a line cannot be followed beyond ({:.6g}, {:.6g})", place.x, place.y));
+  }
+
+  const FieldEvaluator& evaluator_;
+  const std::vector<Vec2>& nodes_;
+  const AdvanceOptions& options_;
+  Streamline& line_;
+  Location at_;
+  Vec2 x_;
+  double angle_;
+};
+
+}  // namespace
+
+Streamline advance_adams_bashforth(const FieldEvaluator& evaluator, const Launch& launch,
+                                   const std::vector<Vec2>& nodes, const AdvanceOptions& options) {
+  Streamline line;
+  line.launch = launch;
+  Walker(evaluator, nodes, options, line).walk();
+  return line;
+}
+
+}  // namespace quadrille
