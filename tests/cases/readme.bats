@@ -14,6 +14,16 @@ load ../tools/common
   assert_file_not_empty d.field.svg
 }
 
+@test "the commands that choose irregular nodes work" {
+  cad2tri "$DATA/half_disc.step" -o d.tri.h5
+  fieldsolve d.tri.h5 | padapt -o d.field.h5
+  sed -n '/^## Irregular nodes/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+  assert [ "$(wc -l <commands)" -ge 5 ]
+  run -0 bash -euo pipefail commands
+  assert_output ''
+  run -0 stagecheck d.phase.h5 d.blocks.h5
+}
+
 @test "every file that it links is there" {
   grep -oE '\]\([^):]+\)' "$ROOT/README.md" | tr -d '])(' | sort -u >links
   assert [ "$(wc -l <links)" -ge 7 ]
