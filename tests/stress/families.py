@@ -219,7 +219,7 @@ def smooth(rng, number):
     outline = [z * unit(twist * abs(z) ** 2) for z in star(rng, whole(rng, 5, 12), 0.5, 1.3)]
     loops = [closed_spline(outline)]
     check_clearance(loops, gap, True)
-    rim = points_of(loops[0][0], gap)
+    rim, holes = points_of(loops[0][0], gap), []
     for _ in range(number % 6):
         for _ in range(200):
             centre = complex(rng.uniform(-1, 1), rng.uniform(-1, 1))
@@ -231,11 +231,15 @@ def smooth(rng, number):
                 one = backwards(closed_spline(poles))
             if not inside(centre, rim):
                 continue
+            first = points_of(one[0], gap)
+            if any(inside(first[0], other) or inside(other[0], first) for other in holes):
+                continue
             try:
                 check_clearance(loops + [one], gap, True)
             except Rejected:
                 continue
             loops.append(one)
+            holes.append(first)
             break
         else:
             raise Rejected
@@ -410,6 +414,8 @@ def tangent(rng, number):
     count = whole(rng, 3, 4)
     step = (2 * radius + gap) * turn
     holes = [(k - (count - 1) / 2) * step for k in range(count)]
+    if abs(holes[0].imag) + radius > 1 - gap:
+        raise Rejected
     return [plain] + [circle(z, radius) for z in holes]
 
 
@@ -430,7 +436,8 @@ def slit(rng, number):
                      complex(x + thickness / 2, depth - 1), complex(x + thickness / 2, -1)]
         else:
             half = depth * math.tan(math.radians(rng.uniform(7.6, 12)))
-            notch = [complex(x - half, -1), complex(x + rng.uniform(-0.1, 0.1) * half, depth - 1), complex(x + half, -1)]
+            tip = complex(x + rng.uniform(-0.1, 0.1) * half, depth - 1)
+            notch = [complex(x - half, -1), tip, complex(x + half, -1)]
         loops = [polygon([-corner] + notch + [corner.conjugate(), corner, -corner.conjugate()])]
     elif kind == 3:  # nearly an ellipse
         thickness = max(thickness, 0.02)
