@@ -17,7 +17,7 @@ std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints&
   };
   std::vector<bool> are_free;
   for (const CriticalPoint& p : points.critical_points)
-    are_free.push_back((p.source == "cluster" && !is_at_centre(p)) || p.source == "corner" || p.source == "line");
+    are_free.push_back((p.source == "cluster" && !is_at_centre(p)) || p.source == "line");
   return are_free;
 }
 

@@ -8,8 +8,9 @@
 
 namespace quadrille {
 
-/// Which nodes have no place of their own yet: those that a cluster was split into, that were made up for a corner or
-/// for a line field. A cluster's only node stands at its centre.
+/// Which nodes have no place of their own yet: those that a cluster was split into or that were made up for a line
+/// field. A cluster's only node stands at its centre. What was made up for a corner stays where the rule puts it: the
+/// least energy would draw it into the corner again.
 std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints& points);
 
 /// Gives every node the element that holds it, sorts the nodes by place, sets the index sum. Throws ComputeError where
