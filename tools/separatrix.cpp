@@ -36,6 +36,9 @@ int main(int argc, char** argv) {
     o.number("--merge-angle", options.merge_angle, 0, 40, "degrees", "merge lines that this turns by less");
     o.number("--merge-distance", options.merge_distance, 0, 1e300, "file units",
              "and lines that pass each other within this distance");
+    o.choice("--simplify", options.simplify, {"none", "normal", "coarsest"},
+             "whether thin strips of blocks are taken out, and how many");
+    o.number("--max-turn", options.max_turn, 0, 45, "degrees", "how far that may turn a line from the field");
     o.integer("--max-lines", options.max_lines, 1, 1000000, "most arcs of separatrices that the graph may have");
     o.number("--max-length", options.max_length, 0.01, 1e4, "diameters", "longest line that is followed");
   };

@@ -15,6 +15,7 @@
 #include "trace/launch_all.hpp"
 #include "trace/merge_plan.hpp"
 #include "trace/planar_faces.hpp"
+#include "trace/simplify.hpp"
 #include "trace/trace_lines.hpp"
 
 namespace quadrille {
@@ -94,6 +95,16 @@ std::optional<Partition> partition(const FieldEvaluator& evaluator, const std::v
   return Partition{std::move(graph), chosen.size(), largest_turn(plan, chosen)};
 }
 
+// Degrees that the coarsest layout may turn its lines away from the field, whatever the options say.
+constexpr double coarsest_turn = 40;
+
+SimplifyOptions simplify_options(const TraceOptions& options) {
+  SimplifyOptions simplify;
+  simplify.max_turn =
+      radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
+  return simplify;
+}
+
 }  // namespace
 
 void TraceOptions::validate() const {
@@ -122,6 +133,10 @@ SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const Critic
   report.set("trace.merged", found->num_merged);
   report.set("trace.largest_merge_turn_degrees", degrees(found->largest_turn));
 
+  if (options.simplify != "none") {
+    require_four_corners(graph);
+    graph = simplify(evaluator, std::move(graph), simplify_options(options), report);
+  }
   report.set("trace.lines", graph.lines.size());
   report.set("trace.nodes", graph.nodes.size());
   report.set("trace.arcs", graph.arcs.size());

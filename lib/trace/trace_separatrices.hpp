@@ -17,10 +17,12 @@ struct TraceOptions {
   /// Degrees: head-on lines are merged where that turns neither by more. On all benchmark shapes 15 removes most thin
   /// strips of blocks and leaves the least scaled Jacobian of the mesh as good as without.
   double merge_angle = 15;
-  double merge_distance = 0;  ///< file units: and where their fronts meet within it
-  int max_lines = 2000;       ///< more arcs of separatrices than this is an error
-  double max_length = 20;     ///< of one line, in diameters
-  void validate() const;      ///< throws UsageError
+  double merge_distance = 0;      ///< file units: and where their fronts meet within it
+  std::string simplify = "none";  ///< collapse of chords: "none", "normal", "coarsest"
+  double max_turn = 25;           ///< degrees: of a line from the field, by that; `coarsest` allows 40 at least
+  int max_lines = 2000;           ///< more arcs of separatrices than this is an error
+  double max_length = 20;         ///< of one line, in diameters
+  void validate() const;          ///< throws UsageError
 };
 
 /// Launches, advances, merges, intersects, builds the graph and takes its census. Every line is followed to its end

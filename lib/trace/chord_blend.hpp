@@ -1,0 +1,27 @@
+#pragma once
+// The line that takes the place of two lines side by side: it starts on the one and ends on the other,
+//
+//   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the share of the length of either,
+//
+// as where separatrices are merged (trace/merge.hpp): the weights are flat at both ends, so M leaves along A and
+// arrives along B.
+
+#include "curve/chain.hpp"
+#include "field/evaluate.hpp"
+#include "trace/fit_line.hpp"
+
+namespace quadrille {
+
+/// M as a function of f * blend_length, with its derivative. The chains must outlive it.
+CurveFunction blended_curve(const Chain& from, const Chain& to);
+double blend_length(const Chain& from, const Chain& to);
+
+/// The largest angle between a curve of the given length and the nearest direction of the field's cross, radians, at
+/// equal steps inside it.
+double turn_from_field(const FieldEvaluator& evaluator, const CurveFunction& curve, double length);
+
+/// Where a spline crosses a chain: Newton's method from (s, fraction). False where it finds nothing inside the chain
+/// and the spline's domain.
+bool cross_chain(const Nurbs& spline, const Chain& chain, double& s, double& fraction);
+
+}  // namespace quadrille
