@@ -41,6 +41,8 @@ class Builder {
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
       for (const int which : {0, 1}) {
         LineEnd end = which == 0 ? lines_[i].start : lines_[i].end;
+        ends_[i][which] = -1;
+        if (end.is_on_line()) continue;
         if (end.node < 0) snap_to_fixed(end);
         if (end.node < 0) snap_to_joint(end);
         if (end.node >= 0)
@@ -53,11 +55,9 @@ class Builder {
     });
     for (const End& end : on_boundary)
       ends_[end.line][end.which] = boundary_node(end.at, lines_[end.line].kind == "cut");
-    for (size_t i = 0; i < lines_.size(); ++i) {
-      lines_[i].spline.poles.front() = graph.nodes[ends_[i][0]].position;
-      lines_[i].spline.poles.back() = graph.nodes[ends_[i][1]].position;
-      on_line_[i] = {{lines_[i].spline.begin(), ends_[i][0]}, {lines_[i].spline.end(), ends_[i][1]}};
-    }
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+      for (const int which : {0, 1})
+        if (ends_[i][which] >= 0) put_end(i, which, ends_[i][which]);
   }
 
   void add_crossing(const Crossing& c) {
@@ -74,8 +74,18 @@ class Builder {
       node = static_cast<int>(graph.nodes.size());
       graph.nodes.push_back({c.position, NodeKind::crossing, 4, -1, 0});
     }
-    put_on_line(c.a, c.s, node, c.a == c.b);
-    put_on_line(c.b, c.t, node, c.a == c.b);
+    for (const auto& [line, t] : {std::pair{c.a, c.s}, std::pair{c.b, c.t}}) {
+      const int which = open_end(line, t);
+      which >= 0 ? put_end(line, which, node) : put_on_line(line, t, node, c.a == c.b);
+    }
+  }
+
+  // Where one line ends on the side of another.
+  void add_t_junctions() {
+    std::vector<int> degree(graph.nodes.size(), 0);
+    for (const GraphArc& arc : graph.arcs) ++degree[arc.from], ++degree[arc.to];
+    for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n)
+      if (graph.nodes[n].kind == NodeKind::crossing && degree[n] == 3) graph.t_junctions.push_back(n);
   }
 
   void add_line_arcs() {
@@ -145,9 +155,25 @@ class Builder {
     return static_cast<int>(graph.nodes.size()) - 1;
   }
 
+  void put_end(int line, int which, int node) {
+    Nurbs& spline = lines_[line].spline;
+    ends_[line][which] = node;
+    (which == 0 ? spline.poles.front() : spline.poles.back()) = graph.nodes[node].position;
+    on_line_[line].push_back({which == 0 ? spline.begin() : spline.end(), node});
+  }
+
+  // The end of a line that waits for a crossing at parameter t, or -1.
+  int open_end(int line, double t) const {
+    const Nurbs& spline = lines_[line].spline;
+    if (ends_[line][0] < 0 && t <= spline.begin()) return 0;
+    if (ends_[line][1] < 0 && t >= spline.end()) return 1;
+    return -1;
+  }
+
   int end_near(int line, Vec2 x) const {
     for (const int which : {0, 1})
-      if (distance(graph.nodes[ends_[line][which]].position, x) <= 2 * snap_) return ends_[line][which];
+      if (ends_[line][which] >= 0 && distance(graph.nodes[ends_[line][which]].position, x) <= 2 * snap_)
+        return ends_[line][which];
     return -1;
   }
 
@@ -197,6 +223,7 @@ SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& f
   for (const Crossing& c : crossings) builder.add_crossing(c);
   builder.add_boundary_arcs();
   builder.add_line_arcs();
+  builder.add_t_junctions();
   return std::move(builder.graph);
 }
 

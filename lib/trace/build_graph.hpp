@@ -19,11 +19,13 @@ struct FixedNode {
   double t = 0;
 };
 
-/// An end of a line: a fixed node, or a place on the boundary.
+/// An end of a line: a fixed node, a place on the boundary, or neither: on another line, at a crossing with it that
+/// lies at the very end of the spline's domain.
 struct LineEnd {
   int node = -1;
   int curve = -1;
   double t = 0;
+  bool is_on_line() const { return node < 0 && curve < 0; }
 };
 
 struct FinishedLine {
@@ -35,7 +37,7 @@ struct FinishedLine {
 /// Nodes in this sequence: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
 /// within `snap` (a length) of a fixed node on the boundary or of a joint are moved to it, ends within `snap` of each
 /// other are one node, crossings within `snap` of each other on one line too. `crossings`: of the lines' splines.
-/// Throws ComputeError where a line passes through the end of another.
+/// Throws ComputeError where a line passes through the end of another; one that ends ON another makes a T-junction.
 SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
                             const std::vector<Crossing>& crossings, double snap);
 

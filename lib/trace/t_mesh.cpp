@@ -1,0 +1,330 @@
+#include "trace/t_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+#include "trace/advance.hpp"
+#include "trace/build_graph.hpp"
+#include "trace/crossings.hpp"
+#include "trace/fit_line.hpp"
+#include "trace/launch_all.hpp"
+#include "trace/merge.hpp"
+#include "trace/motorcycle.hpp"
+
+namespace quadrille {
+namespace {
+
+// Shares of the diameter.
+constexpr double hit_share = 1e-7;   // as near to a node as this a line ends in it
+constexpr double fit_share = 2e-9;   // splines follow their lines within this
+constexpr double snap_share = 1e-9;  // nodes nearer than this are one
+constexpr double tie_share = 1e-6;   // arrivals nearer than this are one
+constexpr double first_bound = 2;    // of the length of lines
+constexpr int max_cuts = 100;
+
+constexpr double same_angle = 1e-4;  // radians: lines that meet head on within this are one, whatever the options say
+
+/// A line or a merged pair, before the race.
+struct Contestant {
+  FinishedLine line;
+  Trail trail;
+  int merge = -1;    // candidate
+  int unended = -1;  // the streamline that has no end yet
+};
+
+class TMesh {
+ public:
+  TMesh(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options)
+      : evaluator_(evaluator),
+        face_(evaluator.field().mesh.face),
+        d_(face_.diameter),
+        options_(options),
+        fixed_(fixed_nodes(face_, points)),
+        launches_(launch_all(evaluator, points)) {
+    if (launches_.empty() && face_.num_loops() == 2) launches_ = launch_cuts(evaluator);
+    head_starts_.resize(launches_.size(), 0);
+    for (const FixedNode& node : fixed_) nodes_.push_back(node.position);
+    for (const Launch& launch : launches_)
+      lines_.push_back(advance(evaluator, launch, nodes_, bounds(first_bound * d_)));
+  }
+
+  SeparatrixGraph run() {
+    for (;;) {
+      run_race();
+      if (lengthen()) continue;
+      SeparatrixGraph graph = clipped_graph();
+      if (!tie_lone_loops(graph)) return graph;
+    }
+  }
+
+  size_t num_lines() const { return lines_.size(); }
+  int num_cuts() const { return num_cuts_; }
+  int num_merged() const {
+    return static_cast<int>(
+        std::count_if(contestants_.begin(), contestants_.end(), [](const Contestant& c) { return c.merge >= 0; }));
+  }
+  int num_stopped() const {
+    return static_cast<int>(
+        std::count_if(covered_.begin(), covered_.end(), [](const Covered& c) { return !c.whole(); }));
+  }
+
+ private:
+  AdvanceOptions bounds(double length) const {
+    const double step = options_.step > 0 ? options_.step : d_ / 20;
+    return {options_.tolerance * d_, step, std::min(length, options_.max_length * d_), hit_share * d_};
+  }
+
+  void run_race() {
+    const double angle = std::max(radians(options_.merge_angle), same_angle);
+    candidates_ = merge_candidates(evaluator_, lines_, nodes_, {angle, options_.merge_distance});
+    allowed_.assign(candidates_.size(), true);
+    do {
+      enter_contestants();
+    } while (give_up_crossed_merges());
+    std::vector<Trail> trails;
+    for (const Contestant& c : contestants_) trails.push_back(c.trail);
+    covered_ = race(trails, crossings_, tie_share * d_);
+  }
+
+  void enter_contestants() {
+    std::vector<bool> taken(lines_.size(), false);
+    std::vector<int> merge_of(lines_.size(), -1);
+    for (const int c : choose_merges(candidates_, allowed_, taken))
+      merge_of[candidates_[c].a] = merge_of[candidates_[c].b] = c;
+    contestants_.clear();
+    std::vector<Nurbs> splines;
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+      if (merge_of[i] >= 0 && candidates_[merge_of[i]].b == i) continue;
+      contestants_.push_back(merge_of[i] >= 0 ? merged(merge_of[i]) : single(i));
+      splines.push_back(contestants_.back().line.spline);
+    }
+    crossings_.clear();
+    for (const Crossing& c : find_crossings(splines, snap()))
+      if (!is_common_end(c)) crossings_.push_back(c);
+  }
+
+  Contestant single(int i) {
+    const Streamline& l = lines_[i];
+    const bool is_cut = l.launch.node < 0, is_unended = l.end == Streamline::End::length;
+    const LineEnd start = is_cut ? LineEnd{-1, l.launch.curve, l.launch.t} : LineEnd{l.launch.node, -1, 0};
+    const auto along = [&](double s, Vec2& direction) { return l.at(evaluator_, s, direction); };
+    const Nurbs& spline = fitted(i, -1, along, l.length());
+    return {{start, {l.end_node, l.curve, l.t}, spline, is_cut ? "cut" : "traced"},
+            {l.length(), false, head_starts_[i]},
+            -1,
+            is_unended ? i : -1};
+  }
+
+  Contestant merged(int candidate) {
+    const MergeCandidate& m = candidates_[candidate];
+    const Streamline &a = lines_[m.a], &b = lines_[m.b];
+    const Nurbs& spline = fitted(m.a, m.b, merged_curve(evaluator_, a, b, m), m.length());
+    return {{{a.launch.node, -1, 0}, {b.launch.node, -1, 0}, spline, "merged"}, {m.length(), true, 0}, candidate, -1};
+  }
+
+  // Fitted once however often the plan changes; `length` tells a line from itself before it was lengthened.
+  const Nurbs& fitted(int a, int b, const CurveFunction& curve, double length) {
+    const std::array<double, 3> key{static_cast<double>(a), static_cast<double>(b), length};
+    const auto known = fitted_.find(key);
+    if (known != fitted_.end()) return known->second;
+    return fitted_[key] = fit_line(curve, length, fit_share * d_);
+  }
+
+  bool is_common_end(const Crossing& c) const {
+    const auto ends_there = [&](int i) {
+      const Nurbs& spline = contestants_[i].line.spline;
+      return distance(spline.poles.front(), c.position) <= 2 * snap() ||
+             distance(spline.poles.back(), c.position) <= 2 * snap();
+    };
+    return ends_there(c.a) && ends_there(c.b);
+  }
+
+  // Lines of one family never cross, unless a merge has bent one across the other: the worst of these is given up.
+  bool give_up_crossed_merges() {
+    double turn = -1;
+    std::vector<int> crossed;
+    for (const Crossing& c : crossings_)
+      for (const int i : {c.a, c.b}) {
+        const int merge = contestants_[i].merge;
+        if (c.angle > pi / 4 || merge < 0) continue;
+        crossed.push_back(merge);
+        turn = std::max(turn, candidates_[merge].turn);
+      }
+    for (const int merge : crossed)
+      if (candidates_[merge].turn > turn - 1e-6) allowed_[merge] = false;
+    return !crossed.empty();
+  }
+
+  // Follows farther what nothing has stopped; at the greatest length it gets a cut across its way. False: all ended.
+  bool lengthen() {
+    bool any = false;
+    for (size_t i = 0; i < contestants_.size(); ++i) {
+      const int line = contestants_[i].unended;
+      if (line < 0 || !covered_[i].whole()) continue;
+      any = true;
+      const double length = lines_[line].length();
+      if (length < options_.max_length * d_ * (1 - 1e-9)) {
+        follow(evaluator_, lines_[line], nodes_, bounds(2 * length));
+      } else {
+        cut_across(lines_[line]);
+        break;
+      }
+    }
+    return any;
+  }
+
+  // From boundary to boundary across the end of a line.
+  void cut_across(const Streamline& line) {
+    const Launch across = launch_line(evaluator_, -1, line.end_position, line.end_angle + pi / 2, 1e-6 * d_, 1);
+    const Streamline half = advance(evaluator_, across, nodes_, bounds(options_.max_length * d_));
+    if (half.end != Streamline::End::boundary) {
+      const Vec2 at = line.end_position + face_.origin;
+      throw ComputeError(
+          fmt::format("no line leads from the limit cycle at ({:.6g}, {:.6g}) to the boundary", at.x, at.y));
+    }
+    add_cut(half.curve, half.t, options_.max_length * d_);
+  }
+
+  void add_cut(int curve, double t, double head_start) {
+    if (++num_cuts_ > max_cuts) throw ComputeError(fmt::format("more than {} cuts do not make a layout", max_cuts));
+    launches_.push_back(launch_from_boundary(evaluator_, curve, t));
+    head_starts_.push_back(head_start);
+    lines_.push_back(advance(evaluator_, launches_.back(), nodes_, bounds(first_bound * d_)));
+  }
+
+  SeparatrixGraph clipped_graph() const {
+    std::vector<FinishedLine> pieces;
+    std::vector<std::vector<int>> pieces_of(contestants_.size());
+    for (size_t i = 0; i < contestants_.size(); ++i) {
+      const auto add = [&](FinishedLine piece) {
+        pieces_of[i].push_back(static_cast<int>(pieces.size()));
+        pieces.push_back(std::move(piece));
+      };
+      const FinishedLine& line = contestants_[i].line;
+      const Covered& part = covered_[i];
+      if (part.whole()) {
+        add(line);
+        continue;
+      }
+      add({line.start, {}, trimmed(line.spline, line.spline.begin(), part.first), line.kind});
+      if (part.last < line.spline.end())
+        add({{}, line.end, trimmed(line.spline, part.last, line.spline.end()), line.kind});
+    }
+    const auto piece_at = [&](int i, double s) {
+      for (const int p : pieces_of[i])
+        if (s >= pieces[p].spline.begin() && s <= pieces[p].spline.end()) return p;
+      return -1;
+    };
+    std::vector<Crossing> kept;
+    for (Crossing c : crossings_) {
+      c.a = piece_at(c.a, c.s), c.b = piece_at(c.b, c.t);
+      if (c.a >= 0 && c.b >= 0) kept.push_back(c);
+    }
+    return build_graph(face_, fixed_, pieces, kept, snap());
+  }
+
+  // A hole that nothing ties to the outer boundary gets a cut from the middle of its first curve.
+  bool tie_lone_loops(const SeparatrixGraph& graph) {
+    std::vector<int> root(graph.nodes.size());
+    std::iota(root.begin(), root.end(), 0);
+    const std::function<int(int)> find = [&](int n) { return root[n] == n ? n : root[n] = find(root[n]); };
+    for (const GraphArc& arc : graph.arcs) root[find(arc.from)] = find(arc.to);
+    std::vector<int> root_of_loop(face_.num_loops(), -1);
+    for (size_t n = 0; n < graph.nodes.size(); ++n)
+      if (graph.nodes[n].curve >= 0) root_of_loop[face_.loop_of(graph.nodes[n].curve)] = find(static_cast<int>(n));
+    bool any = false;
+    for (int loop = 1; loop < face_.num_loops(); ++loop) {
+      if (root_of_loop[loop] == root_of_loop[0]) continue;
+      const Nurbs& curve = face_.curves[face_.loop_offsets[loop]];
+      add_cut(face_.loop_offsets[loop], (curve.begin() + curve.end()) / 2, 0);
+      any = true;
+    }
+    return any;
+  }
+
+  double snap() const { return snap_share * d_; }
+
+  const FieldEvaluator& evaluator_;
+  const CadFace& face_;
+  double d_;
+  TraceOptions options_;
+  std::vector<FixedNode> fixed_;
+  std::vector<Launch> launches_;
+  std::vector<double> head_starts_;
+  std::vector<Vec2> nodes_;
+  std::vector<Streamline> lines_;
+  std::map<std::array<double, 3>, Nurbs> fitted_;
+  std::vector<MergeCandidate> candidates_;
+  std::vector<bool> allowed_;
+  std::vector<Contestant> contestants_;
+  std::vector<Crossing> crossings_;
+  std::vector<Covered> covered_;
+  int num_cuts_ = 0;
+};
+
+bool is_four_sided(const std::vector<int>& quarters) {
+  return num_corners(quarters) == 4 &&
+         std::all_of(quarters.begin(), quarters.end(), [](int q) { return q == 1 || q == 2; });
+}
+
+TFace sides_of(const std::vector<int>& cycle, const std::vector<int>& quarters) {
+  const size_t n = cycle.size();
+  size_t first = 0;  // the dart after a corner
+  while (quarters[(first + n - 1) % n] != 1) ++first;
+  TFace face;
+  int side = 0;
+  for (size_t k = 0; k < n; ++k) {
+    face[side].push_back(cycle[(first + k) % n]);
+    if (quarters[(first + k) % n] == 1) ++side;
+  }
+  return face;
+}
+
+}  // namespace
+
+SeparatrixGraph trace_t_mesh(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options,
+                             Report& report) {
+  options.validate();
+  TMesh mesh(evaluator, points, options);
+  SeparatrixGraph graph = mesh.run();
+  report.set("t_mesh.launched", mesh.num_lines());
+  report.set("t_mesh.merged", mesh.num_merged());
+  report.set("t_mesh.stopped", mesh.num_stopped());
+  report.set("t_mesh.cuts", mesh.num_cuts());
+  report.set("t_mesh.arcs", graph.arcs.size());
+  report.set("t_mesh.t_junctions", graph.t_junctions.size());
+  for (const auto& [corners, count] : corner_census(planar_faces(graph)))
+    report.set(fmt::format("t_mesh.faces_of_{}_corners", corners), count);
+  return graph;
+}
+
+std::map<int, int> corner_census(const PlanarFaces& faces) {
+  std::map<int, int> census;
+  for (const std::vector<int>& quarters : faces.quarters) ++census[num_corners(quarters)];
+  return census;
+}
+
+std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph) {
+  const PlanarFaces faces = planar_faces(graph);
+  std::vector<TFace> all;
+  for (size_t f = 0; f < faces.cycles.size(); ++f) {
+    if (!is_four_sided(faces.quarters[f])) {
+      const Vec2 place = place_of(graph, faces.cycles[f]);
+      throw ComputeError(fmt::format("the face of the T-mesh around ({:.6g}, {:.6g}) has {} corners instead of four",
+                                     place.x, place.y, num_corners(faces.quarters[f])));
+    }
+    all.push_back(sides_of(faces.cycles[f], faces.quarters[f]));
+  }
+  if (faces.num_components > 1)
+    throw ComputeError(fmt::format("the T-mesh falls into {} parts that nothing connects", faces.num_components));
+  return all;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,35 @@
+#pragma once
+// The T-mesh of a guiding field: separatrices, each as long as the first line that was laid across its way before
+// (motorcycle.hpp). It is finite for every field, spirals and limit cycles included, and all its faces are four-sided:
+// corners of one quarter turn at crossings and line ends, T-junctions on the sides.
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "base/report.hpp"
+#include "field/evaluate.hpp"
+#include "model/critical_points.hpp"
+#include "model/separatrix_graph.hpp"
+#include "trace/planar_faces.hpp"
+#include "trace/trace_separatrices.hpp"
+
+namespace quadrille {
+
+/// Separatrices that meet head on are merged as in trace_separatrices, then all race. A hole that no line reaches is
+/// tied to the rest by a cut, and so is a limit cycle that crosses nobody. Lines are followed no farther than needed:
+/// the bound doubles from two diameters for those that nothing has stopped.
+/// Throws ComputeError where a line cannot be followed.
+SeparatrixGraph trace_t_mesh(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options,
+                             Report& report);
+
+/// Number of faces by number of corners. What the faces of a T-mesh must be is four for all.
+std::map<int, int> corner_census(const PlanarFaces& faces);
+
+/// A face of a T-mesh: the darts of its four sides, counter-clockwise.
+using TFace = std::array<std::vector<int>, 4>;
+
+/// Throws ComputeError, naming a place, unless every face has four corners and no sector but quarters and halves.
+std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph);
+
+}  // namespace quadrille
