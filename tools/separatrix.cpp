@@ -4,8 +4,8 @@
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "trace/lay_out.hpp"
 #include "trace/require_nodes.hpp"
-#include "trace/trace_separatrices.hpp"
 
 using namespace quadrille;
 
@@ -39,6 +39,10 @@ int main(int argc, char** argv) {
     o.choice("--simplify", options.simplify, {"none", "normal", "coarsest"},
              "whether thin strips of blocks are taken out, and how many");
     o.number("--max-turn", options.max_turn, 0, 45, "degrees", "how far that may turn a line from the field");
+    o.choice("--layout", options.layout, {"traced", "quantized", "auto", "t-mesh"},
+             "traced: lines are followed to their ends; quantized: each stops at the first that crosses its way, and "
+             "whole numbers say where it goes on; auto: quantized where traced fails; t-mesh: a look at the stopped "
+             "lines, no layout");
     o.integer("--max-lines", options.max_lines, 1, 1000000, "most arcs of separatrices that the graph may have");
     o.number("--max-length", options.max_length, 0.01, 1e4, "diameters", "longest line that is followed");
   };
@@ -56,7 +60,7 @@ int main(int argc, char** argv) {
     require_same_origin(field_file, field.provenance, points_file, points.provenance);
     if (field.kind != "phase") require_nodes_of_field(evaluator, points);
     s.begin_phase("trace");
-    SeparatrixGraph graph = trace_separatrices(evaluator, points, options, s.report());
+    SeparatrixGraph graph = lay_out(evaluator, points, options, s.report());
     graph.provenance =
         s.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
     s.begin_phase("write");

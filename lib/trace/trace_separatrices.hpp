@@ -22,7 +22,9 @@ struct TraceOptions {
   double max_turn = 25;           ///< degrees: of a line from the field, by that; `coarsest` allows 40 at least
   int max_lines = 2000;           ///< more arcs of separatrices than this is an error
   double max_length = 20;         ///< of one line, in diameters
-  void validate() const;          ///< throws UsageError
+  /// "traced", "quantized", "auto" or "t-mesh" (trace/lay_out.hpp).
+  std::string layout = "traced";
+  void validate() const;  ///< throws UsageError
 };
 
 /// Launches, advances, merges, intersects, builds the graph and takes its census. Every line is followed to its end
