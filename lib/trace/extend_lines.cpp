@@ -1,0 +1,309 @@
+#include "trace/extend_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "base/error.hpp"
+#include "curve/chain.hpp"
+#include "curve/nurbs.hpp"
+#include "mesh/transfinite.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int samples_between = 4;  // of a grid line, between crossings
+
+/// Where a dart lies: side of a face, and the integer position on the side (counter-clockwise) at which it starts.
+struct DartPlace {
+  int face = -1, side = 0, offset = 0;
+};
+
+/// A grid line of a face: direction 0 leads from side 0 to side 2, 1 from side 1 to side 3. The offset counts along the
+/// side where it starts.
+struct GridLine {
+  int face = 0, direction = 0, offset = 0;
+};
+
+/// An integer point inside an arc.
+struct ArcPoint {
+  int arc = 0, number = 0;
+};
+
+class Lengths {
+ public:
+  Lengths(const std::vector<TFace>& faces, const std::vector<int>& lengths)
+      : faces_(faces), lengths_(lengths), places_(2 * lengths.size()) {
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+      totals_.push_back({});
+      for (int side = 0; side < 4; ++side)
+        for (const int dart : faces[f][side]) {
+          places_[slot(dart)] = {f, side, totals_[f][side]};
+          totals_[f][side] += lengths[dart_arc(dart)];
+        }
+    }
+  }
+
+  const DartPlace& place(int dart) const { return places_[slot(dart)]; }
+  int total(int face, int side) const { return totals_[face][side]; }
+  int arc(int a) const { return lengths_[a]; }
+
+  /// The dart of a side at an integer position, and the position along the dart: 0 < number <= its length.
+  std::pair<int, int> dart_at(int face, int side, int position) const {
+    for (const int dart : faces_[face][side]) {
+      const int length = lengths_[dart_arc(dart)];
+      if (position <= length) return {dart, position};
+      position -= length;
+    }
+    throw Defect("extend_lines: a position beyond the end of a side");
+  }
+
+ private:
+  static size_t slot(int dart) { return 2 * static_cast<size_t>(dart_arc(dart)) + (dart < 0); }
+  const std::vector<TFace>& faces_;
+  const std::vector<int>& lengths_;
+  std::vector<DartPlace> places_;
+  std::vector<std::array<int, 4>> totals_;
+};
+
+/// All grid lines that T-junctions ask for.
+class Grid {
+ public:
+  Grid(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces, const Lengths& lengths)
+      : marks(t_mesh.arcs.size()), lines(faces.size()), t_mesh_(t_mesh), lengths_(lengths) {
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+      for (int side = 0; side < 4; ++side)
+        for (size_t k = 1; k < faces[f][side].size(); ++k) ask(f, side, lengths.place(faces[f][side][k]).offset);
+    while (!asked_.empty()) {
+      const GridLine line = asked_.back();
+      asked_.pop_back();
+      const int total = lengths_.total(line.face, line.direction);
+      reach(line.face, line.direction, line.offset);
+      reach(line.face, line.direction + 2, total - line.offset);
+    }
+  }
+
+  std::vector<std::set<int>> marks;                 // of each arc: the integer points where lines cross it
+  std::vector<std::array<std::set<int>, 2>> lines;  // of each face and direction: offsets
+
+ private:
+  void ask(int face, int side, int position) {
+    const int direction = side % 2;
+    const int offset = side < 2 ? position : lengths_.total(face, direction) - position;
+    if (lines[face][direction].insert(offset).second) asked_.push_back({face, direction, offset});
+  }
+
+  // The line comes to a side: at a node it is the line of a T-junction there, else it goes on behind the arc.
+  void reach(int face, int side, int position) {
+    const auto [dart, number] = lengths_.dart_at(face, side, position);
+    const int arc = dart_arc(dart), length = lengths_.arc(arc);
+    if (number == length) return;
+    if (!marks[arc].insert(dart >= 0 ? number : length - number).second || t_mesh_.arcs[arc].is_boundary) return;
+    const DartPlace& behind = lengths_.place(reversed_dart(dart));
+    ask(behind.face, behind.side, behind.offset + length - number);
+  }
+
+  const SeparatrixGraph& t_mesh_;
+  const Lengths& lengths_;
+  std::vector<GridLine> asked_;
+};
+
+std::vector<ArcPiece> reversed_pieces(std::vector<ArcPiece> pieces) {
+  std::reverse(pieces.begin(), pieces.end());
+  for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
+  return pieces;
+}
+
+class Extender {
+ public:
+  Extender(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces, const Lengths& lengths, const Grid& grid)
+      : t_mesh_(t_mesh), faces_(faces), lengths_(lengths), grid_(grid), table_(t_mesh.face, t_mesh.splines) {
+    graph.provenance = t_mesh.provenance;
+    graph.face = t_mesh.face;
+    graph.splines = t_mesh.splines;
+    graph.nodes = t_mesh.nodes;
+    for (const GraphArc& arc : t_mesh.arcs) chains_.emplace_back(table_, arc.pieces);
+    for (int a = 0; a < static_cast<int>(t_mesh.arcs.size()); ++a) split_arc(a);
+    keep_lines();
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f) draw_face(f);
+  }
+
+  SeparatrixGraph graph;
+
+ private:
+  // Integer points are spread evenly over their arc.
+  double share(int arc, int number) const { return static_cast<double>(number) / lengths_.arc(arc); }
+
+  void split_arc(int a) {
+    const GraphArc& arc = t_mesh_.arcs[a];
+    parts_.emplace_back();
+    ArcPiece rest = arc.pieces.front();
+    size_t k = 0;
+    int from = arc.from;
+    std::vector<ArcPiece> pieces;
+    const auto finish = [&](int to) {
+      parts_[a].push_back(static_cast<int>(graph.arcs.size()));
+      graph.arcs.push_back({from, to, arc.is_boundary, 0, pieces});
+      pieces.clear();
+      from = to;
+    };
+    for (const int number : grid_.marks[a]) {
+      const ChainPoint at = chains_[a].at(share(a, number));
+      for (; static_cast<int>(k) < at.piece; rest = arc.pieces[++k]) pieces.push_back(rest);
+      if (rest.t0 != at.t) pieces.push_back({rest.curve, rest.t0, at.t});
+      rest.t0 = at.t;
+      const int node = static_cast<int>(graph.nodes.size());
+      graph.nodes.push_back(arc.is_boundary ? GraphNode{at.position, NodeKind::boundary, 2, rest.curve, at.t}
+                                            : GraphNode{at.position, NodeKind::crossing, 4, -1, 0});
+      node_of_mark_[{a, number}] = node;
+      finish(node);
+    }
+    pieces.push_back(rest);
+    for (++k; k < arc.pieces.size(); ++k) pieces.push_back(arc.pieces[k]);
+    finish(arc.to);
+  }
+
+  void keep_lines() {
+    for (SeparatrixLine line : t_mesh_.lines) {
+      std::vector<int> arcs;
+      for (const int a : line.arcs) arcs.insert(arcs.end(), parts_[a].begin(), parts_[a].end());
+      line.arcs = std::move(arcs);
+      graph.lines.push_back(std::move(line));
+    }
+  }
+
+  // The node at a position of a side, not at its ends.
+  int node_at(int face, int side, int position) const {
+    const auto [dart, number] = lengths_.dart_at(face, side, position);
+    const int arc = dart_arc(dart), length = lengths_.arc(arc);
+    if (number == length) return dart_to(t_mesh_, dart);
+    return node_of_mark_.at({arc, dart >= 0 ? number : length - number});
+  }
+
+  // Share of the side's arc length at a position, counter-clockwise.
+  double fraction_at(int face, int side, int position) const {
+    const auto [last, number] = lengths_.dart_at(face, side, position);
+    double before = 0, total = 0;
+    for (const int dart : faces_[face][side]) {
+      if (dart == last) before = total + chains_[dart_arc(dart)].length() * number / lengths_.arc(dart_arc(dart));
+      total += chains_[dart_arc(dart)].length();
+    }
+    return before / total;
+  }
+
+  Chain side_chain(int face, int side) const {
+    std::vector<ArcPiece> pieces;
+    for (const int dart : faces_[face][side]) {
+      const std::vector<ArcPiece>& own = t_mesh_.arcs[dart_arc(dart)].pieces;
+      const std::vector<ArcPiece> directed = dart >= 0 ? own : reversed_pieces(own);
+      pieces.insert(pieces.end(), directed.begin(), directed.end());
+    }
+    return Chain(table_, pieces);
+  }
+
+  /// A grid line in the unit square: fractions where it starts and ends, both along the direction of the starting side.
+  struct Straight {
+    int offset = 0;
+    double start = 0, end = 0;
+  };
+
+  std::vector<Straight> straight_lines(int face, int direction) const {
+    std::vector<Straight> all;
+    const int total = lengths_.total(face, direction);
+    for (const int offset : grid_.lines[face][direction])
+      all.push_back(
+          {offset, fraction_at(face, direction, offset), 1 - fraction_at(face, direction + 2, total - offset)});
+    return all;
+  }
+
+  void draw_face(int f) {
+    const std::array<std::vector<Straight>, 2> lines{straight_lines(f, 0), straight_lines(f, 1)};
+    if (lines[0].empty() && lines[1].empty()) return;
+    const std::array<Chain, 4> sides{side_chain(f, 0), side_chain(f, 1), side_chain(f, 2), side_chain(f, 3)};
+    const TransfiniteMap map({&sides[0], &sides[1], &sides[2], &sides[3]}, {false, false, false, false});
+    // Direction 0 runs from side 0 (t = 0) to side 2, at s from start to end; direction 1 from side 1 (s = 1) to
+    // side 3.
+    std::vector<std::vector<Vec2>> where;
+    std::vector<std::vector<int>> nodes;
+    for (const Straight& a : lines[0]) {
+      where.emplace_back(), nodes.emplace_back();
+      for (const Straight& b : lines[1]) {
+        const Vec2 st = crossing_parameters(a.start, b.start, a.end, b.end);
+        where.back().push_back(st);
+        nodes.back().push_back(static_cast<int>(graph.nodes.size()));
+        graph.nodes.push_back({map.position(st.x, st.y), NodeKind::crossing, 4, -1, 0});
+      }
+    }
+    for (size_t i = 0; i < lines[0].size(); ++i) {
+      const Straight& a = lines[0][i];
+      std::vector<Stop> stops{{0, node_at(f, 0, a.offset)}};
+      for (size_t j = 0; j < lines[1].size(); ++j) stops.push_back({where[i][j].y, nodes[i][j]});
+      stops.push_back({1, node_at(f, 2, lengths_.total(f, 2) - a.offset)});
+      draw(stops, [&](double t) { return map.position(a.start + t * (a.end - a.start), t); });
+    }
+    for (size_t j = 0; j < lines[1].size(); ++j) {
+      const Straight& b = lines[1][j];
+      std::vector<Stop> stops{{0, node_at(f, 1, b.offset)}};
+      for (size_t i = lines[0].size(); i-- > 0;) stops.push_back({1 - where[i][j].x, nodes[i][j]});
+      stops.push_back({1, node_at(f, 3, lengths_.total(f, 3) - b.offset)});
+      draw(stops, [&](double r) { return map.position(1 - r, b.start + r * (b.end - b.start)); });
+    }
+  }
+
+  struct Stop {
+    double t = 0;
+    int node = 0;
+  };
+
+  // A spline through all nodes of a grid line and points between them; it IS the line from here on.
+  template <class Position>
+  void draw(const std::vector<Stop>& stops, const Position& position) {
+    std::vector<double> t;
+    std::vector<Vec2> x;
+    for (size_t k = 0; k < stops.size(); ++k) {
+      t.push_back(stops[k].t);
+      x.push_back(graph.nodes[stops[k].node].position);
+      if (k + 1 == stops.size()) break;
+      for (int i = 1; i < samples_between; ++i) {
+        t.push_back(stops[k].t + (stops[k + 1].t - stops[k].t) * i / samples_between);
+        x.push_back(position(t.back()));
+      }
+    }
+    const double h = 1e-4;
+    const Vec2 d0 = (-3 * x.front() + 4 * position(h) - position(2 * h)) / (2 * h);
+    const Vec2 d1 = (3 * x.back() - 4 * position(1 - h) + position(1 - 2 * h)) / (2 * h);
+    const int curve = graph.face.num_curves() + static_cast<int>(graph.splines.size());
+    graph.splines.push_back(cubic_spline(t, x, d0, d1));
+    SeparatrixLine line{stops.front().node, stops.back().node, "extended", {}};
+    for (size_t k = 0; k + 1 < stops.size(); ++k) {
+      line.arcs.push_back(static_cast<int>(graph.arcs.size()));
+      graph.arcs.push_back({stops[k].node, stops[k + 1].node, false, 0, {{curve, stops[k].t, stops[k + 1].t}}});
+    }
+    graph.lines.push_back(std::move(line));
+  }
+
+  const SeparatrixGraph& t_mesh_;
+  const std::vector<TFace>& faces_;
+  const Lengths& lengths_;
+  const Grid& grid_;
+  CurveTable table_;
+  std::vector<Chain> chains_;            // of the arcs
+  std::vector<std::vector<int>> parts_;  // new arcs of each arc
+  std::map<std::pair<int, int>, int> node_of_mark_;
+};
+
+}  // namespace
+
+SeparatrixGraph extend_lines(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
+                             const std::vector<int>& lengths) {
+  const Lengths table(faces, lengths);
+  const Grid grid(t_mesh, faces, table);
+  SeparatrixGraph graph = std::move(Extender(t_mesh, faces, table, grid).graph);
+  require_four_corners(graph);
+  return graph;
+}
+
+}  // namespace quadrille

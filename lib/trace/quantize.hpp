@@ -1,0 +1,26 @@
+#pragma once
+// Integer lengths for the arcs of a T-mesh such that opposite sides of every face have equal sums: each face is then an
+// integer grid, and the grids of all faces fit together (Campen, Bommes and Kobbelt 2015; Lyon, Campen and Kobbelt
+// 2021; Heistermann, Warnett and Bommes 2023).
+//
+//   minimise  sum_a (n_a - t_a)^2 / max(t_a, 1/2)    n_a >= 1 integer,    t_a = length of arc a / unit
+//
+// The squares, taken as piecewise linear between integers, share out what is too much evenly: arcs of one symmetry
+// orbit get one length where that is possible at all.
+
+#include <vector>
+
+#include "model/separatrix_graph.hpp"
+#include "trace/t_mesh.hpp"
+
+namespace quadrille {
+
+/// `arc_lengths` and `unit`: lengths. Integer lengths of the arcs, 1 or more. Throws ComputeError where there are none
+/// because some arcs can have no length but zero: strips of faces that wind onto themselves. It names a place on them.
+std::vector<int> quantize(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
+                          const std::vector<double>& arc_lengths, double unit);
+
+/// Arcs that are zero in every solution with lengths >= 0. Empty: quantize() succeeds.
+std::vector<int> vanishing_arcs(const std::vector<TFace>& faces, int num_arcs);
+
+}  // namespace quadrille
