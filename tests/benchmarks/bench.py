@@ -1,19 +1,21 @@
 """What the scripts in this folder share: running tools, their CPU time, the machine, files of results."""
-import argparse, json, pathlib, re, subprocess, sys
+import argparse, json, os, pathlib, re, subprocess, sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = pathlib.Path(__file__).resolve().parent / "results"
 PAPER_SHAPES = ("half_disc", "geometry_1", "geometry_2", "geometry_3", "geometry_4", "geometry_5")
 
 
-def arguments(description, needs_geometries):
-    """--bin, -o, --repeats and, where needed, the folder of geometries; ends the program where that does not exist."""
+def arguments(description, needs_geometries, extra=lambda parser: None):
+    """--bin, -o, --repeats and, where needed, the folder of geometries; ends the program where that does not exist. More
+    arguments are what extra adds to the parser."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     if needs_geometries:
         parser.add_argument("geometries", nargs="?", type=pathlib.Path, default=ROOT.parent / "shared" / "geometries")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin", help="folder of the tools")
     parser.add_argument("-o", "--output", type=pathlib.Path, default=RESULTS, help="folder to write to")
     parser.add_argument("--repeats", type=int, default=5, help="runs of which the least CPU time counts")
+    extra(parser)
     options = parser.parse_args()
     if needs_geometries and not (options.geometries / "truth.json").exists():
         print(f"{parser.prog}: no truth.json in {options.geometries}: nothing to do", file=sys.stderr)
@@ -39,6 +41,20 @@ def timed(folder, repeats, phases, *command):
     """The report of a tool, and the least CPU time of its phases together over several runs."""
     reports = [report(folder, *command) for _ in range(repeats)]
     return reports[-1], min(sum(r["timings"][phase]["cpu_seconds"] for phase in phases) for r in reports)
+
+
+def layout(options, folder, shape, tri_options=(), order=8):
+    """The graph of a shape's layout, through all stages that lead to it, a field for the nodes included."""
+    tri, solve, field, crit, sep = (folder / name for name in ("tri.h5", "solve.h5", "field.h5", "crit.json", "sep.json"))
+    run(options.bin / "cad2tri", "-q", *tri_options, shape, "-o", tri)
+    run(options.bin / "fieldsolve", "-q", "--field-order", order, tri, "-o", solve)
+    run(options.bin / "padapt", "-q", solve, "-o", field)
+    run(options.bin / "critpoints", "-q", field, "-o", crit)
+    if json.loads(crit.read_text())["form"] == "phase":
+        run(options.bin / "fieldsolve", "-q", "--nodes", crit, "--orders", field, tri, "-o", solve)
+        run(options.bin / "padapt", "-q", solve, "-o", field)
+    run(options.bin / "separatrix", "-q", field, crit, "-o", sep)
+    return sep
 
 
 def make_reference(options, folder, shape, diameter, path):
