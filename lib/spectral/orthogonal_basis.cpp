@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "spectral/jacobi.hpp"
@@ -50,7 +51,9 @@ void require_order(int order) {
   if (order < 0 || order > max_tri_order) throw Defect("no table for this order of the orthogonal basis");
 }
 
-void fill_values(int order, Vec2 xi, double* __restrict f) {
+// `Order`: int, or a constant that lets the compiler unroll the short loops of low orders, where most elements are.
+template <class Order>
+void fill_rows(Order order, Vec2 xi, double* __restrict f) {
   const Recurrence& r = recurrence();
   const double y = xi.y, s = xi.x + (1 + xi.y) / 2, h = (1 - xi.y) / 2, h2 = h * h;
   f[0] = scale(0, 0);
@@ -65,6 +68,16 @@ void fill_values(int order, Vec2 xi, double* __restrict f) {
     f[row + d - 1] = (r.a[row + d - 1] * y + r.b[row + d - 1]) * f[one + d - 1];
     f[row + d] = r.a[row + d] * s * f[one + d - 1] - r.c[row + d] * h2 * f[two + d - 2];
   }
+}
+
+template <int order = 2>
+void fill_unrolled(int wanted, Vec2 xi, double* f) {
+  if (wanted == order) return fill_rows(std::integral_constant<int, order>{}, xi, f);
+  if constexpr (order < 12) fill_unrolled<order + 1>(wanted, xi, f);
+}
+
+void fill_values(int order, Vec2 xi, double* f) {
+  2 <= order && order <= 12 ? fill_unrolled(order, xi, f) : fill_rows(order, xi, f);
 }
 
 void fill_gradients(int order, Vec2 xi, const double* __restrict f, double* __restrict f1, double* __restrict f2) {

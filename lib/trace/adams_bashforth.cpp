@@ -86,7 +86,7 @@ class Walker {
     const double angle = angle_of(f);
     angle_ = angle + std::remainder(angle_ - angle, 2 * pi);
     double share = 0.5;
-    while (h > 1e-14 * options_.max_step) {
+    while (h > 1e-13 * evaluator_.field().mesh.face.diameter) {
       const Location here = at_;
       const double angle_here = angle_;
       Vec2 next, there;

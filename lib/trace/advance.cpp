@@ -15,7 +15,7 @@ namespace {
 // A point counts as outside an element from here on, in barycentric coordinates: keeps a line that grazes an edge from
 // going to and fro without advancing.
 constexpr double edge_slack = 1e-12;
-constexpr double overshoot = 0.05;  // how far a step may extrapolate beyond the element
+constexpr double overshoot = 0.05;   // how far a step may extrapolate beyond the element
 
 // Barycentric coordinate that vanishes on local edge k, and its linear part.
 double above_edge(int k, Vec2 xi) { return k == 0 ? (1 + xi.y) / 2 : k == 1 ? -(xi.x + xi.y) / 2 : (1 + xi.x) / 2; }
@@ -134,14 +134,14 @@ class Walker {
     const double fraction = along_edge(exit.edge, step.xi(exit.share));
     const TriTopology& topology = evaluator_.topology();
     const int neighbor = topology.elem2neighbors[elem][exit.edge];
-    const double guide = stream_state(evaluator_, elem, step.xi(exit.share), state_.angle).angle;
+    state_.angle = angle_at(step, exit.share);
     if (neighbor < 0) {
       const int edge = topology.elem2boundary_edge[elem][exit.edge];
       const BoundaryEdge& boundary = evaluator_.field().mesh.boundary_edges[edge];
       const Vec2 x = evaluator_.maps()[elem].position(step.xi(exit.share));
       const Nurbs& curve = evaluator_.field().mesh.face.curves[boundary.curve];
       const Projection foot = project(curve, x, boundary.t0, boundary.t1);
-      state_.angle = guide;
+      state_.angle = stream_state(evaluator_, elem, step.xi(exit.share), state_.angle).angle;
       if (ends_at_node(foot.position)) return true;
       line_.curve = boundary.curve;
       line_.t = foot.t;
@@ -149,8 +149,16 @@ class Walker {
       return true;
     }
     const int edge = topology.elem2neighbor_edges[elem][exit.edge];
-    state_ = stream_state(evaluator_, neighbor, tri_edge_point(edge, 1 - fraction), guide);
+    state_ = stream_state(evaluator_, neighbor, tri_edge_point(edge, 1 - fraction), state_.angle);
     return false;
+  }
+
+  // Of the continuous extension: as good a guide as the field's own.
+  double angle_at(const StreamStep& step, double share) const {
+    Vec2 x;
+    Mat2 dx_dxi;
+    evaluator_.maps()[step.elem].evaluate(step.xi(share), x, dx_dxi);
+    return state_.angle + wrap_pi(angle_of(dx_dxi * step.slope(share)) - state_.angle);
   }
 
   bool ends_at_node(Vec2 x) {
