@@ -30,18 +30,24 @@ CurveFunction blended_curve(const Chain& from, const Chain& to) {
   };
 }
 
-double turn_from_field(const FieldEvaluator& evaluator, const CurveFunction& curve, double length) {
-  std::vector<Vec2> places;
-  std::vector<double> angles;
+double turn_of_blend(const FieldEvaluator& evaluator, const Chain& from, const Chain& to) {
+  const CurveFunction curve = blended_curve(from, to);
+  std::vector<Vec2> places, directions;
+  std::vector<double> guides;
   for (int i = 1; i < num_samples; ++i) {
+    const double f = static_cast<double>(i) / num_samples, c = std::cos(half_pi * f), w = c * c;
     Vec2 along;
-    places.push_back(curve(length * i / num_samples, along));
-    angles.push_back(angle_of(along));
+    places.push_back(curve(blend_length(from, to) * f, along));
+    directions.push_back(along);
+    guides.push_back(angle_of(w * from.at(f).tangent + (1 - w) * to.at(f).tangent));
   }
   const std::vector<PointSample> samples = evaluator.values_at(places);
   double turn = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].at.elem >= 0) turn = std::max(turn, std::abs(angles[i] - guided_angle(samples[i].value, angles[i])));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].at.elem < 0) continue;
+    const Vec2 field = unit(guided_angle(samples[i].value, guides[i]));
+    turn = std::max(turn, std::abs(std::atan2(cross(field, directions[i]), dot(field, directions[i]))));
+  }
   return turn;
 }
 

@@ -16,9 +16,9 @@ namespace quadrille {
 CurveFunction blended_curve(const Chain& from, const Chain& to);
 double blend_length(const Chain& from, const Chain& to);
 
-/// The largest angle between a curve of the given length and the nearest direction of the field's cross, radians, at
-/// equal steps inside it.
-double turn_from_field(const FieldEvaluator& evaluator, const CurveFunction& curve, double length);
+/// The largest angle between a blend and the direction of the field's cross that the two lines follow there, radians,
+/// at equal steps inside it.
+double turn_of_blend(const FieldEvaluator& evaluator, const Chain& from, const Chain& to);
 
 /// Where a spline crosses a chain: Newton's method from (s, fraction). False where it finds nothing inside the chain
 /// and the spline's domain.

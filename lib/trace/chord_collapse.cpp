@@ -8,47 +8,10 @@
 #include "curve/nurbs.hpp"
 #include "field/evaluate.hpp"
 #include "trace/chord_blend.hpp"
+#include "trace/chord_pieces.hpp"
 
 namespace quadrille {
 namespace {
-
-using Pieces = std::vector<ArcPiece>;
-
-Pieces reversed_pieces(Pieces pieces) {
-  std::reverse(pieces.begin(), pieces.end());
-  for (ArcPiece& p : pieces) std::swap(p.t0, p.t1);
-  return pieces;
-}
-
-Pieces pieces_along(const SeparatrixGraph& graph, int dart) {
-  const Pieces& pieces = graph.arcs[dart_arc(dart)].pieces;
-  return dart >= 0 ? pieces : reversed_pieces(pieces);
-}
-
-// One walk after the other; where a curve goes on, one piece.
-Pieces joined(Pieces first, const Pieces& second) {
-  for (const ArcPiece& p : second) {
-    if (!first.empty()) {
-      ArcPiece& last = first.back();
-      const bool goes_on = last.curve == p.curve && (last.t1 > last.t0) == (p.t1 > p.t0) &&
-                           std::abs(last.t1 - p.t0) <= 1e-9 * std::abs(p.t1 - p.t0);
-      if (goes_on) {
-        last.t1 = p.t1;
-        continue;
-      }
-    }
-    first.push_back(p);
-  }
-  return first;
-}
-
-// The part of a walk before a point of it, and the part behind.
-std::pair<Pieces, Pieces> cut(const Pieces& pieces, const ChainPoint& at) {
-  Pieces before(pieces.begin(), pieces.begin() + at.piece + 1), behind(pieces.begin() + at.piece, pieces.end());
-  before.back().t1 = at.t;
-  behind.front().t0 = at.t;
-  return {before, behind};
-}
 
 // Blocks from a pin to the next one on the other side.
 struct Stretch {
@@ -137,7 +100,7 @@ class Collapser {
     const Pieces from = rail(stretch, stretch.from_left), to = rail(stretch, !stretch.from_left);
     const Chain a(table_, from), b(table_, to);
     const CurveFunction curve = blended_curve(a, b);
-    const double length = blend_length(a, b), turn = turn_from_field(evaluator_, curve, length);
+    const double length = blend_length(a, b), turn = turn_of_blend(evaluator_, a, b);
     if (turn > options_.max_turn) return false;
     result_.turn = std::max(result_.turn, turn);
     return place(stretch, fit_line(curve, length, options_.fit_tol));

@@ -7,6 +7,7 @@
 #include "base/angle.hpp"
 #include "trace/chord_collapse.hpp"
 #include "trace/chord_judge.hpp"
+#include "trace/chord_shortcut.hpp"
 
 namespace quadrille {
 namespace {
@@ -32,6 +33,12 @@ bool share_a_rail(const std::vector<ChordStrip>& strips) {
   return false;
 }
 
+std::vector<int> all_of(const PlanarFaces& faces) {
+  std::vector<int> all(faces.cycles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 class Simplifier {
  public:
   Simplifier(const FieldEvaluator& evaluator, SeparatrixGraph graph, const SimplifyOptions& options)
@@ -54,12 +61,28 @@ class Simplifier {
     return false;
   }
 
+  // The same for laps.
+  bool step_across_laps() {
+    const PlanarFaces faces = planar_faces(graph_);
+    std::vector<Shortcut> shortcuts = find_shortcuts(graph_, faces, arc_lengths(graph_));
+    std::stable_sort(shortcuts.begin(), shortcuts.end(),
+                     [](const Shortcut& a, const Shortcut& b) { return a.slimness < b.slimness; });
+    for (auto first = shortcuts.begin(); first != shortcuts.end();) {
+      const double same = first->slimness * (1 + tie_share);
+      const auto last = std::find_if(first, shortcuts.end(), [&](const Shortcut& s) { return s.slimness > same; });
+      if (take_all({first, last}, faces)) return true;
+      first = last;
+    }
+    return false;
+  }
+
   SeparatrixGraph graph_without_leftovers() {
     drop_unused_splines(graph_);
     return std::move(graph_);
   }
 
   int num_collapsed() const { return num_collapsed_; }
+  int num_shortcuts() const { return num_shortcuts_; }
   double turn() const { return turn_; }
 
  private:
@@ -109,33 +132,88 @@ class Simplifier {
     for (const int a : trial.arc2arc) touched.push_back(a < 0 || trial.is_changed[a]);
     const PlanarFaces new_faces = planar_faces(trial.graph);
     const BlockShape after = worst_shape(trial.graph, new_faces, faces_beside(new_faces, trial.is_changed));
-    if (!after.is_valid) return false;
     const BlockShape before = worst_shape(graph_, faces, faces_beside(faces, touched));
+    return is_better(before, after, new_faces.cycles.size(), faces.cycles.size());
+  }
+
+  // What blocks lose in shape must be worth the number of them that it saves.
+  bool is_better(const BlockShape& before, const BlockShape& after, std::size_t num_after,
+                 std::size_t num_before) const {
+    if (!after.is_valid) return false;
     const double slack = 1e-6;  // equal is good enough, whatever the rounding
+    const double share = options_.is_thrifty ? static_cast<double>(num_after) / static_cast<double>(num_before) : 0;
+    const double least = std::max(options_.least_scaled_jacobian, share * before.least_scaled_jacobian);
     return after.least_angle >= std::min(before.least_angle, options_.least_angle) - slack &&
            after.greatest_angle <= std::max(before.greatest_angle, options_.greatest_angle) + slack &&
-           after.least_scaled_jacobian >=
-               std::min(before.least_scaled_jacobian, options_.least_scaled_jacobian) - slack;
+           after.least_scaled_jacobian >= std::min(before.least_scaled_jacobian, least) - slack;
   }
+
+  bool take_all(const std::vector<Shortcut>& shortcuts, const PlanarFaces& faces) {
+    std::set<int> lines;
+    for (const Shortcut& s : shortcuts)
+      if (!lines.insert(s.spline).second) return false;
+    SeparatrixGraph graph = graph_;
+    double turn = 0;
+    for (const int line : lines)
+      if (!take_one(line, graph, turn)) return false;
+    const PlanarFaces new_faces = planar_faces(graph);
+    if (!is_better(worst_shape(graph_, faces, all_of(faces)), worst_shape(graph, new_faces, all_of(new_faces)),
+                   new_faces.cycles.size(), faces.cycles.size()))
+      return false;
+    graph_ = std::move(graph);
+    num_shortcuts_ += static_cast<int>(shortcuts.size());
+    turn_ = std::max(turn_, turn);
+    return true;
+  }
+
+  // The shortcut of a line as it is after others; splines keep their numbers.
+  bool take_one(int line, SeparatrixGraph& graph, double& turn) const {
+    const PlanarFaces faces = planar_faces(graph);
+    const std::vector<Shortcut> now = find_shortcuts(graph, faces, arc_lengths(graph));
+    const auto found = std::find_if(now.begin(), now.end(), [&](const Shortcut& s) { return s.spline == line; });
+    if (found == now.end()) return false;
+    double own_turn = 0;
+    auto result = take_shortcut(evaluator_, graph, *found, collapse_options(), own_turn);
+    if (!result) return false;
+    const PlanarFaces new_faces = planar_faces(*result);
+    if (new_faces.cycles.size() >= faces.cycles.size() || new_faces.num_components != 1 ||
+        !cycles_without_four_corners(new_faces).empty())
+      return false;
+    graph = std::move(*result);
+    turn = std::max(turn, own_turn);
+    return true;
+  }
+
+  CollapseOptions collapse_options() const { return {options_.max_turn, fit_share * graph_.face.diameter}; }
 
   const FieldEvaluator& evaluator_;
   const SimplifyOptions& options_;
   SeparatrixGraph graph_;
+  int num_shortcuts_ = 0;
   int num_collapsed_ = 0;
   double turn_ = 0;
 };
+
+double least_scaled_jacobian(const SeparatrixGraph& graph) {
+  const PlanarFaces faces = planar_faces(graph);
+  return worst_shape(graph, faces, all_of(faces)).least_scaled_jacobian;
+}
 
 }  // namespace
 
 SeparatrixGraph simplify(const FieldEvaluator& evaluator, SeparatrixGraph graph, const SimplifyOptions& options,
                          Report& report) {
   report.set("simplify.blocks_before", planar_faces(graph).cycles.size());
+  report.set("simplify.least_scaled_jacobian_before", least_scaled_jacobian(graph));
   Simplifier simplifier(evaluator, std::move(graph), options);
-  while (simplifier.step()) {
+  while (simplifier.step() || simplifier.step_across_laps()) {
   }
   report.set("simplify.collapsed", simplifier.num_collapsed());
+  report.set("simplify.laps_cut", simplifier.num_shortcuts());
   report.set("simplify.largest_turn_degrees", degrees(simplifier.turn()));
-  return simplifier.graph_without_leftovers();
+  graph = simplifier.graph_without_leftovers();
+  report.set("simplify.least_scaled_jacobian", least_scaled_jacobian(graph));
+  return graph;
 }
 
 }  // namespace quadrille

@@ -5,6 +5,7 @@
 // where that turns no line too far from the field and leaves its blocks in good shape. The count of blocks falls at
 // every step, so it ends. Chords whose ratios differ by less than 1e-6 of themselves are decided together: where two of
 // them share a rail, or one cannot be collapsed, none is, so that symmetric layouts stay symmetric.
+// Where no chord is left, laps are cut short by the same rules (trace/chord_shortcut.hpp).
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -18,6 +19,9 @@ struct SimplifyOptions {
   /// (radians), and the scaled Jacobian of a block as one quad of order 8, whose Jacobian must be proved positive.
   double least_angle = 0.26, greatest_angle = 2.88;
   double least_scaled_jacobian = 0.3;
+  /// No step may take a greater share of the least scaled Jacobian of the blocks it touches than it saves of all
+  /// blocks.
+  bool is_thrifty = true;
 };
 
 /// A layout with as many blocks or fewer. Every face of `graph` must have four corners; the same holds for the result.

@@ -100,6 +100,7 @@ constexpr double coarsest_turn = 40;
 
 SimplifyOptions simplify_options(const TraceOptions& options) {
   SimplifyOptions simplify;
+  simplify.is_thrifty = options.simplify != "coarsest";
   simplify.max_turn =
       radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
   return simplify;

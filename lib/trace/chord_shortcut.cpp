@@ -1,0 +1,175 @@
+#include "trace/chord_shortcut.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "field/evaluate.hpp"
+#include "trace/chord_blend.hpp"
+#include "trace/chord_pieces.hpp"
+
+namespace quadrille {
+namespace {
+
+// The spline that an inner arc is a part of, -1 on the boundary.
+int spline_of(const SeparatrixGraph& graph, int dart) {
+  const GraphArc& arc = graph.arcs[dart_arc(dart)];
+  return arc.is_boundary ? -1 : arc.pieces.front().curve - graph.face.num_curves();
+}
+
+Pin fixed_end(const SeparatrixGraph& graph, int rung, bool& both) {
+  const bool left = is_fixed(graph.nodes[dart_from(graph, rung)]), right = is_fixed(graph.nodes[dart_to(graph, rung)]);
+  both = left && right;
+  return left ? Pin::left : right ? Pin::right : Pin::none;
+}
+
+// Rungs first .. last of a strip, if they are a shortcut.
+std::optional<Shortcut> shortcut_between(const SeparatrixGraph& graph, const ChordStrip& strip, int first, int last,
+                                         bool from_left, const std::vector<double>& lengths) {
+  Shortcut s;
+  s.from_left = from_left;
+  for (int i = first; i <= last; ++i) s.rungs.push_back(strip.rungs[i]);
+  for (int i = first; i < last; ++i) s.left.push_back(strip.left[i]), s.right.push_back(strip.right[i]);
+  const std::vector<int>&from = from_left ? s.left : s.right, &to = from_left ? s.right : s.left;
+  s.spline = spline_of(graph, from.front());
+  if (s.spline < 0) return std::nullopt;
+  std::set<int> arcs;
+  double width = 0, length = 0;
+  for (const std::vector<int>* rail : {&from, &to})
+    for (const int d : *rail) {
+      if (spline_of(graph, d) != s.spline || !arcs.insert(dart_arc(d)).second) return std::nullopt;
+      length += lengths[dart_arc(d)] / 2;
+    }
+  for (const int d : s.rungs) width += lengths[dart_arc(d)] / static_cast<double>(s.rungs.size());
+  s.slimness = width / length;
+  return s;
+}
+
+struct Editor {
+  explicit Editor(const SeparatrixGraph& old) : graph(old), is_gone(old.arcs.size(), false) {}
+
+  int add_arc(int from, int to, Pieces pieces) {
+    graph.arcs.push_back({from, to, false, 0, std::move(pieces)});
+    is_gone.push_back(false);
+    return static_cast<int>(graph.arcs.size()) - 1;
+  }
+
+  // Two arcs that meet in a node of no others become one. False where they are not two.
+  bool dissolve(int node) {
+    std::vector<int> darts;
+    for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
+      for (const int d : {a, reversed_dart(a)})
+        if (!is_gone[a] && dart_from(graph, d) == node) darts.push_back(d);
+    if (darts.size() != 2 || dart_arc(darts[0]) == dart_arc(darts[1])) return false;
+    const int in = reversed_dart(darts[0]), out = darts[1];
+    if (spline_of(graph, in) < 0 || spline_of(graph, in) != spline_of(graph, out)) return false;
+    add_arc(dart_from(graph, in), dart_to(graph, out), joined(pieces_along(graph, in), pieces_along(graph, out)));
+    is_gone[dart_arc(in)] = is_gone[dart_arc(out)] = true;
+    return true;
+  }
+
+  SeparatrixGraph without_the_gone() {
+    SeparatrixGraph result = graph;
+    result.arcs.clear();
+    std::vector<int> number(graph.nodes.size(), -1);
+    for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
+      if (is_gone[a]) continue;
+      result.arcs.push_back(graph.arcs[a]);
+      number[graph.arcs[a].from] = number[graph.arcs[a].to] = 0;
+    }
+    result.nodes.clear();
+    for (std::size_t n = 0; n < number.size(); ++n) {
+      if (number[n] < 0) continue;
+      number[n] = static_cast<int>(result.nodes.size());
+      result.nodes.push_back(graph.nodes[n]);
+    }
+    for (GraphArc& arc : result.arcs) arc.from = number[arc.from], arc.to = number[arc.to];
+    return result;
+  }
+
+  SeparatrixGraph graph;
+  std::vector<bool> is_gone;
+};
+
+// Puts the blend in, splitting the rungs that it crosses.
+bool insert_blend(Editor& edit, const CurveTable& table, const Shortcut& shortcut, Nurbs spline) {
+  const int last = static_cast<int>(shortcut.rungs.size()) - 1;
+  const auto pinned = [&](int rung, bool is_left) {
+    return is_left ? dart_from(edit.graph, shortcut.rungs[rung]) : dart_to(edit.graph, shortcut.rungs[rung]);
+  };
+  const int curve = edit.graph.face.num_curves() + static_cast<int>(edit.graph.splines.size());
+  int node = pinned(0, shortcut.from_left);
+  double s = spline.begin();
+  for (int i = 1; i < last; ++i) {
+    const int rung = shortcut.rungs[i];
+    const Pieces pieces = pieces_along(edit.graph, rung);
+    const Chain chain(table, pieces);
+    double at = spline.begin() + (spline.end() - spline.begin()) * i / last, fraction = 0.5;
+    if (!cross_chain(spline, chain, at, fraction) || at <= s) return false;
+    const ChainPoint x = chain.at(fraction);
+    const int weld = static_cast<int>(edit.graph.nodes.size());
+    edit.graph.nodes.push_back({x.position, NodeKind::crossing, 4, -1, 0});
+    const auto [before, behind] = cut(pieces, x);
+    const int l = dart_from(edit.graph, rung), r = dart_to(edit.graph, rung);
+    edit.is_gone[dart_arc(rung)] = true;
+    edit.add_arc(l, weld, before);
+    edit.add_arc(weld, r, behind);
+    edit.add_arc(node, weld, {{curve, s, at}});
+    node = weld, s = at;
+  }
+  edit.add_arc(node, pinned(last, !shortcut.from_left), {{curve, s, spline.end()}});
+  edit.graph.splines.push_back(std::move(spline));
+  return true;
+}
+
+}  // namespace
+
+std::vector<Shortcut> find_shortcuts(const SeparatrixGraph& graph, const PlanarFaces& faces,
+                                     const std::vector<double>& lengths) {
+  std::vector<Shortcut> found;
+  for (const ChordStrip& strip : all_strips(graph, faces, lengths)) {
+    int first = -1;
+    Pin side = Pin::none;
+    for (int i = 0; i < static_cast<int>(strip.rungs.size()); ++i) {
+      bool both = false;
+      const Pin here = fixed_end(graph, strip.rungs[i], both);
+      if (both) first = -1;
+      if (both || here == Pin::none) continue;
+      if (first >= 0 && here != side)
+        if (auto s = shortcut_between(graph, strip, first, i, side == Pin::left, lengths)) found.push_back(*s);
+      first = i, side = here;
+    }
+  }
+  return found;
+}
+
+std::optional<SeparatrixGraph> take_shortcut(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
+                                             const Shortcut& shortcut, const CollapseOptions& options, double& turn) {
+  const CurveTable table(graph.face, graph.splines);
+  std::array<Pieces, 2> rails;  // left, right
+  for (const int d : shortcut.left) rails[0] = joined(std::move(rails[0]), pieces_along(graph, d));
+  for (const int d : shortcut.right) rails[1] = joined(std::move(rails[1]), pieces_along(graph, d));
+  const Chain from(table, rails[shortcut.from_left ? 0 : 1]), to(table, rails[shortcut.from_left ? 1 : 0]);
+  turn = turn_of_blend(evaluator, from, to);
+  if (turn > options.max_turn) return std::nullopt;
+
+  std::vector<std::string> kinds = spline_kinds(graph);
+  Editor edit(graph);
+  std::set<int> crossed;
+  for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
+    if (spline_of(graph, a) != shortcut.spline) continue;
+    edit.is_gone[a] = true;
+    for (const int n : {graph.arcs[a].from, graph.arcs[a].to})
+      if (!is_fixed(graph.nodes[n])) crossed.insert(n);
+  }
+  Nurbs blend = fit_line(blended_curve(from, to), blend_length(from, to), options.fit_tol);
+  if (!insert_blend(edit, table, shortcut, std::move(blend))) return std::nullopt;
+  for (const int n : crossed)
+    if (!edit.dissolve(n)) return std::nullopt;
+  SeparatrixGraph result = edit.without_the_gone();
+  kinds.emplace_back("merged");
+  result.lines = lines_of_arcs(result, kinds);
+  return result;
+}
+
+}  // namespace quadrille
