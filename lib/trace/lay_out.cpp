@@ -1,9 +1,12 @@
 #include "trace/lay_out.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.hpp"
 #include "curve/chain.hpp"
+#include "curve/nurbs.hpp"
 #include "trace/extend_lines.hpp"
 #include "trace/quantize.hpp"
 #include "trace/t_mesh.hpp"
@@ -21,12 +24,46 @@ std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
   return lengths;
 }
 
+// All arcs of the faces that have one of these.
+std::vector<int> arcs_around(const std::vector<TFace>& faces, const std::vector<int>& arcs) {
+  std::vector<int> around;
+  for (const TFace& face : faces) {
+    std::vector<int> own;
+    for (const std::vector<int>& side : face)
+      for (const int dart : side) own.push_back(dart_arc(dart));
+    const auto is_asked = [&](int a) { return std::binary_search(arcs.begin(), arcs.end(), a); };
+    if (std::any_of(own.begin(), own.end(), is_asked)) around.insert(around.end(), own.begin(), own.end());
+  }
+  return around;
+}
+
+[[noreturn]] void fail_to_quantize(const SeparatrixGraph& t_mesh, const std::vector<int>& zero) {
+  if (zero.empty()) throw ComputeError("no whole lengths were found for the arcs of the T-mesh");
+  const ArcPiece& piece = t_mesh.arcs[zero.front()].pieces.front();
+  const Vec2 place = point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
+  throw ComputeError(fmt::format(
+      "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the "
+      "T-mesh can have no length but zero, the first at ({:.6g}, {:.6g})",
+      zero.size(), place.x, place.y));
+}
+
 SeparatrixGraph quantized_layout(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                  const TraceOptions& options, Report& report) {
-  const SeparatrixGraph t_mesh = trace_t_mesh(evaluator, points, options, report);
-  const std::vector<TFace> faces = t_mesh_faces(t_mesh);
-  const std::vector<int> lengths = quantize(t_mesh, faces, arc_lengths(t_mesh), unit_share * t_mesh.face.diameter);
-  report.set("quantize.longest_arc", lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end()));
+  TMeshTracer tracer(evaluator, points, options);
+  SeparatrixGraph t_mesh;
+  std::vector<TFace> faces;
+  std::vector<int> lengths;
+  int given_up = 0;
+  for (;; ++given_up) {
+    t_mesh = tracer.trace(report);
+    faces = t_mesh_faces(t_mesh);
+    lengths = quantize(faces, arc_lengths(t_mesh), unit_share * t_mesh.face.diameter);
+    if (!lengths.empty()) break;
+    const std::vector<int> zero = vanishing_arcs(faces, static_cast<int>(t_mesh.arcs.size()));
+    if (!tracer.give_up_merge(t_mesh, arcs_around(faces, zero))) fail_to_quantize(t_mesh, zero);
+  }
+  report.set("quantize.merges_given_up", given_up);
+  report.set("quantize.longest_arc", *std::max_element(lengths.begin(), lengths.end()));
   SeparatrixGraph graph = extend_lines(t_mesh, faces, lengths);
   report.set("quantize.faces", planar_faces(graph).cycles.size());
   return graph;
@@ -36,7 +73,8 @@ SeparatrixGraph quantized_layout(const FieldEvaluator& evaluator, const Critical
 
 SeparatrixGraph lay_out(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options,
                         Report& report) {
-  if (options.layout == "t-mesh") return trace_t_mesh(evaluator, points, options, report);
+  options.validate();
+  if (options.layout == "t-mesh") return TMeshTracer(evaluator, points, options).trace(report);
   if (options.layout == "quantized") return quantized_layout(evaluator, points, options, report);
   return trace_separatrices(evaluator, points, options, report);
 }

@@ -8,7 +8,7 @@ namespace quadrille {
 /// options.layout:
 /// - "traced": trace_separatrices, whole lines.
 /// - "quantized": the T-mesh of stopped lines, integer lengths for its arcs, and what the lines cut when they go on
-///   through the integer grid (trace_t_mesh, quantize, extend_lines).
+///   through the integer grid (TMeshTracer, quantize, extend_lines).
 /// - "auto": traced; quantized where that has no layout, or more than max_lines arcs.
 /// - "t-mesh": the T-mesh as it is, with T-junctions: to look at.
 /// Throws ComputeError where there is no layout.

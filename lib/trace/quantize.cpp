@@ -1,12 +1,8 @@
 #include "trace/quantize.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
-#include "curve/nurbs.hpp"
 #include "trace/integer_programme.hpp"
 
 namespace quadrille {
@@ -38,29 +34,18 @@ void add_deviation(IntegerProgramme& programme, int variable, double target) {
   programme.add_equation(terms, 1);
 }
 
-[[noreturn]] void fail(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces) {
-  const std::vector<int> zero = vanishing_arcs(faces, static_cast<int>(t_mesh.arcs.size()));
-  if (zero.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
-  const ArcPiece& piece = t_mesh.arcs[zero.front()].pieces.front();
-  const Vec2 place = point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
-  throw ComputeError(fmt::format(
-      "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the "
-      "T-mesh can have no length but zero, the first at ({:.6g}, {:.6g})",
-      zero.size(), place.x, place.y));
-}
-
 }  // namespace
 
-std::vector<int> quantize(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
-                          const std::vector<double>& arc_lengths, double unit) {
+std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit) {
+  const int num_arcs = static_cast<int>(arc_lengths.size());
   IntegerProgramme programme;
-  for (size_t a = 0; a < t_mesh.arcs.size(); ++a) programme.add_variable(1, longest, 0, true);
+  for (int a = 0; a < num_arcs; ++a) programme.add_variable(1, longest, 0, true);
   add_face_equations(faces, programme);
-  for (int a = 0; a < static_cast<int>(t_mesh.arcs.size()); ++a) add_deviation(programme, a, arc_lengths[a] / unit);
-  const std::vector<double> solution = programme.solve();
-  if (solution.empty()) fail(t_mesh, faces);
+  for (int a = 0; a < num_arcs; ++a) add_deviation(programme, a, arc_lengths[a] / unit);
   std::vector<int> lengths;
-  for (size_t a = 0; a < t_mesh.arcs.size(); ++a) lengths.push_back(static_cast<int>(std::lround(solution[a])));
+  const std::vector<double> solution = programme.solve();
+  if (!solution.empty())
+    for (int a = 0; a < num_arcs; ++a) lengths.push_back(static_cast<int>(std::lround(solution[a])));
   return lengths;
 }
 

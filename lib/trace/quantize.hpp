@@ -10,17 +10,15 @@
 
 #include <vector>
 
-#include "model/separatrix_graph.hpp"
 #include "trace/t_mesh.hpp"
 
 namespace quadrille {
 
-/// `arc_lengths` and `unit`: lengths. Integer lengths of the arcs, 1 or more. Throws ComputeError where there are none
-/// because some arcs can have no length but zero: strips of faces that wind onto themselves. It names a place on them.
-std::vector<int> quantize(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
-                          const std::vector<double>& arc_lengths, double unit);
+/// `arc_lengths` and `unit`: lengths. Integer lengths of the arcs, 1 or more; empty where there are none.
+std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit);
 
-/// Arcs that are zero in every solution with lengths >= 0. Empty: quantize() succeeds.
+/// Arcs that are zero in every solution with lengths >= 0: strips of faces that wind onto themselves. Where there are
+/// none quantize() succeeds.
 std::vector<int> vanishing_arcs(const std::vector<TFace>& faces, int num_arcs);
 
 }  // namespace quadrille

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -39,9 +41,11 @@ struct Contestant {
   int unended = -1;  // the streamline that has no end yet
 };
 
-class TMesh {
+}  // namespace
+
+class TMeshTracer::Impl {
  public:
-  TMesh(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options)
+  Impl(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options)
       : evaluator_(evaluator),
         face_(evaluator.field().mesh.face),
         d_(face_.diameter),
@@ -64,6 +68,17 @@ class TMesh {
     }
   }
 
+  bool give_up_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs) {
+    std::vector<int> near, all;
+    for (size_t i = 0; i < merge_of_line_.size(); ++i) {
+      if (merge_of_line_[i] < 0) continue;
+      all.push_back(merge_of_line_[i]);
+      for (const int a : graph.lines[i].arcs)
+        if (std::find(arcs.begin(), arcs.end(), a) != arcs.end()) near.push_back(merge_of_line_[i]);
+    }
+    return give_up_worst(near, same_angle) || give_up_worst(all, same_angle);
+  }
+
   size_t num_lines() const { return lines_.size(); }
   int num_cuts() const { return num_cuts_; }
   int num_merged() const {
@@ -84,7 +99,6 @@ class TMesh {
   void run_race() {
     const double angle = std::max(radians(options_.merge_angle), same_angle);
     candidates_ = merge_candidates(evaluator_, lines_, nodes_, {angle, options_.merge_distance});
-    allowed_.assign(candidates_.size(), true);
     do {
       enter_contestants();
     } while (give_up_crossed_merges());
@@ -96,7 +110,9 @@ class TMesh {
   void enter_contestants() {
     std::vector<bool> taken(lines_.size(), false);
     std::vector<int> merge_of(lines_.size(), -1);
-    for (const int c : choose_merges(candidates_, allowed_, taken))
+    std::vector<bool> allowed;
+    for (const MergeCandidate& c : candidates_) allowed.push_back(given_up_.count({c.a, c.b}) == 0);
+    for (const int c : choose_merges(candidates_, allowed, taken))
       merge_of[candidates_[c].a] = merge_of[candidates_[c].b] = c;
     contestants_.clear();
     std::vector<Nurbs> splines;
@@ -148,18 +164,21 @@ class TMesh {
 
   // Lines of one family never cross, unless a merge has bent one across the other: the worst of these is given up.
   bool give_up_crossed_merges() {
-    double turn = -1;
     std::vector<int> crossed;
     for (const Crossing& c : crossings_)
-      for (const int i : {c.a, c.b}) {
-        const int merge = contestants_[i].merge;
-        if (c.angle > pi / 4 || merge < 0) continue;
-        crossed.push_back(merge);
-        turn = std::max(turn, candidates_[merge].turn);
-      }
-    for (const int merge : crossed)
-      if (candidates_[merge].turn > turn - 1e-6) allowed_[merge] = false;
-    return !crossed.empty();
+      for (const int i : {c.a, c.b})
+        if (c.angle < pi / 4 && contestants_[i].merge >= 0) crossed.push_back(contestants_[i].merge);
+    return give_up_worst(crossed, 0);
+  }
+
+  // Of these candidates, within 1e-6 alike. False where none turns by as much as `least_turn`.
+  bool give_up_worst(const std::vector<int>& merges, double least_turn) {
+    double turn = -1;
+    for (const int merge : merges) turn = std::max(turn, candidates_[merge].turn);
+    if (turn < least_turn) return false;
+    for (const int merge : merges)
+      if (candidates_[merge].turn > turn - 1e-6) given_up_.insert({candidates_[merge].a, candidates_[merge].b});
+    return true;
   }
 
   // Follows farther what nothing has stopped; at the greatest length it gets a cut across its way. False: all ended.
@@ -199,13 +218,15 @@ class TMesh {
     lines_.push_back(advance(evaluator_, launches_.back(), nodes_, bounds(first_bound * d_)));
   }
 
-  SeparatrixGraph clipped_graph() const {
+  SeparatrixGraph clipped_graph() {
     std::vector<FinishedLine> pieces;
+    merge_of_line_.clear();
     std::vector<std::vector<int>> pieces_of(contestants_.size());
     for (size_t i = 0; i < contestants_.size(); ++i) {
       const auto add = [&](FinishedLine piece) {
         pieces_of[i].push_back(static_cast<int>(pieces.size()));
         pieces.push_back(std::move(piece));
+        merge_of_line_.push_back(contestants_[i].merge);
       };
       const FinishedLine& line = contestants_[i].line;
       const Covered& part = covered_[i];
@@ -262,12 +283,15 @@ class TMesh {
   std::vector<Streamline> lines_;
   std::map<std::array<double, 3>, Nurbs> fitted_;
   std::vector<MergeCandidate> candidates_;
-  std::vector<bool> allowed_;
+  std::set<std::pair<int, int>> given_up_;  // pairs of lines that are not merged
   std::vector<Contestant> contestants_;
   std::vector<Crossing> crossings_;
   std::vector<Covered> covered_;
+  std::vector<int> merge_of_line_;  // candidate of each line of the graph, or -1
   int num_cuts_ = 0;
 };
+
+namespace {
 
 bool is_four_sided(const std::vector<int>& quarters) {
   return num_corners(quarters) == 4 &&
@@ -289,20 +313,26 @@ TFace sides_of(const std::vector<int>& cycle, const std::vector<int>& quarters) 
 
 }  // namespace
 
-SeparatrixGraph trace_t_mesh(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options,
-                             Report& report) {
-  options.validate();
-  TMesh mesh(evaluator, points, options);
-  SeparatrixGraph graph = mesh.run();
-  report.set("t_mesh.launched", mesh.num_lines());
-  report.set("t_mesh.merged", mesh.num_merged());
-  report.set("t_mesh.stopped", mesh.num_stopped());
-  report.set("t_mesh.cuts", mesh.num_cuts());
+TMeshTracer::TMeshTracer(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options)
+    : impl_(std::make_unique<Impl>(evaluator, points, options)) {}
+
+TMeshTracer::~TMeshTracer() = default;
+
+SeparatrixGraph TMeshTracer::trace(Report& report) {
+  SeparatrixGraph graph = impl_->run();
+  report.set("t_mesh.launched", impl_->num_lines());
+  report.set("t_mesh.merged", impl_->num_merged());
+  report.set("t_mesh.stopped", impl_->num_stopped());
+  report.set("t_mesh.cuts", impl_->num_cuts());
   report.set("t_mesh.arcs", graph.arcs.size());
   report.set("t_mesh.t_junctions", graph.t_junctions.size());
   for (const auto& [corners, count] : corner_census(planar_faces(graph)))
     report.set(fmt::format("t_mesh.faces_of_{}_corners", corners), count);
   return graph;
+}
+
+bool TMeshTracer::give_up_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs) {
+  return impl_->give_up_merge(graph, arcs);
 }
 
 std::map<int, int> corner_census(const PlanarFaces& faces) {

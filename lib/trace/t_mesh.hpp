@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "base/report.hpp"
@@ -19,9 +20,24 @@ namespace quadrille {
 /// Separatrices that meet head on are merged as in trace_separatrices, then all race. A hole that no line reaches is
 /// tied to the rest by a cut, and so is a limit cycle that crosses nobody. Lines are followed no farther than needed:
 /// the bound doubles from two diameters for those that nothing has stopped.
-/// Throws ComputeError where a line cannot be followed.
-SeparatrixGraph trace_t_mesh(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options,
-                             Report& report);
+class TMeshTracer {
+ public:
+  /// `evaluator` must outlive the tracer. Throws ComputeError as launch_all.
+  TMeshTracer(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options);
+  ~TMeshTracer();
+
+  /// Throws ComputeError where a line cannot be followed.
+  SeparatrixGraph trace(Report& report);
+
+  /// Gives up the merge that turns most of those that have one of these arcs of the graph traced last, within 1e-6
+  /// alike; where none has, of all. Two merges may contradict each other: the one says that two nodes lie on one line
+  /// of the grid, the other that they do not. False where none is left.
+  bool give_up_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Number of faces by number of corners. What the faces of a T-mesh must be is four for all.
 std::map<int, int> corner_census(const PlanarFaces& faces);
