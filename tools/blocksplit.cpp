@@ -1,8 +1,7 @@
 // Turns the graph of separatrices into a conforming layout of four-sided blocks.
 
-#include <fmt/format.h>
-
-#include "block/extract_blocks.hpp"
+#include "block/make_blocks.hpp"
+#include "block/tell_layout.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
@@ -17,7 +16,9 @@ int main(int argc, char** argv) {
   tool.summary = "turns a separatrix graph into four-sided blocks";
   tool.description =
       "Walks the faces of the planar graph in SEP. Each must have four sides, else the exit code is 1 and the message "
-      "names the place. A block is its four exact sides and their transfinite blend: no order is chosen here.";
+      "names the place. A block is its four exact sides and their transfinite blend: no order is chosen here. A block "
+      "whose blend cannot be proved valid is cut through its long sides, with all blocks of its strip; every other "
+      "layout is taken as it is. -v tells the worst and the smallest block, and what forces that one.";
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5"};
   tool.options = [&](Options& o) {
@@ -30,11 +31,11 @@ int main(int argc, char** argv) {
     const SeparatrixGraph graph = read_separatrix_graph(file);
     require_valid(check_separatrix_graph(graph, CheckDepth::quick), file.name);
     s.begin_phase("blocks");
-    BlockLayout layout = extract_blocks(graph, s.report());
-    layout.provenance = s.provenance(graph.provenance, {file.digest("separatrix-graph")});
-    s.say(fmt::format("{} blocks, {} arcs", layout.num_blocks(), layout.arcs.size()));
+    Blocks blocks = make_blocks(graph, s.report());
+    blocks.layout.provenance = s.provenance(graph.provenance, {file.digest("separatrix-graph")});
+    s.say(layout_in_words(blocks.layout, blocks.measures));
     s.begin_phase("write");
-    write_block_layout(output, layout);
+    write_block_layout(output, blocks.layout);
     s.end_phase();
   };
   tool.report_writer = write_report;

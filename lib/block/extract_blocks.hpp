@@ -8,7 +8,11 @@
 namespace quadrille {
 
 /// Walks the faces of the planar graph; each must have four corners (sectors of one quarter turn). Throws ComputeError
-/// naming and locating a face that does not. Chords and Jacobian bounds are filled in.
+/// naming and locating a face that does not. Chords are filled in, measures of the blocks are not
+/// (block/measure_blocks.hpp).
+BlockLayout extract_blocks(const SeparatrixGraph& graph);
+
+/// The layout of make_blocks (block/make_blocks.hpp): mended and measured.
 BlockLayout extract_blocks(const SeparatrixGraph& graph, Report& report);
 
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "check/graph_rules.hpp"
 
@@ -18,6 +19,10 @@ void arrays_agree(const BlockLayout& layout, Findings& findings) {
   if (layout.arc_chord.size() != layout.arcs.size())
     findings.add("arc_chord has {} entries for {} arcs", layout.arc_chord.size(), layout.arcs.size());
   if (!are_finite(layout.block_jacobian_bound)) findings.add("block_jacobian_bound holds a number that is not finite");
+  for (const auto& [name, values] : {std::pair{"block_scaled_jacobian", &layout.block_scaled_jacobian},
+                                     std::pair{"block_boundary_distance", &layout.block_boundary_distance}})
+    if (!values->empty() && (values->size() != n || !are_finite(*values)))
+      findings.add("{} must be empty or have one finite number for each block", name);
 }
 
 void block_indices_exist(const BlockLayout& layout, Findings& findings) {

@@ -1,4 +1,4 @@
-// The blocks in quiet colours with their numbers, irregular nodes and corners.
+// The blocks in quiet colours with their numbers, the worst of them outlined, irregular nodes and corners.
 
 #include <fmt/format.h>
 
@@ -58,6 +58,43 @@ Vec2 block_centre(const BlockLayout& layout, int block) {
   return centre;
 }
 
+/// The blocks with the least scaled Jacobian, equal ones together; none where it is not known or perfect.
+std::vector<int> worst_blocks(const BlockLayout& layout) {
+  const std::vector<double>& quality = layout.block_scaled_jacobian;
+  std::vector<int> worst;
+  if (quality.empty()) return worst;
+  const double least = *std::min_element(quality.begin(), quality.end());
+  for (std::size_t b = 0; least <= 0.995 && b < quality.size(); ++b)
+    if (quality[b] <= least + 1e-6) worst.push_back(static_cast<int>(b));
+  return worst;
+}
+
+bool is_irregular_on_boundary(const GraphNode& node) { return node.kind == NodeKind::boundary && node.valence != 2; }
+
+/// Nodes inside as figures of as many vertices as they have blocks, nodes on the boundary as squares on their points.
+void draw_irregular_nodes(Picture& picture, const BlockLayout& layout) {
+  for (const GraphNode& node : layout.nodes) {
+    const std::string about =
+        fmt::format("of valence {} at {}", node.valence, place_text(node.position, layout.face.origin));
+    if (node.kind == NodeKind::irregular)
+      picture.add(valence_mark(picture.at(node.position), node.valence, 8, "irregular node " + about));
+    if (is_irregular_on_boundary(node))
+      picture.add(boundary_mark(picture.at(node.position), node.valence, 8, "irregular node on the boundary " + about));
+  }
+}
+
+void legend_irregular_nodes(Picture& picture, const BlockLayout& layout) {
+  std::vector<int> inside;
+  std::set<int> on_boundary;
+  for (const GraphNode& node : layout.nodes) {
+    if (node.kind == NodeKind::irregular) inside.push_back(node.valence);
+    if (is_irregular_on_boundary(node)) on_boundary.insert(node.valence);
+  }
+  legend_valences(picture, inside);
+  for (const int v : on_boundary)
+    picture.legend_mark(boundary_mark({0, 0}, v, 7), fmt::format("on the boundary, valence {}", v));
+}
+
 void draw_block(Picture& picture, const BlockLayout& layout, int block) {
   const std::string name = block < static_cast<int>(layout.block_names.size()) ? layout.block_names[block] : "";
   std::string title = fmt::format("block {}", block);
@@ -74,13 +111,15 @@ void draw_block(Picture& picture, const BlockLayout& layout, int block) {
 
 std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options) {
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
-  std::vector<int> valences;
-  for (const GraphNode& node : layout.nodes)
-    if (node.kind == NodeKind::irregular) valences.push_back(node.valence);
+  const std::vector<int> worst = worst_blocks(layout);
+  const auto is_irregular = [](const GraphNode& n) {
+    return n.kind == NodeKind::irregular || is_irregular_on_boundary(n);
+  };
+  const auto num_irregular = std::count_if(layout.nodes.begin(), layout.nodes.end(), is_irregular);
   Picture picture(bounding_box(layout.face), options, "Blocks",
                   fmt::format("{}, {}, {}", counted(layout.num_blocks(), "block"),
                               counted(static_cast<int>(chords.size()), "chord"),
-                              counted(static_cast<int>(valences.size()), "irregular node")));
+                              counted(static_cast<int>(num_irregular), "irregular node")));
   picture.open_group("blocks");
   for (int b = 0; b < layout.num_blocks(); ++b) draw_block(picture, layout, b);
   picture.close_group();
@@ -93,13 +132,15 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
                             fmt::format("arc {}, chord {}", a, layout.arc_chord.empty() ? -1 : layout.arc_chord[a])));
   }
   draw_boundary(picture, layout.face);
+  for (const int b : worst)
+    picture.add(svg_element("path", {{"class", "worst"}, {"d", block_outline(picture, layout, b).str()}},
+                            fmt::format("block {}, scaled Jacobian {:.4g}", b, layout.block_scaled_jacobian[b])));
   draw_corners(picture, layout.face);
-  for (const GraphNode& node : layout.nodes)
-    if (node.kind == NodeKind::irregular)
-      picture.add(valence_mark(picture.at(node.position), node.valence, 8,
-                               fmt::format("irregular node of valence {} at {}", node.valence,
-                                           place_text(node.position, layout.face.origin))));
-  legend_valences(picture, valences);
+  draw_irregular_nodes(picture, layout);
+  legend_irregular_nodes(picture, layout);
+  if (!worst.empty())
+    picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6,-5H6V5H-6Z"}}),
+                        fmt::format("the worst: scaled Jacobian {:.3f}", layout.block_scaled_jacobian[worst.front()]));
   legend_corner(picture, layout.face);
   return picture.str();
 }

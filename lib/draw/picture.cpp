@@ -34,6 +34,7 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
 .jump{fill:none;stroke:#b03a2e;stroke-width:1.6;stroke-dasharray:6 4}
 .edge{fill:none;stroke:#44535f;stroke-width:1.5}
 .ring{fill:none;stroke:#1d2731;stroke-width:1.6}
+.worst{fill:none;stroke:#b3261e;stroke-width:3.2}
 .corner{fill:#1d2731;stroke:#fff;stroke-width:1}
 .v3{fill:#2b78b5;stroke:#fff;stroke-width:1.2}
 .v5{fill:#c6472f;stroke:#fff;stroke-width:1.2}

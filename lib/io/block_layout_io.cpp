@@ -6,7 +6,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion block_layout_version{"block-layout", 1, 0};
+constexpr FormatVersion block_layout_version{"block-layout", 1, 1};
 
 void describe_block_layout(Archive& archive, BlockLayout& layout) {
   describe_face(archive, layout.face);
@@ -17,6 +17,12 @@ void describe_block_layout(Archive& archive, BlockLayout& layout) {
   archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});
   archive.field("block_jacobian_bound", layout.block_jacobian_bound,
                 {"length^2", "least Bernstein bound of det J of the block as one order-8 quad"});
+  if (archive.has("block_scaled_jacobian"))
+    archive.field("block_scaled_jacobian", layout.block_scaled_jacobian,
+                  {"1", "least scaled Jacobian of the block as one order-8 quad"});
+  if (archive.has("block_boundary_distance"))
+    archive.field("block_boundary_distance", layout.block_boundary_distance,
+                  {"length", "greatest distance of the boundary of that quad from the CAD curves"});
   archive.field("block_names", layout.block_names, {"", "name of each block"});
 }
 

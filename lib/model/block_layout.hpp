@@ -24,8 +24,11 @@ struct BlockLayout {
   std::vector<GraphArc> arcs;
   std::vector<std::array<int, 4>> block2nodes;
   std::vector<std::array<int, 4>> block2arcs;
-  std::vector<int> arc_chord;                ///< chord of each arc: arcs that share one count and one spacing
-  std::vector<double> block_jacobian_bound;  ///< least Bernstein bound of det J of the block as one order-8 quad
+  std::vector<int> arc_chord;                 ///< chord of each arc: arcs that share one count and one spacing
+  std::vector<double> block_jacobian_bound;   ///< least Bernstein bound of det J of the block as one order-8 quad
+  std::vector<double> block_scaled_jacobian;  ///< least of it, sampled; -1 where det J <= 0; empty: not known
+  std::vector<double>
+      block_boundary_distance;  ///< greatest distance of its sides from the CAD curves; empty: not known
   std::vector<std::string> block_names;
 
   int num_blocks() const { return static_cast<int>(block2nodes.size()); }

@@ -35,7 +35,9 @@ double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth) {
   return lower_bound(quad_jacobian_det(order, nodes), depth);
 }
 
-double quad_scaled_jacobian(int order, const Vec2* nodes) {
+double quad_scaled_jacobian(int order, const Vec2* nodes) { return quad_scaled_jacobian_minimum(order, nodes).value; }
+
+ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes) {
   const Samples& s = samples(order);
   const int n = order + 1;
   Eigen::MatrixXd x(n, n), y(n, n);  // row: xi1, column: xi2
@@ -45,11 +47,14 @@ double quad_scaled_jacobian(int order, const Vec2* nodes) {
   }
   const Eigen::MatrixXd x1 = s.derivative * x * s.value.transpose(), x2 = s.value * x * s.derivative.transpose();
   const Eigen::MatrixXd y1 = s.derivative * y * s.value.transpose(), y2 = s.value * y * s.derivative.transpose();
-  double least = 1;
+  ScaledJacobianMinimum least;
   for (Eigen::Index k = 0; k < x1.size(); ++k) {
     const Vec2 a{x1.data()[k], y1.data()[k]}, b{x2.data()[k], y2.data()[k]};
     const double det_j = cross(a, b), scale = std::sqrt(norm2(a) * norm2(b));
-    least = std::min(least, det_j > 0 ? det_j / scale : -1.0);
+    const double value = det_j > 0 ? det_j / scale : -1.0;
+    const auto coordinate = [&](Eigen::Index i) { return -1 + 2 * static_cast<double>(i) / static_cast<double>(x1.rows() - 1); };
+    if (k == 0 || value < least.value)
+      least = {std::min(value, 1.0), {coordinate(k % x1.rows()), coordinate(k / x1.rows())}};
   }
   return least;
 }

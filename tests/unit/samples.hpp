@@ -170,6 +170,8 @@ inline BlockLayout block_layout() {
   b.block2arcs = {{0, 6, 4, 5}, {1, 2, 3, -7}};
   b.arc_chord = {0, 1, 2, 1, 0, 2, 2};
   b.block_jacobian_bound = {0.125, 0.125};
+  b.block_scaled_jacobian = {1, 1};
+  b.block_boundary_distance = {0, 0};
   b.block_names = {"block-0", "block-1"};
   return b;
 }

@@ -31,6 +31,11 @@ TEST(BlockLayoutCheck, BlkR03PiecesAreSound) {
 TEST(BlockLayoutCheck, BlkR04ArraysAgree) {
   EXPECT_EQ(broken([](auto& b) { b.block_names.pop_back(); }), Rules{"BLK-R04"});
   EXPECT_EQ(broken([](auto& b) { b.arc_chord.pop_back(); }), Rules{"BLK-R04"});
+  EXPECT_EQ(broken([](auto& b) { b.block_scaled_jacobian.pop_back(); }), Rules{"BLK-R04"});
+  EXPECT_EQ(broken([](auto& b) { b.block_boundary_distance[1] = std::numeric_limits<double>::infinity(); }),
+            Rules{"BLK-R04"});
+  EXPECT_EQ(broken([](auto& b) { b.block_scaled_jacobian.clear(), b.block_boundary_distance.clear(); }), Rules{})
+      << "files of version 1.0 have neither";
   EXPECT_EQ(broken([](auto& b) { b.block_jacobian_bound[0] = std::numeric_limits<double>::quiet_NaN(); }),
             Rules{"BLK-R04"});
 }
@@ -57,6 +62,8 @@ TEST(BlockLayoutCheck, BlkR10ArcsAreShared) {
               b.block2nodes.push_back(b.block2nodes[0]);
               b.block2arcs.push_back(b.block2arcs[0]);
               b.block_jacobian_bound.push_back(1);
+              b.block_scaled_jacobian.push_back(1);
+              b.block_boundary_distance.push_back(0);
               b.block_names.push_back("again");
             }),
             (Rules{"BLK-R10", "BLK-R13", "BLK-R14"}));

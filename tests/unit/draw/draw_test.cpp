@@ -331,6 +331,21 @@ TEST(Draw, BlocksShowNumbersInTheirMiddle) {
   EXPECT_EQ(count(svg, "x=\"500\" y=\"754\">0</text>"), 1) << svg;
   EXPECT_EQ(count(svg, "x=\"500\" y=\"254\">1</text>"), 1);
   EXPECT_EQ(count(svg, "3 chords"), 1);
+  EXPECT_EQ(count(svg, "class=\"worst\""), 0) << "not known";
+
+  layout.block_scaled_jacobian = {0.25, 0.75};
+  layout.nodes[4].valence = 3;
+  layout.nodes[4].kind = NodeKind::boundary;
+  const std::string measured = draw_block_layout(layout, options);
+  expect_sound(measured);
+  EXPECT_EQ(count(measured, "<title>block 0, scaled Jacobian 0.25<"), 1);
+  EXPECT_EQ(count(measured, "class=\"worst\""), 2) << "block 0 and the legend";
+  EXPECT_EQ(count(measured, "<title>irregular node on the boundary of valence 3 at (1, 0.5)<"), 1) << measured;
+  EXPECT_EQ(count(measured, "on the boundary, valence 3<"), 1);
+  EXPECT_EQ(count(measured, "1 irregular node"), 1);
+
+  layout.block_scaled_jacobian = {1, 1};
+  EXPECT_EQ(count(draw_block_layout(layout, options), "class=\"worst\""), 0) << "nothing to complain of";
 }
 
 /// Two quads of order N side by side in the unit square, the right one with the given quality.

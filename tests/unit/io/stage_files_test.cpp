@@ -102,6 +102,8 @@ TEST_F(StageFiles, BlockLayoutSurvivesTheRoundTrip) {
   expect_same_bytes(samples::block_layout(), read_block_layout, write_block_layout);
   const BlockLayout layout = read_block_layout(read_input(path("second")));
   EXPECT_EQ(layout.block2arcs, samples::block_layout().block2arcs);
+  EXPECT_EQ(layout.block_scaled_jacobian, samples::block_layout().block_scaled_jacobian);
+  EXPECT_EQ(layout.block_boundary_distance, samples::block_layout().block_boundary_distance);
   EXPECT_EQ(layout.arcs[6].pieces[0].curve, 4);
   EXPECT_EQ(stage_format(read_input(path("first"))), "block-layout");
 }

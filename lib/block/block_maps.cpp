@@ -1,0 +1,23 @@
+#include "block/block_maps.hpp"
+
+#include "mesh/chords.hpp"
+
+namespace quadrille {
+
+BlockMaps::BlockMaps(const BlockLayout& layout) : layout_(&layout), table_(layout.face, layout.splines) {
+  chains_.reserve(layout.arcs.size());
+  for (const GraphArc& arc : layout.arcs) chains_.emplace_back(table_, arc.pieces);
+}
+
+TransfiniteMap BlockMaps::map(int block) const {
+  std::array<const Chain*, 4> sides{};
+  std::array<bool, 4> backwards{};
+  for (int k = 0; k < 4; ++k) {
+    const int directed = layout_->block2arcs[block][k];
+    sides[k] = &chains_[arc_of(directed)];
+    backwards[k] = is_backwards(directed);
+  }
+  return TransfiniteMap(sides, backwards);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,28 @@
+#pragma once
+// The exact maps of a layout's blocks.
+
+#include <vector>
+
+#include "curve/chain.hpp"
+#include "mesh/transfinite.hpp"
+#include "model/block_layout.hpp"
+
+namespace quadrille {
+
+/// Blocks are judged as quads of this order (lib/mesh/transfinite.hpp, TransfiniteMap::sampled).
+constexpr int block_order = 8;
+
+class BlockMaps {
+ public:
+  /// `layout` must outlive it, and its arcs and splines must not change.
+  explicit BlockMaps(const BlockLayout& layout);
+  const Chain& arc(int a) const { return chains_[a]; }
+  TransfiniteMap map(int block) const;
+
+ private:
+  const BlockLayout* layout_;
+  CurveTable table_;
+  std::vector<Chain> chains_;
+};
+
+}  // namespace quadrille

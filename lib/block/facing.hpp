@@ -1,0 +1,26 @@
+#pragma once
+// Points of two opposite sides of a strip that face each other.
+
+#include <optional>
+
+#include "curve/chain.hpp"
+
+namespace quadrille {
+
+/// An arc walked in a chosen direction.
+struct Walk {
+  const Chain* chain = nullptr;
+  bool backwards = false;
+  ChainPoint at(double f) const {
+    ChainPoint p = chain->at(backwards ? 1 - f : f);
+    if (backwards) p.tangent = -p.tangent;
+    return p;
+  }
+};
+
+/// The difference d of fractions, nearest to 0, at which a(middle - d / 2) and b(middle + d / 2) face each other: the
+/// segment between them is at right angles to the sum of the tangents. Nothing where there is none with both fractions
+/// in [0.05, 0.95].
+std::optional<double> facing_difference(const Walk& a, const Walk& b, double middle);
+
+}  // namespace quadrille

@@ -1,0 +1,86 @@
+#include "block/make_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "block/extract_blocks.hpp"
+#include "block/split_chord.hpp"
+#include "block/tell_layout.hpp"
+#include "mesh/chords.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int most_rounds = 4;
+
+bool is_sound(const BlockMeasure& m) { return m.divisions > 0; }
+
+int count_unsound(const std::vector<BlockMeasure>& measures) {
+  return static_cast<int>(measures.size() - std::count_if(measures.begin(), measures.end(), is_sound));
+}
+
+/// One arc of every chord that runs across the long sides of an unsound block.
+std::set<int> arcs_to_cut(const Blocks& blocks) {
+  const BlockMaps maps(blocks.layout);
+  std::set<int> chords, arcs;
+  for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
+    if (is_sound(blocks.measures[b])) continue;
+    const std::array<int, 4>& sides = blocks.layout.block2arcs[b];
+    const auto length = [&](int k) { return maps.arc(arc_of(sides[k])).length(); };
+    const bool first = length(0) + length(2) >= (1 - 1e-6) * (length(1) + length(3));
+    const int arc = arc_of(sides[first ? 0 : 1]);
+    if (chords.insert(blocks.layout.arc_chord[arc]).second) arcs.insert(arc);
+  }
+  return arcs;
+}
+
+/// One cut through each of these chords. False where none can be cut.
+bool cut_once(Blocks& blocks) {
+  std::vector<bool> sound;
+  for (const BlockMeasure& m : blocks.measures) sound.push_back(is_sound(m));
+  bool has_cut = false;
+  for (const int arc : arcs_to_cut(blocks)) {
+    has_cut |= split_chord(blocks.layout, blocks.layout.arc_chord[arc], sound);
+    sound.resize(blocks.layout.block2nodes.size(), false);
+  }
+  if (has_cut) blocks.measures = measure_blocks(blocks.layout);
+  return has_cut;
+}
+
+void warn_of_unsound(const Blocks& blocks, Report& report) {
+  for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
+    const BlockMeasure& m = blocks.measures[b];
+    if (is_sound(m)) continue;
+    const Vec2 place = m.scaled_jacobian_place + blocks.layout.face.origin;
+    report.warn("W-BLK-001",
+                fmt::format("{} cannot be proved valid near ({:.6g}, {:.6g}): its exact map folds there, or nearly so",
+                            blocks.layout.block_names[b], place.x, place.y));
+  }
+}
+
+}  // namespace
+
+Blocks mend_blocks(BlockLayout layout, Report& report) {
+  Blocks best{std::move(layout), {}};
+  best.measures = measure_blocks(best.layout);
+  const int blocks_before = best.layout.num_blocks();
+  Blocks trial = best;
+  for (int round = 0; round < most_rounds && count_unsound(trial.measures) > 0 && cut_once(trial); ++round)
+    if (count_unsound(trial.measures) < count_unsound(best.measures)) best = trial;
+  keep_measures(best.measures, best.layout);
+  report.set("blocks_added_to_mend", best.layout.num_blocks() - blocks_before);
+  warn_of_unsound(best, report);
+  return best;
+}
+
+Blocks make_blocks(const SeparatrixGraph& graph, Report& report) {
+  Blocks blocks = mend_blocks(extract_blocks(graph), report);
+  tell_layout(blocks.layout, blocks.measures, report);
+  return blocks;
+}
+
+BlockLayout extract_blocks(const SeparatrixGraph& graph, Report& report) { return make_blocks(graph, report).layout; }
+
+}  // namespace quadrille

@@ -1,0 +1,122 @@
+#include "block/measure_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curve/project.hpp"
+#include "mesh/chords.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quad_map.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int greatest_division = 16;
+constexpr double same_length = 1e-6;  // relative; a rotated shape must give the same answer
+
+/// Cell (i, j) of n x n as a quad of order 8.
+std::vector<Vec2> cell_nodes(const TransfiniteMap& map, int n, int i, int j) {
+  std::vector<double> fractions;
+  for (const double xi : gll_points(block_order)) fractions.push_back((1 + xi) / 2);
+  std::vector<Vec2> nodes;
+  for (const double t : fractions)
+    for (const double s : fractions) nodes.push_back(map.position((i + s) / n, (j + t) / n));
+  return nodes;
+}
+
+bool is_proved(const TransfiniteMap& map, int n) {
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      if (quad_jacobian_lower_bound(block_order, cell_nodes(map, n, i, j).data()) <= 0) return false;
+  return true;
+}
+
+/// Distance of x from an arc of the boundary.
+double distance_to_arc(const BlockLayout& layout, const GraphArc& arc, Vec2 x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ArcPiece& piece : arc.pieces) {
+    const auto [low, high] = std::minmax(piece.t0, piece.t1);
+    least = std::min(least, project(layout.curve(piece.curve), x, low, high).distance);
+  }
+  return least;
+}
+
+/// The polynomial of order 8 along an arc against the arc, between the points that they share.
+void measure_boundary_distance(const BlockLayout& layout, const Chain& chain, const GraphArc& arc, BlockMeasure& m) {
+  const int count = 4 * block_order;
+  std::vector<double> samples;
+  for (int i = 0; i <= count; ++i) samples.push_back(-1 + 2.0 * i / count);
+  const Eigen::MatrixXd basis = interpolation_matrix(gll_points(block_order), samples);
+  std::vector<Vec2> nodes;
+  for (const double xi : gll_points(block_order)) nodes.push_back(chain.at((1 + xi) / 2).position);
+  for (int i = 0; i <= count; ++i) {
+    Vec2 x;
+    for (int k = 0; k <= block_order; ++k) x += basis(i, k) * nodes[k];
+    // The distance to the point of the same fraction is an upper bound; only a greater one is worth a projection.
+    if (distance(x, chain.at((1 + samples[i]) / 2).position) <= m.boundary_distance) continue;
+    const double d = distance_to_arc(layout, arc, x);
+    if (d > m.boundary_distance) m.boundary_distance = d, m.boundary_distance_place = x;
+  }
+}
+
+/// Green's formula over the sides, Simpson's rule.
+double area_left_of(const Chain& chain) {
+  constexpr int intervals = 64;
+  double sum = 0;
+  for (int i = 0; i <= intervals; ++i) {
+    const ChainPoint p = chain.at(static_cast<double>(i) / intervals);
+    sum += (i == 0 || i == intervals ? 1 : i % 2 == 1 ? 4 : 2) * cross(p.position, p.tangent);
+  }
+  return chain.length() * sum / (6.0 * intervals);
+}
+
+}  // namespace
+
+int divisions_to_prove(const TransfiniteMap& map) {
+  for (int n = 1; n <= greatest_division; n *= 2)
+    if (is_proved(map, n)) return n;
+  return 0;
+}
+
+BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block) {
+  BlockMeasure m;
+  const TransfiniteMap map = maps.map(block);
+  const std::vector<Vec2> nodes = map.sampled(block_order);
+  m.jacobian_bound = quad_jacobian_lower_bound(block_order, nodes.data());
+  const ScaledJacobianMinimum scaled = quad_scaled_jacobian_minimum(block_order, nodes.data());
+  m.scaled_jacobian = scaled.value;
+  m.scaled_jacobian_place = quad_position(block_order, nodes.data(), scaled.xi);
+  m.divisions = m.jacobian_bound > 0 ? 1 : divisions_to_prove(map);
+  m.shortest_side = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 4; ++k) {
+    const int directed = layout.block2arcs[block][k], a = arc_of(directed);
+    const Chain& chain = maps.arc(a);
+    if (chain.length() < (1 - same_length) * m.shortest_side)
+      m.shortest_side = chain.length(), m.shortest_side_index = k;
+    m.area += (is_backwards(directed) ? -1 : 1) * area_left_of(chain);
+    if (layout.arcs[a].is_boundary) measure_boundary_distance(layout, chain, layout.arcs[a], m);
+  }
+  return m;
+}
+
+std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout) {
+  const BlockMaps maps(layout);
+  std::vector<BlockMeasure> measures;
+  for (int b = 0; b < layout.num_blocks(); ++b) measures.push_back(measure_block(layout, maps, b));
+  return measures;
+}
+
+void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout) {
+  layout.block_jacobian_bound.clear();
+  layout.block_scaled_jacobian.clear();
+  layout.block_boundary_distance.clear();
+  for (const BlockMeasure& m : measures) {
+    layout.block_jacobian_bound.push_back(m.jacobian_bound);
+    layout.block_scaled_jacobian.push_back(m.scaled_jacobian);
+    layout.block_boundary_distance.push_back(m.boundary_distance);
+  }
+}
+
+}  // namespace quadrille

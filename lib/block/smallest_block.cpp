@@ -1,0 +1,142 @@
+#include "block/smallest_block.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+#include "mesh/chords.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double same_length = 1e-6;  // relative
+
+/// A feature and how far along the rail it lies.
+struct Held {
+  double distance = std::numeric_limits<double>::infinity();
+  BoundaryFeature feature;
+};
+
+class Rails {
+ public:
+  Rails(const BlockLayout& layout, const BlockMaps& maps) : layout_(layout), maps_(maps) {
+    for (std::vector<int>& beside : beside_) beside.assign(layout.arcs.size(), -1);
+    for (int b = 0; b < layout.num_blocks(); ++b)
+      for (int k = 0; k < 4; ++k) {
+        const int directed = layout.block2arcs[b][k];
+        beside_[is_backwards(directed)][arc_of(directed)] = 4 * b + k;
+      }
+  }
+
+  /// What holds the rails through both ends of side k of a block, looked for on both sides of it.
+  std::array<BoundaryFeature, 2> around(int block, int side) {
+    const int directed = layout_.block2arcs[block][side];
+    held_ = {};
+    look_at_node(0, start_of(directed), 0);
+    look_at_node(1, start_of(-1 - directed), 0);
+    walk(directed, {0, 1});
+    walk(-1 - directed, {1, 0});
+    std::array<BoundaryFeature, 2> found{held_[0].feature, held_[1].feature};
+    for (int r = 0; r < 2; ++r)
+      if (held_[r].feature.curve < 0)
+        found[r] = nearest_curve(layout_.nodes[start_of(r == 0 ? directed : -1 - directed)].position);
+    return found;
+  }
+
+ private:
+  int start_of(int directed) const {
+    const GraphArc& arc = layout_.arcs[arc_of(directed)];
+    return is_backwards(directed) ? arc.to : arc.from;
+  }
+
+  /// Through the blocks on the left of a directed arc; rail[0] is held_'s index of the rail through its start.
+  void walk(int directed, std::array<int, 2> rail) {
+    std::array<double, 2> walked{0, 0};
+    for (int steps = 0; steps <= layout_.num_blocks(); ++steps) {
+      const int place = beside_[is_backwards(directed)][arc_of(directed)];
+      if (place < 0) return;
+      const int block = place / 4, k = place % 4;
+      const std::array<int, 4>& sides = layout_.block2arcs[block];
+      const std::array<int, 2> along{sides[(k + 3) % 4], sides[(k + 1) % 4]};  // at the start and at the end
+      for (int end = 0; end < 2; ++end) {
+        look_at_arc(rail[end], along[end], start_of(end == 0 ? directed : -1 - directed), walked[end]);
+        walked[end] += maps_.arc(arc_of(along[end])).length();
+      }
+      const int opposite = sides[(k + 2) % 4];
+      directed = -1 - opposite;
+      for (int end = 0; end < 2; ++end)
+        look_at_node(rail[end], start_of(end == 0 ? directed : -1 - directed), walked[end]);
+    }
+  }
+
+  void hold(int rail, double distance, const BoundaryFeature& feature) {
+    if (held_[rail].feature.curve < 0 || distance < (1 - same_length) * held_[rail].distance)
+      held_[rail] = {distance, feature};
+  }
+
+  /// A rail along the boundary is held from its nearer end on, before any node there.
+  void look_at_arc(int rail, int directed, int from, double distance) {
+    const GraphArc& arc = layout_.arcs[arc_of(directed)];
+    if (!arc.is_boundary) return;
+    const ArcPiece& piece = arc.from == from ? arc.pieces.front() : arc.pieces.back();
+    const BoundaryFeature feature{piece.curve, false, layout_.nodes[from].position};
+    if (distance <= (1 + same_length) * held_[rail].distance) held_[rail] = {distance, feature};
+  }
+
+  void look_at_node(int rail, int id, double distance) {
+    const GraphNode& node = layout_.nodes[id];
+    if (node.curve >= 0) {
+      if (node.valence == 2 && node.kind != NodeKind::corner) return;
+      hold(rail, distance, {node.curve, node.kind == NodeKind::corner, node.position});
+    } else if (node.valence != 4) {
+      hold(rail, distance, nearest_curve(node.position));
+    }
+  }
+
+  BoundaryFeature nearest_curve(Vec2 x) const {
+    BoundaryFeature feature;
+    double least = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < layout_.face.num_curves(); ++c) {
+      const Projection p = project(layout_.face.curves[c], x);
+      if (p.distance < (1 - same_length) * least) least = p.distance, feature = {c, false, p.position};
+    }
+    return feature;
+  }
+
+  const BlockLayout& layout_;
+  const BlockMaps& maps_;
+  std::array<std::vector<int>, 2> beside_;  ///< [forwards, backwards][arc]: 4 block + side, or -1
+  std::array<Held, 2> held_;
+};
+
+std::string curve_name(const CadFace& face, int curve) {
+  const std::string& name = face.curve_names[curve];
+  return fmt::format("{}{}", curve, name.empty() || name == fmt::format("curve_{}", curve) ? "" : " '" + name + "'");
+}
+
+}  // namespace
+
+SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockMeasure>& measures) {
+  SmallestBlock smallest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int b = 0; b < layout.num_blocks(); ++b)
+    if (measures[b].shortest_side < (1 - same_length) * least)
+      least = measures[b].shortest_side, smallest.block = b, smallest.side = measures[b].shortest_side_index;
+  const BlockMaps maps(layout);
+  smallest.place = maps.arc(arc_of(layout.block2arcs[smallest.block][smallest.side])).at(0.5).position;
+  smallest.between = Rails(layout, maps).around(smallest.block, smallest.side);
+  return smallest;
+}
+
+std::string name_of(const CadFace& face, const BoundaryFeature& feature) {
+  const int loop = face.loop_of(feature.curve);
+  const std::string hole = loop == 0 ? "" : fmt::format(" (hole {})", loop);
+  if (!feature.is_corner) return "curve " + curve_name(face, feature.curve) + hole;
+  return fmt::format("the corner of curves {} and {}{}", curve_name(face, face.previous_in_loop(feature.curve)),
+                     curve_name(face, feature.curve), hole);
+}
+
+}  // namespace quadrille

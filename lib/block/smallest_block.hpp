@@ -1,0 +1,37 @@
+#pragma once
+// The smallest block of a layout, and which features of the boundary force it.
+//
+// The smallest block is the one with the shortest side: it bounds the edge length of every mesh made from the layout.
+// That side runs across a chord (mesh/chords.hpp), a strip of blocks between two rails. Each rail lies where it does
+// because something holds it: it runs along the boundary, or through a corner, an irregular node on the boundary or an
+// irregular node inside. The nearest such thing along the rail, from the short side on in both directions, is what
+// holds it; of an irregular node inside the boundary curve nearest to it.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "block/measure_blocks.hpp"
+
+namespace quadrille {
+
+struct BoundaryFeature {
+  int curve = -1;          ///< at a corner the curve that starts there
+  bool is_corner = false;  ///< the joint at the start of `curve`
+  Vec2 place;              ///< on the boundary, relative to the face's origin
+};
+
+struct SmallestBlock {
+  int block = -1;  ///< the lowest number of blocks equal within 1e-6
+  int side = 0;
+  Vec2 place;  ///< the middle of the shortest side, relative to the face's origin
+  /// Of the rail through the side's start and of the one through its end.
+  std::array<BoundaryFeature, 2> between;
+};
+
+SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockMeasure>& measures);
+
+/// "curve 3 'inlet'", "curve 7 (hole 1)", "the corner of curves 2 and 3"; the number of a hole is that of its loop.
+std::string name_of(const CadFace& face, const BoundaryFeature& feature);
+
+}  // namespace quadrille
