@@ -51,6 +51,26 @@ double turn_of_blend(const FieldEvaluator& evaluator, const Chain& from, const C
   return turn;
 }
 
+std::optional<Blend> make_blend(const FieldEvaluator& evaluator, const CurveTable& table, const Pieces& from,
+                                const Pieces& to, const BlendOptions& options) {
+  const Chain a(table, from), b(table, to);
+  const double turn = turn_of_blend(evaluator, a, b);
+  if (turn > options.max_turn) return std::nullopt;
+  return Blend{from, to, fit_line(blended_curve(a, b), blend_length(a, b), options.fit_tol), turn};
+}
+
+std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const Pieces& from, const Pieces& to) {
+  const auto starts_alike = [](const ArcPiece& p, const ArcPiece& q) { return p.curve == q.curve && p.t0 == q.t0; };
+  const auto ends_alike = [](const ArcPiece& p, const ArcPiece& q) { return p.curve == q.curve && p.t1 == q.t1; };
+  const Pieces back_from = reversed_pieces(to), back_to = reversed_pieces(from);
+  for (const Blend& blend : blends) {
+    if (starts_alike(blend.from.front(), from.front()) && ends_alike(blend.to.back(), to.back())) return blend.spline;
+    if (starts_alike(blend.from.front(), back_from.front()) && ends_alike(blend.to.back(), back_to.back()))
+      return reversed(blend.spline);
+  }
+  return std::nullopt;
+}
+
 bool cross_chain(const Nurbs& spline, const Chain& chain, double& s, double& fraction) {
   const double scale = spline.end() - spline.begin();
   for (int i = 0; i < 50; ++i) {

@@ -6,8 +6,11 @@
 // as where separatrices are merged (trace/merge.hpp): the weights are flat at both ends, so M leaves along A and
 // arrives along B.
 
+#include <optional>
+
 #include "curve/chain.hpp"
 #include "field/evaluate.hpp"
+#include "trace/chord_pieces.hpp"
 #include "trace/fit_line.hpp"
 
 namespace quadrille {
@@ -19,6 +22,26 @@ double blend_length(const Chain& from, const Chain& to);
 /// The largest angle between a blend and the direction of the field's cross that the two lines follow there, radians,
 /// at equal steps inside it.
 double turn_of_blend(const FieldEvaluator& evaluator, const Chain& from, const Chain& to);
+
+struct BlendOptions {
+  double max_turn = 0.7;  ///< radians: of a blend from the cross of the field
+  double fit_tol = 0;     ///< a length: splines follow their blends within this
+};
+
+/// A blend as a spline, and the walks that it was made from, both in its direction.
+struct Blend {
+  Pieces from, to;
+  Nurbs spline;
+  double turn = 0;  ///< turn_of_blend
+};
+
+/// Nothing where that turns too far.
+std::optional<Blend> make_blend(const FieldEvaluator& evaluator, const CurveTable& table, const Pieces& from,
+                                const Pieces& to, const BlendOptions& options);
+
+/// The spline of the blend that starts where the walk `from` does and ends where `to` does, or of one that does so the
+/// other way round, turned. What lies between does not matter: a walk may have been cut into other arcs since.
+std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const Pieces& from, const Pieces& to);
 
 /// Where a spline crosses a chain: Newton's method from (s, fraction). False where it finds nothing inside the chain
 /// and the spline's domain.

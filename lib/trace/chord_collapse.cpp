@@ -6,7 +6,6 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "field/evaluate.hpp"
 #include "trace/chord_blend.hpp"
 #include "trace/chord_pieces.hpp"
 
@@ -21,26 +20,37 @@ struct Stretch {
 
 class Collapser {
  public:
-  Collapser(const FieldEvaluator& evaluator, const SeparatrixGraph& graph, const ChordStrip& strip,
-            const std::vector<Pin>& pins, const CollapseOptions& options)
-      : evaluator_(evaluator),
-        old_(graph),
+  Collapser(const SeparatrixGraph& graph, const ChordStrip& strip, const std::vector<Pin>& pins)
+      : old_(graph),
         strip_(strip),
-        options_(options),
         table_(graph.face, graph.splines),
         sides_(pins),
         kept_(strip.num_blocks(), Pin::none),
-        pins_(pins) {}
+        pins_(pins) {
+    choose_sides();
+  }
 
-  std::optional<Collapse> run() {
+  std::optional<std::vector<Blend>> blends(const FieldEvaluator& evaluator, const BlendOptions& options) const {
+    if (drops_boundary()) return std::nullopt;
+    std::vector<Blend> found;
+    for (const Stretch& s : stretches_) {
+      auto blend = make_blend(evaluator, table_, rail(s, s.from_left), rail(s, !s.from_left), options);
+      if (!blend) return std::nullopt;
+      found.push_back(std::move(*blend));
+    }
+    return found;
+  }
+
+  std::optional<Collapse> run(const std::vector<Blend>& blends) {
+    if (drops_boundary()) return std::nullopt;
     result_.graph = old_;
     kinds_ = spline_kinds(old_);
-    choose_sides();
     weld_nodes_.resize(strip_.rungs.size());
     new_arcs_.resize(strip_.num_blocks());
-    if (drops_boundary()) return std::nullopt;
-    for (const Stretch& s : stretches_)
-      if (!blend(s)) return std::nullopt;
+    for (const Stretch& s : stretches_) {
+      auto spline = find_blend(blends, rail(s, s.from_left), rail(s, !s.from_left));
+      if (!spline || !place(s, std::move(*spline))) return std::nullopt;
+    }
     changed_.assign(old_.arcs.size(), false);
     for (int i = 0; i < num_rungs(); ++i) weld(i);
     rebuild_arcs();
@@ -94,16 +104,6 @@ class Collapser {
       pieces = joined(std::move(pieces), pieces_along(old_, (is_left ? strip_.left : strip_.right)[block]));
     }
     return pieces;
-  }
-
-  bool blend(const Stretch& stretch) {
-    const Pieces from = rail(stretch, stretch.from_left), to = rail(stretch, !stretch.from_left);
-    const Chain a(table_, from), b(table_, to);
-    const CurveFunction curve = blended_curve(a, b);
-    const double length = blend_length(a, b), turn = turn_of_blend(evaluator_, a, b);
-    if (turn > options_.max_turn) return false;
-    result_.turn = std::max(result_.turn, turn);
-    return place(stretch, fit_line(curve, length, options_.fit_tol));
   }
 
   // Where the blended line crosses the rungs are the new nodes, between them the new arcs.
@@ -208,10 +208,8 @@ class Collapser {
     graph.nodes = std::move(nodes);
   }
 
-  const FieldEvaluator& evaluator_;
   const SeparatrixGraph& old_;
   const ChordStrip& strip_;
-  const CollapseOptions& options_;
   CurveTable table_;
   std::vector<Pin> sides_;  // of rungs that no blend crosses: the end that stays
   std::vector<Pin> kept_;   // of blocks: the rail that stays
@@ -227,10 +225,15 @@ class Collapser {
 
 }  // namespace
 
-std::optional<Collapse> collapse_strip(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
-                                       const ChordStrip& strip, const std::vector<Pin>& pins,
-                                       const CollapseOptions& options) {
-  return Collapser(evaluator, graph, strip, pins, options).run();
+std::optional<std::vector<Blend>> blends_of(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
+                                            const ChordStrip& strip, const std::vector<Pin>& pins,
+                                            const BlendOptions& options) {
+  return Collapser(graph, strip, pins).blends(evaluator, options);
+}
+
+std::optional<Collapse> collapse_strip(const SeparatrixGraph& graph, const ChordStrip& strip,
+                                       const std::vector<Pin>& pins, const std::vector<Blend>& blends) {
+  return Collapser(graph, strip, pins).run(blends);
 }
 
 std::vector<std::string> spline_kinds(const SeparatrixGraph& graph) {

@@ -10,29 +10,28 @@
 #include <optional>
 #include <vector>
 
+#include "trace/chord_blend.hpp"
 #include "trace/chord_strip.hpp"
 
 namespace quadrille {
-
-class FieldEvaluator;
-
-struct CollapseOptions {
-  double max_turn = 0.44;  ///< radians: of a blend from the cross of the field
-  double fit_tol = 0;      ///< a length: splines follow their blends within this
-};
 
 struct Collapse {
   SeparatrixGraph graph;         ///< without the strip; `lines` as in lines_of_arcs
   std::vector<int> arc2arc;      ///< the new arc of each old one, -1 for rungs
   std::vector<bool> is_changed;  ///< of the new arcs: another shape than before
-  double turn = 0;               ///< largest of its blends, radians
 };
 
-/// Nothing where a blend would turn too far, or does not cross the rungs one after the other, or would replace a part
-/// of the boundary. `pins` = pins_of(graph, strip), not empty.
-std::optional<Collapse> collapse_strip(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
-                                       const ChordStrip& strip, const std::vector<Pin>& pins,
-                                       const CollapseOptions& options);
+/// The blends that a strip needs. Nothing where one would turn too far or replace a part of the boundary.
+/// `pins` = pins_of(graph, strip), not empty, here and below.
+std::optional<std::vector<Blend>> blends_of(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
+                                            const ChordStrip& strip, const std::vector<Pin>& pins,
+                                            const BlendOptions& options);
+
+/// `blends` are those of the strip, others may be among them; made before other strips that cross it were collapsed,
+/// they stay what they were, and so the sequence of strips does not matter. Nothing where one is missing or does not
+/// cross the rungs one after the other.
+std::optional<Collapse> collapse_strip(const SeparatrixGraph& graph, const ChordStrip& strip,
+                                       const std::vector<Pin>& pins, const std::vector<Blend>& blends);
 
 /// Every inner arc being a part of one spline: for each spline a line for each run of arcs, of the kind that `kinds`
 /// has for the spline.

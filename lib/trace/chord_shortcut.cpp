@@ -1,10 +1,9 @@
 #include "trace/chord_shortcut.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
-#include "field/evaluate.hpp"
+#include "curve/nurbs.hpp"
 #include "trace/chord_blend.hpp"
 #include "trace/chord_pieces.hpp"
 
@@ -143,16 +142,24 @@ std::vector<Shortcut> find_shortcuts(const SeparatrixGraph& graph, const PlanarF
   return found;
 }
 
-std::optional<SeparatrixGraph> take_shortcut(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
-                                             const Shortcut& shortcut, const CollapseOptions& options, double& turn) {
+std::optional<Blend> blend_of(const FieldEvaluator& evaluator, const SeparatrixGraph& graph, const Shortcut& shortcut,
+                              const BlendOptions& options) {
+  Pieces left, right;
+  for (const int d : shortcut.left) left = joined(std::move(left), pieces_along(graph, d));
+  for (const int d : shortcut.right) right = joined(std::move(right), pieces_along(graph, d));
   const CurveTable table(graph.face, graph.splines);
-  std::array<Pieces, 2> rails;  // left, right
-  for (const int d : shortcut.left) rails[0] = joined(std::move(rails[0]), pieces_along(graph, d));
-  for (const int d : shortcut.right) rails[1] = joined(std::move(rails[1]), pieces_along(graph, d));
-  const Chain from(table, rails[shortcut.from_left ? 0 : 1]), to(table, rails[shortcut.from_left ? 1 : 0]);
-  turn = turn_of_blend(evaluator, from, to);
-  if (turn > options.max_turn) return std::nullopt;
+  return make_blend(evaluator, table, shortcut.from_left ? left : right, shortcut.from_left ? right : left, options);
+}
 
+std::optional<SeparatrixGraph> take_shortcut(const SeparatrixGraph& graph, const Shortcut& shortcut,
+                                             const Blend& blend) {
+  const CurveTable table(graph.face, graph.splines);
+  const int first_rung = dart_arc(shortcut.rungs.front());
+  const int start =
+      shortcut.from_left == (shortcut.rungs.front() >= 0) ? graph.arcs[first_rung].from : graph.arcs[first_rung].to;
+  const Vec2 begin = point(blend.spline, blend.spline.begin()), end = point(blend.spline, blend.spline.end());
+  const Vec2 at = graph.nodes[start].position;
+  Nurbs spline = distance(begin, at) <= distance(end, at) ? blend.spline : reversed(blend.spline);
   std::vector<std::string> kinds = spline_kinds(graph);
   Editor edit(graph);
   std::set<int> crossed;
@@ -162,8 +169,7 @@ std::optional<SeparatrixGraph> take_shortcut(const FieldEvaluator& evaluator, co
     for (const int n : {graph.arcs[a].from, graph.arcs[a].to})
       if (!is_fixed(graph.nodes[n])) crossed.insert(n);
   }
-  Nurbs blend = fit_line(blended_curve(from, to), blend_length(from, to), options.fit_tol);
-  if (!insert_blend(edit, table, shortcut, std::move(blend))) return std::nullopt;
+  if (!insert_blend(edit, table, shortcut, std::move(spline))) return std::nullopt;
   for (const int n : crossed)
     if (!edit.dissolve(n)) return std::nullopt;
   SeparatrixGraph result = edit.without_the_gone();

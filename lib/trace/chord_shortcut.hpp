@@ -24,9 +24,13 @@ struct Shortcut {
 std::vector<Shortcut> find_shortcuts(const SeparatrixGraph& graph, const PlanarFaces& faces,
                                      const std::vector<double>& lengths);
 
-/// The graph with the blend instead of the line, or nothing where that would turn too far or does not fit. The caller
-/// takes the census.
-std::optional<SeparatrixGraph> take_shortcut(const FieldEvaluator& evaluator, const SeparatrixGraph& graph,
-                                             const Shortcut& shortcut, const CollapseOptions& options, double& turn);
+/// Nothing where it would turn too far.
+std::optional<Blend> blend_of(const FieldEvaluator& evaluator, const SeparatrixGraph& graph, const Shortcut& shortcut,
+                              const BlendOptions& options);
+
+/// The graph with the blend (of this line, whatever was changed since) instead of the line, or nothing where it does
+/// not fit. The caller takes the census.
+std::optional<SeparatrixGraph> take_shortcut(const SeparatrixGraph& graph, const Shortcut& shortcut,
+                                             const Blend& blend);
 
 }  // namespace quadrille

@@ -1,6 +1,7 @@
 #include "trace/simplify.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -21,7 +22,6 @@ struct Trial {
   std::vector<int> arc2arc;
   std::vector<bool> is_changed;
   int num_blocks = 0;
-  double turn = 0;
 };
 
 bool share_a_rail(const std::vector<ChordStrip>& strips) {
@@ -88,20 +88,26 @@ class Simplifier {
  private:
   bool collapse_all(const std::vector<ChordStrip>& strips, const PlanarFaces& faces) {
     if (share_a_rail(strips)) return false;
-    Trial trial{graph_, {}, std::vector<bool>(graph_.arcs.size(), false), static_cast<int>(faces.cycles.size()), 0};
+    Trial trial{graph_, {}, std::vector<bool>(graph_.arcs.size(), false), static_cast<int>(faces.cycles.size())};
     trial.arc2arc.resize(graph_.arcs.size());
     std::iota(trial.arc2arc.begin(), trial.arc2arc.end(), 0);
+    std::vector<Blend> blends;
+    for (const ChordStrip& strip : strips) {
+      auto own = blends_of(evaluator_, graph_, strip, pins_of(graph_, strip), blend_options());
+      if (!own) return false;
+      for (Blend& b : *own) blends.push_back(std::move(b));
+    }
     for (const ChordStrip& strip : strips)
-      if (!collapse_one(strip, trial)) return false;
+      if (!collapse_one(strip, blends, trial)) return false;
     if (!is_good(trial, faces)) return false;
     graph_ = std::move(trial.graph);
     num_collapsed_ += static_cast<int>(strips.size());
-    turn_ = std::max(turn_, trial.turn);
+    for (const Blend& b : blends) turn_ = std::max(turn_, b.turn);
     return true;
   }
 
   // The strip as it is after the collapse of others that cross it, and with it the census of faces.
-  bool collapse_one(const ChordStrip& old_strip, Trial& trial) const {
+  bool collapse_one(const ChordStrip& old_strip, const std::vector<Blend>& blends, Trial& trial) const {
     int arc = -1;
     for (const int d : old_strip.rungs)
       if (arc < 0) arc = trial.arc2arc[dart_arc(d)];
@@ -109,8 +115,7 @@ class Simplifier {
     const ChordStrip strip = strip_through(trial.graph, planar_faces(trial.graph), arc_lengths(trial.graph), arc);
     const std::vector<Pin> pins = pins_of(trial.graph, strip);
     if (pins.empty()) return false;
-    auto collapse =
-        collapse_strip(evaluator_, trial.graph, strip, pins, {options_.max_turn, fit_share * graph_.face.diameter});
+    auto collapse = collapse_strip(trial.graph, strip, pins, blends);
     if (!collapse) return false;
     trial.num_blocks -= strip.num_blocks();
     const PlanarFaces faces = planar_faces(collapse->graph);
@@ -123,7 +128,6 @@ class Simplifier {
     for (int& a : trial.arc2arc)
       if (a >= 0) a = collapse->arc2arc[a];
     trial.graph = std::move(collapse->graph);
-    trial.turn = std::max(trial.turn, collapse->turn);
     return true;
   }
 
@@ -149,42 +153,41 @@ class Simplifier {
   }
 
   bool take_all(const std::vector<Shortcut>& shortcuts, const PlanarFaces& faces) {
-    std::set<int> lines;
-    for (const Shortcut& s : shortcuts)
-      if (!lines.insert(s.spline).second) return false;
+    std::map<int, Blend> line2blend;
+    for (const Shortcut& s : shortcuts) {
+      auto blend = blend_of(evaluator_, graph_, s, blend_options());
+      if (!blend || !line2blend.emplace(s.spline, std::move(*blend)).second) return false;
+    }
     SeparatrixGraph graph = graph_;
-    double turn = 0;
-    for (const int line : lines)
-      if (!take_one(line, graph, turn)) return false;
+    for (const auto& [line, blend] : line2blend)
+      if (!take_one(line, blend, graph)) return false;
     const PlanarFaces new_faces = planar_faces(graph);
     if (!is_better(worst_shape(graph_, faces, all_of(faces)), worst_shape(graph, new_faces, all_of(new_faces)),
                    new_faces.cycles.size(), faces.cycles.size()))
       return false;
     graph_ = std::move(graph);
     num_shortcuts_ += static_cast<int>(shortcuts.size());
-    turn_ = std::max(turn_, turn);
+    for (const auto& [line, blend] : line2blend) turn_ = std::max(turn_, blend.turn);
     return true;
   }
 
   // The shortcut of a line as it is after others; splines keep their numbers.
-  bool take_one(int line, SeparatrixGraph& graph, double& turn) const {
+  static bool take_one(int line, const Blend& blend, SeparatrixGraph& graph) {
     const PlanarFaces faces = planar_faces(graph);
     const std::vector<Shortcut> now = find_shortcuts(graph, faces, arc_lengths(graph));
     const auto found = std::find_if(now.begin(), now.end(), [&](const Shortcut& s) { return s.spline == line; });
     if (found == now.end()) return false;
-    double own_turn = 0;
-    auto result = take_shortcut(evaluator_, graph, *found, collapse_options(), own_turn);
+    auto result = take_shortcut(graph, *found, blend);
     if (!result) return false;
     const PlanarFaces new_faces = planar_faces(*result);
     if (new_faces.cycles.size() >= faces.cycles.size() || new_faces.num_components != 1 ||
         !cycles_without_four_corners(new_faces).empty())
       return false;
     graph = std::move(*result);
-    turn = std::max(turn, own_turn);
     return true;
   }
 
-  CollapseOptions collapse_options() const { return {options_.max_turn, fit_share * graph_.face.diameter}; }
+  BlendOptions blend_options() const { return {options_.max_turn, fit_share * graph_.face.diameter}; }
 
   const FieldEvaluator& evaluator_;
   const SimplifyOptions& options_;
