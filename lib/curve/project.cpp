@@ -21,7 +21,9 @@ std::vector<Sample> sampled(const Nurbs& curve, Vec2 x, double t0, double t1) {
   for (size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = std::max(t0, curve.knots[i - 1]), b = std::min(t1, curve.knots[i]);
     if (!(a < b)) continue;
-    for (int j = 1; j <= per_span; ++j) add(j == per_span ? b : a + (b - a) * j / per_span);
+    // A sliver of a span, left over by t0 or t1, must not fill the few best with minima that are only rounding.
+    const int steps = b - a > 1e-6 * (t1 - t0) ? per_span : 1;
+    for (int j = 1; j <= steps; ++j) add(j == steps ? b : a + (b - a) * j / steps);
   }
   return samples;
 }

@@ -36,6 +36,14 @@ TEST(Project, stays_inside_the_given_interval) {
   EXPECT_EQ(p.t, 1);
 }
 
+TEST(Project, is_not_misled_by_a_sliver_of_a_span) {
+  const Nurbs circle = circular_arc({0, 0}, 1, 0, 2 * pi);
+  for (const double sliver : {1e-9, 1e-11, 1e-13}) {  // the knot at pi is double
+    const Projection p = project(circle, unit(pi + 0.05), pi - sliver, 1.5 * pi);
+    EXPECT_NEAR(p.distance, 0, 1e-14) << sliver;
+  }
+}
+
 TEST(Project, finds_the_nearest_of_two_branches) {
   // A thin hairpin: both branches pass close to the point.
   const Nurbs hairpin =
