@@ -15,7 +15,7 @@ namespace {
 // A point counts as outside an element from here on, in barycentric coordinates: keeps a line that grazes an edge from
 // going to and fro without advancing.
 constexpr double edge_slack = 1e-12;
-constexpr double overshoot = 0.05;   // how far a step may extrapolate beyond the element
+constexpr double overshoot = 0.05;  // how far a step may extrapolate beyond the element
 
 // Barycentric coordinate that vanishes on local edge k, and its linear part.
 double above_edge(int k, Vec2 xi) { return k == 0 ? (1 + xi.y) / 2 : k == 1 ? -(xi.x + xi.y) / 2 : (1 + xi.x) / 2; }

@@ -115,15 +115,18 @@ Blend blend(const FieldEvaluator& evaluator, const Streamline& a, const Streamli
 // samples are taken far from each other first.
 bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, const MergeOptions& options,
            MergeCandidate& candidate) {
-  candidate.gap = distance(a.at(evaluator, candidate.length_a / 2), b.at(evaluator, candidate.length_b / 2));
+  const double la = candidate.length_a, lb = candidate.length_b;
+  const double at_nodes =
+      std::max(distance(a.at(evaluator, la), b.launch.origin), distance(b.at(evaluator, lb), a.launch.origin));
+  candidate.gap = std::min(at_nodes, distance(a.at(evaluator, la / 2), b.at(evaluator, lb / 2)));
   if (candidate.gap > std::max(options.distance, std::tan(options.max_angle) * candidate.length())) return false;
   const bool aggressive = candidate.gap <= options.distance;
-  const double most = aggressive ? std::max(options.max_angle, greatest_merge_angle) : options.max_angle;
+  const double most = aggressive ? std::max(options.max_angle, greatest_aggressive_angle) : options.max_angle;
   candidate.turn = 0;
   constexpr int stride = 19;  // no divisor in common with num_samples
   for (int i = stride; i != 0; i = (i + stride) % num_samples) {
     const double f = static_cast<double>(i) / num_samples, w = std::pow(std::cos(half_pi * f), 2);
-    const Blend m = blend(evaluator, a, b, candidate.length_a, candidate.length_b, f);
+    const Blend m = blend(evaluator, a, b, la, lb, f);
     candidate.turn = std::max(candidate.turn, angle_between(m.derivative, w * m.along_a - (1 - w) * m.along_b));
     if (candidate.turn > most) return false;
   }
@@ -131,6 +134,31 @@ bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamlin
 }
 
 bool is_endless(const Streamline& line) { return line.end == Streamline::End::length; }
+
+// The joined line at share f of its length: position, and derivative with respect to f.
+Vec2 joined(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length, double f,
+            Vec2& derivative) {
+  Vec2 along, along_end;
+  const Vec2 x = a.at(evaluator, f * length, along), end = a.at(evaluator, length, along_end);
+  const Vec2 shift = b.launch.origin - end, turn = -length * (unit(b.launch.angle) + along_end);
+  derivative = length * along + 6 * f * (1 - f) * shift + f * (3 * f - 2) * turn;
+  return x + f * f * ((3 - 2 * f) * shift - (1 - f) * turn);
+}
+
+// Fills in the turn of a joined line from the field that it runs through; false where that is too far, or outside.
+bool judge_join(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, MergeCandidate& candidate) {
+  double guide = a.launch.angle;
+  candidate.turn = 0;
+  for (int i = 1; i < num_samples; ++i) {
+    Vec2 derivative, value;
+    const double f = static_cast<double>(i) / num_samples;
+    if (!evaluator.value_at(joined(evaluator, a, b, candidate.length_a, f, derivative), value)) return false;
+    guide = guided_angle(value, guide);
+    candidate.turn = std::max(candidate.turn, angle_between(derivative, unit(guide)));
+    if (candidate.turn > greatest_aggressive_angle) return false;
+  }
+  return true;
+}
 
 // Whether two lengths are so unequal that the pair's fronts would not meet.
 bool is_unequal(double a, double b) { return std::abs(a - b) > 0.3 * (a + b) / 2; }
@@ -141,11 +169,64 @@ bool are_unequal(const Pass& a, const Pass& b) {
   return gap > 0.3 * (a.high + b.high) / 2;
 }
 
+// Between line a where it passes the start of line b, and b's way back.
+double meeting_angle(const FieldEvaluator& evaluator, const Streamline& a, double length, const Streamline& b) {
+  Vec2 direction;
+  a.at(evaluator, length, direction);
+  return angle_between(direction, -unit(b.launch.angle));
+}
+
+using PassTable = std::vector<std::vector<std::vector<Pass>>>;  // [line][node]
+
+// The line of a node that most nearly comes the way of a line that passes there; -1: none does.
+int line_against(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, int passing, double length,
+                 int node) {
+  int best = -1;
+  double least = head_on_angle;
+  for (int j = 0; j < static_cast<int>(lines.size()); ++j) {
+    if (lines[j].launch.node != node) continue;
+    const double angle = meeting_angle(evaluator, lines[passing], length, lines[j]);
+    if (angle < least) least = angle, best = j;
+  }
+  return best;
+}
+
+// Joins of lines that pass a node within the distance, where the pair is not one that merges already.
+void add_joins(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
+               double allowed, const std::vector<Passes>& along, PassTable& passes,
+               std::vector<MergeCandidate>& candidates) {
+  const size_t num_merges = candidates.size();
+  const auto merges = [&](int i, int j) {
+    return std::any_of(candidates.begin(), candidates.begin() + num_merges,
+                       [&](const MergeCandidate& c) { return (c.a == i && c.b == j) || (c.a == j && c.b == i); });
+  };
+  for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
+    for (int node = 0; node < static_cast<int>(nodes.size()); ++node) {
+      if (lines[i].launch.node < 0 || lines[i].launch.node == node) continue;
+      for (Pass& pass : passes[i][node]) {
+        const double length = along[i].foot(nodes[node], pass);
+        const double gap = distance(lines[i].at(evaluator, length), nodes[node]);
+        const int j = gap <= allowed ? line_against(evaluator, lines, i, length, node) : -1;
+        if (j < 0 || merges(i, j)) continue;
+        MergeCandidate join{i, j, length, length, 0, gap, true};
+        if (judge_join(evaluator, lines[i], lines[j], join)) candidates.push_back(join);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
                            const MergeCandidate& candidate) {
   const double length = candidate.length(), la = candidate.length_a, lb = candidate.length_b;
+  if (candidate.is_join)
+    return [&evaluator, &a, &b, length](double s, Vec2& derivative) {
+      const double f = std::clamp(s / length, 0.0, 1.0);
+      const Vec2 x = joined(evaluator, a, b, length, f, derivative);
+      derivative = derivative / length;
+      return f == 0 ? a.launch.origin : f == 1 ? b.launch.origin : x;
+    };
   return [&evaluator, &a, &b, length, la, lb](double s, Vec2& derivative) {
     const double f = std::clamp(s / length, 0.0, 1.0);
     const Blend m = blend(evaluator, a, b, la, lb, f);
@@ -161,19 +242,13 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
   // passes[line][node]. The blend's slope adds at most (pi / 2) gap / length to the direction.
   const double slope = 2 * std::tan(options.max_angle);
   std::vector<Passes> along;
-  std::vector<std::vector<std::vector<Pass>>> passes;
+  PassTable passes;
   along.reserve(lines.size());
   for (const Streamline& line : lines) {
     along.emplace_back(evaluator, line);
     passes.emplace_back();
     for (const Vec2 node : nodes) passes.back().push_back(along.back().by(node, slope, 4 * options.distance));
   }
-  // Whether line i passes the start of line j head on.
-  const auto meets = [&](int i, double length, int j) {
-    Vec2 direction;
-    lines[i].at(evaluator, length, direction);
-    return angle_between(direction, -unit(lines[j].launch.angle)) <= head_on_angle;
-  };
   std::vector<MergeCandidate> candidates;
   const int n = static_cast<int>(lines.size());
   for (int i = 0; i < n; ++i)
@@ -186,12 +261,14 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
           if (are_unequal(pass_i, pass_j)) continue;
           MergeCandidate c{i, j, along[i].foot(nodes[from_j], pass_i), along[j].foot(nodes[from_i], pass_j), 0, 0};
           if (is_unequal(c.length_a, c.length_b)) continue;
-          if (!meets(i, c.length_a, j) || !meets(j, c.length_b, i)) continue;
+          if (meeting_angle(evaluator, lines[i], c.length_a, lines[j]) > head_on_angle) continue;
+          if (meeting_angle(evaluator, lines[j], c.length_b, lines[i]) > head_on_angle) continue;
           if (judge(evaluator, lines[i], lines[j], options, c)) candidates.push_back(c);
         }
     }
+  if (options.distance > 0) add_joins(evaluator, lines, nodes, options.distance, along, passes, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const MergeCandidate& x, const MergeCandidate& y) { return x.length() < y.length(); });
+                   [](const MergeCandidate& x, const MergeCandidate& y) { return x.meeting() < y.meeting(); });
   return candidates;
 }
 
@@ -200,8 +277,8 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
   std::vector<int> chosen;
   for (size_t first = 0; first < candidates.size();) {
     size_t last = first;
-    const double same = candidates[first].length() * (1 + tie_share);
-    while (last < candidates.size() && candidates[last].length() <= same) ++last;
+    const double same = candidates[first].meeting() * (1 + tie_share);
+    while (last < candidates.size() && candidates[last].meeting() <= same) ++last;
     std::vector<int> wanted(taken.size(), 0), free;
     for (size_t i = first; i < last; ++i) {
       const MergeCandidate& c = candidates[i];

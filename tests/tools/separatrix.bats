@@ -65,13 +65,16 @@ setup() {
 
 @test "aggressive merging connects nodes with corners across a distance" {
   stage_chain geometry_1 .
-  for distance in 0.01 0.3; do
+  for distance in 0.01 0.3 0.7; do
     separatrix geometry_1.field.h5 geometry_1.crit.json --merge-angle 1 --merge-distance $distance \
       -o a.sep.json --report a.json
     jq -c '.trace | [.merged, .faces]' a.json
   done > counts
   run cat counts
-  assert_output $'[1,25]\n[3,15]'
+  assert_output $'[1,25]\n[3,15]\n[5,11]'
+  # The two irregular nodes are connected: one line is theirs.
+  run jq '[.lines[] | select(.kind == "merged" and .origin <= 1 and .end <= 1)] | length' a.sep.json
+  assert_output 1
 }
 
 @test "a node that was moved is refused" {

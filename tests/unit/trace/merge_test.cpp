@@ -94,6 +94,48 @@ TEST_F(TwoNodes, TheAngleDecidesAndTheDistanceOverrides) {
   EXPECT_EQ(candidates(0, 1.1 * all[0].gap).size(), 1u);
 }
 
+// Lines of the second node that were not followed as far as the first: nothing that could merge.
+struct ShortOfOneNode : TwoNodes {
+  void make(double skew) {
+    TwoNodes::make(skew);
+    for (size_t i = 3; i < lines.size(); ++i)
+      lines[i] = advance(*evaluator, lines[i].launch, nodes, {1e-11, 0.1, 0.3, 1e-7});
+  }
+};
+
+TEST_F(ShortOfOneNode, ALineThatPassesWithinTheDistanceIsJoined) {
+  make(0.2);
+  EXPECT_TRUE(candidates(20).empty());
+  const auto found = candidates(0, 0.5);
+  ASSERT_EQ(found.size(), 1u);
+  const MergeCandidate& join = found[0];
+  EXPECT_TRUE(join.is_join);
+  EXPECT_LT(join.a, 3);
+  EXPECT_GE(join.b, 3);
+  EXPECT_GT(join.turn, radians(1));
+  EXPECT_LT(join.turn, greatest_aggressive_angle);
+  EXPECT_TRUE(candidates(0, 0.99 * join.gap).empty());
+  EXPECT_EQ(candidates(0, 1.01 * join.gap).size(), 1u);
+  const Streamline &a = lines[join.a], &b = lines[join.b];
+  const CurveFunction curve = merged_curve(*evaluator, a, b, join);
+  Vec2 start, end, d, unused;
+  EXPECT_EQ(curve(0, start), nodes[0]);
+  EXPECT_EQ(curve(join.length(), end), nodes[1]);
+  EXPECT_LT(distance(normalized(start), unit(a.launch.angle)), 1e-12);
+  EXPECT_LT(distance(normalized(end), -unit(b.launch.angle)), 1e-12);
+  for (const double s : {0.2, 0.5, 0.7}) {
+    curve(s, d);
+    EXPECT_LT(distance((curve(s + 1e-5, unused) - curve(s - 1e-5, unused)) / 2e-5, d), 1e-5);
+  }
+}
+
+TEST_F(TwoNodes, APairThatMergesIsNotJoinedAsWell) {
+  make(0.2);
+  const auto found = candidates(0, 0.5);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_FALSE(found[0].is_join);
+}
+
 MergeCandidate pair(int a, int b, double length) { return {a, b, length, length, 0, 0}; }
 
 std::vector<int> choose(const std::vector<MergeCandidate>& all, const std::vector<bool>& allowed) {
