@@ -1,0 +1,98 @@
+# pipelines/place: irregular nodes moved to where the blocks are best, and never to where they are worse.
+load ../tools/common
+
+place=$ROOT/pipelines/place
+
+# here COMMAND...: with the test's folder for temporaries too, so that what is left is seen.
+here() { TMPDIR=$PWD "$@"; }
+
+@test "the half disc's blocks get better in two rounds, symmetric still, and the nodes lead to the mesh again" {
+  run -0 --separate-stderr here "$place" "$DATA/half_disc.step" -o out.msh --nodes out.crit.json --report out.json \
+    --workdir kept --rounds 2 --size 0.2
+  assert_equal "$stderr" ""
+  assert_output --regexp '^least scaled Jacobian of the blocks 0\.[0-9]+ -> 0\.[0-9]+, 2 of 2 nodes moved, [0-9]+ trials$'
+  jq -e '.best > .start + 0.01 and .rounds <= 2 and (.moves[-1].quality == .best)' out.json
+  jq -e '.form == "phase" and ([.critical_points[].valence] == [3, 3]) and
+    ([.critical_points[].position[0]] | add | fabs < 1e-9) and
+    (.critical_points[0].position[1] - .critical_points[1].position[1] | fabs < 1e-9)' out.crit.json
+  run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" kept/sep.json
+  assert_output "kept 2 of 2"
+  for file in kept/*; do run -0 stagecheck "$file"; done
+  quadrefine kept/blocks.h5 --size 0.2 | quadexport -o again.msh
+  cmp out.msh again.msh
+  # What the report says of the blocks is what they are.
+  quadrefine kept/blocks.h5 --size 1e9 --order 8 --geometry-tol 1 -o coarse.quad.h5 --report coarse.json
+  jq -n -e --slurpfile a coarse.json --slurpfile b out.json '$a[0].least_scaled_jacobian == $b[0].best'
+  rm -r kept again.msh coarse.*
+  assert_nothing_left out.crit.json out.json out.msh
+}
+
+@test "without rounds, and where nothing can be moved, the result is quadmesh's" {
+  "$place" -q "$DATA/half_disc.step" -o placed.msh --rounds 0
+  "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" -o mesh.msh
+  cmp placed.msh mesh.msh
+  run -0 "$place" "$DATA/square.step" -o placed.msh
+  assert_output "least scaled Jacobian of the blocks 1 -> 1, 0 of 0 nodes moved, 0 trials"
+  "$ROOT/pipelines/quadmesh" -q "$DATA/square.step" -o mesh.msh
+  cmp placed.msh mesh.msh
+}
+
+@test "nodes that a user put badly are moved to better places; the mesh goes to standard output" {
+  cad2tri "$DATA/half_disc.step" | fieldsolve -q | padapt -q | critpoints -o field.crit.json
+  jq '.form = "phase" | .critical_points |= map({position: [.position[0] * 1.5, .position[1] * 0.8], valence})' \
+    field.crit.json >start.crit.json
+  "$place" "$DATA/half_disc.step" --start start.crit.json --rounds 1 --report out.json >out.msh 2>words
+  jq -e '.best > .start' out.json
+  run -0 head -1 out.msh
+  assert_output '$MeshFormat'
+  run -0 cat words
+  assert_output --regexp '^least scaled Jacobian'
+}
+
+@test "mistakes on the command line are exit 2 with a hint" {
+  for arguments in "" "--frob" "a.step b.step" "a.step -o" "a.step --rounds -1" "a.step --rounds x" "a.step --step 0"; do
+    # shellcheck disable=SC2086
+    run -2 --separate-stderr "$place" $arguments
+    assert_equal "${stderr_lines[1]}" "try 'place --help'"
+  done
+}
+
+@test "what a stage has against its input, and what cannot be written, comes through with its exit code" {
+  run -3 --separate-stderr here "$place" missing.step -o out.msh
+  [[ $stderr == "cad2tri: "* ]] || fail "$stderr"
+  echo '{}' >start.crit.json
+  run -3 --separate-stderr here "$place" "$DATA/half_disc.step" --start start.crit.json -o out.msh
+  run -3 --separate-stderr here "$place" "$DATA/half_disc.step" --start nowhere.crit.json -o out.msh
+  [[ $stderr == "place: nowhere.crit.json"* ]] || fail "$stderr"
+  run -4 --separate-stderr here "$place" "$DATA/square.step" --rounds 0 -o nowhere/out.msh
+  run -4 --separate-stderr here "$place" "$DATA/square.step" --rounds 0 -o out.msh --nodes nowhere/crit.json
+  assert_nothing_left start.crit.json out.msh
+}
+
+@test "a signal ends the stage that runs, and nothing is left" {
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/separatrix
+  printf '#!/bin/sh\necho > started\nexec sleep 30\n' >fake/separatrix
+  chmod +x fake/separatrix
+  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD "$place" "$DATA/half_disc.step" -o out.msh 3>&- &
+  local pid=$! code=0
+  until [[ -e started ]]; do sleep 0.05; done
+  kill -TERM $pid
+  wait $pid || code=$?
+  assert_equal $code 143
+  rm -r fake started
+  assert_nothing_left
+}
+
+@test "the help's examples work" {
+  cp "$DATA/half_disc.step" .
+  "$place" --help | sed -n '/^EXAMPLES/,$p' | grep '^  place' >examples
+  assert [ "$(wc -l <examples)" -ge 2 ]
+  while read -r _ arguments; do
+    # shellcheck disable=SC2086
+    run -0 "$place" $arguments
+  done <examples
+  run -0 "$place" --version
+  assert_output --regexp '^place .*[0-9]+\.[0-9]+\.[0-9]+$'
+}
