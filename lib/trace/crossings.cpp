@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
+#include <utility>
 
 #include "curve/nurbs.hpp"
 
@@ -15,7 +17,6 @@ struct Box {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  void add(const Box& b) { add(b.low), add(b.high); }
   void widen(double margin) { low -= {margin, margin}, high += {margin, margin}; }
 };
 
@@ -87,35 +88,56 @@ std::vector<Bezier> spans(const Nurbs& c) {
   return beziers;
 }
 
-struct Curve {
-  std::vector<Bezier> beziers;
-  std::vector<Box> boxes;
+/// Span i of curve a and span j of curve b, whose boxes meet; a < b, or a == b and i + 1 < j: neighbouring spans of one
+/// curve share a point, and turn too little to meet elsewhere.
+struct Overlap {
+  int a, b, i, j;
+  auto operator<=>(const Overlap&) const = default;
+};
+
+struct Span {
+  int curve, number;
   Box box;
 };
+
+// By a sweep from left to right; sorted.
+std::vector<Overlap> overlaps(std::vector<Span> spans) {
+  std::stable_sort(spans.begin(), spans.end(), [](const Span& p, const Span& q) { return p.box.low.x < q.box.low.x; });
+  std::vector<Overlap> all;
+  std::vector<const Span*> open;
+  for (const Span& span : spans) {
+    std::erase_if(open, [&](const Span* other) { return other->box.high.x < span.box.low.x; });
+    for (const Span* other : open) {
+      if (!meet(other->box, span.box)) continue;
+      const bool is_first = std::pair{span.curve, span.number} < std::pair{other->curve, other->number};
+      const Span &p = is_first ? span : *other, &q = is_first ? *other : span;
+      if (p.curve < q.curve || p.number + 1 < q.number) all.push_back({p.curve, q.curve, p.number, q.number});
+    }
+    open.push_back(&span);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
 class Finder {
  public:
   Finder(const std::vector<Nurbs>& splines, double same) : splines_(splines), same_(same) {
-    for (const Nurbs& spline : splines) {
-      curves_.push_back({spans(spline), {}, {}});
-      Curve& curve = curves_.back();
-      for (const Bezier& b : curve.beziers) {
-        curve.boxes.push_back(b.box());
-        curve.boxes.back().widen(same);
-        curve.box.add(curve.boxes.back());
+    std::vector<Span> boxes;
+    for (int c = 0; c < static_cast<int>(splines.size()); ++c) {
+      beziers_.push_back(spans(splines[c]));
+      for (int i = 0; i < static_cast<int>(beziers_[c].size()); ++i) {
+        boxes.push_back({c, i, beziers_[c][i].box()});
+        boxes.back().box.widen(same);
       }
     }
+    overlaps_ = overlaps(std::move(boxes));
   }
 
-  void run(int a, int b) {
-    if (!meet(curves_[a].box, curves_[b].box)) return;
-    first_ = found.size();
-    const Curve &ca = curves_[a], &cb = curves_[b];
-    for (size_t i = 0; i < ca.beziers.size(); ++i) {
-      if (!meet(ca.boxes[i], cb.box)) continue;
-      // Neighbouring spans of one curve share a point, and turn too little to meet elsewhere.
-      for (size_t j = a == b ? i + 2 : 0; j < cb.beziers.size(); ++j)
-        if (meet(ca.boxes[i], cb.boxes[j])) search(a, b, ca.beziers[i], cb.beziers[j]);
+  void run() {
+    for (size_t k = 0; k < overlaps_.size(); ++k) {
+      const auto [a, b, i, j] = overlaps_[k];
+      if (k == 0 || a != overlaps_[k - 1].a || b != overlaps_[k - 1].b) first_ = found.size();
+      search(a, b, beziers_[a][i], beziers_[b][j]);
     }
   }
 
@@ -163,7 +185,8 @@ class Finder {
 
   const std::vector<Nurbs>& splines_;
   double same_;
-  std::vector<Curve> curves_;
+  std::vector<std::vector<Bezier>> beziers_;  // of the curves
+  std::vector<Overlap> overlaps_;
   size_t first_ = 0;  // of the pair at hand in `found`
 };
 
@@ -171,9 +194,7 @@ class Finder {
 
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same) {
   Finder finder(splines, same);
-  const int n = static_cast<int>(splines.size());
-  for (int a = 0; a < n; ++a)
-    for (int b = a; b < n; ++b) finder.run(a, b);
+  finder.run();
   std::vector<Crossing> found = std::move(finder.found);
   std::stable_sort(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) {
     return x.a != y.a ? x.a < y.a : x.s != y.s ? x.s < y.s : x.b < y.b;

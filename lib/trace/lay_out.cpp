@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "curve/chain.hpp"
@@ -20,21 +21,12 @@ constexpr double unit_share = 0.1;
 std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
   const CurveTable table(graph.face, graph.splines);
   std::vector<double> lengths;
-  for (const GraphArc& arc : graph.arcs) lengths.push_back(Chain(table, arc.pieces).length());
-  return lengths;
-}
-
-// All arcs of the faces that have one of these.
-std::vector<int> arcs_around(const std::vector<TFace>& faces, const std::vector<int>& arcs) {
-  std::vector<int> around;
-  for (const TFace& face : faces) {
-    std::vector<int> own;
-    for (const std::vector<int>& side : face)
-      for (const int dart : side) own.push_back(dart_arc(dart));
-    const auto is_asked = [&](int a) { return std::binary_search(arcs.begin(), arcs.end(), a); };
-    if (std::any_of(own.begin(), own.end(), is_asked)) around.insert(around.end(), own.begin(), own.end());
+  for (const GraphArc& arc : graph.arcs) {
+    // Lines go by arc length, merged ones nearly so.
+    const ArcPiece& piece = arc.pieces.front();
+    lengths.push_back(arc.is_boundary ? Chain(table, arc.pieces).length() : std::abs(piece.t1 - piece.t0));
   }
-  return around;
+  return lengths;
 }
 
 [[noreturn]] void fail_to_quantize(const SeparatrixGraph& t_mesh, const std::vector<int>& zero) {
@@ -59,8 +51,10 @@ SeparatrixGraph quantized_layout(const FieldEvaluator& evaluator, const Critical
     faces = t_mesh_faces(t_mesh);
     lengths = quantize(faces, arc_lengths(t_mesh), unit_share * t_mesh.face.diameter);
     if (!lengths.empty()) break;
-    const std::vector<int> zero = vanishing_arcs(faces, static_cast<int>(t_mesh.arcs.size()));
-    if (!tracer.give_up_merge(t_mesh, arcs_around(faces, zero))) fail_to_quantize(t_mesh, zero);
+    const int num_arcs = static_cast<int>(t_mesh.arcs.size());
+    const std::vector<int> zero = vanishing_arcs(faces, num_arcs);
+    if (zero.empty()) fail_to_quantize(t_mesh, zero);
+    if (!tracer.give_up_merge(t_mesh, winding_rails(faces, num_arcs, zero.front()))) fail_to_quantize(t_mesh, zero);
   }
   report.set("quantize.merges_given_up", given_up);
   report.set("quantize.longest_arc", *std::max_element(lengths.begin(), lengths.end()));

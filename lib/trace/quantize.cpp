@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "trace/integer_programme.hpp"
 
@@ -65,6 +66,35 @@ std::vector<int> vanishing_arcs(const std::vector<TFace>& faces, int num_arcs) {
   for (int a = 0; a < num_arcs; ++a)
     if (solution.empty() || solution[share[a]] < 0.5) zero.push_back(a);
   return zero;
+}
+
+std::vector<int> winding_rails(const std::vector<TFace>& faces, int num_arcs, int vanishing_arc) {
+  IntegerProgramme programme;
+  std::vector<std::vector<Term>> column(num_arcs);  // of the equations' matrix
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+    for (const int k : {0, 1}) {
+      const int plus = programme.add_variable(0, longest, 1, false);
+      const int minus = programme.add_variable(0, longest, 1, false);
+      for (const int side : {k, k + 2})
+        for (const int dart : faces[f][side]) {
+          const double sign = side == k ? 1 : -1;
+          column[dart_arc(dart)].push_back({plus, sign});
+          column[dart_arc(dart)].push_back({minus, -sign});
+        }
+    }
+  for (int a = 0; a < num_arcs; ++a) {
+    column[a].push_back({programme.add_variable(0, longest, 0, false), -1});
+    programme.add_equation(column[a], a == vanishing_arc ? 1 : 0);
+  }
+  const std::vector<double> solution = programme.solve();
+  std::set<int> rails;
+  if (solution.empty()) return {};
+  for (size_t e = 0; e < 2 * faces.size(); ++e) {
+    if (solution[2 * e] + solution[2 * e + 1] < 1e-6) continue;
+    for (const size_t side : {e % 2 + 1, (e % 2 + 3) % 4})
+      for (const int dart : faces[e / 2][side]) rails.insert(dart_arc(dart));
+  }
+  return {rails.begin(), rails.end()};
 }
 
 }  // namespace quadrille

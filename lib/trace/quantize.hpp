@@ -21,4 +21,9 @@ std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<dou
 /// none quantize() succeeds.
 std::vector<int> vanishing_arcs(const std::vector<TFace>& faces, int num_arcs);
 
+/// Why an arc vanishes: multipliers y of the equations whose sum has no negative coefficient and a positive one at this
+/// arc, of the least sum |y| (Farkas). The faces with y != 0 are the strip that winds onto itself; returned are the
+/// arcs along it, ascending: if the lines that they belong to did not run as they do, it might not.
+std::vector<int> winding_rails(const std::vector<TFace>& faces, int num_arcs, int vanishing_arc);
+
 }  // namespace quadrille

@@ -98,7 +98,9 @@ class TMeshTracer::Impl {
 
   void run_race() {
     const double angle = std::max(radians(options_.merge_angle), same_angle);
-    candidates_ = merge_candidates(evaluator_, lines_, nodes_, {angle, options_.merge_distance});
+    if (candidates_are_old_)
+      candidates_ = merge_candidates(evaluator_, lines_, nodes_, {angle, options_.merge_distance});
+    candidates_are_old_ = false;
     do {
       enter_contestants();
     } while (give_up_crossed_merges());
@@ -196,6 +198,7 @@ class TMeshTracer::Impl {
         break;
       }
     }
+    candidates_are_old_ = candidates_are_old_ || any;
     return any;
   }
 
@@ -215,6 +218,7 @@ class TMeshTracer::Impl {
     if (++num_cuts_ > max_cuts) throw ComputeError(fmt::format("more than {} cuts do not make a layout", max_cuts));
     launches_.push_back(launch_from_boundary(evaluator_, curve, t));
     head_starts_.push_back(head_start);
+    candidates_are_old_ = true;
     lines_.push_back(advance(evaluator_, launches_.back(), nodes_, bounds(first_bound * d_)));
   }
 
@@ -283,6 +287,7 @@ class TMeshTracer::Impl {
   std::vector<Streamline> lines_;
   std::map<std::array<double, 3>, Nurbs> fitted_;
   std::vector<MergeCandidate> candidates_;
+  bool candidates_are_old_ = true;
   std::set<std::pair<int, int>> given_up_;  // pairs of lines that are not merged
   std::vector<Contestant> contestants_;
   std::vector<Crossing> crossings_;
