@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -72,7 +73,9 @@ class Walker {
         state_(line.front),
         s_(line.length()),
         h_(line.next_step),
-        is_near_origin_(line.steps.empty()) {}
+        is_near_origin_(line.steps.empty()) {
+    nearest_node(evaluator.maps()[state_.elem].position(state_.xi));
+  }
 
   void walk() {
     for (int count = static_cast<int>(line_.steps.size()); count < max_stream_steps; ++count) {
@@ -95,7 +98,7 @@ class Walker {
 
  private:
   void accepted_step(StreamStep& step, StreamState& end) {
-    h_ = std::min({h_, options_.max_step, reach()});
+    h_ = std::min({h_, options_.max_step, reach(), room_});
     for (;;) {
       double error = 0;
       try_step(evaluator_, state_, h_, step, end, error);
@@ -164,15 +167,26 @@ class Walker {
   bool ends_at_node(Vec2 x) {
     const double hit = options_.hit_distance;
     if (distance(x, line_.launch.origin) > 10 * hit) is_near_origin_ = false;
+    const int node = nearest_node(x);
+    if (node < 0 || distance(x, nodes_[node]) > hit) return false;
+    line_.end_node = node;
+    finish(Streamline::End::node, nodes_[node]);
+    return true;
+  }
+
+  // Of nodes other than the line's own, before it has left that. Sets room_: the field has a singularity there, which
+  // the error of a longer step might not know of.
+  int nearest_node(Vec2 x) {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity(), least_other = least;
     for (size_t n = 0; n < nodes_.size(); ++n) {
-      const Vec2 gap = x - nodes_[n];
-      if (std::abs(gap.x) > hit || std::abs(gap.y) > hit || norm(gap) > hit) continue;
-      if (is_near_origin_ && nodes_[n] == line_.launch.origin) continue;
-      line_.end_node = static_cast<int>(n);
-      finish(Streamline::End::node, nodes_[n]);
-      return true;
+      const double gap2 = norm2(x - nodes_[n]);
+      const bool is_own = nodes_[n] == line_.launch.origin;
+      if (!is_own) least_other = std::min(least_other, gap2);
+      if (gap2 < least && !(is_own && is_near_origin_)) least = gap2, nearest = static_cast<int>(n);
     }
-    return false;
+    room_ = std::sqrt(least_other) / 2;
+    return nearest;
   }
 
   void finish(Streamline::End how, Vec2 where) {
@@ -198,7 +212,7 @@ class Walker {
   const AdvanceOptions& options_;
   Streamline& line_;
   StreamState state_;
-  double s_, h_;
+  double s_, h_, room_ = 0;
   bool is_near_origin_;  // has not left its node yet
 };
 

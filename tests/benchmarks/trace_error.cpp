@@ -55,10 +55,10 @@ class Comparison {
   }
 
   Streamline runge_kutta(const Launch& launch, double length, double tolerance) const {
-    return advance(evaluator_, launch, {}, {tolerance * diameter_, max_step * diameter_, length, 0});
+    return advance(evaluator_, launch, nodes_, {tolerance * diameter_, max_step * diameter_, length, 0});
   }
   Streamline adams_bashforth(const Launch& launch, double length, double step) const {
-    return advance_adams_bashforth(evaluator_, launch, {}, {0, step * diameter_, length, 0});
+    return advance_adams_bashforth(evaluator_, launch, nodes_, {0, step * diameter_, length, 0});
   }
 
   std::string measure(const char* name, double value, const Integrator& integrator) const {
