@@ -5,6 +5,7 @@ Nothing here is shared with the library that is tested."""
 import bisect, cmath, collections, functools, json, math
 
 SAMPLES = 12  # of each knot span, to find the nearest one before refining
+SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of the way along an arc, where arcs are compared
 
 
 class Curve:
@@ -50,18 +51,25 @@ class Path:
             values += [number + (t - t0) / (t1 - t0) for t in parameters]
         return [(s, self(s)) for s in sorted(set(values))]
 
+    def rough_distance(self, point):
+        """To the nearest sample."""
+        return min(abs(sample - point) for _, sample in self.samples)
+
     def distance(self, point):
-        """From the point to the path, to about 1e-12 of the path's size."""
+        """From the point to the path: Newton's method from the nearest sample, to round-off where the point is near."""
         at = min(range(len(self.samples)), key=lambda k: abs(self.samples[k][1] - point))
         low, high = self.samples[max(at - 1, 0)][0], self.samples[min(at + 1, len(self.samples) - 1)][0]
-        golden = (math.sqrt(5) - 1) / 2
-        for _ in range(45):
-            first, second = high - golden * (high - low), low + golden * (high - low)
-            if abs(self(first) - point) < abs(self(second) - point):
-                high = second
-            else:
-                low = first
-        return abs(self((low + high) / 2) - point)
+        s, nearest = self.samples[at]
+        best, step = abs(nearest - point), 1e-5
+        for _ in range(8):
+            left, right = max(s - step, 0), min(s + step, len(self.pieces))
+            slope = (self(right) - self(left)) / (right - left)
+            change = ((point - self(s)) * slope.conjugate()).real / abs(slope) ** 2
+            s = min(max(s + change, low), high)
+            best = min(best, abs(self(s) - point))
+            if abs(change) < 1e-14:
+                break
+        return best
 
 
 Node = collections.namedtuple("Node", "kind valence position")
@@ -116,8 +124,8 @@ def match_nodes(first, second, motion):
 
 
 def off(arc, other, motion):
-    """How far three points inside the first arc, moved, are from the second one."""
-    return max(other.path.distance(motion(arc.path(len(arc.path.pieces) * share))) for share in (0.25, 0.5, 0.75))
+    """How far points inside the first arc, moved, are from the second one."""
+    return max(other.path.distance(motion(arc.path(len(arc.path.pieces) * share))) for share in SHARES)
 
 
 def apart(first, second, motion=lambda z: z):

@@ -75,7 +75,8 @@ def is_round(graph, centre):
 
 def maps_outline(graph, image, tolerance):
     points = [image(path(share)) for path in graph.outline for share in (0.0, 0.137, 0.382, 0.618, 0.91)]
-    return all(min(path.distance(point) for path in graph.outline) < tolerance for point in points)
+    candidates = lambda point: sorted(graph.outline, key=lambda path: path.rough_distance(point))[:3]
+    return all(min(path.distance(point) for path in candidates(point)) < tolerance for point in points)
 
 
 def kept(graph, image, tolerance):
