@@ -77,13 +77,14 @@ class Rails {
       held_[rail] = {distance, feature};
   }
 
-  /// A rail along the boundary is held from its nearer end on, before any node there.
+  /// A rail along the boundary is held from its nearer end on; by the curve rather than by a corner at its start.
   void look_at_arc(int rail, int directed, int from, double distance) {
     const GraphArc& arc = layout_.arcs[arc_of(directed)];
     if (!arc.is_boundary) return;
     const ArcPiece& piece = arc.from == from ? arc.pieces.front() : arc.pieces.back();
     const BoundaryFeature feature{piece.curve, false, layout_.nodes[from].position};
-    if (distance <= (1 + same_length) * held_[rail].distance) held_[rail] = {distance, feature};
+    if (distance == 0) held_[rail] = {distance, feature};
+    hold(rail, distance, feature);
   }
 
   void look_at_node(int rail, int id, double distance) {

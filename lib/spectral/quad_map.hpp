@@ -16,7 +16,7 @@ double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth = 4);
 /// Least sampled scaled Jacobian det J / (|x_xi1| |x_xi2|) on (2N+3)^2 points, ends included; -1 where det J <= 0.
 double quad_scaled_jacobian(int order, const Vec2* nodes);
 
-/// The same with the sample point (xi1, xi2) where it is least; the first of several equal ones.
+/// The same with the sample point (xi1, xi2) where det J / (|x_xi1| |x_xi2|) is least.
 struct ScaledJacobianMinimum {
   double value = 1;
   Vec2 xi;

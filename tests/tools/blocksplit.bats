@@ -25,6 +25,16 @@ setup() {
   assert_output '[4,2,true]'
 }
 
+@test "measures every block and tells the worst" {
+  blocksplit -v "$sep" -o a.blocks.h5 --report a.json 2>err
+  assert_equal "$(wc -l <err)" 1
+  grep -E '^blocksplit: 4 blocks, least scaled Jacobian 0\.81 \(block [0-9] near \(.*\)\), smallest block [0-9]: a side of .* near \(.*\) (at|between) ' err
+  h5dump -d /block_scaled_jacobian -d /block_boundary_distance a.blocks.h5 | grep -c 'DATASPACE.*( 4 )' | grep -x 2
+  jq -e '.least_scaled_jacobian > 0.8 and .greatest_boundary_distance < 1e-8 and .proved.as_one_quad == 4
+    and .blocks_added_to_mend == 0 and (.least_scaled_jacobian_place | length) == 2
+    and .smallest_block.shortest_side > 0.2 and (.smallest_block.first.curve | type) == "number"' a.json
+}
+
 @test "gives the same bytes through pipes and twice" {
   blocksplit "$sep" -o a.blocks.h5
   blocksplit < "$sep" > b.blocks.h5

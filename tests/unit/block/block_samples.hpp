@@ -1,0 +1,32 @@
+#pragma once
+// Layouts of one block with known trouble, for the tests of lib/block.
+
+#include "../hand_made.hpp"
+#include "block/extract_blocks.hpp"
+
+namespace quadrille::block_samples {
+
+/// Between the unit circle and a smaller one that nearly touches it at 18 degrees: narrow at one end, wide at the
+/// other. Points of one fraction of both sides do not face each other, and the exact map folds.
+/// `is_mirrored`: in the x axis.
+inline SeparatrixGraph near_tangent_strip(bool is_mirrored = false) {
+  const double sign = is_mirrored ? -1 : 1, radius = 0.554, high = 1.3;
+  const Vec2 centre = (1 - radius - 0.001) * unit(sign * 0.31);  // 0.001 wide where it is narrowest
+  const Vec2 near_in = centre + Vec2{radius, 0}, far_in = centre + Vec2{0, sign * radius};
+  const double low = std::asin(sign * near_in.y);
+  const Vec2 near_out = unit(sign * low), far_out = unit(sign * high);
+  const std::vector<Nurbs> upper{segment(near_in, near_out), circular_arc({0, 0}, 1, low, high),
+                                 segment(far_out, far_in), circular_arc(centre, radius, half_pi, 0)};
+  const std::vector<Nurbs> lower{segment(near_out, near_in), circular_arc(centre, radius, 0, -half_pi),
+                                 segment(far_in, far_out), circular_arc({0, 0}, 1, -high, -low)};
+  return hand_made::one_block(hand_made::face({is_mirrored ? lower : upper}, 1.1), {{0}, {1}, {2}, {3}});
+}
+
+/// One side dented beyond the opposite corner: no cut makes it valid.
+inline SeparatrixGraph dart() {
+  const std::vector<Nurbs> loop{segment({0, 0}, {1, 0}), segment({1, 0}, {0.1, 0.1}), segment({0.1, 0.1}, {0, 1}),
+                                segment({0, 1}, {0, 0})};
+  return hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
+}
+
+}  // namespace quadrille::block_samples

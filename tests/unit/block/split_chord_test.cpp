@@ -1,0 +1,105 @@
+#include "block/split_chord.hpp"
+
+#include <gtest/gtest.h>
+
+#include "block/make_blocks.hpp"
+#include "block_samples.hpp"
+#include "check/check.hpp"
+
+namespace quadrille {
+namespace {
+
+std::string faults(const BlockLayout& layout) {
+  std::string all;
+  for (const Violation& v : check_block_layout(layout, CheckDepth::full)) all += v.rule + ": " + v.text + "\n";
+  return all;
+}
+
+BlockLayout cut(const SeparatrixGraph& graph, int chord) {
+  BlockLayout layout = extract_blocks(graph);
+  EXPECT_TRUE(split_chord(layout, chord, std::vector<bool>(layout.block2nodes.size(), true)));
+  keep_measures(measure_blocks(layout), layout);
+  return layout;
+}
+
+TEST(SplitChord, StaysConforming) {
+  EXPECT_EQ(cut(hand_made::unit_square(), 1).num_blocks(), 2);
+  EXPECT_EQ(cut(hand_made::l_shape(), 0).num_blocks(), 5);
+  EXPECT_EQ(cut(hand_made::cut_annulus(4), 0).num_blocks(), 5) << "an open chord, across one sector";
+  EXPECT_EQ(cut(hand_made::cut_annulus(4), 1).num_blocks(), 8) << "the closed chord, all round";
+  for (const BlockLayout& layout :
+       {cut(hand_made::unit_square(), 0), cut(hand_made::unit_square(), 1), cut(hand_made::l_shape(), 0),
+        cut(hand_made::l_shape(), 1), cut(hand_made::cut_annulus(4), 0), cut(hand_made::cut_annulus(4), 1),
+        cut(hand_made::s_bend(), 0), cut(hand_made::elbow(), 0)})
+    EXPECT_EQ(faults(layout), "");
+}
+
+TEST(SplitChord, HalvesASquare) {
+  const BlockLayout layout = cut(hand_made::unit_square(), 0);
+  ASSERT_EQ(layout.num_blocks(), 2);
+  for (const BlockMeasure& m : measure_blocks(layout)) EXPECT_NEAR(m.area, 0.5, 1e-12);
+  EXPECT_NEAR(layout.nodes[4].position.x, 0.5, 1e-12);
+  EXPECT_NEAR(layout.nodes[5].position.x, 0.5, 1e-12);
+}
+
+TEST(SplitChord, CutOfASoundBlockIsALineOfItsMap) {
+  const BlockLayout layout = cut(hand_made::cut_annulus(4), 1);
+  for (const BlockMeasure& m : measure_blocks(layout)) EXPECT_NEAR(m.scaled_jacobian, 1, 1e-6);
+  for (const Nurbs& spline : std::vector<Nurbs>(layout.splines.end() - 4, layout.splines.end()))
+    for (int i = 0; i <= 8; ++i) EXPECT_NEAR(norm(point(spline, spline.end() * i / 8)), 0.75, 1e-8);
+}
+
+TEST(SplitChord, LeavesPrescribedLengthsAlone) {
+  BlockLayout layout = extract_blocks(hand_made::unit_square());
+  layout.arcs[2].length = 3;
+  const std::vector<bool> sound{true};
+  EXPECT_FALSE(split_chord(layout, 0, sound));
+  EXPECT_EQ(layout.num_blocks(), 1);
+  EXPECT_TRUE(split_chord(layout, 1, sound));
+}
+
+TEST(MakeBlocks, LeavesSoundLayoutsAlone) {
+  for (const SeparatrixGraph& graph : {hand_made::l_shape(), hand_made::s_bend(), hand_made::elbow()}) {
+    Report report;
+    const BlockLayout plain = extract_blocks(graph), made = make_blocks(graph, report).layout;
+    EXPECT_EQ(made.block2arcs, plain.block2arcs);
+    EXPECT_EQ(made.splines.size(), plain.splines.size());
+    EXPECT_TRUE(report.warnings().empty());
+  }
+}
+
+TEST(MakeBlocks, CutsAStripWhoseMapFolds) {
+  ASSERT_EQ(measure_blocks(extract_blocks(block_samples::near_tangent_strip()))[0].divisions, 0);
+  Report report;
+  const Blocks mended = make_blocks(block_samples::near_tangent_strip(), report);
+  EXPECT_GE(mended.layout.num_blocks(), 2);
+  for (const BlockMeasure& m : mended.measures) EXPECT_GT(m.divisions, 0);
+  EXPECT_EQ(faults(mended.layout), "");
+  EXPECT_TRUE(report.warnings().empty());
+}
+
+TEST(MakeBlocks, CutsAMirroredStripInTheMirroredPlaces) {
+  Report report;
+  const BlockLayout a = make_blocks(block_samples::near_tangent_strip(), report).layout;
+  const BlockLayout b = make_blocks(block_samples::near_tangent_strip(true), report).layout;
+  ASSERT_EQ(a.num_blocks(), b.num_blocks());
+  for (const GraphNode& node : a.nodes) {
+    double nearest = 1;
+    for (const GraphNode& other : b.nodes)
+      nearest = std::min(nearest, distance(other.position, {node.position.x, -node.position.y}));
+    EXPECT_LT(nearest, 1e-10);
+  }
+}
+
+TEST(MakeBlocks, WarnsOfWhatNoCutMakesValid) {
+  Report report;
+  const Blocks blocks = make_blocks(block_samples::dart(), report);
+  EXPECT_EQ(blocks.layout.num_blocks(), 1);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_EQ(report.warnings()[0].code, "W-BLK-001");
+  EXPECT_NE(report.warnings()[0].message.find("block_0 cannot be proved valid near ("), std::string::npos)
+      << report.warnings()[0].message;
+}
+
+}  // namespace
+}  // namespace quadrille
