@@ -9,6 +9,7 @@
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "trace/extend_lines.hpp"
+#include "trace/launch_all.hpp"
 #include "trace/quantize.hpp"
 #include "trace/t_mesh.hpp"
 
@@ -60,7 +61,36 @@ SeparatrixGraph quantized_layout(const FieldEvaluator& evaluator, const Critical
   report.set("quantize.longest_arc", *std::max_element(lengths.begin(), lengths.end()));
   SeparatrixGraph graph = extend_lines(t_mesh, faces, lengths);
   report.set("quantize.faces", planar_faces(graph).cycles.size());
+  if (options.simplify != "none") graph = simplify(evaluator, std::move(graph), simplify_options(options), report);
   return graph;
+}
+
+// Whole lines cut each other into a number of blocks that grows like the square of theirs: more than so many are not
+// tried.
+constexpr size_t most_traced_lines = 500;
+
+SeparatrixGraph automatic_layout(const FieldEvaluator& evaluator, const CriticalPoints& points,
+                                 const TraceOptions& options, Report& report) {
+  const size_t num_lines = launch_all(evaluator, points).size();
+  std::string reason = fmt::format("{} separatrices are too many to be followed to their ends", num_lines);
+  if (num_lines <= most_traced_lines) {
+    try {
+      SeparatrixGraph graph = trace_separatrices(evaluator, points, options, report);
+      report.set("layout.way", "traced");
+      return graph;
+    } catch (const ComputeError& error) {
+      reason = error.what();
+    }
+  }
+  report.set("layout.way", "quantized");
+  report.set("layout.reason", reason);
+  try {
+    SeparatrixGraph graph = quantized_layout(evaluator, points, options, report);
+    report.warn("W-SEP-001", reason + ": lines were stopped where they meet and carried on by whole numbers instead");
+    return graph;
+  } catch (const ComputeError& error) {
+    throw ComputeError(reason + "; stopped where they meet: " + error.what());
+  }
 }
 
 }  // namespace
@@ -69,6 +99,7 @@ SeparatrixGraph lay_out(const FieldEvaluator& evaluator, const CriticalPoints& p
                         Report& report) {
   options.validate();
   if (options.layout == "t-mesh") return TMeshTracer(evaluator, points, options).trace(report);
+  if (options.layout == "auto") return automatic_layout(evaluator, points, options, report);
   if (options.layout == "quantized") return quantized_layout(evaluator, points, options, report);
   return trace_separatrices(evaluator, points, options, report);
 }

@@ -98,20 +98,20 @@ std::optional<Partition> partition(const FieldEvaluator& evaluator, const std::v
 // Degrees that the coarsest layout may turn its lines away from the field, whatever the options say.
 constexpr double coarsest_turn = 40;
 
-SimplifyOptions simplify_options(const TraceOptions& options) {
-  SimplifyOptions simplify;
-  simplify.is_thrifty = options.simplify != "coarsest";
-  simplify.max_turn =
-      radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
-  return simplify;
-}
-
 }  // namespace
 
 void TraceOptions::validate() const {
   if (!(tolerance > 0)) throw UsageError("the tolerance must be positive");
   if (step < 0 || merge_distance < 0 || merge_angle < 0) throw UsageError("lengths and angles must not be negative");
   if (max_lines < 1 || !(max_length > 0)) throw UsageError("the bounds must be positive");
+}
+
+SimplifyOptions simplify_options(const TraceOptions& options) {
+  SimplifyOptions simplify;
+  simplify.is_thrifty = options.simplify != "coarsest";
+  simplify.max_turn =
+      radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
+  return simplify;
 }
 
 SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const CriticalPoints& points,

@@ -7,6 +7,7 @@
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
 #include "model/separatrix_graph.hpp"
+#include "trace/simplify.hpp"
 
 namespace quadrille {
 
@@ -26,6 +27,9 @@ struct TraceOptions {
   std::string layout = "traced";
   void validate() const;  ///< throws UsageError
 };
+
+/// What options.simplify stands for.
+SimplifyOptions simplify_options(const TraceOptions& options);
 
 /// Launches, advances, merges, intersects, builds the graph and takes its census. Every line is followed to its end
 /// before any merge is decided: the result does not depend on the sequence of the lines or on a step.
