@@ -43,8 +43,9 @@ def timed(folder, repeats, phases, *command):
     return reports[-1], min(sum(r["timings"][phase]["cpu_seconds"] for phase in phases) for r in reports)
 
 
-def layout(options, folder, shape, tri_options=(), order=8):
-    """The graph of a shape's layout, through all stages that lead to it, a field for the nodes included."""
+def layout(options, folder, shape, tri_options=(), order=8, separatrix=()):
+    """The graph of a shape's layout, through all stages that lead to it, a field for the nodes included; `separatrix`:
+    options of that stage."""
     tri, solve, field, crit, sep = (folder / name for name in ("tri.h5", "solve.h5", "field.h5", "crit.json", "sep.json"))
     run(options.bin / "cad2tri", "-q", *tri_options, shape, "-o", tri)
     run(options.bin / "fieldsolve", "-q", "--field-order", order, tri, "-o", solve)
@@ -53,7 +54,7 @@ def layout(options, folder, shape, tri_options=(), order=8):
     if json.loads(crit.read_text())["form"] == "phase":
         run(options.bin / "fieldsolve", "-q", "--nodes", crit, "--orders", field, tri, "-o", solve)
         run(options.bin / "padapt", "-q", solve, "-o", field)
-    run(options.bin / "separatrix", "-q", field, crit, "-o", sep)
+    run(options.bin / "separatrix", "-q", *separatrix, field, crit, "-o", sep)
     return sep
 
 
