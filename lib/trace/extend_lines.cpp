@@ -2,114 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
-#include <memory>
-#include <set>
 
-#include "base/error.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "mesh/transfinite.hpp"
+#include "trace/integer_grid.hpp"
 
 namespace quadrille {
 namespace {
 
 constexpr int samples_between = 4;  // of a grid line, between crossings
-
-/// Where a dart lies: side of a face, and the integer position on the side (counter-clockwise) at which it starts.
-struct DartPlace {
-  int face = -1, side = 0, offset = 0;
-};
-
-/// A grid line of a face: direction 0 leads from side 0 to side 2, 1 from side 1 to side 3. The offset counts along the
-/// side where it starts.
-struct GridLine {
-  int face = 0, direction = 0, offset = 0;
-};
-
-/// An integer point inside an arc.
-struct ArcPoint {
-  int arc = 0, number = 0;
-};
-
-class Lengths {
- public:
-  Lengths(const std::vector<TFace>& faces, const std::vector<int>& lengths)
-      : faces_(faces), lengths_(lengths), places_(2 * lengths.size()) {
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-      totals_.push_back({});
-      for (int side = 0; side < 4; ++side)
-        for (const int dart : faces[f][side]) {
-          places_[slot(dart)] = {f, side, totals_[f][side]};
-          totals_[f][side] += lengths[dart_arc(dart)];
-        }
-    }
-  }
-
-  const DartPlace& place(int dart) const { return places_[slot(dart)]; }
-  int total(int face, int side) const { return totals_[face][side]; }
-  int arc(int a) const { return lengths_[a]; }
-
-  /// The dart of a side at an integer position, and the position along the dart: 0 < number <= its length.
-  std::pair<int, int> dart_at(int face, int side, int position) const {
-    for (const int dart : faces_[face][side]) {
-      const int length = lengths_[dart_arc(dart)];
-      if (position <= length) return {dart, position};
-      position -= length;
-    }
-    throw Defect("extend_lines: a position beyond the end of a side");
-  }
-
- private:
-  static size_t slot(int dart) { return 2 * static_cast<size_t>(dart_arc(dart)) + (dart < 0); }
-  const std::vector<TFace>& faces_;
-  const std::vector<int>& lengths_;
-  std::vector<DartPlace> places_;
-  std::vector<std::array<int, 4>> totals_;
-};
-
-/// All grid lines that T-junctions ask for.
-class Grid {
- public:
-  Grid(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces, const Lengths& lengths)
-      : marks(t_mesh.arcs.size()), lines(faces.size()), t_mesh_(t_mesh), lengths_(lengths) {
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-      for (int side = 0; side < 4; ++side)
-        for (size_t k = 1; k < faces[f][side].size(); ++k) ask(f, side, lengths.place(faces[f][side][k]).offset);
-    while (!asked_.empty()) {
-      const GridLine line = asked_.back();
-      asked_.pop_back();
-      const int total = lengths_.total(line.face, line.direction);
-      reach(line.face, line.direction, line.offset);
-      reach(line.face, line.direction + 2, total - line.offset);
-    }
-  }
-
-  std::vector<std::set<int>> marks;                 // of each arc: the integer points where lines cross it
-  std::vector<std::array<std::set<int>, 2>> lines;  // of each face and direction: offsets
-
- private:
-  void ask(int face, int side, int position) {
-    const int direction = side % 2;
-    const int offset = side < 2 ? position : lengths_.total(face, direction) - position;
-    if (lines[face][direction].insert(offset).second) asked_.push_back({face, direction, offset});
-  }
-
-  // The line comes to a side: at a node it is the line of a T-junction there, else it goes on behind the arc.
-  void reach(int face, int side, int position) {
-    const auto [dart, number] = lengths_.dart_at(face, side, position);
-    const int arc = dart_arc(dart), length = lengths_.arc(arc);
-    if (number == length) return;
-    if (!marks[arc].insert(dart >= 0 ? number : length - number).second || t_mesh_.arcs[arc].is_boundary) return;
-    const DartPlace& behind = lengths_.place(reversed_dart(dart));
-    ask(behind.face, behind.side, behind.offset + length - number);
-  }
-
-  const SeparatrixGraph& t_mesh_;
-  const Lengths& lengths_;
-  std::vector<GridLine> asked_;
-};
 
 std::vector<ArcPiece> reversed_pieces(std::vector<ArcPiece> pieces) {
   std::reverse(pieces.begin(), pieces.end());
@@ -119,13 +22,16 @@ std::vector<ArcPiece> reversed_pieces(std::vector<ArcPiece> pieces) {
 
 class Extender {
  public:
-  Extender(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces, const Lengths& lengths, const Grid& grid)
+  Extender(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces, const IntegerSides& lengths,
+           const GridLines& grid)
       : t_mesh_(t_mesh), faces_(faces), lengths_(lengths), grid_(grid), table_(t_mesh.face, t_mesh.splines) {
     graph.provenance = t_mesh.provenance;
     graph.face = t_mesh.face;
     graph.splines = t_mesh.splines;
     graph.nodes = t_mesh.nodes;
     for (const GraphArc& arc : t_mesh.arcs) chains_.emplace_back(table_, arc.pieces);
+    for (const Chain& chain : chains_) arc_lengths_.push_back(chain.length());
+    shares_ = mark_shares(lengths, grid, arc_lengths_);
     for (int a = 0; a < static_cast<int>(t_mesh.arcs.size()); ++a) split_arc(a);
     keep_lines();
     for (int f = 0; f < static_cast<int>(faces.size()); ++f) draw_face(f);
@@ -134,9 +40,6 @@ class Extender {
   SeparatrixGraph graph;
 
  private:
-  // Integer points are spread evenly over their arc.
-  double share(int arc, int number) const { return static_cast<double>(number) / lengths_.arc(arc); }
-
   void split_arc(int a) {
     const GraphArc& arc = t_mesh_.arcs[a];
     parts_.emplace_back();
@@ -150,8 +53,8 @@ class Extender {
       pieces.clear();
       from = to;
     };
-    for (const int number : grid_.marks[a]) {
-      const ChainPoint at = chains_[a].at(share(a, number));
+    for (const auto& [number, share] : shares_[a]) {
+      const ChainPoint at = chains_[a].at(share);
       for (; static_cast<int>(k) < at.piece; rest = arc.pieces[++k]) pieces.push_back(rest);
       if (rest.t0 != at.t) pieces.push_back({rest.curve, rest.t0, at.t});
       rest.t0 = at.t;
@@ -183,15 +86,8 @@ class Extender {
     return node_of_mark_.at({arc, dart >= 0 ? number : length - number});
   }
 
-  // Share of the side's arc length at a position, counter-clockwise.
   double fraction_at(int face, int side, int position) const {
-    const auto [last, number] = lengths_.dart_at(face, side, position);
-    double before = 0, total = 0;
-    for (const int dart : faces_[face][side]) {
-      if (dart == last) before = total + chains_[dart_arc(dart)].length() * number / lengths_.arc(dart_arc(dart));
-      total += chains_[dart_arc(dart)].length();
-    }
-    return before / total;
+    return side_fraction(lengths_, shares_, arc_lengths_, face, side, position);
   }
 
   Chain side_chain(int face, int side) const {
@@ -287,11 +183,13 @@ class Extender {
 
   const SeparatrixGraph& t_mesh_;
   const std::vector<TFace>& faces_;
-  const Lengths& lengths_;
-  const Grid& grid_;
+  const IntegerSides& lengths_;
+  const GridLines& grid_;
   CurveTable table_;
-  std::vector<Chain> chains_;            // of the arcs
-  std::vector<std::vector<int>> parts_;  // new arcs of each arc
+  std::vector<Chain> chains_;  // of the arcs
+  std::vector<double> arc_lengths_;
+  std::vector<std::map<int, double>> shares_;  // of the marked points of each arc
+  std::vector<std::vector<int>> parts_;        // new arcs of each arc
   std::map<std::pair<int, int>, int> node_of_mark_;
 };
 
@@ -299,8 +197,8 @@ class Extender {
 
 SeparatrixGraph extend_lines(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
                              const std::vector<int>& lengths) {
-  const Lengths table(faces, lengths);
-  const Grid grid(t_mesh, faces, table);
+  const IntegerSides table(faces, lengths);
+  const GridLines grid(t_mesh, table);
   SeparatrixGraph graph = std::move(Extender(t_mesh, faces, table, grid).graph);
   require_four_corners(graph);
   return graph;
