@@ -80,20 +80,30 @@ void measure(const std::vector<double>& lengths, ChordStrip& strip) {
 
 }  // namespace
 
-std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
+std::vector<double> arc_lengths(const SeparatrixGraph& graph, PieceLengths& pieces) {
   const CurveTable table(graph.face, graph.splines);
   std::vector<double> lengths;
   lengths.reserve(graph.arcs.size());
-  for (const GraphArc& arc : graph.arcs) lengths.push_back(Chain(table, arc.pieces).length());
+  for (const GraphArc& arc : graph.arcs) {
+    double sum = 0;
+    for (const ArcPiece& p : arc.pieces) {
+      const auto [at, is_new] = pieces.known.try_emplace({p.curve, p.t0, p.t1}, 0);
+      if (is_new) at->second = Chain(table, {p}).length();
+      sum += at->second;
+    }
+    lengths.push_back(sum);
+  }
   return lengths;
 }
 
-ChordStrip strip_through(const SeparatrixGraph& graph, const PlanarFaces& faces, const std::vector<double>& lengths,
-                         int arc) {
+std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
+  PieceLengths pieces;
+  return arc_lengths(graph, pieces);
+}
+
+ChordStrip strip_through(const SeparatrixGraph& graph, const PlanarFaces& faces, int arc) {
   DartTable darts(graph, faces);
-  ChordStrip strip = strip_from(darts, arc);
-  measure(lengths, strip);
-  return strip;
+  return strip_from(darts, arc);
 }
 
 std::vector<ChordStrip> all_strips(const SeparatrixGraph& graph, const PlanarFaces& faces,

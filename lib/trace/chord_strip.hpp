@@ -5,6 +5,8 @@
 //                  | block  | block  |           Darts as in trace/planar_faces.hpp: rungs lead from left to right,
 //     right rail  r_0 ---- r_1 ---- r_2          rails forwards.
 
+#include <map>
+#include <tuple>
 #include <vector>
 
 #include "model/separatrix_graph.hpp"
@@ -26,15 +28,18 @@ struct ChordStrip {
   double slimness() const { return width / length; }
 };
 
-/// Length of each arc.
+/// Length of each arc. `known` keeps those of pieces between calls for graphs whose splines keep their numbers.
+struct PieceLengths {
+  std::map<std::tuple<int, double, double>, double> known;
+};
+std::vector<double> arc_lengths(const SeparatrixGraph& graph, PieceLengths& pieces);
 std::vector<double> arc_lengths(const SeparatrixGraph& graph);
 
-/// The strip that holds an arc as a rung. Begins at the end with the lower arc number, a closed one at its lowest arc.
-/// Every face must have four corners. `lengths` of all arcs.
-ChordStrip strip_through(const SeparatrixGraph& graph, const PlanarFaces& faces, const std::vector<double>& lengths,
-                         int arc);
+/// The strip that holds an arc as a rung, without its width and length. Begins at the end with the lower arc number, a
+/// closed one at its lowest arc. Every face must have four corners.
+ChordStrip strip_through(const SeparatrixGraph& graph, const PlanarFaces& faces, int arc);
 
-/// All strips, in the sequence of their lowest arcs. Linear in the number of arcs.
+/// All strips, in the sequence of their lowest arcs; `lengths` of all arcs. Linear in the number of arcs.
 std::vector<ChordStrip> all_strips(const SeparatrixGraph& graph, const PlanarFaces& faces,
                                    const std::vector<double>& lengths);
 

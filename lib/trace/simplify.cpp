@@ -33,6 +33,23 @@ bool share_a_rail(const std::vector<ChordStrip>& strips) {
   return false;
 }
 
+// The pieces of all arcs of some strips.
+std::vector<double> key_of(const SeparatrixGraph& graph, const std::vector<ChordStrip>& strips) {
+  std::vector<std::vector<double>> keys;
+  for (const ChordStrip& strip : strips) {
+    keys.emplace_back();
+    for (const std::vector<int>* darts : {&strip.rungs, &strip.left, &strip.right})
+      for (const int d : *darts)
+        for (const ArcPiece& p : graph.arcs[dart_arc(d)].pieces)
+          keys.back().insert(keys.back().end(), {static_cast<double>(p.curve), p.t0, p.t1});
+    std::sort(keys.back().begin(), keys.back().end());
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<double> key;
+  for (const std::vector<double>& k : keys) key.insert(key.end(), k.begin(), k.end());
+  return key;
+}
+
 std::vector<int> all_of(const PlanarFaces& faces) {
   std::vector<int> all(faces.cycles.size());
   std::iota(all.begin(), all.end(), 0);
@@ -48,14 +65,19 @@ class Simplifier {
   bool step() {
     const PlanarFaces faces = planar_faces(graph_);
     std::vector<ChordStrip> strips;
-    for (ChordStrip& s : all_strips(graph_, faces, arc_lengths(graph_)))
+    for (ChordStrip& s : all_strips(graph_, faces, arc_lengths(graph_, lengths_)))
       if (!pins_of(graph_, s).empty()) strips.push_back(std::move(s));
     std::stable_sort(strips.begin(), strips.end(),
                      [](const ChordStrip& a, const ChordStrip& b) { return a.slimness() < b.slimness(); });
     for (auto first = strips.begin(); first != strips.end();) {
       const double same = first->slimness() * (1 + tie_share);
       const auto last = std::find_if(first, strips.end(), [&](const ChordStrip& s) { return s.slimness() > same; });
-      if (collapse_all({first, last}, faces)) return true;
+      const std::vector<ChordStrip> group(first, last);
+      std::vector<double> key = key_of(graph_, group);
+      if (refused_.count(key) == 0) {
+        if (collapse_all(group, faces)) return true;
+        refused_.insert(std::move(key));
+      }
       first = last;
     }
     return false;
@@ -64,7 +86,7 @@ class Simplifier {
   // The same for laps.
   bool step_across_laps() {
     const PlanarFaces faces = planar_faces(graph_);
-    std::vector<Shortcut> shortcuts = find_shortcuts(graph_, faces, arc_lengths(graph_));
+    std::vector<Shortcut> shortcuts = find_shortcuts(graph_, faces, arc_lengths(graph_, lengths_));
     std::stable_sort(shortcuts.begin(), shortcuts.end(),
                      [](const Shortcut& a, const Shortcut& b) { return a.slimness < b.slimness; });
     for (auto first = shortcuts.begin(); first != shortcuts.end();) {
@@ -112,7 +134,7 @@ class Simplifier {
     for (const int d : old_strip.rungs)
       if (arc < 0) arc = trial.arc2arc[dart_arc(d)];
     if (arc < 0) return false;
-    const ChordStrip strip = strip_through(trial.graph, planar_faces(trial.graph), arc_lengths(trial.graph), arc);
+    const ChordStrip strip = strip_through(trial.graph, planar_faces(trial.graph), arc);
     const std::vector<Pin> pins = pins_of(trial.graph, strip);
     if (pins.empty()) return false;
     auto collapse = collapse_strip(trial.graph, strip, pins, blends);
@@ -192,6 +214,8 @@ class Simplifier {
   const FieldEvaluator& evaluator_;
   const SimplifyOptions& options_;
   SeparatrixGraph graph_;
+  PieceLengths lengths_;
+  std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: other steps leave most as they are
   int num_shortcuts_ = 0;
   int num_collapsed_ = 0;
   double turn_ = 0;
