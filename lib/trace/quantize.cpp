@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "trace/integer_programme.hpp"
@@ -12,6 +13,7 @@ namespace {
 using Term = IntegerProgramme::Term;
 
 constexpr double longest = 1e4;  // length of one arc
+constexpr double tie_share = 1e-6;
 constexpr int most_pieces = 60;  // of a cost function
 
 void add_face_equations(const std::vector<TFace>& faces, IntegerProgramme& programme) {
@@ -37,17 +39,39 @@ void add_deviation(IntegerProgramme& programme, int variable, double target) {
 
 }  // namespace
 
-std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit) {
+namespace {
+
+// Arcs of one symmetry orbit have one length in the plane: they are given one length here.
+void add_ties(const std::vector<double>& arc_lengths, IntegerProgramme& programme) {
+  std::vector<int> by_length(arc_lengths.size());
+  std::iota(by_length.begin(), by_length.end(), 0);
+  std::stable_sort(by_length.begin(), by_length.end(), [&](int a, int b) { return arc_lengths[a] < arc_lengths[b]; });
+  for (size_t k = 0; k + 1 < by_length.size(); ++k) {
+    const int a = by_length[k], b = by_length[k + 1];
+    if (arc_lengths[b] - arc_lengths[a] <= tie_share * arc_lengths[b]) programme.add_equation({{a, 1}, {b, -1}}, 0);
+  }
+}
+
+std::vector<int> solve(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit,
+                       bool ties) {
   const int num_arcs = static_cast<int>(arc_lengths.size());
   IntegerProgramme programme;
   for (int a = 0; a < num_arcs; ++a) programme.add_variable(1, longest, 0, true);
   add_face_equations(faces, programme);
+  if (ties) add_ties(arc_lengths, programme);
   for (int a = 0; a < num_arcs; ++a) add_deviation(programme, a, arc_lengths[a] / unit);
   std::vector<int> lengths;
   const std::vector<double> solution = programme.solve();
   if (!solution.empty())
     for (int a = 0; a < num_arcs; ++a) lengths.push_back(static_cast<int>(std::lround(solution[a])));
   return lengths;
+}
+
+}  // namespace
+
+std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit) {
+  std::vector<int> lengths = solve(faces, arc_lengths, unit, true);
+  return lengths.empty() ? solve(faces, arc_lengths, unit, false) : lengths;
 }
 
 // The equations are homogeneous: where an arc can be positive it can be 1 or more, together with all others that can.

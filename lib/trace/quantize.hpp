@@ -5,8 +5,9 @@
 //
 //   minimise  sum_a (n_a - t_a)^2 / max(t_a, 1/2)    n_a >= 1 integer,    t_a = length of arc a / unit
 //
-// The squares, taken as piecewise linear between integers, share out what is too much evenly: arcs of one symmetry
-// orbit get one length where that is possible at all.
+// with the squares taken as piecewise linear between integers. Arcs whose lengths in the plane differ by less than 1e-6
+// of themselves, as those of a symmetry orbit, get one length wherever there is a solution like that (the sum of a
+// solution's images under a symmetry is one).
 
 #include <vector>
 
