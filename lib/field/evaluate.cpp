@@ -32,15 +32,18 @@ Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
   return sum;
 }
 
-double FieldEvaluator::phase(int elem, Vec2 xi, Vec2 x) const {
-  const double* s = &field_->phase.s[field_->coef_offsets[elem]];
-  return orthogonal_sum(field_->elem_order[elem], s, s, xi).x + explicit_phase(field_->phase.terms, x, inward(elem, x));
+Vec2 FieldEvaluator::phase_value(double remainder, int elem, Vec2 x) const {
+  const Vec2 a = unit(remainder), b = explicit_direction(field_->phase.terms, x, maps_[elem].position(centroid));
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 
 Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
   maps_[elem].evaluate(xi, x, dx_dxi);
-  if (is_phase_) return unit(phase(elem, xi, x));
   const int offset = field_->coef_offsets[elem];
+  if (is_phase_) {
+    const double* s = &field_->phase.s[offset];
+    return phase_value(orthogonal_sum(field_->elem_order[elem], s, s, xi).x, elem, x);
+  }
   return orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi) + liftings(elem, x);
 }
 
@@ -51,7 +54,7 @@ FieldSample FieldEvaluator::phase_sample(int elem, Vec2 xi) const {
   const double* s = &field_->phase.s[field_->coef_offsets[elem]];
   Mat2 ds_dxi;
   const double remainder = orthogonal_sum(field_->elem_order[elem], s, s, xi, ds_dxi).x;
-  sample.value = unit(remainder + explicit_phase(field_->phase.terms, sample.x, inward(elem, sample.x)));
+  sample.value = phase_value(remainder, elem, sample.x);
   const Mat2 ds_dx = ds_dxi * inverse(sample.dx_dxi);
   const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field_->phase.terms, sample.x);
   const Vec2 across = left_of(sample.value);

@@ -52,7 +52,7 @@ class FieldEvaluator {
  private:
   Vec2 liftings(int elem, Vec2 x) const;
   Vec2 inward(int elem, Vec2 x) const;  ///< from x towards the element's centroid
-  double phase(int elem, Vec2 xi, Vec2 x) const;
+  Vec2 phase_value(double remainder, int elem, Vec2 x) const;
   FieldSample phase_sample(int elem, Vec2 xi) const;
 
   const Field* field_;

@@ -26,6 +26,29 @@ TEST(PhaseTerms, TurnOnceForEachIndexRoundItsNode) {
   EXPECT_NEAR(turns_round({5, 5}), 3, 1e-12);
 }
 
+TEST(PhaseTerms, TheDirectionIsThatOfThePhase) {
+  for (int i = 0; i < 50; ++i) {
+    const Vec2 x = 0.9 * unit(0.37 * i) * (1 - 0.01 * i);
+    EXPECT_LT(distance(explicit_direction(terms, x, {}), unit(explicit_phase(terms, x))), 1e-14);
+  }
+  const CornerAngle& corner = terms.corner_angles[0];
+  for (const double angle : {0.0, 0.3, 1.1, half_pi}) {
+    const Vec2 x = corner.apex;
+    EXPECT_LT(
+        distance(explicit_direction(terms, x, x + 0.2 * unit(angle)), unit(explicit_phase(terms, x, unit(angle)))),
+        1e-14);
+  }
+}
+
+TEST(PhaseTerms, ManyTurnsStayInTheRangeOfNumbers) {
+  for (const double unit_length : {1e-30, 1e30}) {
+    PhaseTerms many;
+    for (int i = 0; i < 200; ++i) many.holes.push_back({unit_length * Vec2{1.0 + i, 2.0}, 4});
+    const Vec2 x{0, unit_length};
+    EXPECT_LT(distance(explicit_direction(many, x, {}), unit(explicit_phase(many, x))), 1e-11);
+  }
+}
+
 TEST(PhaseTerms, GradientMatchesDifferences) {
   const Vec2 x{0.4, 0.6};
   const double h = 1e-5;
