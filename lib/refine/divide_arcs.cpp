@@ -44,6 +44,60 @@ const ErrorSamples& error_samples(int order) {
   return cache[order];
 }
 
+/// A polynomial of the order as a polygon, to tell the distance of points that may be far from where its parameter
+/// says.
+struct PolygonSamples {
+  Eigen::MatrixXd from_nodes;
+
+  explicit PolygonSamples(int order) {
+    const int count = 16 * order;
+    std::vector<double> points;
+    for (int i = 0; i <= count; ++i) points.push_back(-1 + 2.0 * i / count);
+    from_nodes = interpolation_matrix(gll_points(order), points);
+  }
+};
+
+const PolygonSamples& polygon_samples(int order) {
+  static PerOrder<PolygonSamples> cache([](int n) { return PolygonSamples(n); });
+  return cache[order];
+}
+
+double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
+  const double length2 = norm2(b - a);
+  const double share = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0;
+  return distance(x, a + share * (b - a));
+}
+
+/// A lower bound of the distance of the chain's breaks, and of the middles between them, from the interval's
+/// polynomial: there a bend that is short against the interval, a fillet, is farthest from it. Nodes and parameters do
+/// not see that.
+double bend_error(const Chain& chain, double low, double high, const std::vector<ChainPoint>& nodes, int order) {
+  std::vector<double> ends{low};
+  for (const double f : chain.break_fractions())
+    if (f > low + same_fraction && f < high - same_fraction) ends.push_back(f);
+  if (ends.size() == 1) return 0;
+  ends.push_back(high);
+
+  const Eigen::MatrixXd& from_nodes = polygon_samples(order).from_nodes;
+  std::vector<Vec2> polygon(from_nodes.rows());
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    for (int k = 0; k <= order; ++k) polygon[i] += from_nodes(static_cast<int>(i), k) * nodes[k].position;
+  double sagitta = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sagitta = std::max(sagitta, norm(polygon[i - 1] - 2 * polygon[i] + polygon[i + 1]) / 8);
+
+  double worst = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    for (const double f : {ends[i - 1], (ends[i - 1] + ends[i]) / 2}) {
+      const Vec2 x = chain.at(f).position;
+      double nearest = distance(x, polygon[0]);
+      for (std::size_t k = 1; k < polygon.size(); ++k)
+        nearest = std::min(nearest, distance_to_segment(x, polygon[k - 1], polygon[k]));
+      worst = std::max(worst, nearest);
+    }
+  return worst - sagitta;
+}
+
 double longest_interval(const std::vector<double>& ends) {
   double longest = 0;
   for (std::size_t i = 1; i < ends.size(); ++i) longest = std::max(longest, ends[i] - ends[i - 1]);
@@ -250,7 +304,7 @@ double interval_error(const CurveTable& table, const Chain& chain, double low, d
   const int piece = nodes[order / 2].piece;
   const bool in_one_piece =
       std::all_of(nodes.begin(), nodes.end(), [&](const ChainPoint& p) { return p.piece == piece; });
-  double worst = 0;
+  double worst = std::max(0.0, bend_error(chain, low, high, nodes, order));
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     Vec2 value;
     double t = 0;

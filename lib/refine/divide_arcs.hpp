@@ -30,8 +30,9 @@ std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const st
                                              const CurveTable& table, const std::vector<Chain>& chains,
                                              const std::vector<ArcParameter>& parameters, const DivideOptions& options);
 
-/// Greatest sampled distance from the chain of the order-N polynomial through its points at Gauss-Lobatto-Legendre
-/// fractions of [low, high]. `table`: the chain's own.
+/// Greatest sampled distance between the chain and the order-N polynomial through its points at Gauss-Lobatto-Legendre
+/// fractions of [low, high]: of the polynomial from the chain, and of the chain's breaks from the polynomial. `table`:
+/// the chain's own.
 double interval_error(const CurveTable& table, const Chain& chain, double low, double high, int order);
 
 }  // namespace quadrille

@@ -122,5 +122,18 @@ TEST(IntervalError, FallsWithTheOrderAsTheoryHasIt) {
   EXPECT_LE(interval_error(table, Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
 }
 
+TEST(IntervalError, SeesABendThatIsShortAgainstTheInterval) {
+  // A line cuts the corner between two sides off: what is farthest is the corner, though at equal fractions of the
+  // length both are near each other's tangents.
+  const CadFace face =
+      hand_made::face({{segment({0, 0}, {1, 0}), segment({1, 0}, {1, 2}), segment({1, 2}, {0, 0})}}, 2);
+  const std::vector<Nurbs> no_splines;
+  const CurveTable table(face, no_splines);
+  const Chain chain(table, {{0, 0, 1}, {1, 0, 2}});
+  EXPECT_NEAR(interval_error(table, chain, 0, 1, 1), 2 / std::sqrt(5), 1e-12);
+  // Interpolation through the corner itself leaves less, and no break inside means that nothing is cut off.
+  EXPECT_LT(interval_error(table, Chain(table, {{1, 0, 2}}), 0, 1, 1), 1e-15);
+}
+
 }  // namespace
 }  // namespace quadrille
