@@ -171,3 +171,38 @@ move_node() {
   critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5
   assert_file_exists half_disc.blocks.h5
 }
+
+@test "the half disc is the same four blocks when its lines race" {
+  separatrix "$field" "$crit" --layout quantized -o a.sep.json --report a.json
+  run jq -c '[.t_mesh.faces_of_4_corners, .t_mesh.t_junctions, .quantize.faces]' a.json
+  assert_output '[4,0,4]'
+  separatrix "$field" "$crit" -o b.sep.json
+  run jq -sc '.[0].arcs == .[1].arcs' a.sep.json b.sep.json
+  assert_output true
+  run stagecheck a.sep.json
+  assert_success
+}
+
+@test "says so where whole lines make no layout and stopped ones do" {
+  run separatrix "$field" "$crit" --layout auto --max-lines 3 -o a.sep.json --report a.json
+  assert_success
+  assert_output --partial "W-SEP-001"
+  assert_output --partial "more than the 3 allowed"
+  run jq -r '.layout.way' a.json
+  assert_output quantized
+  run separatrix "$field" "$crit" --layout auto -o b.sep.json --report b.json
+  assert_output ""
+  run jq -r '.layout.way' b.json
+  assert_output traced
+}
+
+@test "an ellipse has lines that stop at others, and blocks when they go on" {
+  stage_chain ellipse
+  separatrix ellipse.field.h5 ellipse.crit.json --layout t-mesh -o t.sep.json --report t.json
+  run jq -c '.t_mesh | [.t_junctions > 0, (keys | map(select(startswith("faces_of"))))]' t.json
+  assert_output '[true,["faces_of_4_corners"]]'
+  separatrix ellipse.field.h5 ellipse.crit.json --layout quantized -o q.sep.json
+  run jq -c '.t_junctions' q.sep.json
+  assert_output '[]'
+  blocksplit q.sep.json | quadrefine - -o q.quad.h5
+}
