@@ -36,8 +36,10 @@ int main(int argc, char** argv) {
     o.number("--merge-angle", options.merge_angle, 0, 40, "degrees", "merge lines that this turns by less");
     o.number("--merge-distance", options.merge_distance, 0, 1e300, "file units",
              "and lines that pass each other within this distance");
-    o.choice("--simplify", options.simplify, {"none", "normal", "coarsest"},
-             "whether thin strips of blocks are taken out, and how many");
+    o.choice(
+        "--simplify", options.simplify, {"none", "normal", "coarsest"},
+        "thin strips of blocks are taken out: normal, where that saves more than it costs in shape; coarsest, where "
+        "blocks stay in fair shape and lines within 45 degrees of the field");
     o.number("--max-turn", options.max_turn, 0, 45, "degrees", "how far that may turn a line from the field");
     o.choice("--layout", options.layout, {"traced", "quantized", "auto", "t-mesh"},
              "traced: lines are followed to their ends; quantized: each stops at the first that crosses its way, and "

@@ -96,19 +96,21 @@ std::optional<Partition> partition(const FieldEvaluator& evaluator, const std::v
 }
 
 // Degrees that the coarsest layout may turn its lines away from the field, whatever the options say.
-constexpr double coarsest_turn = 40;
+constexpr double coarsest_turn = 45;
 
 }  // namespace
 
 void TraceOptions::validate() const {
   if (!(tolerance > 0)) throw UsageError("the tolerance must be positive");
   if (step < 0 || merge_distance < 0 || merge_angle < 0) throw UsageError("lengths and angles must not be negative");
+  if (max_turn < 0) throw UsageError("the greatest turn must not be negative");
   if (max_lines < 1 || !(max_length > 0)) throw UsageError("the bounds must be positive");
 }
 
 SimplifyOptions simplify_options(const TraceOptions& options) {
   SimplifyOptions simplify;
   simplify.is_thrifty = options.simplify != "coarsest";
+  simplify.least_scaled_jacobian = simplify.is_thrifty ? 0.5 : 0.3;
   simplify.max_turn =
       radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
   return simplify;

@@ -18,11 +18,11 @@ struct TraceOptions {
   /// Degrees: head-on lines are merged where that turns neither by more. On all benchmark shapes 15 removes most thin
   /// strips of blocks and leaves the least scaled Jacobian of the mesh as good as without.
   double merge_angle = 15;
-  double merge_distance = 0;      ///< file units: and where their fronts meet within it
-  std::string simplify = "none";  ///< collapse of chords: "none", "normal", "coarsest"
-  double max_turn = 25;           ///< degrees: of a line from the field, by that; `coarsest` allows 40 at least
-  int max_lines = 2000;           ///< more arcs of separatrices than this is an error
-  double max_length = 20;         ///< of one line, in diameters
+  double merge_distance = 0;        ///< file units: and where their fronts meet within it
+  std::string simplify = "normal";  ///< collapse of chords: "none", "normal", "coarsest"
+  double max_turn = 40;             ///< degrees: of a line from the field, by that; `coarsest` allows 45 at least
+  int max_lines = 2000;             ///< more arcs of separatrices than this is an error
+  double max_length = 20;           ///< of one line, in diameters
   /// "traced", "quantized", "auto" or "t-mesh" (trace/lay_out.hpp).
   std::string layout = "traced";
   void validate() const;  ///< throws UsageError
@@ -31,7 +31,7 @@ struct TraceOptions {
 /// What options.simplify stands for.
 SimplifyOptions simplify_options(const TraceOptions& options);
 
-/// Launches, advances, merges, intersects, builds the graph and takes its census. Every line is followed to its end
+/// Launches, advances, merges, intersects, builds the graph, takes its census and simplifies it (trace/simplify.hpp). Every line is followed to its end
 /// before any merge is decided: the result does not depend on the sequence of the lines or on a step.
 /// A domain between two loops in which nothing launches gets four cuts from the inner loop to the outer one, at equal
 /// shares of the inner loop's length from the start of its first curve.

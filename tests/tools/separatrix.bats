@@ -66,7 +66,7 @@ setup() {
 @test "aggressive merging connects nodes with corners across a distance" {
   stage_chain geometry_1 .
   for distance in 0.01 0.3 0.7; do
-    separatrix geometry_1.field.h5 geometry_1.crit.json --merge-angle 1 --merge-distance $distance \
+    separatrix geometry_1.field.h5 geometry_1.crit.json --merge-angle 1 --merge-distance $distance --simplify none \
       -o a.sep.json --report a.json
     jq -c '.trace | [.merged, .faces]' a.json
   done > counts
