@@ -31,11 +31,11 @@ struct TraceOptions {
 /// What options.simplify stands for.
 SimplifyOptions simplify_options(const TraceOptions& options);
 
-/// Launches, advances, merges, intersects, builds the graph, takes its census and simplifies it (trace/simplify.hpp). Every line is followed to its end
-/// before any merge is decided: the result does not depend on the sequence of the lines or on a step.
-/// A domain between two loops in which nothing launches gets four cuts from the inner loop to the outer one, at equal
-/// shares of the inner loop's length from the start of its first curve.
-/// Throws ComputeError when a bound is met or a face is not four-sided, with the place.
+/// Launches, advances, merges, intersects, builds the graph, takes its census and simplifies it (trace/simplify.hpp).
+/// Every line is followed to its end before any merge is decided: the result does not depend on the sequence of the
+/// lines or on a step. A domain between two loops in which nothing launches gets four cuts from the inner loop to the
+/// outer one, at equal shares of the inner loop's length from the start of its first curve. Throws ComputeError when a
+/// bound is met or a face is not four-sided, with the place.
 SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                    const TraceOptions& options, Report& report);
 
