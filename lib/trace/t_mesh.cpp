@@ -352,8 +352,9 @@ std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph) {
   for (size_t f = 0; f < faces.cycles.size(); ++f) {
     if (!is_four_sided(faces.quarters[f])) {
       const Vec2 place = place_of(graph, faces.cycles[f]);
-      throw ComputeError(fmt::format("the face of the T-mesh around ({:.6g}, {:.6g}) has {} corners instead of four",
-                                     place.x, place.y, num_corners(faces.quarters[f])));
+      throw ComputeError(
+          fmt::format("the face of the T-mesh around ({:.6g}, {:.6g}) is not four-sided: {} arcs, the corners make {}",
+                      place.x, place.y, faces.cycles[f].size(), num_corners(faces.quarters[f])));
     }
     all.push_back(sides_of(faces.cycles[f], faces.quarters[f]));
   }
