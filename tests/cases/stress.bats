@@ -1,5 +1,5 @@
-# Random shapes from fixed seeds (tests/stress): a sample of 50, one of ten of every family. All 500, in an hour at most:
-# tests/stress/run --jobs 2
+# Random shapes from fixed seeds (tests/stress): a sample of 50, one of ten of every family.
+# All 500: tests/stress/run --jobs 2
 load ../tools/common
 
 # Plates with more than 20 holes take more than a minute today: they are counted as too slow, and given less than that.
@@ -7,7 +7,8 @@ SECONDS_EACH=15
 
 setup_file() {
   load ../tools/common
-  "$ROOT/tests/stress/run" --bin "$BIN" --sample --seconds "$SECONDS_EACH" -o "$BATS_FILE_TMPDIR/sample.json" >"$BATS_FILE_TMPDIR/table" 2>&1 || true
+  "$ROOT/tests/stress/run" --bin "$BIN" --sample --seconds "$SECONDS_EACH" -o "$BATS_FILE_TMPDIR/sample.json" \
+    >"$BATS_FILE_TMPDIR/table" 2>&1 || true
 }
 
 # holds FILTER: what jq says of the results; the table of failures is printed where it does not hold.

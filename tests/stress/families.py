@@ -3,10 +3,10 @@
 
     families.py [--sample] FOLDER [NAME...]     writes STEP files: all shapes, the sample of 50, or the shapes named
 
-A shape's name is its family and a number, polygon_017, and the name is its seed: a family can grow and no shape changes.
-Every shape is checked before it counts: no side crosses another, and sides that are not neighbours keep a clearance. What
-is drawn and fails is drawn again. Half of the shapes lie straight, so that ties are exact, the others are turned; sizes
-go from a tenth to a hundred. Every tenth shape of each family belongs to the sample.
+A shape's name is its family and a number, polygon_017, and the name is its seed: a family can grow and no shape
+changes. Every shape is checked before it counts: no side crosses another, and sides that are not neighbours keep a
+clearance. What is drawn and fails is drawn again. Half of the shapes lie straight, so that ties are exact, the others
+are turned; sizes go from a tenth to a hundred. Every tenth shape of each family belongs to the sample.
 
   smooth   120  closed cubic splines, star-shaped or twisted, 0 to 5 holes, round or smooth
   polygon  120  4 to 12 straight sides, corners from 15 to 345 degrees
@@ -152,8 +152,8 @@ def points_of(edge, spacing):
 
 
 def check_clearance(loops, gap, smooth=False):
-    """Points of the boundary that are nearer than the gap lie at most 4 gaps from each other along one loop; where all is
-    smooth, no bend is sharper than half the gap."""
+    """Points of the boundary that are nearer than the gap lie at most 4 gaps from each other along one loop; where all
+    is smooth, no bend is sharper than half the gap."""
     spacing, cells = gap / 3, {}
     for which, loop in enumerate(loops):
         points = [p for edge in loop for p in points_of(edge, spacing)]
@@ -247,7 +247,7 @@ def smooth(rng, number):
 
 
 def uncrossed(corners):
-    """The same corners in a sequence whose sides do not cross: two crossing sides are exchanged until there are none."""
+    """The same corners in a sequence whose sides do not cross: crossing sides are exchanged until there are none."""
     n = len(corners)
     for _ in range(1000):
         for i in range(n):
