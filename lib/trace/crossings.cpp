@@ -100,20 +100,43 @@ struct Span {
   Box box;
 };
 
-// By a sweep from left to right; sorted.
+// Horizontal bands, some boxes high, so that a sweep through one meets few boxes that only lie beside each other.
+struct Bands {
+  double low = 0, height = 1;
+  int count = 1;
+
+  explicit Bands(const std::vector<Span>& spans) {
+    Box whole;
+    double sum = 0;
+    for (const Span& span : spans)
+      whole.add(span.box.low), whole.add(span.box.high), sum += span.box.high.y - span.box.low.y;
+    if (!(sum > 0)) return;
+    const double extent = whole.high.y - whole.low.y, mean = sum / static_cast<double>(spans.size());
+    low = whole.low.y;
+    count = static_cast<int>(std::clamp(extent / (4 * mean), 1.0, 1000.0));
+    height = extent / count;
+  }
+  int of(double y) const { return std::clamp(static_cast<int>((y - low) / height), 0, count - 1); }
+};
+
+// By a sweep from left to right through each band; a pair counts in the first band that both touch. Sorted.
 std::vector<Overlap> overlaps(std::vector<Span> spans) {
   std::stable_sort(spans.begin(), spans.end(), [](const Span& p, const Span& q) { return p.box.low.x < q.box.low.x; });
+  const Bands bands(spans);
+  std::vector<std::vector<const Span*>> open(bands.count);
   std::vector<Overlap> all;
-  std::vector<const Span*> open;
   for (const Span& span : spans) {
-    std::erase_if(open, [&](const Span* other) { return other->box.high.x < span.box.low.x; });
-    for (const Span* other : open) {
-      if (!meet(other->box, span.box)) continue;
-      const bool is_first = std::pair{span.curve, span.number} < std::pair{other->curve, other->number};
-      const Span &p = is_first ? span : *other, &q = is_first ? *other : span;
-      if (p.curve < q.curve || p.number + 1 < q.number) all.push_back({p.curve, q.curve, p.number, q.number});
+    const int first = bands.of(span.box.low.y), last = bands.of(span.box.high.y);
+    for (int band = first; band <= last; ++band) {
+      std::erase_if(open[band], [&](const Span* other) { return other->box.high.x < span.box.low.x; });
+      for (const Span* other : open[band]) {
+        if (!meet(other->box, span.box) || band != std::max(first, bands.of(other->box.low.y))) continue;
+        const bool is_first = std::pair{span.curve, span.number} < std::pair{other->curve, other->number};
+        const Span &p = is_first ? span : *other, &q = is_first ? *other : span;
+        if (p.curve < q.curve || p.number + 1 < q.number) all.push_back({p.curve, q.curve, p.number, q.number});
+      }
+      open[band].push_back(&span);
     }
-    open.push_back(&span);
   }
   std::sort(all.begin(), all.end());
   return all;
