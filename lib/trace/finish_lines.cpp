@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "trace/fit_line.hpp"
@@ -11,10 +13,12 @@ namespace {
 
 [[noreturn]] void fail_endless(const CadFace& face, const Streamline& line) {
   const Vec2 from = line.launch.origin + face.origin, to = line.end_position + face.origin;
-  throw ComputeError(
-      fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees has reached neither boundary "
-                  "nor node after {:.3g} diameters, near ({:.6g}, {:.6g})",
-                  from.x, from.y, degrees(wrap_pi(line.launch.angle)), line.length() / face.diameter, to.x, to.y));
+  const size_t count = line.steps.size();
+  const std::string steps = count < max_stream_steps ? "" : fmt::format(" and {} steps, the most allowed", count);
+  throw ComputeError(fmt::format(
+      "the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees has reached neither boundary "
+      "nor node after {:.3g} diameters{}, near ({:.6g}, {:.6g})",
+      from.x, from.y, degrees(wrap_pi(line.launch.angle)), line.length() / face.diameter, steps, to.x, to.y));
 }
 
 }  // namespace
