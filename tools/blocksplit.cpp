@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
   tool.description =
       "Walks the faces of the planar graph in SEP. Each must have four sides, else the exit code is 1 and the message "
       "names the place. A block is its four exact sides and their transfinite blend: no order is chosen here. A block "
-      "whose blend cannot be proved valid is cut through its long sides, with all blocks of its strip; every other "
+      "whose blend cannot be proved valid, or has a scaled Jacobian below 0.1, is cut through its long sides, with all "
+      "blocks of its strip, where that helps; every other "
       "layout is taken as it is. -v tells the worst and the smallest block, and what forces that one.";
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5"};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "block/extract_blocks.hpp"
 #include "block/split_chord.hpp"
@@ -15,18 +16,24 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-bool is_sound(const BlockMeasure& m) { return m.divisions > 0; }
+constexpr double poor_shape = 0.1;  // scaled Jacobian
 
-int count_unsound(const std::vector<BlockMeasure>& measures) {
-  return static_cast<int>(measures.size() - std::count_if(measures.begin(), measures.end(), is_sound));
+bool is_proved(const BlockMeasure& m) { return m.divisions > 0; }
+bool is_good(const BlockMeasure& m) { return is_proved(m) && m.map_scaled_jacobian >= poor_shape; }
+
+/// How many blocks are not proved, and how many are not good.
+std::pair<int, int> faults(const std::vector<BlockMeasure>& measures) {
+  std::pair<int, int> count{0, 0};
+  for (const BlockMeasure& m : measures) count.first += !is_proved(m), count.second += !is_good(m);
+  return count;
 }
 
-/// One arc of every chord that runs across the long sides of an unsound block.
+/// One arc of every chord that runs across the long sides of a bad block.
 std::set<int> arcs_to_cut(const Blocks& blocks) {
   const BlockMaps maps(blocks.layout);
   std::set<int> chords, arcs;
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
-    if (is_sound(blocks.measures[b])) continue;
+    if (is_good(blocks.measures[b])) continue;
     const std::array<int, 4>& sides = blocks.layout.block2arcs[b];
     const auto length = [&](int k) { return maps.arc(arc_of(sides[k])).length(); };
     const bool first = length(0) + length(2) >= (1 - 1e-6) * (length(1) + length(3));
@@ -39,7 +46,7 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
 /// One cut through each of these chords. False where none can be cut.
 bool cut_once(Blocks& blocks) {
   std::vector<bool> sound;
-  for (const BlockMeasure& m : blocks.measures) sound.push_back(is_sound(m));
+  for (const BlockMeasure& m : blocks.measures) sound.push_back(is_good(m));
   bool has_cut = false;
   for (const int arc : arcs_to_cut(blocks)) {
     has_cut |= split_chord(blocks.layout, blocks.layout.arc_chord[arc], sound);
@@ -49,10 +56,10 @@ bool cut_once(Blocks& blocks) {
   return has_cut;
 }
 
-void warn_of_unsound(const Blocks& blocks, Report& report) {
+void warn_of_invalid(const Blocks& blocks, Report& report) {
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
     const BlockMeasure& m = blocks.measures[b];
-    if (is_sound(m)) continue;
+    if (is_proved(m)) continue;
     const Vec2 place = m.scaled_jacobian_place + blocks.layout.face.origin;
     report.warn("W-BLK-001",
                 fmt::format("{} cannot be proved valid near ({:.6g}, {:.6g}): its exact map folds there, or nearly so",
@@ -67,11 +74,11 @@ Blocks mend_blocks(BlockLayout layout, Report& report) {
   best.measures = measure_blocks(best.layout);
   const int blocks_before = best.layout.num_blocks();
   Blocks trial = best;
-  for (int round = 0; round < most_rounds && count_unsound(trial.measures) > 0 && cut_once(trial); ++round)
-    if (count_unsound(trial.measures) < count_unsound(best.measures)) best = trial;
+  for (int round = 0; round < most_rounds && faults(trial.measures).second > 0 && cut_once(trial); ++round)
+    if (faults(trial.measures) < faults(best.measures)) best = trial;
   keep_measures(best.measures, best.layout);
   report.set("blocks_added_to_mend", best.layout.num_blocks() - blocks_before);
-  warn_of_unsound(best, report);
+  warn_of_invalid(best, report);
   return best;
 }
 

@@ -26,12 +26,27 @@ std::vector<Vec2> cell_nodes(const TransfiniteMap& map, int n, int i, int j) {
   return nodes;
 }
 
-/// Cells are not subdivided once more to sharpen their bounds: the next n does that.
-bool is_proved(const TransfiniteMap& map, int n) {
+/// Whether all n x n cells are proved, and their least scaled Jacobian. Cells are not subdivided once more to sharpen
+/// their bounds: the next n does that.
+bool is_proved(const TransfiniteMap& map, int n, double& scaled_jacobian) {
+  scaled_jacobian = 1;
   for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-      if (quad_jacobian_lower_bound(block_order, cell_nodes(map, n, i, j).data(), 0) <= 0) return false;
+    for (int i = 0; i < n; ++i) {
+      const std::vector<Vec2> nodes = cell_nodes(map, n, i, j);
+      if (quad_jacobian_lower_bound(block_order, nodes.data(), 0) <= 0) return false;
+      scaled_jacobian = std::min(scaled_jacobian, quad_scaled_jacobian(block_order, nodes.data()));
+    }
   return true;
+}
+
+void prove(const TransfiniteMap& map, BlockMeasure& m) {
+  m.divisions = 1;
+  m.map_scaled_jacobian = m.scaled_jacobian;
+  if (m.jacobian_bound > 0) return;
+  for (int n = 2; n <= greatest_division; n *= 2)
+    if (is_proved(map, m.divisions = n, m.map_scaled_jacobian)) return;
+  m.divisions = 0;
+  m.map_scaled_jacobian = -1;
 }
 
 /// Distance of x from an arc of the boundary.
@@ -75,12 +90,6 @@ double area_left_of(const Chain& chain) {
 
 }  // namespace
 
-int divisions_to_prove(const TransfiniteMap& map) {
-  for (int n = 1; n <= greatest_division; n *= 2)
-    if (is_proved(map, n)) return n;
-  return 0;
-}
-
 BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block) {
   BlockMeasure m;
   const TransfiniteMap map = maps.map(block);
@@ -89,7 +98,7 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int
   const ScaledJacobianMinimum scaled = quad_scaled_jacobian_minimum(block_order, nodes.data());
   m.scaled_jacobian = scaled.value;
   m.scaled_jacobian_place = quad_position(block_order, nodes.data(), scaled.xi);
-  m.divisions = m.jacobian_bound > 0 ? 1 : divisions_to_prove(map);
+  prove(map, m);
   m.shortest_side = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {
     const int directed = layout.block2arcs[block][k], a = arc_of(directed);

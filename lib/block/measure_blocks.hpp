@@ -19,9 +19,10 @@ struct BlockMeasure {
   /// The block is proved valid when its exact map is cut into n x n equal quads of order 8, n = 1, 2, 4, 8 or 16 the
   /// least such number; 0 where no such number is found: the exact map folds, or nearly so.
   int divisions = 0;
-  double area = 0;              ///< length^2
-  double shortest_side = 0;     ///< length
-  int shortest_side_index = 0;  ///< 0 to 3; the first of sides equal within 1e-6
+  double map_scaled_jacobian = -1;  ///< the least scaled Jacobian of those n^2 quads; -1 where divisions is 0
+  double area = 0;                  ///< length^2
+  double shortest_side = 0;         ///< length
+  int shortest_side_index = 0;      ///< 0 to 3; the first of sides equal within 1e-6
 };
 
 BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block);
@@ -29,8 +30,5 @@ std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout);
 
 /// Puts what the file keeps into the layout.
 void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);
-
-/// BlockMeasure::divisions of any map.
-int divisions_to_prove(const TransfiniteMap& map);
 
 }  // namespace quadrille

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "block/facing.hpp"
+#include "curve/nurbs.hpp"
 #include "mesh/chords.hpp"
 #include "trace/fit_line.hpp"
 
@@ -75,6 +76,18 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
 Vec2 times(Vec2 z, Vec2 w) { return {z.x * w.x - z.y * w.y, z.x * w.y + z.y * w.x}; }
 Vec2 over(Vec2 z, Vec2 w) { return times(z, {w.x, -w.y}) / norm2(w); }
 
+/// Whether curve(t) is the segment from curve(0) to curve(1), t the fraction of its length.
+template <typename Curve>
+bool is_straight(const Curve& curve, double tolerance) {
+  constexpr int samples = 16;
+  const Vec2 from = curve(0), to = curve(1);
+  for (int i = 1; i < samples; ++i) {
+    const double t = static_cast<double>(i) / samples;
+    if (distance(curve(t), (1 - t) * from + t * to) > tolerance) return false;
+  }
+  return true;
+}
+
 /// From `from` to `to` with the shape of `side` walked the same way: turned and scaled to fit.
 Vec2 like_side(const Walk& side, Vec2 from, Vec2 to, double t) {
   const Vec2 begin = side.at(0).position, end = side.at(1).position;
@@ -89,14 +102,15 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
   Walk left = side(c.side + 3);
   left.backwards = !left.backwards;
   const TransfiniteMap map = maps.map(c.block);
-  const auto position = [&](double t) {
+  const auto position = [&](double t) -> Vec2 {
     if (t == 0) return from;
     if (t == 1) return to;
     const double s = f + t * (g - f);
     if (sound) return c.side == 0 ? map.position(s, t) : map.position(1 - t, s);
     return (1 - s) * like_side(left, from, to, t) + s * like_side(right, from, to, t);
   };
-  const double length = distance(from, to);
+  const double length = distance(from, to), tolerance = fit_tolerance * layout.face.diameter;
+  if (is_straight(position, tolerance)) return segment(from, to);  // a spline of a tiny length would be all rounding
   const CurveFunction curve = [&](double x, Vec2& derivative) {
     constexpr double h = 1e-4;
     const double t = std::min(x / length, 1.0), low = std::max(t - h, 0.0), high = std::min(t + h, 1.0);
@@ -106,7 +120,7 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
     derivative = ((d - a) + 4 * at * (a - 2 * b + d)) / ((high - low) * length);
     return position(t);
   };
-  return fit_line(curve, length, fit_tolerance * layout.face.diameter);
+  return fit_line(curve, length, tolerance);
 }
 
 /// Divides an arc at the fraction f of its own direction: it keeps the first part. Returns the number of the second.

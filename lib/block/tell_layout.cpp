@@ -55,6 +55,9 @@ void tell_proof(const std::vector<BlockMeasure>& measures, Report& report) {
   const auto count = [&](const auto& has) {
     return static_cast<int>(std::count_if(measures.begin(), measures.end(), has));
   };
+  report.set(
+      "least_map_scaled_jacobian",
+      measures[worst(measures, [](const BlockMeasure& m) { return m.map_scaled_jacobian; })].map_scaled_jacobian);
   report.set("proved.as_one_quad", count([](const BlockMeasure& m) { return m.divisions == 1; }));
   report.set("proved.when_divided", count([](const BlockMeasure& m) { return m.divisions > 1; }));
   report.set("proved.not", count([](const BlockMeasure& m) { return m.divisions == 0; }));

@@ -34,23 +34,27 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   struct Interval {
     double a, b, length;
     int depth;
+    double error;  ///< of the interval that it is half of
   };
   std::vector<Interval> stack;
   for (size_t i = curve.knots.size() - 1; i > 0; --i) {
     const double a = curve.knots[i - 1], b = curve.knots[i];
-    if (a < b) stack.push_back({a, b, gauss(curve, a, b), 0});
+    if (a < b) stack.push_back({a, b, gauss(curve, a, b), 0, scale});
   }
   while (!stack.empty()) {
     const Interval whole = stack.back();
     stack.pop_back();
     const double m = (whole.a + whole.b) / 2;
     const double left = gauss(curve, whole.a, m), right = gauss(curve, m, whole.b);
-    if (std::abs(left + right - whole.length) <= 1e-14 * scale || whole.depth == 40) {
+    const double error = std::abs(left + right - whole.length);
+    // A curve that is tiny beside its coordinates is known to their rounding only: halving does not help any more.
+    const bool is_rounding = error <= 1e-6 * scale && error > whole.error / 16;
+    if (error <= 1e-14 * scale || is_rounding || whole.depth == 40) {
       add(m, lengths_.back() + left);
       add(whole.b, lengths_.back() + right);
     } else {
-      stack.push_back({m, whole.b, right, whole.depth + 1});
-      stack.push_back({whole.a, m, left, whole.depth + 1});
+      stack.push_back({m, whole.b, right, whole.depth + 1, error});
+      stack.push_back({whole.a, m, left, whole.depth + 1, error});
     }
   }
 }
