@@ -8,10 +8,10 @@ namespace quadrille::block_samples {
 
 /// Between the unit circle and a smaller one that nearly touches it at 18 degrees: narrow at one end, wide at the
 /// other. Points of one fraction of both sides do not face each other, and the exact map folds.
-/// `is_mirrored`: in the x axis.
-inline SeparatrixGraph near_tangent_strip(bool is_mirrored = false) {
+/// `gap`: its least width; from 0.002 on the map is valid but poor. `is_mirrored`: in the x axis.
+inline SeparatrixGraph near_tangent_strip(bool is_mirrored = false, double gap = 0.001) {
   const double sign = is_mirrored ? -1 : 1, radius = 0.554, high = 1.3;
-  const Vec2 centre = (1 - radius - 0.001) * unit(sign * 0.31);  // 0.001 wide where it is narrowest
+  const Vec2 centre = (1 - radius - gap) * unit(sign * 0.31);
   const Vec2 near_in = centre + Vec2{radius, 0}, far_in = centre + Vec2{0, sign * radius};
   const double low = std::asin(sign * near_in.y);
   const Vec2 near_out = unit(sign * low), far_out = unit(sign * high);

@@ -78,6 +78,17 @@ TEST(MakeBlocks, CutsAStripWhoseMapFolds) {
   EXPECT_TRUE(report.warnings().empty());
 }
 
+TEST(MakeBlocks, CutsAValidStripOfPoorShape) {
+  const SeparatrixGraph graph = block_samples::near_tangent_strip(false, 0.003);
+  const BlockMeasure before = measure_blocks(extract_blocks(graph))[0];
+  EXPECT_EQ(before.divisions, 1);
+  EXPECT_LT(before.map_scaled_jacobian, 0.1);
+  Report report;
+  const Blocks mended = make_blocks(graph, report);
+  EXPECT_EQ(mended.layout.num_blocks(), 2);
+  for (const BlockMeasure& m : mended.measures) EXPECT_GT(m.map_scaled_jacobian, 0.5);
+}
+
 TEST(MakeBlocks, CutsAMirroredStripInTheMirroredPlaces) {
   Report report;
   const BlockLayout a = make_blocks(block_samples::near_tangent_strip(), report).layout;

@@ -70,5 +70,17 @@ TEST(ArcLength, handles_a_vanishing_speed) {
   EXPECT_NEAR(ArcLength(curve).total(), (std::pow(13, 1.5) - 8) / 27, 3e-14);
 }
 
+TEST(ArcLength, of_a_curve_tiny_beside_its_coordinates_ends_where_rounding_begins) {
+  const Vec2 far{30, 20};
+  std::vector<double> at;
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 8; ++i) {
+    at.push_back(1e-6 * i / 8);
+    points.push_back(far + 1e-6 * unit(i / 8.0));
+  }
+  const Nurbs curve = cubic_spline(at, points, left_of(unit(0)), left_of(unit(1)));
+  EXPECT_NEAR(ArcLength(curve).total(), 1e-6, 1e-11);  // an arc of one radian
+}
+
 }  // namespace
 }  // namespace quadrille
