@@ -74,8 +74,13 @@ Blocks mend_blocks(BlockLayout layout, Report& report) {
   best.measures = measure_blocks(best.layout);
   const int blocks_before = best.layout.num_blocks();
   Blocks trial = best;
-  for (int round = 0; round < most_rounds && faults(trial.measures).second > 0 && cut_once(trial); ++round)
-    if (faults(trial.measures) < faults(best.measures)) best = trial;
+  int in_vain = 0;
+  for (int round = 0; round < most_rounds && in_vain < 2; ++round) {
+    if (faults(trial.measures).second == 0 || !cut_once(trial)) break;
+    const bool helps = faults(trial.measures) < faults(best.measures);
+    if (helps) best = trial;
+    in_vain = helps ? 0 : in_vain + 1;
+  }
   keep_measures(best.measures, best.layout);
   report.set("blocks_added_to_mend", best.layout.num_blocks() - blocks_before);
   warn_of_invalid(best, report);

@@ -15,10 +15,11 @@ struct Blocks {
 /// extract_blocks, then mend_blocks, then all measures, which are told to `report`.
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report);
 
-/// Cuts the chords of bad blocks lengthwise through their long sides, up to four times: of blocks whose exact map
-/// cannot be proved valid (BlockMeasure::divisions == 0) or has a scaled Jacobian below 0.1. Keeps the result with the
-/// fewest blocks of the first kind, among these the fewest of the second, among these the fewest cuts. Layouts without
-/// bad blocks are not touched. Warns of what stays invalid, with the place.
+/// Cuts the chords of bad blocks lengthwise through their long sides, up to four times, or until two cuts in sequence
+/// are in vain. Bad are blocks whose exact map cannot be proved valid (BlockMeasure::divisions == 0) or has a scaled
+/// Jacobian below 0.1. Keeps the result with the fewest blocks of the first kind, among these the fewest bad ones,
+/// among these the fewest cuts. Layouts without bad blocks are not touched. Warns of what stays invalid, with the
+/// place.
 Blocks mend_blocks(BlockLayout layout, Report& report);
 
 }  // namespace quadrille
