@@ -24,7 +24,7 @@ struct TraceOptions {
   int max_lines = 2000;             ///< more arcs of separatrices than this is an error
   double max_length = 20;           ///< of one line, in diameters
   /// "traced", "quantized", "auto" or "t-mesh" (trace/lay_out.hpp).
-  std::string layout = "traced";
+  std::string layout = "auto";
   void validate() const;  ///< throws UsageError
 };
 

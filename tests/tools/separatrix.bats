@@ -44,7 +44,7 @@ setup() {
 }
 
 @test "a bound on the number of arcs exits 1 with the count" {
-  run separatrix "$field" "$crit" --max-lines 3 -o a.sep.json
+  run separatrix "$field" "$crit" --layout traced --max-lines 3 -o a.sep.json
   assert_failure 1
   assert_output "separatrix: 5 separatrices cut each other into 5 arcs, more than the 3 allowed"
   assert_nothing_left
