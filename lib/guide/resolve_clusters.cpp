@@ -93,8 +93,7 @@ class Resolver {
                                  : "a multiple zero";
     if (nodes.empty()) return what + ", cancel: their indices add up to 0";
     if (nodes.size() == 1)
-      return fmt::format("{}, of index {} in all: now one node of valence {}", what, cluster.index,
-                         nodes[0].valence);
+      return fmt::format("{}, of index {} in all: now one node of valence {}", what, cluster.index, nodes[0].valence);
     return fmt::format("{}, of index {} in all: now {} nodes of valence {} on a circle", what, cluster.index,
                        nodes.size(), nodes[0].valence);
   }

@@ -43,7 +43,7 @@ class Follower {
 }  // namespace
 
 std::optional<ArcTurn> phase_turn(const FieldEvaluator& evaluator, Vec2 centre, double radius, double angle0,
-                                    double angle1) {
+                                  double angle1) {
   constexpr int steps = 128;
   Follower follower(evaluator, centre, radius);
   std::vector<Vec2> values(steps + 1);

@@ -77,7 +77,7 @@ void fill_unrolled(int wanted, Vec2 xi, double* f) {
 }
 
 void fill_values(int order, Vec2 xi, double* f) {
-  2 <= order && order <= 12 ? fill_unrolled(order, xi, f) : fill_rows(order, xi, f);
+  2 <= order&& order <= 12 ? fill_unrolled(order, xi, f) : fill_rows(order, xi, f);
 }
 
 void fill_gradients(int order, Vec2 xi, const double* __restrict f, double* __restrict f1, double* __restrict f2) {

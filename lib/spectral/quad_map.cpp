@@ -52,7 +52,9 @@ ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes)
     const Vec2 a{x1.data()[k], y1.data()[k]}, b{x2.data()[k], y2.data()[k]};
     const double det_j = cross(a, b), scale = std::sqrt(norm2(a) * norm2(b));
     const double value = scale > 0 ? det_j / scale : 0.0;
-    const auto coordinate = [&](Eigen::Index i) { return -1 + 2 * static_cast<double>(i) / static_cast<double>(x1.rows() - 1); };
+    const auto coordinate = [&](Eigen::Index i) {
+      return -1 + 2 * static_cast<double>(i) / static_cast<double>(x1.rows() - 1);
+    };
     if (k == 0 || value < least.value)
       least = {std::min(value, 1.0), {coordinate(k % x1.rows()), coordinate(k / x1.rows())}};
   }
