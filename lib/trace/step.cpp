@@ -35,9 +35,8 @@ Vec2 root(Vec2 z) {
 class Guide {
  public:
   explicit Guide(double direction) : d_(unit(direction)) {
-    const Vec2 d2 = product(d_, d_);
-    const Vec2 d4 = product(d2, d2);
-    conj_d4_ = {d4.x, -d4.y};
+    const Vec2 square = product(d_, d_), fourth = product(square, square);
+    conj_d4_ = {fourth.x, -fourth.y};
   }
 
   // d xi / d s at xi; false where the direction is in doubt.
