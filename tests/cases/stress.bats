@@ -2,8 +2,9 @@
 # All 500: tests/stress/run --jobs 2
 load ../tools/common
 
-# Plates with more than 20 holes take more than a minute today: they are counted as too slow, and given less than that.
-SECONDS_EACH=15
+# Of all 500, 496 are good, 476 with blocks above 0.1, and none takes more than 16 s of CPU
+# (tests/benchmarks/results/stress.json).
+SECONDS_EACH=60
 
 setup_file() {
   load ../tools/common
@@ -27,14 +28,14 @@ holds() {
 }
 
 @test "sample: no crash, few too slow; failures are of the shape and say where" {
-  holds '.summary.shapes == 50 and .summary.crashed == 0 and .summary.slow <= 6'
+  holds '.summary.shapes == 50 and .summary.crashed == 0 and .summary.slow == 0'
   holds 'all(.shapes[]; .slow or .exit_code == 0 or
     (.exit_code == 1 and (.message | test("\\([-0-9.e+]+, [-0-9.e+]+\\)"))))'
 }
 
 @test "sample: certified and valid layouts and meshes" {
-  holds '.summary.good >= 39'
-  holds '.summary["blocks_above_0.1"] >= 39'
+  holds '.summary.good >= 48'
+  holds '.summary["blocks_above_0.1"] >= 45'
 }
 
 @test "sample: the independent checker was there to judge" {
