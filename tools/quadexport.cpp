@@ -16,7 +16,7 @@
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
-#include "export/gmsh.hpp"
+#include "export/format_table.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 
@@ -30,10 +30,15 @@ bool ends_with(const std::string& text, const std::string& ending) {
 
 std::string format_of(const std::string& output, const std::string& wish) {
   if (wish != "auto") return wish;
+  if (output == "-") return "msh";
   if (ends_with(output, ".step") || ends_with(output, ".stp")) return "step";
-  if (output == "-" || ends_with(output, ".msh")) return "msh";
+  if (const ExportFormat* format = export_format_of(output)) return std::string(format->name);
+  std::string endings = ".step";
+  for (const ExportFormat& format : export_formats())
+    if (!format.ending.empty() && endings.find(format.ending) == std::string::npos)
+      endings += fmt::format(" {}", format.ending);
   throw UsageError(
-      fmt::format("cannot tell the format from the name {}: end it in .msh or .step or give --format", output));
+      fmt::format("cannot tell the format from the name {}: end it in one of {} or give --format", output, endings));
 }
 
 /// The program that is linked to the CAD kernel, beside our own: bin/../libexec.
@@ -87,43 +92,74 @@ void write_step(std::string input, std::string output) {
   throw Error(static_cast<ExitCode>(WEXITSTATUS(status)), said.substr(0, said.find('\n')));
 }
 
-void write_msh(const std::string& input, const std::string& output, Session& s) {
+/// `output` with another ending: half_disc.re2 -> half_disc.names.json.
+std::string beside(const std::string& output, const std::string& ending) {
+  const std::size_t slash = output.rfind('/'), dot = output.rfind('.');
+  const bool has_ending = dot != std::string::npos && dot > 0 && (slash == std::string::npos || dot > slash + 1);
+  return output.substr(0, has_ending ? dot : output.size()) + ending;
+}
+
+void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,
+                Session& s) {
   s.begin_phase("read");
   const InputFile file = read_input(input);
   const QuadMesh mesh = read_quad_mesh(file);
   require_valid(check_quad_mesh(mesh, CheckDepth::quick), file.name);
   s.begin_phase("write");
-  const std::string text = gmsh_msh41(mesh);
+  const Exported exported = export_mesh(mesh, *find_export_format(format_name), in_space);
+  s.report().set("format", format_name);
   s.report().set("quads", mesh.num_elems());
   s.report().set("nodes", mesh.nodes.size());
-  write_output(output, text, false);
+  for (const std::string& loss : exported.losses) s.report().warn("W-EXP-001", loss);
+  for (const SideFile& side : exported.side_files) {
+    if (output == "-")
+      s.report().warn("W-EXP-002", fmt::format("*{} is not written: standard output takes one file", side.ending));
+    else
+      write_output(beside(output, side.ending), side.bytes, side.is_binary);
+  }
+  write_output(output, exported.bytes, exported.is_binary);
   s.end_phase();
+}
+
+/// "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10; ..."
+std::string format_list() {
+  std::string list;
+  for (const ExportFormat& f : export_formats())
+    list += fmt::format("{}{}: {}, orders 1 to {}", list.empty() ? "" : "; ", f.name, f.summary, f.max_order);
+  return list;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-", format = "auto";
+  std::string input = "-", output = "-", format = "auto", frame = "2d";
+  std::vector<std::string> formats{"auto"};
+  for (const ExportFormat& f : export_formats()) formats.emplace_back(f.name);
+  formats.emplace_back("step");
   Tool tool;
   tool.name = "quadexport";
   tool.summary = "writes a mesh or its blocks for other programs";
   tool.description =
-      "A quad mesh becomes a Gmsh file (MSH 4.1, ASCII, orders 1 to 10) with boundary curves and blocks as named "
-      "physical groups. A block layout becomes a STEP model of faces that share their edges. The format follows from "
-      "the output's ending, or --format; standard output is MSH by default.";
+      "A quad mesh becomes a file of a solver's format, with the names of boundaries and blocks; the nodes are those "
+      "that the format means. What it cannot hold is said on standard error. A block layout becomes a STEP model of "
+      "faces that share their edges. The format follows from the output's ending, or --format; standard output is MSH "
+      "by default. Formats: " +
+      format_list() + ".";
   tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
                    "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
                    "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
   tool.options = [&](Options& o) {
-    o.input("INPUT", input, "quad mesh (x.quad.h5) for .msh, block layout (x.blocks.h5) for .step");
-    o.output(output, "file to write: .msh or .step");
-    o.choice("--format", format, {"auto", "msh", "step"}, "auto: by the ending of the output");
+    o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
+    o.output(output, "file to write");
+    o.choice("--format", format, formats, "auto: by the ending of the output");
+    o.choice("--frame", frame, {"2d", "3d"}, "3d: coordinates of the CAD model's own space");
   };
   tool.run = [&](Session& s) {
-    if (format_of(output, format) == "step")
+    const std::string name = format_of(output, format);
+    if (name == "step")
       write_step(input, output);
     else
-      write_msh(input, output, s);
+      write_mesh(input, output, name, frame == "3d", s);
   };
   tool.report_writer = write_report;
   return tool_main(argc, argv, tool);

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
 
-#include "base/error.hpp"
 #include "export/equispaced.hpp"
+#include "export/groups.hpp"
 #include "export/skeleton.hpp"
 
 namespace quadrille {
@@ -36,20 +35,20 @@ std::vector<int> quad_node_sequence(int order) {
   return sequence;
 }
 
+using Position = std::array<double, 3>;
+
 struct Box {
-  Vec2 lower{1e300, 1e300}, upper{-1e300, -1e300};
-  void add(Vec2 x) {
-    lower = {std::min(lower.x, x.x), std::min(lower.y, x.y)};
-    upper = {std::max(upper.x, x.x), std::max(upper.y, x.y)};
+  Position lower{1e300, 1e300, 1e300}, upper{-1e300, -1e300, -1e300};
+  void add(const Position& x) {
+    for (int k = 0; k < 3; ++k) lower[k] = std::min(lower[k], x[k]), upper[k] = std::max(upper[k], x[k]);
   }
 };
 
 class Writer {
  public:
-  explicit Writer(const QuadMesh& mesh)
-      : mesh_(mesh), skeleton_(mesh_skeleton(mesh)), positions_(equispaced_nodes(mesh)) {
-    for (Vec2& x : positions_) x += mesh.face.origin;
-    name_groups();
+  Writer(const QuadMesh& mesh, const Frame& frame)
+      : mesh_(mesh), skeleton_(mesh_skeleton(mesh)), groups_(mesh_groups(mesh)) {
+    for (const Vec2 x : equispaced_nodes(mesh)) positions_.push_back(frame.at(x));
     classify_nodes();
   }
 
@@ -70,22 +69,9 @@ class Writer {
 
   int num_blocks() const { return static_cast<int>(mesh_.block_names.size()); }
 
-  std::string curve_name(int curve) const {
-    const std::string& name = mesh_.face.curve_names[curve];
-    return name.empty() ? fmt::format("curve_{}", curve) : name;
-  }
-
-  /// Boundary groups get the first numbers, in the sequence of the curves; each block is a group of its own.
-  void name_groups() {
-    std::map<std::string, int> tags;
-    for (int curve = 0; curve < mesh_.face.num_curves(); ++curve) {
-      const auto [group, is_new] = tags.try_emplace(curve_name(curve), static_cast<int>(group_names_.size()) + 1);
-      if (is_new) group_names_.push_back(group->first);
-      curve_group_.push_back(group->second);
-    }
-  }
-
-  int block_group(int block) const { return static_cast<int>(group_names_.size()) + 1 + block; }
+  /// Boundary groups get the first numbers, regions the next.
+  int boundary_group(int curve) const { return 1 + groups_.curve2boundary[curve]; }
+  int region_group(int block) const { return 1 + groups_.num_boundaries() + groups_.block2region[block]; }
 
   /// A node belongs to the entity of lowest dimension that holds it.
   void classify_nodes() {
@@ -112,19 +98,22 @@ class Writer {
   }
 
   void write_names() {
-    print("$PhysicalNames\n{}\n", group_names_.size() + mesh_.block_names.size());
-    for (std::size_t g = 0; g < group_names_.size(); ++g) print("1 {} \"{}\"\n", g + 1, quoted(group_names_[g]));
-    for (int b = 0; b < num_blocks(); ++b) print("2 {} \"{}\"\n", block_group(b), quoted(mesh_.block_names[b]));
+    print("$PhysicalNames\n{}\n", groups_.num_boundaries() + groups_.num_regions());
+    int tag = 0;
+    for (const std::string& name : groups_.boundary_names) print("1 {} \"{}\"\n", ++tag, quoted(name));
+    for (const std::string& name : groups_.region_names) print("2 {} \"{}\"\n", ++tag, quoted(name));
     print("$EndPhysicalNames\n");
   }
 
-  void write_box(const Box& box) { print("{} {} 0 {} {} 0", box.lower.x, box.lower.y, box.upper.x, box.upper.y); }
+  void write_position(const Position& x) { print("{} {} {}", x[0], x[1], x[2]); }
+  void write_box(const Box& box) { write_position(box.lower), print(" "), write_position(box.upper); }
 
   void write_entities() {
     print("$Entities\n{} {} {} 0\n", skeleton_.points.size(), skeleton_.curves.size(), num_blocks());
     for (std::size_t p = 0; p < skeleton_.points.size(); ++p) {
-      const Vec2 x = positions_[skeleton_.points[p]];
-      print("{} {} {} 0 0\n", p + 1, x.x, x.y);
+      print("{} ", p + 1);
+      write_position(positions_[skeleton_.points[p]]);
+      print(" 0\n");
     }
     std::vector<std::vector<int>> bounding(num_blocks());
     std::vector<Box> block_box(num_blocks());
@@ -134,7 +123,7 @@ class Writer {
       for (const int node : entity_nodes_[2][b]) block_box[b].add(positions_[node]);
       print("{} ", b + 1);
       write_box(block_box[b]);
-      print(" 1 {} {}", block_group(b), bounding[b].size());
+      print(" 1 {} {}", region_group(b), bounding[b].size());
       for (const int curve : bounding[b]) print(" {}", curve);
       print("\n");
     }
@@ -156,7 +145,7 @@ class Writer {
     print("{} ", c + 1);
     write_box(box);
     if (curve.cad_curve >= 0)
-      print(" 1 {}", curve_group_[curve.cad_curve]);
+      print(" 1 {}", boundary_group(curve.cad_curve));
     else
       print(" 0");
     print(" 2 {} {}\n", curve.from + 1, -(curve.to + 1));
@@ -175,7 +164,7 @@ class Writer {
         if (nodes.empty()) continue;
         print("{} {} 0 {}\n", dim, e + 1, nodes.size());
         for (const int node : nodes) print("{}\n", node_tag_[node] = ++tag);
-        for (const int node : nodes) print("{} {} 0\n", positions_[node].x, positions_[node].y);
+        for (const int node : nodes) write_position(positions_[node]), print("\n");
       }
     print("$EndNodes\n");
   }
@@ -221,20 +210,15 @@ class Writer {
 
   const QuadMesh& mesh_;
   Skeleton skeleton_;
-  std::vector<Vec2> positions_;
-  std::vector<std::string> group_names_;
-  std::vector<int> curve_group_, node_tag_;
+  Groups groups_;
+  std::vector<Position> positions_;
+  std::vector<int> node_tag_;
   std::array<std::vector<std::vector<int>>, 3> entity_nodes_;  ///< by dimension and entity
   fmt::memory_buffer out_;
 };
 
 }  // namespace
 
-std::string gmsh_msh41(const QuadMesh& mesh) {
-  if (mesh.order > max_order)
-    throw ComputeError(fmt::format(
-        "Gmsh knows quads up to order {}, this mesh has order {}; refine with a lower --order", max_order, mesh.order));
-  return Writer(mesh).text();
-}
+Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) { return {Writer(mesh, frame).text(), false, {}, {}}; }
 
 }  // namespace quadrille

@@ -1,13 +1,11 @@
 #pragma once
 // Gmsh MSH 4.1 (ASCII): physical groups for boundaries and blocks, orders 1-10, equispaced nodes.
 
-#include <string>
-
-#include "model/quad_mesh.hpp"
+#include "export/format_table.hpp"
 
 namespace quadrille {
 
-/// The file's text. Throws ComputeError for an order that the format cannot hold.
-std::string gmsh_msh41(const QuadMesh& mesh);
+/// The format_table's writer.
+Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille

@@ -1,0 +1,45 @@
+#include "export/format_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "export/gmsh.hpp"
+
+namespace quadrille {
+
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats{
+      {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
+  };
+  return formats;
+}
+
+const ExportFormat* find_export_format(std::string_view name) {
+  const auto& formats = export_formats();
+  const auto at = std::find_if(formats.begin(), formats.end(), [&](const ExportFormat& f) { return f.name == name; });
+  return at == formats.end() ? nullptr : &*at;
+}
+
+const ExportFormat* export_format_of(std::string_view file_name) {
+  const auto& formats = export_formats();
+  const auto at = std::find_if(formats.begin(), formats.end(), [&](const ExportFormat& f) {
+    return !f.ending.empty() && file_name.size() > f.ending.size() && file_name.ends_with(f.ending);
+  });
+  return at == formats.end() ? nullptr : &*at;
+}
+
+Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space) {
+  if (mesh.order > format.max_order)
+    throw ComputeError(
+        fmt::format("the format {} holds quads up to order {}, this mesh has order {}; refine with a "
+                    "lower --order",
+                    format.name, format.max_order, mesh.order));
+  if (in_space && !format.holds_space)
+    throw UsageError(
+        fmt::format("the format {} holds coordinates of the plane only: leave out --frame 3d", format.name));
+  return format.write(mesh, in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
+}
+
+}  // namespace quadrille

@@ -1,0 +1,50 @@
+#pragma once
+// The solver formats: one row each, and what a writer hands back. One file per format implements its writer.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
+
+namespace quadrille {
+
+/// A file that a format needs beside the main one, such as a table of names.
+struct SideFile {
+  std::string ending;  ///< takes the place of the main file's own ending: ".names.json"
+  std::string bytes;
+  bool is_binary = false;
+};
+
+struct Exported {
+  std::string bytes;
+  bool is_binary = false;
+  std::vector<SideFile> side_files;
+  /// What the format cannot hold of this mesh: a sentence each, with the size of the loss.
+  std::vector<std::string> losses;
+};
+
+struct ExportFormat {
+  std::string_view name;     ///< for --format
+  std::string_view ending;   ///< of file names; empty: by --format only
+  std::string_view summary;  ///< for --help
+  int max_order = 20;        ///< greater ones are refused before the writer is called
+  bool holds_space = false;  ///< can be written with --frame 3d
+  Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
+};
+
+/// All formats of a quad mesh, in the sequence in which the help lists them.
+const std::vector<ExportFormat>& export_formats();
+
+/// The row of that name; nullptr where there is none.
+const ExportFormat* find_export_format(std::string_view name);
+
+/// The first row whose ending the file name has; nullptr where there is none.
+const ExportFormat* export_format_of(std::string_view file_name);
+
+/// Writes the mesh. Throws ComputeError for an order that the format cannot hold, UsageError for a frame in space that
+/// it cannot.
+Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space);
+
+}  // namespace quadrille

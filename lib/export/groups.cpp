@@ -1,0 +1,34 @@
+#include "export/groups.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace quadrille {
+namespace {
+
+/// The number of each name in `distinct`, which grows by the names that are new.
+std::vector<int> number(const std::vector<std::string>& names, std::vector<std::string>& distinct) {
+  std::map<std::string, int> known;
+  std::vector<int> numbers;
+  for (const std::string& name : names) {
+    const auto [entry, is_new] = known.try_emplace(name, static_cast<int>(distinct.size()));
+    if (is_new) distinct.push_back(name);
+    numbers.push_back(entry->second);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Groups mesh_groups(const QuadMesh& mesh) {
+  std::vector<std::string> curve_names = mesh.face.curve_names;
+  for (std::size_t curve = 0; curve < curve_names.size(); ++curve)
+    if (curve_names[curve].empty()) curve_names[curve] = fmt::format("curve_{}", curve);
+  Groups groups;
+  groups.curve2boundary = number(curve_names, groups.boundary_names);
+  groups.block2region = number(mesh.block_names, groups.region_names);
+  return groups;
+}
+
+}  // namespace quadrille
