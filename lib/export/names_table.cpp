@@ -1,0 +1,49 @@
+#include "export/names_table.hpp"
+
+#include <fmt/format.h>
+
+namespace quadrille {
+namespace {
+
+/// A JSON string. UTF-8 passes as it is.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += {'\\', c};
+    else if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::string list(const std::vector<NamedGroup>& groups) {
+  std::string out;
+  for (const NamedGroup& group : groups) {
+    out += fmt::format("{}    {{\"id\": {}, \"name\": {}", out.empty() ? "\n" : ",\n", group.id, quoted(group.name));
+    if (!group.tag.empty()) out += fmt::format(", \"tag\": {}", quoted(group.tag));
+    out += '}';
+  }
+  return out.empty() ? "[]" : fmt::format("[{}\n  ]", out);
+}
+
+std::vector<NamedGroup> numbered(const std::vector<std::string>& names, int first) {
+  std::vector<NamedGroup> groups;
+  for (const std::string& name : names) groups.push_back({first + static_cast<int>(groups.size()), name, {}});
+  return groups;
+}
+
+}  // namespace
+
+SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions) {
+  return {".names.json",
+          fmt::format("{{\n  \"boundaries\": {},\n  \"regions\": {}\n}}\n", list(boundaries), list(regions)), false};
+}
+
+SideFile names_table(const Groups& groups, int first_boundary, int first_region) {
+  return names_table(numbered(groups.boundary_names, first_boundary), numbered(groups.region_names, first_region));
+}
+
+}  // namespace quadrille

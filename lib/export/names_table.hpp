@@ -1,0 +1,26 @@
+#pragma once
+// A table of names beside the mesh, for formats that know groups by number only, or not by every name:
+// x.names.json = {"boundaries": [{"id": 1, "name": "wall"}, ...], "regions": [{"id": 1, "name": "block_0"}, ...]}.
+
+#include <string>
+#include <vector>
+
+#include "export/format_table.hpp"
+#include "export/groups.hpp"
+
+namespace quadrille {
+
+struct NamedGroup {
+  int id = 0;        ///< the group's number in the main file
+  std::string name;  ///< its name in the CAD model or from the user, UTF-8
+  std::string tag;   ///< what the main file calls it; empty where it has no names or takes this one as it is
+};
+
+/// The table as a side file with the ending .names.json.
+SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions);
+
+/// The same with the groups' own sequence as numbers: boundaries count from `first_boundary`, regions from
+/// `first_region`.
+SideFile names_table(const Groups& groups, int first_boundary = 1, int first_region = 1);
+
+}  // namespace quadrille
