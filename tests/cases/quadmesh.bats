@@ -112,6 +112,19 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_nothing_left
 }
 
+@test "a mistake in the options of a late stage is told before any work is done" {
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  printf '#!/bin/sh\ntouch started\nexit 1\n' >fake/cad2tri.sh && chmod +x fake/cad2tri.sh && mv fake/cad2tri.sh fake/cad2tri
+  for options in "--size x" "--max-valence 3.5" "--simplify wrong" "-o out.unknown" "--format unknown" "--frame 4d"; do
+    # shellcheck disable=SC2086 # words
+    QUADRILLE_BIN=$PWD/fake run -2 "$quadmesh" "$DATA/square.step" $options
+    assert_file_not_exists started
+  done
+  QUADRILLE_BIN=$PWD/fake run -1 "$quadmesh" "$DATA/square.step" -o out.msh
+  assert_file_exists started
+}
+
 @test "an output that cannot be written is exit 4, nothing is left" {
   run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o nowhere/out.msh
   [[ $stderr == "quadexport: "*nowhere/out.msh* ]] || fail "$stderr"
@@ -154,6 +167,7 @@ moving_critpoints() {
   rm fake/critpoints
   cat >fake/critpoints <<END
 #!/bin/sh
+case " \$* " in *" -o "*) ;; *) exit 3 ;; esac # only asked whether its options are right
 echo "\$@" >arguments
 field=\$1
 while [ "\$1" != -o ]; do shift; done
