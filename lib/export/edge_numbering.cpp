@@ -1,0 +1,78 @@
+#include "export/edge_numbering.hpp"
+
+#include <algorithm>
+
+#include "export/skeleton.hpp"
+
+namespace quadrille {
+namespace {
+
+class Numbering {
+ public:
+  explicit Numbering(const QuadMesh& mesh) : mesh_(mesh), node2vertex_(mesh.nodes.size(), -1) {
+    result_.elem2verts.reserve(4 * mesh.num_elems());
+    result_.elem2edges.reserve(4 * mesh.num_elems());
+  }
+
+  EdgeNumbering build() {
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
+      for (int side = 0; side < 4; ++side) result_.elem2verts.push_back(vertex_at(side_start(mesh_, elem, side)));
+      for (int side = 0; side < 4; ++side) result_.elem2edges.push_back(edge_at(elem, side));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  int vertex_at(int node) {
+    if (node2vertex_[node] < 0) {
+      node2vertex_[node] = result_.num_vertices();
+      result_.vertices.push_back(node);
+      first_edge_.push_back(-1);
+    }
+    return node2vertex_[node];
+  }
+
+  /// Edges of one lower vertex are a list, in which few have to be looked at.
+  int edge_at(int elem, int side) {
+    const int* corners = &result_.elem2verts[4 * elem];
+    const int from = corners[side], to = corners[(side + 1) % 4];
+    const NumberedEdge edge{{std::min(from, to), std::max(from, to)}, elem, side, from > to};
+    const int inner = inner_node(edge);
+    int* link = &first_edge_[edge.vertices[0]];
+    while (*link >= 0) {
+      if (result_.edges[*link].vertices[1] == edge.vertices[1] && inner_[*link] == inner) return *link;
+      link = &next_edge_[*link];
+    }
+    const int number = *link = result_.num_edges();
+    result_.edges.push_back(edge);
+    inner_.push_back(inner);
+    next_edge_.push_back(-1);  // after the last use of `link`, which may point into this list
+    return number;
+  }
+
+  /// The node next to the lower vertex (the other vertex for order 1).
+  int inner_node(const NumberedEdge& edge) const {
+    const int n = mesh_.order, width = n + 1;
+    const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
+    const int local = starts[edge.side] + (edge.is_reversed ? n - 1 : 1) * strides[edge.side];
+    return mesh_.elem_nodes[edge.elem * width * width + local];
+  }
+
+  const QuadMesh& mesh_;
+  EdgeNumbering result_;
+  std::vector<int> node2vertex_;
+  std::vector<int> first_edge_;         ///< by lower vertex: head of its list, -1 none
+  std::vector<int> next_edge_, inner_;  ///< by edge: the next of the list, -1 at its end; node that tells it apart
+};
+
+}  // namespace
+
+EdgeNumbering number_edges(const QuadMesh& mesh) { return Numbering(mesh).build(); }
+
+std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge) {
+  std::vector<int> nodes = side_nodes(mesh, edge.elem, edge.side);
+  if (edge.is_reversed) std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,36 @@
+#pragma once
+// Vertices and edges of a quad mesh, numbered as formats with edge tables want them: in the sequence in which a loop
+// over the elements meets them, corner by corner and side by side; an edge runs from its vertex of lower number to the
+// other.
+//
+// Index base 0. Two edges between the same two vertices stay two, told apart by their inner nodes (order >= 2).
+
+#include <array>
+#include <vector>
+
+#include "model/quad_mesh.hpp"
+
+namespace quadrille {
+
+struct NumberedEdge {
+  std::array<int, 2> vertices{};  ///< the lower number first: the edge's own direction
+  int elem = 0, side = 0;         ///< where it was met first
+  bool is_reversed = false;       ///< that element's counter-clockwise direction is the opposite one
+};
+
+struct EdgeNumbering {
+  std::vector<int> vertices;    ///< vertex -> mesh node
+  std::vector<int> elem2verts;  ///< 4 per element, corners counter-clockwise
+  std::vector<int> elem2edges;  ///< 4 per element, by side
+  std::vector<NumberedEdge> edges;
+
+  int num_vertices() const { return static_cast<int>(vertices.size()); }
+  int num_edges() const { return static_cast<int>(edges.size()); }
+};
+
+EdgeNumbering number_edges(const QuadMesh& mesh);
+
+/// Mesh nodes of an edge in its own direction, both ends included.
+std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
+
+}  // namespace quadrille
