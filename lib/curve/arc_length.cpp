@@ -9,12 +9,6 @@
 namespace quadrille {
 namespace {
 
-double speed(const Nurbs& curve, double t) { return norm(derivative(curve, t)); }
-
-double gauss(const Nurbs& curve, double a, double b) {
-  return gauss_integral<16>([&](double t) { return speed(curve, t); }, a, b);
-}
-
 bool has_equal_weights(const Nurbs& curve) {
   return std::all_of(curve.weights.begin(), curve.weights.end(), [&](double w) { return w == curve.weights[0]; });
 }
@@ -22,11 +16,12 @@ bool has_equal_weights(const Nurbs& curve) {
 }  // namespace
 
 ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
-  is_polyline_ = curve.degree == 1 && has_equal_weights(curve);
-  add(curve.begin(), 0);
+  const bool is_polynomial = has_equal_weights(curve);
+  is_polyline_ = curve.degree == 1 && is_polynomial;
+  add(curve.begin(), 0, 0);
   if (is_polyline_) {
     for (size_t i = 1; i < curve.poles.size(); ++i)
-      add(curve.knots[i + 1], lengths_.back() + distance(curve.poles[i - 1], curve.poles[i]));
+      add(curve.knots[i + 1], lengths_.back() + distance(curve.poles[i - 1], curve.poles[i]), i - 1);
     return;
   }
   double scale = 0;
@@ -35,34 +30,54 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
     double a, b, length;
     int depth;
     double error;  ///< of the interval that it is half of
+    size_t span;
   };
   std::vector<Interval> stack;
-  for (size_t i = curve.knots.size() - 1; i > 0; --i) {
+  for (size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = curve.knots[i - 1], b = curve.knots[i];
-    if (a < b) stack.push_back({a, b, gauss(curve, a, b), 0, scale});
+    if (!(a < b)) continue;
+    if (is_polynomial && curve.degree <= 3) {
+      const auto d = derivatives(curve, (a + b) / 2);
+      quadratics_.push_back({(a + b) / 2, {d[1], d[2], d[3] / 2}});
+    }
+    stack.push_back({a, b, gauss(stack.size(), a, b), 0, scale, stack.size()});
   }
+  speeds_.front() = speed(0, curve.begin());
+  std::reverse(stack.begin(), stack.end());
   while (!stack.empty()) {
     const Interval whole = stack.back();
     stack.pop_back();
     const double m = (whole.a + whole.b) / 2;
-    const double left = gauss(curve, whole.a, m), right = gauss(curve, m, whole.b);
+    const double left = gauss(whole.span, whole.a, m), right = gauss(whole.span, m, whole.b);
     const double error = std::abs(left + right - whole.length);
     // A curve that is tiny beside its coordinates is known to their rounding only: halving does not help any more.
     const bool is_rounding = error <= 1e-6 * scale && error > whole.error / 16;
     if (error <= 1e-14 * scale || is_rounding || whole.depth == 40) {
-      add(m, lengths_.back() + left);
-      add(whole.b, lengths_.back() + right);
+      add(m, lengths_.back() + left, whole.span);
+      add(whole.b, lengths_.back() + right, whole.span);
     } else {
-      stack.push_back({m, whole.b, right, whole.depth + 1, error});
-      stack.push_back({whole.a, m, left, whole.depth + 1, error});
+      stack.push_back({m, whole.b, right, whole.depth + 1, error, whole.span});
+      stack.push_back({whole.a, m, left, whole.depth + 1, error, whole.span});
     }
   }
 }
 
-void ArcLength::add(double parameter, double length) {
+void ArcLength::add(double parameter, double length, size_t span) {
   parameters_.push_back(parameter);
   lengths_.push_back(length);
-  speeds_.push_back(speed(*curve_, parameter));
+  speeds_.push_back(speed(span, parameter));
+  spans_.push_back(span);
+}
+
+double ArcLength::speed(size_t span, double t) const {
+  if (quadratics_.empty()) return norm(derivative(*curve_, t));
+  const Quadratic& q = quadratics_[span];
+  const double u = t - q.middle;
+  return std::sqrt(norm2(q.d[0] + u * (q.d[1] + u * q.d[2])));
+}
+
+double ArcLength::gauss(size_t span, double a, double b) const {
+  return gauss_integral<16>([&](double t) { return speed(span, t); }, a, b);
 }
 
 double ArcLength::at(double t) const {
@@ -77,7 +92,7 @@ double ArcLength::inside(size_t i, double t) const {
   if (is_polyline_) return whole * ((t - a) / (b - a));
   // From the nearer end: at most a quarter of an interval on which 16 points were enough, so 8 are. And the middle of
   // a symmetric curve is its middle to the last digit.
-  const auto f = [&](double u) { return speed(*curve_, u); };
+  const auto f = [&](double u) { return speed(spans_[i + 1], u); };
   if (t - a <= b - t) return t == a ? 0 : gauss_integral<8>(f, a, t);
   return t == b ? whole : whole - gauss_integral<8>(f, t, b);
 }
@@ -103,7 +118,7 @@ double ArcLength::parameter(double length) const {
   for (int iteration = 0; iteration < 60; ++iteration) {
     const double missing = length - lengths_[i] - inside(i, t);
     (missing > 0 ? low : high) = t;
-    double next = t + missing / speed(*curve_, t);
+    double next = t + missing / speed(spans_[i + 1], t);
     if (!(next > low && next < high)) {
       if (next == low || next == high) return next;
       next = (low + high) / 2;

@@ -1,6 +1,7 @@
 #pragma once
 // Arc length of a NURBS curve and its inverse, to round-off, from a table made once per curve.
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -23,14 +24,26 @@ class ArcLength {
   double parameter(double length) const;
 
  private:
-  void add(double parameter, double length);
+  /// The derivative on one knot span of a polynomial curve of degree 3 or less, d[0] + d[1] (t - middle) +
+  /// d[2] (t - middle)^2: a tenth of the cost of evaluating the curve.
+  struct Quadratic {
+    double middle = 0;
+    std::array<Vec2, 3> d;
+  };
+
+  void add(double parameter, double length, std::size_t span);
+  /// Parameters in a knot span; spans count those that are not empty.
+  double speed(std::size_t span, double t) const;
+  double gauss(std::size_t span, double a, double b) const;
   /// Length from parameters_[i] to t, which lies in interval i.
   double inside(std::size_t i, double t) const;
   /// Cubic guess of the parameter at `length` in interval i, from lengths and speeds at its ends.
   double guess(std::size_t i, double length) const;
 
   const Nurbs* curve_;
+  std::vector<Quadratic> quadratics_;  // of the spans; none for other curves
   std::vector<double> parameters_, lengths_, speeds_;
+  std::vector<std::size_t> spans_;  // of the interval that ends at each parameter
   bool is_polyline_ = false;
 };
 

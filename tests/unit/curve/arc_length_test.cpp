@@ -82,5 +82,19 @@ TEST(ArcLength, of_a_curve_tiny_beside_its_coordinates_ends_where_rounding_begin
   EXPECT_NEAR(ArcLength(curve).total(), 1e-6, 1e-11);  // an arc of one radian
 }
 
+// y = x^2 on [-1, 2] as a cubic spline of uneven spans, which reproduces it; length of the part to x is exact.
+TEST(ArcLength, of_a_parabola_of_many_spans_is_exact_to_round_off) {
+  const std::vector<double> x{-1, -0.9, -0.2, 0.5, 0.6, 1.7, 2};
+  std::vector<Vec2> points;
+  for (const double t : x) points.push_back({t, t * t});
+  const Nurbs parabola = cubic_spline(x, points, {1, -2}, {1, 4});
+  const ArcLength length(parabola);
+  const auto primitive = [](double t) { return (2 * t * std::sqrt(1 + 4 * t * t) + std::asinh(2 * t)) / 4; };
+  for (const double t : {-0.95, -0.9, 0.0, 0.3, 1.699, 2.0}) {
+    EXPECT_NEAR(length.at(t), primitive(t) - primitive(-1), 1e-14 * length.total());
+    EXPECT_NEAR(length.parameter(primitive(t) - primitive(-1)), t, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace quadrille
