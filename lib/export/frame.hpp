@@ -16,6 +16,11 @@ struct Frame {
     return {origin[0] + x.x * x_axis[0] + x.y * y_axis[0], origin[1] + x.x * x_axis[1] + x.y * y_axis[1],
             origin[2] + x.x * x_axis[2] + x.y * y_axis[2]};
   }
+
+  /// All of it has z = 0 and counter-clockwise stays counter-clockwise, so that two coordinates say it all.
+  bool is_plane() const {
+    return origin[2] == 0 && x_axis[2] == 0 && y_axis[2] == 0 && x_axis[0] * y_axis[1] > x_axis[1] * y_axis[0];
+  }
 };
 
 /// The face's own plane, z = 0.

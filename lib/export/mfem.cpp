@@ -1,0 +1,148 @@
+#include "export/mfem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "base/error.hpp"
+#include "export/edge_numbering.hpp"
+#include "export/groups.hpp"
+#include "export/names_table.hpp"
+
+namespace quadrille {
+namespace {
+
+/// MFEM's numbers of its geometries (mesh/geom.hpp).
+constexpr int segment_type = 1, square_type = 3;
+
+/// As std::quoted writes it, which is how MFEM reads it.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+class Writer {
+ public:
+  Writer(const QuadMesh& mesh, const Frame& frame, bool with_names)
+      : mesh_(mesh), frame_(frame), with_names_(with_names), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {
+    require_edges_known_by_ends();
+  }
+
+  std::string text() {
+    print("MFEM mesh v1.{}\n\ndimension\n2\n", with_names_ ? 3 : 0);
+    write_elements();
+    if (with_names_) write_sets("attribute_sets", groups_.region_names);
+    write_boundary();
+    if (with_names_) write_sets("bdr_attribute_sets", groups_.boundary_names);
+    write_geometry();
+    if (with_names_) print("\nmfem_mesh_end\n");
+    return std::move(out_);
+  }
+
+ private:
+  template <class... Args>
+  void print(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+
+  void require_edges_known_by_ends() const {
+    std::vector<std::array<int, 2>> ends;
+    for (const NumberedEdge& e : edges_.edges) ends.push_back(e.vertices);
+    std::sort(ends.begin(), ends.end());
+    const auto twice = std::adjacent_find(ends.begin(), ends.end());
+    if (twice == ends.end()) return;
+    const Vec2 a = place((*twice)[0]), b = place((*twice)[1]);
+    throw ComputeError(fmt::format(
+        "two edges join ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}), and MFEM tells edges by their ends: refine further", a.x,
+        a.y, b.x, b.y));
+  }
+  Vec2 place(int vertex) const { return mesh_.nodes[edges_.vertices[vertex]] + mesh_.face.origin; }
+
+  void write_elements() {
+    print("\nelements\n{}\n", mesh_.num_elems());
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
+      const int* v = &edges_.elem2verts[4 * elem];
+      const int attribute = 1 + groups_.block2region[mesh_.elem_block[elem]];
+      print("{} {} {} {} {} {}\n", attribute, square_type, v[0], v[1], v[2], v[3]);
+    }
+  }
+
+  void write_boundary() {
+    print("\nboundary\n{}\n", mesh_.boundary_edges.size());
+    for (const QuadBoundaryEdge& e : mesh_.boundary_edges) {
+      const int* v = &edges_.elem2verts[4 * e.elem];
+      print("{} {} {} {}\n", 1 + groups_.curve2boundary[e.curve], segment_type, v[e.side], v[(e.side + 1) % 4]);
+    }
+  }
+
+  void write_sets(const char* title, const std::vector<std::string>& names) {
+    print("\n{}\n{}\n", title, names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) print("{} 1 {}\n", quoted(names[k]), k + 1);
+  }
+
+  int space_dim() const { return frame_.is_plane() ? 2 : 3; }
+
+  void print_position(int node) {
+    const auto x = frame_.at(mesh_.nodes[node]);
+    print("{} {}", x[0], x[1]);
+    if (space_dim() == 3) print(" {}", x[2]);
+    print("\n");
+  }
+
+  /// Straight-sided quads are their vertices; others a grid function of nodes.
+  void write_geometry() {
+    print("\nvertices\n{}\n", edges_.num_vertices());
+    if (mesh_.order == 1)
+      print("{}\n", space_dim());
+    else
+      print("\nnodes\nFiniteElementSpace\nFiniteElementCollection: H1_2D_P{}\nVDim: {}\nOrdering: 1\n\n",  // 1: x y x y
+                                                                                                           // ...
+            mesh_.order, space_dim());
+    for (const int node : edges_.vertices) print_position(node);
+    if (mesh_.order > 1) write_inner_nodes();
+  }
+
+  /// MFEM's own sequence: after the vertices the edges, each in its own direction, then the elements, i fastest.
+  void write_inner_nodes() {
+    const int n = mesh_.order;
+    for (const NumberedEdge& edge : edges_.edges) {
+      const std::vector<int> nodes = edge_nodes(mesh_, edge);
+      for (int k = 1; k < n; ++k) print_position(nodes[k]);
+    }
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem)
+      for (int j = 1; j < n; ++j)
+        for (int i = 1; i < n; ++i) print_position(mesh_.elem_nodes[elem * mesh_.nodes_per_elem() + j * (n + 1) + i]);
+  }
+
+  const QuadMesh& mesh_;
+  const Frame& frame_;
+  bool with_names_;
+  EdgeNumbering edges_;
+  Groups groups_;
+  std::string out_;
+};
+
+}  // namespace
+
+Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
+  const Groups groups = mesh_groups(mesh);
+  return {Writer(mesh, frame, false).text(),
+          false,
+          {names_table(groups)},
+          {fmt::format(
+              "MFEM v1.0 knows {} boundaries and {} regions by number only, their names are in a table beside the mesh "
+              "(--format mfem13 keeps them, for MFEM 4.7 and later)",
+              groups.num_boundaries(), groups.num_regions())}};
+}
+
+Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) {
+  return {Writer(mesh, frame, true).text(), false, {}, {}};
+}
+
+}  // namespace quadrille

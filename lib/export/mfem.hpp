@@ -1,0 +1,15 @@
+#pragma once
+// MFEM mesh v1.0 and v1.3 (named attribute sets): any order, our own nodes (H1, Gauss-Lobatto), regions and boundaries
+// as attributes counted from 1 each.
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writers. Positions are lossless; v1.0 has no names, they go to a table beside it. Three
+/// coordinates where the frame leaves the plane z = 0. Throws ComputeError where two edges join the same two vertices
+/// (MFEM tells edges by their ends).
+Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame);
+Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille

@@ -1,0 +1,212 @@
+// The XML is a fixed skeleton around numbers, so it is printed as it stands; a document tree of an XML library would
+// hold 100,000 quads several times over to give us no more than the escaping of names.
+#include "export/nektar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "export/edge_numbering.hpp"
+#include "export/groups.hpp"
+#include "export/side_blend.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Curves nearer than this to what Nektar++ makes up without them are left out (shares of the diameter): far below what
+/// a solver sees, far above the round-off of the blend.
+constexpr double straight_tol = 1e-14;
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// The value of an attribute. XML 1.0 has no way to hold control characters.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += is_control(c) ? '_' : c;
+  }
+  return out;
+}
+
+/// "0-3,7": ascending numbers as ranges.
+std::string ranges(const std::vector<int>& numbers) {
+  std::string out;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t last = k;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    out += fmt::format("{}{}", out.empty() ? "" : ",", numbers[k]);
+    if (last > k) out += fmt::format("-{}", numbers[last]);
+    k = last + 1;
+  }
+  return out;
+}
+
+/// What needs a curve: an element that is not the blend of its sides a face, with it all its edges, and every edge that
+/// is not a straight line. Nektar++ takes what is left as straight, and parallelograms among it as such, which is
+/// faster.
+struct CurvedParts {
+  std::vector<bool> edges, faces;
+};
+
+CurvedParts curved_parts(const QuadMesh& mesh, const EdgeNumbering& numbering) {
+  const double tol = straight_tol * mesh.face.diameter;
+  CurvedParts curved{std::vector<bool>(numbering.num_edges()), std::vector<bool>(mesh.num_elems())};
+  if (mesh.order == 1) return curved;
+  for (int edge = 0; edge < numbering.num_edges(); ++edge)
+    curved.edges[edge] = distance_from_chord(mesh, edge_nodes(mesh, numbering.edges[edge])) > tol;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    if (distance_from_side_blend(mesh, elem) <= tol) continue;
+    curved.faces[elem] = true;
+    for (int side = 0; side < 4; ++side) curved.edges[numbering.elem2edges[4 * elem + side]] = true;
+  }
+  return curved;
+}
+
+class Writer {
+ public:
+  Writer(const QuadMesh& mesh, const Frame& frame)
+      : mesh_(mesh), frame_(frame), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {}
+
+  std::string text() {
+    print("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<NEKTAR>\n");
+    print("  <GEOMETRY DIM=\"2\" SPACE=\"{}\">\n", frame_.is_plane() ? 2 : 3);
+    write_vertices();
+    write_edges();
+    write_elements();
+    write_curves();
+    write_composites();
+    print("  </GEOMETRY>\n");
+    write_expansions();
+    print("</NEKTAR>\n");
+    return std::move(out_);
+  }
+
+ private:
+  template <class... Args>
+  void print(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+
+  /// With as many digits as it takes to read back the same bits.
+  void print_position(int node) {
+    const auto x = frame_.at(mesh_.nodes[node]);
+    print("{} {} {}", x[0], x[1], x[2]);
+  }
+
+  void write_vertices() {
+    print("    <VERTEX>\n");
+    for (int v = 0; v < edges_.num_vertices(); ++v) {
+      print("      <V ID=\"{}\">", v);
+      print_position(edges_.vertices[v]);
+      print("</V>\n");
+    }
+    print("    </VERTEX>\n");
+  }
+
+  void write_edges() {
+    print("    <EDGE>\n");
+    for (int e = 0; e < edges_.num_edges(); ++e)
+      print("      <E ID=\"{}\">{} {}</E>\n", e, edges_.edges[e].vertices[0], edges_.edges[e].vertices[1]);
+    print("    </EDGE>\n");
+  }
+
+  void write_elements() {
+    print("    <ELEMENT>\n");
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
+      const int* sides = &edges_.elem2edges[4 * elem];
+      print("      <Q ID=\"{}\">{} {} {} {}</Q>\n", elem, sides[0], sides[1], sides[2], sides[3]);
+    }
+    print("    </ELEMENT>\n");
+  }
+
+  void write_curves() {
+    const CurvedParts curved = curved_parts(mesh_, edges_);
+    if (std::find(curved.edges.begin(), curved.edges.end(), true) == curved.edges.end()) return;
+    int id = 0;
+    print("    <CURVED>\n");
+    for (int e = 0; e < edges_.num_edges(); ++e) {
+      if (!curved.edges[e]) continue;
+      const std::vector<int> nodes = edge_nodes(mesh_, edges_.edges[e]);
+      write_curve('E', "EDGEID", id++, e, nodes.data(), nodes.size());
+    }
+    const int count = mesh_.nodes_per_elem();
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem)
+      if (curved.faces[elem]) write_curve('F', "FACEID", id++, elem, &mesh_.elem_nodes[elem * count], count);
+    print("    </CURVED>\n");
+  }
+
+  void write_curve(char letter, const char* what, int id, int of, const int* nodes, std::size_t count) {
+    print("      <{} ID=\"{}\" {}=\"{}\" NUMPOINTS=\"{}\" TYPE=\"GaussLobattoLegendre\">", letter, id, what, of, count);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k > 0) print("  ");
+      print_position(nodes[k]);
+    }
+    print("</{}>\n", letter);
+  }
+
+  /// Boundaries get the first numbers, regions the next, as in Gmsh's files.
+  void write_composites() {
+    std::vector<std::vector<int>> boundaries(groups_.num_boundaries()), regions(groups_.num_regions());
+    for (const QuadBoundaryEdge& e : mesh_.boundary_edges)
+      boundaries[groups_.curve2boundary[e.curve]].push_back(edges_.elem2edges[4 * e.elem + e.side]);
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem)
+      regions[groups_.block2region[mesh_.elem_block[elem]]].push_back(elem);
+    int id = 1;
+    print("    <COMPOSITE>\n");
+    for (int b = 0; b < groups_.num_boundaries(); ++b)
+      write_composite(id++, groups_.boundary_names[b], 'E', std::move(boundaries[b]));
+    for (int r = 0; r < groups_.num_regions(); ++r) {
+      if (!regions[r].empty()) region_ids_.push_back(id);
+      write_composite(id++, groups_.region_names[r], 'Q', std::move(regions[r]));
+    }
+    print("    </COMPOSITE>\n    <DOMAIN>\n      <D ID=\"0\"> C[{}] </D>\n    </DOMAIN>\n", ranges(region_ids_));
+  }
+
+  void write_composite(int id, const std::string& name, char letter, std::vector<int> members) {
+    if (members.empty()) return;  // an empty list is an error of the file
+    std::sort(members.begin(), members.end());
+    print("      <C ID=\"{}\" NAME=\"{}\"> {}[{}] </C>\n", id, escaped(name), letter, ranges(members));
+  }
+
+  /// A solution of the order of the geometry; whoever sets up a session replaces it.
+  void write_expansions() {
+    print("  <EXPANSIONS>\n    <E COMPOSITE=\"C[{}]\" NUMMODES=\"{}\" TYPE=\"MODIFIED\" FIELDS=\"u\" />\n",
+          ranges(region_ids_), mesh_.order + 1);
+    print("  </EXPANSIONS>\n");
+  }
+
+  const QuadMesh& mesh_;
+  const Frame& frame_;
+  EdgeNumbering edges_;
+  Groups groups_;
+  std::vector<int> region_ids_;
+  std::string out_;
+};
+
+std::vector<std::string> losses_of(const Groups& groups) {
+  std::size_t count = 0;
+  for (const auto* names : {&groups.boundary_names, &groups.region_names})
+    count += std::count_if(names->begin(), names->end(),
+                           [](const std::string& name) { return std::any_of(name.begin(), name.end(), is_control); });
+  if (count == 0) return {};
+  return {fmt::format("XML cannot hold control characters: those of {} names became underlines", count)};
+}
+
+}  // namespace
+
+Exported nektar_xml(const QuadMesh& mesh, const Frame& frame) {
+  return {Writer(mesh, frame).text(), false, {}, losses_of(mesh_groups(mesh))};
+}
+
+}  // namespace quadrille

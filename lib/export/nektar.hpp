@@ -1,0 +1,13 @@
+#pragma once
+// Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not say it all, curved faces; composites
+// with names for boundaries and regions; a default expansion. Any order; the nodes are our own (GaussLobattoLegendre).
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writer. Lossless but for control characters in names, which XML cannot hold. SPACE="3" where the
+/// frame leaves the plane z = 0.
+Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille
