@@ -8,6 +8,7 @@
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "cad/assemble_face.hpp"
+#include "cad/choose_names.hpp"
 #include "cad/face_bytes.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/occ_face.hpp"
@@ -36,7 +37,9 @@ CadFace load_face(const std::string& bytes, const std::string& name, const LoadO
   report.set("input.format", format_name(format));
   try {
     const OccModel model = occ_load(format, bytes, name);
-    return assemble_face(occ_face(model, name, report), options.corner_angle, report);
+    RawFace raw = occ_face(model, name, report);
+    choose_names(raw);
+    return assemble_face(raw, options.corner_angle, report);
   } catch (const Standard_Failure& e) {
     const std::string message = e.GetMessageString();
     throw FormatError(name + ": the shape in the " + format_name(format) +

@@ -128,7 +128,8 @@ class FaceReader {
 
     RawEdge result;
     result.cad_edge = num_edges_;
-    result.name = model_.name_of(edge);
+    const ShapeLabel label = model_.label_of(edge);
+    result.name = label.name, result.layer = label.layer, result.colour = label.colour;
     PlaneCurve plane;
     try {
       plane = plane_curve(curve, first, last, frame_, raw_.tolerance / 100);
@@ -204,7 +205,8 @@ RawFace occ_face(const OccModel& model, const std::string& file, Report& report)
   const PlaneFrame frame = frame_of(*plane);
   RawFace raw;
   raw.file = file;
-  raw.name = model.name_of(face);
+  const ShapeLabel label = model.label_of(face);
+  raw.name = label.name, raw.layer = label.layer;
   raw.length_unit = model.length_unit;
   raw.metres_per_unit = model.metres_per_unit;
   raw.tolerance = model.tolerance;

@@ -56,10 +56,9 @@ OccModel read(CadFormat format, const std::string& bytes, const std::string& nam
 
 }  // namespace
 
-std::string OccModel::name_of(const TopoDS_Shape& wanted) const {
-  for (const auto& [named, text] : names)
-    if (named.IsPartner(wanted)) return text;
-  return {};
+ShapeLabel OccModel::label_of(const TopoDS_Shape& wanted) const {
+  const auto found = labels.find(wanted.TShape().get());
+  return found == labels.end() ? ShapeLabel() : found->second.second;
 }
 
 OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name) {

@@ -2,13 +2,20 @@
 // CAD file -> OpenCASCADE shape, in the numbers of the file. The only room that knows OpenCASCADE's readers.
 
 #include <TopoDS_Shape.hxx>
+#include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "cad/file_kind.hpp"
 
 namespace quadrille {
+
+/// What a file says about a face or an edge beside its shape; empty where it says nothing.
+struct ShapeLabel {
+  std::string name;
+  std::string layer;
+  std::string colour;  ///< "ff0000" for red
+};
 
 struct OccModel {
   TopoDS_Shape shape;                   ///< everything that the file holds
@@ -18,10 +25,11 @@ struct OccModel {
   int num_faces = 0;        ///< faces that the file describes, also those that could not be built
   int num_solids = 0;
   int num_face_edges = -1;  ///< uses of edges by the loops of the only face, as the file says; -1 where unknown
-  std::vector<std::pair<TopoDS_Shape, std::string>> names;  ///< of faces and edges
+  /// Of faces and edges, by what OpenCASCADE shares among all uses of a shape; the shape keeps that alive.
+  std::map<const TopoDS_TShape*, std::pair<TopoDS_Shape, ShapeLabel>> labels;
 
-  /// The name of `shape`, whatever its orientation and place; empty where it has none.
-  std::string name_of(const TopoDS_Shape& shape) const;
+  /// The label of `wanted`, whatever its orientation and place.
+  ShapeLabel label_of(const TopoDS_Shape& wanted) const;
 };
 
 /// Reads without OpenCASCADE's shape healing: what is wrong in the file shall be seen, not repaired behind the back.

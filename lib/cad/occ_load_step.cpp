@@ -8,14 +8,11 @@
 #include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
-#include <StepShape_EdgeCurve.hxx>
 #include <StepShape_EdgeLoop.hxx>
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <TCollection_HAsciiString.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <cctype>
@@ -23,17 +20,14 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "cad/occ_readers.hpp"
+#include "cad/occ_step_labels.hpp"
 
 namespace quadrille {
 namespace {
 
 std::string text_of(const Handle(TCollection_HAsciiString) & s) { return s.IsNull() ? std::string() : s->ToCString(); }
-
-// What plain writers put where there is no name.
-bool is_no_name(const std::string& name) {
-  return name.find_first_not_of(" \t") == std::string::npos || name == "NONE" || name == "none";
-}
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -128,7 +122,6 @@ int num_edges(const StepShape_Face& face) {
 }
 
 void collect(const STEPControl_Reader& reader, OccModel& model) {
-  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   const Handle(StepData_StepModel) file = reader.StepModel();
   for (int i = 1; i <= file->NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = file->Value(i);
@@ -136,12 +129,8 @@ void collect(const STEPControl_Reader& reader, OccModel& model) {
     model.num_faces += is_face;
     if (is_face) model.num_face_edges = num_edges(*Handle(StepShape_Face)::DownCast(entity));
     model.num_solids += entity->IsKind(STANDARD_TYPE(StepShape_SolidModel));
-    if (!is_face && !entity->IsKind(STANDARD_TYPE(StepShape_EdgeCurve))) continue;
-    const std::string name = text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name());
-    if (is_no_name(name)) continue;
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
-    if (!shape.IsNull()) model.names.emplace_back(shape, name);
   }
+  add_step_labels(*file, reader.WS()->TransferReader()->TransientProcess(), model);
 }
 
 }  // namespace
@@ -150,7 +139,8 @@ OccModel occ_load_step(const std::string& bytes, const std::string& name) {
   STEPControl_Reader reader;
   // Curves in space only: the plane's own copies of them (pcurves) are redundant and often worse.
   Interface_Static::SetIVal("read.surfacecurve.mode", -3);
-  std::istringstream stream(bytes);
+  // The reader takes the text for UTF-8 and spoils what is not.
+  std::istringstream stream(utf8_or_latin1(bytes));
   if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone)
     throw FormatError(name + ": the STEP file cannot be parsed");
   OccModel model;

@@ -13,14 +13,16 @@ namespace quadrille {
 /// One edge of the file as its wire walks it.
 struct RawEdge {
   Nurbs curve;
-  Vec2 start, end;   ///< the vertices that the file gives it
-  int cad_edge = 0;  ///< number in the file
-  std::string name;  ///< empty where the file has none
+  Vec2 start, end;       ///< the vertices that the file gives it
+  int cad_edge = 0;      ///< number in the file
+  std::string name{};    ///< empty where the file has none; likewise the two others
+  std::string layer{};   ///< name of the layer on which it is
+  std::string colour{};  ///< "ff0000" for red
 };
 
 struct RawFace {
   std::string file;  ///< for messages
-  std::string name;
+  std::string name, layer;
   std::string length_unit = "unknown";
   double metres_per_unit = 0;
   double tolerance = 1e-7;  ///< the file's own: below it points are the same

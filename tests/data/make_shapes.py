@@ -6,7 +6,7 @@ import math
 import os
 import sys
 
-from step_text import cubic_through, polygon, rectangle, step_text
+from step_text import Step, cubic_through, polygon, rectangle, step_text
 
 
 def naca0012(sides=48):
@@ -41,11 +41,33 @@ def shapes():
     }
 
 
+def labels():
+    """Edges of a channel with all ways of naming them: name, layer (of the edge, its curve, its styled item), colour."""
+    step = Step()
+    corners = [0, 2, 2 + 1j, 1j]
+    loop = [("line", a, b) for a, b in zip(map(complex, corners), map(complex, corners[1:] + corners[:1]))]
+    loop[0] += ("  Zuflu\\X2\\00DF\\X0\\ ",)
+    face = step.face([loop, [("circle", 1 + 0.5j, 0.2, -1)]])
+    bottom, right, top, left, circle = step.edges
+    step.layer("walls", [bottom, step.curves[2]])
+    styled = step.coloured(right, (0, 1, 0))
+    step.layer("outlet", [styled])
+    step.coloured(bottom, (0, 1, 0))
+    step.coloured(left, (1, 0.5, 0))
+    plain = step.coloured(circle, "red")
+    step.coloured(circle, "blue", over=plain)
+    step.layer("part", [face, circle])
+    step.product("labels", face)
+    return step.text("labels")
+
+
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     for name, loops in shapes().items():
         with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
             file.write(step_text(name, loops))
+    with open(os.path.join(folder, "labels.step"), "w", encoding="ascii") as file:
+        file.write(labels())
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ A loop is a list of edges, the outline counter-clockwise and holes clockwise:
   ("arc", centre, radius, a, b, angles)   from a to b; angles: +1 counter-clockwise, -1 clockwise
   ("circle", centre, radius, angles)      whole
   ("spline", poles, knots)                cubic, clamped; knots with repetition
+and may end with a word that becomes its name.
 """
 import cmath
 import math
@@ -37,6 +38,7 @@ class Step:
         self.lines = []
         self.points = {}
         self.vertices = {}
+        self.curves, self.edges = [], []  # numbers in the file, in the sequence of the loops
 
     def add(self, text):
         self.lines.append(text)
@@ -63,33 +65,35 @@ class Step:
         axes = self.direction(0, 0, 1), self.direction(1, 0, 0)
         return self.add(f"AXIS2_PLACEMENT_3D('',{self.point(centre)},{axes[0]},{axes[1]})")
 
-    def edge(self, a, b, curve, same):
-        edge = self.add(f"EDGE_CURVE('',{self.vertex(a)},{self.vertex(b)},{curve},.T.)")
+    def edge(self, a, b, curve, same, name=""):
+        edge = self.add(f"EDGE_CURVE('{name}',{self.vertex(a)},{self.vertex(b)},{curve},.T.)")
+        self.curves.append(curve)
+        self.edges.append(edge)
         return self.add(f"ORIENTED_EDGE('',*,*,{edge},{'.T.' if same else '.F.'})")
 
     def circle(self, centre, radius):
         return self.add(f"CIRCLE('',{self.placement(centre)},{real(radius)})")
 
-    def line_edge(self, a, b):
+    def line_edge(self, a, b, name=""):
         d = (b - a) / abs(b - a)
         vector = self.add(f"VECTOR('',{self.direction(d.real, d.imag, 0)},1.)")
-        return self.edge(a, b, self.add(f"LINE('',{self.point(a)},{vector})"), True)
+        return self.edge(a, b, self.add(f"LINE('',{self.point(a)},{vector})"), True, name)
 
-    def arc_edge(self, centre, radius, a, b, side):
+    def arc_edge(self, centre, radius, a, b, side, name=""):
         """The edge runs counter-clockwise, the loop perhaps the other way."""
         start, end = (a, b) if side > 0 else (b, a)
-        return self.edge(start, end, self.circle(centre, radius), side > 0)
+        return self.edge(start, end, self.circle(centre, radius), side > 0, name)
 
-    def circle_edge(self, centre, radius, side):
-        return self.edge(centre + radius, centre + radius, self.circle(centre, radius), side > 0)
+    def circle_edge(self, centre, radius, side, name=""):
+        return self.edge(centre + radius, centre + radius, self.circle(centre, radius), side > 0, name)
 
-    def spline_edge(self, poles, knots):
+    def spline_edge(self, poles, knots, name=""):
         values = sorted(set(knots))
         counts = ",".join(str(knots.count(t)) for t in values)
         places = ",".join(self.point(p) for p in poles)
         curve = self.add(f"B_SPLINE_CURVE_WITH_KNOTS('',3,({places}),.UNSPECIFIED.,.F.,.F.,({counts}),"
                          f"({','.join(map(real, values))}),.UNSPECIFIED.)")
-        return self.edge(poles[0], poles[-1], curve, True)
+        return self.edge(poles[0], poles[-1], curve, True, name)
 
     def face(self, loops):
         bounds = []
@@ -100,6 +104,19 @@ class Step:
             bounds.append(self.add(f"{kind}('',{ring},.T.)"))
         plane = self.add(f"PLANE('',{self.placement(0j)})")
         return self.add(f"ADVANCED_FACE('',({','.join(bounds)}),{plane},.T.)")
+
+    def layer(self, name, items):
+        self.add(f"PRESENTATION_LAYER_ASSIGNMENT('{name}','',({','.join(items)}))")
+
+    def coloured(self, item, colour, over=None):
+        """A styled item; `colour` is (red, green, blue) from 0 to 1 or a word of ISO 10303-46, `over` what it overrides."""
+        shade = (f"DRAUGHTING_PRE_DEFINED_COLOUR('{colour}')" if isinstance(colour, str) else
+                 f"COLOUR_RGB('',{','.join(map(real, colour))})")
+        font = self.add("DRAUGHTING_PRE_DEFINED_CURVE_FONT('continuous')")
+        style = self.add(f"CURVE_STYLE('',{font},POSITIVE_LENGTH_MEASURE(0.1),{self.add(shade)})")
+        styles = self.add(f"PRESENTATION_STYLE_ASSIGNMENT(({style}))")
+        return self.add(f"OVER_RIDING_STYLED_ITEM('',({styles}),{item},{over})" if over else
+                        f"STYLED_ITEM('colour',({styles}),{item})")
 
     def product(self, name, face):
         shell = self.add(f"OPEN_SHELL('',({face}))")

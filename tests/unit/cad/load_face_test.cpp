@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -216,6 +217,64 @@ TEST(LoadFace, names_come_from_the_file_and_may_be_shared) {
   EXPECT_EQ(face.name, "channel");
   EXPECT_EQ(face.curve_names, (std::vector<std::string>{"wall", "outlet", "wall", "inlet", "cylinder"}));
   EXPECT_EQ(face.curve_cad_edges, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+// The file with `from` replaced by `to` wherever it stands.
+CadFace load_changed(const std::string& file, const std::string& from, const std::string& to) {
+  std::string bytes = bytes_of(file);
+  if (bytes.find(from) == std::string::npos) throw std::runtime_error("no " + from + " in " + file);
+  for (size_t at = 0; (at = bytes.find(from, at)) != std::string::npos; at += to.size())
+    bytes.replace(at, from.size(), to);
+  Report report;
+  return load_face_guarded(bytes, file, LoadOptions{radians(1)}, report);
+}
+
+TEST(LoadFace, layers_and_colours_name_edges_without_name) {
+  const CadFace face = load("labels.step").face;
+  EXPECT_EQ(face.curve_names,
+            (std::vector<std::string>{"Zuflu\xC3\x9F", "outlet", "walls", "colour_ff8000", "colour_0000ff"}));
+  EXPECT_EQ(face.name, "") << "its layer holds an edge too";
+  const CadFace apart = load_changed("labels.step", "'part','',(#46,#38)", "'part','',(#46)");
+  EXPECT_EQ(apart.name, "part");
+  const CadFace plain = load_changed("labels.step", "(#8,#19)", "(#9)");
+  EXPECT_EQ(plain.curve_names[2], "curve_2") << "off its layer";
+}
+
+TEST(LoadFace, layers_and_colours_that_refer_to_nothing_of_use_are_passed_over) {
+  const auto names = load("labels.step").face.curve_names;
+  for (const char* reference : {"#999", "$", "#1", "#52"})
+    EXPECT_EQ(load_changed("labels.step", ",#38,#68)", std::string(",#38,") + reference + ")").curve_names, names)
+        << reference;
+  for (const auto& [from, to] : {std::pair{"(#50)", "(#999)"},
+                                 {"(#50)", "($)"},
+                                 {"(#50)", "()"},
+                                 {"(#50)", "$"},
+                                 {"(#51),#15", "$,#15"},
+                                 {"'walls'", "$"},
+                                 {"(#8,#19)", "$"},
+                                 {"(#8,#19)", "(#999,#1)"}})
+    EXPECT_EQ(load_changed("labels.step", from, to).num_curves(), 5) << from << " -> " << to;
+}
+
+TEST(LoadFace, names_in_the_encodings_of_step_become_utf8) {
+  const auto decoded = [](const std::string& name) {
+    return load_changed("bad/names.step", "'inlet'", "'" + name + "'").curve_names[3];
+  };
+  EXPECT_EQ(decoded("W\\X2\\00E4\\X0\\nde"), "W\xC3\xA4nde");
+  EXPECT_EQ(decoded("W\\X\\E4nde"), "W\xC3\xA4nde");
+  EXPECT_EQ(decoded("\\X4\\0001F600\\X0\\"), "\xF0\x9F\x98\x80");
+  EXPECT_EQ(decoded("W\xC3\xA4nde"), "W\xC3\xA4nde") << "UTF-8 as it is, against the standard but common";
+  EXPECT_EQ(decoded("W\xE4nde"), "W\xC3\xA4nde") << "Latin 1, likewise";
+  EXPECT_EQ(decoded("it''s"), "it's");
+  EXPECT_EQ(decoded("two\\X\\0Alines"), "two lines");
+  EXPECT_EQ(decoded(" \\X\\09 "), "curve_3");
+  EXPECT_EQ(decoded("NONE"), "curve_3");
+}
+
+TEST(LoadFace, pieces_of_a_split_edge_keep_its_name) {
+  const CadFace face = load_changed("bad/kinked_spline.step", "EDGE_CURVE('',", "EDGE_CURVE('hull',");
+  ASSERT_GT(face.num_curves(), *std::max_element(face.curve_cad_edges.begin(), face.curve_cad_edges.end()) + 1);
+  for (const std::string& name : face.curve_names) EXPECT_EQ(name, "hull");
 }
 
 TEST(LoadFace, curves_are_exact) {

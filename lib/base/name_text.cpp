@@ -1,0 +1,70 @@
+#include "base/name_text.hpp"
+
+#include <algorithm>
+
+namespace quadrille {
+namespace {
+
+int byte(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
+
+// C0 and DEL are one byte, C1 is C2 80 to C2 9F.
+bool is_control(std::string_view text, int length) {
+  const int first = byte(text, 0);
+  return (length == 1 && (first < 0x20 || first == 0x7F)) || (length == 2 && first == 0xC2 && byte(text, 1) < 0xA0);
+}
+
+}  // namespace
+
+int utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const int first = byte(text, 0);
+  if (first < 0x80) return 1;
+  const int length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  if (length == 0 || text.size() < static_cast<std::size_t>(length)) return 0;
+  for (int i = 1; i < length; ++i)
+    if ((byte(text, i) & 0xC0) != 0x80) return 0;
+  // Overlong forms, surrogates and what lies above U+10FFFF.
+  const int second = byte(text, 1);
+  const bool is_wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
+                        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
+  return is_wrong ? 0 : length;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const int length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(length));
+  }
+  return true;
+}
+
+std::string utf8_or_latin1(const std::string& text) {
+  if (is_utf8(text)) return text;
+  std::string result;
+  result.reserve(text.size() + text.size() / 8);
+  for (const char c : text) {
+    const int code = static_cast<unsigned char>(c);
+    if (code >= 0x80) result += static_cast<char>(0xC0 | code >> 6);
+    result += code < 0x80 ? c : static_cast<char>(0x80 | (code & 0x3F));
+  }
+  return result;
+}
+
+std::string clean_name(std::string_view text) {
+  std::string name;
+  while (!text.empty()) {
+    const int length = utf8_length(text);
+    if (length == 0)
+      name += "\xEF\xBF\xBD";
+    else if (is_control(text, length))
+      name += ' ';
+    else
+      name += text.substr(0, static_cast<std::size_t>(length));
+    text.remove_prefix(static_cast<std::size_t>(std::max(length, 1)));
+  }
+  const std::size_t first = name.find_first_not_of(' '), last = name.find_last_not_of(' ');
+  return first == std::string::npos ? std::string() : name.substr(first, last - first + 1);
+}
+
+}  // namespace quadrille

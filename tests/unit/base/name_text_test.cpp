@@ -1,0 +1,50 @@
+#include "base/name_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quadrille {
+namespace {
+
+TEST(NameText, characters_of_one_to_four_bytes_are_utf8) {
+  EXPECT_EQ(utf8_length("a"), 1);
+  EXPECT_EQ(utf8_length("\xC3\xA4"), 2);
+  EXPECT_EQ(utf8_length("\xE2\x82\xAC!"), 3);
+  EXPECT_EQ(utf8_length("\xF0\x9F\x98\x80"), 4);
+  EXPECT_EQ(utf8_length("\xF4\x8F\xBF\xBF"), 4) << "U+10FFFF, the last one";
+}
+
+TEST(NameText, what_unicode_forbids_is_not_utf8) {
+  for (const char* text : {"\x80", "\xC0\xAF", "\xC1\xBF", "\xC3", "\xC3(", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xE2\x82",
+                           "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF"}) {
+    EXPECT_EQ(utf8_length(text), 0);
+    EXPECT_FALSE(is_utf8(std::string("good ") + text));
+  }
+  EXPECT_EQ(utf8_length(""), 0);
+  EXPECT_TRUE(is_utf8(""));
+}
+
+TEST(NameText, latin1_is_taken_only_where_it_is_no_utf8) {
+  EXPECT_EQ(utf8_or_latin1("W\xE4nde"), "W\xC3\xA4nde");
+  EXPECT_EQ(utf8_or_latin1("W\xC3\xA4nde"), "W\xC3\xA4nde");
+  EXPECT_EQ(utf8_or_latin1("\xFF\x80"), "\xC3\xBF\xC2\x80");
+  for (int code = 0; code < 256; ++code) EXPECT_TRUE(is_utf8(utf8_or_latin1({static_cast<char>(code), '\xFF'})));
+}
+
+TEST(NameText, names_are_one_trimmed_line) {
+  EXPECT_EQ(clean_name("  wall \t"), "wall");
+  EXPECT_EQ(clean_name("upper\nside"), "upper side");
+  EXPECT_EQ(clean_name("a\x7F"
+                       "b\xC2\x85"
+                       "c"),
+            "a b c");
+  EXPECT_EQ(clean_name("a\xFF"
+                       "b"),
+            "a\xEF\xBF\xBD"
+            "b");
+  EXPECT_EQ(clean_name(" \n "), "");
+  EXPECT_EQ(clean_name(std::string_view("a\0b", 3)), "a b");
+  EXPECT_EQ(clean_name("W\xC3\xA4nde aus \xE9\x8B\xBC"), "W\xC3\xA4nde aus \xE9\x8B\xBC");
+}
+
+}  // namespace
+}  // namespace quadrille
