@@ -6,12 +6,21 @@
 
 #include "base/error.hpp"
 #include "export/gmsh.hpp"
+#include "export/mfem.hpp"
+#include "export/nektar.hpp"
+#include "export/vtu.hpp"
 
 namespace quadrille {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
       {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
+      {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22},
+      {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange},
+      {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier},
+      {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
+      {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10},
+      {"mfem13", "", "MFEM mesh v1.3, with names", 20, true, mfem_mesh13},
   };
   return formats;
 }

@@ -1,11 +1,12 @@
 #pragma once
-// Gmsh MSH 4.1 (ASCII): physical groups for boundaries and blocks, orders 1-10, equispaced nodes.
+// Gmsh MSH (ASCII), versions 4.1 and 2.2: physical groups for boundaries and blocks, orders 1-10, equispaced nodes.
 
 #include "export/format_table.hpp"
 
 namespace quadrille {
 
-/// The format_table's writer.
+/// The format_table's writers.
 Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame);
+Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille

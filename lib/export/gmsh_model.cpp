@@ -1,0 +1,119 @@
+#include "export/gmsh_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "export/equispaced.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int max_order = 10;
+constexpr std::array<int, max_order + 1> line_types{0, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66};
+constexpr std::array<int, max_order + 1> quad_types{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
+
+/// Corners, sides (all travelling round), then the same again inside.
+std::vector<int> quad_node_sequence(int order) {
+  std::vector<int> sequence;
+  const auto add = [&](int i, int j) { sequence.push_back(j * (order + 1) + i); };
+  for (int low = 0, high = order; low <= high; ++low, --high) {
+    if (low == high) {
+      add(low, low);
+      break;
+    }
+    add(low, low), add(high, low), add(high, high), add(low, high);
+    for (int k = low + 1; k < high; ++k) add(k, low);
+    for (int k = low + 1; k < high; ++k) add(high, k);
+    for (int k = high - 1; k > low; --k) add(k, high);
+    for (int k = high - 1; k > low; --k) add(low, k);
+  }
+  return sequence;
+}
+
+void classify_nodes(const QuadMesh& mesh, GmshModel& model) {
+  auto& entity_nodes = model.entity_nodes;
+  entity_nodes[0].resize(model.skeleton.points.size());
+  entity_nodes[1].resize(model.skeleton.curves.size());
+  entity_nodes[2].resize(mesh.block_names.size());
+  std::vector<bool> taken(mesh.nodes.size(), false);
+  const auto take = [&](int dim, std::size_t entity, int node) {
+    if (!taken[node]) entity_nodes[dim][entity].push_back(node);
+    taken[node] = true;
+  };
+  for (std::size_t p = 0; p < entity_nodes[0].size(); ++p) take(0, p, model.skeleton.points[p]);
+  for (std::size_t c = 0; c < entity_nodes[1].size(); ++c)
+    for (const SkeletonEdge& e : model.skeleton.curves[c].edges)
+      for (const int node : side_nodes(mesh, e.elem, e.side)) take(1, c, node);
+  const int count = mesh.nodes_per_elem();
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int k = 0; k < count; ++k) take(2, mesh.elem_block[elem], mesh.elem_nodes[elem * count + k]);
+}
+
+void number_nodes(const QuadMesh& mesh, GmshModel& model) {
+  model.node_tags.assign(mesh.nodes.size(), 0);
+  int tag = 0;
+  for (const auto& entities : model.entity_nodes)
+    for (const auto& nodes : entities)
+      for (const int node : nodes) model.node_tags[node] = ++tag;
+}
+
+std::string quoted(std::string name) {
+  std::replace(name.begin(), name.end(), '"', '\'');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return '"' + name + '"';
+}
+
+void append_tag(int tag, std::string& text) {
+  const fmt::format_int digits(tag);
+  text += ' ';
+  text.append(digits.data(), digits.size());
+}
+
+}  // namespace
+
+GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
+  GmshModel model;
+  model.skeleton = mesh_skeleton(mesh);
+  model.groups = mesh_groups(mesh);
+  model.positions.reserve(mesh.nodes.size());
+  for (const Vec2 x : equispaced_nodes(mesh)) model.positions.push_back(frame.at(x));
+  classify_nodes(mesh, model);
+  number_nodes(mesh, model);
+  model.block_elems.resize(mesh.block_names.size());
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) model.block_elems[mesh.elem_block[elem]].push_back(elem);
+  model.quad_sequence = quad_node_sequence(mesh.order);
+  model.line_type = line_types[mesh.order], model.quad_type = quad_types[mesh.order];
+  return model;
+}
+
+std::string gmsh_names(const Groups& groups) {
+  std::string text = fmt::format("$PhysicalNames\n{}\n", groups.num_boundaries() + groups.num_regions());
+  int tag = 0;
+  for (const std::string& name : groups.boundary_names) text += fmt::format("1 {} {}\n", ++tag, quoted(name));
+  for (const std::string& name : groups.region_names) text += fmt::format("2 {} {}\n", ++tag, quoted(name));
+  return text + "$EndPhysicalNames\n";
+}
+
+void append_gmsh_line(const GmshModel& model, const QuadMesh& mesh, const SkeletonEdge& edge, std::string& text) {
+  const std::vector<int> nodes = side_nodes(mesh, edge.elem, edge.side);
+  append_tag(model.node_tags[nodes.front()], text);
+  append_tag(model.node_tags[nodes.back()], text);
+  for (int k = 1; k < mesh.order; ++k) append_tag(model.node_tags[nodes[k]], text);
+  text += '\n';
+}
+
+void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, std::string& text) {
+  const int* nodes = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
+  for (const int local : model.quad_sequence) append_tag(model.node_tags[nodes[local]], text);
+  text += '\n';
+}
+
+void append_position(const std::array<double, 3>& x, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "{} {} {}", x[0], x[1], x[2]);
+}
+
+}  // namespace quadrille

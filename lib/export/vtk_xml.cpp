@@ -1,0 +1,90 @@
+#include "export/vtk_xml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <span>
+
+namespace quadrille {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
+
+void append_base64(std::span<const std::uint8_t> bytes, std::string& text) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) word = (word << 8) | (k < count ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[(word >> (18 - 6 * k)) & 63u] : '=';
+  }
+}
+
+/// The length in bytes, then the bytes: VTK wants the two encoded one by one.
+template <class T>
+void append_array(const char* type, const std::string& attributes, std::span<const T> values, std::string& text) {
+  const auto bytes = [](const auto* first, std::size_t size) {
+    return std::span(reinterpret_cast<const std::uint8_t*>(first), size);
+  };
+  const std::uint64_t size = values.size_bytes();
+  text.reserve(text.size() + size / 3 * 4 + 256);
+  fmt::format_to(std::back_inserter(text), "<DataArray type=\"{}\" {} format=\"binary\">\n", type, attributes);
+  append_base64(bytes(&size, sizeof size), text);
+  append_base64(bytes(values.data(), size), text);
+  text += "\n</DataArray>\n";
+}
+
+void append_integers(const std::string& attributes, std::span<const int> values, std::string& text) {
+  static_assert(sizeof(int) == 4);
+  append_array("Int32", attributes, values, text);
+}
+
+std::string named(const std::string& name) { return fmt::format("Name=\"{}\"", name); }
+
+/// VTK spells texts as the numbers of their bytes, each text ended by 0.
+void append_texts(const VtkTexts& texts, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "<DataArray type=\"String\" {} NumberOfTuples=\"{}\" format=\"ascii\">\n",
+                 named(texts.name), texts.values.size());
+  for (const std::string& value : texts.values) {
+    for (const char c : value) fmt::format_to(std::back_inserter(text), "{} ", static_cast<unsigned char>(c));
+    text += "0\n";
+  }
+  text += "</DataArray>\n";
+}
+
+void append_cells(const VtkGrid& grid, std::string& text) {
+  const std::size_t count = grid.connectivity.size() / grid.nodes_per_cell;
+  std::vector<int> ends(count);
+  for (std::size_t i = 0; i < count; ++i) ends[i] = static_cast<int>(i + 1) * grid.nodes_per_cell;
+  text += "<Cells>\n";
+  append_integers(named("connectivity"), grid.connectivity, text);
+  append_integers(named("offsets"), ends, text);
+  const std::vector<std::uint8_t> types(count, grid.cell_type);
+  append_array<std::uint8_t>("UInt8", named("types"), types, text);
+  text += "</Cells>\n";
+}
+
+}  // namespace
+
+std::string vtk_xml(const VtkGrid& grid) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<UnstructuredGrid>\n<FieldData>\n";
+  for (const VtkTexts& texts : grid.texts) append_texts(texts, text);
+  text += fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData>\n",
+                      grid.points.size(), grid.connectivity.size() / grid.nodes_per_cell);
+  for (const VtkIntegers& data : grid.cell_integers) append_integers(named(data.name), data.values, text);
+  for (const VtkReals& data : grid.cell_reals) append_array<double>("Float64", named(data.name), data.values, text);
+  text += "</CellData>\n<Points>\n";
+  const double* first = grid.points.empty() ? nullptr : grid.points.front().data();
+  append_array<double>("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", {first, 3 * grid.points.size()}, text);
+  text += "</Points>\n";
+  append_cells(grid, text);
+  text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return text;
+}
+
+}  // namespace quadrille

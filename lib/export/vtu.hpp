@@ -1,0 +1,13 @@
+#pragma once
+// VTK's XML for ParaView, VisIt and PyVista: Lagrange or Bezier cells of orders 1-10, with the blocks, the names and
+// the quality of the elements; curves of the boundary and of the interfaces in a side file.
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writers.
+Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame);
+Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille
