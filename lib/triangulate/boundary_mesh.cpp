@@ -190,7 +190,7 @@ void BoundaryMesh::refuse_contact() const {
 void BoundaryMesh::grade(double growth) {
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
-    const SizeField sizes(segments_, fit_->outline().face().diameter, growth);
+    const TriangleSizes sizes(segments_, fit_->outline().face().diameter, growth);
     std::vector<int> marked;
     for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
       const Segment& segment = segments_[i];

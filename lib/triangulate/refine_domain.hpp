@@ -46,7 +46,7 @@ class DomainRefiner {
 
   BoundaryMesh* boundary_;
   Draft* draft_;
-  SizeField sizes_;
+  TriangleSizes sizes_;
   ConstrainedDelaunay delaunay_;
   std::vector<int> point2vertex_, vertex2point_;
   std::vector<std::array<int, 3>> good_;  ///< triangles that need nothing, sorted: the size field never changes

@@ -4,13 +4,13 @@
 
 namespace quadrille {
 
-SizeField::SizeField(const std::vector<Segment>& segments, double size, double growth) : size_(size), growth_(growth) {
+TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth) : size_(size), growth_(growth) {
   sources_.reserve(3 * segments.size());
   for (const Segment& segment : segments)
     for (const int k : {0, 2, 4}) sources_.push_back({segment.samples[k], segment.length()});
 }
 
-double SizeField::at(Vec2 x) const {
+double TriangleSizes::at(Vec2 x) const {
   double least = size_;
   for (const Source& source : sources_) {
     // Only sources that can still win are worth a square root.

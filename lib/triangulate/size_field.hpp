@@ -8,9 +8,9 @@
 
 namespace quadrille {
 
-class SizeField {
+class TriangleSizes {
  public:
-  SizeField(const std::vector<Segment>& segments, double size, double growth);
+  TriangleSizes(const std::vector<Segment>& segments, double size, double growth);
   double at(Vec2 x) const;
 
  private:

@@ -12,15 +12,15 @@ Segment straight(Vec2 a, Vec2 b) {
   return s;
 }
 
-TEST(SizeField, IsTheLengthOnASegmentAndGrowsFromThereUpToTheGlobalSize) {
-  const SizeField sizes({straight({0, 0}, {0.1, 0}), straight({0.1, 0}, {1.1, 0})}, 1.5, 0.5);
+TEST(TriangleSizes, IsTheLengthOnASegmentAndGrowsFromThereUpToTheGlobalSize) {
+  const TriangleSizes sizes({straight({0, 0}, {0.1, 0}), straight({0.1, 0}, {1.1, 0})}, 1.5, 0.5);
   EXPECT_NEAR(sizes.at({0.05, 0}), 0.1, 1e-15);
   EXPECT_NEAR(sizes.at({0.1, 1}), 0.1 + 0.5, 1e-15);
   EXPECT_EQ(sizes.at({0, 100}), 1.5);
 }
 
-TEST(SizeField, IsLipschitz) {
-  const SizeField sizes({straight({0, 0}, {0.01, 0}), straight({2, 1}, {2.5, 1})}, 3, 0.3);
+TEST(TriangleSizes, IsLipschitz) {
+  const TriangleSizes sizes({straight({0, 0}, {0.01, 0}), straight({2, 1}, {2.5, 1})}, 3, 0.3);
   for (int i = 0; i < 50; ++i) {
     const Vec2 a{-1 + 0.1 * i, 0.05 * i}, b{a.x + 0.03, a.y - 0.04};
     EXPECT_LE(std::abs(sizes.at(a) - sizes.at(b)), 0.3 * 0.05 + 1e-15);
