@@ -20,8 +20,8 @@ namespace {
 
 constexpr int max_intervals = 10000;
 constexpr double same_fraction = 1e-9;
-/// An interval may exceed the wanted size by this factor where breaks leave segments that do not divide well.
-constexpr double size_slack = 1.25;
+/// An interval may be longer than planned by this factor where breaks leave segments that do not divide well.
+constexpr double length_slack = 1.25 + 1e-9;
 /// Breaks of opposite arcs share a cross line when they lie within this share of an interval.
 constexpr double anchor_reach = 0.5;
 /// So often may a chord's count rise by one in search of a symmetric division.
@@ -134,14 +134,21 @@ int least_topological_count(const BlockLayout& layout, int arc) {
 /// The division of one chord: segments between those anchors that are needed, and what each arc makes of them.
 class ChordDivider {
  public:
-  ChordDivider(const BlockLayout& layout, const Chord& chord, const CurveTable& table, const std::vector<Chain>& chains,
-               const std::vector<ArcParameter>& parameters, const DivideOptions& options)
-      : layout_(layout), chord_(chord), table_(table), chains_(chains), parameters_(parameters), options_(options) {
+  ChordDivider(const BlockLayout& layout, const Chord& chord, const ChordPlan& plan, const CurveTable& table,
+               const std::vector<Chain>& chains, const std::vector<ArcParameter>& parameters,
+               const DivideOptions& options)
+      : layout_(layout),
+        chord_(chord),
+        plan_(plan),
+        table_(table),
+        chains_(chains),
+        parameters_(parameters),
+        options_(options) {
     count_ = base_count_ = first_count();
     std::vector<Break> breaks;
     for (int i = 0; i < num_arcs(); ++i)
       if (layout.arcs[chord.arcs[i]].is_boundary)
-        for (const double f : chain(i).break_fractions()) breaks.push_back({chord_parameter(i, f), f, i});
+        for (const double f : chain(i).break_fractions()) breaks.push_back({chord_share(i, f), f, i});
     anchors_ = find_anchors(std::move(breaks), anchor_reach / count_);
     ends_.resize(num_arcs());
   }
@@ -160,32 +167,28 @@ class ChordDivider {
   int num_arcs() const { return static_cast<int>(chord_.arcs.size()); }
   const Chain& chain(int i) const { return chains_[chord_.arcs[i]]; }
 
-  /// Between the chord's parameter and arc i's own fraction.
-  double arc_fraction(int i, double u) const {
+  /// Between the share of the chord's elements and arc i's own fraction.
+  double arc_fraction(int i, double share) const {
+    const double u = plan_.grading.parameter(share);
     return parameters_[chord_.arcs[i]].fraction(chord_.backwards[i] ? 1 - u : u);
   }
-  double chord_parameter(int i, double fraction) const {
+  double chord_share(int i, double fraction) const {
     const double own = parameters_[chord_.arcs[i]].parameter(fraction);
-    return chord_.backwards[i] ? 1 - own : own;
+    return plan_.grading.share(chord_.backwards[i] ? 1 - own : own);
   }
 
   int first_count() const {
-    double longest = 0;
-    int least = 1;
-    for (const int arc : chord_.arcs) {
-      longest = std::max(longest, chains_[arc].length());
-      least = std::max(least, least_topological_count(layout_, arc));
-    }
-    const double wanted = std::ceil(longest / options_.size - 1e-6);
-    if (wanted > max_intervals) fail("the wanted size");
-    return std::max(least, static_cast<int>(wanted));
+    int count = plan_.count;
+    for (const int arc : chord_.arcs) count = std::max(count, least_topological_count(layout_, arc));
+    if (count > max_intervals) fail("the wanted size");
+    return count;
   }
 
   /// Takes the least count that suits all arcs.
   void settle() {
     count_ = std::max(base_count_, segments_.least_count());
     const int first = count_;
-    while (!try_count(count_ - first >= max_tie_rounds)) ++count_;
+    while (!try_count(plan_.is_prescribed || count_ - first >= max_tie_rounds)) ++count_;
     if (count_ > max_intervals) fail("the geometric tolerance");
   }
 
@@ -193,24 +196,27 @@ class ChordDivider {
     counts_ = segment_counts(segments_, count_, break_ties);
     if (counts_.empty()) return false;
     for (int i = 0; i < num_arcs(); ++i) {
-      place_ends(i);
-      if (longest_interval(ends_[i]) * chain(i).length() > size_slack * options_.size) return false;
+      const double longest = place_ends(i);
+      if (longest * plan_.count > length_slack && !plan_.is_prescribed) return false;
     }
     return true;
   }
 
-  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's parameters.
-  void place_ends(int i) {
+  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's shares. Returns the
+  /// longest interval as a share.
+  double place_ends(int i) {
     Segments own = segments_;
     std::vector<double> exact(own.ends.size(), -1);
     for (std::size_t s = 0; s < needed_.size(); ++s)
       for (const Break& b : anchors_[needed_[s]].breaks)
         if (b.arc == i) own.ends[s + 1] = b.u, exact[s + 1] = b.fraction;
     ends_[i] = interval_ends(own, counts_);
+    const double longest = longest_interval(ends_[i]);
     for (double& end : ends_[i]) end = arc_fraction(i, end);
     for (std::size_t s = 0, at = 0; s < counts_.size(); at += counts_[s++])
       if (exact[s] >= 0) ends_[i][at] = exact[s];
     if (chord_.backwards[i]) std::reverse(ends_[i].begin(), ends_[i].end());
+    return longest;
   }
 
   /// Asks for breaks and counts where arc i misses the tolerance; false when it meets it everywhere.
@@ -282,15 +288,16 @@ class ChordDivider {
 
   const BlockLayout& layout_;
   const Chord& chord_;
+  const ChordPlan& plan_;
   const CurveTable& table_;
   const std::vector<Chain>& chains_;
   const std::vector<ArcParameter>& parameters_;
   const DivideOptions& options_;
-  int base_count_ = 1;  ///< from the size alone
+  int base_count_ = 1;  ///< from plan and topology
   int count_ = 1;
   std::vector<Anchor> anchors_;
   std::vector<int> needed_;  ///< anchors, ascending: the inner ends of the segments
-  Segments segments_;        ///< by the chord's parameter
+  Segments segments_;        ///< by the share of the chord's elements
   std::vector<int> counts_;  ///< of the segments
   std::vector<std::vector<double>> ends_;
 };
@@ -320,13 +327,15 @@ double interval_error(const CurveTable& table, const Chain& chain, double low, d
 }
 
 std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                             const CurveTable& table, const std::vector<Chain>& chains,
+                                             const std::vector<ChordPlan>& plans, const CurveTable& table,
+                                             const std::vector<Chain>& chains,
                                              const std::vector<ArcParameter>& parameters,
                                              const DivideOptions& options) {
   std::vector<std::vector<double>> ends(chains.size());
-  for (const Chord& chord : chords) {
-    std::vector<std::vector<double>> divided = ChordDivider(layout, chord, table, chains, parameters, options).divide();
-    for (std::size_t i = 0; i < divided.size(); ++i) ends[chord.arcs[i]] = std::move(divided[i]);
+  for (std::size_t c = 0; c < chords.size(); ++c) {
+    ChordDivider divider(layout, chords[c], plans[c], table, chains, parameters, options);
+    std::vector<std::vector<double>> divided = divider.divide();
+    for (std::size_t i = 0; i < divided.size(); ++i) ends[chords[c].arcs[i]] = std::move(divided[i]);
   }
   return ends;
 }

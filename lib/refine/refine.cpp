@@ -11,7 +11,9 @@
 #include "mesh/chords.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/divide_arcs.hpp"
+#include "refine/grade_chords.hpp"
 #include "refine/split_isoparametric.hpp"
+#include "refine/tell_sizes.hpp"
 #include "refine/validity.hpp"
 
 namespace quadrille {
@@ -60,24 +62,28 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
       directed_chords(layout.block2arcs, arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size())));
 
   const double diameter = layout.face.diameter;
-  const DivideOptions division{options.size > 0 ? options.size : diameter / 20, options.order,
-                               options.geometry_tol * diameter};
-  const auto split_at = [&](const std::vector<ArcParameter>& parameters) {
-    const ArcEnds arc_ends = divide_arcs(layout, chords, table, chains, parameters, division);
+  const SizeField sizes =
+      options.size_field ? *options.size_field : SizeField(options.size > 0 ? options.size : diameter / 20);
+  const DivideOptions division{options.order, options.geometry_tol * diameter};
+  const auto split_at = [&](const std::vector<ArcParameter>& parameters) -> std::pair<QuadMesh, ArcEnds> {
+    const std::vector<ChordPlan> plans =
+        grade_chords(layout, chords, chains, parameters, sizes, options.size_rule, options.counts);
+    ArcEnds arc_ends = divide_arcs(layout, chords, plans, table, chains, parameters, division);
     require_bounded_size(layout, arc_ends, options.order);
     QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order);
     measure_elements(mesh);
-    return mesh;
+    return {std::move(mesh), std::move(arc_ends)};
   };
 
   const std::vector<ArcParameter> aligned = align_chords(chords, chains);
-  QuadMesh mesh = split_at(aligned);
+  auto [mesh, arc_ends] = split_at(aligned);
   if (!is_proved_valid(mesh) && !std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity))) {
-    QuadMesh plain = split_at(std::vector<ArcParameter>(chains.size()));
-    if (is_proved_valid(plain)) mesh = std::move(plain);
+    auto [plain, plain_ends] = split_at(std::vector<ArcParameter>(chains.size()));
+    if (is_proved_valid(plain)) mesh = std::move(plain), arc_ends = std::move(plain_ends);
   }
   require_valid_elements(mesh);
   tell(mesh, chords.size(), report);
+  tell_sizes(chords, chains, arc_ends, sizes, options.counts, report);
   return mesh;
 }
 

@@ -1,9 +1,14 @@
 #pragma once
 // From blocks to the final mesh: one count and one spacing per chord, elements sampled from the exact block maps.
 
+#include <optional>
+#include <vector>
+
 #include "base/report.hpp"
 #include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
+#include "refine/grade_chords.hpp"
+#include "refine/size_field.hpp"
 
 namespace quadrille {
 
@@ -11,7 +16,10 @@ struct RefineOptions {
   double size = 0;             ///< wanted edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
   double geometry_tol = 5e-7;  ///< greatest distance between mesh boundary and CAD curve, as a share of the diameter
-  void validate() const;       ///< throws UsageError
+  std::optional<SizeField> size_field = {};  ///< wanted edge lengths, in place of `size` (refine/make_size_field)
+  SizeRule size_rule = SizeRule::nearest;
+  std::vector<ChordCount> counts = {};  ///< for single chords, in place of their sizes
+  void validate() const;                ///< throws UsageError
 };
 
 /// Lines across chords are aligned (refine/align_chords); where that leaves an invalid element and equal arc-length

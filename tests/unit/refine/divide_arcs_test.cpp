@@ -20,14 +20,23 @@ struct Divided {
   double worst = 0;  ///< error of the boundary's intervals
 };
 
-Divided divided(const SeparatrixGraph& graph, const DivideOptions& options) {
+struct Options {
+  double size;
+  int order;
+  double tolerance;
+};
+
+Divided divided(const SeparatrixGraph& graph, const Options& options) {
   Report report;
   Divided d{extract_blocks(graph, report), {}, {}, {}};
   const CurveTable table(d.layout.face, d.layout.splines);
   std::vector<Chain> chains;
   for (const GraphArc& arc : d.layout.arcs) chains.emplace_back(table, arc.pieces);
-  d.ends = divide_arcs(d.layout, directed_chords(d.layout.block2arcs, d.layout.arc_chord), table, chains,
-                       std::vector<ArcParameter>(chains.size()), options);
+  const std::vector<Chord> chords = directed_chords(d.layout.block2arcs, d.layout.arc_chord);
+  const std::vector<ArcParameter> parameters(chains.size());
+  const std::vector<ChordPlan> plans =
+      grade_chords(d.layout, chords, chains, parameters, SizeField(options.size), SizeRule::at_most, {});
+  d.ends = divide_arcs(d.layout, chords, plans, table, chains, parameters, {options.order, options.tolerance});
   for (std::size_t a = 0; a < chains.size(); ++a) {
     d.breaks.push_back(chains[a].break_fractions());
     d.lengths.push_back(chains[a].length());
