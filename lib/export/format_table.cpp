@@ -5,8 +5,12 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "export/abaqus_inp.hpp"
+#include "export/block_mesh_dict.hpp"
 #include "export/gmsh.hpp"
+#include "export/hohqmesh_ism.hpp"
 #include "export/mfem.hpp"
+#include "export/nek_re2.hpp"
 #include "export/nektar.hpp"
 #include "export/vtu.hpp"
 
@@ -21,6 +25,10 @@ const std::vector<ExportFormat>& export_formats() {
       {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
       {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10},
       {"mfem13", "", "MFEM mesh v1.3, with names", 20, true, mfem_mesh13},
+      {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
+      {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
+      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
+      {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false, block_mesh_dict},
   };
   return formats;
 }
@@ -34,7 +42,7 @@ const ExportFormat* find_export_format(std::string_view name) {
 const ExportFormat* export_format_of(std::string_view file_name) {
   const auto& formats = export_formats();
   const auto at = std::find_if(formats.begin(), formats.end(), [&](const ExportFormat& f) {
-    return !f.ending.empty() && file_name.size() > f.ending.size() && file_name.ends_with(f.ending);
+    return !f.ending.empty() && file_name.ends_with(f.ending);
   });
   return at == formats.end() ? nullptr : &*at;
 }

@@ -1,0 +1,12 @@
+#pragma once
+// Abaqus .inp in HOHQMesh's flavour (Trixi.jl's P4estMesh and T8codeMesh): straight quads in Abaqus' own words, which
+// p4est reads, then curved sides at Chebyshev-Lobatto points and names of sides in comments. Any order.
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writer.
+Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille

@@ -1,0 +1,189 @@
+#include "export/block_mesh_dict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "export/hex_blocks.hpp"
+#include "export/names_table.hpp"
+#include "export/plain_names.hpp"
+#include "export/transfinite_loss.hpp"
+
+namespace quadrille {
+namespace {
+
+/// The plane's mesh is thickness_share of the face's diameter thick.
+constexpr double thickness_share = 0.1;
+constexpr const char* front_and_back = "frontAndBack";
+
+class Writer {
+ public:
+  Writer(const QuadMesh& mesh, const Frame& frame, const HexBlocks& hexes)
+      : mesh_(mesh), frame_(frame), hexes_(hexes), above_(static_cast<int>(hexes.vertices.size())) {}
+
+  std::string text(const std::vector<std::string>& patches, const std::vector<std::string>& zones) {
+    print(
+        "FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class dictionary;\n    object blockMeshDict;\n}}\n\n");
+    print("scale {};\n\n", mesh_.face.metres_per_unit > 0 ? mesh_.face.metres_per_unit : 1.0);
+    write_vertices();
+    write_splines();
+    write_blocks(zones);
+    write_patches(patches);
+    print("mergePatchPairs\n(\n);\n");
+    return fmt::to_string(out_);
+  }
+
+ private:
+  template <class... Args>
+  void print(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+
+  double height(bool is_above) const { return is_above ? thickness_share * mesh_.face.diameter : 0.0; }
+
+  void write_point(Vec2 position, bool is_above) {
+    const std::array<double, 3> x = frame_.at(position);
+    print("({} {} {})", x[0], x[1], height(is_above));
+  }
+
+  void write_vertices() {
+    print("vertices\n(\n");
+    for (const bool is_above : {false, true})
+      for (const int node : hexes_.vertices) {
+        print("    ");
+        write_point(mesh_.nodes[node], is_above);
+        print("\n");
+      }
+    print(");\n\n");
+  }
+
+  void write_splines() {
+    print("edges\n(\n");
+    for (const HexSpline& spline : hexes_.splines)
+      for (const bool is_above : {false, true}) {
+        const int shift = is_above ? above_ : 0;
+        print("    spline {} {}\n    (\n", spline.from + shift, spline.to + shift);
+        for (const Vec2 x : spline.inner) {
+          print("        ");
+          write_point(x, is_above);
+          print("\n");
+        }
+        print("    )\n");
+      }
+    print(");\n\n");
+  }
+
+  void write_blocks(const std::vector<std::string>& zones) {
+    print("blocks\n(\n");
+    for (const HexBlock& block : hexes_.blocks) {
+      const std::array<int, 4>& c = block.corners;
+      print("    hex ({} {} {} {} {} {} {} {}) {} ({} {} 1) ", c[0], c[1], c[2], c[3], c[0] + above_, c[1] + above_,
+            c[2] + above_, c[3] + above_, zones[block.region], block.edges[0].num_cells(), block.edges[1].num_cells());
+      write_grading(block);
+    }
+    print(");\n\n");
+  }
+
+  /// blockMesh's twelve edges: four in each direction; those in the plane below, above it, above, below.
+  void write_grading(const HexBlock& block) {
+    if (std::all_of(block.edges.begin(), block.edges.end(), is_even)) {
+      print("simpleGrading (1 1 1)\n");
+      return;
+    }
+    print("edgeGrading\n    (\n");
+    for (const int edge : {0, 2, 2, 0, 3, 1, 1, 3}) write_sections(block.edges[edge]);
+    print("        1 1 1 1\n    )\n");
+  }
+
+  static bool is_even(const DividedEdge& edge) {
+    const double even = 1.0 / edge.num_cells();
+    return std::all_of(edge.shares.begin(), edge.shares.end(),
+                       [&](double share) { return std::abs(share - even) < 1e-12; });
+  }
+
+  void write_sections(const DividedEdge& edge) {
+    print("        ");
+    if (is_even(edge)) {
+      print("1\n");
+      return;
+    }
+    print("(");
+    for (const double share : edge.shares) print("({} 1 1)", share);
+    print(")\n");
+  }
+
+  void write_patches(const std::vector<std::string>& names) {
+    print("boundary\n(\n");
+    for (std::size_t p = 0; p < names.size(); ++p) {
+      if (hexes_.patches[p].empty()) continue;
+      print("    {}\n    {{\n        type patch;\n        faces\n        (\n", names[p]);
+      for (const auto& [from, to] : hexes_.patches[p])
+        print("            ({} {} {} {})\n", from, to, to + above_, from + above_);
+      print("        );\n    }}\n");
+    }
+    print("    {}\n    {{\n        type empty;\n        faces\n        (\n", front_and_back);
+    for (const HexBlock& block : hexes_.blocks) {
+      const std::array<int, 4>& c = block.corners;
+      print("            ({} {} {} {})\n", c[0], c[3], c[2], c[1]);
+      print("            ({} {} {} {})\n", c[0] + above_, c[1] + above_, c[2] + above_, c[3] + above_);
+    }
+    print("        );\n    }}\n);\n\n");
+  }
+
+  const QuadMesh& mesh_;
+  const Frame& frame_;
+  const HexBlocks& hexes_;
+  int above_;  ///< number of a vertex in the upper plane less its number in the lower one
+  fmt::memory_buffer out_;
+};
+
+/// How far the boundary's points are from the segments that the cells have there.
+double boundary_distance(const QuadMesh& mesh) {
+  double largest = 0;
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges) {
+    const std::vector<int> nodes = side_nodes(mesh, e.elem, e.side);
+    const Vec2 start = mesh.nodes[nodes.front()], along = normalized(mesh.nodes[nodes.back()] - start);
+    for (const int node : nodes) largest = std::max(largest, std::abs(cross(along, mesh.nodes[node] - start)));
+  }
+  return largest;
+}
+
+void tell_losses(const QuadMesh& mesh, const HexBlocks& hexes, std::vector<std::string>& losses) {
+  const double diameter = mesh.face.diameter, least = 1e-12 * diameter;
+  if (const double moved = boundary_distance(mesh); moved > least)
+    losses.push_back(
+        fmt::format("cells have straight sides, which moves the boundary by up to {}", length_text(moved, diameter)));
+  if (hexes.moved > least)
+    losses.push_back(fmt::format("blockMesh places the points inside blocks itself, which moves them by up to {}",
+                                 length_text(hexes.moved, diameter)));
+}
+
+/// Single words for the groups' names, and what that loses.
+struct Words {
+  std::vector<std::string> patches, zones;
+
+  Words(const Groups& groups, Exported& exported)
+      : patches(plain_names(groups.boundary_names, {front_and_back})), zones(plain_names(groups.region_names)) {
+    const std::string patch_loss = renamed_loss(groups.boundary_names, patches);
+    const std::string zone_loss = renamed_loss(groups.region_names, zones);
+    for (const std::string& loss : {patch_loss, zone_loss})
+      if (!loss.empty()) exported.losses.push_back(loss);
+    if (patch_loss.empty() && zone_loss.empty()) return;
+    exported.side_files.push_back(plain_names_table(groups, patches, zones));
+  }
+};
+
+}  // namespace
+
+Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame) {
+  const Groups groups = mesh_groups(mesh);
+  const HexBlocks hexes = hex_blocks(mesh, groups);
+  Exported exported;
+  tell_losses(mesh, hexes, exported.losses);
+  const Words words(groups, exported);
+  exported.bytes = Writer(mesh, frame, hexes).text(words.patches, words.zones);
+  return exported;
+}
+
+}  // namespace quadrille

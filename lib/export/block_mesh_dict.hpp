@@ -1,0 +1,13 @@
+#pragma once
+// OpenFOAM's blockMeshDict: one hexahedral block for each block of the layout, one cell thick, its sides as splines
+// with one graded section for each cell, boundaries as patches, regions as cell zones. The mesh may have any order;
+// cells have straight sides.
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writer. Throws ComputeError where a cell with straight sides is not convex.
+Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille

@@ -1,0 +1,11 @@
+#pragma once
+// The nodes that HOHQMesh's formats mean: t_j = -cos(j pi / N), j = 0 .. N, ascending in [-1, 1].
+
+#include <vector>
+
+namespace quadrille {
+
+/// The order + 1 Chebyshev-Gauss-Lobatto points, exactly antisymmetric about 0.
+std::vector<double> chebyshev_lobatto_points(int order);
+
+}  // namespace quadrille

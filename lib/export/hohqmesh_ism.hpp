@@ -1,0 +1,12 @@
+#pragma once
+// HOHQMesh ISM-V2 (Trixi.jl's UnstructuredMesh2D, SELF): corners, edges with their elements, curved sides at
+// Chebyshev-Lobatto points, names of sides. Any order.
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writer.
+Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille

@@ -1,0 +1,105 @@
+#include "export/hohqmesh_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "export/chebyshev_lobatto.hpp"
+#include "export/edge_numbering.hpp"
+#include "export/groups.hpp"
+#include "export/names_table.hpp"
+#include "export/plain_names.hpp"
+#include "export/renode.hpp"
+#include "export/side_blend.hpp"
+#include "export/skeleton.hpp"
+#include "export/transfinite_loss.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+namespace {
+
+void number_corners(const EdgeNumbering& numbering, HohqmeshModel& model) {
+  model.corners = numbering.vertices;
+  for (std::size_t k = 0; k < numbering.elem2verts.size(); k += 4) {
+    const int* c = &numbering.elem2verts[k];
+    model.elem_corners.push_back({c[0] + 1, c[1] + 1, c[2] + 1, c[3] + 1});
+  }
+}
+
+void find_edges(const EdgeNumbering& numbering, HohqmeshModel& model) {
+  for (const NumberedEdge& e : numbering.edges) model.edges.push_back({e.elem, e.side});
+  for (std::size_t k = 0; k < numbering.elem2edges.size(); ++k) {
+    HohqmeshEdge& edge = model.edges[numbering.elem2edges[k]];
+    const int elem = static_cast<int>(k / 4), side = static_cast<int>(k % 4);
+    if (elem != edge.elem || side != edge.side) edge.other_elem = elem, edge.other_side = side;
+  }
+}
+
+/// A side is curved where it differs from the segment between its ends that a reader draws for a straight one, at the
+/// same parameter: a straight side with uneven nodes is.
+void mark_curved_sides(const QuadMesh& mesh, HohqmeshModel& model) {
+  model.is_curved.resize(mesh.elem_block.size());
+  for (const HohqmeshEdge& e : model.edges) {
+    const std::vector<int> nodes = side_nodes(mesh, e.elem, e.side);
+    const double length = distance(mesh.nodes[nodes.front()], mesh.nodes[nodes.back()]);
+    const bool is_curved = distance_from_chord(mesh, nodes) > 1e-10 * length + 1e-14 * mesh.face.diameter;
+    model.is_curved[e.elem][e.side] = is_curved;
+    if (e.other_elem >= 0) model.is_curved[e.other_elem][e.other_side] = is_curved;
+  }
+}
+
+void find_boundaries(const QuadMesh& mesh, const Groups& groups, HohqmeshModel& model) {
+  model.boundary.assign(mesh.elem_block.size(), {-1, -1, -1, -1});
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges) model.boundary[e.elem][e.side] = groups.curve2boundary[e.curve];
+}
+
+void name_boundaries(const Groups& groups, HohqmeshModel& model) {
+  model.names = plain_names(groups.boundary_names);
+  const std::string renamed = renamed_loss(groups.boundary_names, model.names);
+  if (renamed.empty()) return;
+  model.losses.push_back(renamed);
+  model.side_files.push_back(plain_names_table(groups, model.names));
+}
+
+void tell_losses(const QuadMesh& mesh, const Groups& groups, HohqmeshModel& model) {
+  const TransfiniteLoss loss = transfinite_loss(mesh, RebuiltFrom::sides, "a reader of this format");
+  if (loss.interior > 1e-12 * mesh.face.diameter)
+    model.losses.push_back(
+        fmt::format("nodes inside elements are not held; a reader rebuilds them from the sides, which moves them by up "
+                    "to {}",
+                    length_text(loss.interior, mesh.face.diameter)));
+  if (const std::string regions = region_loss(groups); !regions.empty()) model.losses.push_back(regions);
+}
+
+}  // namespace
+
+const std::string& HohqmeshModel::name(int elem, int side) const {
+  static const std::string inside = "---";
+  const int group = boundary[elem][side];
+  return group < 0 ? inside : names[group];
+}
+
+HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame) {
+  HohqmeshModel model;
+  const Groups groups = mesh_groups(mesh);
+  const EdgeNumbering numbering = number_edges(mesh);
+  number_corners(numbering, model);
+  find_edges(numbering, model);
+  mark_curved_sides(mesh, model);
+  find_boundaries(mesh, groups, model);
+  const Eigen::MatrixXd to_chebyshev =
+      interpolation_matrix(gll_points(mesh.order), chebyshev_lobatto_points(mesh.order));
+  for (const Vec2 x : renoded(mesh, to_chebyshev)) model.points.push_back(frame.at(x));
+  name_boundaries(groups, model);
+  tell_losses(mesh, groups, model);
+  return model;
+}
+
+std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side) {
+  std::vector<int> nodes = side_nodes(mesh, elem, side);
+  if (side >= 2) std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+}  // namespace quadrille

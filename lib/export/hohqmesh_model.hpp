@@ -1,0 +1,43 @@
+#pragma once
+// A quad mesh as HOHQMesh's formats see it: corners, and for each element its curved sides and their names.
+//
+// Corners count from 1, counter-clockwise. Sides 1 to 4 join corners 1-2, 2-3, 4-3 and 1-4: they run in the local
+// coordinate's direction, not round the element. Here they are numbered from 0, as in model/quad_mesh.hpp. Source:
+// HOHQMesh, "The HOHQMesh Mesh File Formats".
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+struct HohqmeshEdge {
+  int elem = 0, side = 0;                ///< the element of lower number; the edge runs counter-clockwise round it
+  int other_elem = -1, other_side = -1;  ///< -1 on the boundary
+};
+
+struct HohqmeshModel {
+  std::vector<int> corners;                      ///< mesh node of each corner, in the sequence of the elements
+  std::vector<std::array<int, 4>> elem_corners;  ///< from 1
+  std::vector<std::array<bool, 4>> is_curved;    ///< by element and side, the same for both elements of an edge
+  std::vector<std::array<int, 4>> boundary;      ///< by element and side: index into names; -1 inside
+  std::vector<std::string> names;                ///< of boundaries, single words
+  std::vector<HohqmeshEdge> edges;
+  /// By mesh node: what sits at Gauss-Lobatto-Legendre points of a side here stands at its Chebyshev-Lobatto points.
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::string> losses;
+  std::vector<SideFile> side_files;
+
+  /// The name of a side; "---" inside.
+  const std::string& name(int elem, int side) const;
+};
+
+/// Throws ComputeError where an element would be folded once its interior is rebuilt from its sides.
+HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame);
+
+/// The mesh nodes of a side in its local direction, both ends included.
+std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side);
+
+}  // namespace quadrille

@@ -1,0 +1,15 @@
+#pragma once
+// A Nek5000 field file (0.f00000) that holds nothing but the geometry, in double precision, at Gauss-Lobatto-Legendre
+// points: Nek5000 takes it for the positions of its own points.
+
+#include <string>
+
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
+
+namespace quadrille {
+
+/// The file's bytes, little-endian. Elements in the mesh's sequence.
+std::string nek_geometry_field(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille

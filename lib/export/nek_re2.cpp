@@ -1,0 +1,129 @@
+#include "export/nek_re2.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "export/edge_numbering.hpp"
+#include "export/groups.hpp"
+#include "export/little_endian.hpp"
+#include "export/names_table.hpp"
+#include "export/nek_field.hpp"
+#include "export/plain_names.hpp"
+#include "export/side_blend.hpp"
+#include "export/transfinite_loss.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr float byte_order_mark = 6.54321F;
+
+class Writer {
+ public:
+  Writer(const QuadMesh& mesh, const Frame& frame, const Groups& groups)
+      : mesh_(mesh), frame_(frame), groups_(groups), edges_(number_edges(mesh)) {}
+
+  std::string bytes() {
+    std::string header = fmt::format("#v004{:16}{:3}{:16}{:4} hdr", mesh_.num_elems(), 2, mesh_.num_elems(), 1);
+    header.resize(80, ' ');
+    out_ = std::move(header);
+    append_little_endian(out_, byte_order_mark);
+    write_corners();
+    write_curved_sides();
+    write_boundaries();
+    return std::move(out_);
+  }
+
+ private:
+  void put(double number) { append_little_endian(out_, number); }
+
+  void write_corners() {
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
+      put(0);  // group of material properties
+      for (int axis = 0; axis < 2; ++axis)
+        for (int corner = 0; corner < 4; ++corner)
+          put(frame_.at(mesh_.nodes[edges_.vertices[edges_.elem2verts[4 * elem + corner]]])[axis]);
+    }
+  }
+
+  /// Element and side from 1, five numbers, a word of eight letters.
+  void write_record(int elem, int side, const std::array<double, 5>& numbers, const char* word) {
+    put(elem + 1), put(side + 1);
+    for (const double number : numbers) put(number);
+    out_ += fmt::format("{:<8}", word);
+  }
+
+  void write_curved_sides() {
+    std::vector<bool> is_curved;
+    std::vector<std::array<double, 3>> middles;
+    const Eigen::MatrixXd to_middle = interpolation_matrix(gll_points(mesh_.order), {0.0});
+    for (const NumberedEdge& edge : edges_.edges) {
+      const std::vector<int> nodes = edge_nodes(mesh_, edge);
+      const double length = distance(mesh_.nodes[nodes.front()], mesh_.nodes[nodes.back()]);
+      is_curved.push_back(distance_from_chord(mesh_, nodes) > 1e-10 * length + 1e-14 * mesh_.face.diameter);
+      Vec2 middle;
+      for (int k = 0; k <= mesh_.order; ++k) middle += to_middle(0, k) * mesh_.nodes[nodes[k]];
+      middles.push_back(frame_.at(middle));
+    }
+    int count = 0;
+    for (const int edge : edges_.elem2edges) count += is_curved[edge];
+    put(count);
+    for (std::size_t k = 0; k < edges_.elem2edges.size(); ++k)
+      if (const int edge = edges_.elem2edges[k]; is_curved[edge])
+        write_record(static_cast<int>(k / 4), static_cast<int>(k % 4), {middles[edge][0], middles[edge][1], 0, 0, 0},
+                     "m");
+  }
+
+  void write_boundaries() {
+    std::vector<QuadBoundaryEdge> by_elem = mesh_.boundary_edges;
+    std::sort(by_elem.begin(), by_elem.end(), [](const QuadBoundaryEdge& a, const QuadBoundaryEdge& b) {
+      return std::tie(a.elem, a.side) < std::tie(b.elem, b.side);
+    });
+    put(static_cast<double>(by_elem.size()));
+    for (const QuadBoundaryEdge& e : by_elem)
+      write_record(e.elem, e.side, {0, 0, 0, 0, 1.0 + groups_.curve2boundary[e.curve]}, "MSH");
+  }
+
+  const QuadMesh& mesh_;
+  const Frame& frame_;
+  const Groups& groups_;
+  EdgeNumbering edges_;
+  std::string out_;
+};
+
+std::vector<std::string> told_losses(const QuadMesh& mesh, const Groups& groups) {
+  std::vector<std::string> losses;
+  const TransfiniteLoss loss = transfinite_loss(mesh, RebuiltFrom::quadratic_sides, "Nek5000");
+  const double diameter = mesh.face.diameter, least = 1e-12 * diameter;
+  if (loss.sides > least)
+    losses.push_back(
+        fmt::format("sides are held as parabolas, which moves them by up to {}; 0.f00000 holds the "
+                    "geometry of order {}",
+                    length_text(loss.sides, diameter), mesh.order));
+  else if (loss.interior > least)
+    losses.push_back(
+        fmt::format("nodes inside elements are rebuilt from the sides, which moves them by up to {}; "
+                    "0.f00000 holds them as they are",
+                    length_text(loss.interior, diameter)));
+  losses.push_back("names are held as numbers; .names.json says which");
+  if (const std::string regions = region_loss(groups); !regions.empty()) losses.push_back(regions);
+  return losses;
+}
+
+}  // namespace
+
+Exported nek_re2(const QuadMesh& mesh, const Frame& frame) {
+  const Groups groups = mesh_groups(mesh);
+  Exported exported;
+  exported.losses = told_losses(mesh, groups);
+  exported.bytes = Writer(mesh, frame, groups).bytes();
+  exported.is_binary = true;
+  exported.side_files.push_back(plain_names_table(groups, groups.boundary_names));
+  if (mesh.order > 1) exported.side_files.push_back({"0.f00000", nek_geometry_field(mesh, frame), true});
+  return exported;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,12 @@
+#pragma once
+// Nek5000 .re2: corners, quadratic sides, numbers of boundaries; beside it the geometry of full order as a field file
+// NAME0.f00000 to start from (.par: startFrom = "NAME0.f00000 X") and the table of names. Any order.
+
+#include "export/format_table.hpp"
+
+namespace quadrille {
+
+/// The format_table's writer.
+Exported nek_re2(const QuadMesh& mesh, const Frame& frame);
+
+}  // namespace quadrille
