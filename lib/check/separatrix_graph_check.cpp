@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 #include "check/graph_rules.hpp"
 
@@ -73,6 +75,61 @@ void census_holds(const SeparatrixGraph& graph, Findings& findings) {
                  num_arcs, num_outer);
 }
 
+void certificate_is_sound(const SeparatrixGraph& graph, Findings& findings) {
+  const LayoutCertificate& c = graph.certificate;
+  constexpr std::array<const char*, 4> ways{"", "traced", "quantized", "t-mesh"};
+  if (std::find(ways.begin(), ways.end(), c.way) == ways.end())
+    findings.add("the certificate's way is \"{}\", not traced, quantized or t-mesh", c.way);
+  if (c.t_junctions < 0 || c.merged_lines < 0 || c.collapsed_chords < 0 || c.laps_cut < 0)
+    findings.add("a count of the certificate is negative");
+  if (!(c.largest_turn_degrees >= 0 && c.largest_turn_degrees < 180))
+    findings.add("the certificate's largest turn, {:.6g} degrees, is outside 0 to 180", c.largest_turn_degrees);
+  for (std::size_t i = 0; i < c.census.size(); ++i)
+    if (c.census[i].faces < 1 || (i > 0 && c.census[i].corners <= c.census[i - 1].corners))
+      return findings.add("the certificate's census does not count faces by rising corners");
+}
+
+void certified_index_sum_holds(const SeparatrixGraph& graph, Findings& findings) {
+  const LayoutCertificate& c = graph.certificate;
+  if (c.way.empty()) return;
+  if (c.index_sum != index_sum_of(graph) || c.index_sum != 4 * graph.face.euler_characteristic())
+    findings.add("the certificate's index sum is {}, that of the nodes {}, that of the face {}", c.index_sum,
+                 index_sum_of(graph), 4 * graph.face.euler_characteristic());
+}
+
+/// Faces and their corners, counted without walking round them: a connected graph has chi - nodes + arcs faces, and the
+/// sectors at a node of valence V, V quarter turns together, have 2 corners each less V.
+void certified_census_holds(const SeparatrixGraph& graph, Findings& findings) {
+  const LayoutCertificate& c = graph.certificate;
+  if (c.way.empty()) return;
+  long long faces = 0, corners = 0, expected_corners = 0;
+  for (const FaceCount& count : c.census) {
+    faces += count.faces;
+    corners += static_cast<long long>(count.corners) * count.faces;
+  }
+  const std::vector<int> num_arcs = arcs_at_nodes(graph);
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    const GraphNode& node = graph.nodes[i];
+    expected_corners += 2LL * (node.curve < 0 ? num_arcs[i] : num_arcs[i] - 1) - node.valence;
+  }
+  const long long expected_faces = graph.face.euler_characteristic() + std::ssize(graph.arcs) - std::ssize(graph.nodes);
+  if (faces != expected_faces || corners != expected_corners)
+    findings.add("the certificate counts {} faces of {} corners together, the graph has {} of {}", faces, corners,
+                 expected_faces, expected_corners);
+  if (c.t_junctions != std::ssize(graph.t_junctions))
+    findings.add("the certificate counts {} T-junctions, the graph has {}", c.t_junctions, graph.t_junctions.size());
+}
+
+/// What a layout is: nothing but faces of four corners. A degenerate corner counts for two.
+void certified_layout_conforms(const SeparatrixGraph& graph, Findings& findings) {
+  const LayoutCertificate& c = graph.certificate;
+  if (c.way.empty() || c.way == "t-mesh") return;
+  const bool is_four_sided =
+      std::all_of(c.census.begin(), c.census.end(), [](const auto& n) { return n.corners == 4; });
+  if (!is_four_sided || c.t_junctions != 0)
+    findings.add("a {} layout has faces without four corners or T-junctions", c.way);
+}
+
 constexpr Rule<SeparatrixGraph> rules[] = {
     {"SEP-R01", RuleKind::structure, [](const auto& g, Findings& f) { splines_are_sound(view(g), f); }},
     {"SEP-R02", RuleKind::structure, [](const auto& g, Findings& f) { graph_indices_exist(view(g), f); }},
@@ -84,6 +141,10 @@ constexpr Rule<SeparatrixGraph> rules[] = {
     {"SEP-R08", RuleKind::quick, lines_are_chains},
     {"SEP-R09", RuleKind::full, valences_are_arcs},
     {"SEP-R10", RuleKind::full, census_holds},
+    {"SEP-R11", RuleKind::quick, certificate_is_sound},
+    {"SEP-R12", RuleKind::full, certified_index_sum_holds},
+    {"SEP-R13", RuleKind::full, certified_census_holds},
+    {"SEP-R14", RuleKind::full, certified_layout_conforms},
 };
 
 }  // namespace

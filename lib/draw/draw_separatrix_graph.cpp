@@ -72,13 +72,27 @@ void draw_node(Picture& picture, const SeparatrixGraph& graph, int id) {
   }
 }
 
+/// "traced: 4 faces of 4 corners, index sum 4, turned by 2.3° at most".
+std::string certificate_text(const LayoutCertificate& certificate) {
+  std::string text = certificate.way + ": ";
+  for (const FaceCount& count : certificate.census)
+    text += fmt::format("{} of {} corners, ", counted(count.faces, "face"), count.corners);
+  text += fmt::format("index sum {}", certificate.index_sum);
+  if (certificate.t_junctions > 0) text += ", " + counted(certificate.t_junctions, "T-junction");
+  if (certificate.merged_lines > 0) text += fmt::format(", {} merged", counted(certificate.merged_lines, "pair"));
+  const int num_collapsed = certificate.collapsed_chords + certificate.laps_cut;
+  if (num_collapsed > 0) text += fmt::format(", {} taken out", counted(num_collapsed, "strip"));
+  return text + fmt::format(", turned by {:.1f}° at most", certificate.largest_turn_degrees);
+}
+
 }  // namespace
 
 std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options) {
-  Picture picture(bounding_box(graph.face), options, "Separatrices",
-                  fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
-                              counted(static_cast<int>(graph.nodes.size()), "node"),
-                              counted(static_cast<int>(graph.arcs.size()), "arc")));
+  std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
+                                    counted(static_cast<int>(graph.nodes.size()), "node"),
+                                    counted(static_cast<int>(graph.arcs.size()), "arc"));
+  if (!graph.certificate.way.empty()) caption += "; " + certificate_text(graph.certificate);
+  Picture picture(bounding_box(graph.face), options, "Separatrices", caption);
   draw_face_area(picture, graph.face);
   draw_loose_arcs(picture, graph);
   for (std::size_t l = 0; l < graph.lines.size(); ++l) draw_line(picture, graph, static_cast<int>(l));

@@ -6,9 +6,27 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 1, 0};
+constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 1, 1};
+
+void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
+  archive.field("way", certificate.way);
+  archive.field("reason", certificate.reason);
+  archive.field("index_sum", certificate.index_sum);
+  archive.field("census", certificate.census, [](Archive& a, FaceCount& count) {
+    a.field("corners", count.corners);
+    a.field("faces", count.faces);
+  });
+  archive.field("t_junctions", certificate.t_junctions);
+  archive.field("merged_lines", certificate.merged_lines);
+  archive.field("collapsed_chords", certificate.collapsed_chords);
+  archive.field("laps_cut", certificate.laps_cut);
+  archive.field("largest_turn_degrees", certificate.largest_turn_degrees);
+}
 
 void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {
+  LayoutCertificate& certificate = graph.certificate;
+  if (archive.is_reading() ? archive.has("certificate") : !certificate.way.empty())
+    archive.object("certificate", [&](Archive& a) { describe_certificate(a, certificate); });
   describe_graph(archive, graph.nodes, graph.arcs);
   archive.field("lines", graph.lines, [](Archive& a, SeparatrixLine& line) {
     a.field("origin", line.origin);

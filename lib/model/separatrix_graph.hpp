@@ -46,6 +46,26 @@ struct SeparatrixLine {
   std::vector<int> arcs;
 };
 
+/// So many faces of the graph have so many corners: quarter turns of the cross, not degrees in space. A degenerate
+/// corner counts for two.
+struct FaceCount {
+  int corners = 4;
+  int faces = 0;
+};
+
+/// What can be said for a graph: the way it was made, and what was counted on it.
+struct LayoutCertificate {
+  std::string way;                  ///< "traced", "quantized" or "t-mesh"; empty: the graph comes without a certificate
+  std::string reason;               ///< a sentence for people: why not "traced", where that was tried first; else empty
+  int index_sum = 0;                ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
+  std::vector<FaceCount> census;    ///< by rising corners
+  int t_junctions = 0;              ///< 0: conforming
+  int merged_lines = 0;             ///< pairs of separatrices that met and became one
+  int collapsed_chords = 0;         ///< thin strips of blocks taken out
+  int laps_cut = 0;                 ///< lines cut short where they pass a node that they reach a lap later
+  double largest_turn_degrees = 0;  ///< of any line from the field
+};
+
 struct SeparatrixGraph {
   Provenance provenance;
   CadFace face;
@@ -54,10 +74,18 @@ struct SeparatrixGraph {
   std::vector<GraphArc> arcs;
   std::vector<SeparatrixLine> lines;
   std::vector<int> t_junctions;  ///< nodes where an arc ends on the side of a block; empty for a conforming layout
+  LayoutCertificate certificate;
 
   const Nurbs& curve(int id) const {
     return id < face.num_curves() ? face.curves[id] : splines[id - face.num_curves()];
   }
 };
+
+/// sum (4 - V) over inner nodes and sum (2 - V) over those on the boundary.
+inline long long index_sum_of(const SeparatrixGraph& graph) {
+  long long sum = 0;
+  for (const GraphNode& node : graph.nodes) sum += (node.curve < 0 ? 4LL : 2LL) - node.valence;
+  return sum;
+}
 
 }  // namespace quadrille

@@ -27,6 +27,7 @@ class Extender {
       : t_mesh_(t_mesh), faces_(faces), lengths_(lengths), grid_(grid), table_(t_mesh.face, t_mesh.splines) {
     graph.provenance = t_mesh.provenance;
     graph.face = t_mesh.face;
+    graph.certificate = t_mesh.certificate;
     graph.splines = t_mesh.splines;
     graph.nodes = t_mesh.nodes;
     for (const GraphArc& arc : t_mesh.arcs) chains_.emplace_back(table_, arc.pieces);

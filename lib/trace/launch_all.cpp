@@ -152,6 +152,14 @@ std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPo
   return launches;
 }
 
+int num_launches(const CriticalPoints& points) {
+  int num = 0;
+  for (const CriticalPoint& p : points.critical_points) num += p.valence;
+  for (const Corner& c : points.corners) num += c.valence - 1;
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) num += b.valence - 1;
+  return num;
+}
+
 std::vector<Launch> launch_cuts(const FieldEvaluator& evaluator) {
   const CadFace& face = evaluator.field().mesh.face;
   std::vector<ArcLength> lengths;

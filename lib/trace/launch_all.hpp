@@ -18,6 +18,9 @@ std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& po
 /// a field of kind "phase" the nodes of `points` are those of the field, in its sequence (require_nodes).
 std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPoints& points);
 
+/// How many lines launch_all launches.
+int num_launches(const CriticalPoints& points);
+
 /// Four lines from the inner loop of a domain between two loops.
 std::vector<Launch> launch_cuts(const FieldEvaluator& evaluator);
 

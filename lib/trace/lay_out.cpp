@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
+#include "trace/certificate.hpp"
 #include "trace/extend_lines.hpp"
 #include "trace/launch_all.hpp"
 #include "trace/quantize.hpp"
@@ -67,16 +68,18 @@ SeparatrixGraph quantized_layout(const FieldEvaluator& evaluator, const Critical
 
 // Whole lines cut each other into a number of blocks that grows like the square of theirs: more than so many are not
 // tried.
-constexpr size_t most_traced_lines = 500;
+constexpr int most_traced_lines = 500;
 
 SeparatrixGraph automatic_layout(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                  const TraceOptions& options, Report& report) {
-  const size_t num_lines = launch_all(evaluator, points).size();
+  fixed_nodes(evaluator.field().mesh.face, points);  // nodes that no way can use are said at once
+  const int num_lines = num_launches(points);
   std::string reason = fmt::format("{} separatrices are too many to be followed to their ends", num_lines);
   if (num_lines <= most_traced_lines) {
     try {
       SeparatrixGraph graph = trace_separatrices(evaluator, points, options, report);
       report.set("layout.way", "traced");
+      certify(evaluator, "traced", graph, report);
       return graph;
     } catch (const ComputeError& error) {
       reason = error.what();
@@ -86,6 +89,8 @@ SeparatrixGraph automatic_layout(const FieldEvaluator& evaluator, const Critical
   report.set("layout.reason", reason);
   try {
     SeparatrixGraph graph = quantized_layout(evaluator, points, options, report);
+    graph.certificate.reason = reason;
+    certify(evaluator, "quantized", graph, report);
     report.warn("W-SEP-001", reason + ": lines were stopped where they meet and carried on by whole numbers instead");
     return graph;
   } catch (const ComputeError& error) {
@@ -98,10 +103,12 @@ SeparatrixGraph automatic_layout(const FieldEvaluator& evaluator, const Critical
 SeparatrixGraph lay_out(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options,
                         Report& report) {
   options.validate();
-  if (options.layout == "t-mesh") return TMeshTracer(evaluator, points, options).trace(report);
   if (options.layout == "auto") return automatic_layout(evaluator, points, options, report);
-  if (options.layout == "quantized") return quantized_layout(evaluator, points, options, report);
-  return trace_separatrices(evaluator, points, options, report);
+  SeparatrixGraph graph = options.layout == "t-mesh"      ? TMeshTracer(evaluator, points, options).trace(report)
+                          : options.layout == "quantized" ? quantized_layout(evaluator, points, options, report)
+                                                          : trace_separatrices(evaluator, points, options, report);
+  certify(evaluator, options.layout, graph, report);
+  return graph;
 }
 
 }  // namespace quadrille

@@ -221,8 +221,7 @@ class Simplifier {
   double turn_ = 0;
 };
 
-double least_scaled_jacobian(const SeparatrixGraph& graph) {
-  const PlanarFaces faces = planar_faces(graph);
+double least_scaled_jacobian(const SeparatrixGraph& graph, const PlanarFaces& faces) {
   return worst_shape(graph, faces, all_of(faces)).least_scaled_jacobian;
 }
 
@@ -230,16 +229,24 @@ double least_scaled_jacobian(const SeparatrixGraph& graph) {
 
 SeparatrixGraph simplify(const FieldEvaluator& evaluator, SeparatrixGraph graph, const SimplifyOptions& options,
                          Report& report) {
-  report.set("simplify.blocks_before", planar_faces(graph).cycles.size());
-  report.set("simplify.least_scaled_jacobian_before", least_scaled_jacobian(graph));
+  const PlanarFaces faces = planar_faces(graph);
+  double least = least_scaled_jacobian(graph, faces);
+  report.set("simplify.blocks_before", faces.cycles.size());
+  report.set("simplify.least_scaled_jacobian_before", least);
   Simplifier simplifier(evaluator, std::move(graph), options);
   while (simplifier.step() || simplifier.step_across_laps()) {
   }
   report.set("simplify.collapsed", simplifier.num_collapsed());
   report.set("simplify.laps_cut", simplifier.num_shortcuts());
   report.set("simplify.largest_turn_degrees", degrees(simplifier.turn()));
+  const bool is_changed = simplifier.num_collapsed() + simplifier.num_shortcuts() > 0;
   graph = simplifier.graph_without_leftovers();
-  report.set("simplify.least_scaled_jacobian", least_scaled_jacobian(graph));
+  if (is_changed) least = least_scaled_jacobian(graph, planar_faces(graph));
+  report.set("simplify.least_scaled_jacobian", least);
+  LayoutCertificate& certificate = graph.certificate;
+  certificate.collapsed_chords += simplifier.num_collapsed();
+  certificate.laps_cut += simplifier.num_shortcuts();
+  certificate.largest_turn_degrees = std::max(certificate.largest_turn_degrees, degrees(simplifier.turn()));
   return graph;
 }
 

@@ -25,7 +25,7 @@ struct SimplifyOptions {
 };
 
 /// A layout with as many blocks or fewer. Every face of `graph` must have four corners; the same holds for the result.
-/// Reports blocks before, collapsed chords and the largest turn.
+/// Reports blocks before, collapsed chords and the largest turn, the latter two to the graph's certificate as well.
 SeparatrixGraph simplify(const FieldEvaluator& evaluator, SeparatrixGraph graph, const SimplifyOptions& options,
                          Report& report);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "curve/nurbs.hpp"
 #include "trace/advance.hpp"
 #include "trace/build_graph.hpp"
+#include "trace/certificate.hpp"
 #include "trace/crossings.hpp"
 #include "trace/fit_line.hpp"
 #include "trace/launch_all.hpp"
@@ -84,6 +86,12 @@ class TMeshTracer::Impl {
   int num_merged() const {
     return static_cast<int>(
         std::count_if(contestants_.begin(), contestants_.end(), [](const Contestant& c) { return c.merge >= 0; }));
+  }
+  double largest_turn() const {
+    double turn = 0;
+    for (const Contestant& c : contestants_)
+      if (c.merge >= 0) turn = std::max(turn, candidates_[c.merge].turn);
+    return turn;
   }
   int num_stopped() const {
     return static_cast<int>(
@@ -325,25 +333,21 @@ TMeshTracer::~TMeshTracer() = default;
 
 SeparatrixGraph TMeshTracer::trace(Report& report) {
   SeparatrixGraph graph = impl_->run();
+  graph.certificate.merged_lines = impl_->num_merged();
+  graph.certificate.largest_turn_degrees = degrees(impl_->largest_turn());
   report.set("t_mesh.launched", impl_->num_lines());
   report.set("t_mesh.merged", impl_->num_merged());
   report.set("t_mesh.stopped", impl_->num_stopped());
   report.set("t_mesh.cuts", impl_->num_cuts());
   report.set("t_mesh.arcs", graph.arcs.size());
   report.set("t_mesh.t_junctions", graph.t_junctions.size());
-  for (const auto& [corners, count] : corner_census(planar_faces(graph)))
-    report.set(fmt::format("t_mesh.faces_of_{}_corners", corners), count);
+  for (const FaceCount& count : face_census(graph))
+    report.set(fmt::format("t_mesh.faces_of_{}_corners", count.corners), count.faces);
   return graph;
 }
 
 bool TMeshTracer::give_up_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs) {
   return impl_->give_up_merge(graph, arcs);
-}
-
-std::map<int, int> corner_census(const PlanarFaces& faces) {
-  std::map<int, int> census;
-  for (const std::vector<int>& quarters : faces.quarters) ++census[num_corners(quarters)];
-  return census;
 }
 
 std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph) {

@@ -4,7 +4,6 @@
 // corners of one quarter turn at crossings and line ends, T-junctions on the sides.
 
 #include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -38,9 +37,6 @@ class TMeshTracer {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Number of faces by number of corners. What the faces of a T-mesh must be is four for all.
-std::map<int, int> corner_census(const PlanarFaces& faces);
 
 /// A face of a T-mesh: the darts of its four sides, counter-clockwise.
 using TFace = std::array<std::vector<int>, 4>;

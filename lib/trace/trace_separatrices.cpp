@@ -135,6 +135,8 @@ SeparatrixGraph trace_separatrices(const FieldEvaluator& evaluator, const Critic
   report.set("trace.launched", tracer.lines().size());
   report.set("trace.merged", found->num_merged);
   report.set("trace.largest_merge_turn_degrees", degrees(found->largest_turn));
+  graph.certificate.merged_lines = static_cast<int>(found->num_merged);
+  graph.certificate.largest_turn_degrees = degrees(found->largest_turn);
 
   if (options.simplify != "none") {
     require_four_corners(graph);

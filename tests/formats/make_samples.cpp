@@ -60,6 +60,30 @@ void write_resolved_points() {
   broken("CRT-R16", [](CriticalPoints& c) { c.changes[2].after[0].valence = 1; });
 }
 
+/// What else can be wrong with a graph: its certificate. passed/version-1.0.sep.json is a file from before it had one.
+void write_wrong_certificates() {
+  const auto broken = [](const std::string& rule, const auto& damage) {
+    write_broken("separatrix_graph", ".sep.json", write_separatrix_graph, samples::separatrix_graph(), rule, damage);
+  };
+  broken("SEP-R11", [](SeparatrixGraph& g) { g.certificate.way = "guessed"; });
+  broken("SEP-R12", [](SeparatrixGraph& g) { g.certificate.index_sum = 3; });
+  broken("SEP-R13", [](SeparatrixGraph& g) { g.certificate.census = {{4, 3}}; });
+  broken("SEP-R14", [](SeparatrixGraph& g) { g.certificate.census = {{3, 1}, {5, 1}}; });
+}
+
+/// A mesh that is not valid and says so. passed/version-1.0.quad.h5 is a file from before meshes could.
+void write_marked_mesh() {
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.nodes[4] = {-0.1, 0.4};
+  mesh.elem_jacobian_bound[0] = mesh.least_jacobian_bound = -0.0425;
+  mesh.elem_scaled_jacobian[0] = -1;
+  mesh.is_valid = false;
+  write_quad_mesh(target("quad_mesh", "passed", "marked.quad.h5"), mesh);
+  write_broken("quad_mesh", ".quad.h5", write_quad_mesh, mesh, "QUA-R04", [](QuadMesh& m) { m.is_valid = true; });
+  write_broken("quad_mesh", ".quad.h5", write_quad_mesh, mesh, "QUA-R10",
+               [](QuadMesh& m) { m.least_jacobian_bound = 0.125; });
+}
+
 void write_phase_field() {
   const Field field = samples::phase_field();
   write_field(target("field", "passed", "phase.field.h5"), field);
@@ -91,5 +115,6 @@ int main(int argc, char** argv) {
     m.nodes[4] = {-0.1, 0.4};
   });
   write_resolved_points();
+  write_wrong_certificates();
   write_phase_field();
 }

@@ -155,6 +155,9 @@ inline SeparatrixGraph separatrix_graph() {
             {2, 5, true, 0, {{2, 0, 0.5}}}, {5, 3, true, 0, {{2, 0.5, 1}}}, {3, 0, true, 0, {{3, 0, 1}}},
             {4, 5, false, 0, {{4, 0, 1}}}};
   g.lines = {{4, 5, "cut", {6}}};
+  g.certificate.way = "traced";
+  g.certificate.index_sum = 4;
+  g.certificate.census = {{4, 2}};
   return g;
 }
 

@@ -57,7 +57,11 @@ TEST(SeparatrixGraphCheck, SepR08LinesAreChains) {
   EXPECT_EQ(broken([](auto& g) { g.lines[0].arcs.clear(); }), Rules{"SEP-R08"});
 }
 TEST(SeparatrixGraphCheck, SepR09ValencesAreArcs) {
-  EXPECT_EQ(broken([](auto& g) { g.nodes[4].valence = 3; }), Rules{"SEP-R09"});
+  EXPECT_EQ(broken([](auto& g) {
+              g.nodes[4].valence = 3;
+              g.certificate = {};
+            }),
+            Rules{"SEP-R09"});
 }
 TEST(SeparatrixGraphCheck, SepR10Census) {
   // Without the line's end node on the upper side, that side is one arc and the line ends in the open.
@@ -65,6 +69,42 @@ TEST(SeparatrixGraphCheck, SepR10Census) {
                 g.arcs.pop_back();
                 g.lines.clear();
               }).contains("SEP-R10"));
+}
+
+TEST(SeparatrixGraphCheck, SepR11CertificateIsSound) {
+  EXPECT_EQ(broken([](auto& g) { g.certificate.way = "guessed"; }), Rules{"SEP-R11"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.merged_lines = -1; }), Rules{"SEP-R11"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.largest_turn_degrees = 200; }), Rules{"SEP-R11"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.census = {{4, 1}, {4, 1}}; }), Rules{"SEP-R11"});
+}
+TEST(SeparatrixGraphCheck, SepR12IndexSum) {
+  EXPECT_EQ(broken([](auto& g) { g.certificate.index_sum = 3; }), Rules{"SEP-R12"});
+}
+TEST(SeparatrixGraphCheck, SepR13CensusIsThatOfTheGraph) {
+  EXPECT_EQ(broken([](auto& g) { g.certificate.census = {{4, 3}}; }), Rules{"SEP-R13"});
+  EXPECT_EQ(broken([](auto& g) {
+              g.certificate.census = {{3, 1}, {4, 1}};
+              g.certificate.way = "t-mesh";
+            }),
+            Rules{"SEP-R13"});
+  EXPECT_EQ(broken([](auto& g) {
+              g.certificate.t_junctions = 1;
+              g.certificate.way = "t-mesh";
+            }),
+            Rules{"SEP-R13"});
+}
+TEST(SeparatrixGraphCheck, SepR14LayoutsConform) {
+  const auto unequal = [](const char* way) {
+    return broken([way](auto& g) {
+      g.certificate.census = {{3, 1}, {5, 1}};  // together as many as there are
+      g.certificate.way = way;
+    });
+  };
+  EXPECT_EQ(unequal("quantized"), Rules{"SEP-R14"});
+  EXPECT_EQ(unequal("t-mesh"), Rules{});
+}
+TEST(SeparatrixGraphCheck, AGraphWithoutACertificateIsNotJudgedByOne) {
+  EXPECT_EQ(broken([](auto& g) { g.certificate = {}; }), Rules{});
 }
 
 }  // namespace

@@ -305,6 +305,18 @@ TEST(Draw, SeparatricesShowLinesAndNodes) {
   EXPECT_EQ(count(svg, "<title>node "), 6);
 }
 
+TEST(Draw, SeparatricesTellTheirCertificate) {
+  SeparatrixGraph graph = halved_square();
+  EXPECT_EQ(count(draw_separatrix_graph(graph, {}), "index sum"), 0);
+  graph.certificate.way = "traced";
+  graph.certificate.index_sum = 4;
+  graph.certificate.census = {{4, 2}};
+  graph.certificate.largest_turn_degrees = 2.34;
+  EXPECT_EQ(count(draw_separatrix_graph(graph, {}),
+                  "traced: 2 faces of 4 corners, index sum 4, turned by 2.3° at most"),
+            1);
+}
+
 TEST(Draw, ArcsOfNoLineAreDrawnAllTheSame) {
   SeparatrixGraph graph = halved_square();
   graph.lines.clear();

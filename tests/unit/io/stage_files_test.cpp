@@ -95,7 +95,17 @@ TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
   const SeparatrixGraph graph = read_separatrix_graph(read_input(path("second")));
   EXPECT_EQ(graph.nodes[4].kind, NodeKind::boundary);
   EXPECT_EQ(graph.arcs[6].pieces[0].curve, 4);
+  EXPECT_EQ(graph.certificate.way, "traced");
+  EXPECT_EQ(graph.certificate.census.at(0).faces, 2);
   EXPECT_EQ(stage_format(read_input(path("first"))), "separatrix-graph");
+}
+
+TEST_F(StageFiles, ASeparatrixGraphMayComeWithoutACertificate) {
+  SeparatrixGraph graph = samples::separatrix_graph();
+  graph.certificate = {};
+  expect_same_bytes(graph, read_separatrix_graph, write_separatrix_graph);
+  EXPECT_TRUE(read_separatrix_graph(read_input(path("second"))).certificate.way.empty());
+  EXPECT_EQ(bytes_of("second").find("certificate"), std::string::npos);
 }
 
 TEST_F(StageFiles, BlockLayoutSurvivesTheRoundTrip) {
