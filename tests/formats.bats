@@ -4,7 +4,7 @@ load tools/common
 PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
 
 @test "every page has all headings" {
-  for page in $PAGES order-map; do
+  for page in $PAGES order-map boundary-names block-names; do
     for heading in Purpose "Who writes and reads it" "A complete small example" Conventions Rules "Reading it" "Version history"; do
       grep -qx "## $heading" "$ROOT/formats/$page.md" || fail "$page.md has no heading '$heading'"
     done
@@ -87,6 +87,35 @@ block() {
     run validates order-map edited.json
     assert_failure
   done
+}
+
+@test "the examples on the pages of names keep their schemas and are read" {
+  stage_chain half_disc
+  for stem in boundary-names block-names; do
+    count=$(grep -c '^```json$' "$ROOT/formats/$stem.md")
+    for ((i = 1; i <= count; ++i)); do
+      block $i json $stem > names.json
+      validates $stem names.json
+      case $stem in
+        boundary-names)
+          cad2tri "$DATA/half_disc.step" --boundary-names names.json -o a.tri.h5
+          h5dump -A 0 -d /face/curve_names a.tri.h5 | tr -d '\n' | grep -q 'symmetry.*wall' ;;
+        block-names)
+          blocksplit half_disc.sep.json --block-names names.json -o a.blocks.h5
+          stagecheck a.blocks.h5
+          h5dump -A 0 -d /block_names a.blocks.h5 | grep -oE 'core|ring|fluid' | sort | uniq -c | tr -s ' \n' '  ' >> regions ;;
+      esac
+    done
+    for wrong in '[{"id": 0}]' '[{"id": -1, "name": "a"}]' '{"0": 3}' '{"0": ""}' '""' '[{"name": "a"}]' '3' \
+      '[{"id": 0, "at": [0, 0], "near": [0, 0], "name": "a"}]' '[{"at": [0], "name": "a"}]' '[{"near": [0], "name": "a"}]'; do
+      echo "$wrong" > names.json
+      run validates $stem names.json
+      assert_failure
+      run -3 cad2tri "$DATA/half_disc.step" --boundary-names names.json -o b.tri.h5
+      run -3 blocksplit half_disc.sep.json --block-names names.json -o b.blocks.h5
+    done
+  done
+  assert_equal "$(cat regions)" " 1 core 3 ring  4 fluid  4 fluid "
 }
 
 # validates FORMAT FILE: whether the schema accepts the file.

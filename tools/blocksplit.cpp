@@ -1,16 +1,18 @@
 // Turns the graph of separatrices into a conforming layout of four-sided blocks.
 
 #include "block/make_blocks.hpp"
+#include "block/name_blocks.hpp"
 #include "block/tell_layout.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "io/name_rules.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 
 using namespace quadrille;
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-";
+  std::string input = "-", output = "-", names;
   Tool tool;
   tool.name = "blocksplit";
   tool.summary = "turns a separatrix graph into four-sided blocks";
@@ -19,12 +21,19 @@ int main(int argc, char** argv) {
       "names the place. A block is its four exact sides and their transfinite blend: no order is chosen here. A block "
       "whose blend cannot be proved valid, or has a scaled Jacobian below 0.1, is cut through its long sides, with all "
       "blocks of its strip, where that helps; every other "
-      "layout is taken as it is. -v tells the worst and the smallest block, and what forces that one.";
+      "layout is taken as it is. -v tells the worst and the smallest block, and what forces that one. Blocks are "
+      "called "
+      "as the CAD face is, so that they are one region, and block_N where it has no name.";
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
-                   "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5"};
+                   "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5",
+                   "echo '{\"*\": \"fluid\"}' | blocksplit half_disc.sep.json --block-names - -o half_disc.blocks.h5"};
   tool.options = [&](Options& o) {
     o.input("SEP", input, "graph of separatrices (x.sep.json)");
     o.output(output, "block layout (x.blocks.h5)");
+    o.text("--block-names", names, "FILE",
+           "names of blocks, JSON: \"name of all\", {\"number\": \"name\", \"*\": \"name of the rest\"} or "
+           "[{\"at\": [x, y], \"name\": \"fluid\"}] (see formats/block-names.md)",
+           false);
   };
   tool.run = [&](Session& s) {
     s.begin_phase("read");
@@ -33,7 +42,15 @@ int main(int argc, char** argv) {
     require_valid(check_separatrix_graph(graph, CheckDepth::quick), file.name);
     s.begin_phase("blocks");
     Blocks blocks = make_blocks(graph, s.report());
-    blocks.layout.provenance = s.provenance(graph.provenance, {file.digest("separatrix-graph")});
+    std::vector<InputDigest> inputs{file.digest("separatrix-graph")};
+    std::vector<NameRule> rules;
+    if (!names.empty()) {
+      const InputFile names_file = read_input(names);
+      rules = read_block_names(names_file);
+      inputs.push_back(names_file.digest("block-names"));
+    }
+    name_blocks(blocks.layout, rules);
+    blocks.layout.provenance = s.provenance(graph.provenance, inputs);
     s.say(layout_in_words(blocks.layout, blocks.measures));
     s.begin_phase("write");
     write_block_layout(output, blocks.layout);

@@ -7,10 +7,11 @@
 #include "base/angle.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
+#include "cad/rename_curves.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
-#include "io/boundary_names.hpp"
 #include "io/input_file.hpp"
+#include "io/name_rules.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "triangulate/triangulate.hpp"
@@ -63,7 +64,9 @@ int main(int argc, char** argv) {
     o.integer("--fan-layers", options.fan_layers, -1, 40,
               "layers of the fans at singular corners; -1: as many as each corner's exponent asks for");
     o.text("--boundary-names", names, "FILE",
-           "new names of boundary curves, JSON: {\"old name or number\": \"new name\"}", false);
+           "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the rest\"} or "
+           "[{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
+           false);
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio", "radius of a layer by that of the next one");
   };
   tool.run = [&](Session& s) {
@@ -74,7 +77,7 @@ int main(int argc, char** argv) {
     std::vector<InputDigest> inputs{file.digest(digest_format(cad_format(file.bytes, file.name)))};
     if (!names.empty()) {
       const InputFile names_file = read_input(names);
-      rename_boundary(face, names_file);
+      rename_curves(face, read_boundary_names(names_file));
       inputs.push_back(names_file.digest("boundary-names"));
     }
     report_face(face, s.report());

@@ -71,3 +71,45 @@ setup() {
   run blocksplit "$sep" -o nowhere/a.blocks.h5
   assert_failure 4
 }
+
+# regions FILE: each name once, on one line.
+regions() {
+  h5dump -y -A 0 -d /block_names "$1" | sed '1,/DATA {/d' | grep -o '"[^"]*"' | sed 's/\\000//g' | sort | uniq -c | tr -s ' \n' '  '
+}
+
+@test "--block-names names blocks by number, by a point inside and all at once" {
+  echo '[{"at": [0, 0.2], "name": "core"}, {"id": "*", "name": "ring"}]' > names.json
+  blocksplit "$sep" --block-names names.json -o a.blocks.h5
+  assert_equal "$(regions a.blocks.h5)" ' 1 "core" 3 "ring" '
+  run stagecheck a.blocks.h5
+  assert_success
+  quadrefine a.blocks.h5 | quadexport -o a.msh
+  assert_equal "$(grep -cE '^2 [0-9]+ "(core|ring)"$' a.msh)" 2
+  echo '"fluid"' | blocksplit "$sep" --block-names - -o b.blocks.h5
+  assert_equal "$(regions b.blocks.h5)" ' 4 "fluid" '
+  quadrefine b.blocks.h5 | quadexport -o b.msh
+  assert_equal "$(grep -cE '^2 [0-9]+ "' b.msh)" 1
+}
+
+@test "blocks are called as the face is" {
+  jq '.face.name = "air"' "$sep" > named.sep.json
+  blocksplit named.sep.json -o a.blocks.h5
+  assert_equal "$(regions a.blocks.h5)" ' 4 "air" '
+  echo '{"1": "solid"}' | blocksplit named.sep.json --block-names - -o a.blocks.h5
+  assert_equal "$(regions a.blocks.h5)" ' 3 "air" 1 "solid" '
+}
+
+@test "names that fit no block or one twice end with 3 and say where" {
+  refused() {
+    echo "$1" > names.json
+    run -3 blocksplit "$sep" --block-names names.json -o a.blocks.h5
+    assert_output --partial "blocksplit: names.json: $2"
+  }
+  refused '{"4": "x"}' '"4": no block has this number; they go from 0 to 3'
+  refused '{"core": "x"}' '"core": must be the number of a block'
+  refused '[{"at": [2, 0], "name": "x"}]' 'entry 0: (2, 0) lies in no block'
+  refused '[{"at": [0, 0], "name": "x"}]' 'entry 0: (0, 0) lies on a side of block'
+  refused '[{"at": [0, 0.2], "name": "x"}, {"at": [0.01, 0.2], "name": "x"}]' 'entry 1 names block'
+  refused '[{"near": [0, 0.2], "name": "x"}]' 'entry 0: "near" is not one of "id", "at", and "name"'
+  assert_nothing_left names.json
+}

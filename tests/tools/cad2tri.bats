@@ -124,3 +124,50 @@ shapes="half_disc square l_shape quarter_annulus annulus eccentric_annulus plate
   assert_failure 4
   assert_output --partial "cad2tri: "
 }
+
+# curve_names FILE: one a line.
+curve_names() {
+  h5dump -y -A 0 -d /face/curve_names "$1" | sed '1,/DATA {/d' | grep -o '"[^"]*"' | sed 's/\\000//g'
+}
+
+@test "edges without a name are called by their layer or colour" {
+  cad2tri "$DATA/labels.step" -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | sed 1d | tr '\n' ' ')" '"outlet" "walls" "colour_ff8000" "colour_0000ff" '
+  stageview a.tri.h5 -o a.svg
+  grep -q 'Zufluß' a.svg
+}
+
+@test "--boundary-names names curves by old name, number, nearest point and all the rest" {
+  echo '{"outlet": "far", "3": "inlet", "*": "wall"}' > names.json
+  cad2tri "$DATA/labels.step" --boundary-names names.json -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"wall""far""wall""inlet""wall"'
+  echo '[{"near": [1, 0.75], "name": "cylinder"}, {"old_name": "walls", "name": "lid"}, {"id": 0, "name": "floor"}]' |
+    cad2tri "$DATA/labels.step" --boundary-names - -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"floor""outlet""lid""colour_ff8000""cylinder"'
+  run stagecheck a.tri.h5
+  assert_success
+  # A face in space: points of the model and of the plane mean the same.
+  echo '[{"near": [2, 2, 3], "name": "p"}]' > space.json
+  echo '[{"near": [1, 0], "name": "p"}]' > plane.json
+  for names in space plane; do cad2tri "$DATA/bad/tilted.step" --boundary-names $names.json -o $names.tri.h5; done
+  assert_equal "$(curve_names space.tri.h5 | tr -d '\n')" '"p""curve_1""curve_2""curve_3"'
+  assert_equal "$(curve_names space.tri.h5)" "$(curve_names plane.tri.h5)"
+}
+
+@test "names that fit no curve, several, or one twice end with 3 and say where" {
+  refused() {
+    echo "$1" > names.json
+    run cad2tri "$DATA/labels.step" --boundary-names names.json -o a.tri.h5
+    assert_failure 3
+    assert_output --partial "cad2tri: names.json: $2"
+  }
+  refused '{"lid": "x"}' '"lid": no boundary curve has this name or number; the curves are 0 "Zufluß", 1 "outlet"'
+  refused '[{"id": 5, "name": "x"}]' 'entry 0: no boundary curve'
+  refused '[{"near": [2, 0], "name": "x"}]' 'entry 0: (2, 0) is equally near to the curves 0 "Zufluß" and 1 "outlet"'
+  refused '[{"near": [20, 0], "name": "x"}]' 'entry 0: (20, 0) lies 18 away from the boundary'
+  refused '[{"id": 1, "name": "x"}, {"near": [1.9, 0.5], "name": "y"}]' 'entry 1 names curve 1, as names.json: entry 0 does'
+  refused '{"1": "x", "1": "y"}' 'the key "1" stands twice'
+  refused '[{"id": 1}]' 'entry 0: must be an object'
+  refused 'x' 'not JSON'
+  assert_nothing_left names.json
+}

@@ -1,0 +1,26 @@
+#include "base/assign_names.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace quadrille {
+
+void assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given, const std::string& kind) {
+  std::vector<const GivenName*> by_target(names.size(), nullptr);
+  const GivenName* rest = nullptr;
+  const auto claim = [](const GivenName*& owner, const GivenName& claimant, const std::string& what) {
+    if (owner != nullptr)
+      throw FormatError(fmt::format("{} names {}, as {} does: \"{}\" or \"{}\"?", claimant.where, what, owner->where,
+                                    claimant.name, owner->name));
+    owner = &claimant;
+  };
+  for (const GivenName& g : given) {
+    if (g.is_for_rest) claim(rest, g, fmt::format("every other {}", kind));
+    for (const int target : g.targets) claim(by_target[target], g, fmt::format("{} {}", kind, target));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const GivenName* owner = by_target[i] != nullptr ? by_target[i] : rest) names[i] = owner->name;
+}
+
+}  // namespace quadrille

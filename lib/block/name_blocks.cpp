@@ -1,0 +1,98 @@
+#include "block/name_blocks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/angle.hpp"
+#include "base/assign_names.hpp"
+#include "base/error.hpp"
+#include "curve/face_position.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+
+namespace quadrille {
+namespace {
+
+/// The angle under which x sees the curve go by, once round counter-clockwise being 2 pi. A curve lies in the hull of
+/// its poles: where these lie within a quarter turn of the first, the ends tell the angle; else halves are looked at.
+double swept_angle(const Nurbs& curve, Vec2 x, int depth = 0) {
+  const Vec2 first = curve.poles.front() - x, last = curve.poles.back() - x;
+  const auto is_near_first = [&](Vec2 pole) { return dot(first, pole - x) > 0; };
+  if (depth == 50 || std::all_of(curve.poles.begin(), curve.poles.end(), is_near_first))
+    return std::atan2(cross(first, last), dot(first, last));
+  const double middle = 0.5 * (curve.begin() + curve.end());
+  return swept_angle(trimmed(curve, curve.begin(), middle), x, depth + 1) +
+         swept_angle(trimmed(curve, middle, curve.end()), x, depth + 1);
+}
+
+/// What x sees of every arc from its first node to its last.
+std::vector<double> swept_angles(const BlockLayout& layout, Vec2 x) {
+  std::vector<double> angles;
+  for (const GraphArc& arc : layout.arcs) {
+    double angle = 0;
+    for (const ArcPiece& piece : arc.pieces) {
+      const auto [low, high] = std::minmax(piece.t0, piece.t1);
+      const double swept = swept_angle(trimmed(layout.curve(piece.curve), low, high), x);
+      angle += piece.t0 < piece.t1 ? swept : -swept;
+    }
+    angles.push_back(angle);
+  }
+  return angles;
+}
+
+/// The blocks beside an arc on which x lies.
+std::vector<int> blocks_that_touch(const BlockLayout& layout, Vec2 x) {
+  std::vector<bool> is_near(layout.arcs.size(), false);
+  for (std::size_t a = 0; a < layout.arcs.size(); ++a)
+    for (const ArcPiece& piece : layout.arcs[a].pieces) {
+      const auto [low, high] = std::minmax(piece.t0, piece.t1);
+      const double distance = project(layout.curve(piece.curve), x, low, high).distance;
+      is_near[a] = is_near[a] || distance <= 1e-6 * layout.face.diameter;
+    }
+  std::vector<int> blocks;
+  for (int b = 0; b < layout.num_blocks(); ++b) {
+    const auto& arcs = layout.block2arcs[b];
+    if (std::any_of(arcs.begin(), arcs.end(), [&](int a) { return is_near[a >= 0 ? a : -1 - a]; })) blocks.push_back(b);
+  }
+  return blocks;
+}
+
+int block_at(const BlockLayout& layout, const NameRule& rule) {
+  const Vec2 x = face_position(layout.face, rule.place, rule.where);
+  const std::string place = fmt::format("({:.6g})", fmt::join(rule.place, ", "));
+  if (const std::vector<int> touching = blocks_that_touch(layout, x); !touching.empty())
+    throw FormatError(fmt::format("{}: {} lies on a side of block {}, not inside a block", rule.where, place,
+                                  fmt::join(touching, " and of block ")));
+  const std::vector<double> angles = swept_angles(layout, x);
+  for (int b = 0; b < layout.num_blocks(); ++b) {
+    double angle = 0;
+    for (const int a : layout.block2arcs[b]) angle += a >= 0 ? angles[a] : -angles[-1 - a];
+    if (angle > pi) return b;
+  }
+  throw FormatError(fmt::format("{}: {} lies in no block", rule.where, place));
+}
+
+int block_of(const BlockLayout& layout, const NameRule& rule) {
+  if (rule.kind == NameRule::Kind::place) return block_at(layout, rule);
+  if (rule.number < 0 || rule.number >= layout.num_blocks())
+    throw FormatError(
+        fmt::format("{}: no block has this number; they go from 0 to {}", rule.where, layout.num_blocks() - 1));
+  return rule.number;
+}
+
+}  // namespace
+
+void name_blocks(BlockLayout& layout, const std::vector<NameRule>& rules) {
+  if (!layout.face.name.empty()) layout.block_names.assign(layout.num_blocks(), layout.face.name);
+  std::vector<GivenName> given;
+  for (const NameRule& rule : rules) {
+    const bool is_for_rest = rule.kind == NameRule::Kind::rest;
+    given.push_back({rule.name, is_for_rest ? std::vector<int>() : std::vector<int>{block_of(layout, rule)},
+                     is_for_rest, rule.where});
+  }
+  assign_names(layout.block_names, given, "block");
+}
+
+}  // namespace quadrille

@@ -1,0 +1,78 @@
+#include "cad/rename_curves.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/assign_names.hpp"
+#include "base/error.hpp"
+#include "curve/face_position.hpp"
+#include "curve/project.hpp"
+
+namespace quadrille {
+namespace {
+
+std::vector<int> curves_of_name(const CadFace& face, const std::string& name) {
+  std::vector<int> curves;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (face.curve_names[c] == name) curves.push_back(c);
+  return curves;
+}
+
+std::vector<int> curve_of_number(const CadFace& face, int number) {
+  return 0 <= number && number < face.num_curves() ? std::vector<int>{number} : std::vector<int>();
+}
+
+std::string known_curves(const CadFace& face) {
+  std::vector<std::string> known;
+  for (int c = 0; c < std::min(face.num_curves(), 20); ++c)
+    known.push_back(fmt::format("{} \"{}\"", c, face.curve_names[c]));
+  return fmt::format("the curves are {}{}", fmt::join(known, ", "), face.num_curves() > 20 ? ", ..." : "");
+}
+
+std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
+  const Vec2 x = face_position(face, rule.place, rule.where);
+  const std::string place = fmt::format("({:.6g})", fmt::join(rule.place, ", "));
+  std::vector<double> distances;
+  for (const Nurbs& curve : face.curves) distances.push_back(project(curve, x).distance);
+  const double least = *std::min_element(distances.begin(), distances.end());
+  if (!(least <= face.diameter))
+    throw FormatError(fmt::format("{}: {} lies {:.3g} away from the boundary, whose diameter is {:.3g}", rule.where,
+                                  place, least, face.diameter));
+  std::vector<std::string> equals;
+  std::vector<int> curves;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (distances[c] <= least + 1e-6 * face.diameter) {
+      curves.push_back(c);
+      equals.push_back(fmt::format("{} \"{}\"", c, face.curve_names[c]));
+    }
+  if (curves.size() > 1)
+    throw FormatError(
+        fmt::format("{}: {} is equally near to the curves {}", rule.where, place, fmt::join(equals, " and ")));
+  return curves;
+}
+
+std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
+  if (rule.kind == NameRule::Kind::place) return nearest_curve(face, rule);
+  std::vector<int> curves;
+  if (rule.kind == NameRule::Kind::key || rule.kind == NameRule::Kind::old_name)
+    curves = curves_of_name(face, rule.text);
+  if (curves.empty() && rule.kind != NameRule::Kind::old_name) curves = curve_of_number(face, rule.number);
+  if (curves.empty())
+    throw FormatError(fmt::format("{}: no boundary curve has this name or number; {}", rule.where, known_curves(face)));
+  return curves;
+}
+
+}  // namespace
+
+void rename_curves(CadFace& face, const std::vector<NameRule>& rules) {
+  std::vector<GivenName> given;
+  for (const NameRule& rule : rules) {
+    const bool is_for_rest = rule.kind == NameRule::Kind::rest;
+    given.push_back({rule.name, is_for_rest ? std::vector<int>() : curves_of(face, rule), is_for_rest, rule.where});
+  }
+  assign_names(face.curve_names, given, "curve");
+}
+
+}  // namespace quadrille

@@ -1,0 +1,137 @@
+#include "io/name_rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/name_text.hpp"
+
+namespace quadrille {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Dialect {
+  const char* place_key;
+  bool has_old_names;
+};
+constexpr Dialect boundary{"near", true}, block{"at", false};
+
+Json parsed(const InputFile& file) {
+  std::set<std::string> keys;
+  const auto refuse_twins = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth == 1 && event == Json::parse_event_t::key && !keys.insert(value.get<std::string>()).second)
+      throw FormatError(fmt::format("{}: the key \"{}\" stands twice", file.name, value.get<std::string>()));
+    return true;
+  };
+  try {
+    return Json::parse(file.bytes, refuse_twins);
+  } catch (const Json::parse_error& e) {
+    throw FormatError(fmt::format("{}: not JSON (byte {})", file.name, e.byte));
+  }
+}
+
+std::string new_name(const Json& value, const std::string& where) {
+  const std::string name = value.is_string() ? clean_name(value.get<std::string>()) : std::string();
+  if (name.empty()) throw FormatError(where + ": the new name must be a text that is not empty");
+  return name;
+}
+
+NameRule rule_of_key(const std::string& key, const Dialect& dialect, const std::string& where) {
+  NameRule rule;
+  rule.text = key;
+  if (key == "*") return rule;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), rule.number);
+  const bool is_number = error == std::errc() && end == key.data() + key.size();
+  if (!is_number) rule.number = -1;
+  if (!is_number && !dialect.has_old_names) throw FormatError(where + ": must be the number of a block, or \"*\"");
+  rule.kind = dialect.has_old_names ? NameRule::Kind::key : NameRule::Kind::number;
+  return rule;
+}
+
+NameRule rule_of_id(const Json& id, const std::string& where) {
+  NameRule rule;
+  if (id == "*") return rule;
+  if (!id.is_number_integer()) throw FormatError(where + ": \"id\" must be a whole number, or \"*\" for all others");
+  rule.kind = NameRule::Kind::number;
+  rule.number = id.is_number_unsigned() && id.get<std::uint64_t>() <= 0x7FFFFFFF ? id.get<int>() : -1;
+  return rule;
+}
+
+NameRule rule_of_place(const Json& place, const char* key, const std::string& where) {
+  NameRule rule;
+  rule.kind = NameRule::Kind::place;
+  if (place.is_array())
+    for (const Json& x : place)
+      if (x.is_number()) rule.place.push_back(x.get<double>());
+  const std::size_t size = rule.place.size();
+  if (size != place.size() || size < 2 || size > 3)
+    throw FormatError(fmt::format("{}: \"{}\" must be [x, y] or [x, y, z]", where, key));
+  for (const double x : rule.place)
+    if (!std::isfinite(x)) throw FormatError(fmt::format("{}: \"{}\" is not finite", where, key));
+  return rule;
+}
+
+/// Exactly one key that says which, one that says how it is called, nothing else.
+NameRule rule_of_entry(const Json& entry, const Dialect& dialect, const std::string& where) {
+  std::vector<std::string> keys{"id", dialect.place_key};
+  if (dialect.has_old_names) keys.push_back("old_name");
+  const std::string expected = fmt::format(R"(one of "{}", and "name")", fmt::join(keys, R"(", ")"));
+  if (!entry.is_object() || entry.size() != 2 || !entry.contains("name"))
+    throw FormatError(fmt::format("{}: must be an object with {}", where, expected));
+  NameRule rule;
+  for (const auto& [key, value] : entry.items()) {
+    if (key == "name") continue;
+    if (key == "id") {
+      rule = rule_of_id(value, where);
+    } else if (key == dialect.place_key) {
+      rule = rule_of_place(value, dialect.place_key, where);
+    } else if (dialect.has_old_names && key == "old_name" && value.is_string()) {
+      rule.kind = NameRule::Kind::old_name;
+      rule.text = value.get<std::string>();
+    } else {
+      throw FormatError(fmt::format("{}: \"{}\" is not {}", where, key, expected));
+    }
+  }
+  rule.name = new_name(entry["name"], where);
+  return rule;
+}
+
+std::vector<NameRule> rules_of(const InputFile& file, const Dialect& dialect) {
+  const Json json = parsed(file);
+  std::vector<NameRule> rules;
+  const auto add = [&](NameRule rule, const std::string& name, const std::string& where) {
+    rule.name = name, rule.where = where;
+    rules.push_back(std::move(rule));
+  };
+  if (json.is_string()) {
+    add({}, new_name(json, file.name), file.name);
+  } else if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      const std::string where = fmt::format("{}: \"{}\"", file.name, key);
+      add(rule_of_key(key, dialect, where), new_name(value, where), where);
+    }
+  } else if (json.is_array()) {
+    for (const Json& entry : json) {
+      const std::string where = fmt::format("{}: entry {}", file.name, rules.size());
+      const NameRule rule = rule_of_entry(entry, dialect, where);
+      add(rule, rule.name, where);
+    }
+  } else {
+    throw FormatError(file.name + ": must be a text, an object or a list");
+  }
+  return rules;
+}
+
+}  // namespace
+
+std::vector<NameRule> read_boundary_names(const InputFile& file) { return rules_of(file, boundary); }
+std::vector<NameRule> read_block_names(const InputFile& file) { return rules_of(file, block); }
+
+}  // namespace quadrille

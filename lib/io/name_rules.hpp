@@ -1,0 +1,19 @@
+#pragma once
+// Files of new names (formats/boundary-names.md, formats/block-names.md) -> rules.
+
+#include <vector>
+
+#include "io/input_file.hpp"
+#include "model/name_rules.hpp"
+
+namespace quadrille {
+
+/// Three forms: "name for all"; {"old name or number": "new name", "*": "name of the rest"}; or a list of
+/// {"id": N or "*", "name": ...}, {"old_name": ..., "name": ...} and {"near": [x, y] or [x, y, z], "name": ...}.
+/// Throws FormatError, with the entry, for anything else, for a key that stands twice and for an empty name.
+std::vector<NameRule> read_boundary_names(const InputFile& file);
+
+/// The same with "at" for "near", and without old names.
+std::vector<NameRule> read_block_names(const InputFile& file);
+
+}  // namespace quadrille

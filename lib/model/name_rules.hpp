@@ -1,0 +1,26 @@
+#pragma once
+// What a file of new names says about boundary curves (formats/boundary-names.md) or blocks (formats/block-names.md).
+
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// One entry: which curves or blocks get `name`.
+struct NameRule {
+  enum class Kind {
+    key,       ///< `text` is an old name or, where no curve has that name, a number
+    number,    ///< that of a curve or block, base 0
+    old_name,  ///< all curves of the name `text`
+    place,     ///< the curve nearest to `place`, the block around it
+    rest,      ///< all that no other rule names
+  };
+  Kind kind = Kind::rest;
+  std::string text{};
+  int number = -1;
+  std::vector<double> place{};  ///< x, y of the face's plane (with face.origin), or x, y, z of the CAD model's space
+  std::string name{};           ///< valid UTF-8, trimmed, not empty
+  std::string where{};          ///< the file and the entry, for messages
+};
+
+}  // namespace quadrille

@@ -1,0 +1,38 @@
+#include "base/assign_names.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace quadrille {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string refusal(const std::vector<GivenName>& given) {
+  Names names{"a", "b"};
+  try {
+    assign_names(names, given, "curve");
+  } catch (const FormatError& e) {
+    return e.what();
+  }
+  return "no refusal";
+}
+
+TEST(AssignNames, EachTargetAndThenTheRest) {
+  Names names{"a", "b", "c", "d"};
+  assign_names(names, {{"rest", {}, true}, {"x", {2, 0}}}, "curve");
+  EXPECT_EQ(names, (Names{"x", "rest", "x", "rest"}));
+  assign_names(names, {{"y", {1}}}, "curve");
+  EXPECT_EQ(names, (Names{"x", "y", "x", "rest"}));
+}
+
+TEST(AssignNames, TwoForOneAreRefusedWithBoth) {
+  EXPECT_EQ(refusal({{"x", {1}, false, "n: entry 0"}, {"y", {0, 1}, false, "n: entry 1"}}),
+            "n: entry 1 names curve 1, as n: entry 0 does: \"y\" or \"x\"?");
+  EXPECT_EQ(refusal({{"x", {}, true, "n: entry 0"}, {"x", {}, true, "n: entry 1"}}),
+            "n: entry 1 names every other curve, as n: entry 0 does: \"x\" or \"x\"?");
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,99 @@
+#include "cad/rename_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+using Kind = NameRule::Kind;
+using Names = std::vector<std::string>;
+
+/// The upper half of the unit disc, in a plane of its own: the diameter is curve 0, the arc curves 1 and 2.
+CadFace half_disc() {
+  CadFace face;
+  face.curves = {segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, half_pi), circular_arc({0, 0}, 1, half_pi, pi)};
+  face.curve_names = {"axis", "arc", "arc"};
+  face.diameter = 2;
+  face.origin = {100, 0};
+  face.plane_origin = {1, 2, 3};
+  face.plane_x = {0, 1, 0}, face.plane_y = {0, 0, 1};
+  return face;
+}
+
+NameRule rule(Kind kind, const std::string& text, int number, std::vector<double> place = {}) {
+  return {kind, text, number, std::move(place), "new", "n: entry 0"};
+}
+
+Names renamed(const NameRule& r) {
+  CadFace face = half_disc();
+  rename_curves(face, {r});
+  return face.curve_names;
+}
+
+std::string refusal(const NameRule& r) {
+  try {
+    renamed(r);
+  } catch (const FormatError& e) {
+    return e.what();
+  }
+  return "no refusal";
+}
+
+TEST(RenameCurves, ByNameAndNumber) {
+  EXPECT_EQ(renamed(rule(Kind::key, "arc", -1)), (Names{"axis", "new", "new"}));
+  EXPECT_EQ(renamed(rule(Kind::key, "1", 1)), (Names{"axis", "new", "arc"}));
+  EXPECT_EQ(renamed(rule(Kind::number, "", 2)), (Names{"axis", "arc", "new"}));
+  EXPECT_EQ(renamed(rule(Kind::old_name, "axis", -1)), (Names{"new", "arc", "arc"}));
+  EXPECT_EQ(renamed(rule(Kind::rest, "", -1)), (Names{"new", "new", "new"}));
+  EXPECT_EQ(refusal(rule(Kind::old_name, "1", 1)),
+            "n: entry 0: no boundary curve has this name or number; the curves are 0 \"axis\", 1 \"arc\", 2 \"arc\"");
+  EXPECT_NE(refusal(rule(Kind::number, "", 3)), "no refusal");
+  EXPECT_NE(refusal(rule(Kind::key, "-1", -1)), "no refusal");
+}
+
+TEST(RenameCurves, ANameThatIsANumberGoesBeforeTheNumber) {
+  CadFace face = half_disc();
+  face.curve_names = {"1", "b", "c"};
+  rename_curves(face, {rule(Kind::key, "1", 1)});
+  EXPECT_EQ(face.curve_names, (Names{"new", "b", "c"}));
+}
+
+TEST(RenameCurves, OldNamesAreThoseBeforeTheFirstChange) {
+  CadFace face = half_disc();
+  rename_curves(face, {{Kind::key, "axis", -1, {}, "arc", "n: 0"}, {Kind::key, "arc", -1, {}, "axis", "n: 1"}});
+  EXPECT_EQ(face.curve_names, (Names{"arc", "axis", "axis"}));
+}
+
+TEST(RenameCurves, ByTheNearestPointInTheFacesCoordinatesOrInSpace) {
+  EXPECT_EQ(renamed(rule(Kind::place, "", -1, {100.2, -0.3})), (Names{"new", "arc", "arc"}));
+  EXPECT_EQ(renamed(rule(Kind::place, "", -1, {100.6, 0.7})), (Names{"axis", "new", "arc"}));
+  EXPECT_EQ(renamed(rule(Kind::place, "", -1, {1, 2 + 99.4, 3 + 0.7})), (Names{"axis", "arc", "new"}));
+}
+
+TEST(RenameCurves, PlacesThatDoNotTellAreRefused) {
+  EXPECT_EQ(refusal(rule(Kind::place, "", -1, {101, 0})),
+            "n: entry 0: (101, 0) is equally near to the curves 0 \"axis\" and 1 \"arc\"");
+  EXPECT_NE(refusal(rule(Kind::place, "", -1, {100, 1})).find("1 \"arc\" and 2 \"arc\""), std::string::npos);
+  EXPECT_EQ(refusal(rule(Kind::place, "", -1, {0.6, 0.7})),
+            "n: entry 0: (0.6, 0.7) lies 98.4 away from the boundary, whose diameter is 2");
+  EXPECT_EQ(refusal(rule(Kind::place, "", -1, {1.5, 102, 3.5})),
+            "n: entry 0: (1.5, 102, 3.5) lies 0.5 off the plane of the face");
+}
+
+TEST(RenameCurves, TwoRulesForOneCurveAreRefused) {
+  CadFace face = half_disc();
+  try {
+    rename_curves(face, {{Kind::key, "arc", -1, {}, "wall", "n: entry 0"}, rule(Kind::place, "", -1, {100.6, 0.7})});
+    FAIL() << "no refusal";
+  } catch (const FormatError& e) {
+    EXPECT_NE(std::string(e.what()).find("names curve 1, as n: entry 0 does"), std::string::npos) << e.what();
+  }
+  EXPECT_EQ(face.curve_names, (Names{"axis", "arc", "arc"})) << "all or nothing";
+}
+
+}  // namespace
+}  // namespace quadrille
