@@ -2,23 +2,18 @@
 
 #include <algorithm>
 
+#include "export/transfinite_loss.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille {
 
 double distance_from_side_blend(const QuadMesh& mesh, int elem) {
-  const int n = mesh.order;
-  const int* ids = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
-  const auto at = [&](int i, int j) { return mesh.nodes[ids[j * (n + 1) + i]]; };
-  const std::vector<double>& points = gll_points(n);
+  const int count = mesh.nodes_per_elem();
+  std::vector<Vec2> ours;
+  for (int k = 0; k < count; ++k) ours.push_back(mesh.nodes[mesh.elem_nodes[elem * count + k]]);
+  const std::vector<Vec2> blend = transfinite_element(mesh.order, ours.data());
   double largest = 0;
-  for (int j = 1; j < n; ++j)
-    for (int i = 1; i < n; ++i) {
-      const double s = (1 + points[i]) / 2, t = (1 + points[j]) / 2;
-      const Vec2 blend = (1 - t) * (at(i, 0) - (1 - s) * at(0, 0) - s * at(n, 0)) +
-                         t * (at(i, n) - (1 - s) * at(0, n) - s * at(n, n)) + (1 - s) * at(0, j) + s * at(n, j);
-      largest = std::max(largest, distance(blend, at(i, j)));
-    }
+  for (int k = 0; k < count; ++k) largest = std::max(largest, distance(blend[k], ours[k]));
   return largest;
 }
 

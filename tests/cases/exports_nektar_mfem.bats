@@ -1,0 +1,122 @@
+# Nektar++ XML and MFEM meshes, read by parsers of their own (tests/exports) and compared to the stage file.
+load ../tools/common
+
+setup_file() {
+  load ../tools/common
+  local shape
+  cd "$BATS_FILE_TMPDIR" || return
+  for shape in half_disc plate_hole l_shape; do
+    cad2tri -q "$DATA/$shape.step" | fieldsolve -q | padapt -q -o "$shape.field.h5"
+    critpoints -q "$shape.field.h5" -o "$shape.crit.json"
+    separatrix -q "$shape.field.h5" "$shape.crit.json" | blocksplit -q - -o "$shape.blocks.h5"
+  done
+}
+
+setup() {
+  common_setup
+  compare=$ROOT/tests/exports/compare
+  blocks=$BATS_FILE_TMPDIR
+}
+
+# exports NAME: x.xml, x.mesh, x13.mesh of x.quad.h5; then what the readers say of them.
+exports() {
+  quadexport -q "$1.quad.h5" -o "$1.xml"
+  quadexport -q "$1.quad.h5" -o "$1.mesh"
+  quadexport -q --format mfem13 "$1.quad.h5" -o "${1}13.mesh"
+  run -0 "$compare" nektar "$1.xml" "$1.quad.h5" mfem "$1.mesh" "$1.quad.h5" mfem "${1}13.mesh" "$1.quad.h5"
+  assert_output ''
+}
+
+@test "low and high orders: elements, names and counts of the stage file, in each of the formats" {
+  for shape in half_disc plate_hole l_shape; do
+    for order in 1 2 3 4 7; do
+      quadrefine -q --order $order --geometry-tol 1e-2 "$blocks/$shape.blocks.h5" -o a.quad.h5
+      exports a
+    done
+  done
+}
+
+@test "the XML is well formed, and only elements that their sides do not tell have faces" {
+  quadrefine -q "$blocks/plate_hole.blocks.h5" -o a.quad.h5
+  quadexport a.quad.h5 -o a.xml
+  run -0 xmllint --noout a.xml
+  run -1 grep -c '<F ' a.xml
+  assert_output 0
+}
+
+@test "order 20" {
+  quadrefine -q --order 20 --size 2 "$blocks/half_disc.blocks.h5" -o a.quad.h5
+  exports a
+}
+
+@test "awkward names arrive" {
+  echo '{"0": "Wand & \"Boden\" <Süd>", "1": "back\\slash"}' >names.json
+  cad2tri -q --boundary-names names.json "$DATA/half_disc.step" | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints -q a.field.h5 | separatrix -q a.field.h5 - | blocksplit -q | quadrefine -q -o a.quad.h5
+  exports a
+  run -0 jq -r '.boundaries[] | [.id, .name] | @csv' a.names.json
+  assert_output '1,"Wand & ""Boden"" <Süd>"
+2,"back\slash"'
+}
+
+@test "MFEM v1.0 says on stderr which names are in the table; the others are silent" {
+  quadrefine -q "$blocks/half_disc.blocks.h5" -o a.quad.h5
+  run -0 --separate-stderr quadexport a.quad.h5 -o a.mesh
+  [[ $stderr == *"2 boundaries and 4 regions"* ]]
+  run -0 --separate-stderr quadexport --format mfem13 a.quad.h5 -o b.mesh
+  assert_equal "$stderr" ""
+  run -0 --separate-stderr quadexport a.quad.h5 -o a.xml
+  assert_equal "$stderr" ""
+  assert_nothing_left a.mesh a.names.json a.quad.h5 a.xml b.mesh
+}
+
+@test "--frame 3d: the coordinates of a plane that does not lie level" {
+  sed -E "s/(CARTESIAN_POINT|DIRECTION)\('',\(([^,]+),([^,]+),([^)]+)\)\)/\1('',(\4,\2,\3))/" "$DATA/half_disc.step" >a.step
+  cad2tri -q a.step | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints -q a.field.h5 | separatrix -q a.field.h5 - | blocksplit -q | quadrefine -q -o a.quad.h5
+  quadexport -q --frame 3d a.quad.h5 -o a.xml
+  quadexport -q --frame 3d a.quad.h5 -o a.mesh
+  run -0 "$compare" --space nektar a.xml a.quad.h5 mfem a.mesh a.quad.h5
+  run -0 grep -c 'SPACE="3"' a.xml
+  run -0 grep -c '^VDim: 3$' a.mesh
+  quadexport -q a.quad.h5 -o a.xml
+  run -0 grep -c 'SPACE="2"' a.xml
+}
+
+@test "the readers see what is wrong: a node, a direction, a name, an edge, a curve that runs backwards" {
+  quadrefine -q "$blocks/half_disc.blocks.h5" -o a.quad.h5
+  quadexport -q a.quad.h5 -o a.xml
+  quadexport -q --format mfem13 a.quad.h5 -o a.mesh
+  spoilt() { # READER FILE SED-SCRIPT: the changed file differs from the other, and the reader says so
+    sed -E "$3" "$2" >b
+    run -1 cmp -s "$2" b
+    run -1 "$compare" "$1" b a.quad.h5
+  }
+  spoilt nektar a.xml 's/(<V ID="2">)(\S+)/\10.1\2/'
+  spoilt nektar a.xml 's/(<V ID="2">\S{8})/\11/'
+  spoilt nektar a.xml 's/NAME="curve_1"/NAME="curve_0"/'
+  spoilt nektar a.xml 's/NAME="block_0"> Q\[0-/NAME="block_0"> Q[1-/'
+  spoilt nektar a.xml 's/(<Q ID="7">)(\S+) (\S+) (\S+) (\S+)</\1\3 \4 \5 \2</'
+  spoilt nektar a.xml 's/(<E ID="5">)(\S+) (\S+)</\1\3 \2</'
+  spoilt mfem a.mesh 's/^1 3 0 1 2 3$/1 3 1 2 3 0/'
+  spoilt mfem a.mesh 's/^"block_0" 1 1/"block_0" 1 2/'
+  spoilt mfem a.mesh '/^Ordering/,$ s/^(-?0\.[0-9]{8})/\11/'
+  spoilt mfem a.mesh '/^boundary$/,/^bdr/ s/^2 1 (\S+) (\S+)$/2 1 \2 \1/'
+  spoilt mfem a.mesh '/^mfem_mesh_end/d'
+}
+
+@test "all shapes at orders 1 to 8" {
+  [[ -n ${QUADRILLE_LONG-} ]] || skip "long: part of tests/run --all"
+  shapes=("$ROOT"/../shared/geometries/*.step)
+  [[ -f ${shapes[0]} ]] || shapes=("$DATA"/*.step)
+  for step in "${shapes[@]}"; do
+    "$ROOT/pipelines/quadmesh" "$step" -o a.msh --workdir work
+    h5dump -d /face/diameter -b FILE -o diameter work/*.blocks.h5
+    size=$(od -An -t f8 diameter | awk '{ print $1 / 8 }')
+    for order in 1 2 3 4 5 6 7 8; do
+      quadrefine -q --order $order --size "$size" --geometry-tol 1e-2 work/*.blocks.h5 -o a.quad.h5
+      exports a
+    done
+    rm -r work
+  done
+}

@@ -1,0 +1,122 @@
+#include "export/nektar.hpp"
+
+#include <gtest/gtest.h>
+
+#include "two_quads.hpp"
+
+namespace quadrille {
+namespace {
+
+std::string xml(const QuadMesh& mesh) { return nektar_xml(mesh, plane_frame(mesh.face)).bytes; }
+
+/// From the first `from` to the next `to`, both included.
+std::string cut(const std::string& text, const std::string& from, const std::string& to) {
+  const auto begin = text.find(from), end = text.find(to, begin);
+  return begin == std::string::npos || end == std::string::npos ? "" : text.substr(begin, end + to.size() - begin);
+}
+
+TEST(Nektar, TwoQuadsInFull) {
+  // Written by hand from the description of the format: vertices and edges as a loop over the quads meets them, edges
+  // from the lower vertex to the higher, composites numbered from 1.
+  EXPECT_EQ(xml(two_quads()), R"(<?xml version="1.0" encoding="utf-8"?>
+<NEKTAR>
+  <GEOMETRY DIM="2" SPACE="2">
+    <VERTEX>
+      <V ID="0">0 0 0</V>
+      <V ID="1">2 0 0</V>
+      <V ID="2">2 2 0</V>
+      <V ID="3">0 2 0</V>
+      <V ID="4">4 0 0</V>
+      <V ID="5">4 2 0</V>
+    </VERTEX>
+    <EDGE>
+      <E ID="0">0 1</E>
+      <E ID="1">1 2</E>
+      <E ID="2">2 3</E>
+      <E ID="3">0 3</E>
+      <E ID="4">1 4</E>
+      <E ID="5">4 5</E>
+      <E ID="6">2 5</E>
+    </EDGE>
+    <ELEMENT>
+      <Q ID="0">0 1 2 3</Q>
+      <Q ID="1">4 5 6 1</Q>
+    </ELEMENT>
+    <CURVED>
+      <E ID="0" EDGEID="6" NUMPOINTS="3" TYPE="GaussLobattoLegendre">2 2 0  3 2.5 0  4 2 0</E>
+    </CURVED>
+    <COMPOSITE>
+      <C ID="1" NAME="wall"> E[0,2,4,6] </C>
+      <C ID="2" NAME="in &amp; out"> E[5] </C>
+      <C ID="3" NAME="curve_3"> E[3] </C>
+      <C ID="4" NAME="left"> Q[0] </C>
+      <C ID="5" NAME="right"> Q[1] </C>
+    </COMPOSITE>
+    <DOMAIN>
+      <D ID="0"> C[4-5] </D>
+    </DOMAIN>
+  </GEOMETRY>
+  <EXPANSIONS>
+    <E COMPOSITE="C[4-5]" NUMMODES="3" TYPE="MODIFIED" FIELDS="u" />
+  </EXPANSIONS>
+</NEKTAR>
+)");
+}
+
+TEST(Nektar, WhatTheSidesDoNotTellIsAFaceAndAllItsEdgesAreCurved) {
+  EXPECT_EQ(cut(xml(two_quads_with_moved_middle()), "    <CURVED>", "</CURVED>"), R"(    <CURVED>
+      <E ID="0" EDGEID="1" NUMPOINTS="3" TYPE="GaussLobattoLegendre">2 0 0  2 1 0  2 2 0</E>
+      <E ID="1" EDGEID="4" NUMPOINTS="3" TYPE="GaussLobattoLegendre">2 0 0  3 0 0  4 0 0</E>
+      <E ID="2" EDGEID="5" NUMPOINTS="3" TYPE="GaussLobattoLegendre">4 0 0  4 1 0  4 2 0</E>
+      <E ID="3" EDGEID="6" NUMPOINTS="3" TYPE="GaussLobattoLegendre">2 2 0  3 2.5 0  4 2 0</E>
+      <F ID="4" FACEID="1" NUMPOINTS="9" TYPE="GaussLobattoLegendre">)"
+                                                                                  "2 0 0  3 0 0  4 0 0  "
+                                                                                  "2 1 0  3.125 1.5 0  4 1 0  "
+                                                                                  "2 2 0  3 2.5 0  4 2 0</F>\n"
+                                                                                  "    </CURVED>");
+}
+
+TEST(Nektar, AStraightLineWalkedAtVaryingSpeedIsACurve) {
+  QuadMesh mesh = two_quads();
+  mesh.nodes[1].x = 1.25;  // the middle of edge 0
+  EXPECT_NE(xml(mesh).find(R"(EDGEID="0" NUMPOINTS="3" TYPE="GaussLobattoLegendre">0 0 0  1.25 0 0  2 0 0</E>)"),
+            std::string::npos);
+}
+
+TEST(Nektar, OrderOneHasNoCurves) {
+  const std::string text = xml(two_straight_quads());
+  EXPECT_EQ(text.find("CURVED"), std::string::npos);
+  EXPECT_NE(text.find("NUMMODES=\"2\""), std::string::npos);
+}
+
+TEST(Nektar, AllDigitsAndTheOriginAreThere) {
+  QuadMesh mesh = two_quads();
+  mesh.nodes[0] = {0.1, 1.0 / 3};
+  mesh.face.origin = {-1, 0};
+  EXPECT_NE(xml(mesh).find("<V ID=\"0\">-0.9 0.3333333333333333 0</V>"), std::string::npos);
+}
+
+TEST(Nektar, NamesAreEscapedAndControlCharactersAreSaidToBeLost) {
+  QuadMesh mesh = two_quads();
+  mesh.block_names = {"<a> \"b\" 'c'", "two\nlines"};
+  const Exported exported = nektar_xml(mesh, plane_frame(mesh.face));
+  EXPECT_NE(exported.bytes.find(R"(NAME="&lt;a&gt; &quot;b&quot; 'c'")"), std::string::npos);
+  EXPECT_NE(exported.bytes.find(R"(NAME="two_lines")"), std::string::npos);
+  ASSERT_EQ(exported.losses.size(), 1u);
+  EXPECT_NE(exported.losses[0].find("1 name"), std::string::npos);
+  EXPECT_TRUE(nektar_xml(two_quads(), plane_frame(mesh.face)).losses.empty());
+}
+
+TEST(Nektar, SpaceHasThreeDimensionsOnlyWhereItNeedsThem) {
+  const QuadMesh mesh = two_quads();
+  const std::string text = nektar_xml(mesh, upright_frame()).bytes;
+  EXPECT_NE(text.find("<GEOMETRY DIM=\"2\" SPACE=\"3\">"), std::string::npos);
+  EXPECT_NE(text.find("<V ID=\"5\">7 4 2</V>"), std::string::npos);
+  EXPECT_NE(text.find(">7 2 2  7 3 2.5  7 4 2</E>"), std::string::npos);
+  // Seen from below: two dimensions would turn every quad over.
+  const std::string below = nektar_xml(mesh, {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}}).bytes;
+  EXPECT_NE(below.find("SPACE=\"3\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quadrille
