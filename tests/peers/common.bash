@@ -1,0 +1,50 @@
+# Loaded by every file of tests/peers: `load common`. Independent readers of what quadexport writes; they are installed
+# here, by the tests that need them, because nothing else of the project does.
+load ../tools/common
+
+# Apt's modules are those of the distribution's own interpreter.
+PYTHON=/usr/bin/python3
+export PYTHONDONTWRITEBYTECODE=1
+
+# need PACKAGE...: installs what is missing, as root and online; skips the test with the reason where it cannot.
+need() {
+  local package missing=()
+  for package; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
+  done
+  ((${#missing[@]})) || return 0
+  [[ ! -e $BATS_FILE_TMPDIR/cannot_install ]] || skip "not installed: ${missing[*]}"
+  command -v apt-get >/dev/null || skip "no apt-get to install ${missing[*]}"
+  [[ $(id -u) == 0 ]] || skip "not root, and not installed: ${missing[*]}"
+  # Files of tests run side by side: one installs at a time. Nothing that is there gives way (--no-remove).
+  local apt=(flock /tmp/quadrille-peers.lock env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
+  { "${apt[@]}" update && "${apt[@]}" -y --no-remove --no-install-recommends install "${missing[@]}"; } \
+    >"$BATS_FILE_TMPDIR/apt.log" 2>&1 || {
+    touch "$BATS_FILE_TMPDIR/cannot_install"
+    skip "cannot install ${missing[*]}: $(tail -n 1 "$BATS_FILE_TMPDIR/apt.log")"
+  }
+}
+
+# shapes: the STEP files to be judged: those of tests/data; in long runs all of ../shared/geometries too, if it exists.
+shapes() {
+  local file
+  for file in "$DATA"/*.step; do echo "$file"; done
+  [[ -n ${QUADRILLE_LONG-} && -d $ROOT/../shared/geometries ]] || return 0
+  for file in "$ROOT"/../shared/geometries/*.step; do
+    [[ -e $DATA/${file##*/} ]] || echo "$file"
+  done
+}
+
+# blocks_of STEP: prints the path of the shape's block layout, made when it is asked for first. All files of peers share
+# them where $QUADRILLE_LAYOUTS names a folder.
+blocks_of() {
+  local folder=${QUADRILLE_LAYOUTS:-$BATS_FILE_TMPDIR/layouts} name
+  name=$(basename "$1" .step)
+  mkdir -p "$folder/$name"
+  (
+    flock 9
+    [[ -e $folder/$name/$name.blocks.h5 ]] ||
+      "$ROOT/pipelines/quadmesh" -q "$1" -o "$folder/$name/$name.msh" --workdir "$folder/$name" >/dev/null
+  ) 9>"$folder/$name.lock" || return 1
+  echo "$folder/$name/$name.blocks.h5"
+}

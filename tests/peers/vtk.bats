@@ -1,0 +1,32 @@
+# VTK's own shape functions on our files: positive determinants, areas and lengths, one map in both kinds of cells.
+load common
+
+setup() {
+  common_setup
+  need python3-vtk9 python3-h5py
+}
+
+# judge BLOCKS NAME OPTION...
+judge() {
+  quadrefine -q "$1" -o "$2.quad.h5" "${@:3}"
+  quadexport "$2.quad.h5" -o "$2.vtu"
+  quadexport --format vtu-bezier "$2.quad.h5" -o "$2.bezier.vtu"
+  run -0 "$PYTHON" "$ROOT/tests/peers/judge_vtk.py" "$2.quad.h5" "$2.vtu" "$2.bezier.vtu"
+}
+
+@test "VTK finds positive determinants and our area in every shape" {
+  local file blocks
+  while read -r file; do
+    echo "$file"
+    blocks=$(blocks_of "$file")
+    judge "$blocks" "$(basename "$file" .step)"
+  done < <(shapes)
+}
+
+@test "VTK reads every order from 1 to 10" {
+  local order blocks
+  blocks=$(blocks_of "$DATA/half_disc.step")
+  for order in 1 2 3 4 5 6 7 8 9 10; do
+    judge "$blocks" "order_$order" --order "$order" --size 0.5 --geometry-tol 1
+  done
+}
