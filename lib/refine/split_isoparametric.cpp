@@ -30,8 +30,8 @@ std::vector<double> node_fractions(const std::vector<double>& ends, int order) {
 class Splitter {
  public:
   Splitter(const BlockLayout& layout, const std::vector<Chain>& chains,
-           const std::vector<std::vector<double>>& arc_ends, int order)
-      : layout_(layout), chains_(chains), arc_ends_(arc_ends) {
+           const std::vector<std::vector<double>>& arc_ends, int order, const WallPlan* walls)
+      : layout_(layout), chains_(chains), arc_ends_(arc_ends), walls_(walls) {
     mesh_.provenance = layout.provenance;
     mesh_.face = layout.face;
     mesh_.order = order;
@@ -52,7 +52,8 @@ class Splitter {
 
  private:
   ArcNodes place_on_arc(int arc) {
-    ArcNodes nodes{node_fractions(arc_ends_[arc], mesh_.order), {}};
+    const bool is_layered = walls_ && !walls_->arc_nodes[arc].empty();
+    ArcNodes nodes{is_layered ? walls_->arc_nodes[arc] : node_fractions(arc_ends_[arc], mesh_.order), {}};
     nodes.ids.push_back(layout_.arcs[arc].from);
     for (std::size_t k = 1; k + 1 < nodes.fractions.size(); ++k) {
       nodes.ids.push_back(static_cast<int>(mesh_.nodes.size()));
@@ -95,6 +96,7 @@ class Splitter {
     std::array<Vec2, 4> corners;
     for (int k = 0; k < 4; ++k) corners[k] = layout_.nodes[layout_.block2nodes[block][k]].position;
     const int width = static_cast<int>(sides[0].ids.size()), height = static_cast<int>(sides[1].ids.size());
+    const std::vector<Vec2> in_layers = layered_inside(block, sides);
     std::vector<int> grid;
     grid.reserve(width * height);
     for (int j = 0; j < height; ++j)
@@ -105,6 +107,10 @@ class Splitter {
           grid.push_back(sides[i == 0 ? 3 : 1].ids[j]);
         } else {
           grid.push_back(static_cast<int>(mesh_.nodes.size()));
+          if (!in_layers.empty()) {
+            mesh_.nodes.push_back(in_layers[j * width + i]);
+            continue;
+          }
           const Vec2 st = crossing_parameters(sides[0].fractions[i], sides[1].fractions[j], sides[2].fractions[i],
                                               sides[3].fractions[j]);
           const std::array<Vec2, 4> on_sides{position(sides[0].ids[i]), position(sides[1].ids[j]),
@@ -113,6 +119,21 @@ class Splitter {
         }
       }
     return grid;
+  }
+
+  /// The nodes of a block along a wall; none for other blocks.
+  std::vector<Vec2> layered_inside(int block, const std::array<ArcNodes, 4>& sides) const {
+    if (!walls_ || !walls_->has_wall(block)) return {};
+    std::array<const Chain*, 4> side_chains;
+    std::array<bool, 4> backwards;
+    std::array<std::vector<double>, 4> fractions;
+    for (int k = 0; k < 4; ++k) {
+      side_chains[k] = &chains_[arc_of(layout_.block2arcs[block][k])];
+      backwards[k] = is_backwards(layout_.block2arcs[block][k]);
+      fractions[k] = sides[k].fractions;
+    }
+    const LayeredBlock layered = layered_block(*walls_, layout_, chains_, block, std::move(fractions));
+    return layered_positions(TransfiniteMap(side_chains, backwards), layered, mesh_.order, layout_.face.origin);
   }
 
   Vec2 position(int node) const { return mesh_.nodes[node]; }
@@ -151,6 +172,7 @@ class Splitter {
   const BlockLayout& layout_;
   const std::vector<Chain>& chains_;
   const std::vector<std::vector<double>>& arc_ends_;
+  const WallPlan* walls_;
   QuadMesh mesh_;
   std::vector<ArcNodes> arc_nodes_;
   std::vector<PlacedEdge> boundary_;
@@ -159,8 +181,8 @@ class Splitter {
 }  // namespace
 
 QuadMesh split_isoparametric(const BlockLayout& layout, const std::vector<Chain>& chains,
-                             const std::vector<std::vector<double>>& arc_ends, int order) {
-  return Splitter(layout, chains, arc_ends, order).split();
+                             const std::vector<std::vector<double>>& arc_ends, int order, const WallPlan* walls) {
+  return Splitter(layout, chains, arc_ends, order, walls).split();
 }
 
 }  // namespace quadrille

@@ -1,0 +1,59 @@
+#pragma once
+// Layers along walls: how many, on which chords, and where they are cut.
+//
+// The chords across the blocks along a wall get the layers at that end; each column of nodes is cut by its distance
+// from the wall, so that layers have the same height everywhere, however wide the block is. Beyond, and on the chords
+// that go on from them, intervals grow by at most the wall's growth until the wanted size. The first row of blocks
+// holds all layers: at its far side lie irregular nodes, around which cuts cannot follow the wall.
+
+#include <string>
+#include <vector>
+
+#include "base/report.hpp"
+#include "curve/chain.hpp"
+#include "mesh/chords.hpp"
+#include "mesh/transfinite.hpp"
+#include "model/block_layout.hpp"
+#include "refine/arc_parameter.hpp"
+#include "refine/layer_columns.hpp"
+#include "refine/size_field.hpp"
+#include "refine/wall_sides.hpp"
+#include "refine/wall_spec.hpp"
+
+namespace quadrille {
+
+struct WallPlan {
+  WallSides walls;
+  std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
+  std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: as its intervals say
+  std::vector<int> chords;                     ///< on which intervals are graded, ascending
+  std::vector<std::array<int, 2>> shared;      ///< pairs of specs that ask for one chord, ascending
+
+  bool has_wall(int block) const;
+};
+
+struct WallInput {
+  const BlockLayout& layout;
+  const std::vector<Chord>& chords;
+  const CurveTable& table;
+  const std::vector<Chain>& chains;
+  const std::vector<ArcParameter>& parameters;  ///< one per arc (refine/align_chords)
+  const std::vector<WallSpec>& specs;
+  const SizeField& sizes;
+  int order = 4;
+  double tolerance = 0;  ///< as in DivideOptions
+};
+
+/// Replaces the intervals of the chords concerned in `arc_ends` (refine/divide_arcs). Throws UsageError for unknown
+/// names, ComputeError where layers do not fit, with the largest numbers that do and the place.
+WallPlan plan_walls(const WallInput& input, std::vector<std::vector<double>>& arc_ends);
+
+/// What layered_positions needs to know of a block that has a wall; `fractions` of the nodes on its sides by rising s
+/// or t.
+LayeredBlock layered_block(const WallPlan& plan, const BlockLayout& layout, const std::vector<Chain>& chains, int block,
+                           std::array<std::vector<double>, 4> fractions);
+
+/// Keys walls.<number>.names, .layers, .first, .thickness; warnings where walls share.
+void tell_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);
+
+}  // namespace quadrille

@@ -1,0 +1,57 @@
+#include "refine/wall_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve/nurbs.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int max_steps = 40;
+
+}  // namespace
+
+double WallLine::distance_at(Vec2 x, const WallFoot& foot) const {
+  return quadrille::distance(x, point(table_->curve(pieces_[foot.piece].curve), foot.t));
+}
+
+int WallLine::settle(Vec2 x, WallFoot& foot) const {
+  const ArcPiece& piece = pieces_[foot.piece];
+  const Nurbs& curve = table_->curve(piece.curve);
+  const double low = std::min(piece.t0, piece.t1), high = std::max(piece.t0, piece.t1);
+  double slope = 0;
+  for (int step = 0; step < max_steps; ++step) {
+    const auto d = derivatives(curve, foot.t, foot.t >= high);
+    slope = dot(d[0] - x, d[1]);
+    const double speed2 = norm2(d[1]), bend = speed2 + dot(d[0] - x, d[2]);
+    if (speed2 == 0) break;
+    const double next = std::clamp(foot.t - slope / (bend > 0.1 * speed2 ? bend : speed2), low, high);
+    const double move = std::abs(next - foot.t);
+    foot.t = next;
+    if (move <= 1e-14 * (high - low)) break;
+  }
+  const bool forwards = piece.t0 <= piece.t1;
+  if (foot.t <= low && slope > 0) return forwards ? -1 : 1;
+  if (foot.t >= high && slope < 0) return forwards ? 1 : -1;
+  return 0;
+}
+
+double WallLine::distance(Vec2 x, WallFoot& foot) const {
+  int beyond = settle(x, foot);
+  double nearest = distance_at(x, foot);
+  while (beyond != 0) {
+    const int piece = foot.piece + beyond;
+    if (piece < 0 || piece >= static_cast<int>(pieces_.size())) break;
+    WallFoot next{piece, beyond > 0 ? pieces_[piece].t0 : pieces_[piece].t1};
+    const int further = settle(x, next);
+    const double d = distance_at(x, next);
+    if (d >= nearest) break;
+    nearest = d, foot = next;
+    if (further == -beyond) break;
+    beyond = further;
+  }
+  return nearest;
+}
+
+}  // namespace quadrille

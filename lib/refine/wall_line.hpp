@@ -1,0 +1,37 @@
+#pragma once
+// A stretch of a wall, and how far points near it are from it.
+
+#include <vector>
+
+#include "curve/chain.hpp"
+
+namespace quadrille {
+
+/// A point of the stretch.
+struct WallFoot {
+  int piece = 0;
+  double t = 0;
+};
+
+class WallLine {
+ public:
+  WallLine() = default;
+  /// Pieces follow each other. `table` must outlive the line.
+  WallLine(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {}
+
+  /// Distance from x to the stretch, its ends included, and its foot: the nearest point that is reached from `foot`
+  /// without leaving the neighbourhood. Meant for points that move away from the wall, with the foot of the last one.
+  double distance(Vec2 x, WallFoot& foot) const;
+  const std::vector<ArcPiece>& pieces() const { return pieces_; }
+
+ private:
+  /// The nearest point of the piece, from t by Newton steps; -1, +1 where it lies at the piece's start or end and
+  /// beyond would be nearer.
+  int settle(Vec2 x, WallFoot& foot) const;
+  double distance_at(Vec2 x, const WallFoot& foot) const;
+
+  const CurveTable* table_ = nullptr;
+  std::vector<ArcPiece> pieces_;
+};
+
+}  // namespace quadrille
