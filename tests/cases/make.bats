@@ -56,3 +56,9 @@ stages_run() {
   run -0 make -s -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.{tri,solve,field,crit,sep,blocks,quad}.svg
   run -0 xmllint --noout half_disc.{tri,solve,field,crit,sep,blocks,quad}.svg
 }
+
+@test "every ending of a solver's format has a rule" {
+  run -0 make -s -f "$ROOT/Makefile.example" BIN="$BIN" half_disc.{vtu,xml,mesh,ism,inp,re2}
+  for ending in vtu xml mesh ism inp re2; do assert_file_exists "half_disc.$ending"; done
+  assert_equal "$(stages_run)" ""
+}
