@@ -48,3 +48,9 @@ blocks_of() {
   ) 9>"$folder/$name.lock" || return 1
   echo "$folder/$name/$name.blocks.h5"
 }
+
+# example N LANGUAGE PAGE: the Nth piece of code in that language on formats/export/PAGE.md.
+example() {
+  awk -v wanted="$1" -v fence="\`\`\`$2" '$0 == "```" { inside = 0 } inside; $0 == fence { inside = ++n == wanted }' \
+    "$ROOT/formats/export/$3.md"
+}

@@ -3,6 +3,7 @@ load common
 
 setup() {
   common_setup
+  export XDG_CACHE_HOME=$PWD # dolfinx compiles forms and keeps them there
   need python3-dolfinx python3-gmsh
 }
 
@@ -30,4 +31,12 @@ judge() {
   assert_output ""
   run -0 jq '[.rows[] | select(.rate)] | length' poisson.json
   assert_output 16 # four shapes, two orders, two refinements
+}
+
+@test "the commands of the page work" {
+  quadrefine --order 3 "$(blocks_of "$DATA/half_disc.step")" | quadexport -o x.msh
+  example 1 python msh >commands.py
+  echo 'print(len(facets.find(tags["curve_0"])) > 0, len(cells.values))' >>commands.py
+  run -0 "$PYTHON" commands.py
+  assert_line --regexp '^True [0-9]+$'
 }

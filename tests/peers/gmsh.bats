@@ -30,3 +30,10 @@ judge() {
     judge "$blocks" "order_$order" --order "$order" --size 0.3 --geometry-tol 1
   done
 }
+
+@test "the commands of the page work" {
+  quadrefine "$(blocks_of "$DATA/half_disc.step")" | quadexport -o x.msh
+  example 1 sh msh | sed 's/^gmsh x.msh$/& -0/' >commands # -0: without a window
+  run -0 bash -euo pipefail commands
+  assert_output --partial "minJ/maxJ ="
+}

@@ -6,10 +6,9 @@ The CAD model is measured by OpenCASCADE, through Gmsh. Its edges are told apart
 with the names whose edges of the mesh are nearest to points in its inside; names that share an edge of the model, and
 edges that share a name, are measured together.
 """
-import logging, os, sys
+import logging, sys
 
 logging.disable(logging.INFO)
-os.environ["XDG_CACHE_HOME"] = os.getcwd()  # dolfinx compiles forms and keeps them there
 
 import dolfinx, gmsh, numpy, ufl
 from dolfinx import fem

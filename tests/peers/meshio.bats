@@ -30,3 +30,10 @@ judge() {
     judge "$blocks" "order_$order" --order "$order" --size 0.5 --geometry-tol 1
   done
 }
+
+@test "the commands of the page work" {
+  quadrefine "$(blocks_of "$DATA/half_disc.step")" | quadexport -o x.msh
+  example 2 python msh >commands.py
+  run -0 "$PYTHON" commands.py
+  assert_output --partial "'curve_0'"
+}

@@ -30,3 +30,12 @@ judge() {
     judge "$blocks" "order_$order" --order "$order" --size 0.5 --geometry-tol 1
   done
 }
+
+@test "the commands of the page work" {
+  quadrefine "$(blocks_of "$DATA/half_disc.step")" | quadexport --format vtu -o x.vtu
+  example 1 python vtu >commands.py
+  echo "print(names.GetValue(0))" >>commands.py
+  run -0 "$PYTHON" commands.py
+  assert_line --regexp '^[0-9]+ cells$'
+  assert_line block_0
+}
