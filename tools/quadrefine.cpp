@@ -7,27 +7,81 @@
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
+#include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
+#include "refine/make_size_field.hpp"
 #include "refine/refine.hpp"
 
 using namespace quadrille;
 
+namespace {
+
+/// The wanted sizes, as the command line has them.
+struct SizeArguments {
+  SizeOptions options;
+  std::vector<std::string> near, counts;
+  std::string file, rule = "nearest";
+};
+
+void declare(Options& o, SizeArguments& sizes) {
+  o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "wanted edge length");
+  o.texts("--size-near", sizes.near, "NAME=H", "wanted edge length H along the boundary NAME, growing away from it");
+  o.text("--size-field", sizes.file, "FILE", "points and boxes with wanted edge lengths (JSON, formats/size-field.md)",
+         false);
+  o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",
+           "wanted edge lengths by the boundary's curvature; 0: it asks for none");
+  o.number("--growth", sizes.options.growth, 0, 100, "1",
+           "greatest ratio of neighbouring edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
+  o.choice("--size-rule", sizes.rule, {"nearest", "at-most"},
+           "a chord's count when its arcs want different ones: nearest deviates least, on the mean, from the wanted "
+           "lengths; at-most makes no edge longer than wanted");
+  o.texts(
+      "--count", sizes.counts, "CHORD=N",
+      "N elements across a chord, in place of what sizes ask for; the pictures of stageview BLOCKS and arc_chord in "
+      "BLOCKS have the chords' numbers");
+}
+
+void take_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
+                RefineOptions& options) {
+  SizeOptions wanted = sizes.options;
+  if (!sizes.file.empty()) {
+    const InputFile file = read_input(sizes.file);
+    wanted.sources = read_size_field(file, face.origin);
+    inputs.push_back(file.digest("size-field"));
+  }
+  for (const std::string& text : sizes.near) wanted.near.push_back(parse_near_size(text));
+  options.size_field = make_size_field(face, wanted);
+  options.size_rule = sizes.rule == "nearest" ? SizeRule::nearest : SizeRule::at_most;
+  for (const std::string& text : sizes.counts) options.counts.push_back(parse_chord_count(text));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   RefineOptions options;
+  SizeArguments sizes;
   Tool tool;
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
   tool.description =
-      "One count of elements for each chord of blocks, from --size; more where the boundary would miss --geometry-tol, "
-      "with element corners moved onto joints inside a side. Each element is sampled from the exact map of its block "
+      "One count of elements for each chord of blocks (blocks that are linked through opposite sides share it), so "
+      "that "
+      "the logarithms of edge lengths deviate least from those of the wanted ones, by their mean square over the "
+      "length "
+      "of the chord's arcs. Sizes wanted in one place weigh more the finer they are (by the sixth power), so that they "
+      "are met there; sizes grow from there to --size at the rate --growth. More elements where the boundary would "
+      "miss "
+      "--geometry-tol, with element corners moved onto joints inside a side. --report tells for each chord what was "
+      "wanted and what achieved. Each element is sampled from the exact map of its block "
       "and proved valid by a lower bound of det J, else the exit code is 1 and the message names the place.";
   tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
-                   "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5"};
+                   "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
+                   "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
   tool.options = [&](Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
     o.output(output, "quad mesh (x.quad.h5)");
-    o.number("--size", options.size, 0, 1e300, "length of the file; 0: diameter / 20", "greatest edge length wanted");
+    declare(o, sizes);
     o.integer("--order", options.order, 1, 20, "shape order of the elements");
     o.number("--geometry-tol", options.geometry_tol, 1e-14, 1, "diameters",
              "greatest distance between the mesh's boundary and the CAD curves");
@@ -37,9 +91,11 @@ int main(int argc, char** argv) {
     const InputFile file = read_input(input);
     const BlockLayout layout = read_block_layout(file);
     require_valid(check_block_layout(layout, CheckDepth::quick), file.name);
+    std::vector<InputDigest> inputs{file.digest("block-layout")};
+    take_sizes(sizes, layout.face, inputs, options);
     s.begin_phase("refine");
     QuadMesh mesh = refine(layout, options, s.report());
-    mesh.provenance = s.provenance(layout.provenance, {file.digest("block-layout")});
+    mesh.provenance = s.provenance(layout.provenance, inputs);
     s.say(fmt::format("{} quads of order {}, worst scaled Jacobian {:.3g}", mesh.num_elems(), mesh.order,
                       *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end())));
     s.begin_phase("write");

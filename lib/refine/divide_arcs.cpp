@@ -98,12 +98,6 @@ double bend_error(const Chain& chain, double low, double high, const std::vector
   return worst - sagitta;
 }
 
-double longest_interval(const std::vector<double>& ends) {
-  double longest = 0;
-  for (std::size_t i = 1; i < ends.size(); ++i) longest = std::max(longest, ends[i] - ends[i - 1]);
-  return longest;
-}
-
 double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }
 
 /// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then that from the tangent.
@@ -146,6 +140,7 @@ class ChordDivider {
         options_(options) {
     count_ = base_count_ = first_count();
     std::vector<Break> breaks;
+    for (int i = 0; i < num_arcs(); ++i) longest_arc_ = std::max(longest_arc_, chain(i).length());
     for (int i = 0; i < num_arcs(); ++i)
       if (layout.arcs[chord.arcs[i]].is_boundary)
         for (const double f : chain(i).break_fractions()) breaks.push_back({chord_share(i, f), f, i});
@@ -196,27 +191,33 @@ class ChordDivider {
     counts_ = segment_counts(segments_, count_, break_ties);
     if (counts_.empty()) return false;
     for (int i = 0; i < num_arcs(); ++i) {
-      const double longest = place_ends(i);
-      if (longest * plan_.count > length_slack && !plan_.is_prescribed) return false;
+      place_ends(i);
+      if (!plan_.is_prescribed && longest_interval(i) > length_slack) return false;
     }
     return true;
   }
 
-  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's shares. Returns the
-  /// longest interval as a share.
-  double place_ends(int i) {
+  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's shares.
+  void place_ends(int i) {
     Segments own = segments_;
     std::vector<double> exact(own.ends.size(), -1);
     for (std::size_t s = 0; s < needed_.size(); ++s)
       for (const Break& b : anchors_[needed_[s]].breaks)
         if (b.arc == i) own.ends[s + 1] = b.u, exact[s + 1] = b.fraction;
     ends_[i] = interval_ends(own, counts_);
-    const double longest = longest_interval(ends_[i]);
     for (double& end : ends_[i]) end = arc_fraction(i, end);
     for (std::size_t s = 0, at = 0; s < counts_.size(); at += counts_[s++])
       if (exact[s] >= 0) ends_[i][at] = exact[s];
     if (chord_.backwards[i]) std::reverse(ends_[i].begin(), ends_[i].end());
-    return longest;
+  }
+
+  /// Arc i's longest interval against what the plan has on the chord's longest arc.
+  double longest_interval(int i) const {
+    const auto share = [&](double end) { return plan_.grading.share(chord_.backwards[i] ? 1 - end : end); };
+    double longest = 0;
+    for (std::size_t k = 1; k < ends_[i].size(); ++k)
+      longest = std::max(longest, std::abs(share(ends_[i][k]) - share(ends_[i][k - 1])));
+    return longest * std::min<double>(plan_.count, plan_.grading.count()) * chain(i).length() / longest_arc_;
   }
 
   /// Asks for breaks and counts where arc i misses the tolerance; false when it meets it everywhere.
@@ -295,6 +296,7 @@ class ChordDivider {
   const DivideOptions& options_;
   int base_count_ = 1;  ///< from plan and topology
   int count_ = 1;
+  double longest_arc_ = 0;
   std::vector<Anchor> anchors_;
   std::vector<int> needed_;  ///< anchors, ascending: the inner ends of the segments
   Segments segments_;        ///< by the share of the chord's elements

@@ -1,0 +1,13 @@
+#pragma once
+// Points and boxes that ask for a size of elements (formats/size-field.md).
+
+#include "io/input_file.hpp"
+#include "model/size_sources.hpp"
+
+namespace quadrille {
+
+/// Positions become relative to `origin` (of the face; the file's include it). Throws FormatError, with the place in
+/// the file, for anything that is no size field.
+SizeSources read_size_field(const InputFile& file, Vec2 origin);
+
+}  // namespace quadrille

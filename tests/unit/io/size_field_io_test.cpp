@@ -1,0 +1,82 @@
+#include "io/size_field_io.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace quadrille {
+namespace {
+
+SizeSources read(const std::string& text, Vec2 origin = {}) {
+  return read_size_field({"sizes.json", text, ""}, origin);
+}
+
+std::string field(const std::string& members, const std::string& version = "[1, 0]") {
+  return R"({"format": "size-field", "version": )" + version + ", " + members + "}";
+}
+
+/// What is said about a file that is refused.
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const FormatError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+bool says(const std::string& text, const std::string& part) { return refusal(text).find(part) != std::string::npos; }
+
+TEST(SizeFieldIo, PointsAndBoxesAreRead) {
+  const SizeSources sources = read(field(R"("growth": 1.5, "points": [{"position": [1, 2], "size": 0.1},
+    {"position": [3, 4], "size": 0.2, "radius": 0.5}], "boxes": [{"low": [0, 1], "high": [2, 3], "size": 0.3}])"));
+  EXPECT_EQ(sources.growth, 1.5);
+  ASSERT_EQ(sources.points.size(), 2u);
+  EXPECT_EQ(sources.points[0].radius, 0);
+  EXPECT_EQ(sources.points[1].position, (Vec2{3, 4}));
+  EXPECT_EQ(sources.points[1].size, 0.2);
+  EXPECT_EQ(sources.points[1].radius, 0.5);
+  ASSERT_EQ(sources.boxes.size(), 1u);
+  EXPECT_EQ(sources.boxes[0].low, (Vec2{0, 1}));
+  EXPECT_EQ(sources.boxes[0].high, (Vec2{2, 3}));
+  EXPECT_EQ(sources.boxes[0].size, 0.3);
+}
+
+TEST(SizeFieldIo, PositionsBecomeRelativeToTheOrigin) {
+  const SizeSources sources = read(field(R"("points": [{"position": [1, 2], "size": 1}],
+    "boxes": [{"low": [5, 6], "high": [7, 8], "size": 1}])"),
+                                   {1, 1});
+  EXPECT_EQ(sources.points[0].position, (Vec2{0, 1}));
+  EXPECT_EQ(sources.boxes[0].low, (Vec2{4, 5}));
+  EXPECT_EQ(sources.boxes[0].high, (Vec2{6, 7}));
+}
+
+TEST(SizeFieldIo, RulesAreNamedWithThePlace) {
+  EXPECT_TRUE(says(field(R"("points": [{"position": [0, 0], "size": 1}, {"position": [0, 0], "size": 0}])"),
+                   "'points[1].size'"));
+  EXPECT_TRUE(says(field(R"("points": [{"position": [0, 0], "size": -1}])"), "SIZ-R01"));
+  EXPECT_TRUE(says(field(R"("points": [{"position": [0, 0], "size": 1, "radius": -1}])"), "SIZ-R01"));
+  EXPECT_TRUE(says(field(R"("growth": 1, "points": [])"), "SIZ-R01"));
+  EXPECT_TRUE(says(field(R"("boxes": [{"low": [0, 1], "high": [1, 0], "size": 1}])"), "SIZ-R02"));
+  EXPECT_TRUE(says(field(R"("growth": 1.5)"), "SIZ-R03"));
+  EXPECT_EQ(refusal(field(R"("boxes": [])")), "accepted");
+}
+
+TEST(SizeFieldIo, AnythingElseIsRefusedByTheNameOfTheFile) {
+  for (const char* text : {"", "[", "[]", "3", "{}", R"({"format": "field"})", R"({"format": ["size-field"]})"})
+    EXPECT_TRUE(says(text, "sizes.json")) << text;
+  for (const char* members :
+       {R"("points": 3)", R"("points": [3])", R"("points": [{"size": 1}])", R"("points": [{"position": [0, 0]}])",
+        R"("points": [{"position": [0], "size": 1}])", R"("points": [{"position": [0, "a"], "size": 1}])",
+        R"("points": [{"position": [0, 0], "size": "1"}])", R"("boxes": [{"low": [0, 0], "size": 1}])"})
+    EXPECT_TRUE(says(field(members), "sizes.json")) << members;
+}
+
+TEST(SizeFieldIo, OtherVersionsAreRefusedWithTwoSentences) {
+  EXPECT_TRUE(says(field(R"("points": [])", "[2, 0]"), "newer than this program"));
+  EXPECT_TRUE(says(field(R"("points": [])", "[0, 9]"), "from an older program"));
+  EXPECT_EQ(refusal(field(R"("points": [])", "[1, 7]")), "accepted");
+}
+
+}  // namespace
+}  // namespace quadrille
