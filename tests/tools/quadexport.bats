@@ -30,6 +30,43 @@ setup() {
   assert_output 2
 }
 
+@test "MSH 2.2 is there for those who ask" {
+  run quadexport --format msh22 "$quad" -o a.msh
+  assert_success
+  assert_output ""
+  run sed -n 2p a.msh
+  assert_output "2.2 0 8"
+  assert_equal "$(grep -c '^2 [0-9]* "block_' a.msh)" 4
+}
+
+@test "VTU has its curves in a second file, which standard output leaves out" {
+  run quadexport "$quad" -o a.vtu
+  assert_success
+  assert_output ""
+  assert_nothing_left a.vtu a.curves.vtu
+  run xmllint --noout a.vtu a.curves.vtu
+  assert_success
+  run --separate-stderr quadexport --format vtu "$quad"
+  assert_success
+  assert_equal "$output" "$(cat a.vtu)"
+  assert_equal "$stderr" "quadexport: warning W-EXP-002: *.curves.vtu is not written: standard output takes one file"
+  quadexport --format vtu-bezier "$quad" -o b.vtu
+  assert_equal "$(wc -c < b.vtu)" "$(wc -c < a.vtu)"
+  run ! cmp -s a.vtu b.vtu
+}
+
+@test "every format gives the same bytes through pipes, and says what it cannot hold only once" {
+  formats=$(quadexport --help | grep -oE -- '--format auto[a-z0-9|-]*' | tr '|' '\n' | grep -vE 'auto|step')
+  assert [ "$(wc -l <<< "$formats")" -ge 4 ]
+  for format in $formats; do
+    quadexport --format "$format" "$quad" -o a.out 2> said
+    quadexport -q --format "$format" < "$quad" > b.out 2> nothing
+    cmp a.out b.out
+    [[ ! -s nothing ]] || fail "$format: $(cat nothing)"
+    assert_equal "$(sort said | uniq -d)" ""
+  done
+}
+
 @test "Gmsh reads every order that it knows" {
   command -v gmsh || skip "no gmsh"
   for order in 1 2 3 4 5 6 7 8 9 10; do
