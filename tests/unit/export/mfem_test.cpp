@@ -74,6 +74,14 @@ mfem_mesh_end
   EXPECT_TRUE(exported.side_files.empty());
 }
 
+TEST(Mfem, ThePageShowsWhatIsWritten) {
+  const QuadMesh mesh = two_quads_of_the_pages();
+  const Frame frame = plane_frame(mesh.face);
+  const std::string shown = page("mfem.md");
+  EXPECT_NE(shown.find("```\n" + mfem_mesh13(mesh, frame).bytes + "```\n"), std::string::npos);
+  EXPECT_NE(shown.find("```json\n" + mfem_mesh10(mesh, frame).side_files.at(0).bytes + "```\n"), std::string::npos);
+}
+
 TEST(Mfem, OrderOneIsItsVertices) {
   const QuadMesh mesh = two_straight_quads();
   EXPECT_EQ(mfem_mesh10(mesh, plane_frame(mesh.face)).bytes, R"(MFEM mesh v1.0

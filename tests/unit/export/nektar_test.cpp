@@ -63,6 +63,10 @@ TEST(Nektar, TwoQuadsInFull) {
 )");
 }
 
+TEST(Nektar, ThePageShowsWhatIsWritten) {
+  EXPECT_NE(page("nektar.md").find("```xml\n" + xml(two_quads_of_the_pages()) + "```\n"), std::string::npos);
+}
+
 TEST(Nektar, WhatTheSidesDoNotTellIsAFaceAndAllItsEdgesAreCurved) {
   EXPECT_EQ(cut(xml(two_quads_with_moved_middle()), "    <CURVED>", "</CURVED>"), R"(    <CURVED>
       <E ID="0" EDGEID="1" NUMPOINTS="3" TYPE="GaussLobattoLegendre">2 0 0  2 1 0  2 2 0</E>

@@ -1,6 +1,10 @@
 #pragma once
 // A mesh of two quads of order 2, small enough to write its files by hand.
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
@@ -26,6 +30,20 @@ inline QuadMesh two_quads() {
   mesh.elem_jacobian_bound = mesh.elem_scaled_jacobian = {0.5, 0.5};
   mesh.boundary_edges = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 2}, {0, 2, 2}, {0, 3, 3}};
   return mesh;
+}
+
+/// The same with the names that the pages in formats/export give it.
+inline QuadMesh two_quads_of_the_pages() {
+  QuadMesh mesh = two_quads();
+  mesh.face.curve_names = {"wall", "outlet", "wall", "wall"};
+  mesh.block_names = {"fluid", "fluid"};
+  return mesh;
+}
+
+/// A page of formats/export.
+inline std::string page(const std::string& name) {
+  std::ifstream file(std::string(TEST_DATA) + "/../../formats/export/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// The same with the middle of the second quad moved, which its sides do not tell.
