@@ -10,11 +10,12 @@ namespace {
 constexpr std::size_t header_length = 132;
 constexpr float byte_order_mark = 6.54321F;
 
-/// Word size, points in each direction, elements here and in all, time, step, file and number of files, contents.
+/// Word size, points in each direction, elements here and in all, time, step, file and number of files, contents,
+/// thermodynamic pressure, no pressure on the velocity's points.
 std::string header(const QuadMesh& mesh) {
   const int width = mesh.order + 1, count = mesh.num_elems();
-  std::string line = fmt::format("#std {:1} {:2} {:2} {:2} {:10} {:10} {:20} {:9} {:6} {:6} {:<10}", 8, width, width, 1,
-                                 count, count, "0.0000000000000E+00", 0, 0, 1, "X");
+  std::string line = fmt::format("#std {:1} {:2} {:2} {:2} {:10} {:10} {:>20} {:9} {:6} {:6} {:<10}{:15} F", 8, width,
+                                 width, 1, count, count, "0.0000000000000E+00", 0, 0, 1, "X", "  1.0000000E+00");
   line.resize(header_length, ' ');
   return line;
 }

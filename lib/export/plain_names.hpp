@@ -22,8 +22,8 @@ std::string renamed_loss(const std::vector<std::string>& names, const std::vecto
 SideFile plain_names_table(const Groups& groups, const std::vector<std::string>& boundaries,
                            const std::vector<std::string>& zones = {});
 
-/// "3 region names are not held" where anybody gave names: blocks are called block_<number> otherwise. Empty where
-/// nothing is lost.
+/// "3 region names are not held". Empty where nothing is lost: one name for all, or only the names block_<number> that
+/// nobody gave.
 std::string region_loss(const Groups& groups);
 
 }  // namespace quadrille

@@ -9,7 +9,7 @@ class ElementMesh:
     Gauss-Lobatto-Legendre points, first coordinate fastest, sides 0 to 3 counter-clockwise from node (0, 0) to (N, 0)."""
     order: int
     elements: list
-    regions: list      # a name for each element, or a number where the file has no names
+    regions: list      # a name for each element, or a number where the file has no names; None: it has no regions
     boundaries: dict   # (element, side) -> name or number
     num_vertices: int
     diameter: float = 0
@@ -64,8 +64,10 @@ def differences(found, wanted, tolerance=1e-13):
                 worst, where = dist(a, b), (e, k)
     if not worst <= tolerance * wanted.diameter:
         said.append(f"node {where[1]} of element {where[0]} is off by {worst / wanted.diameter:g} diameters")
-    for what, got, want in (("region", dict(enumerate(found.regions)), dict(enumerate(wanted.regions))),
-                            ("boundary", found.boundaries, wanted.boundaries)):
+    named = [("boundary", found.boundaries, wanted.boundaries)]
+    if found.regions is not None:
+        named.append(("region", dict(enumerate(found.regions)), dict(enumerate(wanted.regions))))
+    for what, got, want in named:
         for key in want:
             if got.get(key) != want[key]:
                 said.append(f"{what} of {key} is {got.get(key)!r} for {want[key]!r}")

@@ -1,0 +1,31 @@
+#include "export/abaqus_inp.hpp"
+
+#include <gtest/gtest.h>
+
+#include "two_quads.hpp"
+
+namespace quadrille {
+namespace {
+
+TEST(AbaqusInp, TwoQuadsWordByWord) {
+  const QuadMesh mesh = two_quads();
+  EXPECT_EQ(abaqus_inp(mesh, plane_frame(mesh.face)).bytes,
+            "*Heading\n File created by HOHQMesh\n"
+            "*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n3, 2, 2, 0\n4, 0, 2, 0\n5, 4, 0, 0\n6, 4, 2, 0\n"
+            "*ELEMENT, type=CPS4, ELSET=Surface1\n1, 1, 2, 3, 4\n2, 2, 5, 6, 3\n"
+            "** ***** HOHQMesh boundary information ***** **\n** mesh polynomial degree = 2\n"
+            "**  1 2 3 4\n**  0 0 0 0\n"
+            "**  2 5 6 3\n**  0 0 1 0\n**  2 2 0\n**  3 2.5 0\n**  4 2 0\n"
+            "** curve_3 --- wall wall\n** --- in___out wall wall\n");
+}
+
+TEST(AbaqusInp, NamesAreWrittenInLettersThatReadersTake) {
+  const QuadMesh mesh = two_quads();
+  const Exported exported = abaqus_inp(mesh, plane_frame(mesh.face));
+  ASSERT_EQ(exported.side_files.size(), 1u);
+  EXPECT_EQ(exported.side_files[0].ending, ".names.json");
+  EXPECT_EQ(exported.losses.size(), 2u);
+}
+
+}  // namespace
+}  // namespace quadrille

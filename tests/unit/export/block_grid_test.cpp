@@ -1,0 +1,89 @@
+#include "export/block_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "../hand_made.hpp"
+#include "block/extract_blocks.hpp"
+#include "refine/refine.hpp"
+
+namespace quadrille {
+namespace {
+
+QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
+  Report report;
+  RefineOptions options;
+  options.size = size;
+  options.order = order;
+  return refine(extract_blocks(graph, report), options, report);
+}
+
+/// Every element once, neighbours in a row share a side, and the four sides go round.
+void expect_grids(const QuadMesh& mesh, const std::vector<BlockGrid>& grids) {
+  std::set<int> elems;
+  for (const BlockGrid& g : grids) {
+    ASSERT_EQ(g.cells.size(), static_cast<std::size_t>(g.num_i * g.num_j));
+    const std::vector<int> vertices = g.vertices(mesh);
+    const auto vertex = [&](int i, int j) { return vertices[j * (g.num_i + 1) + i]; };
+    for (int j = 0; j < g.num_j; ++j)
+      for (int i = 0; i < g.num_i; ++i) {
+        const SkeletonEdge at = g.cell(i, j);
+        EXPECT_TRUE(elems.insert(at.elem).second);
+        EXPECT_EQ(mesh.elem_block[at.elem], g.block);
+        const std::array<int, 4> expected{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)};
+        for (int k = 0; k < 4; ++k) EXPECT_EQ(side_start(mesh, at.elem, (at.side + k) % 4), expected[k]);
+      }
+    for (int k = 0; k < 4; ++k) {
+      const std::vector<SkeletonEdge> side = g.side(k), next = g.side((k + 1) % 4);
+      EXPECT_EQ(side.size(), static_cast<std::size_t>(k % 2 == 0 ? g.num_i : g.num_j));
+      EXPECT_EQ(side_nodes(mesh, side.back().elem, side.back().side).back(),
+                side_start(mesh, next.front().elem, next.front().side));
+    }
+  }
+  EXPECT_EQ(elems.size(), mesh.elem_block.size());
+}
+
+TEST(BlockGrid, LHasThreeGrids) {
+  const QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 2);
+  const auto grids = block_grids(mesh);
+  ASSERT_TRUE(grids);
+  EXPECT_EQ(grids->size(), 3u);
+  expect_grids(mesh, *grids);
+}
+
+TEST(BlockGrid, ElementsMayBeTurned) {
+  QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 1);
+  for (std::size_t e = 0; e < mesh.elem_block.size(); e += 2)  // order 1: nodes (0,0) (1,0) (0,1) (1,1)
+    mesh.elem_nodes = [nodes = mesh.elem_nodes, e]() mutable {
+      const std::array<int, 4> old{nodes[4 * e], nodes[4 * e + 1], nodes[4 * e + 2], nodes[4 * e + 3]};
+      nodes[4 * e] = old[1], nodes[4 * e + 1] = old[3], nodes[4 * e + 2] = old[0], nodes[4 * e + 3] = old[2];
+      return nodes;
+    }();
+  const auto grids = block_grids(mesh);
+  ASSERT_TRUE(grids);
+  expect_grids(mesh, *grids);
+}
+
+TEST(BlockGrid, RingHasNone) { EXPECT_FALSE(block_grids(refined(hand_made::cut_annulus(1), 0.3, 2))); }
+
+TEST(BlockGrid, CutRunsOnThroughTheNeighbour) {
+  const QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 2);
+  const auto grids = block_grids(mesh);
+  ASSERT_TRUE(grids);
+  int node = -1;  // the first vertex on y = 0 with 0 < x < 1: a line through two blocks, up to y = 2
+  for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
+    if (mesh.nodes[k].y == 0 && mesh.nodes[k].x > 0.1 && mesh.nodes[k].x < 0.9 && node < 0)
+      for (const BlockGrid& g : *grids)
+        for (const int v : g.vertices(mesh))
+          if (v == static_cast<int>(k)) node = v;
+  ASSERT_GE(node, 0);
+  const std::vector<BlockGrid> cut = cut_grids(mesh, *grids, {node});
+  EXPECT_EQ(cut.size(), 5u);
+  expect_grids(mesh, cut);
+  EXPECT_EQ(cut_grids(mesh, cut, {node}).size(), 5u);  // a corner already
+  EXPECT_EQ(cut_grids(mesh, *grids, {}).size(), 3u);
+}
+
+}  // namespace
+}  // namespace quadrille

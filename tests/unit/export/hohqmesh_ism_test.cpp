@@ -1,0 +1,79 @@
+#include "export/hohqmesh_ism.hpp"
+
+#include <gtest/gtest.h>
+
+#include "export/hohqmesh_model.hpp"
+#include "two_quads.hpp"
+
+namespace quadrille {
+namespace {
+
+TEST(HohqmeshIsm, TwoQuadsWordByWord) {
+  const QuadMesh mesh = two_quads();
+  const Exported exported = hohqmesh_ism(mesh, plane_frame(mesh.face));
+  EXPECT_EQ(exported.bytes,
+            "ISM-V2\n6 7 2 2\n"
+            "0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 0\n4 2 0\n"
+            "1 2 1 0 1 0\n2 3 1 2 2 4\n3 4 1 0 3 0\n4 1 1 0 4 0\n2 5 2 0 1 0\n5 6 2 0 2 0\n6 3 2 0 3 0\n"
+            "1 2 3 4\n0 0 0 0\nwall --- wall curve_3\n"
+            "2 5 6 3\n0 0 1 0\n2 2 0\n3 2.5 0\n4 2 0\nwall in___out wall ---\n");
+  ASSERT_EQ(exported.losses.size(), 2u);
+  EXPECT_EQ(exported.losses[0], "1 name is written in plain letters: \"in & out\" as in___out");
+  EXPECT_EQ(exported.losses[1], "2 region names are not held");
+  ASSERT_EQ(exported.side_files.size(), 1u);
+  EXPECT_NE(exported.side_files[0].bytes.find("\"tag\": \"in___out\""), std::string::npos);
+}
+
+TEST(HohqmeshIsm, SaysHowFarTheInteriorMoves) {
+  const QuadMesh mesh = two_quads_with_moved_middle();
+  const std::vector<std::string> losses = hohqmesh_ism(mesh, plane_frame(mesh.face)).losses;
+  ASSERT_EQ(losses.size(), 3u);
+  EXPECT_NE(losses[1].find("moves them by up to 0.28 (0.056 of the diameter)"), std::string::npos) << losses[1];
+}
+
+/// The second quad turned by a quarter each time: its side of number 1 to 4 meets side 2 of the first one.
+QuadMesh turned(int quarters) {
+  QuadMesh mesh = two_quads();
+  const std::vector<int> ids(mesh.elem_nodes.begin() + 9, mesh.elem_nodes.end());
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      int a = i, b = j;
+      for (int k = 0; k < quarters; ++k) {
+        const int old = a;
+        a = 2 - b;
+        b = old;
+      }
+      mesh.elem_nodes[9 + 3 * j + i] = ids[3 * b + a];
+    }
+  for (QuadBoundaryEdge& e : mesh.boundary_edges)
+    if (e.elem == 1) e.side = (e.side + 4 - quarters) % 4;
+  return mesh;
+}
+
+TEST(HohqmeshIsm, SignTellsOppositeSequences) {
+  const std::vector<std::string> lines{"\n2 3 1 2 2 4\n", "\n2 3 1 2 2 3\n", "\n2 3 1 2 2 -2\n", "\n2 3 1 2 2 -1\n"};
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    const QuadMesh mesh = turned(quarters);
+    EXPECT_NE(hohqmesh_ism(mesh, plane_frame(mesh.face)).bytes.find(lines[quarters]), std::string::npos) << quarters;
+  }
+}
+
+TEST(HohqmeshIsm, UnevenNodesOfAStraightSideAreACurve) {
+  QuadMesh mesh = two_quads();
+  mesh.nodes[7].y = 1.25;  // the middle of the common side
+  const HohqmeshModel model = hohqmesh_model(mesh, plane_frame(mesh.face));
+  EXPECT_TRUE(model.is_curved[0][1]);
+  EXPECT_TRUE(model.is_curved[1][3]);
+  EXPECT_FALSE(model.is_curved[0][0]);
+}
+
+TEST(HohqmeshIsm, OrderOneHasNoCurves) {
+  const QuadMesh mesh = two_straight_quads();
+  const std::string text = hohqmesh_ism(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(text.find("6 7 2 1\n"), std::string::npos);
+  EXPECT_NE(text.find("1 2 3 4\n0 0 0 0\nwall"), std::string::npos);
+  EXPECT_NE(text.find("2 5 6 3\n0 0 0 0\nwall"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,43 @@
+#include "export/plain_names.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quadrille {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(PlainNames, WordsStayAsTheyAre) {
+  const Names words{"wall", "in-let.2", "_x", "curve_0"};
+  EXPECT_EQ(plain_names(words), words);
+  EXPECT_EQ(renamed_loss(words, words), "");
+}
+
+TEST(PlainNames, WhatReadersPartWordsByIsReplaced) {
+  EXPECT_EQ(plain_names({"outer wall", "a,b/c", "\"q\"", "x*y;z", "---", "2nd", ""}),
+            (Names{"outer_wall", "a_b_c", "_q_", "x_y_z", "_---", "_2nd", "_"}));
+}
+
+TEST(PlainNames, NamesDoNotFallTogether) {
+  EXPECT_EQ(plain_names({"a b", "a_b", "a,b", "taken"}, {"taken"}), (Names{"a_b_2", "a_b", "a_b_3", "taken_2"}));
+}
+
+TEST(PlainNames, LossNamesTheFirstFew) {
+  EXPECT_EQ(renamed_loss({"a b", "c"}, {"a_b", "c"}), "1 name is written in plain letters: \"a b\" as a_b");
+  const Names names{"1", "2", "3", "4"};
+  EXPECT_EQ(renamed_loss(names, plain_names(names)),
+            "4 names are written in plain letters: \"1\" as _1, \"2\" as _2, \"3\" as _3, ...");
+}
+
+TEST(PlainNames, RegionsAreLostWhereSomebodyNamedThem) {
+  Groups groups;
+  groups.region_names = {"block_0", "block_1"};
+  EXPECT_EQ(region_loss(groups), "");
+  groups.region_names = {"copper", "block_1", "air"};
+  EXPECT_EQ(region_loss(groups), "2 region names are not held");
+  groups.region_names = {"plate"};
+  EXPECT_EQ(region_loss(groups), "");
+}
+
+}  // namespace
+}  // namespace quadrille
