@@ -5,7 +5,7 @@ setup_file() {
   load ../tools/common
   local shape
   cd "$BATS_FILE_TMPDIR" || return
-  for shape in half_disc plate_hole l_shape; do
+  for shape in half_disc plate_hole l_shape small_fillets; do
     cad2tri -q "$DATA/$shape.step" | fieldsolve -q | padapt -q -o "$shape.field.h5"
     critpoints -q "$shape.field.h5" -o "$shape.crit.json"
     separatrix -q "$shape.field.h5" "$shape.crit.json" | blocksplit -q - -o "$shape.blocks.h5"
@@ -28,7 +28,7 @@ exports() {
 }
 
 @test "low and high orders: elements, names and counts of the stage file, in each of the formats" {
-  for shape in half_disc plate_hole l_shape; do
+  for shape in half_disc plate_hole l_shape small_fillets; do
     for order in 1 2 3 4 7; do
       quadrefine -q --order $order --geometry-tol 1e-2 "$blocks/$shape.blocks.h5" -o a.quad.h5
       exports a
@@ -42,6 +42,12 @@ exports() {
   run -0 xmllint --noout a.xml
   run -1 grep -c '<F ' a.xml
   assert_output 0
+  quadrefine -q "$blocks/small_fillets.blocks.h5" -o b.quad.h5
+  quadexport b.quad.h5 -o b.xml
+  run -0 xmllint --noout b.xml
+  assert [ "$(grep -c '<F ' b.xml)" -gt 50 ]
+  sed -E '0,/<F /{/<F /s/(  \S+ \S+ 0){6}/&1/}' b.xml >c.xml # z of the seventh point, an inner one
+  run -1 "$compare" nektar c.xml b.quad.h5
 }
 
 @test "order 20" {
