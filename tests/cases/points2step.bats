@@ -1,0 +1,251 @@
+# pipelines/points2step: points in, a STEP face out whose curves pass through all of them.
+load ../tools/common
+
+points2step=$ROOT/pipelines/points2step
+
+# naca0012 closed|blunt SIDES selig|lednicer: coordinates from the formula, with its own nose and cosine spacing.
+naca0012() {
+  awk -v closed="$([ "$1" = closed ] && echo 1)" -v n="$2" -v form="$3" '
+    function half(k, x) {
+      x = at(k)
+      if (closed && k == 0) return 0
+      return 0.6 * (0.2969 * sqrt(x) - 0.1260 * x - 0.3516 * x^2 + 0.2843 * x^3 - (closed ? 0.1036 : 0.1015) * x^4)
+    }
+    function at(k) { return k == n ? 0 : (1 + cos(atan2(0, -1) * k / n)) / 2 }  # k = 0: the trailing edge
+    function line(k, side) { printf "%.12f %.12f\n", at(k), side * half(k) }
+    BEGIN {
+      print "NACA 0012"
+      if (form == "selig") {
+        for (k = 0; k <= n; ++k) line(k, 1)
+        for (k = n - 1; k >= 0; --k) line(k, -1)
+      } else {
+        printf " %d. %d.\n\n", n + 1, n + 1
+        for (k = n; k >= 0; --k) line(k, 1)
+        print ""
+        for (k = n; k >= 0; --k) line(k, -1)
+      }
+    }'
+}
+
+# circle POINTS [RADIUS X Y]: counter-clockwise.
+circle() {
+  awk -v n="$1" -v r="${2:-1}" -v x="${3:-0}" -v y="${4:-0}" '
+    BEGIN { for (k = 0; k < n; ++k) { a = 2 * atan2(0, -1) * k / n; printf "%.17g %.17g\n", x + r * cos(a), y + r * sin(a) } }'
+}
+
+# fits TRI POINTS: on the points, with tangent and curvature continuous but for corners.
+fits() {
+  "$BATS_TEST_DIRNAME/points_on_curves.py" "$1" "$2" >fit.json
+  jq -e '.off < 1e-14 and .turn < 1e-9 and .bend < 1e-7' fit.json >verdict || fail "$(cat fit.json)"
+}
+
+names() { jq -c .names fit.json; }
+
+@test "an aerofoil, sharp or blunt, in either format, is two smooth sides through its points" {
+  for edge in closed blunt; do
+    for form in selig lednicer; do
+      naca0012 $edge 30 $form >$form.dat
+      run -0 --separate-stderr "$points2step" $form.dat -o $form.step
+      assert_equal "$output$stderr" ""
+    done
+    cmp selig.step lednicer.step
+    cad2tri selig.step -o $edge.tri.h5
+    stagecheck $edge.tri.h5
+    sed 1d selig.dat >points
+    fits $edge.tri.h5 points
+    [ $edge = closed ] && assert_equal "$(names)" '["upper","lower"]'
+    [ $edge = blunt ] && assert_equal "$(names)" '["upper","lower","trailing_edge"]'
+  done
+  "$points2step" selig.dat --name main -o a.step
+  cad2tri a.step -o a.tri.h5
+  fits a.tri.h5 points
+  assert_equal "$(names)" '["main_upper","main_lower","main_trailing_edge"]'
+  # Upper is upper, whichever side comes first.
+  { head -1 selig.dat; tac points; } | "$points2step" -o turned.step
+  cad2tri turned.step -o turned.tri.h5
+  fits turned.tri.h5 points
+  assert_equal "$(names | jq -c sort)" '["lower","trailing_edge","upper"]'
+}
+
+@test "between its points the spline is the aerofoil: four times as near with every half of the spacing, at least" {
+  for n in 20 40 80; do
+    naca0012 closed $n selig | "$points2step" -o a.step
+    cad2tri a.step -o a.tri.h5 --report $n.json
+  done
+  naca0012 closed 4000 selig | sed 1d >fine
+  exact=$(awk '{ if (NR > 1) s += x * $2 - y * $1; x = $1; y = $2 } END { printf "%.17g", s / 2 }' fine)
+  jq -n --argjson exact "$exact" 'def error: input.face.area - $exact | fabs;
+    [error, error, error] | .[1] < .[0] / 4 and .[2] < .[1] / 4 and .[2] < 1e-5' 20.json 40.json 80.json >verdict
+  assert_equal "$(cat verdict)" true
+}
+
+@test "a closed smooth loop is one periodic spline of fourth order, its seam as smooth as the rest" {
+  for n in 16 32; do
+    circle $n >points
+    "$points2step" points -o a.step
+    cad2tri a.step -o a.tri.h5 --report $n.json
+    fits a.tri.h5 points
+    jq -e '.face.curves == 1 and .face.corners == 0' $n.json
+  done
+  jq -n -e '[input, input] | map(.face.area - 3.141592653589793 | fabs) | .[1] < .[0] / 12 and .[1] < 2e-5' 16.json 32.json
+}
+
+@test "loops of straight and curved sides, holes either way round, a single corner, comments and commas" {
+  { echo '# plate'; printf '0 0\n4, 0 # corner\n4;2\n0 2\n0 0\n\n'; circle 24 0.4 1 1; echo '# no end of a loop'; echo; echo
+    awk 'BEGIN { for (k = 0; k <= 32; ++k) { t = 8 * atan2(1, 1) * k / 32
+      printf "%.17g %.17g\n", 2.75 + 0.5 * cos(t), 1 + 0.3 * sin(t) * sin(t / 2)^1.5 } }'; } >loops
+  "$points2step" loops --name 'wall,pipe,blade' -o a.step
+  cad2tri a.step -o a.tri.h5 --report a.json
+  sed 's/#.*//; s/[,;]/ /' loops >points
+  fits a.tri.h5 points
+  assert_equal "$(names)" '["wall","wall","wall","wall","pipe","blade"]'
+  jq -e '.face | .loops == 3 and .curves == 6 and .corners == 5' a.json
+  # One that is listed the other way round is the same hole.
+  { sed -n '1,/^$/p' loops; circle 24 0.4 1 1 | tac; } | "$points2step" -o b.step
+  cad2tri b.step -o b.tri.h5
+  run -0 stagecheck b.tri.h5
+  "$points2step" loops -o plain.step
+  cad2tri plain.step -o plain.tri.h5
+  fits plain.tri.h5 points
+  assert_equal "$(names | jq -r '.[0]')" curve_0
+}
+
+@test "--corner-angle finds corners, a limit that is met is none, --straight makes them all" {
+  circle 12 >points
+  has_corners() { # '[CURVES,CORNERS]' OPTION...
+    "$points2step" points "${@:2}" -o a.step
+    cad2tri a.step -o a.tri.h5 --report a.json
+    fits a.tri.h5 points
+    assert_equal "$(jq -c '[.face.curves, .face.corners]' a.json)" "$1"
+  }
+  has_corners '[1,0]'
+  has_corners '[12,12]' --corner-angle 29
+  has_corners '[12,12]' --straight
+  circle 3 >points
+  has_corners '[3,3]'
+  has_corners '[1,0]' --corner-angle 150
+  printf '0 0\n1 0\n2 0.2\n2 1\n' >points # the bend at (1, 0) is a point of a parabola
+  has_corners '[3,3]'
+}
+
+@test "far fields take the shape out; the face is called fluid, and so is the region of the mesh" {
+  naca0012 blunt 20 selig >a.dat
+  for far in circle:5:1:78.54 box:5:4:100 cgrid:5:4:89.27; do
+    IFS=: read -r kind radius edges area <<<"$far"
+    "$points2step" a.dat --farfield $kind:$radius -o $kind.step
+    cad2tri $kind.step -o $kind.tri.h5 --report $kind.json
+    stagecheck $kind.tri.h5
+    jq -e --argjson edges $edges --argjson area $area '.face | .loops == 2 and .curves == $edges + 3
+      and (.area + 0.0822 - $area | fabs < 0.01)' $kind.json
+    h5dump -A 0 -d /face/curve_names $kind.tri.h5 | grep -o 'farfield' | wc -l | grep -qx $edges
+  done
+  "$ROOT/pipelines/quadmesh" -q cgrid.step -o a.msh --size 2
+  assert_equal "$(sed -n '/PhysicalNames/,/EndPhysicalNames/s/^[12] [0-9]* //p' a.msh | sort | tr -d '\n')" \
+    '"farfield""fluid""lower""trailing_edge""upper"'
+  # The half circle is about the trailing edge, the others about the middle of the chord.
+  assert_equal "$(jq '.face.diameter * 1e6 | round' circle.json)" 10000000
+  "$points2step" a.dat --farfield box:2 --face-name air -o air.step
+  grep -q "ADVANCED_FACE('air'" air.step
+}
+
+@test "--chord scales, --unit says what 1 is, -v tells what was found" {
+  naca0012 blunt 20 selig >a.dat
+  run -0 "$points2step" -v a.dat --chord 0.5 --unit in -o a.step
+  assert_output "points2step: selig: 41 points, chord 0.5 in, 1 loop, 3 edges, 2 of them splines"
+  cad2tri a.step -o a.tri.h5 --report a.json
+  jq -e '.face.length_unit == "inch" and (.face.diameter - 0.5 | fabs < 1e-4)' a.json
+  for unit in m:metre mm:millimetre cm:centimetre um:micrometre ft:foot; do
+    "$points2step" a.dat --unit ${unit%:*} | cad2tri -o a.tri.h5 --report a.json
+    assert_equal "$(jq -r .face.length_unit a.json)" ${unit#*:}
+  done
+}
+
+@test "names and titles in any script arrive" {
+  { echo "Flügel 'A' \\ 翼"; naca0012 closed 20 selig | sed 1d; } >a.dat
+  "$points2step" a.dat --name "Flügel" -o a.step
+  run -1 grep -P '[^\x00-\x7F]' a.step
+  cad2tri a.step -o a.tri.h5
+  stageview a.tri.h5 -o a.svg
+  grep -q 'Flügel_upper' a.svg
+}
+
+@test "what is wrong with the points ends with 3 and the line" {
+  refused() { # MESSAGE OPTION... < points
+    local message=$1
+    shift
+    cat >points
+    run -3 --separate-stderr "$points2step" points "$@" -o a.step
+    assert_equal "$output" ""
+    assert_equal "$stderr" "points2step: points: $message"
+  }
+  refused 'there are no points' </dev/null
+  printf '\n# nothing\n' | refused 'there are no points'
+  printf '0 0\n1 0\n' | refused 'line 1: a loop needs three different points, this one has 2'
+  printf '0 0\n1 0\n0 0\n' | refused 'line 1: a loop needs three different points, this one has 2'
+  printf '0 0\n1 0\n1 nan\n' | refused "line 3: '1 nan' is not finite"
+  printf '0 0\n1 inf\n1 1\n' | refused "line 2: '1 inf' is not finite"
+  printf '0 0\n1 0\n1 1 3\n' | refused "line 3: expected x and y, found '1 1 3'"
+  printf '0 0\n1 0\n1 one\n' | refused "line 3: expected x and y, found '1 one'"
+  printf '0 0\n1 0\n1 0\n1 1\n' | refused 'line 3: the point of line 2 again'
+  printf '0 0\n2 0\n1 0\n1 1\n' | refused 'line 2: the loop turns back on itself'
+  printf '0 0\n1 0\n2 0\n' | refused 'line 3: the loop turns back on itself'
+  printf '0 0\n2 0\n0 2\n2 2\n' | refused 'line 4: the loop crosses or touches itself: behind this point and behind that of line 2'
+  printf '0 0\n4 0\n2 2\n4 4\n0 4\n2 2\n' |
+    refused 'line 5: the loop crosses or touches itself: behind this point and behind that of line 2'
+  printf '0 0\n4 0\n4 4\n0 4\n\n3 1\n5 1\n5 2\n' | refused 'line 6: two loops cross or touch: behind this point and behind that of line 2'
+  printf '0 0\n4 0\n4 4\n0 4\n\n5 1\n6 1\n6 2\n' | refused 'line 6: this loop is neither the largest nor inside it'
+  { printf '0 0\n9 0\n9 9\n0 9\n\n'; circle 8 3 4 4; echo; circle 8 1 4 4; } |
+    refused 'line 15: this loop lies inside the hole that begins in line 6'
+  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: 3 + 3 points announced, 5 given'
+  printf 'title\n0 0\n1 1\n2 0\n' | refused 'line 2: expected the numbers of points of the upper and lower side' --format lednicer
+  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose stands at the end: a side has no points'
+  run -3 "$points2step" nowhere.txt
+  assert_output "points2step: nowhere.txt cannot be read: No such file or directory"
+  assert_nothing_left points
+}
+
+@test "mistakes on the command line are exit 2 with a hint" {
+  circle 8 >points
+  for arguments in "--frob" "points points" "points -o" "points --format xml" "points --unit mile" "points --chord 0" \
+    "points --chord x" "points --corner-angle 181" "points --farfield circle" "points --farfield ball:3" \
+    "points --farfield circle:1" "points --farfield box:nan" "points --name a,b"; do
+    # shellcheck disable=SC2086
+    run -2 --separate-stderr "$points2step" $arguments
+    assert_regex "${stderr_lines[0]}" '^points2step: '
+    assert_equal "${stderr_lines[1]}" "try 'points2step --help'"
+    assert_equal "$output" ""
+  done
+}
+
+@test "output is whole or not at all, and the same every time" {
+  circle 8 >points
+  "$points2step" points -o a.step
+  "$points2step" <points >b.step
+  "$points2step" - -o - <points >c.step
+  cmp a.step b.step
+  cmp a.step c.step
+  run -4 "$points2step" points -o nowhere/a.step
+  assert_output "points2step: nowhere/a.step cannot be written: No such file or directory"
+  if [ -c /dev/full ]; then
+    run -4 "$points2step" points -o /dev/full
+    run -4 bash -c '"$1" points >/dev/full' - "$points2step"
+    assert_output "points2step: standard output cannot be written: No space left on device"
+  fi
+  cp a.step old.step
+  run -3 "$points2step" /dev/null -o old.step
+  cmp a.step old.step
+  assert_nothing_left a.step b.step c.step old.step points
+}
+
+@test "the examples of --help run" {
+  circle 8 >points.txt
+  naca0012 closed 20 selig >aerofoil.dat
+  PATH=$ROOT/pipelines:$PATH
+  "$points2step" --help | sed '1,/^EXAMPLES$/d' >examples
+  [ "$(wc -l <examples)" -ge 3 ]
+  while read -r example; do
+    run -0 bash -c "$example" </dev/null
+  done <examples
+  run -0 "$points2step" --version
+  assert_output --regexp '^points2step \(Quadrille\) [0-9]'
+}
