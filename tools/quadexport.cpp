@@ -99,12 +99,21 @@ std::string beside(const std::string& output, const std::string& ending) {
   return output.substr(0, has_ending ? dot : output.size()) + ending;
 }
 
+/// A mesh that is marked as not valid goes no further unless that is asked for.
+void admit(const QuadMesh& mesh, bool allow_invalid, Session& s) {
+  const std::string doubt = doubt_about(mesh);
+  if (doubt.empty()) return;
+  if (!allow_invalid) throw ComputeError(doubt + " (--allow-invalid exports it all the same)");
+  s.report().warn("W-QUA-001", doubt);
+}
+
 void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,
-                Session& s) {
+                bool allow_invalid, Session& s) {
   s.begin_phase("read");
   const InputFile file = read_input(input);
   const QuadMesh mesh = read_quad_mesh(file);
   require_valid(check_quad_mesh(mesh, CheckDepth::quick), file.name);
+  admit(mesh, allow_invalid, s);
   s.begin_phase("write");
   const Exported exported = export_mesh(mesh, *find_export_format(format_name), in_space);
   s.report().set("format", format_name);
@@ -133,6 +142,7 @@ std::string format_list() {
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", format = "auto", frame = "2d";
+  bool allow_invalid = false;
   std::vector<std::string> formats{"auto"};
   for (const ExportFormat& f : export_formats()) formats.emplace_back(f.name);
   formats.emplace_back("step");
@@ -153,13 +163,14 @@ int main(int argc, char** argv) {
     o.output(output, "file to write");
     o.choice("--format", format, formats, "auto: by the ending of the output");
     o.choice("--frame", frame, {"2d", "3d"}, "3d: coordinates of the CAD model's own space");
+    o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
   };
   tool.run = [&](Session& s) {
     const std::string name = format_of(output, format);
     if (name == "step")
       write_step(input, output);
     else
-      write_mesh(input, output, name, frame == "3d", s);
+      write_mesh(input, output, name, frame == "3d", allow_invalid, s);
   };
   tool.report_writer = write_report;
   return tool_main(argc, argv, tool);

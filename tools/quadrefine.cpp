@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
@@ -11,6 +9,7 @@
 #include "io/stage_files.hpp"
 #include "refine/make_size_field.hpp"
 #include "refine/refine.hpp"
+#include "refine/validity.hpp"
 
 using namespace quadrille;
 
@@ -73,8 +72,10 @@ int main(int argc, char** argv) {
       "are met there; sizes grow from there to --size at the rate --growth. More elements where the boundary would "
       "miss "
       "--geometry-tol, with element corners moved onto joints inside a side. --report tells for each chord what was "
-      "wanted and what achieved. Each element is sampled from the exact map of its block "
-      "and proved valid by a lower bound of det J, else the exit code is 1 and the message names the place.";
+      "wanted and what achieved. Each element is sampled from the exact map of its block and proved valid by a lower "
+      "bound of det J, else the exit code is 1 and the message names the place, unless --allow-invalid asks for the "
+      "mesh "
+      "as it is. --report and -v tell the worst elements and where they lie.";
   tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
                    "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
                    "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
@@ -85,6 +86,7 @@ int main(int argc, char** argv) {
     o.integer("--order", options.order, 1, 20, "shape order of the elements");
     o.number("--geometry-tol", options.geometry_tol, 1e-14, 1, "diameters",
              "greatest distance between the mesh's boundary and the CAD curves");
+    o.flag("--allow-invalid", options.allow_invalid, "write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](Session& s) {
     s.begin_phase("read");
@@ -96,8 +98,8 @@ int main(int argc, char** argv) {
     s.begin_phase("refine");
     QuadMesh mesh = refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);
-    s.say(fmt::format("{} quads of order {}, worst scaled Jacobian {:.3g}", mesh.num_elems(), mesh.order,
-                      *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end())));
+    s.say(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
+    for (const WorstElement& worst : worst_elements(mesh, 5)) s.say(describe(worst, mesh));
     s.begin_phase("write");
     write_quad_mesh(output, mesh);
     s.end_phase();

@@ -31,7 +31,7 @@ std::string draw_points(const InputFile& file, const Settings& settings) {
   return draw_critical_points(points, &field, settings.draw);
 }
 
-std::string draw_stage(const Settings& settings) {
+std::string draw_stage(const Settings& settings, Session& session) {
   const InputFile file = read_input(settings.input);
   const std::string format = stage_format(file);
   if (!settings.field.empty() && format != "critical-points")
@@ -46,7 +46,11 @@ std::string draw_stage(const Settings& settings) {
   if (format == "separatrix-graph")
     return drawn(read_separatrix_graph(file), check_separatrix_graph, draw_separatrix_graph);
   if (format == "block-layout") return drawn(read_block_layout(file), check_block_layout, draw_block_layout);
-  if (format == "quad-mesh") return drawn(read_quad_mesh(file), check_quad_mesh, draw_quad_mesh);
+  if (format == "quad-mesh")
+    return drawn(read_quad_mesh(file), check_quad_mesh, [&](const QuadMesh& mesh, const DrawOptions& options) {
+      if (!mesh.is_valid) session.report().warn("W-QUA-001", doubt_about(mesh));
+      return draw_quad_mesh(mesh, options);
+    });
   throw FormatError(file.name + ": there is no picture for the format " + format);
 }
 
@@ -74,7 +78,7 @@ int main(int argc, char** argv) {
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"}, "what to show of a field");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
-  tool.run = [&](Session&) { write_output(settings.output, draw_stage(settings), false); };
+  tool.run = [&](Session& s) { write_output(settings.output, draw_stage(settings, s), false); };
   tool.report_writer = write_report;
   return tool_main(argc, argv, tool);
 }

@@ -50,6 +50,7 @@ void numbers_are_finite(const QuadMesh& mesh, Findings& findings) {
 }
 
 void stored_bounds_are_positive(const QuadMesh& mesh, Findings& findings) {
+  if (!mesh.is_valid) return;
   for (std::size_t e = 0; e < mesh.elem_jacobian_bound.size(); ++e)
     if (!(mesh.elem_jacobian_bound[e] > 0) || !(mesh.elem_scaled_jacobian[e] > 0) ||
         mesh.elem_scaled_jacobian[e] > 1 + 1e-12)
@@ -167,11 +168,12 @@ void irregular_nodes_agree(const QuadMesh& mesh, Findings& findings) {
                  num_irregular);
 }
 
-void jacobians_are_positive(const QuadMesh& mesh, Findings& findings) {
+void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings) {
   std::vector<Vec2> nodes(nodes_per_elem(mesh));
   for (int e = 0; e < mesh.num_elems(); ++e) {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       nodes[i] = mesh.nodes[mesh.elem_nodes[static_cast<std::size_t>(e) * nodes.size() + i]];
+    if (!(mesh.elem_jacobian_bound[e] > 0)) continue;
     const double bound = quad_jacobian_lower_bound(mesh.order, nodes.data());
     if (!(bound > 0))
       findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", e, bound,
@@ -179,15 +181,31 @@ void jacobians_are_positive(const QuadMesh& mesh, Findings& findings) {
   }
 }
 
+void root_tells_validity(const QuadMesh& mesh, Findings& findings) {
+  const double least = *std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
+  if (mesh.least_jacobian_bound != least)
+    findings.add("least_jacobian_bound is {}, the least of elem_jacobian_bound {}", mesh.least_jacobian_bound, least);
+  if (!mesh.is_valid && least > 0) findings.add("is_valid is 0, but all bounds are positive");
+}
+
 constexpr Rule<QuadMesh> rules[] = {
     {"QUA-R01", RuleKind::structure, arrays_agree},       {"QUA-R02", RuleKind::structure, indices_exist},
     {"QUA-R03", RuleKind::structure, numbers_are_finite}, {"QUA-R04", RuleKind::quick, stored_bounds_are_positive},
     {"QUA-R05", RuleKind::full, mesh_is_conforming},      {"QUA-R06", RuleKind::full, boundary_walks_the_loops},
     {"QUA-R07", RuleKind::full, euler_count_holds},       {"QUA-R08", RuleKind::full, irregular_nodes_agree},
-    {"QUA-R09", RuleKind::full, jacobians_are_positive},
+    {"QUA-R09", RuleKind::full, jacobians_are_as_stored}, {"QUA-R10", RuleKind::quick, root_tells_validity},
 };
 
 }  // namespace
+
+std::string doubt_about(const QuadMesh& mesh) {
+  if (mesh.is_valid) return "";
+  const auto worst = std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
+  const int elem = static_cast<int>(worst - mesh.elem_jacobian_bound.begin());
+  return fmt::format("the mesh is not valid: {} of {} elements are not proved, the worst is element {} of {} at {}",
+                     mesh.num_unproved(), mesh.num_elems(), elem, mesh.block_names[mesh.elem_block[elem]],
+                     place(mesh.face, mesh.nodes[side_node(mesh, elem, 0, 0)]));
+}
 
 std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth) {
   std::vector<Violation> all = check_cad_face(mesh.face, depth);

@@ -1,4 +1,5 @@
-// The quad mesh: elements coloured by scaled Jacobian, blocks outlined, the worst elements ringed.
+// The quad mesh: elements coloured by scaled Jacobian, blocks outlined, the worst elements ringed, those that are not
+// proved valid outlined in red.
 
 #include <fmt/format.h>
 
@@ -53,13 +54,29 @@ double ring_radius(const Picture& picture, const QuadMesh& mesh, int elem) {
   return radius + 2;
 }
 
+bool is_unproved(const QuadMesh& mesh, int elem) {
+  return !mesh.elem_jacobian_bound.empty() && !(mesh.elem_jacobian_bound[elem] > 0);
+}
+
+void draw_unproved(Picture& picture, const QuadMesh& mesh) {
+  if (mesh.num_unproved() == 0) return;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    if (is_unproved(mesh, e))
+      picture.add(
+          svg_element("path", {{"class", "worst"}, {"d", quad_outline(picture, mesh, e).str()}},
+                      fmt::format("quad {} is not proved valid: det J >= {:.3g}", e, mesh.elem_jacobian_bound[e])));
+  picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6 -6L6 -6L6 6L-6 6Z"}}),
+                      fmt::format("not proved valid ({})", mesh.num_unproved()));
+}
+
 std::string caption(const QuadMesh& mesh) {
   const auto& quality = mesh.elem_scaled_jacobian;
   const double worst = quality.empty() ? 0 : *std::min_element(quality.begin(), quality.end());
   const int num_blocks =
       mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
-  return fmt::format("{} of order {} in {}, {}, worst scaled Jacobian {:.3f}", counted(mesh.num_elems(), "quad"),
-                     mesh.order, counted(num_blocks, "block"), counted(mesh.num_irregular, "irregular node"), worst);
+  return fmt::format("{}{} of order {} in {}, {}, worst scaled Jacobian {:.3f}",
+                     mesh.is_valid ? "" : "NOT VALID: ", counted(mesh.num_elems(), "quad"), mesh.order,
+                     counted(num_blocks, "block"), counted(mesh.num_irregular, "irregular node"), worst);
 }
 
 }  // namespace
@@ -91,6 +108,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   }
   picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
   if (!worst_elems(mesh).empty()) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
+  draw_unproved(picture, mesh);
   return picture.str();
 }
 

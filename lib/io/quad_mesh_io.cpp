@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/cad_face_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
@@ -6,7 +8,11 @@ namespace quadrille {
 
 namespace {
 
-constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 0};
+constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 1};
+
+double least(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
+}
 
 void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
   describe_face(archive, mesh.face);
@@ -23,6 +29,11 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
   });
   archive.field("block_names", mesh.block_names, {"", "name of each block"});
   archive.field("num_irregular", mesh.num_irregular, {"", "interior irregular nodes of the layout"});
+  if (archive.has("least_jacobian_bound"))
+    archive.field("least_jacobian_bound", mesh.least_jacobian_bound, {"length^2", "least of elem_jacobian_bound"});
+  else
+    mesh.least_jacobian_bound = least(mesh.elem_jacobian_bound);
+  if (archive.has("is_valid")) archive.field("is_valid", mesh.is_valid, {"", "whether every element is proved valid"});
 }
 
 }  // namespace

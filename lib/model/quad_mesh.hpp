@@ -5,6 +5,7 @@
 // elem_nodes[e * (N+1)^2 + j * (N+1) + i]. Corners counter-clockwise: (0,0), (N,0), (N,N), (0,N). Side k runs from
 // corner k to corner k+1 (mod 4). Nodes are shared between elements, so conforming means identical bit for bit.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,16 @@ struct QuadMesh {
   std::vector<double> elem_scaled_jacobian;      ///< least sampled det J / (|x_xi1| |x_xi2|)
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   std::vector<std::string> block_names;
-  int num_irregular = 0;  ///< irregular nodes of the layout, interior (V != 4)
+  int num_irregular = 0;            ///< irregular nodes of the layout, interior (V != 4)
+  double least_jacobian_bound = 0;  ///< the least of elem_jacobian_bound
+  bool is_valid = true;             ///< every element is proved valid: least_jacobian_bound > 0
 
   int nodes_per_elem() const { return (order + 1) * (order + 1); }
   int num_elems() const { return static_cast<int>(elem_block.size()); }
+  int num_unproved() const {
+    return static_cast<int>(
+        std::count_if(elem_jacobian_bound.begin(), elem_jacobian_bound.end(), [](double b) { return !(b > 0); }));
+  }
 };
 
 }  // namespace quadrille

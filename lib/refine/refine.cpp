@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "check/check.hpp"
 #include "mesh/chords.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/divide_arcs.hpp"
@@ -77,13 +78,14 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
 
   const std::vector<ArcParameter> aligned = align_chords(chords, chains);
   auto [mesh, arc_ends] = split_at(aligned);
-  if (!is_proved_valid(mesh) && !std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity))) {
+  if (!mesh.is_valid && !std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity))) {
     auto [plain, plain_ends] = split_at(std::vector<ArcParameter>(chains.size()));
-    if (is_proved_valid(plain)) mesh = std::move(plain), arc_ends = std::move(plain_ends);
+    if (plain.is_valid) mesh = std::move(plain), arc_ends = std::move(plain_ends);
   }
-  require_valid_elements(mesh);
   tell(mesh, chords.size(), report);
   tell_sizes(chords, chains, arc_ends, sizes, options.counts, report);
+  if (!options.allow_invalid) require_valid_elements(mesh);
+  if (!mesh.is_valid) report.warn("W-QUA-001", doubt_about(mesh));
   return mesh;
 }
 

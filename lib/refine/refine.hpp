@@ -16,6 +16,7 @@ struct RefineOptions {
   double size = 0;             ///< wanted edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
   double geometry_tol = 5e-7;  ///< greatest distance between mesh boundary and CAD curve, as a share of the diameter
+  bool allow_invalid = false;  ///< give the mesh, marked as not valid, also where elements are not proved
   std::optional<SizeField> size_field = {};  ///< wanted edge lengths, in place of `size` (refine/make_size_field)
   SizeRule size_rule = SizeRule::nearest;
   std::vector<ChordCount> counts = {};  ///< for single chords, in place of their sizes
@@ -24,7 +25,7 @@ struct RefineOptions {
 
 /// Lines across chords are aligned (refine/align_chords); where that leaves an invalid element and equal arc-length
 /// fractions do not, these are taken. Throws ComputeError with the place of the worst element when one cannot be proved
-/// valid, and when the mesh would be beyond all measure.
+/// valid (unless allow_invalid), and when the mesh would be beyond all measure.
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);
 
 }  // namespace quadrille

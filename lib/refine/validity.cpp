@@ -3,11 +3,62 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "base/error.hpp"
+#include "spectral/quad_bernstein.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille {
+namespace {
+
+constexpr int num_told = 8;
+constexpr double ratio_tolerance = 1e-4;
+constexpr double same_quality = 1e-6;
+
+bool is_proved(const QuadMesh& mesh, int elem) { return mesh.elem_jacobian_bound[elem] > 0; }
+
+/// Elements in the sequence of worst_elements, but equals in none.
+bool is_worse(const QuadMesh& mesh, int a, int b) {
+  if (is_proved(mesh, a) != is_proved(mesh, b)) return !is_proved(mesh, a);
+  const std::vector<double>& key = is_proved(mesh, a) ? mesh.elem_scaled_jacobian : mesh.elem_jacobian_bound;
+  return key[a] != key[b] ? key[a] < key[b] : a < b;
+}
+
+/// Puts runs of equals, which rounding has shuffled, into the sequence of their numbers.
+void sort_equals(const QuadMesh& mesh, std::vector<int>& elems) {
+  const auto is_equal = [&](int a, int b) {
+    return is_proved(mesh, a) && is_proved(mesh, b) &&
+           mesh.elem_scaled_jacobian[b] - mesh.elem_scaled_jacobian[a] <= same_quality;
+  };
+  for (auto begin = elems.begin(); begin != elems.end();) {
+    const auto end = std::find_if(begin, elems.end(), [&](int e) { return e != *begin && !is_equal(*begin, e); });
+    if (is_proved(mesh, *begin)) std::sort(begin, end);
+    begin = end;
+  }
+}
+
+WorstElement look_at(const QuadMesh& mesh, int elem) {
+  const std::vector<Vec2> nodes = element_nodes(mesh, elem);
+  const Vec2 xi = quad_scaled_jacobian_minimum(mesh.order, nodes.data()).xi;
+  return {elem, quad_position(mesh.order, nodes.data(), xi) + mesh.face.origin, mesh.elem_scaled_jacobian[elem],
+          mesh.elem_jacobian_bound[elem]};
+}
+
+/// The ratio of one element where it is less than `known`; else something that is not.
+double jacobian_ratio(const BernsteinSquare& det, double known) {
+  const auto [low, high] = std::minmax_element(det.coefs.begin(), det.coefs.end());
+  if (*low > 0 && *low / *high >= known) return known;
+  const double tolerance = ratio_tolerance / 4 * std::max(std::abs(*low), std::abs(*high));
+  BernsteinSquare reversed = det;
+  for (double& coef : reversed.coefs) coef = -coef;
+  const double least = least_value(det, tolerance), greatest = -least_value(reversed, tolerance);
+  return least / std::max(std::abs(least), std::abs(greatest));
+}
+
+}  // namespace
 
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
   std::vector<Vec2> nodes;
@@ -24,29 +75,63 @@ void measure_elements(QuadMesh& mesh) {
     mesh.elem_jacobian_bound.push_back(quad_jacobian_lower_bound(mesh.order, nodes.data()));
     mesh.elem_scaled_jacobian.push_back(quad_scaled_jacobian(mesh.order, nodes.data()));
   }
+  mesh.least_jacobian_bound = *std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
+  mesh.is_valid = mesh.least_jacobian_bound > 0;
 }
 
-bool is_proved_valid(const QuadMesh& mesh) {
-  return std::all_of(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end(), [](double b) { return b > 0; });
+std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count) {
+  std::vector<int> elems(mesh.num_elems());
+  std::iota(elems.begin(), elems.end(), 0);
+  std::sort(elems.begin(), elems.end(), [&](int a, int b) { return is_worse(mesh, a, b); });
+  sort_equals(mesh, elems);
+  elems.resize(std::min(elems.size(), static_cast<std::size_t>(count)));
+  std::vector<WorstElement> worst;
+  for (const int elem : elems) worst.push_back(look_at(mesh, elem));
+  return worst;
+}
+
+std::string describe(const WorstElement& worst, const QuadMesh& mesh) {
+  return fmt::format("element {} of {} at ({:.6g}, {:.6g}): scaled Jacobian {:.4f}, det J >= {:.3g}", worst.elem,
+                     mesh.block_names[mesh.elem_block[worst.elem]], worst.place.x, worst.place.y, worst.scaled_jacobian,
+                     worst.bound);
+}
+
+double least_jacobian_ratio(const QuadMesh& mesh) {
+  double least = 1;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    least = std::min(least, jacobian_ratio(quad_jacobian_det(mesh.order, element_nodes(mesh, elem).data()), least));
+  return least;
 }
 
 void require_valid_elements(const QuadMesh& mesh) {
-  const auto worst = std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
-  if (worst == mesh.elem_jacobian_bound.end() || *worst > 0) return;
-  const int elem = static_cast<int>(worst - mesh.elem_jacobian_bound.begin());
-  const Vec2 place = quad_position(mesh.order, element_nodes(mesh, elem).data(), {0, 0}) + mesh.face.origin;
-  const auto invalid = std::count_if(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end(),
-                                     [](double bound) { return !(bound > 0); });
+  if (mesh.is_valid) return;
+  const WorstElement worst = worst_elements(mesh, 1).front();
   throw ComputeError(fmt::format(
       "{} of {} elements cannot be proved valid; the worst lies at ({:.6g}, {:.6g}) in {}: det J is only known to be "
-      "at least {:.3g}",
-      invalid, mesh.num_elems(), place.x, place.y, mesh.block_names[mesh.elem_block[elem]], *worst));
+      "at least {:.3g} (--allow-invalid writes the mesh all the same)",
+      mesh.num_unproved(), mesh.num_elems(), worst.place.x, worst.place.y,
+      mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
 }
 
 void tell_validity(const QuadMesh& mesh, Report& report) {
-  const auto least = [](const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); };
-  report.set("least_jacobian_bound", least(mesh.elem_jacobian_bound));
-  report.set("least_scaled_jacobian", least(mesh.elem_scaled_jacobian));
+  report.set("valid", mesh.is_valid);
+  report.set("unproved_elements", mesh.num_unproved());
+  report.set("least_jacobian_bound", mesh.least_jacobian_bound);
+  report.set("least_scaled_jacobian",
+             *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end()));
+  report.set(
+      "mean_scaled_jacobian",
+      std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems());
+  report.set("least_jacobian_ratio", least_jacobian_ratio(mesh));
+  const std::vector<WorstElement> worst = worst_elements(mesh, num_told);
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    const std::string key = fmt::format("worst.{}.", i + 1);
+    report.set(key + "element", worst[i].elem);
+    report.set(key + "block", mesh.block_names[mesh.elem_block[worst[i].elem]]);
+    report.set(key + "position", std::vector<double>{worst[i].place.x, worst[i].place.y});
+    report.set(key + "scaled_jacobian", worst[i].scaled_jacobian);
+    report.set(key + "jacobian_bound", worst[i].bound);
+  }
 }
 
 }  // namespace quadrille

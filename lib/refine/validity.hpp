@@ -1,6 +1,8 @@
 #pragma once
-// What is known of a mesh's elements: the proved lower bounds of det J and the scaled Jacobians (method.md §7).
+// What is known of a mesh's elements: the proved lower bounds of det J, the scaled Jacobians (method.md §7), and which
+// elements are the worst.
 
+#include <string>
 #include <vector>
 
 #include "base/report.hpp"
@@ -11,16 +13,34 @@ namespace quadrille {
 /// The geometry nodes of one element, as model/quad_mesh.hpp numbers them.
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 
-/// Fills in the bounds and scaled Jacobians of all elements.
+/// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid.
 void measure_elements(QuadMesh& mesh);
 
-/// Whether every element is proved valid: all bounds are positive.
-bool is_proved_valid(const QuadMesh& mesh);
+/// An element that is worse than others: the place is where its scaled Jacobian is least, in the face's own coordinates
+/// (origin included).
+struct WorstElement {
+  int elem = 0;
+  Vec2 place;
+  double scaled_jacobian = 0;  ///< -1 where det J <= 0
+  double bound = 0;            ///< of det J
+};
+
+/// The `count` worst elements: those that are not proved valid by ascending bound, then the others by ascending scaled
+/// Jacobian; equals (within 1e-6) by number. All when there are fewer. Needs measured elements.
+std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count);
+
+/// "element 7 of block-2 at (0.3, 0.1): scaled Jacobian 0.42, det J >= 0.0012"
+std::string describe(const WorstElement& worst, const QuadMesh& mesh);
+
+/// The least over all elements of the least det J of the element over its greatest one, to 1e-4 (what Gmsh calls
+/// minJ / maxJ); where det J is negative, over its greatest size instead: then in [-1, 0].
+double least_jacobian_ratio(const QuadMesh& mesh);
 
 /// Throws ComputeError with the place of the worst element when one is not proved valid.
 void require_valid_elements(const QuadMesh& mesh);
 
-/// The least bound and scaled Jacobian.
+/// The least bound, scaled Jacobian and ratio, how many elements are not proved valid, and the worst elements
+/// (worst.1.*, ...).
 void tell_validity(const QuadMesh& mesh, Report& report);
 
 }  // namespace quadrille

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/error.hpp"
 #include "spectral/per_order.hpp"
@@ -138,6 +139,24 @@ void halve(std::vector<double>& low, std::vector<double>& high, int width, int s
   }
 }
 
+/// The square's four quarters; their `error` is the caller's business.
+std::array<BernsteinSquare, 4> quarters(const BernsteinSquare& whole) {
+  const int width = whole.degree + 1;
+  std::array<BernsteinSquare, 4> parts;
+  for (BernsteinSquare& part : parts) part = {whole.degree, {}, whole.error};
+  parts[0].coefs = whole.coefs;
+  halve(parts[0].coefs, parts[1].coefs, width, 1, width);
+  halve(parts[0].coefs, parts[2].coefs, width, width, 1);
+  halve(parts[1].coefs, parts[3].coefs, width, width, 1);
+  return parts;
+}
+
+/// The least of the coefficients that are values: those at the corners.
+double least_corner(const BernsteinSquare& p) {
+  const int width = p.degree + 1;
+  return std::min({p.coefs.front(), p.coefs[width - 1], p.coefs[width * (width - 1)], p.coefs.back()});
+}
+
 }  // namespace
 
 BernsteinSquare quad_jacobian_det(int order, const Vec2* nodes) {
@@ -169,21 +188,32 @@ double lower_bound(const BernsteinSquare& polynomial, int depth) {
   const std::vector<double>& c = polynomial.coefs;
   const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
   const double bound = *least - polynomial.error;
-  const int width = polynomial.degree + 1;
-  const double corner = std::min({c.front(), c[width - 1], c[width * (width - 1)], c.back()});
-  if (bound > 0 || depth <= 0 || corner + polynomial.error <= 0) return bound;
+  if (bound > 0 || depth <= 0 || least_corner(polynomial) + polynomial.error <= 0) return bound;
 
   const double largest = std::max(std::abs(*least), std::abs(*greatest));
-  const double error = polynomial.error + 2 * polynomial.degree * unit_roundoff * (largest + polynomial.error);
-  std::array<BernsteinSquare, 4> parts;
-  for (BernsteinSquare& part : parts) part = {polynomial.degree, {}, error};
-  parts[0].coefs = c;
-  halve(parts[0].coefs, parts[1].coefs, width, 1, width);
-  halve(parts[0].coefs, parts[2].coefs, width, width, 1);
-  halve(parts[1].coefs, parts[3].coefs, width, width, 1);
+  std::array<BernsteinSquare, 4> parts = quarters(polynomial);
+  for (BernsteinSquare& part : parts)
+    part.error += 2 * polynomial.degree * unit_roundoff * (largest + polynomial.error);
   double result = lower_bound(parts[0], depth - 1);
   for (int k = 1; k < 4; ++k) result = std::min(result, lower_bound(parts[k], depth - 1));
   return result;
+}
+
+double least_value(const BernsteinSquare& polynomial, double tolerance) {
+  constexpr int max_depth = 20;  // beyond, coefficients differ by rounding only
+  double attained = least_corner(polynomial);
+  std::vector<std::pair<BernsteinSquare, int>> open;
+  open.emplace_back(polynomial, 0);
+  while (!open.empty()) {
+    const auto [part, depth] = std::move(open.back());
+    open.pop_back();
+    if (depth == max_depth || *std::min_element(part.coefs.begin(), part.coefs.end()) >= attained - tolerance) continue;
+    for (BernsteinSquare& quarter : quarters(part)) {
+      attained = std::min(attained, least_corner(quarter));
+      open.emplace_back(std::move(quarter), depth + 1);
+    }
+  }
+  return attained;
 }
 
 }  // namespace quadrille

@@ -26,4 +26,8 @@ BernsteinSquare quad_jacobian_det(int order, const Vec2* nodes);
 /// bisections in both directions while it is not positive and no corner value proves that it cannot be.
 double lower_bound(const BernsteinSquare& polynomial, int depth);
 
+/// The least value on the square: not below the exact one, and above it by `tolerance` (> 0) at most. Only parts are
+/// halved whose coefficients leave room for less than what a corner has attained; quadratic in 1 / depth.
+double least_value(const BernsteinSquare& polynomial, double tolerance);
+
 }  // namespace quadrille

@@ -117,4 +117,5 @@ int main(int argc, char** argv) {
   write_resolved_points();
   write_wrong_certificates();
   write_phase_field();
+  write_marked_mesh();
 }

@@ -192,6 +192,7 @@ inline QuadMesh quad_mesh() {
   m.elem_scaled_jacobian = {1, 1};
   m.boundary_edges = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 2}, {0, 2, 2}, {0, 3, 3}};
   m.block_names = {"block-0", "block-1"};
+  m.least_jacobian_bound = 0.125;
   return m;
 }
 

@@ -33,7 +33,7 @@ TEST(QuadMeshCheck, QuaR03NumbersAreFinite) {
   EXPECT_EQ(broken([](auto& m) { m.nodes[3].y = std::numeric_limits<double>::quiet_NaN(); }), Rules{"QUA-R03"});
 }
 TEST(QuadMeshCheck, QuaR04StoredBoundsArePositive) {
-  EXPECT_EQ(broken([](auto& m) { m.elem_jacobian_bound[1] = 0; }), Rules{"QUA-R04"});
+  EXPECT_EQ(broken([](auto& m) { m.least_jacobian_bound = m.elem_jacobian_bound[1] = 0; }), Rules{"QUA-R04"});
   EXPECT_EQ(broken([](auto& m) { m.elem_scaled_jacobian[1] = 1.5; }), Rules{"QUA-R04"});
 }
 TEST(QuadMeshCheck, QuaR05MeshIsConforming) {
@@ -54,6 +54,39 @@ TEST(QuadMeshCheck, QuaR08IrregularNodesAgree) {
 }
 TEST(QuadMeshCheck, QuaR09JacobiansArePositive) {
   EXPECT_EQ(broken([](auto& m) { m.nodes[4] = {-0.1, 0.4}; }), Rules{"QUA-R09"});
+}
+
+TEST(QuadMeshCheck, QuaR10RootTellsValidity) {
+  EXPECT_EQ(broken([](auto& m) { m.least_jacobian_bound = 0.1; }), Rules{"QUA-R10"});
+  EXPECT_EQ(broken([](auto& m) { m.is_valid = false; }), Rules{"QUA-R10"});
+}
+
+TEST(QuadMeshCheck, AMeshThatSaysItIsNotValidKeepsTheRules) {
+  const auto folded = [](QuadMesh& m) {
+    m.nodes[4] = {-0.1, 0.4};
+    m.elem_jacobian_bound[0] = m.least_jacobian_bound = -0.1;
+    m.elem_scaled_jacobian[0] = -1;
+  };
+  EXPECT_EQ(broken(folded), Rules{"QUA-R04"});
+  const auto marked = [&](QuadMesh& m) {
+    folded(m);
+    m.is_valid = false;
+  };
+  EXPECT_EQ(broken(marked), Rules{});
+  const auto with_another = [&](QuadMesh& m) {  // an element that is said to be valid must be
+    marked(m);
+    m.nodes[5] = {0, 0.1};
+  };
+  EXPECT_EQ(broken(with_another), Rules{"QUA-R09"});
+}
+
+TEST(QuadMeshCheck, DoubtNamesTheWorstElement) {
+  QuadMesh mesh = samples::quad_mesh();
+  EXPECT_EQ(doubt_about(mesh), "");
+  mesh.is_valid = false;
+  mesh.elem_jacobian_bound[1] = -0.5;
+  EXPECT_EQ(doubt_about(mesh),
+            "the mesh is not valid: 1 of 2 elements are not proved, the worst is element 1 of block-1 at (0.5, 0)");
 }
 
 }  // namespace

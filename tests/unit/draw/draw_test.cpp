@@ -390,6 +390,18 @@ TEST(Draw, QuadsAreColouredAndTheWorstIsRinged) {
   EXPECT_EQ(count(svg, "class=\"edge\""), 1) << "the border between two blocks";
 }
 
+TEST(Draw, QuadsThatAreNotProvedAreOutlinedAndSaid) {
+  QuadMesh mesh = two_quads(2, -1);
+  EXPECT_EQ(count(draw_quad_mesh(mesh, {}), "class=\"worst\""), 0);
+  mesh.elem_jacobian_bound[1] = -0.2;
+  mesh.is_valid = false;
+  const std::string svg = draw_quad_mesh(mesh, {});
+  expect_sound(svg);
+  EXPECT_EQ(count(svg, "class=\"worst\""), 2) << "the quad and the legend";
+  EXPECT_EQ(count(svg, "not proved valid (1)<"), 1);
+  EXPECT_EQ(count(svg, "NOT VALID: 2 quads"), 1);
+}
+
 TEST(Draw, PerfectMeshHasNoRing) { EXPECT_EQ(count(draw_quad_mesh(two_quads(1, 1), {}), "class=\"ring\""), 0); }
 
 }  // namespace

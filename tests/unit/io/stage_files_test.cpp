@@ -121,6 +121,12 @@ TEST_F(StageFiles, BlockLayoutSurvivesTheRoundTrip) {
 TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
   expect_same_bytes(samples::quad_mesh(), read_quad_mesh, write_quad_mesh);
   EXPECT_EQ(stage_format(read_input(path("first"))), "quad-mesh");
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.is_valid = false;
+  mesh.least_jacobian_bound = -0.25;
+  expect_same_bytes(mesh, read_quad_mesh, write_quad_mesh);
+  EXPECT_FALSE(read_quad_mesh(read_input(path("second"))).is_valid);
+  EXPECT_EQ(read_quad_mesh(read_input(path("second"))).least_jacobian_bound, -0.25);
 }
 
 }  // namespace
