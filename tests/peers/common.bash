@@ -4,6 +4,8 @@ load ../tools/common
 
 # Apt's modules are those of the distribution's own interpreter.
 PYTHON=/usr/bin/python3
+# Of all shapes; the files of peers share them where $QUADRILLE_LAYOUTS names a folder.
+LAYOUTS=${QUADRILLE_LAYOUTS:-$BATS_RUN_TMPDIR/layouts}
 export PYTHONDONTWRITEBYTECODE=1
 
 # need PACKAGE...: installs what is missing, as root and online; skips the test with the reason where it cannot.
@@ -17,7 +19,8 @@ need() {
   command -v apt-get >/dev/null || skip "no apt-get to install ${missing[*]}"
   [[ $(id -u) == 0 ]] || skip "not root, and not installed: ${missing[*]}"
   # Files of tests run side by side: one installs at a time. Nothing that is there gives way (--no-remove).
-  local apt=(flock /tmp/quadrille-peers.lock env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
+  mkdir -p "$LAYOUTS"
+  local apt=(flock "$LAYOUTS/apt.lock" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
   { "${apt[@]}" update && "${apt[@]}" -y --no-remove --no-install-recommends install "${missing[@]}"; } \
     >"$BATS_FILE_TMPDIR/apt.log" 2>&1 || {
     touch "$BATS_FILE_TMPDIR/cannot_install"
@@ -35,18 +38,17 @@ shapes() {
   done
 }
 
-# blocks_of STEP: prints the path of the shape's block layout, made when it is asked for first. All files of peers share
-# them where $QUADRILLE_LAYOUTS names a folder.
+# blocks_of STEP: prints the path of the shape's block layout, made when it is asked for first.
 blocks_of() {
-  local folder=${QUADRILLE_LAYOUTS:-$BATS_FILE_TMPDIR/layouts} name
+  local name
   name=$(basename "$1" .step)
-  mkdir -p "$folder/$name"
+  mkdir -p "$LAYOUTS/$name"
   (
     flock 9
-    [[ -e $folder/$name/$name.blocks.h5 ]] ||
-      "$ROOT/pipelines/quadmesh" -q "$1" -o "$folder/$name/$name.msh" --workdir "$folder/$name" >/dev/null
-  ) 9>"$folder/$name.lock" || return 1
-  echo "$folder/$name/$name.blocks.h5"
+    [[ -e $LAYOUTS/$name/$name.blocks.h5 ]] ||
+      "$ROOT/pipelines/quadmesh" -q "$1" -o "$LAYOUTS/$name/$name.msh" --workdir "$LAYOUTS/$name" >/dev/null
+  ) 9>"$LAYOUTS/$name.lock" || return 1
+  echo "$LAYOUTS/$name/$name.blocks.h5"
 }
 
 # example N LANGUAGE PAGE: the Nth piece of code in that language on formats/export/PAGE.md.
