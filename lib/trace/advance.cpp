@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -16,7 +17,8 @@ namespace {
 // A point counts as outside an element from here on, in barycentric coordinates: keeps a line that grazes an edge from
 // going to and fro without advancing.
 constexpr double edge_slack = 1e-12;
-constexpr double overshoot = 0.05;  // how far a step may extrapolate beyond the element
+constexpr double same_direction = 1e-3;  // radians
+constexpr double overshoot = 0.05;       // how far a step may extrapolate beyond the element
 
 // Barycentric coordinate that vanishes on local edge k, and its linear part.
 double above_edge(int k, Vec2 xi) { return k == 0 ? (1 + xi.y) / 2 : k == 1 ? -(xi.x + xi.y) / 2 : (1 + xi.x) / 2; }
@@ -87,6 +89,10 @@ class Walker {
       const Exit exit = first_exit(step);
       if (exit.edge >= 0) {
         if (leave_element(step, exit)) return;
+        if (was_here(step.elem, exit.edge)) {
+          line_.is_limit_cycle = true;
+          return finish(Streamline::End::length, evaluator_.maps()[state_.elem].position(state_.xi));
+        }
       } else {
         push(step);
         state_ = end;
@@ -154,6 +160,16 @@ class Walker {
     const int edge = topology.elem2neighbor_edges[elem][exit.edge];
     state_ = stream_state(evaluator_, neighbor, tri_edge_point(edge, 1 - fraction), state_.angle);
     return false;
+  }
+
+  // Whether it has just gone over an edge as it did a lap before.
+  bool was_here(int elem, int edge) {
+    const auto [pass, is_first] = line_.passes.try_emplace(3 * elem + edge, state_);
+    if (is_first) return false;
+    const StreamState before = std::exchange(pass->second, state_);
+    const TriMap& map = evaluator_.maps()[state_.elem];
+    return std::abs(wrap_pi(state_.angle - before.angle)) < same_direction &&
+           distance(map.position(state_.xi), map.position(before.xi)) <= options_.hit_distance;
   }
 
   // Of the continuous extension: as good a guide as the field's own.
@@ -272,7 +288,7 @@ Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const 
 
 void follow(const FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
             const AdvanceOptions& options) {
-  if (line.end == Streamline::End::length) Walker(evaluator, nodes, options, line).walk();
+  if (line.end == Streamline::End::length && !line.is_limit_cycle) Walker(evaluator, nodes, options, line).walk();
 }
 
 }  // namespace quadrille

@@ -4,6 +4,7 @@
 // Integration runs in reference space, element by element: a step that leaves the reference triangle is cut at the edge
 // (root of its continuous extension) and goes on in the neighbour at the same place of the shared edge. No searches.
 
+#include <unordered_map>
 #include <vector>
 
 #include "field/evaluate.hpp"
@@ -18,7 +19,7 @@ struct AdvanceOptions {
   double tolerance = 1e-10;  ///< bound of a step's estimated error, a length
   double max_step = 0;       ///< a length
   double max_length = 0;     ///< of a line
-  double hit_distance = 0;   ///< a line that comes as near as this to a node ends there
+  double hit_distance = 0;   ///< a line that comes as near as this to a node ends there, or to where it was before
 };
 
 class Streamline {
@@ -35,6 +36,10 @@ class Streamline {
   double end_angle = 0;
   StreamState front;  ///< End::length: where it goes on from, and the step it would try
   double next_step = 0;
+  /// End::length: it has come back to an element's edge where it was a lap before, within the hit distance and in the
+  /// same direction: more laps would tell nothing new.
+  bool is_limit_cycle = false;
+  std::unordered_map<int, StreamState> passes;  ///< states in which it last went over edges, by 3 elem + edge
 
   double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
   /// Position at arc length s in [0, length()].
@@ -48,12 +53,14 @@ class Streamline {
   Vec2 lead_in(double s, Vec2& direction) const;
 };
 
-/// Integrates from the launch. Throws ComputeError when the line cannot be followed: where the field vanishes at no
-/// node. A line also ends, as by its length, after max_stream_steps.
+/// Integrates from the launch. A spiral ends, as by its length, where it has come to its limit cycle. Throws
+/// ComputeError when the line cannot be followed: where the field vanishes at no node. A line also ends, as by its
+/// length, after max_stream_steps.
 Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
                    const AdvanceOptions& options);
 
-/// Goes on with a line that a length ended, to the length of these options: the steps are those of one advance().
+/// Goes on with a line that a length ended, to the length of these options: the steps are those of one advance(). Not
+/// round a limit cycle.
 void follow(const FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
             const AdvanceOptions& options);
 

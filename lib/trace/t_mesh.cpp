@@ -199,7 +199,7 @@ class TMeshTracer::Impl {
       if (line < 0 || !covered_[i].whole()) continue;
       any = true;
       const double length = lines_[line].length();
-      if (length < options_.max_length * d_ * (1 - 1e-9)) {
+      if (!lines_[line].is_limit_cycle && length < options_.max_length * d_ * (1 - 1e-9)) {
         follow(evaluator_, lines_[line], nodes_, bounds(2 * length));
       } else {
         cut_across(lines_[line]);
@@ -212,14 +212,14 @@ class TMeshTracer::Impl {
 
   // From boundary to boundary across the end of a line.
   void cut_across(const Streamline& line) {
-    const Launch across = launch_line(evaluator_, -1, line.end_position, line.end_angle + pi / 2, 1e-6 * d_, 1);
-    const Streamline half = advance(evaluator_, across, nodes_, bounds(options_.max_length * d_));
-    if (half.end != Streamline::End::boundary) {
-      const Vec2 at = line.end_position + face_.origin;
-      throw ComputeError(
-          fmt::format("no line leads from the limit cycle at ({:.6g}, {:.6g}) to the boundary", at.x, at.y));
+    for (const double turn : {half_pi, -half_pi}) {
+      const Launch across = launch_line(evaluator_, -1, line.end_position, line.end_angle + turn, 1e-6 * d_, 1);
+      const Streamline half = advance(evaluator_, across, nodes_, bounds(options_.max_length * d_));
+      if (half.end == Streamline::End::boundary) return add_cut(half.curve, half.t, options_.max_length * d_);
     }
-    add_cut(half.curve, half.t, options_.max_length * d_);
+    const Vec2 at = line.end_position + face_.origin;
+    throw ComputeError(
+        fmt::format("no line leads from the limit cycle at ({:.6g}, {:.6g}) to the boundary", at.x, at.y));
   }
 
   void add_cut(int curve, double t, double head_start) {
@@ -263,7 +263,19 @@ class TMeshTracer::Impl {
     return build_graph(face_, fixed_, pieces, kept, snap());
   }
 
-  // A hole that nothing ties to the outer boundary gets a cut from the middle of its first curve.
+  // Holes may be tied to each other and to nothing else: each of their cuts starts from another place, at halves,
+  // quarters, eighths of the loop's curves in turn (van der Corput's sequence).
+  void tie(int loop) {
+    const int first = face_.loop_offsets[loop], num = face_.loop_offsets[loop + 1] - first;
+    double share = 0, digit = 0.5;
+    for (int k = num_ties_[loop]++; k > 0; k /= 2, digit /= 2) share += k % 2 * digit;
+    const double along = share * num + 0.5, whole = std::floor(along);
+    const int c = first + static_cast<int>(whole) % num;
+    const Nurbs& curve = face_.curves[c];
+    add_cut(c, curve.begin() + (along - whole) * (curve.end() - curve.begin()), 0);
+  }
+
+  // A hole that nothing ties to the outer boundary gets a cut, the first from the middle of its first curve.
   bool tie_lone_loops(const SeparatrixGraph& graph) {
     std::vector<int> root(graph.nodes.size());
     std::iota(root.begin(), root.end(), 0);
@@ -275,8 +287,7 @@ class TMeshTracer::Impl {
     bool any = false;
     for (int loop = 1; loop < face_.num_loops(); ++loop) {
       if (root_of_loop[loop] == root_of_loop[0]) continue;
-      const Nurbs& curve = face_.curves[face_.loop_offsets[loop]];
-      add_cut(face_.loop_offsets[loop], (curve.begin() + curve.end()) / 2, 0);
+      tie(loop);
       any = true;
     }
     return any;
@@ -301,6 +312,7 @@ class TMeshTracer::Impl {
   std::vector<Crossing> crossings_;
   std::vector<Covered> covered_;
   std::vector<int> merge_of_line_;  // candidate of each line of the graph, or -1
+  std::map<int, int> num_ties_;     // cuts that a loop has got
   int num_cuts_ = 0;
 };
 
