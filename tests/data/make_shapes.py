@@ -61,13 +61,23 @@ def labels():
     return step.text("labels")
 
 
+def tilted():
+    """The upper half of the unit disc in a plane across the axes of space."""
+    frame = (10, -20, 30), (1 / 3, 2 / 3, 2 / 3), (2 / 3, 1 / 3, -2 / 3)
+    step = Step(frame)
+    face = step.face([[("line", -1 + 0j, 1 + 0j, "axis"), ("arc", 0j, 1, 1 + 0j, -1 + 0j, 1, "arc")]])
+    step.product("tilted_half_disc", face)
+    return step.text("tilted_half_disc")
+
+
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     for name, loops in shapes().items():
         with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
             file.write(step_text(name, loops))
-    with open(os.path.join(folder, "labels.step"), "w", encoding="ascii") as file:
-        file.write(labels())
+    for name, text in {"labels": labels(), "tilted_half_disc": tilted()}.items():
+        with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
+            file.write(text)
 
 
 if __name__ == "__main__":

@@ -32,9 +32,11 @@ def real(x):
 
 
 class Step:
-    """Statements of a STEP file, each numbered when it is added."""
+    """Statements of a STEP file, each numbered when it is added. `frame`: origin and axes of the plane in space, three
+    triples; without it the plane is z = 0."""
 
-    def __init__(self):
+    def __init__(self, frame=None):
+        self.frame = frame
         self.lines = []
         self.points = {}
         self.vertices = {}
@@ -47,7 +49,10 @@ class Step:
     def point(self, z):
         key = (z.real + 0.0, z.imag + 0.0)
         if key not in self.points:
-            self.points[key] = self.add(f"CARTESIAN_POINT('',({real(z.real)},{real(z.imag)},0.))")
+            place = f"{real(z.real)},{real(z.imag)},0."
+            if self.frame:
+                place = ",".join(real(o + z.real * x + z.imag * y) for o, x, y in zip(*self.frame))
+            self.points[key] = self.add(f"CARTESIAN_POINT('',({place}))")
         return self.points[key]
 
     def vertex(self, z):
@@ -59,11 +64,23 @@ class Step:
         return self.vertices[z]
 
     def direction(self, x, y, z):
+        if self.frame:
+            _, (a, b, c), (d, e, f) = self.frame
+            x, y, z = (x * i + y * j + z * k for i, j, k in
+                       zip((a, b, c), (d, e, f), (b * f - c * e, c * d - a * f, a * e - b * d)))
         return self.add(f"DIRECTION('',({real(x)},{real(y)},{real(z)}))")
 
     def placement(self, centre):
         axes = self.direction(0, 0, 1), self.direction(1, 0, 0)
         return self.add(f"AXIS2_PLACEMENT_3D('',{self.point(centre)},{axes[0]},{axes[1]})")
+
+    def origin(self):
+        """The placement of the whole: a frame that is not that of space would move the shape."""
+        if not self.frame:
+            return self.placement(0j)
+        point, z, x = (self.add(f"{kind}('',({numbers}))") for kind, numbers in (
+            ("CARTESIAN_POINT", "0.,0.,0."), ("DIRECTION", "0.,0.,1."), ("DIRECTION", "1.,0.,0.")))
+        return self.add(f"AXIS2_PLACEMENT_3D('',{point},{z},{x})")
 
     def edge(self, a, b, curve, same, name=""):
         edge = self.add(f"EDGE_CURVE('{name}',{self.vertex(a)},{self.vertex(b)},{curve},.T.)")
@@ -130,7 +147,7 @@ class Step:
                            f"GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({accuracy})) "
                            f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid})) "
                            "REPRESENTATION_CONTEXT('','3D') )")
-        shape = self.add(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({self.placement(0j)},{model}),{context})")
+        shape = self.add(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({self.origin()},{model}),{context})")
         application = self.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')")
         self.add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
         field = self.add(f"PRODUCT_CONTEXT('',{application},'mechanical')")

@@ -1,9 +1,10 @@
-// libFuzzer target: any bytes as a JSON stage file are read and checked, or refused by FormatError.
+// libFuzzer target: any bytes as a JSON stage file, or one of names, are read and checked, or refused by FormatError.
 
 #include <cstdint>
 
 #include "base/error.hpp"
 #include "check/check.hpp"
+#include "io/name_rules.hpp"
 #include "io/stage_files.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -17,5 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   };
   attempt([&] { check_critical_points(read_critical_points(file), CheckDepth::full); });
   attempt([&] { check_separatrix_graph(read_separatrix_graph(file), CheckDepth::full); });
+  attempt([&] { read_boundary_names(file); });
+  attempt([&] { read_block_names(file); });
   return 0;
 }

@@ -119,3 +119,32 @@ setup() {
   assert_equal "quadexport: $(jq -r '[.error, .exit_code] | join(" ")' a.json)" "$stderr 4"
   [[ $stderr == "quadexport: nowhere/a.step: "* ]]
 }
+
+@test "--frame 3d puts the mesh on the plane and the curves of the CAD model, in its unit" {
+  cad2tri "$DATA/tilted_half_disc.step" | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints a.field.h5 | separatrix a.field.h5 - | blocksplit | quadrefine --size 0.5 -o a.quad.h5
+  for format in msh msh22; do
+    quadexport --format $format a.quad.h5 -o flat.msh
+    quadexport --format $format --frame 3d a.quad.h5 -o space.msh
+    # The frame by which tests/data/make_shapes.py wrote the shape: origin, x, y.
+    python3 - flat.msh space.msh <<'PYTHON'
+import sys
+frame = (10, -20, 30), (1 / 3, 2 / 3, 2 / 3), (2 / 3, 1 / 3, -2 / 3)
+def nodes(path):  # three numbers with a point in the lines of nodes; MSH 2.2 has the tag before them
+    lines = open(path).read().split("$Nodes\n")[1].split("$EndNodes")[0].splitlines()[1:]
+    words = [line.split()[-3:] for line in lines if len(line.split()) >= 3]
+    return [tuple(map(float, w)) for w in words if sum("." in number for number in w)]
+flat, space = nodes(sys.argv[1]), nodes(sys.argv[2])
+assert len(space) > 200 and all(z == 0 for _, _, z in flat), len(space)
+for (x, y, z) in space:
+    rest = [c - o for c, o in zip((x, y, z), frame[0])]
+    u, v = (sum(c * e for c, e in zip(rest, axis)) for axis in frame[1:])
+    off = max(abs(c - u * a - v * b) for c, a, b in zip(rest, *frame[1:]))
+    assert off < 1e-14 * 40, (x, y, z, off)
+    assert -1e-12 < v and u * u + v * v < 1 + 1e-6, (u, v)
+    assert min(abs(u - a) + abs(v - b) for a, b, _ in flat) < 1e-13, (u, v)
+on_arc = sum(abs(x * x + y * y - 1) < 1e-6 for x, y, _ in flat)
+assert on_arc > 20, on_arc
+PYTHON
+  done
+}
