@@ -12,10 +12,13 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_plain(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '-'; }
 
-std::string plain(std::string name) {
-  for (char& c : name)
-    if (!is_plain(c)) c = '_';
-  return name.empty() || !is_letter(name[0]) ? "_" + name : name;
+bool continues_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }  // UTF-8
+
+std::string plain(const std::string& name) {
+  std::string word;
+  for (const char c : name)
+    if (!continues_letter(c)) word += is_plain(c) ? c : '_';
+  return word.empty() || !is_letter(word[0]) ? "_" + word : word;
 }
 
 std::string numbered(const std::string& name, const std::set<std::string>& used) {

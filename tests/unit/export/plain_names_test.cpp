@@ -18,6 +18,8 @@ TEST(PlainNames, WhatReadersPartWordsByIsReplaced) {
             (Names{"outer_wall", "a_b_c", "_q_", "x_y_z", "_---", "_2nd", "_"}));
 }
 
+TEST(PlainNames, ALetterOfManyBytesIsOne) { EXPECT_EQ(plain_names({"S\u00fcd"}), (Names{"S_d"})); }
+
 TEST(PlainNames, NamesDoNotFallTogether) {
   EXPECT_EQ(plain_names({"a b", "a_b", "a,b", "taken"}, {"taken"}), (Names{"a_b_2", "a_b", "a_b_3", "taken_2"}));
 }
