@@ -1,0 +1,60 @@
+# OpenFOAM builds its own mesh from our blockMeshDict and checks it: every shape, and the points are where we say.
+load common
+
+setup() {
+  common_setup
+  need openfoam hdf5-tools
+  export WM_PROJECT_DIR=/usr/share/openfoam # Debian's package leaves it to the user
+  cells=$ROOT/tests/exports/read_blockmesh.py
+}
+
+# new_case: an OpenFOAM case without anything in it, for checkMesh says "OK" to the mesh of an earlier run.
+new_case() {
+  local section
+  rm -rf case
+  mkdir -p case/system
+  dictionary controlDict "startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;" \
+    "writeControl timeStep; writeInterval 1; writeFormat ascii; writePrecision 17;"
+  dictionary fvSolution
+  dictionary fvSchemes "$(for section in ddt grad div laplacian interpolation snGrad; do
+    echo "${section}Schemes { default none; }"
+  done)"
+}
+
+dictionary() {
+  printf 'FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n' "$1" >"case/system/$1"
+  printf '%s\n' "${@:2}" >>"case/system/$1"
+}
+
+# builds QUAD: blockMesh takes the dictionary without a word, checkMesh finds nothing wrong. What it says of neighbours
+# of unlike size ("small interpolation weight") is true of the mesh that it was asked to build, whatever the format.
+builds() {
+  new_case
+  quadexport -q "$1" -o case/system/blockMeshDict
+  run -0 blockMesh -case case
+  refute_output --partial Warning
+  run checkMesh -case case -allGeometry -allTopology
+  local wrong
+  wrong=$(grep -F '***' <<<"$output" | grep -v 'small interpolation weight' || true)
+  assert_equal "$wrong" ''
+  assert_output --partial 'Number of regions: 1'
+  run -0 "$PYTHON" "$cells" case/system/blockMeshDict "$1" case/constant/polyMesh/points
+}
+
+@test "blockMesh builds every shape as we say, and checkMesh accepts it" {
+  local file blocks
+  while read -r file; do
+    echo "$file"
+    blocks=$(blocks_of "$file")
+    quadrefine -q "$blocks" -o a.quad.h5
+    builds a.quad.h5
+  done < <(shapes)
+}
+
+@test "patches have their faces, zones their cells" {
+  quadrefine -q "$(blocks_of "$DATA/plate_hole.step")" -o a.quad.h5 --report a.json
+  builds a.quad.h5
+  run checkMesh -case case
+  assert_output --partial "hexahedra:     $(jq .quads a.json)"
+  assert_output --regexp 'frontAndBack +'$((2 * $(jq .quads a.json)))
+}
