@@ -24,6 +24,20 @@ load ../tools/common
   run -0 stagecheck d.phase.h5 d.blocks.h5
 }
 
+@test "the commands that name things and begin with points work" {
+  ln -s "$ROOT/pipelines" .
+  cp "$DATA/half_disc.step" .
+  { echo ellipse; awk 'BEGIN { for (k = 0; k <= 40; ++k) { a = k * atan2(0, -1) / 20
+    printf "%.9f %.9f\n", (1 + cos(a)) / 2, sin(a) / 10 } }'; } >aerofoil.dat
+  for section in Names "From points"; do
+    sed -n "/^## $section/,/^## /p" "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+    assert [ "$(wc -l <commands)" -ge 2 ]
+    run -0 bash -euo pipefail commands
+  done
+  assert_equal "$(sed -nE 's/^[12] [0-9]+ (".*")$/\1/p' half_disc.msh | tr -d '\n')" '"symmetry""wall""fluid"'
+  assert_equal "$(sed -nE 's/^[12] [0-9]+ (".*")$/\1/p' aerofoil.msh | tr -d '\n')" '"farfield""lower""upper""fluid"'
+}
+
 @test "every file that it links is there" {
   grep -oE '\]\([^):]+\)' "$ROOT/README.md" | tr -d '])(' | sort -u >links
   assert [ "$(wc -l <links)" -ge 7 ]
