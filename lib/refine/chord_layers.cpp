@@ -1,9 +1,10 @@
 #include "refine/chord_layers.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace quadrille {
 namespace {
@@ -50,7 +51,7 @@ class ChordPlanner {
     const int count = least_count();
     std::vector<std::vector<double>> result;
     for (int i = 0; i < num_arcs(); ++i) result.push_back(ends_of(i, count));
-    if (!has_layers()) draw_together(result);
+    draw_together(result);
     return result;
   }
 
@@ -80,11 +81,18 @@ class ChordPlanner {
     return std::min(count, max_intervals);
   }
 
-  /// The shortest ways along the blocks from arcs that have a wish at this end of the chord.
+  bool has_layers(int chord_end) const {
+    for (int i = 0; i < num_arcs(); ++i)
+      if (wish(i, chord_end).layers() > 0) return true;
+    return false;
+  }
+
+  /// The shortest ways along the blocks from arcs that have layers, or else wishes, at this end of the chord.
   std::vector<Reach> reaches(int chord_end) const {
     std::vector<Reach> reach(num_arcs());
+    const bool any_layers = has_layers(chord_end);
     for (int i = 0; i < num_arcs(); ++i)
-      if (!wish(i, chord_end).is_empty()) reach[i] = {0, i};
+      if (any_layers ? wish(i, chord_end).layers() > 0 : !wish(i, chord_end).is_empty()) reach[i] = {0, i};
     for (bool changed = true; changed;) {
       changed = false;
       for (const std::array<int, 4>& sides : in_.layout.block2arcs)
@@ -110,11 +118,6 @@ class ChordPlanner {
     return true;
   }
 
-  bool has_layers() const {
-    const auto is_layered = [&](int arc) { return in_.wishes[arc][0].layers() + in_.wishes[arc][1].layers() > 0; };
-    return std::any_of(in_.chord.arcs.begin(), in_.chord.arcs.end(), is_layered);
-  }
-
   /// Mean length of the sides that lead from one arc to the other.
   double way_across(const std::array<int, 4>& sides, int k) const {
     return (in_.chains[arc_of(sides[k + 1])].length() + in_.chains[arc_of(sides[(k + 3) % 4])].length()) / 2;
@@ -122,20 +125,47 @@ class ChordPlanner {
 
   void draw_together(std::vector<std::vector<double>>& ends) const {
     const int count = static_cast<int>(ends.front().size());
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(num_arcs(), num_arcs()), wanted(num_arcs(), count);
+    Eigen::MatrixXd wanted(num_arcs(), count);
+    for (int i = 0; i < num_arcs(); ++i) {
+      const auto [low, high] = free_part(i, ends[i]);
+      for (int k = 0; k < count; ++k)
+        wanted(i, k) = (chord_parameter(i, ends[i][own_step(i, k, count)]) - low) / (high - low);
+    }
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(pulls());
+    const Eigen::MatrixXd drawn = solver.solve(wanted);
+    for (int i = 0; i < num_arcs(); ++i) {
+      const auto [low, high] = free_part(i, ends[i]);
+      for (int k = wish(i, 0).layers() + 1; k + 1 < count - wish(i, 1).layers(); ++k)
+        ends[i][own_step(i, k, count)] = arc_fraction(i, low + drawn(i, k) * (high - low));
+    }
+  }
+
+  /// The chord's parameters between which arc i is free of layers.
+  std::pair<double, double> free_part(int i, const std::vector<double>& ends) const {
+    const int count = static_cast<int>(ends.size()), low = wish(i, 0).layers(), high = wish(i, 1).layers();
+    return {chord_parameter(i, ends[own_step(i, low, count)]),
+            chord_parameter(i, ends[own_step(i, count - 1 - high, count)])};
+  }
+
+  /// Between arcs with the same layers: others have different lines beside each other.
+  Eigen::SparseMatrix<double> pulls() const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < num_arcs(); ++i) entries.emplace_back(i, i, 1.0);
     for (const std::array<int, 4>& sides : in_.layout.block2arcs)
       for (int k = 0; k < 2; ++k) {
         const int a = place_[arc_of(sides[k])], b = place_[arc_of(sides[k + 2])];
         if (a < 0 || b < 0 || a == b) continue;
+        if (wish(a, 0).layers() != wish(b, 0).layers() || wish(a, 1).layers() != wish(b, 1).layers()) continue;
         const double slenderness = (length(a) + length(b)) / (4 * way_across(sides, k));
         const double pull = std::min(greatest_pull, std::pow(slenderness, 4));
-        matrix(a, a) += pull, matrix(b, b) += pull, matrix(a, b) -= pull, matrix(b, a) -= pull;
+        for (const int i : {a, b}) {
+          entries.emplace_back(i, i, pull);
+          entries.emplace_back(i, a + b - i, -pull);
+        }
       }
-    for (int i = 0; i < num_arcs(); ++i)
-      for (int k = 0; k < count; ++k) wanted(i, k) = chord_parameter(i, ends[i][own_step(i, k, count)]);
-    const Eigen::MatrixXd drawn = matrix.ldlt().solve(wanted);
-    for (int i = 0; i < num_arcs(); ++i)
-      for (int k = 1; k + 1 < count; ++k) ends[i][own_step(i, k, count)] = arc_fraction(i, drawn(i, k));
+    Eigen::SparseMatrix<double> matrix(num_arcs(), num_arcs());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
   }
 
   int own_step(int i, int k, int count) const { return in_.chord.backwards[i] ? count - 1 - k : k; }
@@ -159,8 +189,9 @@ class ChordPlanner {
     for (const int chord_end : {0, 1}) {
       const Reach& reach = reach_[chord_end][i];
       ArcEndWish& own = kept[own_end(i, chord_end)];
-      if (!own.is_empty() || reach.source < 0) continue;
-      own.before = start_size(reach.source, chord_end);
+      if (reach.source < 0 || reach.source == i) continue;
+      const double start = start_size(reach.source, chord_end);
+      own.before = own.is_empty() ? start : std::min(own.before, start);
       own.growth = growth_;
       way = std::min(way, reach.way);
     }

@@ -8,9 +8,10 @@
 // way from the wall's end: kept heights would leave needles all the way through the domain, and a division that is free
 // at once would skew the elements beside the wall.
 //
-// Without layers, the divisions u of all arcs (in the parameters of refine/align_chords) are then drawn together, by
+// Above the layers the divisions u of all arcs (in the parameters of refine/align_chords, 0 and 1 where the layers end)
+// are then drawn together, by
 //
-//   (u_a - wanted_a) + sum over neighbours b (length / (2 distance))^4 (u_a - u_b) = 0,
+//   (u_a - wanted_a) + sum over neighbours b with the same layers (length / (2 distance))^4 (u_a - u_b) = 0,
 //
 // so that lines stay upright across narrow blocks while wide ones go over from one division to the other. The solution
 // is a mean of the wanted divisions: it rises as they do.

@@ -3,29 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "refine/arc_parameter.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr int length_samples = 32;
 constexpr int max_steps = 60;
 /// Heights are met to this share of themselves.
 constexpr double height_tol = 1e-11;
-
-/// Length up to each of the equally spaced samples.
-std::vector<double> cumulative_lengths(const ColumnCurve& curve, double low, double high) {
-  std::vector<double> lengths{0.0};
-  Vec2 last = curve(low);
-  for (int k = 1; k <= length_samples; ++k) {
-    const double share = static_cast<double>(k) / length_samples;
-    const Vec2 next = curve(k == length_samples ? high : low + share * (high - low));
-    lengths.push_back(lengths.back() + distance(last, next));
-    last = next;
-  }
-  return lengths;
-}
 
 /// A parameter and the height there.
 struct Mark {
@@ -110,21 +95,6 @@ std::vector<double> parameters_at_heights(const ColumnCurve& curve, const WallLi
     parameters.push_back(u);
   }
   return parameters;
-}
-
-std::vector<double> parameters_at_shares(const ColumnCurve& curve, double low, double high,
-                                         const std::vector<double>& shares) {
-  std::vector<double> fractions = cumulative_lengths(curve, low, high);
-  const double length = fractions.back();
-  for (double& f : fractions) f /= length;
-  const ArcParameter share_at(std::move(fractions));
-  std::vector<double> parameters;
-  for (const double share : shares) parameters.push_back(low + share_at.parameter(share) * (high - low));
-  return parameters;
-}
-
-double column_length(const ColumnCurve& curve, double low, double high) {
-  return cumulative_lengths(curve, low, high).back();
 }
 
 }  // namespace quadrille

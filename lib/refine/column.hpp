@@ -1,5 +1,5 @@
 #pragma once
-// Nodes on one line that leaves a wall: cut by its distance from the wall below, by its length above.
+// Where a line that leaves a wall is at given distances from it.
 
 #include <functional>
 #include <vector>
@@ -18,13 +18,5 @@ std::vector<double> node_heights(const std::vector<double>& layer_heights, int o
 /// Shorter where the curve turns back or ends before.
 std::vector<double> parameters_at_heights(const ColumnCurve& curve, const WallLine& wall, WallFoot foot,
                                           const std::vector<double>& heights);
-
-/// The parameters in [low, high] between which the curve has the given shares of its length there; shares rise from 0
-/// to 1. By 32 samples.
-std::vector<double> parameters_at_shares(const ColumnCurve& curve, double low, double high,
-                                         const std::vector<double>& shares);
-
-/// Length of the curve between low and high by 32 samples.
-double column_length(const ColumnCurve& curve, double low, double high);
 
 }  // namespace quadrille

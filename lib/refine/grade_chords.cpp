@@ -89,7 +89,7 @@ std::vector<ChordPlan> grade_chords(const BlockLayout& layout, const std::vector
   std::vector<ChordPlan> plans;
   for (std::size_t c = 0; c < chords.size(); ++c) {
     const ChordSections sections(layout, chords[c], blocks[c], chains, parameters, sizes);
-    ChordPlan plan{ChordLook(sections, sizes, rule).grading()};
+    ChordPlan plan{ChordLook(sections, sizes, rule).grading(), 1, sizes.slope(), rule == SizeRule::at_most};
     plan.count = static_cast<int>(std::min(1e9, whole_count(plan.grading.count(), rule)));
     plans.push_back(std::move(plan));
   }

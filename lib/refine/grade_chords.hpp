@@ -27,6 +27,8 @@ struct ChordCount {
 struct ChordPlan {
   Grading grading;
   int count = 1;
+  double slope = 0;            ///< |d eta / du| of the grading is at most that (refine/grading)
+  bool is_bound = false;       ///< no edge may be longer (SizeRule::at_most)
   bool is_prescribed = false;  ///< the count was asked for
 };
 

@@ -7,6 +7,7 @@ namespace quadrille {
 namespace {
 
 constexpr double same_length = 1e-9;
+constexpr double same_place = 1e-12;
 
 /// The integral of 1 / (eta + rise x) over x in [0, width].
 double elements_in(double eta, double rise, double width) {
@@ -50,6 +51,37 @@ double Grading::share(double u) const {
                                                    static_cast<std::ptrdiff_t>(u_.size()) - 1);
   const double rise = (eta_[k] - eta_[k - 1]) / (u_[k] - u_[k - 1]);
   return std::min(1.0, (n_[k - 1] + elements_in(eta_[k - 1], rise, u - u_[k - 1])) / count_);
+}
+
+double Grading::eta(double u) const {
+  if (is_identity()) return 1 / count_;
+  const std::size_t k = std::clamp<std::ptrdiff_t>(std::upper_bound(u_.begin(), u_.end(), u) - u_.begin(), 1,
+                                                   static_cast<std::ptrdiff_t>(u_.size()) - 1);
+  const double x = (u - u_[k - 1]) / (u_[k] - u_[k - 1]);
+  return (1 - x) * eta_[k - 1] + x * eta_[k];
+}
+
+Grading Grading::shortened(double count, const std::vector<LengthDemand>& demands, double slope) const {
+  std::vector<double> u{0.0, 1.0};
+  u.insert(u.end(), u_.begin(), u_.end());
+  for (const LengthDemand& d : demands)
+    // At distances that double lengths can grow from here as fast as they may.
+    for (double away = 0, step = d.eta; away < 1; away += step, step *= 2) {
+      if (d.low - away > 0) u.push_back(d.low - away);
+      if (d.high + away < 1) u.push_back(d.high + away);
+    }
+  std::sort(u.begin(), u.end());
+  u.erase(std::unique(u.begin(), u.end(), [](double a, double b) { return b - a < same_place; }), u.end());
+  u.back() = 1;
+
+  std::vector<double> lengths;
+  for (const double at : u) lengths.push_back(eta(at) * count_ / count);
+  for (const LengthDemand& d : demands)
+    for (auto k = std::lower_bound(u.begin(), u.end(), d.low - same_place) - u.begin();
+         k < std::ssize(u) && u[k] <= d.high + same_place; ++k)
+      lengths[k] = std::min(lengths[k], d.eta);
+  lengths = limited(u, std::move(lengths), slope);
+  return {std::move(u), std::move(lengths)};
 }
 
 std::vector<double> limited(const std::vector<double>& u, std::vector<double> eta, double slope) {

@@ -9,6 +9,11 @@
 
 namespace quadrille {
 
+/// No element between `low` and `high` shall be longer than `eta`, all in u.
+struct LengthDemand {
+  double low = 0, high = 0, eta = 0;
+};
+
 class Grading {
  public:
   /// The identity: equal elements. `count`: the wanted number of elements, as a real number > 0.
@@ -21,7 +26,13 @@ class Grading {
   double count() const { return count_; }
   bool is_identity() const { return u_.empty(); }
 
+  /// What `count` elements make of this grading, shortened where they are longer than demanded, and about these places
+  /// as far as |d eta / du| <= slope asks for. Its own count says how many elements that takes.
+  Grading shortened(double count, const std::vector<LengthDemand>& demands, double slope) const;
+
  private:
+  double eta(double u) const;
+
   double count_ = 1;
   std::vector<double> u_, eta_, n_;
 };

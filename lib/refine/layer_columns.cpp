@@ -20,11 +20,11 @@ std::vector<double> element_lengths(const std::vector<double>& fractions, double
   return lengths;
 }
 
-/// The lengths times e^(tilt i), i from 1, such that they sum to `total`.
-std::vector<double> tilted(const std::vector<double>& lengths, double total) {
+/// The intervals times e^(tilt weight), such that they sum to `total`.
+std::vector<double> tilted(const std::vector<double>& intervals, const std::vector<double>& weights, double total) {
   const auto sum = [&](double tilt) {
     double result = 0;
-    for (std::size_t i = 0; i < lengths.size(); ++i) result += lengths[i] * std::exp(tilt * static_cast<double>(i + 1));
+    for (std::size_t i = 0; i < intervals.size(); ++i) result += intervals[i] * std::exp(tilt * weights[i]);
     return result;
   };
   double low = -5, high = 5;
@@ -34,9 +34,15 @@ std::vector<double> tilted(const std::vector<double>& lengths, double total) {
   }
   const double tilt = (low + high) / 2, factor = total / sum(tilt);
   std::vector<double> result;
-  for (std::size_t i = 0; i < lengths.size(); ++i)
-    result.push_back(lengths[i] * std::exp(tilt * static_cast<double>(i + 1)) * factor);
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    result.push_back(intervals[i] * std::exp(tilt * weights[i]) * factor);
   return result;
+}
+
+double speed_at(const ColumnCurve& curve, double u) {
+  constexpr double step = 1e-4;
+  const double low = std::max(0.0, u - step), high = std::min(1.0, u + step);
+  return distance(curve(low), curve(high)) / (high - low);
 }
 
 /// Shares of the nodes of elements with these lengths, from 0 to 1.
@@ -95,19 +101,26 @@ class ColumnDivider {
     return u;
   }
 
-  /// The nodes above the lower layers, up to where the upper ones begin.
+  /// The nodes above the lower layers, up to where the upper ones begin: by u, which measures length on the arcs
+  /// beside the column, and on it too but for a factor. So columns go over into the arcs to the last digit.
   std::vector<double> rest(const ColumnCurve& curve, double low, double high, double blend) const {
     const std::size_t first = family_.low.heights.size(), last = family_.left.size() - family_.high.heights.size();
-    std::vector<double> lengths;
-    for (std::size_t k = first; k < last; ++k)
-      lengths.push_back(std::pow(family_.left[k], 1 - blend) * std::pow(family_.right[k], blend));
-    const bool from_below = family_.low.wall || !family_.high.wall;  // the tilt must not touch the layers' neighbour
-    if (!from_below) std::reverse(lengths.begin(), lengths.end());
-    lengths = tilted(lengths, column_length(curve, low, high));
-    if (!from_below) std::reverse(lengths.begin(), lengths.end());
-    std::vector<double> u = parameters_at_shares(curve, low, high, node_shares(lengths, family_.order));
-    u.erase(u.begin());
-    return u;
+    const bool from_low = family_.low.wall != nullptr, from_high = family_.high.wall != nullptr;
+    const double low_speed = speed_at(curve, low), high_speed = speed_at(curve, high);
+    const double count = static_cast<double>(last - first + 1);
+    std::vector<double> intervals, weights;
+    for (std::size_t k = first; k < last; ++k) {
+      const double i = static_cast<double>(k - first + 1);
+      const double x = !from_high ? 0 : !from_low ? 1 : i / count;
+      intervals.push_back(std::pow(family_.left[k], 1 - blend) * std::pow(family_.right[k], blend) /
+                          (std::pow(low_speed, 1 - x) * std::pow(high_speed, x)));
+      weights.push_back(!from_high ? i : !from_low ? count - i : 2 * i * (count - i) / count);
+    }
+    std::vector<double> nodes;
+    for (const double share : node_shares(tilted(intervals, weights, high - low), family_.order))
+      nodes.push_back(low + share * (high - low));
+    nodes.erase(nodes.begin());
+    return nodes;
   }
 
   [[noreturn]] void fail(Vec2 place) const {
@@ -127,8 +140,8 @@ class PiecewisePolynomial {
       : x_(std::move(x)), y_(std::move(y)), order_(order) {}
 
   double operator()(double x) const {
-    std::size_t first = 0;
-    while (first + order_ + 1 < x_.size() && x > x_[first + order_]) first += order_;
+    const std::size_t node = std::lower_bound(x_.begin(), x_.end(), x) - x_.begin();
+    const std::size_t first = std::min((std::max<std::size_t>(node, 1) - 1) / order_ * order_, x_.size() - 1 - order_);
     double result = 0;
     for (int i = 0; i <= order_; ++i) {
       double basis = 1;
