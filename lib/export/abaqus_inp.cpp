@@ -4,6 +4,7 @@
 
 #include <iterator>
 
+#include "export/edge_numbering.hpp"
 #include "export/hohqmesh_model.hpp"
 
 namespace quadrille {
@@ -71,6 +72,7 @@ class Writer {
 }  // namespace
 
 Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame) {
+  require_edges_known_by_ends(mesh, number_edges(mesh), "p4est");
   HohqmeshModel model = hohqmesh_model(mesh, frame);
   std::string text = Writer(mesh, model).text();
   return {std::move(text), false, std::move(model.side_files), std::move(model.losses)};

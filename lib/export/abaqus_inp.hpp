@@ -6,7 +6,8 @@
 
 namespace quadrille {
 
-/// The format_table's writer.
+/// The format_table's writer. Throws ComputeError where an element would be folded once its interior is rebuilt from
+/// its sides, and where two edges join the same two vertices, which p4est cannot tell apart.
 Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille

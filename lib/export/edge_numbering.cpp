@@ -1,7 +1,10 @@
 #include "export/edge_numbering.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "export/skeleton.hpp"
 
 namespace quadrille {
@@ -73,6 +76,19 @@ std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge) {
   std::vector<int> nodes = side_nodes(mesh, edge.elem, edge.side);
   if (edge.is_reversed) std::reverse(nodes.begin(), nodes.end());
   return nodes;
+}
+
+void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader) {
+  std::vector<std::array<int, 2>> ends;
+  for (const NumberedEdge& e : numbering.edges) ends.push_back(e.vertices);
+  std::sort(ends.begin(), ends.end());
+  const auto twice = std::adjacent_find(ends.begin(), ends.end());
+  if (twice == ends.end()) return;
+  const auto place = [&](int vertex) { return mesh.nodes[numbering.vertices[vertex]] + mesh.face.origin; };
+  const Vec2 a = place((*twice)[0]), b = place((*twice)[1]);
+  throw ComputeError(fmt::format(
+      "two edges join ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}), and {} tells edges by their ends: refine further", a.x,
+      a.y, b.x, b.y, reader));
 }
 
 }  // namespace quadrille

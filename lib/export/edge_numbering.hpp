@@ -33,4 +33,7 @@ EdgeNumbering number_edges(const QuadMesh& mesh);
 /// Mesh nodes of an edge in its own direction, both ends included.
 std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 
+/// Throws ComputeError, with the place, where two edges join the same two vertices: `reader` could not tell them apart.
+void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
+
 }  // namespace quadrille

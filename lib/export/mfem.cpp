@@ -6,7 +6,6 @@
 #include <array>
 #include <iterator>
 
-#include "base/error.hpp"
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
 #include "export/names_table.hpp"
@@ -31,7 +30,7 @@ class Writer {
  public:
   Writer(const QuadMesh& mesh, const Frame& frame, bool with_names)
       : mesh_(mesh), frame_(frame), with_names_(with_names), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {
-    require_edges_known_by_ends();
+    require_edges_known_by_ends(mesh_, edges_, "MFEM");
   }
 
   std::string text() {
@@ -50,19 +49,6 @@ class Writer {
   void print(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
-
-  void require_edges_known_by_ends() const {
-    std::vector<std::array<int, 2>> ends;
-    for (const NumberedEdge& e : edges_.edges) ends.push_back(e.vertices);
-    std::sort(ends.begin(), ends.end());
-    const auto twice = std::adjacent_find(ends.begin(), ends.end());
-    if (twice == ends.end()) return;
-    const Vec2 a = place((*twice)[0]), b = place((*twice)[1]);
-    throw ComputeError(fmt::format(
-        "two edges join ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}), and MFEM tells edges by their ends: refine further", a.x,
-        a.y, b.x, b.y));
-  }
-  Vec2 place(int vertex) const { return mesh_.nodes[edges_.vertices[vertex]] + mesh_.face.origin; }
 
   void write_elements() {
     print("\nelements\n{}\n", mesh_.num_elems());

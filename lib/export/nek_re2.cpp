@@ -24,7 +24,9 @@ constexpr float byte_order_mark = 6.54321F;
 class Writer {
  public:
   Writer(const QuadMesh& mesh, const Frame& frame, const Groups& groups)
-      : mesh_(mesh), frame_(frame), groups_(groups), edges_(number_edges(mesh)) {}
+      : mesh_(mesh), frame_(frame), groups_(groups), edges_(number_edges(mesh)) {
+    require_edges_known_by_ends(mesh, edges_, "Nek5000");
+  }
 
   std::string bytes() {
     std::string header = fmt::format("#v004{:16}{:3}{:16}{:4} hdr", mesh_.num_elems(), 2, mesh_.num_elems(), 1);
