@@ -5,8 +5,12 @@
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include "base/error.hpp"
+#include "cad/occ_iges_labels.hpp"
 #include "cad/occ_readers.hpp"
 
 namespace quadrille {
@@ -83,6 +87,7 @@ OccModel occ_load_iges(const std::string& bytes, const std::string& name) {
   reader.SetReadVisible(false);
   reader.TransferRoots();
   model.shape = reader.OneShape();
+  add_iges_labels(*iges, reader.WS()->TransferReader()->TransientProcess(), model);
   return model;
 }
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Writes test shapes as STEP files into the folder given, by default beside itself: python3 make_shapes.py [FOLDER].
+"""Writes test shapes as STEP and IGES files into the folder given, by default beside itself: python3 make_shapes.py [FOLDER].
 Plain Python; the same bytes every time."""
 import cmath
 import math
 import os
 import sys
 
+from iges_text import Iges
 from step_text import Step, cubic_through, polygon, rectangle, step_text
 
 
@@ -61,6 +62,23 @@ def labels():
     return step.text("labels")
 
 
+def iges_labels():
+    """The channel again, in IGES, with a name property, levels, a colour by number and one of its own."""
+    iges = Iges()
+    plane = iges.add(108, 0.0, 0.0, 1.0, 0.0, 0, 0.0, 0.0, 0.0, 0.0)
+    name = iges.add(406, 1, "the wall", form=15)
+    sides = [iges.add(110, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0, 1, name, level=5),
+             iges.add(110, 2.0, 0.0, 0.0, 2.0, 1.0, 0.0, level=5),
+             iges.add(110, 2.0, 1.0, 0.0, 0.0, 1.0, 0.0, colour=2),
+             iges.add(110, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, level=1)]
+    outline = iges.add(142, 0, plane, 0, iges.add(102, 4, *sides), 2)
+    orange = iges.add(314, 100.0, 50.0, 0.0)
+    circle = iges.add(100, 0.0, 1.0, 0.5, 1.2, 0.5, 1.2, 0.5, colour=-orange)
+    hole = iges.add(142, 0, plane, 0, circle, 2)
+    iges.add(144, plane, 1, 1, outline, hole, level=1)
+    return iges.text("labels")
+
+
 def tilted():
     """The upper half of the unit disc in a plane across the axes of space."""
     frame = (10, -20, 30), (1 / 3, 2 / 3, 2 / 3), (2 / 3, 1 / 3, -2 / 3)
@@ -75,8 +93,9 @@ def main():
     for name, loops in shapes().items():
         with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
             file.write(step_text(name, loops))
-    for name, text in {"labels": labels(), "tilted_half_disc": tilted()}.items():
-        with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
+    others = {"labels.step": labels(), "labels.iges": iges_labels(), "tilted_half_disc.step": tilted()}
+    for name, text in others.items():
+        with open(os.path.join(folder, name), "w", encoding="ascii") as file:
             file.write(text)
 
 

@@ -256,6 +256,18 @@ TEST(LoadFace, layers_and_colours_that_refer_to_nothing_of_use_are_passed_over) 
     EXPECT_EQ(load_changed("labels.step", from, to).num_curves(), 5) << from << " -> " << to;
 }
 
+TEST(LoadFace, names_levels_and_colours_of_iges) {
+  const CadFace face = load("labels.iges").face;
+  EXPECT_EQ(face.curve_names,
+            (std::vector<std::string>{"the wall", "level_5", "colour_ff0000", "curve_3", "colour_ff8000"}));
+  EXPECT_EQ(face.name, "") << "its level is that of an edge too";
+  // With a level of its own the face is called by it, and edges by what was that of the part.
+  const CadFace apart = load_changed("labels.iges", "       1       0       0       000000000D",
+                                     "       3       0       0       000000000D");
+  EXPECT_EQ(apart.name, "level_3");
+  EXPECT_EQ(apart.curve_names[3], "level_1");
+}
+
 TEST(LoadFace, names_in_the_encodings_of_step_become_utf8) {
   const auto decoded = [](const std::string& name) {
     return load_changed("bad/names.step", "'inlet'", "'" + name + "'").curve_names[3];
