@@ -1,11 +1,14 @@
 #include "trace/crossings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <compare>
 #include <utility>
 
+#include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille {
@@ -119,8 +122,27 @@ struct Bands {
   int of(double y) const { return std::clamp(static_cast<int>((y - low) / height), 0, count - 1); }
 };
 
+/// Counts pairs of pieces up to the bound.
+class Counter {
+ public:
+  explicit Counter(const CrossingBounds& bounds) : bounds_(bounds) {}
+
+  void count(const Box& at) {
+    if (++num_ <= bounds_.max_pairs) return;
+    const Vec2 place = (at.low + at.high) / 2 + bounds_.origin;
+    throw ComputeError(
+        fmt::format("separatrices run beside each other too often: more than {} pairs of their pieces could cross, the "
+                    "last near ({:.6g}, {:.6g})",
+                    bounds_.max_pairs, place.x, place.y));
+  }
+
+ private:
+  const CrossingBounds& bounds_;
+  long long num_ = 0;
+};
+
 // By a sweep from left to right through each band; a pair counts in the first band that both touch. Sorted.
-std::vector<Overlap> overlaps(std::vector<Span> spans) {
+std::vector<Overlap> overlaps(std::vector<Span> spans, Counter& counter) {
   std::stable_sort(spans.begin(), spans.end(), [](const Span& p, const Span& q) { return p.box.low.x < q.box.low.x; });
   const Bands bands(spans);
   std::vector<std::vector<const Span*>> open(bands.count);
@@ -133,7 +155,9 @@ std::vector<Overlap> overlaps(std::vector<Span> spans) {
         if (!meet(other->box, span.box) || band != std::max(first, bands.of(other->box.low.y))) continue;
         const bool is_first = std::pair{span.curve, span.number} < std::pair{other->curve, other->number};
         const Span &p = is_first ? span : *other, &q = is_first ? *other : span;
-        if (p.curve < q.curve || p.number + 1 < q.number) all.push_back({p.curve, q.curve, p.number, q.number});
+        if (p.curve == q.curve && p.number + 1 >= q.number) continue;
+        counter.count(span.box);
+        all.push_back({p.curve, q.curve, p.number, q.number});
       }
       open[band].push_back(&span);
     }
@@ -144,7 +168,8 @@ std::vector<Overlap> overlaps(std::vector<Span> spans) {
 
 class Finder {
  public:
-  Finder(const std::vector<Nurbs>& splines, double same) : splines_(splines), same_(same) {
+  Finder(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds)
+      : splines_(splines), same_(same), counter_(bounds) {
     std::vector<Span> boxes;
     for (int c = 0; c < static_cast<int>(splines.size()); ++c) {
       beziers_.push_back(spans(splines[c]));
@@ -153,7 +178,7 @@ class Finder {
         boxes.back().box.widen(same);
       }
     }
-    overlaps_ = overlaps(std::move(boxes));
+    overlaps_ = overlaps(std::move(boxes), counter_);
   }
 
   void run() {
@@ -170,6 +195,7 @@ class Finder {
   // Halves the longer piece until both together turn less than the angle between them: then they cross once at most.
   void search(int a, int b, const Bezier& p, const Bezier& q) {
     if (p.is_beside(q, same_) || q.is_beside(p, same_)) return;
+    counter_.count(p.box());
     const double along = angle_between(p.chord(), q.chord()), between = std::min(along, std::numbers::pi - along);
     const double turn = p.cone() + q.cone(), size_p = norm(p.chord()), size_q = norm(q.chord());
     const bool tiny = std::max(size_p, size_q) < 1e4 * same_;
@@ -208,6 +234,7 @@ class Finder {
 
   const std::vector<Nurbs>& splines_;
   double same_;
+  Counter counter_;
   std::vector<std::vector<Bezier>> beziers_;  // of the curves
   std::vector<Overlap> overlaps_;
   size_t first_ = 0;  // of the pair at hand in `found`
@@ -215,8 +242,8 @@ class Finder {
 
 }  // namespace
 
-std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same) {
-  Finder finder(splines, same);
+std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds) {
+  Finder finder(splines, same, bounds);
   finder.run();
   std::vector<Crossing> found = std::move(finder.found);
   std::stable_sort(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) {

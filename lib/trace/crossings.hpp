@@ -20,9 +20,17 @@ struct Crossing {
   double angle = 0;  ///< between the two tangents taken as undirected lines, radians in [0, pi/2]
 };
 
+/// Splines that lie beside each other again and again, as the laps of a spiral do, would cost the square of their
+/// pieces.
+struct CrossingBounds {
+  /// Pairs of pieces whose boxes meet, halved ones included. The plates of 100 holes need half a million.
+  long long max_pairs = 10'000'000;
+  Vec2 origin{};  ///< added to places in messages
+};
+
 /// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
 /// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not
-/// merely touch within round-off.
-std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same);
+/// merely touch within round-off. Throws ComputeError with a place where a bound is met.
+std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds = {});
 
 }  // namespace quadrille

@@ -132,7 +132,7 @@ class TMeshTracer::Impl {
       splines.push_back(contestants_.back().line.spline);
     }
     crossings_.clear();
-    for (const Crossing& c : find_crossings(splines, snap()))
+    for (const Crossing& c : find_crossings(splines, snap(), {.origin = face_.origin}))
       if (!is_common_end(c)) crossings_.push_back(c);
   }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "trace/fit_line.hpp"
 
@@ -97,6 +98,38 @@ TEST(Crossings, ComeInTheSequenceOfTheFirstLine) {
   EXPECT_EQ(found[0].b, 2);
   EXPECT_EQ(found[1].b, 3);
   EXPECT_EQ(found[2].b, 1);
+}
+
+TEST(Crossings, TooManyPairsOfPiecesAreSaidWithAPlace) {
+  // A comb: 20 lines across 20 lines are 400 pairs, and nothing but them is looked at.
+  std::vector<Nurbs> lines;
+  for (int i = 0; i < 20; ++i) {
+    lines.push_back(straight({0, i + 0.5}, {20, i + 0.5}));
+    lines.push_back(straight({i + 0.5, 0}, {i + 0.5, 20}));
+  }
+  EXPECT_EQ(find_crossings(lines, 1e-9).size(), 400u);
+  CrossingBounds bounds;
+  bounds.max_pairs = 300;
+  bounds.origin = {1000, 0};
+  try {
+    find_crossings(lines, 1e-9, bounds);
+    FAIL();
+  } catch (const ComputeError& error) {
+    EXPECT_NE(std::string(error.what()).find("more than 300 pairs"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("(10"), std::string::npos) << error.what();
+  }
+}
+
+// Laps of one circle a snap distance apart cannot be told from each other: they do not cross, and that is found soon.
+TEST(Crossings, LapsOfALimitCycleEndAtTheBound) {
+  const CurveFunction laps = [](double s, Vec2& d) {
+    const double r = 1 + 1e-10 * s;
+    d = 1e-10 * unit(s) + r * left_of(unit(s));
+    return r * unit(s);
+  };
+  CrossingBounds bounds;
+  bounds.max_pairs = 100000;
+  EXPECT_THROW(find_crossings({fit_line(laps, 200, 1e-11)}, 1e-9, bounds), ComputeError);
 }
 
 }  // namespace
