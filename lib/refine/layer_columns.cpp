@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "mesh/transfinite.hpp"
 #include "refine/column.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -159,8 +160,11 @@ class PiecewisePolynomial {
 
 class Placer {
  public:
-  Placer(const TransfiniteMap& map, const LayeredBlock& block, int order, Vec2 origin)
-      : map_(map), block_(block), order_(order), origin_(origin) {}
+  Placer(const LayeredBlock& block, int order, Vec2 origin)
+      : block_(block),
+        corners_{block.tables[0].at(0), block.tables[0].at(1), block.tables[2].at(1), block.tables[2].at(0)},
+        order_(order),
+        origin_(origin) {}
 
   std::vector<Vec2> place() {
     const bool across_t = has_wall(0) || has_wall(2), across_s = has_wall(1) || has_wall(3);
@@ -170,6 +174,12 @@ class Placer {
   }
 
  private:
+  /// The block's exact map (mesh/transfinite).
+  Vec2 position(double s, double t) const {
+    const std::array<SideTable, 4>& sides = block_.tables;
+    return blend_sides({sides[0].at(s), sides[1].at(t), sides[2].at(s), sides[3].at(t)}, corners_, s, t);
+  }
+
   bool has_wall(int side) const { return block_.sides[side].wall != nullptr; }
   int width() const { return static_cast<int>(block_.fractions[0].size()); }
   int height() const { return static_cast<int>(block_.fractions[1].size()); }
@@ -186,7 +196,7 @@ class Placer {
     s_.assign(width() * height(), 0);
     for (int j = 1; j + 1 < height(); ++j) {
       const auto t = [&](double s) { return f3[j] + s * (f1[j] - f3[j]); };
-      const ColumnCurve row = [&](double s) { return map_.position(s, t(s)); };
+      const ColumnCurve row = [&](double s) { return position(s, t(s)); };
       const std::vector<double> s = divider.divide(row, j, (f3[j] + f1[j]) / 2);
       for (int i = 1; i + 1 < width(); ++i) {
         s_[j * width() + i] = s[i];
@@ -203,7 +213,7 @@ class Placer {
       const double s0 = block_.fractions[0][i], s2 = block_.fractions[2][i];
       std::function<double(double)> s = [s0, s2](double t) { return s0 + t * (s2 - s0); };
       if (along_rows) s = row_crossings(i);
-      const ColumnCurve column = [&](double t) { return map_.position(s(t), t); };
+      const ColumnCurve column = [&](double t) { return position(s(t), t); };
       const std::vector<double> t = divider.divide(column, i, (s0 + s2) / 2);
       for (int j = 1; j + 1 < height(); ++j) positions_[j * width() + i] = column(t[j]);
     }
@@ -221,8 +231,8 @@ class Placer {
     return {std::move(t), std::move(s), order_};
   }
 
-  const TransfiniteMap& map_;
   const LayeredBlock& block_;
+  std::array<Vec2, 4> corners_;
   int order_;
   Vec2 origin_;
   std::vector<Vec2> positions_;
@@ -231,8 +241,8 @@ class Placer {
 
 }  // namespace
 
-std::vector<Vec2> layered_positions(const TransfiniteMap& map, const LayeredBlock& block, int order, Vec2 origin) {
-  return Placer(map, block, order, origin).place();
+std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin) {
+  return Placer(block, order, origin).place();
 }
 
 }  // namespace quadrille

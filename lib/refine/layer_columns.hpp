@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/transfinite.hpp"
+#include "refine/side_table.hpp"
 #include "refine/wall_line.hpp"
 
 namespace quadrille {
@@ -23,14 +23,15 @@ struct SideLayers {
 };
 
 struct LayeredBlock {
+  std::array<SideTable, 4> tables;  ///< of the sides, by rising s (sides 0, 2) or t (1, 3)
   std::array<SideLayers, 4> sides;
-  /// Fractions of the nodes on each side, by rising s (sides 0, 2) or t (1, 3), and the sides' lengths.
+  /// Fractions of the nodes on each side, by rising s or t, and the sides' lengths.
   std::array<std::vector<double>, 4> fractions;
   std::array<double, 4> lengths{};
 };
 
 /// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Throws ComputeError with the
 /// place where a column turns back before its layers end.
-std::vector<Vec2> layered_positions(const TransfiniteMap& map, const LayeredBlock& block, int order, Vec2 origin);
+std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin);
 
 }  // namespace quadrille

@@ -124,16 +124,10 @@ class Splitter {
   /// The nodes of a block along a wall; none for other blocks.
   std::vector<Vec2> layered_inside(int block, const std::array<ArcNodes, 4>& sides) const {
     if (!walls_ || !walls_->has_wall(block)) return {};
-    std::array<const Chain*, 4> side_chains;
-    std::array<bool, 4> backwards;
     std::array<std::vector<double>, 4> fractions;
-    for (int k = 0; k < 4; ++k) {
-      side_chains[k] = &chains_[arc_of(layout_.block2arcs[block][k])];
-      backwards[k] = is_backwards(layout_.block2arcs[block][k]);
-      fractions[k] = sides[k].fractions;
-    }
+    for (int k = 0; k < 4; ++k) fractions[k] = sides[k].fractions;
     const LayeredBlock layered = layered_block(*walls_, layout_, chains_, block, std::move(fractions));
-    return layered_positions(TransfiniteMap(side_chains, backwards), layered, mesh_.order, layout_.face.origin);
+    return layered_positions(layered, mesh_.order, layout_.face.origin);
   }
 
   Vec2 position(int node) const { return mesh_.nodes[node]; }

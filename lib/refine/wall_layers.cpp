@@ -260,6 +260,7 @@ LayeredBlock layered_block(const WallPlan& plan, const BlockLayout& layout, cons
     const int directed = layout.block2arcs[block][side], number = plan.walls.of_block[block][side];
     const Chain& chain = chains[arc_of(directed)];
     result.lengths[side] = chain.length();
+    result.tables[side] = SideTable(chain, is_backwards(directed) != (side >= 2));
     if (number < 0) continue;
     const WallSide& wall = plan.walls.sides[number];
     result.sides[side].wall = &wall.line;

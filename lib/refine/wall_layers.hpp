@@ -12,7 +12,6 @@
 #include "base/report.hpp"
 #include "curve/chain.hpp"
 #include "mesh/chords.hpp"
-#include "mesh/transfinite.hpp"
 #include "model/block_layout.hpp"
 #include "refine/arc_parameter.hpp"
 #include "refine/layer_columns.hpp"
