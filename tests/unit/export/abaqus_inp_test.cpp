@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille {
@@ -17,6 +18,17 @@ TEST(AbaqusInp, TwoQuadsWordByWord) {
             "**  1 2 3 4\n**  0 0 0 0\n"
             "**  2 5 6 3\n**  0 0 1 0\n**  2 2 0\n**  3 2.5 0\n**  4 2 0\n"
             "** curve_3 --- wall wall\n** --- in___out wall wall\n");
+}
+
+TEST(AbaqusInp, ThePageShowsWhatIsWritten) {
+  const QuadMesh mesh = two_quads_of_the_pages();
+  const std::string text = abaqus_inp(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(page("abaqus.md").find("```\n" + text + "```\n"), std::string::npos);
+}
+
+TEST(AbaqusInp, RefusesEdgesThatP4estCannotTellApart) {
+  const QuadMesh mesh = ring_of_two_quads();
+  EXPECT_THROW(abaqus_inp(mesh, plane_frame(mesh.face)), ComputeError);
 }
 
 TEST(AbaqusInp, NamesAreWrittenInLettersThatReadersTake) {

@@ -111,6 +111,12 @@ mergePatchPairs
             "cells have straight sides, which moves the boundary by up to 0.5 (0.1 of the diameter)");
 }
 
+TEST(BlockMeshDict, ThePageShowsWhatIsWritten) {
+  const QuadMesh mesh = two_quads_of_the_pages();
+  const std::string text = block_mesh_dict(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(page("openfoam.md").find("```\n" + text + "```\n"), std::string::npos);
+}
+
 TEST(BlockMeshDict, OneBlockWithSplines) {
   const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.3, 4);
   const std::string text = block_mesh_dict(mesh, plane_frame(mesh.face)).bytes;
@@ -141,6 +147,11 @@ TEST(HexBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
     for (const HexBlock& block : hexes.blocks) cells += block.edges[0].num_cells() * block.edges[1].num_cells();
     EXPECT_EQ(cells, mesh.num_elems());
   }
+}
+
+TEST(HexBlocks, RefusesSidesOfQuadsWithTheSameEnds) {
+  const QuadMesh mesh = ring_of_two_quads();
+  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
 }
 
 TEST(HexBlocks, RefusesCellsThatAreNotConvex) {

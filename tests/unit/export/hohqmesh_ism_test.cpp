@@ -24,6 +24,17 @@ TEST(HohqmeshIsm, TwoQuadsWordByWord) {
   EXPECT_NE(exported.side_files[0].bytes.find("\"tag\": \"in___out\""), std::string::npos);
 }
 
+TEST(HohqmeshIsm, ThePageShowsWhatIsWritten) {
+  const QuadMesh mesh = two_quads_of_the_pages();
+  const std::string text = hohqmesh_ism(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(page("hohqmesh.md").find("```\n" + text + "```\n"), std::string::npos);
+}
+
+TEST(HohqmeshIsm, TellsEdgesWithTheSameEndsApart) {
+  const QuadMesh mesh = ring_of_two_quads();
+  EXPECT_EQ(hohqmesh_model(mesh, plane_frame(mesh.face)).edges.size(), 6u);
+}
+
 TEST(HohqmeshIsm, SaysHowFarTheInteriorMoves) {
   const QuadMesh mesh = two_quads_with_moved_middle();
   const std::vector<std::string> losses = hohqmesh_ism(mesh, plane_frame(mesh.face)).losses;

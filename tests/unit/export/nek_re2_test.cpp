@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "base/error.hpp"
 #include "export/nek_field.hpp"
 #include "two_quads.hpp"
 
@@ -62,6 +63,11 @@ TEST(NekRe2, OrderOneNeedsNoField) {
   const Exported exported = nek_re2(mesh, plane_frame(mesh.face));
   EXPECT_EQ(exported.side_files.size(), 1u);
   EXPECT_EQ(exported.bytes.size(), 84u + 2 * 72 + 8 + 8 + 6 * 64);
+}
+
+TEST(NekRe2, RefusesEdgesThatNek5000CannotTellApart) {
+  const QuadMesh mesh = ring_of_two_quads();
+  EXPECT_THROW(nek_re2(mesh, plane_frame(mesh.face)), ComputeError);
 }
 
 TEST(NekField, TwoQuadsByteByByte) {
