@@ -10,6 +10,7 @@
 #include "refine/make_size_field.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
+#include "refine/wall_spec.hpp"
 
 using namespace quadrille;
 
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   RefineOptions options;
   SizeArguments sizes;
+  std::vector<std::string> walls;
   Tool tool;
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
@@ -78,6 +80,7 @@ int main(int argc, char** argv) {
       "as it is. --report and -v tell the worst elements and where they lie.";
   tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
                    "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
+                   "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
                    "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
   tool.options = [&](Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
@@ -86,9 +89,14 @@ int main(int argc, char** argv) {
     o.integer("--order", options.order, 1, 20, "shape order of the elements");
     o.number("--geometry-tol", options.geometry_tol, 1e-14, 1, "diameters",
              "greatest distance between the mesh's boundary and the CAD curves");
+    o.texts("--wall", walls, "NAME:first=H,growth=R,layers=N",
+            "layers along the boundary NAME (or NAME,NAME): H the height of the first, in units of the file, R the "
+            "greatest growth (default: 1.2), N their number or 'fit'; thickness=T in place of layers; "
+            "law=uniform|geometric|tanh|gll (default: geometric)");
     o.flag("--allow-invalid", options.allow_invalid, "write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](Session& s) {
+    for (const std::string& wall : walls) options.walls.push_back(parse_wall_spec(wall));
     s.begin_phase("read");
     const InputFile file = read_input(input);
     const BlockLayout layout = read_block_layout(file);

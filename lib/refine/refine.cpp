@@ -16,6 +16,7 @@
 #include "refine/split_isoparametric.hpp"
 #include "refine/tell_sizes.hpp"
 #include "refine/validity.hpp"
+#include "refine/wall_layers.hpp"
 
 namespace quadrille {
 namespace {
@@ -66,12 +67,17 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   const SizeField sizes =
       options.size_field ? *options.size_field : SizeField(options.size > 0 ? options.size : diameter / 20);
   const DivideOptions division{options.order, options.geometry_tol * diameter};
+  std::optional<WallPlan> walls;
   const auto split_at = [&](const std::vector<ArcParameter>& parameters) -> std::pair<QuadMesh, ArcEnds> {
     const std::vector<ChordPlan> plans =
         grade_chords(layout, chords, chains, parameters, sizes, options.size_rule, options.counts);
     ArcEnds arc_ends = divide_arcs(layout, chords, plans, table, chains, parameters, division);
+    if (!options.walls.empty())
+      walls = plan_walls(
+          {layout, chords, table, chains, parameters, options.walls, sizes, division.order, division.tolerance},
+          arc_ends);
     require_bounded_size(layout, arc_ends, options.order);
-    QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order);
+    QuadMesh mesh = split_isoparametric(layout, chains, arc_ends, options.order, walls ? &*walls : nullptr);
     measure_elements(mesh);
     return {std::move(mesh), std::move(arc_ends)};
   };
@@ -83,6 +89,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
     if (plain.is_valid) mesh = std::move(plain), arc_ends = std::move(plain_ends);
   }
   tell(mesh, chords.size(), report);
+  if (walls) tell_walls(*walls, options.walls, report);
   tell_sizes(chords, chains, arc_ends, sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(mesh);
   if (!mesh.is_valid) report.warn("W-QUA-001", doubt_about(mesh));

@@ -9,6 +9,7 @@
 #include "model/quad_mesh.hpp"
 #include "refine/grade_chords.hpp"
 #include "refine/size_field.hpp"
+#include "refine/wall_spec.hpp"
 
 namespace quadrille {
 
@@ -20,6 +21,7 @@ struct RefineOptions {
   std::optional<SizeField> size_field = {};  ///< wanted edge lengths, in place of `size` (refine/make_size_field)
   SizeRule size_rule = SizeRule::nearest;
   std::vector<ChordCount> counts = {};  ///< for single chords, in place of their sizes
+  std::vector<WallSpec> walls = {};     ///< layers along boundaries (refine/wall_layers)
   void validate() const;                ///< throws UsageError
 };
 
