@@ -24,6 +24,8 @@ constexpr double same_fraction = 1e-9;
 constexpr double length_slack = 1.25 + 1e-9;
 /// Breaks of opposite arcs share a cross line when they lie within this share of an interval.
 constexpr double anchor_reach = 0.5;
+/// An interval that misses the tolerance becomes shorter by this factor at least.
+constexpr double least_excess = 1.05;
 /// So often may a chord's count rise by one in search of a symmetric division.
 constexpr int max_tie_rounds = 24;
 
@@ -137,7 +139,9 @@ class ChordDivider {
         table_(table),
         chains_(chains),
         parameters_(parameters),
-        options_(options) {
+        options_(options),
+        grading_(plan.grading),
+        planned_count_(std::min<double>(plan.count, plan.grading.count())) {
     count_ = base_count_ = first_count();
     std::vector<Break> breaks;
     for (int i = 0; i < num_arcs(); ++i) longest_arc_ = std::max(longest_arc_, chain(i).length());
@@ -154,6 +158,7 @@ class ChordDivider {
       settle();
       improved = false;
       for (int i = 0; i < num_arcs(); ++i) improved |= layout_.arcs[chord_.arcs[i]].is_boundary && improve(i);
+      if (!demands_.empty()) shorten();
     }
     return std::move(ends_);
   }
@@ -162,15 +167,15 @@ class ChordDivider {
   int num_arcs() const { return static_cast<int>(chord_.arcs.size()); }
   const Chain& chain(int i) const { return chains_[chord_.arcs[i]]; }
 
-  /// Between the share of the chord's elements and arc i's own fraction.
-  double arc_fraction(int i, double share) const {
-    const double u = plan_.grading.parameter(share);
+  /// Between the chord's parameter and arc i's own fraction.
+  double arc_fraction(int i, double u) const {
     return parameters_[chord_.arcs[i]].fraction(chord_.backwards[i] ? 1 - u : u);
   }
-  double chord_share(int i, double fraction) const {
+  double chord_parameter(int i, double fraction) const {
     const double own = parameters_[chord_.arcs[i]].parameter(fraction);
-    return plan_.grading.share(chord_.backwards[i] ? 1 - own : own);
+    return chord_.backwards[i] ? 1 - own : own;
   }
+  double chord_share(int i, double fraction) const { return grading_.share(chord_parameter(i, fraction)); }
 
   int first_count() const {
     int count = plan_.count;
@@ -183,41 +188,47 @@ class ChordDivider {
   void settle() {
     count_ = std::max(base_count_, segments_.least_count());
     const int first = count_;
-    while (!try_count(plan_.is_prescribed || count_ - first >= max_tie_rounds)) ++count_;
-    if (count_ > max_intervals) fail("the geometric tolerance");
-  }
-
-  bool try_count(bool break_ties) {
-    counts_ = segment_counts(segments_, count_, break_ties);
-    if (counts_.empty()) return false;
-    for (int i = 0; i < num_arcs(); ++i) {
-      place_ends(i);
-      if (!plan_.is_prescribed && longest_interval(i) > length_slack) return false;
+    for (int next = 0; next != count_;) {
+      if (next > 0) count_ = next;
+      if (count_ > max_intervals) fail("the geometric tolerance");
+      next = next_count(plan_.is_prescribed || count_ - first >= max_tie_rounds);
     }
-    return true;
   }
 
-  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's shares.
-  void place_ends(int i) {
+  /// The present count if it suits all arcs, else one to try after it.
+  int next_count(bool break_ties) {
+    counts_ = segment_counts(segments_, count_, break_ties);
+    if (counts_.empty()) return count_ + 1;
+    double longest = 0;
+    for (int i = 0; i < num_arcs(); ++i) longest = std::max(longest, place_ends(i));
+    if (longest <= length_slack || plan_.is_prescribed) return count_;
+    return count_ + std::max(1, count_ / 100);
+  }
+
+  /// Arc i's ends in its own direction: at its own breaks to the last digit, else at the chord's shares. Returns its
+  /// longest interval against what the plan has there on the chord's longest arc.
+  double place_ends(int i) {
     Segments own = segments_;
     std::vector<double> exact(own.ends.size(), -1);
     for (std::size_t s = 0; s < needed_.size(); ++s)
       for (const Break& b : anchors_[needed_[s]].breaks)
         if (b.arc == i) own.ends[s + 1] = b.u, exact[s + 1] = b.fraction;
     ends_[i] = interval_ends(own, counts_);
-    for (double& end : ends_[i]) end = arc_fraction(i, end);
+    std::vector<double> u = ends_[i];
+    for (double& end : u) end = grading_.parameter(end);
+    const std::vector<double> shares = std::move(ends_[i]);
+    ends_[i].clear();
+    for (const double at : u) ends_[i].push_back(arc_fraction(i, at));
     for (std::size_t s = 0, at = 0; s < counts_.size(); at += counts_[s++])
       if (exact[s] >= 0) ends_[i][at] = exact[s];
-    if (chord_.backwards[i]) std::reverse(ends_[i].begin(), ends_[i].end());
-  }
-
-  /// Arc i's longest interval against what the plan has on the chord's longest arc.
-  double longest_interval(int i) const {
-    const auto share = [&](double end) { return plan_.grading.share(chord_.backwards[i] ? 1 - end : end); };
     double longest = 0;
-    for (std::size_t k = 1; k < ends_[i].size(); ++k)
-      longest = std::max(longest, std::abs(share(ends_[i][k]) - share(ends_[i][k - 1])));
-    return longest * std::min<double>(plan_.count, plan_.grading.count()) * chain(i).length() / longest_arc_;
+    for (std::size_t k = 1; k < u.size(); ++k) {
+      // By how much the arc's own parameter stretches the interval, where no edge may be longer than planned.
+      const double stretch = plan_.is_bound ? std::abs(ends_[i][k] - ends_[i][k - 1]) / (u[k] - u[k - 1]) : 1;
+      longest = std::max(longest, stretch * (shares[k] - shares[k - 1]));
+    }
+    if (chord_.backwards[i]) std::reverse(ends_[i].begin(), ends_[i].end());
+    return longest * planned_count_ * chain(i).length() / longest_arc_;
   }
 
   /// Asks for breaks and counts where arc i misses the tolerance; false when it meets it everywhere.
@@ -230,8 +241,12 @@ class ChordDivider {
       const double error = interval_error(table_, chain(i), ends[k - 1], ends[k], options_.order);
       if (error <= options_.tolerance) continue;
       missed = true;
+      if (anchors_inside(i, ends[k - 1], ends[k], anchors)) continue;
       const std::size_t s = segment_of(static_cast<int>(chord_.backwards[i] ? ends.size() - 1 - k : k - 1));
-      if (!anchors_inside(i, ends[k - 1], ends[k], anchors)) worst[s] = std::max(worst[s], error);
+      if (grading_.is_identity())
+        worst[s] = std::max(worst[s], error);
+      else
+        demand(i, ends[k - 1], ends[k], error);
     }
     for (std::size_t s = 0; s < worst.size(); ++s)
       if (worst[s] > 0)
@@ -265,10 +280,34 @@ class ChordDivider {
     return true;
   }
 
-  /// The error of a smooth interval falls with its length to the power N + 1.
+  /// So many intervals should stand in place of one: the error of a smooth interval falls with its length to the power
+  /// N + 1.
+  double excess(double error) const {
+    return std::min(4.0, 1.02 * std::pow(error / options_.tolerance, 1.0 / (options_.order + 1)));
+  }
   int raised_count(int count, double error) const {
-    const double factor = std::min(4.0, 1.02 * std::pow(error / options_.tolerance, 1.0 / (options_.order + 1)));
-    return std::max(count + 1, static_cast<int>(std::ceil(count * factor - 1e-6)));
+    return std::max(count + 1, static_cast<int>(std::ceil(count * excess(error) - 1e-6)));
+  }
+
+  /// In a graded chord only the interval itself becomes shorter: elsewhere others may be far shorter already.
+  void demand(int i, double from, double to, double error) {
+    const double a = chord_parameter(i, from), b = chord_parameter(i, to);
+    demands_.push_back({std::min(a, b), std::max(a, b), std::abs(b - a) / std::max(least_excess, excess(error))});
+  }
+
+  void shorten() {
+    grading_ = grading_.shortened(count_, demands_, plan_.slope);
+    demands_.clear();
+    planned_count_ = grading_.count();
+    base_count_ = static_cast<int>(std::min<double>(max_intervals + 1, std::ceil(planned_count_ * (1 - 1e-6))));
+    for (Anchor& anchor : anchors_) {
+      anchor.u = 0;
+      for (Break& b : anchor.breaks) {
+        b.u = chord_share(b.arc, b.fraction);
+        anchor.u += b.u / static_cast<double>(anchor.breaks.size());
+      }
+    }
+    for (std::size_t s = 0; s < needed_.size(); ++s) segments_.ends[s + 1] = anchors_[needed_[s]].u;
   }
 
   /// Cuts a segment in two at an anchor; the count that it needed because it held the break is forgotten.
@@ -294,6 +333,9 @@ class ChordDivider {
   const std::vector<Chain>& chains_;
   const std::vector<ArcParameter>& parameters_;
   const DivideOptions& options_;
+  Grading grading_;
+  double planned_count_ = 1;
+  std::vector<LengthDemand> demands_;
   int base_count_ = 1;  ///< from plan and topology
   int count_ = 1;
   double longest_arc_ = 0;
