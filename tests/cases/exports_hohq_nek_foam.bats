@@ -56,6 +56,15 @@ exports() {
   exports
 }
 
+@test "wall layers: what readers rebuild from the sides is moved as the warning says" {
+  quadrefine -q --wall curve_4:first=1e-3,layers=6 "$blocks/plate_hole.blocks.h5" -o a.quad.h5
+  exports
+  off=$(told ism 'inside elements')
+  assert [ "$off" != 0 ]
+  run -1 "$compare" --off "$(awk -v x="$off" 'BEGIN { print 0.9 * x }')" ism ism/a.ism a.quad.h5
+  assert_output --partial 'is off by'
+}
+
 @test "awkward names arrive" {
   echo '{"0": "Wand \"Boden\" <Süd>", "1": "---"}' >names.json
   cad2tri -q --boundary-names names.json "$DATA/half_disc.step" | fieldsolve -q | padapt -q -o a.field.h5

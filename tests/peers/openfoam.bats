@@ -58,3 +58,26 @@ builds() {
   assert_output --partial "hexahedra:     $(jq .quads a.json)"
   assert_output --regexp 'frontAndBack +'$((2 * $(jq .quads a.json)))
 }
+
+@test "wall layers come out as they are" {
+  quadrefine -q --wall curve_0,curve_1:first=1e-3,layers=8 "$(blocks_of "$DATA/cylinder_channel.step")" -o a.quad.h5
+  new_case
+  quadexport -q a.quad.h5 -o case/system/blockMeshDict
+  run -0 blockMesh -case case
+  run -0 "$PYTHON" "$cells" case/system/blockMeshDict a.quad.h5 case/constant/polyMesh/points
+  run checkMesh -case case
+  assert_output --partial 'Mesh OK.'
+}
+
+@test "the commands of the page work" {
+  cp "$(blocks_of "$DATA/half_disc.step")" half_disc.blocks.h5
+  new_case
+  example 1 sh openfoam >commands
+  run -0 bash -euo pipefail commands
+  assert_output --partial 'Mesh OK.'
+  bash -euo pipefail <(example 2 sh openfoam)
+  run -0 grep -A 2 '^    curve_1$' case/system/blockMeshDict
+  assert_output --partial 'type wall;'
+  run -0 grep -c 'type wall;' case/system/blockMeshDict
+  assert_output 1
+}
