@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
             "layers along the boundary NAME (or NAME,NAME): H the height of the first, in units of the file, R the "
             "greatest growth (default: 1.2), N their number or 'fit'; thickness=T in place of layers; "
             "law=uniform|geometric|tanh|gll (default: geometric)");
+    o.integer("--relax", options.relax, 0, 1000, "sweeps that move vertices to where elements have better shapes");
     o.flag("--allow-invalid", options.allow_invalid, "write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](Session& s) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
@@ -13,6 +14,7 @@
 #include "refine/align_chords.hpp"
 #include "refine/divide_arcs.hpp"
 #include "refine/grade_chords.hpp"
+#include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/tell_sizes.hpp"
 #include "refine/validity.hpp"
@@ -45,6 +47,30 @@ void tell(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
   report.set("chords", num_chords);
   report.set("irregular_nodes", mesh.num_irregular);
   tell_validity(mesh, report);
+}
+
+/// The elements of all blocks that hold layers: relaxation leaves them alone.
+std::vector<bool> elems_at_walls(const QuadMesh& mesh, const std::optional<WallPlan>& walls) {
+  std::vector<bool> is_at_wall;
+  if (walls)
+    for (const int block : mesh.elem_block) is_at_wall.push_back(walls->has_wall(block));
+  return is_at_wall;
+}
+
+void relax_and_tell(QuadMesh& mesh, const RelaxOptions& options, Report& report) {
+  const auto least = [&] {
+    return *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end());
+  };
+  const auto mean = [&] {
+    return std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems();
+  };
+  report.set("relax.least_scaled_jacobian_before", least());
+  report.set("relax.mean_scaled_jacobian_before", mean());
+  const RelaxOutcome outcome = relax(mesh, options);
+  report.set("relax.sweeps", outcome.sweeps);
+  report.set("relax.energy_before", outcome.energy_before);
+  report.set("relax.energy_after", outcome.energy_after);
+  report.set("relax.largest_move", outcome.largest_move);
 }
 
 }  // namespace
@@ -88,6 +114,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
     auto [plain, plain_ends] = split_at(std::vector<ArcParameter>(chains.size()));
     if (plain.is_valid) mesh = std::move(plain), arc_ends = std::move(plain_ends);
   }
+  if (options.relax > 0) relax_and_tell(mesh, {options.relax, division.tolerance, elems_at_walls(mesh, walls)}, report);
   tell(mesh, chords.size(), report);
   if (walls) tell_walls(*walls, options.walls, report);
   tell_sizes(chords, chains, arc_ends, sizes, options.counts, report);

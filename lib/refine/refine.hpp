@@ -22,6 +22,7 @@ struct RefineOptions {
   SizeRule size_rule = SizeRule::nearest;
   std::vector<ChordCount> counts = {};  ///< for single chords, in place of their sizes
   std::vector<WallSpec> walls = {};     ///< layers along boundaries (refine/wall_layers)
+  int relax = 0;                        ///< sweeps of relaxation (refine/relax)
   void validate() const;                ///< throws UsageError
 };
 
