@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "refine/boundary_sizes.hpp"
 
 namespace quadrille {
 namespace {
@@ -109,18 +110,11 @@ WallSpec parse_wall_spec(const std::string& text) { return Parser(text).parse();
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face) {
   std::vector<int> walls(face.curves.size(), -1);
   for (std::size_t i = 0; i < specs.size(); ++i)
-    for (const std::string& name : specs[i].names) {
-      bool found = false;
-      for (std::size_t c = 0; c < walls.size(); ++c) {
-        if (face.curve_names[c] != name) continue;
-        found = true;
-        if (walls[c] >= 0) throw UsageError(fmt::format("--wall names the boundary '{}' twice", name));
-        walls[c] = static_cast<int>(i);
+    for (const std::string& name : specs[i].names)
+      for (const int curve : named_curves(face, name)) {
+        if (walls[curve] >= 0) throw UsageError(fmt::format("--wall names the boundary '{}' twice", name));
+        walls[curve] = static_cast<int>(i);
       }
-      if (found) continue;
-      const std::set<std::string> known(face.curve_names.begin(), face.curve_names.end());
-      throw UsageError(fmt::format("--wall: no boundary is called '{}'; there are {}", name, fmt::join(known, ", ")));
-    }
   return walls;
 }
 

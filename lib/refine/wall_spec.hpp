@@ -24,8 +24,8 @@ struct WallSpec {
 /// Throws UsageError, naming the text.
 WallSpec parse_wall_spec(const std::string& text);
 
-/// The spec number of each curve of the face, -1 where it is no wall. Throws UsageError for a name that no curve has,
-/// listing those there are, and for one that two specs name.
+/// The spec number of each curve of the face, -1 where it is no wall. Names as in refine/boundary_sizes. Throws
+/// UsageError for a name that no curve has, listing those there are, and for a curve that is named twice.
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face);
 
 }  // namespace quadrille

@@ -68,3 +68,48 @@ setup() {
   run quadrefine "$blocks" -o nowhere/a.quad.h5
   assert_failure 4
 }
+
+@test "layers along a wall: the report says what was made" {
+  quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=6 "$blocks" -o a.quad.h5 --report a.json
+  run jq -c '.walls["0"] | [.names, .layers, .first, (.thickness * 1e6 | round)]' a.json
+  assert_output '["curve_0",6,0.001,12756]'
+  run jq '.least_jacobian_bound > 0' a.json
+  assert_output true
+  run stagecheck a.quad.h5
+  assert_success
+}
+
+@test "a boundary may be named by its number, and several at once" {
+  quadrefine --wall curve_0,curve_1:first=1e-3,layers=4 "$blocks" -o a.quad.h5
+  quadrefine --wall 0,1:first=1e-3,layers=4 "$blocks" -o b.quad.h5 --report b.json
+  run jq -r '.walls["0"].names' b.json
+  assert_output 0,1
+  quadrefine --wall 0:first=1e-3,layers=4 --wall 1:first=2e-3,layers=fit "$blocks" -o c.quad.h5 --report c.json
+  run jq '.walls["1"].layers > 10' c.json
+  assert_output true
+}
+
+@test "walls that no boundary has, or that make no sense, end with 2" {
+  run quadrefine --wall roof:first=1e-3,layers=4 "$blocks" -o a.quad.h5
+  assert_failure 2
+  assert_output --partial roof
+  assert_output --partial curve_1
+  for wall in curve_0 curve_0:layers=4 curve_0:first=1e-3 curve_0:first=0,layers=4 curve_0:first=x,layers=4 \
+    curve_0:first=1e-3,layers=0 curve_0:first=1e-3,layers=4,growth=3 curve_0:first=1e-3,layers=4,law=cubic; do
+    run quadrefine --wall "$wall" "$blocks" -o a.quad.h5
+    assert_failure 2
+    assert_output --partial "$wall"
+  done
+  assert_nothing_left
+}
+
+@test "layers that do not fit end with 1, a place and the largest number that does" {
+  run quadrefine --wall curve_0:first=1e-2,layers=60 "$blocks" -o a.quad.h5
+  assert_failure 1
+  assert_output --regexp 'curve_0.*\(-?[0-9.e-]+, -?[0-9.e-]+\).*at most [0-9]+ do, with a thickness of [0-9.]+'
+  assert_nothing_left
+  most=$(sed -E 's/.*at most ([0-9]+) do.*/\1/' <<< "$output")
+  quadrefine --wall "curve_0:first=1e-2,layers=$most" "$blocks" -o a.quad.h5
+  run quadrefine --wall "curve_0:first=1e-2,layers=$((most + 1))" "$blocks" -o b.quad.h5
+  assert_failure 1
+}

@@ -1,0 +1,56 @@
+# Layers along walls, measured from the mesh's vertices and the CAD curves alone (benchmarks/wall_heights).
+load ../tools/common
+
+# blocks SHAPE: x.blocks.h5.
+blocks() {
+  step=$DATA/$1.step
+  [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
+  [[ -f $step ]] || skip "no $1.step here"
+  cad2tri -q "$step" -o a.tri.h5
+  fieldsolve -q a.tri.h5 | padapt -q -o a.field.h5
+  critpoints -q a.field.h5 -o a.crit.json
+  separatrix -q a.field.h5 a.crit.json | blocksplit -q -o x.blocks.h5
+}
+
+# layers FIRST NAMES: x.quad.h5 with as many layers as fit, and their number.
+layers() {
+  quadrefine -q x.blocks.h5 --wall "$2:first=$1,growth=1.2,layers=fit" -o x.quad.h5 --report x.json
+  run -0 stagecheck x.quad.h5
+  number=$(jq '.walls["0"].layers' x.json)
+}
+
+# The layers and two intervals above them: first height within 5 %, growth within 1.3; and quality.
+good_layers() {
+  wall_heights x.quad.h5 "$1" $((number + 2)) "${@:2}" > heights.json
+  run jq '.deviation <= 0.05 and .growth <= 1.3' heights.json
+  assert_output true
+  run jq '.valid and .least_scaled_jacobian > 0.8' x.json
+  assert_output true
+}
+
+@test "around the NACA 0012: a first cell of 1e-4 chords, and as many layers as fit" {
+  blocks geometry_5
+  layers 1e-4 curve_4,curve_5
+  assert [ "$number" -ge 12 ]
+  good_layers 1e-4 curve_4 curve_5
+}
+
+@test "around four holes at once" {
+  blocks plate_4_holes
+  layers 1e-3 curve_4,curve_5,curve_6,curve_7
+  assert [ "$number" -ge 12 ]
+  good_layers 1e-3 curve_4 curve_5 curve_6 curve_7
+}
+
+@test "along all walls of a channel with a step, through its corners" {
+  blocks backward_step
+  layers 2e-3 curve_0,curve_1,curve_2,curve_3,curve_4,curve_5
+  good_layers 2e-3 curve_0 curve_1 curve_2 curve_3 curve_4 curve_5
+}
+
+@test "along all sides of a gear with fillets" {
+  blocks gear_filleted
+  names=$(seq -f curve_%g -s, 0 36)
+  layers 3e-4 "$names"
+  good_layers 3e-4 ${names//,/ }
+}
