@@ -69,6 +69,15 @@ here() { TMPDIR=$PWD "$@"; }
   assert_nothing_left start.crit.json out.msh
 }
 
+@test "a pipe stays a pipe, and is written into" {
+  mkfifo report.json
+  "$place" -q "$DATA/square.step" -o out.msh --rounds 0 --report report.json &
+  timeout 60 cat report.json >got.json
+  wait $!
+  assert [ -p report.json ]
+  jq -e '.best == 1' got.json
+}
+
 @test "a signal ends the stage that runs, and nothing is left" {
   mkdir fake
   for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done

@@ -231,6 +231,13 @@ names() { jq -c .names fit.json; }
     run -4 bash -c '"$1" points >/dev/full' - "$points2step"
     assert_output "points2step: standard output cannot be written: No space left on device"
   fi
+  mkfifo pipe
+  "$points2step" points -o pipe &
+  timeout 60 cat pipe >d.step
+  wait $!
+  assert [ -p pipe ]
+  cmp a.step d.step
+  rm pipe d.step
   cp a.step old.step
   run -3 "$points2step" /dev/null -o old.step
   cmp a.step old.step
