@@ -9,8 +9,22 @@ import gmsh, numpy
 from quad_file import QuadFile
 
 
+# The plugin stops where its bounds of min and max det J are within 1e-3 of the truth.
+PLUGIN_TOLERANCE = 2.1e-3
+
+
+def least_by_shape_functions(ratios):
+    """min det J / max det J, from samples, of the worst element among those that the plugin cannot tell from it."""
+    at = -numpy.cos(numpy.linspace(0, numpy.pi, 31))
+    points = numpy.array([(a, b, 0) for b in at for a in at]).ravel()
+    near = [elem for elem in ratios if ratios[elem] <= min(ratios.values()) + PLUGIN_TOLERANCE]
+    dets = (gmsh.model.mesh.getJacobian(elem, points)[1] for elem in near[:100])
+    return min(det.min() / det.max() for det in dets)
+
+
 def ratios_by_gmsh(path):
-    """min det J / max det J of each quad (a Bernstein bound of Gmsh's), and the messages on the way."""
+    """What Gmsh says of a file: min det J / max det J of each quad (the plugin's bounds), the least of them by Gmsh's
+    shape functions, elements by group, messages on the way."""
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
     gmsh.logger.start()
@@ -29,29 +43,29 @@ def ratios_by_gmsh(path):
         key = dim, gmsh.model.getPhysicalName(dim, tag)
         for entity in gmsh.model.getEntitiesForPhysicalGroup(dim, tag):
             groups[key] = groups.get(key, 0) + sum(len(t) for t in gmsh.model.mesh.getElements(dim, entity)[1])
-    # Our elements are written block by block, in their own sequence within a block.
+    least = least_by_shape_functions(ratios)
     gmsh.finalize()
-    return ratios, groups, said
+    return ratios, least, groups, said
 
 
 def main():
     quads, report = QuadFile(sys.argv[1]), json.load(open(sys.argv[2]))
     ours = quads.jacobian_ratios()
-    sequence = numpy.argsort(quads.block, kind="stable")
+    sequence = numpy.argsort(quads.block, kind="stable")  # elements are written block by block
     boundaries, regions = quads.groups()
     wanted = {(1, name): count for name, count in boundaries.items()} | {(2, name): c for name, c in regions.items()}
     for path in sys.argv[3:]:
-        ratios, groups, said = ratios_by_gmsh(path)
+        ratios, least, groups, said = ratios_by_gmsh(path)
         complaints = [line for line in said if not line.startswith(("Info", "Progress"))]
         assert not complaints, (path, complaints)
         assert groups == wanted, (path, groups, wanted)
         theirs = numpy.array([ratios[elem] for elem in sorted(ratios)])
         assert len(theirs) == len(ours), (path, len(theirs), len(ours))
         assert theirs.min() > 0, (path, theirs.min())
-        worst = numpy.abs(theirs - ours[sequence]).max()
-        assert worst < 1e-3, (path, "min det J / max det J differs by", worst)
-        assert abs(theirs.min() - report["least_jacobian_ratio"]) < 1e-3, (path, theirs.min(), report)
-        print(f"{path}: {len(ours)} quads, least ratio {theirs.min():.6f}, differs by {worst:.1e}")
+        above = theirs - ours[sequence]
+        assert -PLUGIN_TOLERANCE < above.min() and above.max() < 1e-4, (path, "off by", above.min(), above.max())
+        assert abs(least - report["least_jacobian_ratio"]) < 1e-3, (path, least, report["least_jacobian_ratio"])
+        print(f"{path}: {len(ours)} quads, least ratio {least:.6f}, plugin {above.min():.1e} to {above.max():.1e} above")
 
 
 main()

@@ -38,7 +38,7 @@ class QuadFile:
         by_2 = numpy.einsum("ja,ib,eabk->ejik", slope, value, x)
         return by_1[..., 0] * by_2[..., 1] - by_1[..., 1] * by_2[..., 0]
 
-    def jacobian_ratios(self, count=61):
+    def jacobian_ratios(self, count=41):
         """Least det J over greatest, of each element, from samples."""
         at = -numpy.cos(numpy.linspace(0, numpy.pi, count))
         chunks = [self.jacobian_dets_of(part, at) for part in numpy.array_split(numpy.arange(len(self.elems)),
