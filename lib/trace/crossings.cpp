@@ -27,6 +27,8 @@ bool meet(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
+constexpr double side_by_side = 0.1;  // radians
+
 double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
 
 // A piece of a curve as a cubic Bezier over [t0, t1].
@@ -198,8 +200,12 @@ class Finder {
     counter_.count(p.box());
     const double along = angle_between(p.chord(), q.chord()), between = std::min(along, std::numbers::pi - along);
     const double turn = p.cone() + q.cone(), size_p = norm(p.chord()), size_q = norm(q.chord());
-    const bool tiny = std::max(size_p, size_q) < 1e4 * same_;
-    if (tiny || (turn < between && turn < 0.5)) return newton(a, b, p, q);
+    // Side by side they cannot be told apart below some size; lines that pass a node at no distance to speak of turn
+    // within less.
+    const double size = std::max(size_p, size_q);
+    const bool tiny = size < 10 * same_ || (size < 1e4 * same_ && between < side_by_side);
+    const bool is_settled = (tiny || (turn < between && turn < 0.5)) && newton(a, b, p, q);
+    if (is_settled || tiny) return;
     const bool split_p = size_p > size_q;
     Box whole = (split_p ? q : p).box();
     whole.widen(same_);
@@ -207,7 +213,8 @@ class Finder {
       if (meet(half.box(), whole)) split_p ? search(a, b, half, q) : search(a, b, p, half);
   }
 
-  void newton(int a, int b, const Bezier& p, const Bezier& q) {
+  // False where it leaves the pieces on its way: from the middle of a long one it may miss a short one.
+  bool newton(int a, int b, const Bezier& p, const Bezier& q) {
     const Nurbs &ca = splines_[a], &cb = splines_[b];
     double s = (p.t0 + p.t1) / 2, t = (q.t0 + q.t1) / 2;
     const double ds = p.t1 - p.t0, dt = q.t1 - q.t0;
@@ -216,20 +223,21 @@ class Finder {
       const auto x = derivatives(ca, s), y = derivatives(cb, t);
       gap = y[0] - x[0], da = x[1], db = y[1];
       const double area = cross(da, db);
-      if (std::abs(area) < 1e-9 * norm(da) * norm(db)) return;  // side by side
+      if (std::abs(area) < 1e-9 * norm(da) * norm(db)) return true;  // side by side
       const double step_s = cross(gap, db) / area, step_t = cross(gap, da) / area;
       s = std::clamp(s + step_s, ca.begin(), ca.end()), t = std::clamp(t + step_t, cb.begin(), cb.end());
-      if (s < p.t0 - ds || s > p.t1 + ds || t < q.t0 - dt || t > q.t1 + dt) return;
+      if (s < p.t0 - ds || s > p.t1 + ds || t < q.t0 - dt || t > q.t1 + dt) return false;
       if (std::abs(step_s) < 1e-14 * ds && std::abs(step_t) < 1e-14 * dt) break;
     }
     const double slack_s = 1e-9 * ds + same_ / norm(da), slack_t = 1e-9 * dt + same_ / norm(db);
-    if (s < p.t0 - slack_s || s > p.t1 + slack_s || t < q.t0 - slack_t || t > q.t1 + slack_t) return;
+    if (s < p.t0 - slack_s || s > p.t1 + slack_s || t < q.t0 - slack_t || t > q.t1 + slack_t) return true;
     const Vec2 position = point(ca, s);
-    if (distance(position, point(cb, t)) > 2 * same_) return;
+    if (distance(position, point(cb, t)) > 2 * same_) return true;
     for (size_t i = first_; i < found.size(); ++i)
-      if (distance(found[i].position, position) <= same_) return;
+      if (distance(found[i].position, position) <= same_) return true;
     const double angle = std::abs(std::atan2(cross(da, db), dot(da, db)));
     found.push_back({a, b, s, t, position, std::min(angle, std::numbers::pi - angle)});
+    return true;
   }
 
   const std::vector<Nurbs>& splines_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -18,6 +19,25 @@ size_t slot(int dart) { return dart >= 0 ? 2 * static_cast<size_t>(dart) : 2 * s
 
 bool is_boundary(const SeparatrixGraph& graph, int dart) { return graph.arcs[dart_arc(dart)].is_boundary; }
 
+// Where a dart leaves its first node: a curve and a parameter.
+std::pair<int, double> leaves_at(const SeparatrixGraph& graph, int dart) {
+  const std::vector<ArcPiece>& pieces = graph.arcs[dart_arc(dart)].pieces;
+  return dart >= 0 ? std::pair{pieces.front().curve, pieces.front().t0}
+                   : std::pair{pieces.back().curve, pieces.back().t1};
+}
+
+// The T-junction of an inner line: half a turn lies between the darts of the line that goes on, whatever the angles:
+// near a node lines turn fast. Empty where no two neighbours of three are of one line.
+std::vector<int> t_junction_quarters(const SeparatrixGraph& graph, const std::vector<int>& darts) {
+  for (int k = 0; k < 3; ++k) {
+    if (leaves_at(graph, darts[k]) != leaves_at(graph, darts[(k + 1) % 3])) continue;
+    std::vector<int> quarters(3, 1);
+    quarters[k] = 2;
+    return quarters;
+  }
+  return {};
+}
+
 // Quarter turns of the sectors between consecutive darts. Each is one where all lines of the node are there; else the
 // angles share the valence out.
 std::vector<int> sector_quarters(const SeparatrixGraph& graph, int node, const std::vector<int>& darts) {
@@ -25,6 +45,8 @@ std::vector<int> sector_quarters(const SeparatrixGraph& graph, int node, const s
   const bool closed = !is_boundary(graph, darts.front());
   const int num_sectors = closed ? num : num - 1;
   if (num_sectors == valence) return std::vector<int>(num_sectors, 1);
+  if (closed && num == 3 && graph.nodes[node].kind == NodeKind::crossing)
+    if (std::vector<int> quarters = t_junction_quarters(graph, darts); !quarters.empty()) return quarters;
   std::vector<double> angles;
   angles.reserve(num_sectors);
   for (int k = 0; k < num_sectors; ++k)

@@ -100,6 +100,24 @@ TEST(Crossings, ComeInTheSequenceOfTheFirstLine) {
   EXPECT_EQ(found[2].b, 1);
 }
 
+// As a line does that passes a node at a millionth of its length: a quarter turn within that, across a long line
+// that bends a little.
+TEST(Crossings, ASharpBendAcrossALongLineIsFound) {
+  const double scale = 1e-6;
+  const CurveFunction bend = [scale](double s, Vec2& d) {
+    const double u = s - 0.7, root = std::hypot(u, scale);
+    d = {1, -u / root};
+    return Vec2{u, 2 * scale - root};
+  };
+  const CurveFunction bow = [](double s, Vec2& d) {
+    d = {s, 1};
+    return Vec2{s * s / 2, s};
+  };
+  const auto found = find_crossings({fit_line(bend, 1.5, 2e-9), fit_line(bow, 1.5, 2e-9)}, 1e-9);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].t, scale, 0.1 * scale);
+}
+
 TEST(Crossings, TooManyPairsOfPiecesAreSaidWithAPlace) {
   // A comb: 20 lines across 20 lines are 400 pairs, and nothing but them is looked at.
   std::vector<Nurbs> lines;

@@ -55,6 +55,15 @@ bool has_node(const SeparatrixGraph& graph, Vec2 x) {
 
 const std::vector<Line> one_t{{{0.3, 0}, {0.3, 1}, 0, 2}, {{1, 0.4}, {0.3, 0.4}, 1, -1}};
 
+// Next to a node lines turn fast: the angle at which one stops at another, here 36 degrees, says nothing.
+TEST(TMesh, ATJunctionIsWhatItIsAtAnyAngle) {
+  for (const double y : {0.02, 0.5, 0.98}) {
+    const SeparatrixGraph graph = t_mesh({{{0.3, 0}, {0.3, 1}, 0, 2}, {{1, y}, {0.3, 1 - y}, 1, -1}});
+    EXPECT_EQ(num_t_junctions(graph), 1);
+    EXPECT_EQ(t_mesh_faces(graph).size(), 3u) << y;
+  }
+}
+
 TEST(TMesh, ALineThatEndsOnAnotherMakesATJunctionAndFourCorneredFaces) {
   const SeparatrixGraph graph = t_mesh(one_t);
   EXPECT_EQ(num_t_junctions(graph), 1);
