@@ -4,7 +4,7 @@ load tools/common
 PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
 
 @test "every page has all headings" {
-  for page in $PAGES order-map boundary-names block-names; do
+  for page in $PAGES order-map size-field boundary-names block-names; do
     for heading in Purpose "Who writes and reads it" "A complete small example" Conventions Rules "Reading it" "Version history"; do
       grep -qx "## $heading" "$ROOT/formats/$page.md" || fail "$page.md has no heading '$heading'"
     done
@@ -118,6 +118,17 @@ block() {
   assert_equal "$(cat regions)" " 1 core 3 ring  4 fluid  4 fluid "
 }
 
+@test "the example on the page of size fields keeps its schema" {
+  sed -n '/^```json$/,/^```$/p' "$ROOT/formats/size-field.md" | sed '1d;$d' > sizes.json
+  validates size-field sizes.json
+  for edit in '.points[0].size = 0' '.version = [2, 0]' 'del(.points, .boxes)' '.boxes[0].low = [1]' \
+    'del(.points[0].position)' '.points[0].radius = -1' '.growth = 1'; do
+    jq "$edit" sizes.json > edited.json
+    run validates size-field edited.json
+    assert_failure
+  done
+}
+
 # validates FORMAT FILE: whether the schema accepts the file.
 validates() {
   python3 - "$ROOT/formats/$1.schema.json" "$2" << 'PYTHON'
@@ -153,4 +164,17 @@ PYTHON
     run validates separatrix-graph edited.json
     assert_failure
   done
+}
+
+@test "every format of quadexport has a row and a page, with what is written, what is lost and how to get going" {
+  sed -n '/^## Formats of other programs/,/^## What/p' "$ROOT/formats/README.md" | grep '^| \[' >rows
+  quadexport --help | grep -oE -- '--format auto[a-z0-9|-]*' | tr '|' '\n' | grep -vE 'auto|step' | sort >formats
+  assert [ "$(wc -l <formats)" -ge 11 ]
+  cut -d'|' -f3 rows | grep -oE '[a-z0-9-]+' | sort | diff - formats
+  while read -r page; do
+    for heading in "What is written" "What is lost" "Getting going"; do
+      grep -qx "## $heading" "$ROOT/formats/$page" || fail "$page has no heading '$heading'"
+    done
+  done < <(sed -nE 's/^\| \[[^]]*\]\(([^)]*)\).*/\1/p' rows)
+  diff <(sed -nE 's/^\| \[[^]]*\]\(export\/([^)]*)\).*/\1/p' rows | sort -u) <(ls "$ROOT/formats/export")
 }

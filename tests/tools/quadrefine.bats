@@ -48,7 +48,7 @@ setup() {
 }
 
 @test "numbers outside their interval end with 2" {
-  for option in "--order 0" "--order 21" "--order x" "--size -1" "--geometry-tol 0"; do
+  for option in "--order 0" "--order 21" "--order x" "--size -1" "--geometry-tol -1"; do
     run quadrefine $option "$blocks" -o a.quad.h5
     assert_failure 2
   done
@@ -112,4 +112,111 @@ setup() {
   quadrefine --wall "curve_0:first=1e-2,layers=$most" "$blocks" -o a.quad.h5
   run quadrefine --wall "curve_0:first=1e-2,layers=$((most + 1))" "$blocks" -o b.quad.h5
   assert_failure 1
+}
+
+@test "sizes near a boundary are met there and grow away from it" {
+  quadrefine --size 0.3 "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --size 0.3 --size-near curve_0=0.03 "$blocks" -o b.quad.h5 --report b.json
+  run jq -n 'input.quads as $a | input.quads as $b | $b > 3 * $a' a.json b.json
+  assert_output true
+  run jq '.least_jacobian_bound > 0 and .sizes.least_edge < 0.033 and .sizes.greatest_edge > 0.1' b.json
+  assert_output true
+  run stagecheck b.quad.h5
+  assert_success
+  quadrefine --size 0.3 --size-near curve_0=0.03 --growth 2 "$blocks" -o c.quad.h5 --report c.json
+  run jq -n 'input.quads as $b | input.quads as $c | $c < $b' b.json c.json
+  assert_output true
+}
+
+@test "boundaries may be named by their number; the same sizes give the same bytes" {
+  quadrefine --size-near curve_0=0.05 --size-near curve_1=0.04 "$blocks" -o a.quad.h5
+  quadrefine --size-near 1=0.04 --size-near 0=0.05 "$blocks" -o b.quad.h5
+  h5diff a.quad.h5 b.quad.h5 /nodes
+  quadrefine --size-near curve_0=0.05 --size-near curve_1=0.04 < "$blocks" > c.quad.h5
+  cmp a.quad.h5 c.quad.h5
+}
+
+@test "sizes from a file: points and boxes, and the digest in the provenance" {
+  sed -n '/^```json$/,/^```$/p' "$ROOT/formats/size-field.md" | sed '1d;$d' |
+    jq '.points[0].position = [0, 0.3] | .boxes[0] |= {low: [-0.2, 0.4], high: [0.2, 0.6], size: 0.04}' > sizes.json
+  quadrefine --size-field sizes.json "$blocks" -o a.quad.h5 --report a.json
+  run jq '.quads > 500 and .least_jacobian_bound > 0' a.json
+  assert_output true
+  run h5dump -a /provenance a.quad.h5
+  assert_output --partial "$(sha256sum sizes.json | cut -d' ' -f1)"
+}
+
+@test "a file that is no size field ends with 3 and the place in it" {
+  for edit in '.points[0].size = 0' 'del(.points[0].position)' '.growth = 1' '.format = "field"' '.version = [2, 0]'; do
+    sed -n '/^```json$/,/^```$/p' "$ROOT/formats/size-field.md" | sed '1d;$d' | jq "$edit" > sizes.json
+    run quadrefine --size-field sizes.json "$blocks" -o a.quad.h5
+    assert_failure 3
+    assert_output --partial sizes.json
+  done
+  echo '{"format": "size-field", "version": [1, 0], "points": [{"position": [0, 0], "size": 1},' > sizes.json
+  run quadrefine --size-field sizes.json "$blocks" -o a.quad.h5
+  assert_failure 3
+  assert_output --partial "line 2"
+  echo '{"format": "size-field", "version": [1, 0], "points": [{"position": [0, 0], "size": "small"}]}' > sizes.json
+  run quadrefine --size-field sizes.json "$blocks" -o a.quad.h5
+  assert_failure 3
+  assert_output --partial "points[0].size"
+  run quadrefine --size-field nowhere.json "$blocks" -o a.quad.h5
+  assert_failure 3
+  assert_nothing_left sizes.json
+}
+
+@test "elements per turn follow the curvature" {
+  for turn in 30 60; do
+    quadrefine --size 1 --curvature $turn "$blocks" -o a.quad.h5 --report $turn.json
+  done
+  # The half disc has radius 1: its arc wants edges of 2 pi / 60.
+  run jq -n 'input.quads as $a | input.quads as $b | $b > 1.5 * $a' 30.json 60.json
+  assert_output true
+  run jq '.sizes.least_ratio > 0.2 and .sizes.least_edge < 0.105' 60.json
+  assert_output true
+}
+
+@test "a chord gets the count that is asked for" {
+  quadrefine --size 0.2 "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --size 0.2 --count 0=17 --count 1=9 "$blocks" -o b.quad.h5 --report b.json
+  run jq -n -c 'input.sizes.chord.count as $a | input.sizes.chord.count | [.[0], .[1], .[2:] == $a[2:]]' a.json b.json
+  assert_output '[17,9,true]'
+  chords=$(jq .chords a.json)
+  run jq -c '[.sizes.chord[] | length] | unique' a.json
+  assert_output "[$chords]"
+  run quadrefine --count "$chords=3" "$blocks" -o c.quad.h5
+  assert_failure 2
+  assert_output --partial "from 0 to $((chords - 1))"
+}
+
+@test "a count that misses the tolerance rises with a warning" {
+  quadrefine --count 0=1 --count 1=1 --count 2=1 --geometry-tol 1e-9 "$blocks" -o a.quad.h5 --report a.json 2> messages
+  run jq '[.warnings[] | select(.code == "W-QUA-002")] | length > 0' a.json
+  assert_output true
+  grep -q "not 1" messages
+}
+
+@test "edges deviate least, or are nowhere longer than wanted" {
+  quadrefine --size 0.11 "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --size 0.11 --size-rule at-most "$blocks" -o b.quad.h5 --report b.json
+  run jq '.sizes.greatest_ratio <= 1 and .sizes.mean_ratio < 1' b.json
+  assert_output true
+  run jq -n 'input.sizes as $a | input.sizes as $b | $a.deviation < $b.deviation' a.json b.json
+  assert_output true
+  run jq '.sizes.mean_ratio > 0.9 and .sizes.mean_ratio < 1.1' a.json
+  assert_output true
+}
+
+@test "mistakes in sizes end with 2" {
+  run quadrefine --size-near roof=0.1 "$blocks" -o a.quad.h5
+  assert_failure 2
+  assert_output --partial roof
+  assert_output --partial curve_0
+  for option in "--size-near curve_0" "--size-near curve_0=0" "--size-near curve_0=x" "--size-near =1" "--growth 1" \
+    "--growth 0.5" "--curvature -1" "--count 0" "--count 0=0" "--count x=3" "--size-rule mean"; do
+    run quadrefine $option "$blocks" -o a.quad.h5
+    assert_failure 2
+  done
+  assert_nothing_left
 }
