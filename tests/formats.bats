@@ -178,16 +178,3 @@ PYTHON
   done < <(sed -nE 's/^\| \[[^]]*\]\(([^)]*)\).*/\1/p' rows)
   diff <(sed -nE 's/^\| \[[^]]*\]\(export\/([^)]*)\).*/\1/p' rows | sort -u) <(ls "$ROOT/formats/export")
 }
-
-@test "every format of quadexport has a row and a page, with what is written, what is lost and how to get going" {
-  sed -n '/^## Formats of other programs/,/^## What/p' "$ROOT/formats/README.md" | grep '^| \[' >rows
-  quadexport --help | grep -oE -- '--format auto[a-z0-9|-]*' | tr '|' '\n' | grep -vE 'auto|step' | sort >formats
-  assert [ "$(wc -l <formats)" -ge 11 ]
-  cut -d'|' -f3 rows | grep -oE '[a-z0-9-]+' | sort | diff - formats
-  while read -r page; do
-    for heading in "What is written" "What is lost" "Getting going"; do
-      grep -qx "## $heading" "$ROOT/formats/$page" || fail "$page has no heading '$heading'"
-    done
-  done < <(sed -nE 's/^\| \[[^]]*\]\(([^)]*)\).*/\1/p' rows)
-  diff <(sed -nE 's/^\| \[[^]]*\]\(export\/([^)]*)\).*/\1/p' rows | sort -u) <(ls "$ROOT/formats/export")
-}
