@@ -87,8 +87,9 @@ int main(int argc, char** argv) {
     o.output(output, "quad mesh (x.quad.h5)");
     declare(o, sizes);
     o.integer("--order", options.order, 1, 20, "shape order of the elements");
-    o.number("--geometry-tol", options.geometry_tol, 1e-14, 1, "diameters",
-             "greatest distance between the mesh's boundary and the CAD curves");
+    o.number("--geometry-tol", options.geometry_tol, 0, 1, "diameters",
+             "greatest distance between the mesh's boundary and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
+             "else 5e-7");
     o.texts("--wall", walls, "NAME:first=H,growth=R,layers=N",
             "layers along the boundary NAME (or NAME,NAME): H the height of the first, in units of the file, R the "
             "greatest growth (default: 1.2), N their number or 'fit'; thickness=T in place of layers; "

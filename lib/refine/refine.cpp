@@ -78,8 +78,10 @@ void relax_and_tell(QuadMesh& mesh, const RelaxOptions& options, Report& report)
 void RefineOptions::validate() const {
   if (size < 0) throw UsageError("--size must not be negative");
   if (order < 1 || order > 20) throw UsageError("--order must lie in 1..20");
-  if (!(geometry_tol > 0)) throw UsageError("--geometry-tol must be positive");
+  if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
 }
+
+double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ? 5e-4 : order == 3 ? 2e-5 : 5e-7; }
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
@@ -92,7 +94,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   const double diameter = layout.face.diameter;
   const SizeField sizes =
       options.size_field ? *options.size_field : SizeField(options.size > 0 ? options.size : diameter / 20);
-  const DivideOptions division{options.order, options.geometry_tol * diameter};
+  const double tolerance = options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order);
+  const DivideOptions division{options.order, tolerance * diameter};
   std::optional<WallPlan> walls;
   const auto split_at = [&](const std::vector<ArcParameter>& parameters) -> std::pair<QuadMesh, ArcEnds> {
     const std::vector<ChordPlan> plans =

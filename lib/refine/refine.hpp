@@ -13,10 +13,14 @@
 
 namespace quadrille {
 
+/// What an element of that order can be asked for without many more of them than its size wants, in diameters: 5e-3,
+/// 5e-4, 2e-5 at orders 1, 2, 3, then 5e-7.
+double default_geometry_tol(int order);
+
 struct RefineOptions {
   double size = 0;             ///< wanted edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
-  double geometry_tol = 5e-7;  ///< greatest distance between mesh boundary and CAD curve, as a share of the diameter
+  double geometry_tol = 0;     ///< greatest distance of mesh boundary and CAD curve, in diameters; 0: by the order
   bool allow_invalid = false;  ///< give the mesh, marked as not valid, also where elements are not proved
   std::optional<SizeField> size_field = {};  ///< wanted edge lengths, in place of `size` (refine/make_size_field)
   SizeRule size_rule = SizeRule::nearest;

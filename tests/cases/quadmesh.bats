@@ -59,7 +59,7 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
 }
 
 @test "--geometry-tol reaches the mesh: fewer quads of a low order follow the arc less closely" {
-  "$quadmesh" "$DATA/half_disc.step" -o close.msh --size 0.5 --order 2 --report close.json
+  "$quadmesh" "$DATA/half_disc.step" -o close.msh --size 0.5 --order 2 --geometry-tol 1e-6 --report close.json
   "$quadmesh" "$DATA/half_disc.step" -o loose.msh --size 0.5 --order 2 --geometry-tol 1e-3 --report loose.json
   jq -n -e --slurpfile close close.json --slurpfile loose loose.json '$loose[0].quads < $close[0].quads'
 }

@@ -48,3 +48,30 @@ load ../tools/common
   run -0 diff <(sed -nE 's/^\| `([a-z0-9]+)` \|.*/\1/p' "$ROOT/README.md" | sort) \
     <(find "$ROOT/tools/" -name '*.cpp' ! -name '*-*' -exec basename {} .cpp \; | sort)
 }
+
+@test "the commands for sizes and wall layers work" {
+  echo '{"curve_4": "hole"}' >names.json
+  "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --boundary-names names.json --workdir . -o x.msh
+  mv plate_hole.blocks.h5 x.blocks.h5
+  sed -n '/^## Sizes and wall layers/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+  assert [ "$(wc -l <commands)" -eq 3 ]
+  run -0 bash -euo pipefail commands
+  assert_output ''
+  run -0 stagecheck x.quad.h5
+}
+
+@test "every format of the solvers' table is written" {
+  "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" --workdir . -o x.msh
+  mkdir system
+  sed -n '/^## Into your solver/,/^## /p' "$ROOT/README.md" >section
+  for name in $(grep -oE '`(x\.[a-z]+|system/blockMeshDict)`' section | tr -d '`' | sort -u); do
+    case $name in
+      x.quad.h5 | x.blocks.h5) ;;
+      x.step) run -0 quadexport half_disc.blocks.h5 -o x.step && assert_file_not_empty x.step ;;
+      *) run -0 quadexport half_disc.quad.h5 -o "$name" && assert_file_not_empty "$name" ;;
+    esac
+  done
+  for name in $(grep -oE -- '--format [a-z0-9-]+' section | sed 's/.* //'); do
+    run -0 quadexport half_disc.quad.h5 --format "$name" -o x.any && assert_file_not_empty x.any
+  done
+}

@@ -206,7 +206,7 @@ TEST(Refine, OptionsOutsideTheirIntervalsAreUsageErrors) {
   EXPECT_THROW(refined(graph, {-1, 4, 5e-7}), UsageError);
   EXPECT_THROW(refined(graph, {0.1, 0, 5e-7}), UsageError);
   EXPECT_THROW(refined(graph, {0.1, 21, 5e-7}), UsageError);
-  EXPECT_THROW(refined(graph, {0.1, 4, 0}), UsageError);
+  EXPECT_THROW(refined(graph, {0.1, 4, -1}), UsageError);
 }
 
 }  // namespace
