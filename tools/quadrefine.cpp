@@ -7,6 +7,7 @@
 #include "io/output_file.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
+#include "refine/chosen_blocks.hpp"
 #include "refine/make_size_field.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
@@ -61,6 +62,7 @@ int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   RefineOptions options;
   SizeArguments sizes;
+  std::string blocks;
   std::vector<std::string> walls;
   Tool tool;
   tool.name = "quadrefine";
@@ -94,6 +96,8 @@ int main(int argc, char** argv) {
             "layers along the boundary NAME (or NAME,NAME): H the height of the first, in units of the file, R the "
             "greatest growth (default: 1.2), N their number or 'fit'; thickness=T in place of layers; "
             "law=uniform|geometric|tanh|gll (default: geometric)");
+    o.text("--blocks", blocks, "ID,...",
+           "numbers or names of blocks: refines the chords through them only; others get as few elements as they can");
     o.integer("--relax", options.relax, 0, 1000, "sweeps that move vertices to where elements have better shapes");
     o.flag("--allow-invalid", options.allow_invalid, "write a mesh that is not proved valid, marked as such");
   };
@@ -105,6 +109,7 @@ int main(int argc, char** argv) {
     require_valid(check_block_layout(layout, CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("block-layout")};
     take_sizes(sizes, layout.face, inputs, options);
+    if (!blocks.empty()) options.blocks = parse_blocks(blocks, layout.block_names);
     s.begin_phase("refine");
     QuadMesh mesh = refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);

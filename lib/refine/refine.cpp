@@ -6,12 +6,14 @@
 #include <array>
 #include <functional>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "mesh/chords.hpp"
 #include "refine/align_chords.hpp"
+#include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
 #include "refine/grade_chords.hpp"
 #include "refine/relax.hpp"
@@ -96,10 +98,14 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
       options.size_field ? *options.size_field : SizeField(options.size > 0 ? options.size : diameter / 20);
   const double tolerance = options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order);
   const DivideOptions division{options.order, tolerance * diameter};
+  std::vector<ChordCount> coarse;
+  if (!options.blocks.empty()) coarse = coarse_counts(layout, chords, options.blocks, options.counts);
   std::optional<WallPlan> walls;
   const auto split_at = [&](const std::vector<ArcParameter>& parameters) -> std::pair<QuadMesh, ArcEnds> {
+    std::vector<ChordCount> counts = options.counts;
+    counts.insert(counts.end(), coarse.begin(), coarse.end());
     const std::vector<ChordPlan> plans =
-        grade_chords(layout, chords, chains, parameters, sizes, options.size_rule, options.counts);
+        grade_chords(layout, chords, chains, parameters, sizes, options.size_rule, counts);
     ArcEnds arc_ends = divide_arcs(layout, chords, plans, table, chains, parameters, division);
     if (!options.walls.empty())
       walls = plan_walls(
@@ -112,11 +118,15 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   };
 
   const std::vector<ArcParameter> aligned = align_chords(chords, chains);
-  auto [mesh, arc_ends] = split_at(aligned);
-  if (!mesh.is_valid && !std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity))) {
-    auto [plain, plain_ends] = split_at(std::vector<ArcParameter>(chains.size()));
-    if (plain.is_valid) mesh = std::move(plain), arc_ends = std::move(plain_ends);
-  }
+  const bool is_plain = std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity));
+  const auto split_well = [&] {
+    std::pair<QuadMesh, ArcEnds> first = split_at(aligned);
+    if (first.first.is_valid || is_plain) return first;
+    std::pair<QuadMesh, ArcEnds> plain = split_at(std::vector<ArcParameter>(chains.size()));
+    return plain.first.is_valid ? plain : first;
+  };
+  auto [mesh, arc_ends] = split_well();
+  while (!mesh.is_valid && raise_counts(layout, chords, mesh, coarse)) std::tie(mesh, arc_ends) = split_well();
   if (options.relax > 0) relax_and_tell(mesh, {options.relax, division.tolerance, elems_at_walls(mesh, walls)}, report);
   tell(mesh, chords.size(), report);
   if (walls) tell_walls(*walls, options.walls, report);

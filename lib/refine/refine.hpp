@@ -26,6 +26,7 @@ struct RefineOptions {
   SizeRule size_rule = SizeRule::nearest;
   std::vector<ChordCount> counts = {};  ///< for single chords, in place of their sizes
   std::vector<WallSpec> walls = {};     ///< layers along boundaries (refine/wall_layers)
+  std::vector<int> blocks = {};         ///< chords through these only are refined (refine/chosen_blocks); empty: all
   int relax = 0;                        ///< sweeps of relaxation (refine/relax)
   void validate() const;                ///< throws UsageError
 };

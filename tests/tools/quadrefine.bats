@@ -220,3 +220,81 @@ setup() {
   done
   assert_nothing_left
 }
+
+@test "the report tells the least of all elements and the worst ones with their places, -v prints them" {
+  run --separate-stderr quadrefine -v "$blocks" -o a.quad.h5 --report a.json
+  assert_success
+  [[ $(grep -c "element .* of block_.* at (.*): scaled Jacobian" <<< "$stderr") == 5 ]]
+  run jq '.valid and .unproved_elements == 0 and .least_jacobian_ratio > 0 and .least_jacobian_ratio <= 1 and
+    .worst["1"].scaled_jacobian == .least_scaled_jacobian and .mean_scaled_jacobian > .least_scaled_jacobian and
+    (.worst | length) == 8 and ([.worst[].jacobian_bound] | min) >= .least_jacobian_bound and
+    (.worst["1"].position | length) == 2' a.json
+  assert_output true
+  h5dump -d /is_valid -d /least_jacobian_bound a.quad.h5 | grep -q "(0): 1"
+}
+
+@test "an invalid mesh is written with --allow-invalid only, and says so from then on" {
+  stage_chain eccentric_annulus
+  ask="--order 1 --size 1000 --geometry-tol 1 eccentric_annulus.blocks.h5"
+  run -1 quadrefine $ask -o bad.quad.h5 --report bad.json
+  assert_output --partial "cannot be proved valid; the worst lies at ("
+  assert_output --partial "--allow-invalid"
+  assert_not_exists bad.quad.h5
+  run jq '.valid == false and .unproved_elements == 1 and .worst["1"].jacobian_bound < 0' bad.json
+  assert_output true
+
+  run -0 quadrefine $ask --allow-invalid -o bad.quad.h5
+  assert_output --partial "warning W-QUA-001: the mesh is not valid: 1 of 12 elements are not proved"
+  run -0 stagecheck bad.quad.h5
+  assert_output --partial "W-QUA-001"
+  run -0 stageview bad.quad.h5 -o bad.svg
+  assert_output --partial "W-QUA-001"
+  grep -q "NOT VALID" bad.svg
+  run -1 quadexport bad.quad.h5 -o bad.msh
+  assert_output --partial "the mesh is not valid"
+  assert_not_exists bad.msh
+  run -0 quadexport --allow-invalid bad.quad.h5 -o bad.msh
+  assert_output --partial "W-QUA-001"
+  assert_exists bad.msh
+}
+
+@test "--allow-invalid changes nothing where the mesh is valid" {
+  run -0 quadrefine --allow-invalid "$blocks" -o a.quad.h5
+  assert_output ""
+  run -0 quadexport --allow-invalid a.quad.h5 -o a.msh
+  assert_output ""
+}
+
+@test "--relax betters elements, never the worst for worse, and gives the same bytes twice" {
+  quadrefine --relax 20 "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --relax 20 "$blocks" -o b.quad.h5
+  cmp a.quad.h5 b.quad.h5
+  run jq '.relax.least_scaled_jacobian_before + 0.02 < .least_scaled_jacobian and
+    .relax.mean_scaled_jacobian_before < .mean_scaled_jacobian and .relax.sweeps <= 20 and .least_jacobian_bound > 0' a.json
+  assert_output true
+  stagecheck a.quad.h5
+  run -2 quadrefine --relax -1 "$blocks" -o c.quad.h5
+}
+
+@test "--blocks refines the chords through chosen blocks only" {
+  quadrefine "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --blocks 0 "$blocks" -o b.quad.h5 --report b.json
+  quadrefine --blocks block_0 "$blocks" -o c.quad.h5 --report c.json
+  run jq -n 'input.quads as $all | input.quads as $some | input.quads as $same | $some < $all and $same == $some' a.json b.json c.json
+  assert_output true
+  stagecheck b.quad.h5
+  for wrong in 99 nobody "0,,1"; do
+    run -2 quadrefine --blocks "$wrong" "$blocks" -o d.quad.h5
+    assert_output --partial "there is no block"
+  done
+  assert_not_exists d.quad.h5
+}
+
+@test "sides that elements share are the same nodes in exported text" {
+  quadrefine --order 3 --size 0.3 "$blocks" -o a.quad.h5 --report a.json
+  quadexport a.quad.h5 -o a.msh
+  # Coordinates of all nodes: as many lines as nodes, none twice.
+  sed -n '/^\$Nodes/,/^\$EndNodes/p' a.msh | awk 'NF == 3' | sort > places
+  assert_equal "$(wc -l < places)" "$(jq .nodes a.json)"
+  assert_equal "$(uniq -d places)" ""
+}

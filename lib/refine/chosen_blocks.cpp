@@ -1,0 +1,79 @@
+#include "refine/chosen_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "base/error.hpp"
+
+namespace quadrille {
+namespace {
+
+/// A count that makes no mesh valid is given up at this.
+constexpr int max_coarse_count = 64;
+
+int block_called(const std::string& word, const std::vector<std::string>& names) {
+  const auto named = std::find(names.begin(), names.end(), word);
+  if (named != names.end()) return static_cast<int>(named - names.begin());
+  int number = -1;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error == std::errc() && end == word.data() + word.size() && number >= 0 &&
+      number < static_cast<int>(names.size()))
+    return number;
+  throw UsageError(fmt::format("--blocks: there is no block '{}'; they are numbered 0 to {}", word, names.size() - 1));
+}
+
+std::vector<int> chord_of_arcs(const BlockLayout& layout, const std::vector<Chord>& chords) {
+  std::vector<int> chord(layout.arcs.size(), -1);
+  for (std::size_t c = 0; c < chords.size(); ++c)
+    for (const int arc : chords[c].arcs) chord[arc] = static_cast<int>(c);
+  return chord;
+}
+
+/// Whether each chord passes one of the blocks.
+std::vector<bool> passes(const BlockLayout& layout, const std::vector<Chord>& chords, const std::set<int>& blocks) {
+  const std::vector<int> chord = chord_of_arcs(layout, chords);
+  std::vector<bool> does_pass(chords.size(), false);
+  for (const int block : blocks)
+    for (const int side : layout.block2arcs[block]) does_pass[chord[arc_of(side)]] = true;
+  return does_pass;
+}
+
+}  // namespace
+
+std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names) {
+  std::set<int> blocks;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', start), list.size());
+    blocks.insert(block_called(list.substr(start, comma - start), block_names));
+    start = comma + 1;
+  }
+  return {blocks.begin(), blocks.end()};
+}
+
+std::vector<ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<Chord>& chords,
+                                      const std::vector<int>& chosen, const std::vector<ChordCount>& prescribed) {
+  std::vector<bool> is_free = passes(layout, chords, {chosen.begin(), chosen.end()});
+  for (const ChordCount& p : prescribed)
+    if (p.chord >= 0 && p.chord < static_cast<int>(chords.size())) is_free[p.chord] = true;
+  std::vector<ChordCount> coarse;
+  for (std::size_t c = 0; c < chords.size(); ++c)
+    if (!is_free[c]) coarse.push_back({static_cast<int>(c), 1});
+  return coarse;
+}
+
+bool raise_counts(const BlockLayout& layout, const std::vector<Chord>& chords, const QuadMesh& mesh,
+                  std::vector<ChordCount>& coarse) {
+  std::set<int> blocks;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    if (!(mesh.elem_jacobian_bound[elem] > 0)) blocks.insert(mesh.elem_block[elem]);
+  const std::vector<bool> is_concerned = passes(layout, chords, blocks);
+  bool is_any = false;
+  for (ChordCount& c : coarse)
+    if (is_concerned[c.chord] && c.count < max_coarse_count) c.count *= 2, is_any = true;
+  return is_any;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,28 @@
+#pragma once
+// Refinement of chosen blocks: chords that pass none of them get one element, or as many as topology, the boundary's
+// tolerance and the proof of validity ask for.
+
+#include <string>
+#include <vector>
+
+#include "mesh/chords.hpp"
+#include "model/block_layout.hpp"
+#include "model/quad_mesh.hpp"
+#include "refine/grade_chords.hpp"
+
+namespace quadrille {
+
+/// Block numbers, ascending, from "3,inlet,7": numbers or names (a name that is a number goes before the number).
+/// Throws UsageError for a block that is not there.
+std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names);
+
+/// A count of 1 for every chord that passes no block of `chosen` and has none in `prescribed`.
+std::vector<ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<Chord>& chords,
+                                      const std::vector<int>& chosen, const std::vector<ChordCount>& prescribed);
+
+/// Doubles the counts of those chords of `coarse` that pass a block with an element that is not proved valid; false
+/// when there are none.
+bool raise_counts(const BlockLayout& layout, const std::vector<Chord>& chords, const QuadMesh& mesh,
+                  std::vector<ChordCount>& coarse);
+
+}  // namespace quadrille
