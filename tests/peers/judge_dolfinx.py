@@ -4,7 +4,7 @@ usage: judge_dolfinx.py LIMIT {SHAPE.step FILE.msh ORDER}...      exit 1 where a
 
 The CAD model is measured by OpenCASCADE, through Gmsh. Its edges are told apart by place: an edge of the model goes
 with the names whose edges of the mesh are nearest to points in its inside; names that share an edge of the model, and
-edges that share a name, are measured together.
+edges that share a name, are measured together. The mesh lies in the model's own space (--frame 3d).
 """
 import logging, sys
 
@@ -31,22 +31,21 @@ def cad(path):
     gmsh.model.occ.importShapes(path)
     gmsh.model.occ.synchronize()
     (face,) = gmsh.model.getEntities(2)
-    loops, edges = [], []  # a loop: its area with a sign, its points
+    loops, edges = [], []  # a loop: its vector of area, its points
     for _, signed in gmsh.model.getBoundary([face], oriented=True):
         tag, sign = abs(signed), 1 if signed > 0 else -1
         (low,), (high,) = gmsh.model.getParametrizationBounds(1, tag)
         x, slope, weights = along(tag, low, high)
-        merged = [sign * (x[:, 0] * slope[:, 1] - x[:, 1] * slope[:, 0]) @ weights / 2]  # Green
+        merged = [sign * weights @ numpy.cross(x, slope) / 2]  # Green, as a vector: any plane
         merged.append({end for _, end in gmsh.model.getBoundary([(1, tag)], oriented=False)})
         for loop in [loop for loop in loops if loop[1] & merged[1]]:
             merged = [merged[0] + loop[0], merged[1] | loop[1]]
-            loops.remove(loop)
-        loops.append(merged)
+        loops = [loop for loop in loops if not loop[1] & merged[1]] + [merged]
         inside = numpy.linspace(0.02, 0.98, 33)
         points = numpy.reshape(gmsh.model.getValue(1, tag, low + (high - low) * inside), (-1, 3))
-        edges.append((numpy.linalg.norm(slope, axis=1) @ weights, points[:, :2]))
+        edges.append((numpy.linalg.norm(slope, axis=1) @ weights, points))
     gmsh.model.remove()
-    areas = sorted(abs(area) for area, _ in loops)
+    areas = sorted(numpy.linalg.norm(area) for area, _ in loops)
     return areas[-1] - sum(areas[:-1]), edges
 
 
@@ -61,10 +60,10 @@ def read(path):
             for kind, _, nodes in zip(*gmsh.model.mesh.getElements(1, entity)):
                 _, _, order, count, *_ = gmsh.model.mesh.getElementProperties(kind)
                 for line in nodes.reshape(-1, count):
-                    x = numpy.array([gmsh.model.mesh.getNode(node)[0][:2] for node in line])
+                    x = numpy.array([gmsh.model.mesh.getNode(node)[0] for node in line])
                     points += [x[:2].mean(axis=0)] if order == 1 else list(x[2:])
         inside[tag] = numpy.array(points)
-    mesh, _, facets = gmshio.model_to_mesh(gmsh.model, MPI.COMM_SELF, 0, gdim=2)
+    mesh, _, facets = gmshio.model_to_mesh(gmsh.model, MPI.COMM_SELF, 0, gdim=3)
     gmsh.model.remove()
     return mesh, facets, names, inside
 
