@@ -63,9 +63,9 @@ def main():
         assert len(theirs) == len(ours), (path, len(theirs), len(ours))
         assert theirs.min() > 0, (path, theirs.min())
         above = theirs - ours[sequence]
-        assert -PLUGIN_TOLERANCE < above.min() and above.max() < 1e-4, (path, "off by", above.min(), above.max())
+        assert above.min() > -PLUGIN_TOLERANCE and above.max() < 1e-4, (path, above.min(), above.max())
         assert abs(least - report["least_jacobian_ratio"]) < 1e-3, (path, least, report["least_jacobian_ratio"])
-        print(f"{path}: {len(ours)} quads, least ratio {least:.6f}, plugin {above.min():.1e} to {above.max():.1e} above")
+        print(f"{path}: {len(ours)} quads, least ratio {least:.6f}, plugin {above.min():.1e} to {above.max():.1e}")
 
 
 main()
