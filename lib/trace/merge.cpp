@@ -191,7 +191,7 @@ int line_against(const FieldEvaluator& evaluator, const std::vector<Streamline>&
   return best;
 }
 
-// Joins of lines that pass a node within the distance, where the pair is not one that merges already.
+// Joins of lines that pass a node within the distance or end in it, where the pair is not one that merges already.
 void add_joins(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
                double allowed, const std::vector<Passes>& along, PassTable& passes,
                std::vector<MergeCandidate>& candidates) {
@@ -203,6 +203,7 @@ void add_joins(const FieldEvaluator& evaluator, const std::vector<Streamline>& l
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
     for (int node = 0; node < static_cast<int>(nodes.size()); ++node) {
       if (lines[i].launch.node < 0 || lines[i].launch.node == node) continue;
+      if (allowed == 0 && lines[i].end_node != node) continue;
       for (Pass& pass : passes[i][node]) {
         const double length = along[i].foot(nodes[node], pass);
         const double gap = distance(lines[i].at(evaluator, length), nodes[node]);
@@ -266,7 +267,7 @@ std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, co
           if (judge(evaluator, lines[i], lines[j], options, c)) candidates.push_back(c);
         }
     }
-  if (options.distance > 0) add_joins(evaluator, lines, nodes, options.distance, along, passes, candidates);
+  if (!options.only_endless) add_joins(evaluator, lines, nodes, options.distance, along, passes, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const MergeCandidate& x, const MergeCandidate& y) { return x.meeting() < y.meeting(); });
   return candidates;

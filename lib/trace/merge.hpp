@@ -13,6 +13,9 @@
 // against the launch direction e of that line, which is left out,
 //
 //   M(f) = A(f) + (3 f^2 - 2 f^3) (Q - A(1)) + (f^3 - f^2) (-|A| e - A'(1)).
+//
+// So is, whatever the distance, a line that ends in Q. Where two nodes have nearly cancelled, whole bundles of lines
+// do, along one and the same direction.
 
 #include <numbers>
 #include <vector>

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 
 #include "../support/square_field.hpp"
@@ -68,6 +70,24 @@ TEST_F(TwoNodes, MergingKeepsEndsAndEndDirections) {
   // The mirror image in the centre exchanges both lines: the merged line passes through it.
   Vec2 d;
   EXPECT_LT(norm(merged(found[0].length() / 2, d)), 1e-9);
+}
+
+TEST_F(TwoNodes, ALineThatEndsInANodeTakesThePlaceOfTheOneThatComesItsWay) {
+  make(0.2);
+  EXPECT_TRUE(candidates(1).empty());
+  // The line that leaves the first node towards the second is taken to end in it.
+  const auto towards = std::min_element(lines.begin(), lines.begin() + 3, [](const auto& a, const auto& b) {
+    return std::cos(a.launch.angle) > std::cos(b.launch.angle);
+  });
+  *towards = advance(*evaluator, towards->launch, nodes, {1e-11, 0.1, 10, 0.1});
+  ASSERT_EQ(towards->end_node, 1);
+  const auto found = candidates(1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_join);
+  EXPECT_EQ(found[0].a, towards - lines.begin());
+  EXPECT_EQ(lines[found[0].b].launch.node, 1);
+  Vec2 d;
+  EXPECT_EQ(merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0])(found[0].length(), d), nodes[1]);
 }
 
 TEST_F(TwoNodes, TheDerivativeIsThatOfTheCurve) {
