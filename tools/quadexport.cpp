@@ -12,6 +12,7 @@
 #include <climits>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "base/error.hpp"
 #include "check/check.hpp"
@@ -99,6 +100,13 @@ std::string beside(const std::string& output, const std::string& ending) {
   return output.substr(0, has_ending ? dot : output.size()) + ending;
 }
 
+/// Standard output, a pipe or a device: there is no place beside it.
+bool takes_one_file(const std::string& output) {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(output, ignored);
+  return output == "-" || (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there));
+}
+
 /// A mesh that is marked as not valid goes no further unless that is asked for.
 void admit(const QuadMesh& mesh, bool allow_invalid, Session& s) {
   const std::string doubt = doubt_about(mesh);
@@ -121,8 +129,9 @@ void write_mesh(const std::string& input, const std::string& output, const std::
   s.report().set("nodes", mesh.nodes.size());
   for (const std::string& loss : exported.losses) s.report().warn("W-EXP-001", loss);
   for (const SideFile& side : exported.side_files) {
-    if (output == "-")
-      s.report().warn("W-EXP-002", fmt::format("*{} is not written: standard output takes one file", side.ending));
+    if (takes_one_file(output))
+      s.report().warn("W-EXP-002", fmt::format("*{} is not written: {} takes one file", side.ending,
+                                               output == "-" ? "standard output" : output));
     else
       write_output(beside(output, side.ending), side.bytes, side.is_binary);
   }

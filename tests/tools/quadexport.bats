@@ -50,6 +50,12 @@ setup() {
   assert_success
   assert_equal "$output" "$(cat a.vtu)"
   assert_equal "$stderr" "quadexport: warning W-EXP-002: *.curves.vtu is not written: standard output takes one file"
+  mkfifo pipe
+  cat pipe > through_pipe &
+  run quadexport --format vtu "$quad" -o pipe
+  assert_output --partial "pipe takes one file"
+  wait
+  cmp a.vtu through_pipe
   quadexport --format vtu-bezier "$quad" -o b.vtu
   assert_equal "$(wc -c < b.vtu)" "$(wc -c < a.vtu)"
   run ! cmp -s a.vtu b.vtu
