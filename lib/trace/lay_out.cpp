@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 #include "base/error.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "trace/certificate.hpp"
+#include "trace/chord_judge.hpp"
 #include "trace/extend_lines.hpp"
 #include "trace/launch_all.hpp"
 #include "trace/quantize.hpp"
@@ -70,6 +73,44 @@ SeparatrixGraph quantized_layout(const FieldEvaluator& evaluator, const Critical
 // tried.
 constexpr int most_traced_lines = 500;
 
+// Lines that stop at each other make a block each, and as many more as the domain's Euler characteristic. Whole lines
+// that make this many times as many are suspected of cutting each other more often than they need.
+constexpr double too_many_blocks = 1.2;
+
+bool has_too_many_blocks(const SeparatrixGraph& graph) {
+  const auto least = static_cast<double>(graph.lines.size()) + graph.face.euler_characteristic();
+  return static_cast<double>(planar_faces(graph).cycles.size()) > too_many_blocks * least;
+}
+
+BlockShape worst_block(const SeparatrixGraph& graph, const PlanarFaces& faces) {
+  std::vector<int> all(faces.cycles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return worst_shape(graph, faces, all);
+}
+
+// The quantized layout where it has fewer blocks, all proved and none worse than the worst of `traced`.
+std::optional<SeparatrixGraph> layout_of_fewer_blocks(const FieldEvaluator& evaluator, const CriticalPoints& points,
+                                                      const TraceOptions& options, const SeparatrixGraph& traced,
+                                                      Report& report) {
+  Report attempt;
+  std::optional<SeparatrixGraph> found;
+  try {
+    found = quantized_layout(evaluator, points, options, attempt);
+  } catch (const ComputeError&) {
+    return std::nullopt;
+  }
+  const PlanarFaces before = planar_faces(traced), after = planar_faces(*found);
+  if (after.cycles.size() >= before.cycles.size()) return std::nullopt;
+  const BlockShape shape = worst_block(*found, after);
+  const double slack = 1e-6;  // equal is good enough, whatever the rounding
+  if (!shape.is_valid || shape.least_scaled_jacobian < worst_block(traced, before).least_scaled_jacobian - slack)
+    return std::nullopt;
+  for (const auto& [key, value] : attempt.entries()) report.set(key, value);
+  found->certificate.reason = fmt::format("{} separatrices that are followed to their ends make {} blocks, {} will do",
+                                          traced.lines.size(), before.cycles.size(), after.cycles.size());
+  return found;
+}
+
 SeparatrixGraph automatic_layout(const FieldEvaluator& evaluator, const CriticalPoints& points,
                                  const TraceOptions& options, Report& report) {
   fixed_nodes(evaluator.field().mesh.face, points);  // nodes that no way can use are said at once
@@ -78,8 +119,15 @@ SeparatrixGraph automatic_layout(const FieldEvaluator& evaluator, const Critical
   if (num_lines <= most_traced_lines) {
     try {
       SeparatrixGraph graph = trace_separatrices(evaluator, points, options, report);
-      report.set("layout.way", "traced");
-      certify(evaluator, "traced", graph, report);
+      std::string way = "traced";
+      if (has_too_many_blocks(graph))
+        if (auto fewer = layout_of_fewer_blocks(evaluator, points, options, graph, report)) {
+          graph = std::move(*fewer);
+          way = "quantized";
+          report.set("layout.reason", graph.certificate.reason);
+        }
+      report.set("layout.way", way);
+      certify(evaluator, way, graph, report);
       return graph;
     } catch (const ComputeError& error) {
       reason = error.what();

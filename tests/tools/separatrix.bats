@@ -239,3 +239,21 @@ certificate() { jq -c '.certificate | [.way, .index_sum, [.census[] | [.corners,
   run -3 stagecheck wrong.sep.json
   assert_output --partial SEP-R13
 }
+
+@test "where whole lines cut each other too often, stopped ones that make fewer blocks are taken" {
+  python3 -B "$ROOT/tests/stress/families.py" . smooth_077
+  cad2tri -q smooth_077.step -o x.tri.h5
+  fieldsolve -q x.tri.h5 | padapt -q -o x.field.h5
+  critpoints -q x.field.h5 -o x.crit.json
+  for layout in traced auto; do
+    run -0 separatrix x.field.h5 x.crit.json --layout $layout -o $layout.sep.json --report $layout.json
+    assert_output ""
+    run -0 stagecheck $layout.sep.json
+  done
+  run -0 jq -r '.certificate | .way, .reason' auto.sep.json
+  assert_output --regexp '^quantized
+[0-9]+ separatrices that are followed to their ends make [0-9]+ blocks, [0-9]+ will do$'
+  run -0 jq -sc '[(.[1].certificate.faces_of_4_corners < .[0].certificate.faces_of_4_corners),
+    (.[1].simplify.least_scaled_jacobian >= .[0].simplify.least_scaled_jacobian)]' traced.json auto.json
+  assert_output '[true,true]'
+}
