@@ -44,8 +44,7 @@ int main(int argc, char** argv) {
     o.choice("--layout", options.layout, {"traced", "quantized", "auto", "t-mesh"},
              "traced: lines are followed to their ends; quantized: each stops at the first that crosses its way, and "
              "whole numbers say where it goes on; auto: quantized where traced fails or makes more blocks; t-mesh: a "
-             "look at the stopped "
-             "lines, no layout");
+             "look at the stopped lines, no layout");
     o.integer("--max-lines", options.max_lines, 1, 1000000, "most arcs of separatrices that the graph may have");
     o.number("--max-length", options.max_length, 0.01, 1e4, "diameters", "longest line that is followed");
   };
