@@ -170,6 +170,7 @@ class Placer {
     const bool across_t = has_wall(0) || has_wall(2), across_s = has_wall(1) || has_wall(3);
     if (across_s) place_rows();
     if (across_t) place_columns(across_s);
+    if (!across_s && !across_t) place_crossings();
     return std::move(positions_);
   }
 
@@ -185,6 +186,16 @@ class Placer {
   int height() const { return static_cast<int>(block_.fractions[1].size()); }
   std::vector<double> lengths(int side) const {
     return element_lengths(block_.fractions[side], block_.lengths[side], order_);
+  }
+
+  void place_crossings() {
+    positions_.resize(width() * height());
+    for (int j = 1; j + 1 < height(); ++j)
+      for (int i = 1; i + 1 < width(); ++i) {
+        const Vec2 st = crossing_parameters(block_.fractions[0][i], block_.fractions[1][j], block_.fractions[2][i],
+                                            block_.fractions[3][j]);
+        positions_[j * width() + i] = position(st.x, st.y);
+      }
   }
 
   /// Along the rows: s of every inner node, and positions, with t on the straight line between the ends.

@@ -32,6 +32,9 @@ struct LayeredBlock {
 
 /// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Throws ComputeError with the
 /// place where a column turns back before its layers end.
+/// Without a wall nodes lie where the straight lines between their ends cross in the block's (s, t). Those of
+/// split_isoparametric are a blend of the ends themselves, which goes astray where the divisions of opposite sides
+/// differ much.
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin);
 
 }  // namespace quadrille

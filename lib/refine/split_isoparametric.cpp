@@ -121,9 +121,10 @@ class Splitter {
     return grid;
   }
 
-  /// The nodes of a block along a wall; none for other blocks.
+  /// The nodes of a block along a wall, or whose chords go on from layers; none for other blocks.
   std::vector<Vec2> layered_inside(int block, const std::array<ArcNodes, 4>& sides) const {
-    if (!walls_ || !walls_->has_wall(block)) return {};
+    const std::array<int, 4>& arcs = layout_.block2arcs[block];
+    if (!walls_ || !(walls_->is_graded[arc_of(arcs[0])] || walls_->is_graded[arc_of(arcs[1])])) return {};
     std::array<std::vector<double>, 4> fractions;
     for (int k = 0; k < 4; ++k) fractions[k] = sides[k].fractions;
     const LayeredBlock layered = layered_block(*walls_, layout_, chains_, block, std::move(fractions));

@@ -114,6 +114,7 @@ class WallPlanner {
       }
     }
     plan_.chords.assign(graded.begin(), graded.end());
+    for (const int chord : arc_chord_) plan_.is_graded.push_back(graded.count(chord) > 0);
   }
 
   double interval_at(ArcEnd e) const {

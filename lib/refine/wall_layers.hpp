@@ -28,6 +28,8 @@ struct WallPlan {
   std::vector<int> chords;                     ///< on which intervals are graded, ascending
   std::vector<std::array<int, 2>> shared;      ///< pairs of specs that ask for one chord, ascending
 
+  std::vector<bool> is_graded;  ///< by arc: its chord is among them
+
   bool has_wall(int block) const;
 };
 
@@ -47,7 +49,7 @@ struct WallInput {
 /// names, ComputeError where layers do not fit, with the largest numbers that do and the place.
 WallPlan plan_walls(const WallInput& input, std::vector<std::vector<double>>& arc_ends);
 
-/// What layered_positions needs to know of a block that has a wall; `fractions` of the nodes on its sides by rising s
+/// What layered_positions needs to know of a block; `fractions` of the nodes on its sides by rising s
 /// or t.
 LayeredBlock layered_block(const WallPlan& plan, const BlockLayout& layout, const std::vector<Chain>& chains, int block,
                            std::array<std::vector<double>, 4> fractions);

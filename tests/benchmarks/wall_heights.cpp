@@ -2,7 +2,8 @@
 // Measures the layers of a mesh along the boundaries of the given names, from its vertices and the CAD curves alone.
 // Prints JSON: the greatest deviation of the first heights from FIRST, as a share, at wall vertices farther than ten
 // first heights from boundary vertices without two elements; the greatest ratio of neighbouring steps among the first
-// STEPS of the columns of vertices that leave the wall there, and in the whole columns; the number of wall vertices.
+// STEPS of the columns of vertices that leave the wall there, and in the whole columns, with the place; the number of
+// wall vertices.
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ Edge sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 struct Measured {
   int vertices = 0;
   double deviation = 0, growth = 1, growth_anywhere = 1;
+  Vec2 worst_place;  ///< of growth anywhere
 };
 
 class Walls {
@@ -92,7 +94,8 @@ class Walls {
       const double below = distance(mesh_.nodes[column[k - 2]], mesh_.nodes[column[k - 1]]);
       const double above = distance(mesh_.nodes[column[k - 1]], mesh_.nodes[column[k]]);
       const double ratio = std::max(above / below, below / above);
-      result.growth_anywhere = std::max(result.growth_anywhere, ratio);
+      if (ratio > result.growth_anywhere)
+        result.growth_anywhere = ratio, result.worst_place = mesh_.nodes[column[k - 1]];
       if (static_cast<int>(k) <= steps) result.growth = std::max(result.growth, ratio);
     }
   }
@@ -118,7 +121,10 @@ int main(int argc, char** argv) {
   }
   const QuadMesh mesh = read_quad_mesh(read_input(argv[1]));
   const Measured m = Walls(mesh, {argv + 4, argv + argc}).measure(std::atof(argv[2]), std::atoi(argv[3]));
-  fmt::print("{{\"wall_vertices\": {}, \"deviation\": {:.6g}, \"growth\": {:.6g}, \"growth_anywhere\": {:.6g}}}\n",
-             m.vertices, m.deviation, m.growth, m.growth_anywhere);
+  const Vec2 worst = m.worst_place + mesh.face.origin;
+  fmt::print(
+      "{{\"wall_vertices\": {}, \"deviation\": {:.6g}, \"growth\": {:.6g}, \"growth_anywhere\": {:.6g}, "
+      "\"worst_growth_at\": [{:.6g}, {:.6g}]}}\n",
+      m.vertices, m.deviation, m.growth, m.growth_anywhere, worst.x, worst.y);
   return m.vertices > 0 ? 0 : 1;
 }
