@@ -14,14 +14,17 @@ namespace {
 /// A count that makes no mesh valid is given up at this.
 constexpr int max_coarse_count = 64;
 
-int block_called(const std::string& word, const std::vector<std::string>& names) {
-  const auto named = std::find(names.begin(), names.end(), word);
-  if (named != names.end()) return static_cast<int>(named - names.begin());
+/// Blocks may share a name.
+std::set<int> blocks_called(const std::string& word, const std::vector<std::string>& names) {
+  std::set<int> blocks;
+  for (std::size_t b = 0; b < names.size(); ++b)
+    if (names[b] == word) blocks.insert(static_cast<int>(b));
+  if (!blocks.empty()) return blocks;
   int number = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc() && end == word.data() + word.size() && number >= 0 &&
       number < static_cast<int>(names.size()))
-    return number;
+    return {number};
   throw UsageError(fmt::format("--blocks: there is no block '{}'; they are numbered 0 to {}", word, names.size() - 1));
 }
 
@@ -47,7 +50,7 @@ std::vector<int> parse_blocks(const std::string& list, const std::vector<std::st
   std::set<int> blocks;
   for (std::size_t start = 0; start <= list.size();) {
     const std::size_t comma = std::min(list.find(',', start), list.size());
-    blocks.insert(block_called(list.substr(start, comma - start), block_names));
+    blocks.merge(blocks_called(list.substr(start, comma - start), block_names));
     start = comma + 1;
   }
   return {blocks.begin(), blocks.end()};

@@ -12,7 +12,8 @@
 
 namespace quadrille {
 
-/// Block numbers, ascending, from "3,inlet,7": numbers or names (a name that is a number goes before the number).
+/// Block numbers, ascending, from "3,inlet,7": numbers or names, which blocks may share (a name that is a number goes
+/// before the number).
 /// Throws UsageError for a block that is not there.
 std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names);
 

@@ -127,7 +127,8 @@ void tell_validity(const QuadMesh& mesh, Report& report) {
   for (std::size_t i = 0; i < worst.size(); ++i) {
     const std::string key = fmt::format("worst.{}.", i + 1);
     report.set(key + "element", worst[i].elem);
-    report.set(key + "block", mesh.block_names[mesh.elem_block[worst[i].elem]]);
+    report.set(key + "block", mesh.elem_block[worst[i].elem]);
+    report.set(key + "block_name", mesh.block_names[mesh.elem_block[worst[i].elem]]);
     report.set(key + "position", std::vector<double>{worst[i].place.x, worst[i].place.y});
     report.set(key + "scaled_jacobian", worst[i].scaled_jacobian);
     report.set(key + "jacobian_bound", worst[i].bound);

@@ -31,6 +31,7 @@ TEST(ChosenBlocks, AreNamedByNumberOrName) {
   EXPECT_EQ(parse_blocks("3", names), (std::vector<int>{3}));
   EXPECT_EQ(parse_blocks("outlet,1,inlet,3", names), (std::vector<int>{0, 1, 3}));
   EXPECT_EQ(parse_blocks("0", names), (std::vector<int>{2})) << "a name goes before a number";
+  EXPECT_EQ(parse_blocks("b,1", {"a", "a", "b", "b"}), (std::vector<int>{1, 2, 3})) << "blocks may share a name";
   for (const char* wrong : {"4", "-1", "", "1,", "1,,2", "wall", "1x"})
     EXPECT_THROW(parse_blocks(wrong, names), UsageError);
 }
