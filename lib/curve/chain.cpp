@@ -59,8 +59,18 @@ std::vector<double> Chain::joint_fractions() const {
   return fractions;
 }
 
+bool Chain::is_smooth_seam(size_t i) const {
+  const ArcPiece &a = pieces_[i], &b = pieces_[i + 1];
+  if (a.curve != b.curve || !table_->is_cad_curve(a.curve)) return false;
+  const Nurbs& curve = table_->curve(a.curve);
+  const bool meets = (a.t1 == curve.end() && b.t0 == curve.begin()) || (a.t1 == curve.begin() && b.t0 == curve.end());
+  return meets && has_smooth_seam(curve);
+}
+
 std::vector<double> Chain::break_fractions() const {
-  std::vector<double> fractions = joint_fractions();
+  std::vector<double> fractions;
+  for (size_t i = 0; i + 1 < ends_.size(); ++i)
+    if (!is_smooth_seam(i)) fractions.push_back(ends_[i] / length());
   for (size_t i = 0; i < pieces_.size(); ++i) {
     const ArcPiece& piece = pieces_[i];
     if (!table_->is_cad_curve(piece.curve)) continue;

@@ -42,10 +42,14 @@ class Chain {
   /// Fractions of the joints between pieces, ascending, without 0 and 1.
   std::vector<double> joint_fractions() const;
   /// Fractions where an element edge may not straddle: joints between pieces and smoothness_breaks inside CAD pieces.
+  /// The place where a smooth closed curve begins and ends is none: it lies where the CAD program liked.
   std::vector<double> break_fractions() const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
  private:
+  /// Whether pieces i and i + 1 are one smooth closed curve through its seam.
+  bool is_smooth_seam(size_t i) const;
+
   const CurveTable* table_;
   std::vector<ArcPiece> pieces_;
   std::vector<double> ends_;    ///< length up to the end of each piece

@@ -36,9 +36,10 @@ double curvature_slope(const std::array<Vec2, 4>& d) {
 
 double curvature_of(const std::array<Vec2, 4>& d) { return cross(d[1], d[2]) / std::pow(norm2(d[1]), 1.5); }
 
-bool is_break(const Nurbs& curve, double knot, double length, double tol) {
-  const auto left = derivatives(curve, knot, true), right = derivatives(curve, knot, false);
-  const Vec2 a = tangent(curve, knot, true), b = tangent(curve, knot, false);
+/// Whether what ends at `before` goes on less than smoothly at `after`: the same knot, or the other end of the curve.
+bool is_break(const Nurbs& curve, double before, double after, double length, double tol) {
+  const auto left = derivatives(curve, before, true), right = derivatives(curve, after, false);
+  const Vec2 a = tangent(curve, before, true), b = tangent(curve, after, false);
   if (std::abs(std::atan2(cross(a, b), dot(a, b))) > tol) return true;
   if (norm2(left[1]) == 0 || norm2(right[1]) == 0) return true;
   const double ka = curvature_of(left), kb = curvature_of(right);
@@ -221,9 +222,15 @@ std::vector<double> smoothness_breaks(const Nurbs& curve, double relative_tol) {
   for (size_t i = curve.degree + 1; i + curve.degree + 1 < curve.knots.size(); ++i) {
     const double knot = curve.knots[i];
     if (knot == curve.knots[i - 1] || knot >= curve.end()) continue;
-    if (is_break(curve, knot, length, relative_tol)) breaks.push_back(knot);
+    if (is_break(curve, knot, knot, length, relative_tol)) breaks.push_back(knot);
   }
   return breaks;
+}
+
+bool has_smooth_seam(const Nurbs& curve, double relative_tol) {
+  const double length = polygon_length(curve);
+  return distance(curve.poles.front(), curve.poles.back()) <= relative_tol * length &&
+         !is_break(curve, curve.end(), curve.begin(), length, relative_tol);
 }
 
 }  // namespace quadrille

@@ -48,4 +48,7 @@ Nurbs cubic_spline(const std::vector<double>& parameters, const std::vector<Vec2
 /// along the curve jump by more than `relative_tol` of their own scale. Ascending. Double knots of a circle are none.
 std::vector<double> smoothness_breaks(const Nurbs& curve, double relative_tol = 1e-7);
 
+/// Whether the curve is closed and as smooth where it closes as it would be without a break: a whole circle.
+bool has_smooth_seam(const Nurbs& curve, double relative_tol = 1e-7);
+
 }  // namespace quadrille

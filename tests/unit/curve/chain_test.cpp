@@ -59,5 +59,19 @@ TEST_F(ChainTest, breaks_are_joints_and_breaks_of_cad_curves_but_not_of_splines)
   EXPECT_NEAR(chain.break_fractions()[0], 0.5, 1e-13);
 }
 
+TEST_F(ChainTest, the_seam_of_a_circle_is_no_break_but_that_of_a_drop_is) {
+  CadFace closed = face;
+  const int circle = closed.num_curves();
+  closed.curves.push_back(circular_arc({0, 0}, 1, 0.3, 0.3 + 2 * pi));
+  closed.curves.push_back({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {2, 1}, {-2, 1}, {0, 0}}, {1, 1, 1, 1}});
+  const CurveTable table(closed, splines);
+  const double end = closed.curves[circle].end();
+  const Chain there(table, {{circle, end - 1, end}, {circle, 0, 1}});
+  EXPECT_EQ(there.joint_fractions().size(), 1U);
+  EXPECT_TRUE(there.break_fractions().empty());
+  EXPECT_TRUE(Chain(table, {{circle, 1, 0}, {circle, end, end - 1}}).break_fractions().empty());
+  EXPECT_EQ(Chain(table, {{circle + 1, 0.5, 1}, {circle + 1, 0, 0.5}}).break_fractions().size(), 1U);
+}
+
 }  // namespace
 }  // namespace quadrille
