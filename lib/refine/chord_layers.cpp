@@ -16,11 +16,23 @@ constexpr double greatest_turn = 0.2;
 constexpr double size_slack = 1.25;
 /// Beyond it arcs are as good as one.
 constexpr double greatest_pull = 1e6;
+/// Intervals of a crowded arc begin with at most this multiple of their mean: the shortest are then about a fifth of
+/// it.
+constexpr double greatest_crowding = 2.5;
 constexpr double equal_tol = 1e-6;
+
+/// Where an arc is too short for intervals as long as its neighbours', they must not become ever shorter; only layers
+/// are gone on from all the same.
+void uncrowd(const std::array<ArcEndWish, 2>& wishes, int count, InnerLine& rest) {
+  const double most = greatest_crowding * rest.length / (count - rest.layers);
+  if (wishes[0].layers() == 0) rest.ends.before = std::min(rest.ends.before, most);
+  if (wishes[1].layers() == 0) rest.ends.after = std::min(rest.ends.after, most);
+}
 
 /// The fractions that these ends and the count make of an arc.
 std::vector<double> arc_ends(const std::array<ArcEndWish, 2>& wishes, double length, double size, int count) {
-  const InnerLine rest = rest_of_arc(wishes, length, size);
+  InnerLine rest = rest_of_arc(wishes, length, size);
+  uncrowd(wishes, count, rest);
   std::vector<double> ends{0.0};
   for (const double cut : wishes[0].cuts) ends.push_back(cut);
   const int inner = count - rest.layers;
@@ -147,7 +159,8 @@ class ChordPlanner {
             chord_parameter(i, ends[own_step(i, count - 1 - high, count)])};
   }
 
-  /// Between arcs with the same layers: others have different lines beside each other.
+  /// Between arcs with the same layers: others have different lines beside each other. Layered arcs are
+  /// rather left as they grow, unless the chord has to be aligned.
   Eigen::SparseMatrix<double> pulls() const {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < num_arcs(); ++i) entries.emplace_back(i, i, 1.0);
@@ -156,7 +169,9 @@ class ChordPlanner {
         const int a = place_[arc_of(sides[k])], b = place_[arc_of(sides[k + 2])];
         if (a < 0 || b < 0 || a == b) continue;
         if (wish(a, 0).layers() != wish(b, 0).layers() || wish(a, 1).layers() != wish(b, 1).layers()) continue;
-        const double slenderness = (length(a) + length(b)) / (4 * way_across(sides, k));
+        const bool is_layered = wish(a, 0).layers() + wish(a, 1).layers() > 0;
+        const bool is_free = !is_layered || is_aligned(a) || is_aligned(b);
+        const double slenderness = (length(a) + length(b)) / ((is_free ? 4 : 8) * way_across(sides, k));
         const double pull = std::min(greatest_pull, std::pow(slenderness, 4));
         for (const int i : {a, b}) {
           entries.emplace_back(i, i, pull);
@@ -168,6 +183,7 @@ class ChordPlanner {
     return matrix;
   }
 
+  bool is_aligned(int i) const { return !in_.parameters[in_.chord.arcs[i]].is_identity(); }
   int own_step(int i, int k, int count) const { return in_.chord.backwards[i] ? count - 1 - k : k; }
   double chord_parameter(int i, double fraction) const {
     const double own = in_.parameters[in_.chord.arcs[i]].parameter(fraction);

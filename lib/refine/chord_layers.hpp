@@ -13,6 +13,7 @@
 //
 //   (u_a - wanted_a) + sum over neighbours b with the same layers (length / (2 distance))^4 (u_a - u_b) = 0,
 //
+// with twice the distance where there are layers, unless refine/align_chords found equal fractions to skew the chord,
 // so that lines stay upright across narrow blocks while wide ones go over from one division to the other. The solution
 // is a mean of the wanted divisions: it rises as they do.
 
