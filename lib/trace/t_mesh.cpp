@@ -17,6 +17,7 @@
 #include "trace/build_graph.hpp"
 #include "trace/certificate.hpp"
 #include "trace/crossings.hpp"
+#include "trace/family_order.hpp"
 #include "trace/fit_line.hpp"
 #include "trace/launch_all.hpp"
 #include "trace/merge.hpp"
@@ -112,6 +113,9 @@ class TMeshTracer::Impl {
     do {
       enter_contestants();
     } while (give_up_crossed_merges());
+    std::vector<bool> is_exempt;  // cuts from two sides may be one and the same
+    for (const Contestant& c : contestants_) is_exempt.push_back(c.merge >= 0 || c.line.kind == "cut");
+    require_family_order(crossings_, is_exempt, face_.origin);
     std::vector<Trail> trails;
     for (const Contestant& c : contestants_) trails.push_back(c.trail);
     covered_ = race(trails, crossings_, tie_share * d_);
@@ -177,7 +181,7 @@ class TMeshTracer::Impl {
     std::vector<int> crossed;
     for (const Crossing& c : crossings_)
       for (const int i : {c.a, c.b})
-        if (c.angle < pi / 4 && contestants_[i].merge >= 0) crossed.push_back(contestants_[i].merge);
+        if (is_of_one_family(c) && contestants_[i].merge >= 0) crossed.push_back(contestants_[i].merge);
     return give_up_worst(crossed, 0);
   }
 

@@ -11,6 +11,7 @@
 #include "trace/advance.hpp"
 #include "trace/build_graph.hpp"
 #include "trace/crossings.hpp"
+#include "trace/family_order.hpp"
 #include "trace/finish_lines.hpp"
 #include "trace/launch_all.hpp"
 #include "trace/merge_plan.hpp"
@@ -36,17 +37,23 @@ bool ends_at(const Nurbs& spline, Vec2 x, double near) {
 }
 
 // Lines of one family never cross, unless a merge has bent one across the other: that merge is given up.
-bool give_up_crossed_merges(const std::vector<Crossing>& crossings, const LineFinisher& lines, double snap,
+bool give_up_crossed_merges(const std::vector<Crossing>& crossings, const LineFinisher& lines, double snap, Vec2 origin,
                             MergePlan& plan) {
   std::vector<int> crossed;
+  std::vector<Crossing> of_one_family;
+  std::vector<bool> is_merged;
+  for (const int merge : lines.merge_of()) is_merged.push_back(merge >= 0);
   for (const Crossing& c : crossings) {
     const auto& splines = lines.splines();
-    if (c.angle > pi / 4 || (ends_at(splines[c.a], c.position, snap) && ends_at(splines[c.b], c.position, snap)))
+    if (!is_of_one_family(c) || (ends_at(splines[c.a], c.position, snap) && ends_at(splines[c.b], c.position, snap)))
       continue;
+    of_one_family.push_back(c);
     for (const int line : {c.a, c.b})
-      if (lines.merge_of()[line] >= 0) crossed.push_back(lines.merge_of()[line]);
+      if (is_merged[line]) crossed.push_back(lines.merge_of()[line]);
   }
-  return plan.give_up_worst(crossed, 0);
+  if (plan.give_up_worst(crossed, 0)) return true;
+  require_family_order(of_one_family, is_merged, origin);
+  return false;
 }
 
 void require_few_arcs(const SeparatrixGraph& graph, int max_lines) {
@@ -88,7 +95,7 @@ std::optional<Partition> partition(const FieldEvaluator& evaluator, const std::v
       if (plan.is_cut_short()) return std::nullopt;
       finisher.finish(plan, chosen);
       crossings = find_crossings(finisher.splines(), snap, {.origin = face.origin});
-    } while (give_up_crossed_merges(crossings, finisher, 2 * snap, plan));
+    } while (give_up_crossed_merges(crossings, finisher, 2 * snap, face.origin, plan));
     graph = build_graph(face, fixed, finisher.finished(), crossings, snap);
     require_few_arcs(graph, options.max_lines);
   } while (!cycles_without_four_corners(planar_faces(graph)).empty() && plan.give_up_worst(chosen, same_angle));
