@@ -42,7 +42,7 @@ std::vector<std::vector<ChordBlock>> chord_blocks(const BlockLayout& layout, con
 ChordSections::ChordSections(const BlockLayout& layout, const Chord& chord, const std::vector<ChordBlock>& blocks,
                              const std::vector<Chain>& chains, const std::vector<ArcParameter>& parameters,
                              const SizeField& sizes)
-    : chord_(chord), chains_(chains), parameters_(parameters), sizes_(sizes), weights_(chord.arcs.size(), 0.0) {
+    : chord_(chord), chains_(chains), parameters_(parameters), sizes_(sizes) {
   std::unordered_map<int, int> arc2place;
   for (std::size_t i = 0; i < chord.arcs.size(); ++i) arc2place[chord.arcs[i]] = static_cast<int>(i);
   for (const ChordBlock& b : blocks) {
@@ -50,7 +50,6 @@ ChordSections::ChordSections(const BlockLayout& layout, const Chord& chord, cons
     std::rotate(sides.begin(), sides.begin() + b.side, sides.end());
     add_block(sides, {arc2place.at(arc_of(sides[0])), arc2place.at(arc_of(sides[2]))});
   }
-  if (blocks.empty()) weights_.assign(weights_.size(), 1.0);
 }
 
 void ChordSections::add_block(const std::array<int, 4>& sides, const std::array<int, 2>& ends) {
@@ -65,8 +64,6 @@ void ChordSections::add_block(const std::array<int, 4>& sides, const std::array<
     const double wanted = width * sizes_.slope() / (line_resolution * least_size(block));
     add_lines(block, sides, static_cast<int>(std::min<double>(max_lines, std::ceil(wanted) - 1)));
   }
-  const double share = 0.5 / static_cast<double>(block.left.size() + 1);
-  weights_[block.a] += share, weights_[block.b] += share;
   blocks_.push_back(std::move(block));
 }
 
@@ -115,7 +112,7 @@ WantedDensity ChordSections::at(double u) const {
   Sum sum;
   const std::vector<Place> at = sizes_.is_uniform() ? std::vector<Place>(chord_.arcs.size()) : places(u);
   for (std::size_t i = 0; i < at.size(); ++i)
-    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position), greatest, weights_[i]);
+    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position), greatest, 1);
   for (const Block& block : blocks_) {
     const double lines = static_cast<double>(block.left.size()) + 1;
     for (std::size_t line = 0; line < block.left.size(); ++line) {

@@ -7,9 +7,10 @@
 //
 //   sum over sections of weight L (greatest / h)^6 (ln(L / h) - ln rho)^2.
 //
-// Its least is at the weighted mean of ln(L / h). Weights are those of the trapezium rule across each block. The power
-// lets a size win that is asked for in one place: where one section wants edges half as long as the others it weighs as
-// much as 64 of them. Where all want the same size it has no effect.
+// Its least is at the weighted mean of ln(L / h). Arcs have the weight 1, the lines of one block together at most 1: a
+// size that is asked for along a boundary must not drown in the blocks behind it. The power lets a size win that is
+// asked for in one place: where one section wants edges half as long as the others it weighs as much as 64 of them.
+// Where all want the same size it has no effect.
 
 #include <array>
 #include <vector>
@@ -69,7 +70,6 @@ class ChordSections {
   const std::vector<ArcParameter>& parameters_;
   const SizeField& sizes_;
   std::vector<Block> blocks_;
-  std::vector<double> weights_;  ///< of the arcs
 };
 
 }  // namespace quadrille
