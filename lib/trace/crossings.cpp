@@ -144,7 +144,8 @@ class Counter {
 };
 
 // By a sweep from left to right through each band; a pair counts in the first band that both touch. Sorted.
-std::vector<Overlap> overlaps(std::vector<Span> spans, Counter& counter) {
+std::vector<Overlap> overlaps(std::vector<Span> spans, const std::vector<bool>& sought, Counter& counter) {
+  const auto is_sought = [&](int a, int b) { return sought.empty() || sought[a] || sought[b]; };
   std::stable_sort(spans.begin(), spans.end(), [](const Span& p, const Span& q) { return p.box.low.x < q.box.low.x; });
   const Bands bands(spans);
   std::vector<std::vector<const Span*>> open(bands.count);
@@ -154,7 +155,9 @@ std::vector<Overlap> overlaps(std::vector<Span> spans, Counter& counter) {
     for (int band = first; band <= last; ++band) {
       std::erase_if(open[band], [&](const Span* other) { return other->box.high.x < span.box.low.x; });
       for (const Span* other : open[band]) {
-        if (!meet(other->box, span.box) || band != std::max(first, bands.of(other->box.low.y))) continue;
+        if (!is_sought(other->curve, span.curve) || !meet(other->box, span.box) ||
+            band != std::max(first, bands.of(other->box.low.y)))
+          continue;
         const bool is_first = std::pair{span.curve, span.number} < std::pair{other->curve, other->number};
         const Span &p = is_first ? span : *other, &q = is_first ? *other : span;
         if (p.curve == q.curve && p.number + 1 >= q.number) continue;
@@ -180,7 +183,7 @@ class Finder {
         boxes.back().box.widen(same);
       }
     }
-    overlaps_ = overlaps(std::move(boxes), counter_);
+    overlaps_ = overlaps(std::move(boxes), bounds.sought, counter_);
   }
 
   void run() {
@@ -250,13 +253,15 @@ class Finder {
 
 }  // namespace
 
+bool comes_before(const Crossing& x, const Crossing& y) {
+  return x.a != y.a ? x.a < y.a : x.s != y.s ? x.s < y.s : x.b < y.b;
+}
+
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds) {
   Finder finder(splines, same, bounds);
   finder.run();
   std::vector<Crossing> found = std::move(finder.found);
-  std::stable_sort(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) {
-    return x.a != y.a ? x.a < y.a : x.s != y.s ? x.s < y.s : x.b < y.b;
-  });
+  std::stable_sort(found.begin(), found.end(), comes_before);
   return found;
 }
 

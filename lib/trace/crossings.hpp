@@ -25,8 +25,12 @@ struct Crossing {
 struct CrossingBounds {
   /// Pairs of pieces whose boxes meet, halved ones included. The plates of 100 holes need half a million.
   long long max_pairs = 10'000'000;
-  Vec2 origin{};  ///< added to places in messages
+  Vec2 origin{};             ///< added to places in messages
+  std::vector<bool> sought;  ///< pairs of which neither curve is marked are left out; empty: none are
 };
+
+/// The sequence that crossings come in: by (a, s, b).
+bool comes_before(const Crossing& x, const Crossing& y);
 
 /// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
 /// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not

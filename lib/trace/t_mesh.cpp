@@ -36,8 +36,12 @@ constexpr int max_cuts = 100;
 
 constexpr double same_angle = 1e-4;  // radians: lines that meet head on within this are one, whatever the options say
 
+/// Lines, the second -1 where there is one only, and the length up to which they are known.
+using ContestantKey = std::array<double, 3>;
+
 /// A line or a merged pair, before the race.
 struct Contestant {
+  ContestantKey key{};
   FinishedLine line;
   Trail trail;
   int merge = -1;    // candidate
@@ -135,8 +139,30 @@ class TMeshTracer::Impl {
       contestants_.push_back(merge_of[i] >= 0 ? merged(merge_of[i]) : single(i));
       splines.push_back(contestants_.back().line.spline);
     }
+    update_crossings(splines);
+  }
+
+  // Where a merge was given up most contestants are what they were, and so are the crossings between them.
+  void update_crossings(const std::vector<Nurbs>& splines) {
+    std::map<ContestantKey, int> numbers;
+    std::vector<int> new_number(numbers_.size(), -1);
+    CrossingBounds bounds{.origin = face_.origin, .sought = {}};
+    for (int i = 0; i < static_cast<int>(contestants_.size()); ++i) {
+      numbers[contestants_[i].key] = i;
+      const auto known = numbers_.find(contestants_[i].key);
+      bounds.sought.push_back(known == numbers_.end());
+      if (known != numbers_.end()) new_number[known->second] = i;
+    }
+    numbers_ = std::move(numbers);
+    std::vector<Crossing> all = find_crossings(splines, snap(), bounds);
+    for (Crossing c : all_crossings_) {
+      c.a = new_number[c.a], c.b = new_number[c.b];
+      if (c.a >= 0 && c.b >= 0) all.push_back(c);
+    }
+    std::stable_sort(all.begin(), all.end(), comes_before);
+    all_crossings_ = std::move(all);
     crossings_.clear();
-    for (const Crossing& c : find_crossings(splines, snap(), {.origin = face_.origin}))
+    for (const Crossing& c : all_crossings_)
       if (!is_common_end(c)) crossings_.push_back(c);
   }
 
@@ -146,7 +172,8 @@ class TMeshTracer::Impl {
     const LineEnd start = is_cut ? LineEnd{-1, l.launch.curve, l.launch.t} : LineEnd{l.launch.node, -1, 0};
     const auto along = [&](double s, Vec2& direction) { return l.at(evaluator_, s, direction); };
     const Nurbs& spline = fitted(i, -1, along, l.length());
-    return {{start, {l.end_node, l.curve, l.t}, spline, is_cut ? "cut" : "traced"},
+    return {key_of(i, -1, l.length()),
+            {start, {l.end_node, l.curve, l.t}, spline, is_cut ? "cut" : "traced"},
             {l.length(), false, head_starts_[i]},
             -1,
             is_unended ? i : -1};
@@ -156,12 +183,21 @@ class TMeshTracer::Impl {
     const MergeCandidate& m = candidates_[candidate];
     const Streamline &a = lines_[m.a], &b = lines_[m.b];
     const Nurbs& spline = fitted(m.a, m.b, merged_curve(evaluator_, a, b, m), m.length());
-    return {{{a.launch.node, -1, 0}, {b.launch.node, -1, 0}, spline, "merged"}, {m.length(), true, 0}, candidate, -1};
+    return {key_of(m.a, m.b, m.length()),
+            {{a.launch.node, -1, 0}, {b.launch.node, -1, 0}, spline, "merged"},
+            {m.length(), true, 0},
+            candidate,
+            -1};
   }
 
-  // Fitted once however often the plan changes; `length` tells a line from itself before it was lengthened.
+  // `length` tells a line from itself before it was lengthened.
+  static ContestantKey key_of(int a, int b, double length) {
+    return {static_cast<double>(a), static_cast<double>(b), length};
+  }
+
+  // Fitted once however often the plan changes.
   const Nurbs& fitted(int a, int b, const CurveFunction& curve, double length) {
-    const std::array<double, 3> key{static_cast<double>(a), static_cast<double>(b), length};
+    const ContestantKey key = key_of(a, b, length);
     const auto known = fitted_.find(key);
     if (known != fitted_.end()) return known->second;
     return fitted_[key] = fit_line(curve, length, fit_share * d_);
@@ -308,12 +344,14 @@ class TMeshTracer::Impl {
   std::vector<double> head_starts_;
   std::vector<Vec2> nodes_;
   std::vector<Streamline> lines_;
-  std::map<std::array<double, 3>, Nurbs> fitted_;
+  std::map<ContestantKey, Nurbs> fitted_;
   std::vector<MergeCandidate> candidates_;
   bool candidates_are_old_ = true;
   std::set<std::pair<int, int>> given_up_;  // pairs of lines that are not merged
   std::vector<Contestant> contestants_;
-  std::vector<Crossing> crossings_;
+  std::map<ContestantKey, int> numbers_;  // of the contestants
+  std::vector<Crossing> all_crossings_;
+  std::vector<Crossing> crossings_;  // without those at common ends
   std::vector<Covered> covered_;
   std::vector<int> merge_of_line_;  // candidate of each line of the graph, or -1
   std::map<int, int> num_ties_;     // cuts that a loop has got

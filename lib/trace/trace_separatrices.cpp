@@ -94,7 +94,7 @@ std::optional<Partition> partition(const FieldEvaluator& evaluator, const std::v
       chosen = plan.choose();
       if (plan.is_cut_short()) return std::nullopt;
       finisher.finish(plan, chosen);
-      crossings = find_crossings(finisher.splines(), snap, {.origin = face.origin});
+      crossings = find_crossings(finisher.splines(), snap, {.origin = face.origin, .sought = {}});
     } while (give_up_crossed_merges(crossings, finisher, 2 * snap, face.origin, plan));
     graph = build_graph(face, fixed, finisher.finished(), crossings, snap);
     require_few_arcs(graph, options.max_lines);

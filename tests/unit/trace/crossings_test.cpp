@@ -138,6 +138,16 @@ TEST(Crossings, TooManyPairsOfPiecesAreSaidWithAPlace) {
   }
 }
 
+TEST(Crossings, OnlyPairsWithAMarkedCurveAreSought) {
+  const std::vector<Nurbs> lines{straight({0, 1}, {4, 1}), straight({0, 2}, {4, 2}), straight({1, 0}, {1, 3}),
+                                 straight({2, 0}, {2, 3})};
+  CrossingBounds bounds;
+  bounds.sought = {false, true, false, false};
+  const auto found = find_crossings(lines, 1e-9, bounds);
+  ASSERT_EQ(found.size(), 2u);
+  for (const Crossing& c : found) EXPECT_EQ(c.a, 1);
+}
+
 // Laps of one circle a snap distance apart cannot be told from each other: they do not cross, and that is found soon.
 TEST(Crossings, LapsOfALimitCycleEndAtTheBound) {
   const CurveFunction laps = [](double s, Vec2& d) {
