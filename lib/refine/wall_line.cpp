@@ -9,8 +9,29 @@ namespace quadrille {
 namespace {
 
 constexpr int max_steps = 40;
+/// The sine of an angle at which a joint is a bend.
+constexpr double least_bend = 1e-3;
+
+Vec2 direction(const CurveTable& table, const ArcPiece& piece, bool at_end) {
+  const bool forwards = piece.t0 <= piece.t1;
+  const double t = at_end ? piece.t1 : piece.t0;
+  const Vec2 along = tangent(table.curve(piece.curve), t, forwards == at_end);
+  return forwards ? along : -along;
+}
 
 }  // namespace
+
+WallLine::WallLine(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {
+  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
+    bends_.push_back(std::abs(cross(direction(table, pieces_[i], true), direction(table, pieces_[i + 1], false))) >
+                     least_bend);
+  bends_.push_back(false);
+}
+
+WallFoot WallLine::entry(const WallFoot& foot, int step) const {
+  const int piece = foot.piece + step;
+  return {piece, step > 0 ? pieces_[piece].t0 : pieces_[piece].t1};
+}
 
 double WallLine::distance_at(Vec2 x, const WallFoot& foot) const {
   return quadrille::distance(x, point(table_->curve(pieces_[foot.piece].curve), foot.t));
@@ -41,15 +62,22 @@ double WallLine::distance(Vec2 x, WallFoot& foot) const {
   int beyond = settle(x, foot);
   double nearest = distance_at(x, foot);
   while (beyond != 0) {
-    const int piece = foot.piece + beyond;
-    if (piece < 0 || piece >= static_cast<int>(pieces_.size())) break;
-    WallFoot next{piece, beyond > 0 ? pieces_[piece].t0 : pieces_[piece].t1};
+    if (!has_piece(foot.piece + beyond)) break;
+    WallFoot next = entry(foot, beyond);
     const int further = settle(x, next);
     const double d = distance_at(x, next);
     if (d >= nearest) break;
     nearest = d, foot = next;
     if (further == -beyond) break;
     beyond = further;
+  }
+  for (const int step : {-1, 1}) {  // in a corner of less than 180 degrees both walls have a nearest point
+    const int piece = foot.piece + step;
+    if (!has_piece(piece) || !bends_[std::min(piece, foot.piece)]) continue;
+    WallFoot other = entry(foot, step);
+    settle(x, other);
+    const double d = distance_at(x, other);
+    if (d < nearest) nearest = d, foot = other;
   }
   return nearest;
 }

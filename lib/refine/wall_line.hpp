@@ -17,10 +17,11 @@ class WallLine {
  public:
   WallLine() = default;
   /// Pieces follow each other. `table` must outlive the line.
-  WallLine(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {}
+  WallLine(const CurveTable& table, std::vector<ArcPiece> pieces);
 
   /// Distance from x to the stretch, its ends included, and its foot: the nearest point that is reached from `foot`
-  /// without leaving the neighbourhood. Meant for points that move away from the wall, with the foot of the last one.
+  /// without leaving the neighbourhood, or beyond a bend of the wall next to it. Meant for points that move away from
+  /// the wall, with the foot of the last one.
   double distance(Vec2 x, WallFoot& foot) const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
@@ -29,9 +30,13 @@ class WallLine {
   /// beyond would be nearer.
   int settle(Vec2 x, WallFoot& foot) const;
   double distance_at(Vec2 x, const WallFoot& foot) const;
+  /// Where the piece before (-1) or after (+1) the foot's own is entered.
+  WallFoot entry(const WallFoot& foot, int step) const;
+  bool has_piece(int piece) const { return piece >= 0 && piece < static_cast<int>(pieces_.size()); }
 
   const CurveTable* table_ = nullptr;
   std::vector<ArcPiece> pieces_;
+  std::vector<bool> bends_;  ///< by piece: the tangent jumps where it ends and the next begins
 };
 
 }  // namespace quadrille

@@ -26,6 +26,18 @@ TEST(WallLine, TellsDistancesAcrossJoints) {
   EXPECT_NEAR(wall.distance({0.7, 2.4}, foot), 0.5, 1e-14);  // of its end
 }
 
+TEST(WallLine, InAConvexCornerTheNearerWallCounts) {
+  const CadFace face = hand_made::unit_square().face;
+  const std::vector<Nurbs> none;
+  const CurveTable table(face, none);
+  const WallLine wall(table, {{0, 0, 1}, {1, 0, 1}});  // (0,0) to (1,0) to (1,1)
+  WallFoot foot{0, 0.9};
+  EXPECT_NEAR(wall.distance({0.9, 0.02}, foot), 0.02, 1e-14);
+  EXPECT_NEAR(wall.distance({0.9, 0.3}, foot), 0.1, 1e-14);
+  EXPECT_EQ(foot.piece, 1);
+  EXPECT_NEAR(wall.distance({0.8, 0.1}, foot), 0.1, 1e-14);
+}
+
 TEST(WallLine, WalksPiecesBackwards) {
   const CadFace face = hand_made::l_shape().face;
   const std::vector<Nurbs> none;
