@@ -19,6 +19,7 @@
 #include "trace/crossings.hpp"
 #include "trace/family_order.hpp"
 #include "trace/fit_line.hpp"
+#include "trace/known_crossings.hpp"
 #include "trace/launch_all.hpp"
 #include "trace/merge.hpp"
 #include "trace/motorcycle.hpp"
@@ -36,12 +37,9 @@ constexpr int max_cuts = 100;
 
 constexpr double same_angle = 1e-4;  // radians: lines that meet head on within this are one, whatever the options say
 
-/// Lines, the second -1 where there is one only, and the length up to which they are known.
-using ContestantKey = std::array<double, 3>;
-
 /// A line or a merged pair, before the race.
 struct Contestant {
-  ContestantKey key{};
+  CurveKey key{};
   FinishedLine line;
   Trail trail;
   int merge = -1;    // candidate
@@ -139,30 +137,10 @@ class TMeshTracer::Impl {
       contestants_.push_back(merge_of[i] >= 0 ? merged(merge_of[i]) : single(i));
       splines.push_back(contestants_.back().line.spline);
     }
-    update_crossings(splines);
-  }
-
-  // Where a merge was given up most contestants are what they were, and so are the crossings between them.
-  void update_crossings(const std::vector<Nurbs>& splines) {
-    std::map<ContestantKey, int> numbers;
-    std::vector<int> new_number(numbers_.size(), -1);
-    CrossingBounds bounds{.origin = face_.origin, .sought = {}};
-    for (int i = 0; i < static_cast<int>(contestants_.size()); ++i) {
-      numbers[contestants_[i].key] = i;
-      const auto known = numbers_.find(contestants_[i].key);
-      bounds.sought.push_back(known == numbers_.end());
-      if (known != numbers_.end()) new_number[known->second] = i;
-    }
-    numbers_ = std::move(numbers);
-    std::vector<Crossing> all = find_crossings(splines, snap(), bounds);
-    for (Crossing c : all_crossings_) {
-      c.a = new_number[c.a], c.b = new_number[c.b];
-      if (c.a >= 0 && c.b >= 0) all.push_back(c);
-    }
-    std::stable_sort(all.begin(), all.end(), comes_before);
-    all_crossings_ = std::move(all);
+    std::vector<CurveKey> keys;
+    for (const Contestant& c : contestants_) keys.push_back(c.key);
     crossings_.clear();
-    for (const Crossing& c : all_crossings_)
+    for (const Crossing& c : known_crossings_.find(keys, splines, snap(), face_.origin))
       if (!is_common_end(c)) crossings_.push_back(c);
   }
 
@@ -190,14 +168,14 @@ class TMeshTracer::Impl {
             -1};
   }
 
-  // `length` tells a line from itself before it was lengthened.
-  static ContestantKey key_of(int a, int b, double length) {
+  // Lines, the second -1 where there is one only; `length` tells a line from itself before it was lengthened.
+  static CurveKey key_of(int a, int b, double length) {
     return {static_cast<double>(a), static_cast<double>(b), length};
   }
 
   // Fitted once however often the plan changes.
   const Nurbs& fitted(int a, int b, const CurveFunction& curve, double length) {
-    const ContestantKey key = key_of(a, b, length);
+    const CurveKey key = key_of(a, b, length);
     const auto known = fitted_.find(key);
     if (known != fitted_.end()) return known->second;
     return fitted_[key] = fit_line(curve, length, fit_share * d_);
@@ -344,41 +322,18 @@ class TMeshTracer::Impl {
   std::vector<double> head_starts_;
   std::vector<Vec2> nodes_;
   std::vector<Streamline> lines_;
-  std::map<ContestantKey, Nurbs> fitted_;
+  std::map<CurveKey, Nurbs> fitted_;
   std::vector<MergeCandidate> candidates_;
   bool candidates_are_old_ = true;
   std::set<std::pair<int, int>> given_up_;  // pairs of lines that are not merged
   std::vector<Contestant> contestants_;
-  std::map<ContestantKey, int> numbers_;  // of the contestants
-  std::vector<Crossing> all_crossings_;
+  KnownCrossings known_crossings_;
   std::vector<Crossing> crossings_;  // without those at common ends
   std::vector<Covered> covered_;
   std::vector<int> merge_of_line_;  // candidate of each line of the graph, or -1
   std::map<int, int> num_ties_;     // cuts that a loop has got
   int num_cuts_ = 0;
 };
-
-namespace {
-
-bool is_four_sided(const std::vector<int>& quarters) {
-  return num_corners(quarters) == 4 &&
-         std::all_of(quarters.begin(), quarters.end(), [](int q) { return q == 1 || q == 2; });
-}
-
-TFace sides_of(const std::vector<int>& cycle, const std::vector<int>& quarters) {
-  const size_t n = cycle.size();
-  size_t first = 0;  // the dart after a corner
-  while (quarters[(first + n - 1) % n] != 1) ++first;
-  TFace face;
-  int side = 0;
-  for (size_t k = 0; k < n; ++k) {
-    face[side].push_back(cycle[(first + k) % n]);
-    if (quarters[(first + k) % n] == 1) ++side;
-  }
-  return face;
-}
-
-}  // namespace
 
 TMeshTracer::TMeshTracer(const FieldEvaluator& evaluator, const CriticalPoints& points, const TraceOptions& options)
     : impl_(std::make_unique<Impl>(evaluator, points, options)) {}
@@ -402,23 +357,6 @@ SeparatrixGraph TMeshTracer::trace(Report& report) {
 
 bool TMeshTracer::give_up_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs) {
   return impl_->give_up_merge(graph, arcs);
-}
-
-std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph) {
-  const PlanarFaces faces = planar_faces(graph);
-  std::vector<TFace> all;
-  for (size_t f = 0; f < faces.cycles.size(); ++f) {
-    if (!is_four_sided(faces.quarters[f])) {
-      const Vec2 place = place_of(graph, faces.cycles[f]);
-      throw ComputeError(
-          fmt::format("the face of the T-mesh around ({:.6g}, {:.6g}) is not four-sided: {} arcs, the corners make {}",
-                      place.x, place.y, faces.cycles[f].size(), num_corners(faces.quarters[f])));
-    }
-    all.push_back(sides_of(faces.cycles[f], faces.quarters[f]));
-  }
-  if (faces.num_components > 1)
-    throw ComputeError(fmt::format("the T-mesh falls into {} parts that nothing connects", faces.num_components));
-  return all;
 }
 
 }  // namespace quadrille

@@ -3,7 +3,6 @@
 // (motorcycle.hpp). It is finite for every field, spirals and limit cycles included, and all its faces are four-sided:
 // corners of one quarter turn at crossings and line ends, T-junctions on the sides.
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
 #include "model/separatrix_graph.hpp"
-#include "trace/planar_faces.hpp"
+#include "trace/t_mesh_faces.hpp"
 #include "trace/trace_separatrices.hpp"
 
 namespace quadrille {
@@ -37,11 +36,5 @@ class TMeshTracer {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// A face of a T-mesh: the darts of its four sides, counter-clockwise.
-using TFace = std::array<std::vector<int>, 4>;
-
-/// Throws ComputeError, naming a place, unless every face has four corners and no sector but quarters and halves.
-std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph);
 
 }  // namespace quadrille
