@@ -1,6 +1,5 @@
 #include "trace/t_mesh_faces.hpp"
 
-
 #include <fmt/format.h>
 
 #include <algorithm>
