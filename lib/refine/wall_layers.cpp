@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "base/error.hpp"
@@ -25,6 +26,7 @@ constexpr int max_sweeps = 12;
 constexpr int max_tolerance_rounds = 30;
 constexpr double shrink = 0.8;
 constexpr double equal_tol = 1e-6;
+constexpr double same_fraction = 1e-9;
 
 using ArcEnds = std::vector<std::vector<double>>;
 
@@ -159,7 +161,22 @@ class WallPlanner {
 
   double error(int arc, std::size_t interval) const {
     const std::vector<double>& ends = arc_ends_[arc];
+    if (parts_names(arc, ends[interval], ends[interval + 1])) return std::numeric_limits<double>::infinity();
     return interval_error(in_.table, in_.chains[arc], ends[interval], ends[interval + 1], in_.order);
+  }
+
+  /// Whether a curve of a given name ends inside the interval, as in refine/divide_arcs: no edge may belong to both.
+  bool parts_names(int arc, double low, double high) const {
+    const Chain& chain = in_.chains[arc];
+    const std::vector<double> joints = chain.joint_fractions();
+    const std::vector<std::string>& names = in_.layout.face.curve_names;
+    const auto is_given = [&](int curve) { return names[curve] != fmt::format("curve_{}", curve); };
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const int before = chain.pieces()[i].curve, after = chain.pieces()[i + 1].curve;
+      const bool is_inside = joints[i] > low + same_fraction && joints[i] < high - same_fraction;
+      if (is_inside && names[before] != names[after] && (is_given(before) || is_given(after))) return true;
+    }
+    return false;
   }
 
   bool meets_tolerance(int arc) const {

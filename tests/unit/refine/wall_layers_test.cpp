@@ -166,11 +166,27 @@ TEST(WallLayers, OfASymmetricFaceAreSymmetric) {
 TEST(WallLayers, StretchesOfOneWallTakeTheFinestLayersThatAnyAsksFor) {
   // The elbow's outer side is a line and an arc in one side of its block.
   Report report;
-  const QuadMesh mesh =
-      layered(hand_made::elbow(), 0.3, {"side_0:first=0.02,layers=4", "side_1:first=0.01,layers=5"}, report);
+  const QuadMesh mesh = layered(hand_made::elbow(), 0.3, {"0:first=0.02,layers=4", "1:first=0.01,layers=5"}, report);
   for (const std::vector<double>& heights : heights_above(mesh, 0, 1)) EXPECT_NEAR(heights[0], 0.01, 5e-4);
   ASSERT_FALSE(report.warnings().empty());
   EXPECT_EQ(report.warnings()[0].code, "W-WAL-002");
+}
+
+TEST(WallLayers, NoEdgeBelongsToTwoNames) {
+  // Layers at the elbow's ends grade the chord along it, whose long sides are a line and an arc each.
+  SeparatrixGraph graph = hand_made::elbow();
+  graph.face.curve_names = {"straight", "bend", "out", "bend", "straight", "in"};
+  RefineOptions options;
+  options.size = 0.4, options.geometry_tol = 0.05;
+  options.walls = {parse_wall_spec("in:first=0.01,layers=4"), parse_wall_spec("out:first=0.01,layers=4")};
+  Report report;
+  const QuadMesh mesh = refine(extract_blocks(graph, report), options, report);
+  EXPECT_GT(least(mesh.elem_jacobian_bound), 0);
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges)
+    for (const int end : {0, 1}) {
+      const Vec2 x = mesh.nodes[vertex(mesh, edge.elem, edge.side + end)];
+      EXPECT_LE(project(mesh.face.curves[edge.curve], x).distance, 1e-12);
+    }
 }
 
 TEST(WallLayers, AreProvedValidAtManyOrders) {
