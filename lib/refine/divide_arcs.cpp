@@ -149,6 +149,10 @@ class ChordDivider {
       if (layout.arcs[chord.arcs[i]].is_boundary)
         for (const double f : chain(i).break_fractions()) breaks.push_back({chord_share(i, f), f, i});
     anchors_ = find_anchors(std::move(breaks), anchor_reach / count_);
+    for (std::size_t a = 0; a < anchors_.size(); ++a)
+      if (std::any_of(anchors_[a].breaks.begin(), anchors_[a].breaks.end(),
+                      [&](const Break& b) { return parts_names(b); }))
+        need(static_cast<int>(a));
     ends_.resize(num_arcs());
   }
 
@@ -165,6 +169,19 @@ class ChordDivider {
 
  private:
   int num_arcs() const { return static_cast<int>(chord_.arcs.size()); }
+
+  /// Whether the curves on both sides of a break have different names, one of them given: no edge may belong to both.
+  bool parts_names(const Break& b) const {
+    const std::vector<double> joints = chain(b.arc).joint_fractions();
+    const auto at = std::find_if(joints.begin(), joints.end(),
+                                 [&](double joint) { return std::abs(joint - b.fraction) < same_fraction; });
+    if (at == joints.end()) return false;
+    const auto piece = chain(b.arc).pieces().begin() + (at - joints.begin());
+    const int before = piece[0].curve, after = piece[1].curve;
+    const CadFace& face = layout_.face;
+    const auto is_given = [&](int c) { return face.curve_names[c] != fmt::format("curve_{}", c); };
+    return face.curve_names[before] != face.curve_names[after] && (is_given(before) || is_given(after));
+  }
   const Chain& chain(int i) const { return chains_[chord_.arcs[i]]; }
 
   /// Between the chord's parameter and arc i's own fraction.

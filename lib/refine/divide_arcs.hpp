@@ -6,7 +6,7 @@
 // must stay within `tolerance` of the curve. Where it does not and the interval straddles a break of the curve (a joint
 // inside the side, a jump of curvature), an end of an interval moves onto the break; else that segment of the chord
 // gets more intervals. All arcs of the chord share the segments; a break that faces another (refine/anchors) costs no
-// element of its own.
+// element of its own. Where a curve of a given name ends, an interval ends in any case.
 
 #include <vector>
 

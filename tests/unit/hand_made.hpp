@@ -157,7 +157,9 @@ inline SeparatrixGraph elbow() {
   const std::vector<Nurbs> loop{segment({0, 0}, {1, 0}), circular_arc({1, 2}, 2, -half_pi, 0),
                                 segment({3, 2}, {2, 2}), circular_arc({1, 2}, 1, 0, -half_pi),
                                 segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})};
-  return one_block(face({loop}, std::sqrt(13.0)), {{0, 1}, {2}, {3, 4}, {5}});
+  CadFace bent = face({loop}, std::sqrt(13.0));
+  for (int c = 0; c < bent.num_curves(); ++c) bent.curve_names[c] = "curve_" + std::to_string(c);  // none is given
+  return one_block(std::move(bent), {{0, 1}, {2}, {3, 4}, {5}});
 }
 
 }  // namespace quadrille::hand_made

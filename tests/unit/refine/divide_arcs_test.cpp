@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../hand_made.hpp"
 #include "base/error.hpp"
@@ -54,6 +55,30 @@ TEST(DivideArcs, ArcsOfAChordHaveTheSameCount) {
       if (d.layout.arc_chord[a] == d.layout.arc_chord[b]) {
         EXPECT_EQ(d.ends[a].size(), d.ends[b].size());
       }
+}
+
+TEST(DivideArcs, AnIntervalEndsWhereAGivenNameDoesHoweverLooseTheTolerance) {
+  SeparatrixGraph graph = hand_made::elbow();
+  const auto has_end_at_breaks = [](const Divided& d, std::size_t arc) {
+    return std::all_of(d.breaks[arc].begin(), d.breaks[arc].end(), [&](double b) {
+      return std::any_of(d.ends[arc].begin(), d.ends[arc].end(), [&](double e) { return std::abs(e - b) < 1e-12; });
+    });
+  };
+  const auto broken_arcs_with_ends = [&](const Divided& d) {
+    int broken = 0, good = 0;
+    for (std::size_t arc = 0; arc < d.ends.size(); ++arc) {
+      broken += !d.breaks[arc].empty();
+      good += !d.breaks[arc].empty() && has_end_at_breaks(d, arc);
+    }
+    return std::pair(broken, good);
+  };
+  EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})), std::pair(2, 0));
+  graph.face.curve_names[1] = "bend";
+  EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})).second, 1);
+  graph.face.curve_names[3] = graph.face.curve_names[4] = "inner";  // one name on both sides is no reason
+  EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})).second, 1);
+  graph.face.curve_names[4] = "inlet";
+  EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})).second, 2);
 }
 
 TEST(DivideArcs, SizeBoundsTheLongestArcOfAChord) {
