@@ -10,7 +10,6 @@
 
 #include <vector>
 
-#include "base/report.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille {
