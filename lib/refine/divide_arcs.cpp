@@ -309,7 +309,8 @@ class ChordDivider {
   /// In a graded chord only the interval itself becomes shorter: elsewhere others may be far shorter already.
   void demand(int i, double from, double to, double error) {
     const double a = chord_parameter(i, from), b = chord_parameter(i, to);
-    demands_.push_back({std::min(a, b), std::max(a, b), std::abs(b - a) / std::max(least_excess, excess(error))});
+    const double shorter = std::max(least_excess, excess(error));
+    demands_.push_back({std::min(a, b), std::max(a, b), std::abs(b - a) / shorter, shorter});
   }
 
   void shorten() {

@@ -74,12 +74,13 @@ Grading Grading::shortened(double count, const std::vector<LengthDemand>& demand
   u.erase(std::unique(u.begin(), u.end(), [](double a, double b) { return b - a < same_place; }), u.end());
   u.back() = 1;
 
-  std::vector<double> lengths;
-  for (const double at : u) lengths.push_back(eta(at) * count_ / count);
+  std::vector<double> before;
+  for (const double at : u) before.push_back(eta(at) * count_ / count);
+  std::vector<double> lengths = before;
   for (const LengthDemand& d : demands)
     for (auto k = std::lower_bound(u.begin(), u.end(), d.low - same_place) - u.begin();
          k < std::ssize(u) && u[k] <= d.high + same_place; ++k)
-      lengths[k] = std::min(lengths[k], d.eta);
+      lengths[k] = std::min({lengths[k], d.eta, before[k] / d.excess});
   lengths = limited(u, std::move(lengths), slope);
   return {std::move(u), std::move(lengths)};
 }

@@ -9,9 +9,9 @@
 
 namespace quadrille {
 
-/// No element between `low` and `high` shall be longer than `eta`, all in u.
+/// No element between `low` and `high` shall be longer than `eta`, all in u, nor than 1 / excess of what it was.
 struct LengthDemand {
-  double low = 0, high = 0, eta = 0;
+  double low = 0, high = 0, eta = 0, excess = 1;
 };
 
 class Grading {

@@ -42,8 +42,7 @@ TEST(Grading, ShareAndParameterAreInverse) {
 
 TEST(Grading, MirroredLengthsGiveMirroredEnds) {
   const Grading grading({0, 0.1, 0.4, 1}, {0.3, 0.01, 0.02, 0.5}), mirrored({0, 0.6, 0.9, 1}, {0.5, 0.02, 0.01, 0.3});
-  for (int k = 0; k <= 20; ++k)
-    EXPECT_NEAR(grading.parameter(k / 20.0), 1 - mirrored.parameter(1 - k / 20.0), 1e-14);
+  for (int k = 0; k <= 20; ++k) EXPECT_NEAR(grading.parameter(k / 20.0), 1 - mirrored.parameter(1 - k / 20.0), 1e-14);
 }
 
 TEST(Grading, LimitedLengthsFallOnlyAndKeepTheSlope) {
@@ -51,6 +50,20 @@ TEST(Grading, LimitedLengthsFallOnlyAndKeepTheSlope) {
   const std::vector<double> result = limited(u, eta, 0.5);
   const std::vector<double> expected{0.2, 0.1, 0.1, 0.05, 0.06};
   for (std::size_t k = 0; k < u.size(); ++k) EXPECT_NEAR(result[k], expected[k], 1e-15) << k;
+}
+
+TEST(Grading, ShortenedElementsKeepTheDemandsAndFallEveryTime) {
+  const Grading grading({0, 1}, {0.05, 0.25});
+  const double count = std::ceil(grading.count());
+  const Grading once = grading.shortened(count, {{0.8, 0.9, 0.02, 1.5}}, 0.2);
+  EXPECT_GT(once.count(), count);
+  const auto length_at = [](const Grading& g, double u) { return 1e-6 / (g.share(u + 1e-6) - g.share(u)) / g.count(); };
+  for (const double u : {0.81, 0.85, 0.89}) EXPECT_NEAR(length_at(once, u), 0.02, 1e-5);
+  EXPECT_NEAR(length_at(once, 0.75), 0.03, 1e-3);
+  EXPECT_NEAR(length_at(once, 0.1), length_at(grading, 0.1) * grading.count() / count, 1e-5);
+  // A demand that is longer than what there is still shortens it.
+  const Grading twice = once.shortened(once.count(), {{0.8, 0.9, 0.5, 1.5}}, 0.2);
+  EXPECT_NEAR(length_at(twice, 0.85), 0.02 / 1.5, 1e-5);
 }
 
 }  // namespace
