@@ -97,9 +97,10 @@ void tell_sizes(const std::vector<Chord>& chords, const std::vector<Chain>& chai
   }
   for (const ChordCount& p : prescribed)
     if (count[p.chord] != p.count)
-      report.warn("W-QUA-002", fmt::format("chord {} has {} elements, not {}: fewer would miss the geometric tolerance "
-                                           "or let two elements share two edges",
-                                           p.chord, count[p.chord], p.count));
+      report.warn("W-QUA-002",
+                  fmt::format("chord {} has {} elements, not {}: layers along walls, the geometric tolerance "
+                              "or two elements that would share two edges ask for them",
+                              p.chord, count[p.chord], p.count));
   report.set("sizes.chord.id", std::move(id));
   report.set("sizes.chord.count", std::move(count));
   report.set("sizes.chord.wanted", std::move(wanted));
