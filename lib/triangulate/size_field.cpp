@@ -4,7 +4,8 @@
 
 namespace quadrille {
 
-TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth) : size_(size), growth_(growth) {
+TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth)
+    : size_(size), growth_(growth) {
   sources_.reserve(3 * segments.size());
   for (const Segment& segment : segments)
     for (const int k : {0, 2, 4}) sources_.push_back({segment.samples[k], segment.length()});

@@ -312,9 +312,8 @@ TEST(Draw, SeparatricesTellTheirCertificate) {
   graph.certificate.index_sum = 4;
   graph.certificate.census = {{4, 2}};
   graph.certificate.largest_turn_degrees = 2.34;
-  EXPECT_EQ(count(draw_separatrix_graph(graph, {}),
-                  "traced: 2 faces of 4 corners, index sum 4, turned by 2.3° at most"),
-            1);
+  EXPECT_EQ(
+      count(draw_separatrix_graph(graph, {}), "traced: 2 faces of 4 corners, index sum 4, turned by 2.3° at most"), 1);
 }
 
 TEST(Draw, ArcsOfNoLineAreDrawnAllTheSame) {
