@@ -18,7 +18,9 @@ namespace {
 // going to and fro without advancing.
 constexpr double edge_slack = 1e-12;
 constexpr double same_direction = 1e-3;  // radians
-constexpr double overshoot = 0.05;       // how far a step may extrapolate beyond the element
+/// A lap is longer than this many hit distances: a line that runs along an edge goes over it again and again.
+constexpr double least_lap = 100;
+constexpr double overshoot = 0.05;  // how far a step may extrapolate beyond the element
 
 // Barycentric coordinate that vanishes on local edge k, and its linear part.
 double above_edge(int k, Vec2 xi) { return k == 0 ? (1 + xi.y) / 2 : k == 1 ? -(xi.x + xi.y) / 2 : (1 + xi.x) / 2; }
@@ -164,12 +166,13 @@ class Walker {
 
   // Whether it has just gone over an edge as it did a lap before.
   bool was_here(int elem, int edge) {
-    const auto [pass, is_first] = line_.passes.try_emplace(3 * elem + edge, state_);
+    const auto [pass, is_first] = line_.passes.try_emplace(3 * elem + edge, Streamline::Pass{state_, s_});
     if (is_first) return false;
-    const StreamState before = std::exchange(pass->second, state_);
+    const Streamline::Pass before = std::exchange(pass->second, Streamline::Pass{state_, s_});
     const TriMap& map = evaluator_.maps()[state_.elem];
-    return std::abs(wrap_pi(state_.angle - before.angle)) < same_direction &&
-           distance(map.position(state_.xi), map.position(before.xi)) <= options_.hit_distance;
+    return s_ - before.s > least_lap * options_.hit_distance &&
+           std::abs(wrap_pi(state_.angle - before.state.angle)) < same_direction &&
+           distance(map.position(state_.xi), map.position(before.state.xi)) <= options_.hit_distance;
   }
 
   // Of the continuous extension: as good a guide as the field's own.

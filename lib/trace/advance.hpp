@@ -39,7 +39,11 @@ class Streamline {
   /// End::length: it has come back to an element's edge where it was a lap before, within the hit distance and in the
   /// same direction: more laps would tell nothing new.
   bool is_limit_cycle = false;
-  std::unordered_map<int, StreamState> passes;  ///< states in which it last went over edges, by 3 elem + edge
+  struct Pass {
+    StreamState state;
+    double s = 0;
+  };
+  std::unordered_map<int, Pass> passes;  ///< where it last went over edges, by 3 elem + edge
 
   double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
   /// Position at arc length s in [0, length()].

@@ -41,3 +41,11 @@ holds() {
 @test "sample: the independent checker was there to judge" {
   holds .summary.judged_by_mesh_report >/dev/null || skip "no ../shared/check/mesh_report.py: stagecheck alone judged"
 }
+
+# A crossing that was missed, a line that ends in a node that another passes, a spiral round its limit cycle, a line along
+# an element's edge that was taken for one.
+@test "shapes that once had no layout" {
+  run -0 "$ROOT/tests/stress/run" --bin "$BIN" --seconds "$SECONDS_EACH" -o all.json smooth_009 smooth_011 slit_043 smooth_040
+  run -0 jq '.summary.good' all.json
+  assert_output 4
+}
