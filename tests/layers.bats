@@ -29,6 +29,56 @@ own_includes() {
   assert_output ''
 }
 
+@test "a folder of lib uses every folder that its layer names" {
+  run -0 awk '
+    NR == FNR { used[$1, $2] = 1; next }
+    { sub(":", ""); for (i = 2; i <= NF; ++i) if (!(($1, $i) in used)) print $1 " does not include " $i "/" }' \
+    <(own_includes) <(echo "$layers")
+  assert_output ''
+}
+
+# Own includes of lib's files, header and source taken as one: "folder/stem included-folder/stem".
+stem_includes() {
+  (cd "$ROOT/lib" && grep -rHoE '^#include "[a-z0-9_]+/[a-z0-9_]+' --include='*.?pp' .) |
+    sed -E 's|^\./([^.]+)\.[ch]pp:#include "(.*)|\1 \2|' | awk '$1 != $2' | sort -u
+}
+
+@test "no files include each other in a circle" {
+  run -0 tsort <(stem_includes)
+}
+
+# "name file" of the types and aliases that headers of lib define at the top level of a namespace.
+header_types() {
+  grep -rHoE '^(struct|class|enum class|using) [A-Z][A-Za-z0-9]*( final)?( :[^{;]*)? *[{=]' --include='*.hpp' "$ROOT/lib" |
+    sed -E "s#^$ROOT/(lib/[^:]+):(struct|class|enum class|using) ([A-Za-z0-9]+).*#\\3 \\1#"
+}
+
+@test "no type name is defined in two headers" {
+  (($(header_types | wc -l) > 100)) || fail "the types of the headers are not recognised"
+  run -0 bash -c 'cut -d" " -f1 | sort | uniq -d' < <(header_types)
+  assert_output ''
+}
+
+@test "no two folders of lib have files of one name" {
+  run -0 bash -c 'find "$0/lib" -name "*.?pp" | sed -E "s|.*/([a-z]+)/([a-z0-9_]+)\..*|\2 \1|" | sort -u | cut -d" " -f1 | uniq -d' \
+    "$ROOT"
+  assert_output ''
+}
+
+@test "each folder of lib is a namespace; base and model are quadrille itself" {
+  run -0 bash -c 'cd "$0/lib" && grep -rnE "^namespace quadrille" --include="*.?pp" . |
+    sed -E "s|^\./([a-z]+)/[^:]+:[0-9]+:namespace quadrille(::([a-z_]+))?.*|\1 \3|" | sort -u' "$ROOT"
+  local expected=
+  expected=$(for folder in $(sed 's/:.*//' <<<"$layers" | sort); do
+    case $folder in
+      base | model) echo "$folder " ;;
+      export) echo "$folder exports" ;; # a keyword of the language
+      *) echo "$folder $folder" ;;
+    esac
+  done)
+  assert_output "$expected"
+}
+
 # only_in FOLDER PATTERN: includes matching PATTERN occur in lib/FOLDER and in no other file.
 only_in() {
   local files
@@ -42,6 +92,7 @@ only_in() {
   only_in io '(H5|hdf5)[A-Za-z0-9]*\.h'
   only_in io 'nlohmann/'
   only_in cli 'CLI/'
+  only_in quantize 'Cbc'
 }
 
 @test "a tool uses no kernel and only libraries of its line in tools/CMakeLists.txt" {

@@ -13,7 +13,7 @@ using namespace quadrille;
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names;
-  Tool tool;
+  cli::Tool tool;
   tool.name = "blocksplit";
   tool.summary = "turns a separatrix graph into four-sided blocks";
   tool.description =
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5",
                    "echo '{\"*\": \"fluid\"}' | blocksplit half_disc.sep.json --block-names - -o half_disc.blocks.h5"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("SEP", input, "graph of separatrices (x.sep.json)");
     o.output(output, "block layout (x.blocks.h5)");
     o.text("--block-names", names, "FILE",
@@ -35,27 +35,27 @@ int main(int argc, char** argv) {
            "[{\"at\": [x, y], \"name\": \"fluid\"}] (see formats/block-names.md)",
            false);
   };
-  tool.run = [&](Session& s) {
+  tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
-    const InputFile file = read_input(input);
-    const SeparatrixGraph graph = read_separatrix_graph(file);
-    require_valid(check_separatrix_graph(graph, CheckDepth::quick), file.name);
+    const io::InputFile file = io::read_input(input);
+    const SeparatrixGraph graph = io::read_separatrix_graph(file);
+    check::require_valid(check::check_separatrix_graph(graph, check::CheckDepth::quick), file.name);
     s.begin_phase("blocks");
-    Blocks blocks = make_blocks(graph, s.report());
+    block::Blocks blocks = block::make_blocks(graph, s.report());
     std::vector<InputDigest> inputs{file.digest("separatrix-graph")};
     std::vector<NameRule> rules;
     if (!names.empty()) {
-      const InputFile names_file = read_input(names);
-      rules = read_block_names(names_file);
+      const io::InputFile names_file = io::read_input(names);
+      rules = io::read_block_names(names_file);
       inputs.push_back(names_file.digest("block-names"));
     }
-    name_blocks(blocks.layout, rules);
+    block::name_blocks(blocks.layout, rules);
     blocks.layout.provenance = s.provenance(graph.provenance, inputs);
-    s.say(layout_in_words(blocks.layout, blocks.measures));
+    s.say(block::layout_in_words(blocks.layout, blocks.measures));
     s.begin_phase("write");
-    write_block_layout(output, blocks.layout);
+    io::write_block_layout(output, blocks.layout);
     s.end_phase();
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

@@ -30,8 +30,8 @@ void report_face(const CadFace& face, Report& report) {
   report.set("face.length_unit", face.length_unit);
 }
 
-std::string digest_format(CadFormat format) {
-  return format == CadFormat::step ? "step" : format == CadFormat::iges ? "iges" : "brep";
+std::string digest_format(cad::CadFormat format) {
+  return format == cad::CadFormat::step ? "step" : format == cad::CadFormat::iges ? "iges" : "brep";
 }
 
 }  // namespace
@@ -39,9 +39,9 @@ std::string digest_format(CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names;
   double corner_angle = 1;
-  TriangulateOptions options;
+  triangulate::TriangulateOptions options;
 
-  Tool tool;
+  cli::Tool tool;
   tool.name = "cad2tri";
   tool.summary = "turns a planar CAD face into a curved triangle mesh";
   tool.description =
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     constexpr double unlimited = std::numeric_limits<double>::max();
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
     o.output(output, "triangle mesh to write (x.tri.h5)");
@@ -69,26 +69,26 @@ int main(int argc, char** argv) {
            false);
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio", "radius of a layer by that of the next one");
   };
-  tool.run = [&](Session& s) {
-    const InputFile file = read_input(input);
+  tool.run = [&](cli::Session& s) {
+    const io::InputFile file = io::read_input(input);
     s.begin_phase("load");
-    CadFace face = load_face_guarded(file.bytes, file.name, {radians(corner_angle)}, s.report());
+    CadFace face = cad::load_face_guarded(file.bytes, file.name, {radians(corner_angle)}, s.report());
     s.end_phase();
-    std::vector<InputDigest> inputs{file.digest(digest_format(cad_format(file.bytes, file.name)))};
+    std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
     if (!names.empty()) {
-      const InputFile names_file = read_input(names);
-      rename_curves(face, read_boundary_names(names_file));
+      const io::InputFile names_file = io::read_input(names);
+      cad::rename_curves(face, io::read_boundary_names(names_file));
       inputs.push_back(names_file.digest("boundary-names"));
     }
     report_face(face, s.report());
     s.begin_phase("triangulate");
-    TriMesh mesh = triangulate(face, options, s.report());
+    TriMesh mesh = triangulate::triangulate(face, options, s.report());
     s.end_phase();
     mesh.provenance = s.provenance({}, inputs);
     s.say(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
                       mesh.curved_elems.size()));
-    write_tri_mesh(output, mesh);
+    io::write_tri_mesh(output, mesh);
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

@@ -7,37 +7,38 @@
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "features/resolve_features.hpp"
 #include "field/boundary_values.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "guide/complete_nodes.hpp"
 #include "guide/find_critical_points.hpp"
-#include "guide/placement.hpp"
 #include "guide/resolve.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "placement/placement.hpp"
 
 using namespace quadrille;
 
 namespace {
 
 struct NodeOptions {
-  SearchOptions search;
+  guide::SearchOptions search;
   int max_valence = 6;
   std::vector<std::string> corner_valences;
   double feature_size = 0;
   std::string degenerate = "divide";
   std::string place = "keep";
-  PlacementOptions placement;
+  placement::PlacementOptions placement;
 
-  std::vector<CornerOverride> overrides() const {
-    std::vector<CornerOverride> result;
-    for (const std::string& text : corner_valences) result.push_back(parse_corner_override(text));
+  std::vector<guide::CornerOverride> overrides() const {
+    std::vector<guide::CornerOverride> result;
+    for (const std::string& text : corner_valences) result.push_back(guide::parse_corner_override(text));
     return result;
   }
 };
 
-void declare(Options& o, NodeOptions& options) {
+void declare(cli::Options& o, NodeOptions& options) {
   o.number("--cluster-distance", options.search.cluster_distance, 0, 0.1, "diameters",
            "zeros nearer to each other than this are one cluster, which becomes one node or a symmetric set, or "
            "cancels; 0: only zeros that cannot be told apart");
@@ -58,24 +59,24 @@ void declare(Options& o, NodeOptions& options) {
 }
 
 /// The field's zeros as they are, or on a line field the nodes by rule.
-CriticalPoints nodes_of(const FieldEvaluator& evaluator, const NodeOptions& options, Report& report) {
+CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, Report& report) {
   const CadFace& face = evaluator.field().mesh.face;
-  if (is_line_field(face)) return line_field_points(face, options.max_valence);
-  CriticalPoints points = find_critical_points(evaluator, options.search, report);
-  resolve_clusters(face, options.max_valence, points);
+  if (field::is_line_field(face)) return guide::line_field_points(face, options.max_valence);
+  CriticalPoints points = guide::find_critical_points(evaluator, options.search, report);
+  guide::resolve_clusters(face, options.max_valence, points);
   return points;
 }
 
 void place(const Field& field, const NodeOptions& options, int num_threads, CriticalPoints& points, Report& report) {
-  std::vector<bool> is_free = nodes_without_place(field.mesh.face, points);
+  std::vector<bool> is_free = guide::nodes_without_place(field.mesh.face, points);
   if (options.place == "energy") is_free.assign(is_free.size(), true);
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
-  const auto energy = phase_energy_function(field, {points.twist_offsets}, num_threads);
+  const auto energy = galerkin::phase_energy_function(field, {points.twist_offsets}, num_threads);
   const auto of_points = [&](const CriticalPoints& at) {
-    PhaseEnergy e = energy(phase_nodes_of(at));
-    return NodeEnergy{e.value, std::move(e.gradient)};
+    galerkin::PhaseEnergy e = energy(phase_nodes_of(at));
+    return placement::NodeEnergy{e.value, std::move(e.gradient)};
   };
-  place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);
+  placement::place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ void place(const Field& field, const NodeOptions& options, int num_threads, Crit
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   NodeOptions options;
-  Tool tool;
+  cli::Tool tool;
   tool.name = "critpoints";
   tool.summary = "chooses the irregular nodes of the layout and the valences of the corners";
   tool.description =
@@ -102,33 +103,33 @@ int main(int argc, char** argv) {
                    "critpoints half_disc.field.h5 | jq '.critical_points[] | select(.valence == 3) | .position'",
                    "critpoints --place energy half_disc.field.h5 -o half_disc.placed.crit.json",
                    "critpoints --feature-size 0.1 half_disc.field.h5 | jq '.changes'"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
     o.output(output, "file for the nodes; - is standard output");
     declare(o, options);
   };
-  tool.run = [&](Session& s) {
-    const std::vector<CornerOverride> overrides = options.overrides();
+  tool.run = [&](cli::Session& s) {
+    const std::vector<guide::CornerOverride> overrides = options.overrides();
     s.begin_phase("read");
-    const InputFile file = read_input(input);
-    Field field = read_field(file);
-    require_valid(check_field(field, CheckDepth::quick), file.name);
+    const io::InputFile file = io::read_input(input);
+    Field field = io::read_field(file);
+    check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
     if (field.kind != "harmonic")
       throw FormatError(file.name + ": the field was made for the nodes that it has; critpoints reads harmonic ones");
-    if (field.elem_error.empty()) field.elem_error = error_estimate(field);
+    if (field.elem_error.empty()) field.elem_error = field::error_estimate(field);
     s.begin_phase("search");
-    const FieldEvaluator evaluator(field);
+    const field::FieldEvaluator evaluator(field);
     CriticalPoints points = nodes_of(evaluator, options, s.report());
     s.begin_phase("resolve");
     const CadFace& face = field.mesh.face;
-    override_corners(face, overrides, points);
-    if (options.degenerate == "divide") divide_degenerate_corners(face, points);
-    resolve_features(face, options.feature_size, points);
-    require_index_sum(points);
+    guide::override_corners(face, overrides, points);
+    if (options.degenerate == "divide") guide::divide_degenerate_corners(face, points);
+    features::resolve_features(face, options.feature_size, points);
+    guide::require_index_sum(points);
     s.begin_phase("place");
     place(field, options, s.threads(), points, s.report());
     s.begin_phase("write");
-    complete_nodes(evaluator, points);
+    guide::complete_nodes(evaluator, points);
     s.report().set("critical_points", points.critical_points.size());
     s.report().set("form", points.form);
     s.report().set("changes", points.changes.size());
@@ -136,8 +137,8 @@ int main(int argc, char** argv) {
                       points.critical_points.size() + points.boundary_nodes.size(), points.corners.size(),
                       points.index_sum, points.changes.size(), points.form));
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
-    write_critical_points(output, points);
+    io::write_critical_points(output, points);
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

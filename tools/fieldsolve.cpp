@@ -22,22 +22,22 @@ namespace {
 
 // The irregular nodes of the file, if they can be had on this mesh's face. They need not be of a field on this mesh:
 // nodes moved, or made for another mesh, have elements that say nothing.
-CriticalPoints read_nodes(const InputFile& file, TriMesh& mesh) {
-  CriticalPoints points = read_critical_points(file);
-  require_valid(check_critical_points(points, CheckDepth::quick), file.name);
+CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
+  CriticalPoints points = io::read_critical_points(file);
+  check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
   Field of_face;
   std::swap(of_face.mesh, mesh);
-  std::vector<Violation> violations = check_critical_points_of(points, of_face);
+  std::vector<check::Violation> violations = check::check_critical_points_of(points, of_face);
   std::swap(of_face.mesh, mesh);
-  std::erase_if(violations, [](const Violation& violation) { return violation.rule == "CRT-R09"; });
-  require_valid(violations, file.name);
+  std::erase_if(violations, [](const check::Violation& violation) { return violation.rule == "CRT-R09"; });
+  check::require_valid(violations, file.name);
   if (points.origin != mesh.face.origin)
     throw FormatError(fmt::format("{}: its origin is not that of the mesh: it belongs to another face", file.name));
-  require_possible(mesh.face, phase_nodes_of(points), file.name);
+  galerkin::require_possible(mesh.face, phase_nodes_of(points), file.name);
   return points;
 }
 
-void say_phase(const PhaseForm& phase, Session& s) {
+void say_phase(const PhaseForm& phase, cli::Session& s) {
   std::vector<int> nodes, corners;
   for (const PhaseNode& node : phase.nodes.nodes) nodes.push_back(node.valence);
   for (const CornerValence& corner : phase.nodes.corners) corners.push_back(corner.valence);
@@ -53,10 +53,10 @@ void say_phase(const PhaseForm& phase, Session& s) {
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", orders_path, nodes_path;
-  LaplaceOptions options;
+  galerkin::LaplaceOptions options;
   int order = 8;
 
-  Tool tool;
+  cli::Tool tool;
   tool.name = "fieldsolve";
   tool.summary = "solves for the guiding field on a triangle mesh";
   tool.description =
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
                    "fieldsolve --orders half_disc.field.h5 half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --nodes half_disc.crit.json half_disc.tri.h5 -o half_disc.phase.h5",
                    "cad2tri half_disc.step | fieldsolve | padapt -o half_disc.field.h5"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("TRI", input, "triangle mesh (x.tri.h5)");
     o.output(output, "field to write (x.solve.h5)");
     o.integer("--field-order", order, 1, 20, "polynomial order of the field on every element (dg: at most 12)");
@@ -88,38 +88,38 @@ int main(int argc, char** argv) {
     o.choice("--method", options.method, {"cg", "dg"}, "continuous or discontinuous (hybridised) elements");
     o.choice("--corners", options.corners, {"lift", "dg"}, "tangent jumps: lifted exactly, or left in the data");
   };
-  tool.run = [&](Session& s) {
+  tool.run = [&](cli::Session& s) {
     options.num_threads = s.threads();
     options.validate();
-    const int max_order = max_field_order(options.method == "dg");
+    const int max_order = galerkin::max_field_order(options.method == "dg");
     if (!nodes_path.empty() && (options.method != "cg" || options.corners != "lift"))
       throw UsageError("--nodes goes with --method cg and --corners lift alone");
     if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));
-    const InputFile file = read_input(input);
-    TriMesh mesh = read_tri_mesh(file);
-    require_valid(check_tri_mesh(mesh, CheckDepth::quick), file.name);
+    const io::InputFile file = io::read_input(input);
+    TriMesh mesh = io::read_tri_mesh(file);
+    check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("tri-mesh")};
     std::vector<int> orders(mesh.num_elems(), order);
     if (!orders_path.empty()) {
-      const InputFile orders_file = read_input(orders_path);
-      orders = read_order_map(orders_file, mesh.num_elems(), max_order);
+      const io::InputFile orders_file = io::read_input(orders_path);
+      orders = io::read_order_map(orders_file, mesh.num_elems(), max_order);
       inputs.push_back(orders_file.digest("order-map"));
     }
     Field field;
     if (nodes_path.empty()) {
       s.begin_phase("solve");
-      field = solve_laplace(mesh, orders, options, s.report());
+      field = galerkin::solve_laplace(mesh, orders, options, s.report());
     } else {
-      const InputFile nodes_file = read_input(nodes_path);
+      const io::InputFile nodes_file = io::read_input(nodes_path);
       const CriticalPoints points = read_nodes(nodes_file, mesh);
       inputs.push_back(nodes_file.digest("critical-points"));
       s.begin_phase("solve");
-      PhaseSolver solver(mesh, orders, options.num_threads);
+      galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
       field = solver.solve(phase_nodes_of(points), {points.twist_offsets}, s.report());
       say_phase(field.phase, s);
     }
     s.begin_phase("estimate");
-    field.elem_error = error_estimate(field);
+    field.elem_error = field::error_estimate(field);
     s.end_phase();
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
     s.report().set("solve.field_order", *highest);
@@ -127,8 +127,8 @@ int main(int argc, char** argv) {
     field.provenance = s.provenance(mesh.provenance, inputs);
     s.say(fmt::format("{} elements of order {}..{}, {} liftings", mesh.num_elems(), *lowest, *highest,
                       nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size()));
-    write_field(output, field);
+    io::write_field(output, field);
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

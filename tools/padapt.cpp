@@ -26,9 +26,9 @@ std::vector<double> order_histogram(const Field& field) {
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
-  AdaptOptions options;
+  adapt::AdaptOptions options;
 
-  Tool tool;
+  cli::Tool tool;
   tool.name = "padapt";
   tool.summary = "adapts the polynomial order of a field, element by element";
   tool.description =
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
                    "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
                    "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("SOLVE", input, "field (x.solve.h5, x.phase.h5)");
     o.output(output, "adapted field to write (x.field.h5)");
     o.number("--raise-above", options.raise_above, 0, 1, "squared ratio",
@@ -59,14 +59,14 @@ int main(int argc, char** argv) {
              "what the sensor is relative to: the size of the field on the boundary, or the sensed components on the "
              "element (as in the paper)");
   };
-  tool.run = [&](Session& s) {
+  tool.run = [&](cli::Session& s) {
     options.num_threads = s.threads();
     options.validate();
-    const InputFile file = read_input(input);
-    const Field start = read_field(file);
-    require_valid(check_field(start, CheckDepth::quick), file.name);
+    const io::InputFile file = io::read_input(input);
+    const Field start = io::read_field(file);
+    check::require_valid(check::check_field(start, check::CheckDepth::quick), file.name);
     s.begin_phase("adapt");
-    Field field = adapt_loop(start, options, s.report());
+    Field field = adapt::adapt_loop(start, options, s.report());
     s.end_phase();
     field.provenance = s.provenance(start.provenance, {file.digest("field")});
     s.report().set("adapt.num_elements_by_order", Report::Value(order_histogram(field)));
@@ -74,8 +74,8 @@ int main(int argc, char** argv) {
       s.say(fmt::format("orders {}..{}, {} unknowns, sensor up to {:.1e}: {} raised, {} lowered", step.min_order,
                         step.max_order, step.num_unknowns, step.max_sensor, step.num_raised, step.num_lowered));
     }
-    write_field(output, field);
+    io::write_field(output, field);
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

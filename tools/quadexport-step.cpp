@@ -12,20 +12,20 @@ using namespace quadrille;
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
-  Tool tool;
+  cli::Tool tool;
   tool.name = "quadexport";
   tool.summary = "writes the blocks of a block layout as a STEP model of connected faces";
   tool.description = "Run by quadexport, which has the user's options; not meant to be called by hand.";
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5), - for standard input");
     o.output(output, "STEP file");
   };
-  tool.run = [&](Session&) {
-    const InputFile file = read_input(input);
-    const BlockLayout layout = read_block_layout(file);
-    require_valid(check_block_layout(layout, CheckDepth::quick), file.name);
-    write_output(output, step_of_blocks(layout), false);
+  tool.run = [&](cli::Session&) {
+    const io::InputFile file = io::read_input(input);
+    const BlockLayout layout = io::read_block_layout(file);
+    check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
+    io::write_output(output, cad::step_of_blocks(layout), false);
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

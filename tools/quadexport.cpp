@@ -33,9 +33,9 @@ std::string format_of(const std::string& output, const std::string& wish) {
   if (wish != "auto") return wish;
   if (output == "-") return "msh";
   if (ends_with(output, ".step") || ends_with(output, ".stp")) return "step";
-  if (const ExportFormat* format = export_format_of(output)) return std::string(format->name);
+  if (const exports::ExportFormat* format = exports::export_format_of(output)) return std::string(format->name);
   std::string endings = ".step";
-  for (const ExportFormat& format : export_formats())
+  for (const exports::ExportFormat& format : exports::export_formats())
     if (!format.ending.empty() && endings.find(format.ending) == std::string::npos)
       endings += fmt::format(" {}", format.ending);
   throw UsageError(
@@ -108,41 +108,41 @@ bool takes_one_file(const std::string& output) {
 }
 
 /// A mesh that is marked as not valid goes no further unless that is asked for.
-void admit(const QuadMesh& mesh, bool allow_invalid, Session& s) {
-  const std::string doubt = doubt_about(mesh);
+void admit(const QuadMesh& mesh, bool allow_invalid, cli::Session& s) {
+  const std::string doubt = check::doubt_about(mesh);
   if (doubt.empty()) return;
   if (!allow_invalid) throw ComputeError(doubt + " (--allow-invalid exports it all the same)");
   s.report().warn("W-QUA-001", doubt);
 }
 
 void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,
-                bool allow_invalid, Session& s) {
+                bool allow_invalid, cli::Session& s) {
   s.begin_phase("read");
-  const InputFile file = read_input(input);
-  const QuadMesh mesh = read_quad_mesh(file);
-  require_valid(check_quad_mesh(mesh, CheckDepth::quick), file.name);
+  const io::InputFile file = io::read_input(input);
+  const QuadMesh mesh = io::read_quad_mesh(file);
+  check::require_valid(check::check_quad_mesh(mesh, check::CheckDepth::quick), file.name);
   admit(mesh, allow_invalid, s);
   s.begin_phase("write");
-  const Exported exported = export_mesh(mesh, *find_export_format(format_name), in_space);
+  const exports::Exported exported = exports::export_mesh(mesh, *exports::find_export_format(format_name), in_space);
   s.report().set("format", format_name);
   s.report().set("quads", mesh.num_elems());
   s.report().set("nodes", mesh.nodes.size());
   for (const std::string& loss : exported.losses) s.report().warn("W-EXP-001", loss);
-  for (const SideFile& side : exported.side_files) {
+  for (const exports::SideFile& side : exported.side_files) {
     if (takes_one_file(output))
       s.report().warn("W-EXP-002", fmt::format("*{} is not written: {} takes one file", side.ending,
                                                output == "-" ? "standard output" : output));
     else
-      write_output(beside(output, side.ending), side.bytes, side.is_binary);
+      io::write_output(beside(output, side.ending), side.bytes, side.is_binary);
   }
-  write_output(output, exported.bytes, exported.is_binary);
+  io::write_output(output, exported.bytes, exported.is_binary);
   s.end_phase();
 }
 
 /// "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10; ..."
 std::string format_list() {
   std::string list;
-  for (const ExportFormat& f : export_formats())
+  for (const exports::ExportFormat& f : exports::export_formats())
     list += fmt::format("{}{}: {}, orders 1 to {}", list.empty() ? "" : "; ", f.name, f.summary, f.max_order);
   return list;
 }
@@ -153,9 +153,9 @@ int main(int argc, char** argv) {
   std::string input = "-", output = "-", format = "auto", frame = "2d";
   bool allow_invalid = false;
   std::vector<std::string> formats{"auto"};
-  for (const ExportFormat& f : export_formats()) formats.emplace_back(f.name);
+  for (const exports::ExportFormat& f : exports::export_formats()) formats.emplace_back(f.name);
   formats.emplace_back("step");
-  Tool tool;
+  cli::Tool tool;
   tool.name = "quadexport";
   tool.summary = "writes a mesh or its blocks for other programs";
   tool.description =
@@ -167,20 +167,20 @@ int main(int argc, char** argv) {
   tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
                    "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
                    "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
     o.output(output, "file to write");
     o.choice("--format", format, formats, "auto: by the ending of the output");
     o.choice("--frame", frame, {"2d", "3d"}, "3d: coordinates of the CAD model's own space");
     o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
   };
-  tool.run = [&](Session& s) {
+  tool.run = [&](cli::Session& s) {
     const std::string name = format_of(output, format);
     if (name == "step")
       write_step(input, output);
     else
       write_mesh(input, output, name, frame == "3d", allow_invalid, s);
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

@@ -7,11 +7,11 @@
 #include "io/output_file.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
+#include "layers/wall_spec.hpp"
 #include "refine/chosen_blocks.hpp"
-#include "refine/make_size_field.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
-#include "refine/wall_spec.hpp"
+#include "sizing/make_size_field.hpp"
 
 using namespace quadrille;
 
@@ -19,12 +19,12 @@ namespace {
 
 /// The wanted sizes, as the command line has them.
 struct SizeArguments {
-  SizeOptions options;
+  sizing::SizeOptions options;
   std::vector<std::string> near, counts;
   std::string file, rule = "nearest";
 };
 
-void declare(Options& o, SizeArguments& sizes) {
+void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "wanted edge length");
   o.texts("--size-near", sizes.near, "NAME=H", "wanted edge length H along the boundary NAME, growing away from it");
   o.text("--size-field", sizes.file, "FILE", "points and boxes with wanted edge lengths (JSON, formats/size-field.md)",
@@ -43,28 +43,28 @@ void declare(Options& o, SizeArguments& sizes) {
 }
 
 void take_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
-                RefineOptions& options) {
-  SizeOptions wanted = sizes.options;
+                refine::RefineOptions& options) {
+  sizing::SizeOptions wanted = sizes.options;
   if (!sizes.file.empty()) {
-    const InputFile file = read_input(sizes.file);
-    wanted.sources = read_size_field(file, face.origin);
+    const io::InputFile file = io::read_input(sizes.file);
+    wanted.sources = io::read_size_field(file, face.origin);
     inputs.push_back(file.digest("size-field"));
   }
-  for (const std::string& text : sizes.near) wanted.near.push_back(parse_near_size(text));
-  options.size_field = make_size_field(face, wanted);
-  options.size_rule = sizes.rule == "nearest" ? SizeRule::nearest : SizeRule::at_most;
-  for (const std::string& text : sizes.counts) options.counts.push_back(parse_chord_count(text));
+  for (const std::string& text : sizes.near) wanted.near.push_back(sizing::parse_near_size(text));
+  options.size_field = sizing::make_size_field(face, wanted);
+  options.size_rule = sizes.rule == "nearest" ? sizing::SizeRule::nearest : sizing::SizeRule::at_most;
+  for (const std::string& text : sizes.counts) options.counts.push_back(sizing::parse_chord_count(text));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
-  RefineOptions options;
+  refine::RefineOptions options;
   SizeArguments sizes;
   std::string blocks;
   std::vector<std::string> walls;
-  Tool tool;
+  cli::Tool tool;
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
   tool.description =
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
                    "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
                    "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
                    "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
-  tool.options = [&](Options& o) {
+  tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
     o.output(output, "quad mesh (x.quad.h5)");
     declare(o, sizes);
@@ -101,24 +101,24 @@ int main(int argc, char** argv) {
     o.integer("--relax", options.relax, 0, 1000, "sweeps that move vertices to where elements have better shapes");
     o.flag("--allow-invalid", options.allow_invalid, "write a mesh that is not proved valid, marked as such");
   };
-  tool.run = [&](Session& s) {
-    for (const std::string& wall : walls) options.walls.push_back(parse_wall_spec(wall));
+  tool.run = [&](cli::Session& s) {
+    for (const std::string& wall : walls) options.walls.push_back(layers::parse_wall_spec(wall));
     s.begin_phase("read");
-    const InputFile file = read_input(input);
-    const BlockLayout layout = read_block_layout(file);
-    require_valid(check_block_layout(layout, CheckDepth::quick), file.name);
+    const io::InputFile file = io::read_input(input);
+    const BlockLayout layout = io::read_block_layout(file);
+    check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("block-layout")};
     take_sizes(sizes, layout.face, inputs, options);
-    if (!blocks.empty()) options.blocks = parse_blocks(blocks, layout.block_names);
+    if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);
     s.begin_phase("refine");
-    QuadMesh mesh = refine(layout, options, s.report());
+    QuadMesh mesh = refine::refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);
     s.say(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
-    for (const WorstElement& worst : worst_elements(mesh, 5)) s.say(describe(worst, mesh));
+    for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.say(refine::describe(worst, mesh));
     s.begin_phase("write");
-    write_quad_mesh(output, mesh);
+    io::write_quad_mesh(output, mesh);
     s.end_phase();
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

@@ -17,36 +17,39 @@ using namespace quadrille;
 namespace {
 
 /// A mesh may be what its page says and yet not be valid: then it says so itself.
-std::vector<Violation> violations_of_quads(const InputFile& file, Session& session) {
-  const QuadMesh mesh = read_quad_mesh(file);
-  std::vector<Violation> violations = check_quad_mesh(mesh, CheckDepth::full);
+std::vector<check::Violation> violations_of_quads(const io::InputFile& file, cli::Session& session) {
+  const QuadMesh mesh = io::read_quad_mesh(file);
+  std::vector<check::Violation> violations = check::check_quad_mesh(mesh, check::CheckDepth::full);
   if (violations.empty() && !mesh.is_valid)
-    session.report().warn("W-QUA-001", fmt::format("{}: {}", file.name, doubt_about(mesh)));
+    session.report().warn("W-QUA-001", fmt::format("{}: {}", file.name, check::doubt_about(mesh)));
   return violations;
 }
 
 template <typename Stage>
-std::vector<Violation> violations_of(const InputFile& file, Stage (*read)(const InputFile&),
-                                     std::vector<Violation> (*check)(const Stage&, CheckDepth)) {
-  return check(read(file), CheckDepth::full);
+std::vector<check::Violation> violations_of(const io::InputFile& file, Stage (*read)(const io::InputFile&),
+                                            std::vector<check::Violation> (*check)(const Stage&, check::CheckDepth)) {
+  return check(read(file), check::CheckDepth::full);
 }
 
-std::vector<Violation> violations_of(const InputFile& file, const std::string& format, Session& session) {
-  if (format == "tri-mesh") return violations_of(file, read_tri_mesh, check_tri_mesh);
-  if (format == "field") return violations_of(file, read_field, check_field);
-  if (format == "critical-points") return violations_of(file, read_critical_points, check_critical_points);
-  if (format == "separatrix-graph") return violations_of(file, read_separatrix_graph, check_separatrix_graph);
-  if (format == "block-layout") return violations_of(file, read_block_layout, check_block_layout);
+std::vector<check::Violation> violations_of(const io::InputFile& file, const std::string& format,
+                                            cli::Session& session) {
+  if (format == "tri-mesh") return violations_of(file, io::read_tri_mesh, check::check_tri_mesh);
+  if (format == "field") return violations_of(file, io::read_field, check::check_field);
+  if (format == "critical-points") return violations_of(file, io::read_critical_points, check::check_critical_points);
+  if (format == "separatrix-graph")
+    return violations_of(file, io::read_separatrix_graph, check::check_separatrix_graph);
+  if (format == "block-layout") return violations_of(file, io::read_block_layout, check::check_block_layout);
   return violations_of_quads(file, session);
 }
 
 /// Prints what is wrong with one file and returns how much that is.
-std::size_t check_file(const std::string& path, Session& session) {
+std::size_t check_file(const std::string& path, cli::Session& session) {
   try {
-    const InputFile file = read_input(path);
-    const std::string format = stage_format(file);
-    const std::vector<Violation> violations = violations_of(file, format, session);
-    for (const Violation& violation : violations) fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
+    const io::InputFile file = io::read_input(path);
+    const std::string format = io::stage_format(file);
+    const std::vector<check::Violation> violations = violations_of(file, format, session);
+    for (const check::Violation& violation : violations)
+      fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
     session.say(fmt::format("{}: {}, {}", file.name, format,
                             violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
     return violations.size();
@@ -60,7 +63,7 @@ std::size_t check_file(const std::string& path, Session& session) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> paths;
-  Tool tool;
+  cli::Tool tool;
   tool.name = "stagecheck";
   tool.summary = "checks stage files against the numbered rules of their formats";
   tool.description =
@@ -68,8 +71,8 @@ int main(int argc, char** argv) {
       "rule of its format page in formats/, proofs of positive Jacobians included, and prints one line for each "
       "violation: FILE: RULE: text. Silent when all rules hold; -v says what was checked.";
   tool.examples = {"stagecheck half_disc.tri.h5", "stagecheck -v half_disc.crit.json half_disc.quad.h5"};
-  tool.options = [&](Options& options) { options.inputs("FILE", paths, "stage files to check"); };
-  tool.run = [&](Session& session) {
+  tool.options = [&](cli::Options& options) { options.inputs("FILE", paths, "stage files to check"); };
+  tool.run = [&](cli::Session& session) {
     std::size_t num_violations = 0, num_bad = 0;
     for (const std::string& path : paths) {
       const std::size_t found = check_file(path, session);
@@ -82,6 +85,6 @@ int main(int argc, char** argv) {
       throw FormatError(
           fmt::format("{} of {} {} broken", num_bad, paths.size(), num_bad == 1 ? "file is" : "files are"));
   };
-  tool.report_writer = write_report;
-  return tool_main(argc, argv, tool);
+  tool.report_writer = io::write_report;
+  return cli::tool_main(argc, argv, tool);
 }

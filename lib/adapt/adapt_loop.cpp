@@ -15,7 +15,7 @@
 #include "galerkin/solve_laplace.hpp"
 #include "galerkin/solve_phase.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 
 namespace {
 
@@ -27,17 +27,17 @@ struct Solver {
 
 Solver solver_of(const Field& start, int num_threads) {
   if (start.kind == "phase") {
-    const auto solver = std::make_shared<PhaseSolver>(start.mesh, start.elem_order, num_threads);
-    const PhaseOptions options{start.phase.twist_offsets};
+    const auto solver = std::make_shared<galerkin::PhaseSolver>(start.mesh, start.elem_order, num_threads);
+    const galerkin::PhaseOptions options{start.phase.twist_offsets};
     return {[=, &start](const std::vector<int>& orders, Report& report) {
               solver->set_orders(orders);
               return solver->solve(start.phase.nodes, options, report);
             },
             [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
   }
-  LaplaceOptions options = options_of(start);
+  galerkin::LaplaceOptions options = galerkin::options_of(start);
   options.num_threads = num_threads;
-  const auto solver = std::make_shared<LaplaceSolver>(start.mesh, options);
+  const auto solver = std::make_shared<galerkin::LaplaceSolver>(start.mesh, options);
   return {[=](const std::vector<int>& orders, Report& report) { return solver->solve(orders, report); },
           [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
 }
@@ -133,7 +133,7 @@ void AdaptOptions::validate() const {
 
 Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& report) {
   AdaptOptions options = requested;
-  options.max_order = std::min(options.max_order, max_field_order(start.method == "dg"));
+  options.max_order = std::min(options.max_order, galerkin::max_field_order(start.method == "dg"));
   options.validate();
   const SensorKind kind = sensor_kind(options.sensor);
   const SensorScale scale = sensor_scale(options.scale);
@@ -162,11 +162,11 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   }
   field.provenance = start.provenance;
   field.adapt_steps = std::move(steps);
-  field.elem_error = error_estimate(field);
+  field.elem_error = field::error_estimate(field);
   report.set("adapt.cpu_seconds_by_step", Report::Value(seconds));
   report_result(field, options, report);
   judge_errors(field, options, report);
   return field;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::adapt

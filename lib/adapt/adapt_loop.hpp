@@ -6,7 +6,7 @@
 #include "base/report.hpp"
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 
 struct AdaptOptions {
   double raise_above = 1e-18;         ///< epsilon_u on the squared sensor S_e
@@ -26,4 +26,4 @@ struct AdaptOptions {
 /// target_error. A field of kind "phase" is adapted for its nodes, by the sensor of s alone.
 Field adapt_loop(const Field& start, const AdaptOptions& options, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::adapt

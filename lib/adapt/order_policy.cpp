@@ -1,6 +1,6 @@
 #include "adapt/order_policy.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 
 OrderChange decide(double sensor, int order, bool was_raised, const AdaptOptions& options) {
   if (sensor > options.raise_above) return order < options.max_order ? OrderChange::raise : OrderChange::keep;
@@ -8,4 +8,4 @@ OrderChange decide(double sensor, int order, bool was_raised, const AdaptOptions
   return OrderChange::keep;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::adapt

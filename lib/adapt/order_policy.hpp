@@ -5,7 +5,7 @@
 
 #include "adapt/adapt_loop.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 
 enum class OrderChange { lower = -1, keep = 0, raise = 1 };
 
@@ -13,4 +13,4 @@ enum class OrderChange { lower = -1, keep = 0, raise = 1 };
 /// order is above min_order and the element has never been raised, so that no element goes up and down for ever.
 OrderChange decide(double sensor, int order, bool was_raised, const AdaptOptions& options);
 
-}  // namespace quadrille
+}  // namespace quadrille::adapt

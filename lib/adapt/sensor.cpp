@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 
 namespace {
 
@@ -18,7 +18,7 @@ struct Norms {
 
 Norms squared_norms(const double* coefs, int order) {
   Norms norms;
-  const int first_of_tail = num_tri_modes(order - 1), n = num_tri_modes(order);
+  const int first_of_tail = spectral::num_tri_modes(order - 1), n = spectral::num_tri_modes(order);
   for (int i = 0; i < n; ++i) {
     norms.all += coefs[i] * coefs[i];
     if (i >= first_of_tail) norms.tail += coefs[i] * coefs[i];
@@ -92,4 +92,4 @@ std::vector<double> equalized(std::vector<double> sensors) {
   return sensors;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::adapt

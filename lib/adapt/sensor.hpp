@@ -12,7 +12,7 @@
 
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 
 /// Which components are sensed.
 enum class SensorKind { vector, u, v };
@@ -40,4 +40,4 @@ std::vector<double> fan_weights(const TriMesh& mesh);
 /// a symmetry orbit together and not by their rounding errors.
 std::vector<double> equalized(std::vector<double> sensors);
 
-}  // namespace quadrille
+}  // namespace quadrille::adapt

@@ -2,22 +2,22 @@
 
 #include "mesh/chords.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 BlockMaps::BlockMaps(const BlockLayout& layout) : layout_(&layout), table_(layout.face, layout.splines) {
   chains_.reserve(layout.arcs.size());
   for (const GraphArc& arc : layout.arcs) chains_.emplace_back(table_, arc.pieces);
 }
 
-TransfiniteMap BlockMaps::map(int block) const {
-  std::array<const Chain*, 4> sides{};
+mesh::TransfiniteMap BlockMaps::map(int block) const {
+  std::array<const curve::Chain*, 4> sides{};
   std::array<bool, 4> backwards{};
   for (int k = 0; k < 4; ++k) {
     const int directed = layout_->block2arcs[block][k];
-    sides[k] = &chains_[arc_of(directed)];
-    backwards[k] = is_backwards(directed);
+    sides[k] = &chains_[mesh::arc_of(directed)];
+    backwards[k] = mesh::is_backwards(directed);
   }
-  return TransfiniteMap(sides, backwards);
+  return mesh::TransfiniteMap(sides, backwards);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

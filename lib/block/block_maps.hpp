@@ -7,7 +7,7 @@
 #include "mesh/transfinite.hpp"
 #include "model/block_layout.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 /// Blocks are judged as quads of this order (lib/mesh/transfinite.hpp, TransfiniteMap::sampled).
 constexpr int block_order = 8;
@@ -16,13 +16,13 @@ class BlockMaps {
  public:
   /// `layout` must outlive it, and its arcs and splines must not change.
   explicit BlockMaps(const BlockLayout& layout);
-  const Chain& arc(int a) const { return chains_[a]; }
-  TransfiniteMap map(int block) const;
+  const curve::Chain& arc(int a) const { return chains_[a]; }
+  mesh::TransfiniteMap map(int block) const;
 
  private:
   const BlockLayout* layout_;
-  CurveTable table_;
-  std::vector<Chain> chains_;
+  curve::CurveTable table_;
+  std::vector<curve::Chain> chains_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::block

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "graph/planar_faces.hpp"
 #include "mesh/chords.hpp"
-#include "trace/planar_faces.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 void require_conforming(const SeparatrixGraph& graph) {
@@ -20,7 +20,7 @@ void require_conforming(const SeparatrixGraph& graph) {
 
 BlockLayout extract_blocks(const SeparatrixGraph& graph) {
   require_conforming(graph);
-  if (require_four_corners(graph) == 0) throw ComputeError("the graph has no faces");
+  if (graph::require_four_corners(graph) == 0) throw ComputeError("the graph has no faces");
   BlockLayout layout;
   layout.provenance = graph.provenance;
   layout.face = graph.face;
@@ -28,15 +28,15 @@ BlockLayout extract_blocks(const SeparatrixGraph& graph) {
   layout.nodes = graph.nodes;
   layout.arcs = graph.arcs;
 
-  for (const std::vector<int>& cycle : planar_faces(graph).cycles) {
+  for (const std::vector<int>& cycle : graph::planar_faces(graph).cycles) {
     std::array<int, 4> arcs{}, nodes{};
-    for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = dart_from(graph, cycle[k]);
+    for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = graph::dart_from(graph, cycle[k]);
     layout.block2arcs.push_back(arcs);
     layout.block2nodes.push_back(nodes);
     layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));
   }
-  layout.arc_chord = arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
+  layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
   return layout;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

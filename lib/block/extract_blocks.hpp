@@ -5,7 +5,7 @@
 #include "model/block_layout.hpp"
 #include "model/separatrix_graph.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 /// Walks the faces of the planar graph; each must have four corners (sectors of one quarter turn). Throws ComputeError
 /// naming and locating a face that does not. Chords are filled in, measures of the blocks are not
@@ -15,4 +15,4 @@ BlockLayout extract_blocks(const SeparatrixGraph& graph);
 /// The layout of make_blocks (block/make_blocks.hpp): mended and measured.
 BlockLayout extract_blocks(const SeparatrixGraph& graph, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

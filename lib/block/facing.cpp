@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 /// How far b's point lies ahead of a's, times the length of the sum of tangents.
 double lead(const Walk& a, const Walk& b, double middle, double d) {
-  const ChainPoint p = a.at(middle - d / 2), q = b.at(middle + d / 2);
+  const curve::ChainPoint p = a.at(middle - d / 2), q = b.at(middle + d / 2);
   return dot(q.position - p.position, p.tangent + q.tangent);
 }
 
@@ -37,4 +37,4 @@ std::optional<double> facing_difference(const Walk& a, const Walk& b, double mid
   return std::nullopt;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

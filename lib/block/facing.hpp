@@ -5,14 +5,14 @@
 
 #include "curve/chain.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 /// An arc walked in a chosen direction.
 struct Walk {
-  const Chain* chain = nullptr;
+  const curve::Chain* chain = nullptr;
   bool backwards = false;
-  ChainPoint at(double f) const {
-    ChainPoint p = chain->at(backwards ? 1 - f : f);
+  curve::ChainPoint at(double f) const {
+    curve::ChainPoint p = chain->at(backwards ? 1 - f : f);
     if (backwards) p.tangent = -p.tangent;
     return p;
   }
@@ -23,4 +23,4 @@ struct Walk {
 /// in [0.05, 0.95].
 std::optional<double> facing_difference(const Walk& a, const Walk& b, double middle);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

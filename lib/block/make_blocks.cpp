@@ -11,7 +11,7 @@
 #include "block/tell_layout.hpp"
 #include "mesh/chords.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 constexpr int most_rounds = 4;
@@ -35,9 +35,9 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
     if (is_good(blocks.measures[b])) continue;
     const std::array<int, 4>& sides = blocks.layout.block2arcs[b];
-    const auto length = [&](int k) { return maps.arc(arc_of(sides[k])).length(); };
+    const auto length = [&](int k) { return maps.arc(mesh::arc_of(sides[k])).length(); };
     const bool first = length(0) + length(2) >= (1 - 1e-6) * (length(1) + length(3));
-    const int arc = arc_of(sides[first ? 0 : 1]);
+    const int arc = mesh::arc_of(sides[first ? 0 : 1]);
     if (chords.insert(blocks.layout.arc_chord[arc]).second) arcs.insert(arc);
   }
   return arcs;
@@ -95,4 +95,4 @@ Blocks make_blocks(const SeparatrixGraph& graph, Report& report) {
 
 BlockLayout extract_blocks(const SeparatrixGraph& graph, Report& report) { return make_blocks(graph, report).layout; }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

@@ -5,7 +5,7 @@
 #include "block/measure_blocks.hpp"
 #include "model/separatrix_graph.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 struct Blocks {
   BlockLayout layout;  ///< with its measures
@@ -22,4 +22,4 @@ Blocks make_blocks(const SeparatrixGraph& graph, Report& report);
 /// place.
 Blocks mend_blocks(BlockLayout layout, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

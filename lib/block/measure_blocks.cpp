@@ -10,16 +10,16 @@
 #include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 constexpr int greatest_division = 16;
 constexpr double same_length = 1e-6;  // relative; a rotated shape must give the same answer
 
 /// Cell (i, j) of n x n as a quad of order 8.
-std::vector<Vec2> cell_nodes(const TransfiniteMap& map, int n, int i, int j) {
+std::vector<Vec2> cell_nodes(const mesh::TransfiniteMap& map, int n, int i, int j) {
   std::vector<double> fractions;
-  for (const double xi : gll_points(block_order)) fractions.push_back((1 + xi) / 2);
+  for (const double xi : spectral::gll_points(block_order)) fractions.push_back((1 + xi) / 2);
   std::vector<Vec2> nodes;
   for (const double t : fractions)
     for (const double s : fractions) nodes.push_back(map.position((i + s) / n, (j + t) / n));
@@ -28,18 +28,18 @@ std::vector<Vec2> cell_nodes(const TransfiniteMap& map, int n, int i, int j) {
 
 /// Whether all n x n cells are proved, and their least scaled Jacobian. Cells are not subdivided once more to sharpen
 /// their bounds: the next n does that.
-bool is_proved(const TransfiniteMap& map, int n, double& scaled_jacobian) {
+bool is_proved(const mesh::TransfiniteMap& map, int n, double& scaled_jacobian) {
   scaled_jacobian = 1;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const std::vector<Vec2> nodes = cell_nodes(map, n, i, j);
-      if (quad_jacobian_lower_bound(block_order, nodes.data(), 0) <= 0) return false;
-      scaled_jacobian = std::min(scaled_jacobian, quad_scaled_jacobian(block_order, nodes.data()));
+      if (spectral::quad_jacobian_lower_bound(block_order, nodes.data(), 0) <= 0) return false;
+      scaled_jacobian = std::min(scaled_jacobian, spectral::quad_scaled_jacobian(block_order, nodes.data()));
     }
   return true;
 }
 
-void prove(const TransfiniteMap& map, BlockMeasure& m) {
+void prove(const mesh::TransfiniteMap& map, BlockMeasure& m) {
   m.divisions = 1;
   m.map_scaled_jacobian = m.scaled_jacobian;
   if (m.jacobian_bound > 0) return;
@@ -54,19 +54,20 @@ double distance_to_arc(const BlockLayout& layout, const GraphArc& arc, Vec2 x) {
   double least = std::numeric_limits<double>::infinity();
   for (const ArcPiece& piece : arc.pieces) {
     const auto [low, high] = std::minmax(piece.t0, piece.t1);
-    least = std::min(least, project(layout.curve(piece.curve), x, low, high).distance);
+    least = std::min(least, curve::project(layout.curve(piece.curve), x, low, high).distance);
   }
   return least;
 }
 
 /// The polynomial of order 8 along an arc against the arc, between the points that they share.
-void measure_boundary_distance(const BlockLayout& layout, const Chain& chain, const GraphArc& arc, BlockMeasure& m) {
+void measure_boundary_distance(const BlockLayout& layout, const curve::Chain& chain, const GraphArc& arc,
+                               BlockMeasure& m) {
   const int count = 4 * block_order;
   std::vector<double> samples;
   for (int i = 0; i <= count; ++i) samples.push_back(-1 + 2.0 * i / count);
-  const Eigen::MatrixXd basis = interpolation_matrix(gll_points(block_order), samples);
+  const Eigen::MatrixXd basis = spectral::interpolation_matrix(spectral::gll_points(block_order), samples);
   std::vector<Vec2> nodes;
-  for (const double xi : gll_points(block_order)) nodes.push_back(chain.at((1 + xi) / 2).position);
+  for (const double xi : spectral::gll_points(block_order)) nodes.push_back(chain.at((1 + xi) / 2).position);
   for (int i = 0; i <= count; ++i) {
     Vec2 x;
     for (int k = 0; k <= block_order; ++k) x += basis(i, k) * nodes[k];
@@ -78,11 +79,11 @@ void measure_boundary_distance(const BlockLayout& layout, const Chain& chain, co
 }
 
 /// Green's formula over the sides, Simpson's rule.
-double area_left_of(const Chain& chain) {
+double area_left_of(const curve::Chain& chain) {
   constexpr int intervals = 64;
   double sum = 0;
   for (int i = 0; i <= intervals; ++i) {
-    const ChainPoint p = chain.at(static_cast<double>(i) / intervals);
+    const curve::ChainPoint p = chain.at(static_cast<double>(i) / intervals);
     sum += (i == 0 || i == intervals ? 1 : i % 2 == 1 ? 4 : 2) * cross(p.position, p.tangent);
   }
   return chain.length() * sum / (6.0 * intervals);
@@ -92,20 +93,20 @@ double area_left_of(const Chain& chain) {
 
 BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block) {
   BlockMeasure m;
-  const TransfiniteMap map = maps.map(block);
+  const mesh::TransfiniteMap map = maps.map(block);
   const std::vector<Vec2> nodes = map.sampled(block_order);
-  m.jacobian_bound = quad_jacobian_lower_bound(block_order, nodes.data());
-  const ScaledJacobianMinimum scaled = quad_scaled_jacobian_minimum(block_order, nodes.data());
+  m.jacobian_bound = spectral::quad_jacobian_lower_bound(block_order, nodes.data());
+  const spectral::ScaledJacobianMinimum scaled = spectral::quad_scaled_jacobian_minimum(block_order, nodes.data());
   m.scaled_jacobian = scaled.value;
-  m.scaled_jacobian_place = quad_position(block_order, nodes.data(), scaled.xi);
+  m.scaled_jacobian_place = spectral::quad_position(block_order, nodes.data(), scaled.xi);
   prove(map, m);
   m.shortest_side = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {
-    const int directed = layout.block2arcs[block][k], a = arc_of(directed);
-    const Chain& chain = maps.arc(a);
+    const int directed = layout.block2arcs[block][k], a = mesh::arc_of(directed);
+    const curve::Chain& chain = maps.arc(a);
     if (chain.length() < (1 - same_length) * m.shortest_side)
       m.shortest_side = chain.length(), m.shortest_side_index = k;
-    m.area += (is_backwards(directed) ? -1 : 1) * area_left_of(chain);
+    m.area += (mesh::is_backwards(directed) ? -1 : 1) * area_left_of(chain);
     if (layout.arcs[a].is_boundary) measure_boundary_distance(layout, chain, layout.arcs[a], m);
   }
   return m;
@@ -129,4 +130,4 @@ void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layou
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

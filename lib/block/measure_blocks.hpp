@@ -8,7 +8,7 @@
 
 #include "block/block_maps.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 struct BlockMeasure {
   double jacobian_bound = 0;     ///< least Bernstein bound of det J of the quad, length^2 (spectral/quad_map.hpp)
@@ -31,4 +31,4 @@ std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout);
 /// Puts what the file keeps into the layout.
 void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

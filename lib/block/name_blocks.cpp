@@ -12,7 +12,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 /// The angle under which x sees the curve go by, once round counter-clockwise being 2 pi. A curve lies in the hull of
@@ -23,8 +23,8 @@ double swept_angle(const Nurbs& curve, Vec2 x, int depth = 0) {
   if (depth == 50 || std::all_of(curve.poles.begin(), curve.poles.end(), is_near_first))
     return std::atan2(cross(first, last), dot(first, last));
   const double middle = 0.5 * (curve.begin() + curve.end());
-  return swept_angle(trimmed(curve, curve.begin(), middle), x, depth + 1) +
-         swept_angle(trimmed(curve, middle, curve.end()), x, depth + 1);
+  return swept_angle(curve::trimmed(curve, curve.begin(), middle), x, depth + 1) +
+         swept_angle(curve::trimmed(curve, middle, curve.end()), x, depth + 1);
 }
 
 /// What x sees of every arc from its first node to its last.
@@ -34,7 +34,7 @@ std::vector<double> swept_angles(const BlockLayout& layout, Vec2 x) {
     double angle = 0;
     for (const ArcPiece& piece : arc.pieces) {
       const auto [low, high] = std::minmax(piece.t0, piece.t1);
-      const double swept = swept_angle(trimmed(layout.curve(piece.curve), low, high), x);
+      const double swept = swept_angle(curve::trimmed(layout.curve(piece.curve), low, high), x);
       angle += piece.t0 < piece.t1 ? swept : -swept;
     }
     angles.push_back(angle);
@@ -48,7 +48,7 @@ std::vector<int> blocks_that_touch(const BlockLayout& layout, Vec2 x) {
   for (std::size_t a = 0; a < layout.arcs.size(); ++a)
     for (const ArcPiece& piece : layout.arcs[a].pieces) {
       const auto [low, high] = std::minmax(piece.t0, piece.t1);
-      const double distance = project(layout.curve(piece.curve), x, low, high).distance;
+      const double distance = curve::project(layout.curve(piece.curve), x, low, high).distance;
       is_near[a] = is_near[a] || distance <= 1e-6 * layout.face.diameter;
     }
   std::vector<int> blocks;
@@ -60,7 +60,7 @@ std::vector<int> blocks_that_touch(const BlockLayout& layout, Vec2 x) {
 }
 
 int block_at(const BlockLayout& layout, const NameRule& rule) {
-  const Vec2 x = face_position(layout.face, rule.place, rule.where);
+  const Vec2 x = curve::face_position(layout.face, rule.place, rule.where);
   const std::string place = fmt::format("({:.6g})", fmt::join(rule.place, ", "));
   if (const std::vector<int> touching = blocks_that_touch(layout, x); !touching.empty())
     throw FormatError(fmt::format("{}: {} lies on a side of block {}, not inside a block", rule.where, place,
@@ -95,4 +95,4 @@ void name_blocks(BlockLayout& layout, const std::vector<NameRule>& rules) {
   assign_names(layout.block_names, given, "block");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

@@ -9,7 +9,7 @@
 #include "curve/project.hpp"
 #include "mesh/chords.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 constexpr double same_length = 1e-6;  // relative
@@ -27,7 +27,7 @@ class Rails {
     for (int b = 0; b < layout.num_blocks(); ++b)
       for (int k = 0; k < 4; ++k) {
         const int directed = layout.block2arcs[b][k];
-        beside_[is_backwards(directed)][arc_of(directed)] = 4 * b + k;
+        beside_[mesh::is_backwards(directed)][mesh::arc_of(directed)] = 4 * b + k;
       }
   }
 
@@ -48,22 +48,22 @@ class Rails {
 
  private:
   int start_of(int directed) const {
-    const GraphArc& arc = layout_.arcs[arc_of(directed)];
-    return is_backwards(directed) ? arc.to : arc.from;
+    const GraphArc& arc = layout_.arcs[mesh::arc_of(directed)];
+    return mesh::is_backwards(directed) ? arc.to : arc.from;
   }
 
   /// Through the blocks on the left of a directed arc; rail[0] is held_'s index of the rail through its start.
   void walk(int directed, std::array<int, 2> rail) {
     std::array<double, 2> walked{0, 0};
     for (int steps = 0; steps <= layout_.num_blocks(); ++steps) {
-      const int place = beside_[is_backwards(directed)][arc_of(directed)];
+      const int place = beside_[mesh::is_backwards(directed)][mesh::arc_of(directed)];
       if (place < 0) return;
       const int block = place / 4, k = place % 4;
       const std::array<int, 4>& sides = layout_.block2arcs[block];
       const std::array<int, 2> along{sides[(k + 3) % 4], sides[(k + 1) % 4]};  // at the start and at the end
       for (int end = 0; end < 2; ++end) {
         look_at_arc(rail[end], along[end], start_of(end == 0 ? directed : -1 - directed), walked[end]);
-        walked[end] += maps_.arc(arc_of(along[end])).length();
+        walked[end] += maps_.arc(mesh::arc_of(along[end])).length();
       }
       const int opposite = sides[(k + 2) % 4];
       directed = -1 - opposite;
@@ -79,7 +79,7 @@ class Rails {
 
   /// A rail along the boundary is held from its nearer end on; by the curve rather than by a corner at its start.
   void look_at_arc(int rail, int directed, int from, double distance) {
-    const GraphArc& arc = layout_.arcs[arc_of(directed)];
+    const GraphArc& arc = layout_.arcs[mesh::arc_of(directed)];
     if (!arc.is_boundary) return;
     const ArcPiece& piece = arc.from == from ? arc.pieces.front() : arc.pieces.back();
     const BoundaryFeature feature{piece.curve, false, layout_.nodes[from].position};
@@ -101,7 +101,7 @@ class Rails {
     BoundaryFeature feature;
     double least = std::numeric_limits<double>::infinity();
     for (int c = 0; c < layout_.face.num_curves(); ++c) {
-      const Projection p = project(layout_.face.curves[c], x);
+      const curve::Projection p = curve::project(layout_.face.curves[c], x);
       if (p.distance < (1 - same_length) * least) least = p.distance, feature = {c, false, p.position};
     }
     return feature;
@@ -127,7 +127,7 @@ SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockM
     if (measures[b].shortest_side < (1 - same_length) * least)
       least = measures[b].shortest_side, smallest.block = b, smallest.side = measures[b].shortest_side_index;
   const BlockMaps maps(layout);
-  smallest.place = maps.arc(arc_of(layout.block2arcs[smallest.block][smallest.side])).at(0.5).position;
+  smallest.place = maps.arc(mesh::arc_of(layout.block2arcs[smallest.block][smallest.side])).at(0.5).position;
   smallest.between = Rails(layout, maps).around(smallest.block, smallest.side);
   return smallest;
 }
@@ -140,4 +140,4 @@ std::string name_of(const CadFace& face, const BoundaryFeature& feature) {
                      curve_name(face, feature.curve), hole);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

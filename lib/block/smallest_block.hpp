@@ -13,7 +13,7 @@
 
 #include "block/measure_blocks.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 struct BoundaryFeature {
   int curve = -1;          ///< at a corner the curve that starts there
@@ -34,4 +34,4 @@ SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockM
 /// "curve 3 'inlet'", "curve 7 (hole 1)", "the corner of curves 2 and 3"; the number of a hole is that of its loop.
 std::string name_of(const CadFace& face, const BoundaryFeature& feature);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "block/facing.hpp"
+#include "curve/fit_line.hpp"
 #include "curve/nurbs.hpp"
 #include "mesh/chords.hpp"
-#include "trace/fit_line.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 constexpr double fit_tolerance = 1e-9;   // share of the face's diameter
@@ -33,7 +33,7 @@ std::vector<Crossing> blocks_of(const BlockLayout& layout, int chord) {
   std::vector<Crossing> crossings;
   for (int b = 0; b < layout.num_blocks(); ++b)
     for (int k = 0; k < 2; ++k)
-      if (layout.arc_chord[arc_of(layout.block2arcs[b][k])] == chord) crossings.push_back({b, k});
+      if (layout.arc_chord[mesh::arc_of(layout.block2arcs[b][k])] == chord) crossings.push_back({b, k});
   return crossings;
 }
 
@@ -44,7 +44,7 @@ bool crosses_itself(const std::vector<Crossing>& crossings) {
 }
 
 /// The fractions f_i of the chord's arcs, in the chord's direction.
-std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& maps, const Chord& chord,
+std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& maps, const mesh::Chord& chord,
                                   const std::vector<Crossing>& crossings) {
   const int n = static_cast<int>(chord.arcs.size());
   std::vector<int> place(layout.arcs.size(), -1);
@@ -56,11 +56,12 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
     Eigen::VectorXd right = Eigen::VectorXd::Constant(n, anchor_weight / 2);
     for (const Crossing& c : crossings) {
       const std::array<int, 4>& sides = layout.block2arcs[c.block];
-      const int i = place[arc_of(sides[c.side])], j = place[arc_of(sides[c.side + 2])];
+      const int i = place[mesh::arc_of(sides[c.side])], j = place[mesh::arc_of(sides[c.side + 2])];
       if (i == j) continue;
-      const double length = maps.arc(arc_of(sides[c.side])).length() + maps.arc(arc_of(sides[c.side + 2])).length();
+      const double length =
+          maps.arc(mesh::arc_of(sides[c.side])).length() + maps.arc(mesh::arc_of(sides[c.side + 2])).length();
       const double width =
-          maps.arc(arc_of(sides[c.side + 1])).length() + maps.arc(arc_of(sides[(c.side + 3) % 4])).length();
+          maps.arc(mesh::arc_of(sides[c.side + 1])).length() + maps.arc(mesh::arc_of(sides[(c.side + 3) % 4])).length();
       const double d = facing_difference(walk(i), walk(j), (f[i] + f[j]) / 2).value_or(f[j] - f[i]);
       const double w = length * length / (width * width);
       normal(i, i) += w, normal(j, j) += w, normal(i, j) -= w, normal(j, i) -= w;
@@ -96,12 +97,14 @@ Vec2 like_side(const Walk& side, Vec2 from, Vec2 to, double t) {
 
 Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing& c, double f, double g, bool sound) {
   const std::array<int, 4>& sides = layout.block2arcs[c.block];
-  const auto side = [&](int k) { return Walk{&maps.arc(arc_of(sides[k % 4])), is_backwards(sides[k % 4])}; };
+  const auto side = [&](int k) {
+    return Walk{&maps.arc(mesh::arc_of(sides[k % 4])), mesh::is_backwards(sides[k % 4])};
+  };
   const Vec2 from = side(c.side).at(f).position, to = side(c.side + 2).at(1 - g).position;
   const Walk right = side(c.side + 1);
   Walk left = side(c.side + 3);
   left.backwards = !left.backwards;
-  const TransfiniteMap map = maps.map(c.block);
+  const mesh::TransfiniteMap map = maps.map(c.block);
   const auto position = [&](double t) -> Vec2 {
     if (t == 0) return from;
     if (t == 1) return to;
@@ -110,8 +113,9 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
     return (1 - s) * like_side(left, from, to, t) + s * like_side(right, from, to, t);
   };
   const double length = distance(from, to), tolerance = fit_tolerance * layout.face.diameter;
-  if (is_straight(position, tolerance)) return segment(from, to);  // a spline of a tiny length would be all rounding
-  const CurveFunction curve = [&](double x, Vec2& derivative) {
+  if (is_straight(position, tolerance))
+    return curve::segment(from, to);  // a spline of a tiny length would be all rounding
+  const curve::CurveFunction curve = [&](double x, Vec2& derivative) {
     constexpr double h = 1e-4;
     const double t = std::min(x / length, 1.0), low = std::max(t - h, 0.0), high = std::min(t + h, 1.0);
     const double middle = (low + high) / 2;  // one-sided at the ends, of second order
@@ -120,12 +124,12 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
     derivative = ((d - a) + 4 * at * (a - 2 * b + d)) / ((high - low) * length);
     return position(t);
   };
-  return fit_line(curve, length, tolerance);
+  return curve::fit_line(curve, length, tolerance);
 }
 
 /// Divides an arc at the fraction f of its own direction: it keeps the first part. Returns the number of the second.
-int divide_arc(BlockLayout& layout, const Chain& chain, int id, double f) {
-  ChainPoint at = chain.at(f);
+int divide_arc(BlockLayout& layout, const curve::Chain& chain, int id, double f) {
+  curve::ChainPoint at = chain.at(f);
   std::vector<ArcPiece> pieces = layout.arcs[id].pieces;
   const ArcPiece& piece = pieces[at.piece];
   const double tiny = 1e-9 * std::abs(piece.t1 - piece.t0);
@@ -148,14 +152,14 @@ int divide_arc(BlockLayout& layout, const Chain& chain, int id, double f) {
 
 /// The two parts of a directed arc, in its direction.
 std::array<int, 2> parts(int directed, int second) {
-  return is_backwards(directed) ? std::array{-1 - second, directed} : std::array{directed, second};
+  return mesh::is_backwards(directed) ? std::array{-1 - second, directed} : std::array{directed, second};
 }
 
 void divide_block(BlockLayout& layout, const Crossing& c, const std::vector<int>& second, int cut) {
   const int k0 = c.side, k1 = k0 + 1, k2 = k0 + 2, k3 = (k0 + 3) % 4;
   const std::array<int, 4> nodes = layout.block2nodes[c.block], sides = layout.block2arcs[c.block];
-  const std::array<int, 2> near = parts(sides[k0], second[arc_of(sides[k0])]);
-  const std::array<int, 2> far = parts(sides[k2], second[arc_of(sides[k2])]);
+  const std::array<int, 2> near = parts(sides[k0], second[mesh::arc_of(sides[k0])]);
+  const std::array<int, 2> far = parts(sides[k2], second[mesh::arc_of(sides[k2])]);
   const int p = layout.arcs[cut].from, q = layout.arcs[cut].to;
   std::array<int, 4> left_nodes = nodes, left = sides, right_nodes = nodes, right = sides;
   left_nodes[k1] = p, left_nodes[k2] = q;
@@ -172,7 +176,7 @@ void divide_block(BlockLayout& layout, const Crossing& c, const std::vector<int>
 bool split_chord(BlockLayout& layout, int id, const std::vector<bool>& is_sound) {
   const std::vector<Crossing> crossings = blocks_of(layout, id);
   if (!may_be_cut(layout, id) || crosses_itself(crossings)) return false;
-  const Chord chord = directed_chords(layout.block2arcs, layout.arc_chord)[id];
+  const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord)[id];
   // Everything is measured on the layout as it is, then changed.
   const BlockLayout before = layout;
   const BlockMaps maps(before);
@@ -184,20 +188,20 @@ bool split_chord(BlockLayout& layout, int id, const std::vector<bool>& is_sound)
   for (const int a : chord.arcs) second[a] = divide_arc(layout, maps.arc(a), a, own[a]);
   for (const Crossing& c : crossings) {
     const int near = before.block2arcs[c.block][c.side], far = before.block2arcs[c.block][c.side + 2];
-    const double f = is_backwards(near) ? 1 - own[arc_of(near)] : own[arc_of(near)];
-    const double g = is_backwards(far) ? own[arc_of(far)] : 1 - own[arc_of(far)];
+    const double f = mesh::is_backwards(near) ? 1 - own[mesh::arc_of(near)] : own[mesh::arc_of(near)];
+    const double g = mesh::is_backwards(far) ? own[mesh::arc_of(far)] : 1 - own[mesh::arc_of(far)];
     layout.splines.push_back(cut_curve(before, maps, c, f, g, is_sound[c.block]));
     const Nurbs& spline = layout.splines.back();
     const int curve = layout.face.num_curves() + static_cast<int>(layout.splines.size()) - 1;
-    layout.arcs.push_back({layout.arcs[second[arc_of(near)]].from,
-                           layout.arcs[second[arc_of(far)]].from,
+    layout.arcs.push_back({layout.arcs[second[mesh::arc_of(near)]].from,
+                           layout.arcs[second[mesh::arc_of(far)]].from,
                            false,
                            0,
                            {{curve, spline.begin(), spline.end()}}});
     divide_block(layout, c, second, static_cast<int>(layout.arcs.size()) - 1);
   }
-  layout.arc_chord = arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
+  layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
   return true;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

@@ -17,11 +17,11 @@
 
 #include "block/block_maps.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 /// Cuts `chord`; `is_sound[b]`: the exact map of block b is good, and the cut may follow it; elsewhere the cut is
 /// shaped like the block's two other sides. New blocks, nodes and arcs are appended, measures are not kept up. Nothing
 /// is done, and false returned, where the chord crosses itself or prescribes integer lengths.
 bool split_chord(BlockLayout& layout, int chord, const std::vector<bool>& is_sound);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

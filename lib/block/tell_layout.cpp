@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 /// The first block whose `value` is least.
@@ -103,4 +103,4 @@ std::string layout_in_words(const BlockLayout& layout, const std::vector<BlockMe
       first == second ? "at " + first : "between " + first + " and " + second);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::block

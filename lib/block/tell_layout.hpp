@@ -6,7 +6,7 @@
 #include "base/report.hpp"
 #include "block/smallest_block.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 
 /// Counts, the worst measures with their places, the smallest block and what forces it.
 void tell_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report);
@@ -15,4 +15,4 @@ void tell_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& mea
 /// curve 2 and the corner of curves 5 and 6".
 std::string layout_in_words(const BlockLayout& layout, const std::vector<BlockMeasure>& measures);
 
-}  // namespace quadrille
+}  // namespace quadrille::block

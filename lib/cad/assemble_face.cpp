@@ -14,7 +14,7 @@
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 // What counts as the same point: the file's own tolerance, within limits that a wrong one cannot leave.
@@ -99,11 +99,11 @@ double interior_angle(const Nurbs& in, const Nurbs& out, Vec2 tangent_in, Vec2 t
   const double turn = std::atan2(cross(tangent_in, tangent_out), dot(tangent_in, tangent_out));
   if (std::abs(turn) < 1e-9) return pi;
   if (pi - std::abs(turn) > 1e-6) return pi - turn;
-  const ArcLength length_in(in), length_out(out);
+  const curve::ArcLength length_in(in), length_out(out);
   const double h = 1e-3 * std::min(length_in.total(), length_out.total());
   const Vec2 joint = out.poles.front();
-  const Vec2 back = point(in, length_in.parameter(length_in.total() - h)) - joint;
-  const Vec2 ahead = point(out, length_out.parameter(h)) - joint;
+  const Vec2 back = curve::point(in, length_in.parameter(length_in.total() - h)) - joint;
+  const Vec2 ahead = curve::point(out, length_out.parameter(h)) - joint;
   const bool outside = cross(ahead, back) < 0;
   const double deficit = pi - std::abs(turn);
   return outside ? 2 * pi - std::max(deficit, 1e-15) : std::max(deficit, 1e-300);
@@ -113,7 +113,7 @@ std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
   std::vector<Joint> joints;
   for (int i = 0; i < face.num_curves(); ++i) {
     const Nurbs &in = face.curves[face.previous_in_loop(i)], &out = face.curves[i];
-    const Vec2 a = tangent(in, in.end(), true), b = tangent(out, out.begin());
+    const Vec2 a = curve::tangent(in, in.end(), true), b = curve::tangent(out, out.begin());
     Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), interior_angle(in, out, a, b), false};
     // An angle that equals the limit up to rounding is decided alike at all corners of a symmetric shape.
     joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
@@ -176,4 +176,4 @@ CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
   return face;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -4,7 +4,7 @@
 #include "base/report.hpp"
 #include "cad/raw_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Chains the edges of each wire, splits curves at tangent jumps, makes neighbours meet bit for bit, turns loops so
 /// that the face lies on the left, sorts the outline first, and computes joints, names, diameter and origin.
@@ -12,4 +12,4 @@ namespace quadrille {
 /// outside or across the outline, or a face without area. `corner_angle` in radians.
 CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

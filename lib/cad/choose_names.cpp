@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 std::vector<RawEdge*> edges_of(RawFace& raw) {
@@ -31,4 +31,4 @@ void choose_names(RawFace& raw) {
   if (raw.name.empty() && !is_part_layer) raw.name = raw.layer;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

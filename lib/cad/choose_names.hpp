@@ -3,7 +3,7 @@
 
 #include "cad/raw_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Sets RawEdge::name, and RawFace::name, by what the file says, the first of these that is there:
 ///   1. the edge's own name,
@@ -12,4 +12,4 @@ namespace quadrille {
 /// A face without name gets its layer's, unless an edge is on that one too. Where nothing is there names stay empty.
 void choose_names(RawFace& raw);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -6,7 +6,7 @@
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 struct Sample {
@@ -26,7 +26,7 @@ std::vector<Sample> sampled(const std::vector<Nurbs>& loop) {
       for (int j = 1; j <= per_span && curve.knots[k - 1] < curve.knots[k]; ++j)
         t.push_back(curve.knots[k - 1] + (curve.knots[k] - curve.knots[k - 1]) * j / per_span);
     for (size_t i = 0; i < t.size(); ++i)
-      samples.push_back({c, t[i], t[i == 0 ? 0 : i - 1], t[std::min(i + 1, t.size() - 1)], point(curve, t[i])});
+      samples.push_back({c, t[i], t[i == 0 ? 0 : i - 1], t[std::min(i + 1, t.size() - 1)], curve::point(curve, t[i])});
   }
   return samples;
 }
@@ -54,7 +54,7 @@ std::vector<Sample> hull(std::vector<Sample> points) {
 void go_farthest(const Nurbs& curve, Sample& s, Vec2 x) {
   double low = s.low, high = s.high, t = s.t;
   for (int i = 0; i < 60 && low < high; ++i) {
-    const auto d = derivatives(curve, t);
+    const auto d = curve::derivatives(curve, t);
     const Vec2 r = d[0] - x;
     const double f = dot(r, d[1]), slope = norm2(d[1]) + dot(r, d[2]);
     if (f == 0) break;
@@ -64,7 +64,7 @@ void go_farthest(const Nurbs& curve, Sample& s, Vec2 x) {
     t = next;
   }
   s.t = t;
-  s.x = point(curve, t);
+  s.x = curve::point(curve, t);
 }
 
 double refined(const std::vector<Nurbs>& loop, Sample a, Sample b) {
@@ -88,9 +88,9 @@ double signed_area(const std::vector<Nurbs>& loop) {
   for (const Nurbs& curve : loop)
     for (size_t k = 1; k < curve.knots.size(); ++k)
       if (curve.knots[k - 1] < curve.knots[k])
-        area += gauss_integral(
+        area += curve::gauss_integral(
             [&](double t) {
-              const auto d = derivatives(curve, t);
+              const auto d = curve::derivatives(curve, t);
               return cross(d[0] - centre, d[1]) / 2;
             },
             curve.knots[k - 1], curve.knots[k]);
@@ -129,4 +129,4 @@ Box pole_box(const std::vector<Nurbs>& curves) {
   return box;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

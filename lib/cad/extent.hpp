@@ -5,7 +5,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// The area that the closed chain of curves encloses, positive when it runs counter-clockwise.
 double signed_area(const std::vector<Nurbs>& loop);
@@ -24,4 +24,4 @@ struct Box {
 /// The box of the poles, which holds the curves.
 Box pole_box(const std::vector<Nurbs>& curves);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

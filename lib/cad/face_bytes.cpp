@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 class Writer {
@@ -142,4 +142,4 @@ CadFace from_bytes(const std::string& bytes, Report& report) {
   return face;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

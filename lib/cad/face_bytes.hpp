@@ -6,11 +6,11 @@
 #include "base/report.hpp"
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 std::string to_bytes(const CadFace& face, const Report& report);
 
 /// The face; what the report held is added to `report`. Throws Defect for bytes that to_bytes did not write.
 CadFace from_bytes(const std::string& bytes, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

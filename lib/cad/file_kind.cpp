@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 const char* const expected = "expected STEP (.step, .stp, .p21), IGES (.iges, .igs) or BREP (.brep, .brp)";
@@ -78,4 +78,4 @@ CadFormat cad_format(const std::string& bytes, const std::string& name) {
   return *content;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

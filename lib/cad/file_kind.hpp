@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace quadrille {
+namespace quadrille::cad {
 
 enum class CadFormat { step, iges, brep };
 
@@ -14,4 +14,4 @@ std::string format_name(CadFormat format);
 /// extension of `name` says something else. A name without extension (a pipe) says nothing.
 CadFormat cad_format(const std::string& bytes, const std::string& name);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

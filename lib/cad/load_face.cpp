@@ -15,7 +15,7 @@
 #include "cad/occ_load.hpp"
 #include "cad/step_faults.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 // Third-party readers write to stdout and stderr, where our data and messages belong.
@@ -70,4 +70,4 @@ CadFace load_face_guarded(const std::string& bytes, const std::string& name, con
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

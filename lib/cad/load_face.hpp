@@ -6,7 +6,7 @@
 #include "base/report.hpp"
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 struct LoadOptions {
   double corner_angle = 0.017453292519943295;  ///< radians; tangent jumps above it are corners of the layout
@@ -22,4 +22,4 @@ CadFace load_face(const std::string& bytes, const std::string& name, const LoadO
 CadFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
                           Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

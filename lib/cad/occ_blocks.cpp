@@ -19,7 +19,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 class ShellBuilder {
@@ -68,7 +68,8 @@ class ShellBuilder {
     for (size_t i = 0; i < arc.pieces.size(); ++i) {
       const ArcPiece& piece = arc.pieces[i];
       const bool is_last = i + 1 == arc.pieces.size();
-      const TopoDS_Vertex next = is_last ? vertices_[arc.to] : vertex(point(layout_.curve(piece.curve), piece.t1));
+      const TopoDS_Vertex next =
+          is_last ? vertices_[arc.to] : vertex(curve::point(layout_.curve(piece.curve), piece.t1));
       edges.push_back(edge_of_piece(a, piece, last, next));
       if (piece.curve < layout_.face.num_curves())
         result_.names.emplace_back(edges.back(), layout_.face.curve_names[piece.curve]);
@@ -81,8 +82,8 @@ class ShellBuilder {
     const Nurbs& whole = layout_.curve(piece.curve);
     const auto [low, high] = std::minmax(piece.t0, piece.t1);
     if (!(low < high)) throw ComputeError(fmt::format("arc {} has an empty piece of curve {}", arc, piece.curve));
-    Nurbs part = trimmed(whole, low, high);
-    if (piece.t0 > piece.t1) part = reversed(part);
+    Nurbs part = curve::trimmed(whole, low, high);
+    if (piece.t0 > piece.t1) part = curve::reversed(part);
     for (const auto& [vertex, end] : {std::pair{from, part.poles.front()}, std::pair{to, part.poles.back()}}) {
       const double gap = BRep_Tool::Pnt(vertex).Distance(in_space(end));
       if (gap > tolerance_)
@@ -149,4 +150,4 @@ class ShellBuilder {
 
 OccBlocks occ_blocks(const BlockLayout& layout, double scale) { return ShellBuilder(layout, scale).build(); }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -10,7 +10,7 @@
 
 #include "model/block_layout.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 struct OccBlocks {
   TopoDS_Shell shell;
@@ -21,4 +21,4 @@ struct OccBlocks {
 /// `scale`: factor from the layout's unit to that of the shell.
 OccBlocks occ_blocks(const BlockLayout& layout, double scale);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

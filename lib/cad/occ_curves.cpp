@@ -19,7 +19,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/span.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -33,7 +33,7 @@ std::array<double, 3> relative(const gp_Pnt& p, const std::array<double, 3>& ori
 // C + cos(u) a + sin(u) b is the affine image of the unit circle, and so is its NURBS.
 Nurbs conic(Vec2 centre, Vec2 a, Vec2 b, double first, double last) {
   if (!(last - first < 2 * pi * (1 + 1e-9))) throw FormatError("an arc goes round more than once");
-  Nurbs arc = circular_arc({0, 0}, 1, first, last);
+  Nurbs arc = curve::circular_arc({0, 0}, 1, first, last);
   for (Vec2& pole : arc.poles) pole = centre + pole.x * a + pole.y * b;
   return arc;
 }
@@ -57,7 +57,7 @@ Nurbs copied(const Geom_BSplineCurve& spline, const PlaneFrame& frame, double& h
     height = std::max(height, std::abs(frame.height(spline.Pole(i))));
     if (!(spline.Weight(i) > 0)) throw FormatError("a B-spline curve has a weight that is not positive");
   }
-  if (curve.degree > max_curve_degree || curve.knots.size() != curve.poles.size() + curve.degree + 1)
+  if (curve.degree > curve::max_curve_degree || curve.knots.size() != curve.poles.size() + curve.degree + 1)
     throw FormatError("a B-spline curve has a wrong number of knots");
   return curve;
 }
@@ -87,8 +87,8 @@ Nurbs part(const Nurbs& whole, double low, double high, double first, double las
   first = snapped(first), last = snapped(last);
   if (!(std::max(first, low) < last) || (!closed && !(first < high)))
     throw FormatError("the ends of the edge lie off its B-spline curve");
-  if (!closed || last <= high) return trimmed(whole, std::max(first, low), std::min(last, high));
-  return joined(trimmed(whole, first, high), trimmed(whole, low, snapped(last - period)));
+  if (!closed || last <= high) return curve::trimmed(whole, std::max(first, low), std::min(last, high));
+  return joined(curve::trimmed(whole, first, high), curve::trimmed(whole, low, snapped(last - period)));
 }
 
 PlaneCurve spline_part(const Handle(Geom_BSplineCurve) & spline, double first, double last, const PlaneFrame& frame) {
@@ -145,7 +145,7 @@ PlaneCurve plane_curve(const Handle(Geom_Curve) & curve, double first, double la
   if (!curve->DynamicType()->SubType(STANDARD_TYPE(Geom_Line)) && !(last > first))
     throw FormatError("a curve has an empty parameter interval");
   if (curve->IsKind(STANDARD_TYPE(Geom_Line))) {
-    result.curve = segment(frame.position(curve->Value(first)), frame.position(curve->Value(last)));
+    result.curve = curve::segment(frame.position(curve->Value(first)), frame.position(curve->Value(last)));
   } else if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull()) {
     const gp_Ax2& axes = circle->Position();
     result.curve = conic(frame.position(axes.Location()), circle->Radius() * frame.direction(axes.XDirection().XYZ()),
@@ -167,4 +167,4 @@ PlaneCurve plane_curve(const Handle(Geom_Curve) & curve, double first, double la
   return result;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

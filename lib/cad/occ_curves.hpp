@@ -7,7 +7,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// The plane of the face: x3d = origin + x e_x + y e_y (model/cad_face.hpp).
 struct PlaneFrame {
@@ -30,4 +30,4 @@ struct PlaneCurve {
 PlaneCurve plane_curve(const Handle(Geom_Curve) & curve, double first, double last, const PlaneFrame& frame,
                        double tolerance);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

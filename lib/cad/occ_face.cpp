@@ -23,7 +23,7 @@
 #include "cad/occ_curves.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 TopoDS_Face only_face(const OccModel& model, const std::string& file) {
@@ -143,7 +143,7 @@ class FaceReader {
       report_.warn("W-CAD-003", fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}",
                                             raw_.file, num_edges_, plane.error));
     const bool backwards = edge.Orientation() == TopAbs_REVERSED;
-    result.curve = backwards ? reversed(plane.curve) : plane.curve;
+    result.curve = backwards ? curve::reversed(plane.curve) : plane.curve;
     result.start = vertex(TopExp::FirstVertex(edge, true), result.curve.poles.front());
     result.end = vertex(TopExp::LastVertex(edge, true), result.curve.poles.back());
     return result;
@@ -218,4 +218,4 @@ RawFace occ_face(const OccModel& model, const std::string& file, Report& report)
   return raw;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

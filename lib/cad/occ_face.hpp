@@ -5,10 +5,10 @@
 #include "cad/occ_load.hpp"
 #include "cad/raw_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Throws FormatError unless `model` holds exactly one planar face bounded by plain wires; what lies beside the face
 /// becomes warnings.
 RawFace occ_face(const OccModel& model, const std::string& file, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

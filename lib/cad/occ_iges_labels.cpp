@@ -27,7 +27,7 @@
 
 #include "base/name_text.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 using Entity = Handle(IGESData_IGESEntity);
@@ -120,4 +120,4 @@ void add_iges_labels(const IGESData_IGESModel& file, const Handle(Transfer_Trans
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -6,7 +6,7 @@
 
 #include "cad/occ_load.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Fills model.labels from `file`, whose transfer to shapes `process` did: trimmed surfaces (entity 144), and the
 /// lines, arcs and splines of their boundaries in space (110, 100, 126). Names are name properties (406, form 15; the
@@ -15,4 +15,4 @@ namespace quadrille {
 void add_iges_labels(const IGESData_IGESModel& file, const Handle(Transfer_TransientProcess) & process,
                      OccModel& model);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -14,7 +14,7 @@
 #include "cad/occ_quiet.hpp"
 #include "cad/occ_readers.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 // Leaves every shape as the file describes it.
@@ -78,4 +78,4 @@ OccModel occ_load(CadFormat format, const std::string& bytes, const std::string&
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

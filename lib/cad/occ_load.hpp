@@ -8,7 +8,7 @@
 
 #include "cad/file_kind.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// What a file says about a face or an edge beside its shape; empty where it says nothing.
 struct ShapeLabel {
@@ -36,4 +36,4 @@ struct OccModel {
 /// Throws FormatError with `name` where nothing can be read.
 OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -13,7 +13,7 @@
 #include "cad/occ_iges_labels.hpp"
 #include "cad/occ_readers.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 // The reader wants a path: an anonymous file in memory gives it one.
@@ -91,4 +91,4 @@ OccModel occ_load_iges(const std::string& bytes, const std::string& name) {
   return model;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -24,7 +24,7 @@
 #include "cad/occ_readers.hpp"
 #include "cad/occ_step_labels.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 std::string text_of(const Handle(TCollection_HAsciiString) & s) { return s.IsNull() ? std::string() : s->ToCString(); }
@@ -160,4 +160,4 @@ OccModel occ_load_step(const std::string& bytes, const std::string& name) {
   return model;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -12,8 +12,8 @@ extern "C" const char* __lsan_default_options();
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
 
-namespace quadrille {
+namespace quadrille::cad {
 
 void quiet_kernel() { Message::DefaultMessenger()->ChangePrinters().Clear(); }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

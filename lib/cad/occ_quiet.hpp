@@ -1,9 +1,9 @@
 #pragma once
 // OpenCASCADE's manners.
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Stops OpenCASCADE from printing to stdout and stderr.
 void quiet_kernel();
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -3,9 +3,9 @@
 
 #include "cad/occ_load.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 OccModel occ_load_step(const std::string& bytes, const std::string& name);
 OccModel occ_load_iges(const std::string& bytes, const std::string& name);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -26,7 +26,7 @@
 
 #include "base/name_text.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 using Entity = Handle(Standard_Transient);
@@ -158,4 +158,4 @@ void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_Trans
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -7,7 +7,7 @@
 
 #include "cad/occ_load.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Fills model.labels from `file`, whose transfer to shapes `process` did:
 /// names of FACE_SURFACE and EDGE_CURVE; the first PRESENTATION_LAYER_ASSIGNMENT that lists the entity, its curve or a
@@ -15,4 +15,4 @@ namespace quadrille {
 void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_TransientProcess) & process,
                      OccModel& model);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

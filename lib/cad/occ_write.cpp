@@ -22,7 +22,7 @@
 #include "cad/occ_quiet.hpp"
 #include "cad/write_step.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 struct WrittenUnit {
@@ -117,4 +117,4 @@ std::string step_of_blocks(const BlockLayout& layout) {
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -6,7 +6,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
@@ -48,8 +48,8 @@ Piece make_piece(Nurbs curve, int loop, int id) {
 
 std::pair<Piece, Piece> halves(const Piece& p) {
   const double middle = (p.curve.begin() + p.curve.end()) / 2;
-  return {make_piece(trimmed(p.curve, p.curve.begin(), middle), p.loop, p.id),
-          make_piece(trimmed(p.curve, middle, p.curve.end()), p.loop, p.id)};
+  return {make_piece(curve::trimmed(p.curve, p.curve.begin(), middle), p.loop, p.id),
+          make_piece(curve::trimmed(p.curve, middle, p.curve.end()), p.loop, p.id)};
 }
 
 double polygon_turning(const Nurbs& curve) {
@@ -81,7 +81,7 @@ std::vector<Piece> simple_pieces(const std::vector<Nurbs>& loop, int loop_id) {
     const Nurbs& curve = loop[c];
     for (size_t k = 1; k < curve.knots.size(); ++k)
       if (curve.knots[k - 1] < curve.knots[k])
-        add_simple(make_piece(trimmed(curve, curve.knots[k - 1], curve.knots[k]), loop_id, c), 30, pieces);
+        add_simple(make_piece(curve::trimmed(curve, curve.knots[k - 1], curve.knots[k]), loop_id, c), 30, pieces);
   }
   // Three at least, so that neighbours share one end and not two.
   while (pieces.size() < 3) {
@@ -216,4 +216,4 @@ int winding_number(const std::vector<Nurbs>& loop, Vec2 x) {
   return static_cast<int>(std::lround(angle / (2 * pi)));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

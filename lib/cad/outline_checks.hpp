@@ -7,7 +7,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// Where two curves come closer than the tolerance without being neighbours at that place.
 struct Contact {
@@ -22,4 +22,4 @@ std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops
 /// How often the loop winds around x, which does not lie on it.
 int winding_number(const std::vector<Nurbs>& loop, Vec2 x);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

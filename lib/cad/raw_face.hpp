@@ -8,7 +8,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// One edge of the file as its wire walks it.
 struct RawEdge {
@@ -30,4 +30,4 @@ struct RawFace {
   std::vector<std::vector<RawEdge>> wires;  ///< in the sequence of the file
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

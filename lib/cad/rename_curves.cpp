@@ -10,7 +10,7 @@
 #include "curve/face_position.hpp"
 #include "curve/project.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 std::vector<int> curves_of_name(const CadFace& face, const std::string& name) {
@@ -32,10 +32,10 @@ std::string known_curves(const CadFace& face) {
 }
 
 std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
-  const Vec2 x = face_position(face, rule.place, rule.where);
+  const Vec2 x = curve::face_position(face, rule.place, rule.where);
   const std::string place = fmt::format("({:.6g})", fmt::join(rule.place, ", "));
   std::vector<double> distances;
-  for (const Nurbs& curve : face.curves) distances.push_back(project(curve, x).distance);
+  for (const Nurbs& curve : face.curves) distances.push_back(curve::project(curve, x).distance);
   const double least = *std::min_element(distances.begin(), distances.end());
   if (!(least <= face.diameter))
     throw FormatError(fmt::format("{}: {} lies {:.3g} away from the boundary, whose diameter is {:.3g}", rule.where,
@@ -75,4 +75,4 @@ void rename_curves(CadFace& face, const std::vector<NameRule>& rules) {
   assign_names(face.curve_names, given, "curve");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

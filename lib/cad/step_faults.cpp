@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 struct Reference {
@@ -130,4 +130,4 @@ std::string step_fault(const std::string& bytes) {
   return {};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

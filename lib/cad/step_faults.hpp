@@ -3,11 +3,11 @@
 
 #include <string>
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// The first fault in the net of entities of a STEP file: a reference to an entity that is not there, or to one of a
 /// wrong type ("#22 VERTEX_POINT refers to #23, which is of type DIRECTION, not CARTESIAN_POINT"). Empty where no fault
 /// of these kinds is found; only the entities that make up faces are judged by type.
 std::string step_fault(const std::string& bytes);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

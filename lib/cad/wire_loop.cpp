@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 // Smaller jumps are rounding errors of the numbers in a text file.
@@ -58,8 +58,8 @@ std::vector<double> jumps(const Nurbs& curve) {
     const double t = curve.knots[k];
     if (t == curve.knots[k - 1]) continue;
     const auto multiplicity = std::count(curve.knots.begin(), curve.knots.end(), t);
-    if (multiplicity < curve.degree && norm(derivatives(curve, t)[1]) > scale) continue;
-    const Vec2 a = tangent(curve, t, true), b = tangent(curve, t);
+    if (multiplicity < curve.degree && norm(curve::derivatives(curve, t)[1]) > scale) continue;
+    const Vec2 a = curve::tangent(curve, t, true), b = curve::tangent(curve, t);
     if (std::abs(std::atan2(cross(a, b), dot(a, b))) > smallest_jump) result.push_back(t);
   }
   return result;
@@ -68,10 +68,10 @@ std::vector<double> jumps(const Nurbs& curve) {
 void add_pieces(const RawEdge& edge, Loop& loop) {
   double begin = edge.curve.begin();
   for (const double t : jumps(edge.curve)) {
-    loop.push_back({trimmed(edge.curve, begin, t), edge.cad_edge, edge.name});
+    loop.push_back({curve::trimmed(edge.curve, begin, t), edge.cad_edge, edge.name});
     begin = t;
   }
-  loop.push_back({trimmed(edge.curve, begin, edge.curve.end()), edge.cad_edge, edge.name});
+  loop.push_back({curve::trimmed(edge.curve, begin, edge.curve.end()), edge.cad_edge, edge.name});
 }
 
 // Neighbours meet in the middle of the gap that rounding left between them.
@@ -84,7 +84,7 @@ void close_gaps(Loop& loop) {
   }
   for (LoopCurve& c : loop)
     if (c.curve.degree == 1 && c.curve.poles.size() == 2)
-      c.curve = segment(c.curve.poles.front(), c.curve.poles.back());
+      c.curve = curve::segment(c.curve.poles.front(), c.curve.poles.back());
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ Loop reversed(const Loop& loop) {
   Loop back;
   for (size_t i = 0; i < loop.size(); ++i) {
     const LoopCurve& c = loop[(loop.size() - i) % loop.size()];
-    back.push_back({reversed(c.curve), c.cad_edge, c.name});
+    back.push_back({curve::reversed(c.curve), c.cad_edge, c.name});
   }
   return back;
 }
@@ -129,4 +129,4 @@ std::vector<Nurbs> curves_of(const Loop& loop) {
   return curves;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

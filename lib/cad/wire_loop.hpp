@@ -4,7 +4,7 @@
 #include "base/report.hpp"
 #include "cad/raw_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// A curve of the loop without inner tangent jumps, and where it comes from.
 struct LoopCurve {
@@ -27,4 +27,4 @@ std::vector<Nurbs> curves_of(const Loop& loop);
 /// "(1.5, -2)" for messages.
 std::string place(Vec2 x);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -5,7 +5,7 @@
 
 #include "model/block_layout.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 
 /// One shell with one face for each block, named as the block, in the face's plane in space and in the unit of the
 /// CAD file (millimetre where that is unknown). Every piece of an arc is one edge, shared by the faces on both sides;
@@ -14,4 +14,4 @@ namespace quadrille {
 /// whose arcs do not meet.
 std::string step_of_blocks(const BlockLayout& layout);
 
-}  // namespace quadrille
+}  // namespace quadrille::cad

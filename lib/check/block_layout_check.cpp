@@ -3,7 +3,7 @@
 
 #include "check/graph_rules.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth 
   return apply_rules(rules, layout, depth);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

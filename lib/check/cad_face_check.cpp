@@ -5,7 +5,7 @@
 #include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -144,4 +144,4 @@ void require_valid(const std::vector<Violation>& violations, const std::string& 
     throw FormatError(fmt::format("{}: {}: {}", name, violations.front().rule, violations.front().text));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -11,7 +11,7 @@
 #include "model/separatrix_graph.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 struct Violation {
   std::string rule;  ///< "TRI-R01"
@@ -38,4 +38,4 @@ std::string doubt_about(const QuadMesh& mesh);
 /// Throws FormatError with the first violation; `name` is the file's name for the message.
 void require_valid(const std::vector<Violation>& violations, const std::string& name);
 
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -5,7 +5,7 @@
 #include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -302,4 +302,4 @@ std::vector<Violation> check_critical_points_of(const CriticalPoints& points, co
   return apply_rules(rules_with_field, PointsOfField{points, field}, CheckDepth::quick);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

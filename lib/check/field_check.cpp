@@ -4,7 +4,7 @@
 #include "check/rules.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -25,8 +25,8 @@ void coefficients_fit(const Field& field, Findings& findings) {
     return findings.add("coef_offsets must begin with 0 and have {} entries", n + 1);
   for (std::size_t e = 0; e < n; ++e) {
     const int order = field.elem_order[e];
-    if (order < 1 || order > max_tri_order)
-      return findings.add("element {}: order {} is outside 1 to {}", e, order, max_tri_order);
+    if (order < 1 || order > spectral::max_tri_order)
+      return findings.add("element {}: order {} is outside 1 to {}", e, order, spectral::max_tri_order);
     if (static_cast<long long>(offsets[e + 1]) - offsets[e] != (order + 1) * (order + 2) / 2)
       return findings.add("element {} of order {} must own {} coefficients", e, order, (order + 1) * (order + 2) / 2);
   }
@@ -204,4 +204,4 @@ std::vector<Violation> check_field(const Field& field, CheckDepth depth) {
   return apply_rules(rules, field, depth);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

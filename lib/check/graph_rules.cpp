@@ -4,7 +4,7 @@
 
 #include "check/nurbs_rules.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 void splines_are_sound(const GraphView& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.splines.size(); ++i) {
@@ -118,4 +118,4 @@ void node_kinds_fit(const GraphView& graph, Findings& findings) {
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

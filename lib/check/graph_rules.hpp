@@ -3,7 +3,7 @@
 
 #include "check/rules.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 /// The common members of both.
 struct GraphView {
@@ -24,4 +24,4 @@ void arcs_are_chains(const GraphView& graph, Findings& findings);
 void boundary_is_covered(const GraphView& graph, Findings& findings);
 void node_kinds_fit(const GraphView& graph, Findings& findings);
 
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::check {
 
 std::string structure_fault(const Nurbs& curve) {
   const std::size_t num_poles = curve.poles.size();
@@ -90,4 +90,4 @@ Vec2 curve_point(const Nurbs& curve, double t) {
   return {d[degree].x / d[degree].w, d[degree].y / d[degree].w};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

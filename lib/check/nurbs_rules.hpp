@@ -5,7 +5,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 /// Empty, or why the arrays of the curve do not fit together (method.md: clamped, never periodic).
 std::string structure_fault(const Nurbs& curve);
@@ -17,4 +17,4 @@ bool has_far_pole(const Nurbs& curve, const CadFace& face);
 /// The point at t by de Boor's algorithm; the curve must be sound.
 Vec2 curve_point(const Nurbs& curve, double t);
 
-}  // namespace quadrille
+}  // namespace quadrille::check

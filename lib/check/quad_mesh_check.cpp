@@ -4,7 +4,7 @@
 #include "check/rules.hpp"
 #include "spectral/quad_map.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -174,7 +174,7 @@ void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings) {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       nodes[i] = mesh.nodes[mesh.elem_nodes[static_cast<std::size_t>(e) * nodes.size() + i]];
     if (!(mesh.elem_jacobian_bound[e] > 0)) continue;
-    const double bound = quad_jacobian_lower_bound(mesh.order, nodes.data());
+    const double bound = spectral::quad_jacobian_lower_bound(mesh.order, nodes.data());
     if (!(bound > 0))
       findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", e, bound,
                    place(mesh.face, nodes[0]));
@@ -213,4 +213,4 @@ std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth) {
   return apply_rules(rules, mesh, depth);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -10,7 +10,7 @@
 #include "base/vec2.hpp"
 #include "check/check.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 /// What a rule finds; the first few places say enough.
 class Findings {
@@ -71,4 +71,4 @@ inline std::string place(const CadFace& face, Vec2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.x + face.origin.x, p.y + face.origin.y);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

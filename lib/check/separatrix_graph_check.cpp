@@ -4,7 +4,7 @@
 
 #include "check/graph_rules.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, Chec
   return apply_rules(rules, graph, depth);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -7,7 +7,7 @@
 #include "spectral/tri_map.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 namespace {
 
@@ -199,11 +199,12 @@ const Vec2* curved_nodes_of(const TriMesh& mesh, int elem) {
 
 /// The j-th geometry node of an edge; straight elements have theirs on the chord.
 Vec2 edge_node(const TriMesh& mesh, const HalfEdge& edge, int j) {
-  if (const Vec2* nodes = curved_nodes_of(mesh, edge.elem)) return nodes[tri_edge_node(mesh.order, edge.edge, j)];
+  if (const Vec2* nodes = curved_nodes_of(mesh, edge.elem))
+    return nodes[spectral::tri_edge_node(mesh.order, edge.edge, j)];
   const auto& vertices = mesh.elem2vertices[edge.elem];
   const Vec2 a = mesh.vertices[vertices[edge.edge]], b = mesh.vertices[vertices[(edge.edge + 1) % 3]];
   // Fractions of the edge come from edge 0, on which only the first coordinate changes.
-  const double s = (tri_nodes(mesh.order)[tri_edge_node(mesh.order, 0, j)].x + 1) / 2;
+  const double s = (spectral::tri_nodes(mesh.order)[spectral::tri_edge_node(mesh.order, 0, j)].x + 1) / 2;
   return (1 - s) * a + s * b;
 }
 
@@ -221,9 +222,10 @@ void neighbours_share_shapes(const TriMesh& mesh, Findings& findings) {
 void jacobians_are_positive(const TriMesh& mesh, Findings& findings) {
   for (std::size_t i = 0; i < mesh.curved_elems.size(); ++i) {
     const Vec2* nodes = mesh.curved_nodes.data() + i * nodes_per_elem(mesh);
-    const TriMap map(mesh.order, nodes);
-    const double bound = jacobian_lower_bound(mesh.order, bernstein_from_orthogonal(mesh.order, map.coefs_x()),
-                                              bernstein_from_orthogonal(mesh.order, map.coefs_y()));
+    const spectral::TriMap map(mesh.order, nodes);
+    const double bound =
+        spectral::jacobian_lower_bound(mesh.order, spectral::bernstein_from_orthogonal(mesh.order, map.coefs_x()),
+                                       spectral::bernstein_from_orthogonal(mesh.order, map.coefs_y()));
     if (!(bound > 0))
       findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", mesh.curved_elems[i],
                    bound, place(mesh.face, nodes[0]));
@@ -254,4 +256,4 @@ std::vector<Violation> check_tri_mesh(const TriMesh& mesh, CheckDepth depth) {
   return apply_rules(rules, mesh, depth);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::check

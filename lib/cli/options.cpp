@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 
 namespace {
 
@@ -289,4 +289,4 @@ std::string CommandLine::options_json() const {
   return out + '}';
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

@@ -6,7 +6,7 @@
 
 #include "cli/tool_main.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 
 /// The options that every command has.
 struct CommonOptions {
@@ -51,4 +51,4 @@ class CommandLine : public Options {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

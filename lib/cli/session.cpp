@@ -6,7 +6,7 @@
 
 #include "cli/tool_main.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 
 namespace {
 
@@ -70,4 +70,4 @@ void Session::end_phase() {
   phase_.clear();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

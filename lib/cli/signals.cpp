@@ -4,7 +4,7 @@
 
 #include "base/cleanup.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 
 namespace {
 
@@ -29,4 +29,4 @@ void install_signal_handlers() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

@@ -1,10 +1,10 @@
 #pragma once
 // What a command does when a signal ends it: remove its temporaries, then die of the same signal (128 + n).
 
-namespace quadrille {
+namespace quadrille::cli {
 
 /// Installs the handlers for INT, TERM, HUP, QUIT, PIPE and XCPU; a signal that was ignored at the start stays
 /// ignored. XFSZ is ignored, so that a file size limit becomes an error of write() like a full disk.
 void install_signal_handlers();
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

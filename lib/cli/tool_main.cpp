@@ -12,7 +12,7 @@
 #include "cli/options.hpp"
 #include "cli/signals.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 
 const char* const version = QUADRILLE_VERSION;
 
@@ -104,4 +104,4 @@ int tool_main(int argc, char** argv, const Tool& tool) {
   return static_cast<int>(outcome.code);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

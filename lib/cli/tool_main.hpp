@@ -10,7 +10,7 @@
 #include "base/report.hpp"
 #include "model/provenance.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 
 /// Declares options. Variables hold their defaults on entry. Numbers outside [low, high] are usage errors; --help
 /// states unit, default and interval. Every option declared here is recorded in the provenance unless `recorded` is
@@ -81,4 +81,4 @@ int tool_main(int argc, char** argv, const Tool& tool);
 /// The version of all tools, "0.1.0".
 extern const char* const version;
 
-}  // namespace quadrille
+}  // namespace quadrille::cli

@@ -6,7 +6,7 @@
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 bool has_equal_weights(const Nurbs& curve) {
@@ -131,4 +131,4 @@ double ArcLength::parameter(double length) const {
   return t;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 class ArcLength {
  public:
@@ -47,4 +47,4 @@ class ArcLength {
   bool is_polyline_ = false;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -6,7 +6,7 @@
 
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 CurveTable::CurveTable(const CadFace& face, const std::vector<Nurbs>& splines)
     : face_(&face), splines_(&splines), tables_(face.curves.size() + splines.size()) {}
@@ -88,4 +88,4 @@ std::vector<double> Chain::break_fractions() const {
   return fractions;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 #include "curve/arc_length.hpp"
 #include "model/separatrix_graph.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 struct ChainPoint {
   Vec2 position;
@@ -56,4 +56,4 @@ class Chain {
   std::vector<double> starts_;  ///< length on its curve at which each piece begins
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 Vec2 face_position(const CadFace& face, const std::vector<double>& place, const std::string& where) {
   if (place.size() == 2) return Vec2{place[0], place[1]} - face.origin;
@@ -27,4 +27,4 @@ Vec2 face_position(const CadFace& face, const std::vector<double>& place, const 
   return x - face.origin;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -6,11 +6,11 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 /// `place` is x, y of the plane, with face.origin, or x, y, z of the CAD model's space. The result is relative to
 /// face.origin, as all positions are. Throws FormatError, beginning with `where`, for a place in space that lies more
 /// than a thousandth of the diameter off the plane.
 Vec2 face_position(const CadFace& face, const std::vector<double>& place, const std::string& where);
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

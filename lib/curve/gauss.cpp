@@ -4,7 +4,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 // Roots of the Legendre polynomial by Newton.
@@ -39,4 +39,4 @@ const GaussRule<n>& gauss_rule() {
 template const GaussRule<8>& gauss_rule<8>();
 template const GaussRule<16>& gauss_rule<16>();
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace quadrille {
+namespace quadrille::curve {
 
 template <int n>
 struct GaussRule {
@@ -24,4 +24,4 @@ auto gauss_integral(Function f, double a, double b) {
   return half * sum;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "curve/span.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 Vec2 projected(Homogeneous h) { return {h.x / h.w, h.y / h.w}; }
@@ -233,4 +233,4 @@ bool has_smooth_seam(const Nurbs& curve, double relative_tol) {
          !is_break(curve, curve.end(), curve.begin(), length, relative_tol);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -8,7 +8,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 /// The point at t.
 Vec2 point(const Nurbs& curve, double t);
@@ -51,4 +51,4 @@ std::vector<double> smoothness_breaks(const Nurbs& curve, double relative_tol = 
 /// Whether the curve is closed and as smooth where it closes as it would be without a break: a whole circle.
 bool has_smooth_seam(const Nurbs& curve, double relative_tol = 1e-7);
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -6,7 +6,7 @@
 
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 struct Sample {
@@ -72,4 +72,4 @@ Projection project(const Nurbs& curve, Vec2 x, double t0, double t1) {
 
 Projection project(const Nurbs& curve, Vec2 x) { return project(curve, x, curve.begin(), curve.end()); }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -3,7 +3,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 struct Projection {
   double t = 0;
@@ -15,4 +15,4 @@ struct Projection {
 Projection project(const Nurbs& curve, Vec2 x, double t0, double t1);
 Projection project(const Nurbs& curve, Vec2 x);
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 /// The largest degree that the CAD kernel and the formats allow.
 inline constexpr int max_curve_degree = 25;
@@ -58,4 +58,4 @@ Homogeneous de_boor(const Nurbs& curve, int k, int degree, const LocalPoles& pol
   return d[degree];
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

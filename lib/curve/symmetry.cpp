@@ -10,7 +10,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 constexpr double isometry_tol = 1e-7;  // shares of the diameter
@@ -243,4 +243,4 @@ std::vector<Isometry> symmetries(const CadFace& face) {
   return group(centre, n, mirror_angle(centre, n, crossed, boundary));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

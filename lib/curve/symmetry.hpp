@@ -5,7 +5,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 
 /// x -> centre + R(angle) [mirror] (x - centre), mirror: the reflection (x, y) -> (x, -y), applied first.
 /// Mirrored, it is the reflection at the line through the centre in the direction angle / 2.
@@ -27,4 +27,4 @@ struct Isometry {
 /// points of each knot span for each candidate that the crossings of one circle about the centre do not rule out.
 std::vector<Isometry> symmetries(const CadFace& face);
 
-}  // namespace quadrille
+}  // namespace quadrille::curve

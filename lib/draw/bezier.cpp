@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -53,4 +53,4 @@ void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1)
   append(path, curve, t0, curve(t0), t1, curve(t1), 0);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -5,7 +5,7 @@
 
 #include "draw/svg.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 struct CurvePoint {
   Vec2 position;    ///< pixels
@@ -17,4 +17,4 @@ using PixelCurve = std::function<CurvePoint(double)>;
 /// become lines. The distance to the curve is below 0.05 pixels at the points where it is measured.
 void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1);
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -8,7 +8,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -78,4 +78,4 @@ Ramp cross_angle_ramp() {
   return ramp;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::draw {
 
 /// "#rrggbb" of lightness in [0, 1], chroma in [0, 0.37] and hue in degrees; what a screen cannot show is clipped.
 std::string oklch(double lightness, double chroma, double hue);
@@ -32,4 +32,4 @@ const Ramp& order_ramp();            ///< of polynomial orders, low to high
 const Ramp& scaled_jacobian_ramp();  ///< t = scaled Jacobian; warm is bad
 Ramp cross_angle_ramp();             ///< t = degrees / 90 + 1/2, at full magnitude
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -10,7 +10,7 @@
 #include "model/separatrix_graph.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 struct DrawOptions {
   int width = 1000;          ///< pixels
@@ -25,4 +25,4 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
 std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options);
 std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options);
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

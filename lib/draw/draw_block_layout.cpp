@@ -9,7 +9,7 @@
 #include "curve/nurbs.hpp"
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -38,7 +38,7 @@ Vec2 side_middle(const BlockLayout& layout, int block, int k) {
   std::vector<Vec2> points;
   for (const ArcPiece& piece : side_pieces(layout, block, k))
     for (int i = 0; i <= 16; ++i)
-      points.push_back(point(layout.curve(piece.curve), std::lerp(piece.t0, piece.t1, i / 16.0)));
+      points.push_back(curve::point(layout.curve(piece.curve), std::lerp(piece.t0, piece.t1, i / 16.0)));
   double length = 0, walked = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -145,4 +145,4 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
   return picture.str();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -8,7 +8,7 @@
 #include "draw/marks.hpp"
 #include "draw/node_history.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -31,7 +31,7 @@ Box box_of(const CriticalPoints& points) {
 }
 
 void draw_quiet_field(Picture& picture, const Field& field) {
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   draw_face_area(picture, field.mesh.face);
   picture.open_group("quiet");
   draw_crosses(picture, evaluator, 26);
@@ -149,4 +149,4 @@ std::string draw_critical_points(const CriticalPoints& points, const Field* fiel
   return picture.str();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -13,7 +13,7 @@
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -52,7 +52,7 @@ std::string caption(const Field& field) {
   return text;
 }
 
-void draw_cross_angle(Picture& picture, const FieldEvaluator& evaluator) {
+void draw_cross_angle(Picture& picture, const field::FieldEvaluator& evaluator) {
   const auto colour = [](Vec2 value) {
     return cross_angle_colour(stepped(degrees(cross_angle(value)), 1), stepped(std::min(1.0, norm(value)), 24));
   };
@@ -65,7 +65,7 @@ void draw_cross_angle(Picture& picture, const FieldEvaluator& evaluator) {
   picture.legend_bar(cross_angle_ramp(), "cross angle ψ in degrees", {"−45", "−22.5", "0", "22.5", "45"});
 }
 
-void draw_component(Picture& picture, const FieldEvaluator& evaluator, bool is_u) {
+void draw_component(Picture& picture, const field::FieldEvaluator& evaluator, bool is_u) {
   const auto component = [is_u](Vec2 value) { return is_u ? value.x : value.y; };
   draw_field_cells(
       picture, evaluator,
@@ -75,7 +75,7 @@ void draw_component(Picture& picture, const FieldEvaluator& evaluator, bool is_u
 }
 
 void draw_orders(Picture& picture, const Field& field) {
-  const std::vector<TriMap> maps = element_maps(field.mesh);
+  const std::vector<spectral::TriMap> maps = element_maps(field.mesh);
   const std::set<int> orders(field.elem_order.begin(), field.elem_order.end());
   const auto fill = [&](int order) {
     const double range = *orders.rbegin() - *orders.begin();
@@ -121,7 +121,7 @@ void draw_nodes_asked(Picture& picture, const Field& field) {
   for (const BoundaryNode& node : field.phase.nodes.boundary_nodes) {
     const Nurbs& curve = field.mesh.face.curves[node.curve];
     picture.add(
-        boundary_mark(picture.at(point(curve, node.t)), node.valence, 9,
+        boundary_mark(picture.at(curve::point(curve, node.t)), node.valence, 9,
                       fmt::format("boundary node of valence {} asked for on curve {}", node.valence, node.curve)));
   }
   legend_valences(picture, valences);
@@ -137,7 +137,7 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
   if (options.show == "order") {
     draw_orders(picture, field);
   } else if (options.show == "psi" || options.show == "u" || options.show == "v") {
-    const FieldEvaluator evaluator(field);
+    const field::FieldEvaluator evaluator(field);
     options.show == "psi" ? draw_cross_angle(picture, evaluator)
                           : draw_component(picture, evaluator, options.show == "u");
     if (!is_phase(field)) draw_zero_contours(picture, evaluator);  // a unit field has no zeros where they could meet
@@ -150,4 +150,4 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
   return picture.str();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

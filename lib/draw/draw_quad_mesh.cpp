@@ -9,7 +9,7 @@
 #include "draw/elements.hpp"
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   return picture.str();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

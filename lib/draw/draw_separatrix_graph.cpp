@@ -6,7 +6,7 @@
 
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   return picture.str();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

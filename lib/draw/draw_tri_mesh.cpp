@@ -7,7 +7,7 @@
 #include "draw/elements.hpp"
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -26,7 +26,7 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
                   num_curved, mesh.order, mesh.boundary_edges.size()));
   const int last_layer =
       mesh.elem_layer.empty() ? -1 : *std::max_element(mesh.elem_layer.begin(), mesh.elem_layer.end());
-  const std::vector<TriMap> maps = element_maps(mesh);
+  const std::vector<spectral::TriMap> maps = element_maps(mesh);
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const int layer = mesh.elem_layer.empty() ? -1 : mesh.elem_layer[e];
@@ -56,4 +56,4 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   return picture.str();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

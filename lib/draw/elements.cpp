@@ -4,11 +4,11 @@
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
-std::vector<TriMap> element_maps(const TriMesh& mesh) {
+std::vector<spectral::TriMap> element_maps(const TriMesh& mesh) {
   const std::size_t nodes_per_elem = static_cast<std::size_t>(mesh.order + 1) * (mesh.order + 2) / 2;
-  std::vector<TriMap> maps;
+  std::vector<spectral::TriMap> maps;
   maps.reserve(mesh.elem2vertices.size());
   std::size_t curved = 0;
   for (int e = 0; e < mesh.num_elems(); ++e) {
@@ -22,15 +22,15 @@ std::vector<TriMap> element_maps(const TriMesh& mesh) {
   return maps;
 }
 
-PathData tri_outline(const Picture& picture, const TriMap& map) {
+PathData tri_outline(const Picture& picture, const spectral::TriMap& map) {
   PathData path;
-  path.move_to(picture.at(map.position(tri_edge_point(0, 0))));
+  path.move_to(picture.at(map.position(spectral::tri_edge_point(0, 0))));
   for (int edge = 0; edge < 3; ++edge) {
-    const Vec2 along = tri_edge_point(edge, 1) - tri_edge_point(edge, 0);
+    const Vec2 along = spectral::tri_edge_point(edge, 1) - spectral::tri_edge_point(edge, 0);
     const PixelCurve pixels = [&](double s) -> CurvePoint {
       Vec2 x;
       Mat2 dx_dxi;
-      map.evaluate(tri_edge_point(edge, s), x, dx_dxi);
+      map.evaluate(spectral::tri_edge_point(edge, s), x, dx_dxi);
       return {picture.at(x), picture.scale() * (dx_dxi * along)};
     };
     if (map.is_affine() && edge == 2) break;  // closing the path draws it
@@ -56,16 +56,16 @@ int quad_side_node(const QuadMesh& mesh, int elem, int side, int i) {
 }
 
 PixelCurve quad_side(const Picture& picture, const QuadMesh& mesh, int elem, int side) {
-  const std::vector<double>& points = gll_points(mesh.order);
+  const std::vector<double>& points = spectral::gll_points(mesh.order);
   const Eigen::Index m = mesh.order + 1;
   Eigen::MatrixXd positions(m, 2);
   for (int i = 0; i < m; ++i) {
     const Vec2 x = picture.at(mesh.nodes[quad_side_node(mesh, elem, side, i)]);
     positions.row(i) << x.x, x.y;
   }
-  const Eigen::MatrixXd derivatives = differentiation_matrix(points) * positions;
+  const Eigen::MatrixXd derivatives = spectral::differentiation_matrix(points) * positions;
   return [&points, positions, derivatives](double s) -> CurvePoint {
-    const Eigen::MatrixXd row = interpolation_matrix(points, {2 * s - 1});
+    const Eigen::MatrixXd row = spectral::interpolation_matrix(points, {2 * s - 1});
     const Eigen::RowVector2d x = row * positions, d = 2.0 * row * derivatives;
     return {{x(0), x(1)}, {d(0), d(1)}};
   };
@@ -79,4 +79,4 @@ PathData quad_outline(const Picture& picture, const QuadMesh& mesh, int elem) {
   return path;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

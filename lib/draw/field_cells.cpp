@@ -7,7 +7,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -23,7 +23,7 @@ struct Sampled {
   Vec2 xi, pixel, value;
 };
 
-Sampled sampled(const Picture& picture, const FieldEvaluator& evaluator, int elem, Vec2 xi) {
+Sampled sampled(const Picture& picture, const field::FieldEvaluator& evaluator, int elem, Vec2 xi) {
   Sampled s{xi, {}, {}};
   Mat2 dx_dxi;
   s.value = evaluator.value(elem, inside(xi), s.pixel, dx_dxi);
@@ -38,7 +38,7 @@ double longest_side(const std::array<Sampled, 3>& cell) {
 
 struct CellPainter {
   const Picture& picture;
-  const FieldEvaluator& evaluator;
+  const field::FieldEvaluator& evaluator;
   const std::function<std::string(Vec2)>& colour;
   const std::function<double(Vec2, Vec2)>& difference;
   std::map<std::string, std::string> paths;  ///< colour -> path data of its cells
@@ -70,7 +70,7 @@ struct CellPainter {
 
 }  // namespace
 
-void draw_field_cells(Picture& picture, const FieldEvaluator& evaluator,
+void draw_field_cells(Picture& picture, const field::FieldEvaluator& evaluator,
                       const std::function<std::string(Vec2 value)>& colour,
                       const std::function<double(Vec2 a, Vec2 b)>& difference) {
   CellPainter painter{picture, evaluator, colour, difference, {}};
@@ -85,7 +85,7 @@ void draw_field_cells(Picture& picture, const FieldEvaluator& evaluator,
   picture.close_group();
 }
 
-void draw_crosses(Picture& picture, const FieldEvaluator& evaluator, double spacing) {
+void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, double spacing) {
   constexpr double arm = 7;
   const Vec2 size = picture.size();
   const int nx = std::max(1, static_cast<int>(size.x / spacing)), ny = std::max(1, static_cast<int>(size.y / spacing));
@@ -113,4 +113,4 @@ void draw_crosses(Picture& picture, const FieldEvaluator& evaluator, double spac
   if (!path.empty()) picture.add(svg_element("path", {{"class", "cross"}, {"d", path.str()}}));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -8,24 +8,24 @@
 #include "draw/picture.hpp"
 #include "field/evaluate.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 /// Paints every element with cells that are refined until `colour` is nearly constant over each or they are a few
 /// pixels small. `difference` compares two values: above 1 the cell is split.
-void draw_field_cells(Picture& picture, const FieldEvaluator& evaluator,
+void draw_field_cells(Picture& picture, const field::FieldEvaluator& evaluator,
                       const std::function<std::string(Vec2 value)>& colour,
                       const std::function<double(Vec2 a, Vec2 b)>& difference);
 
 using Polyline = std::vector<Vec2>;
 
 /// The polylines (pixels) on which `component` of the value vanishes; where it is zero all over there is none.
-std::vector<Polyline> zero_contours(const Picture& picture, const FieldEvaluator& evaluator,
+std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
                                     const std::function<double(Vec2 value)>& component);
 
 /// Both contours, with the part of v = 0 on which the cross angle jumps dashed, and their legend.
-void draw_zero_contours(Picture& picture, const FieldEvaluator& evaluator);
+void draw_zero_contours(Picture& picture, const field::FieldEvaluator& evaluator);
 
 /// Crosses on a lattice of `spacing` pixels.
-void draw_crosses(Picture& picture, const FieldEvaluator& evaluator, double spacing);
+void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, double spacing);
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

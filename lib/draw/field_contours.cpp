@@ -6,7 +6,7 @@
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -23,7 +23,7 @@ struct Segment {
 /// A lattice of n x n cells on the reference triangle of one element.
 class Lattice {
  public:
-  Lattice(const Picture& picture, const FieldEvaluator& evaluator, int elem,
+  Lattice(const Picture& picture, const field::FieldEvaluator& evaluator, int elem,
           const std::function<double(Vec2)>& component) {
     const auto pixel_of = [&](Vec2 xi) { return picture.at(evaluator.maps()[elem].position(xi)); };
     const Vec2 a = pixel_of({-1, -1}), b = pixel_of({1, -1}), c = pixel_of({-1, 1});
@@ -148,7 +148,7 @@ std::vector<Polyline> parts_where(const std::vector<Polyline>& lines, const std:
 
 }  // namespace
 
-std::vector<Polyline> zero_contours(const Picture& picture, const FieldEvaluator& evaluator,
+std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
                                     const std::function<double(Vec2 value)>& component) {
   std::vector<Segment> segments;
   for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e)
@@ -156,7 +156,7 @@ std::vector<Polyline> zero_contours(const Picture& picture, const FieldEvaluator
   return Joiner(std::move(segments)).polylines();
 }
 
-void draw_zero_contours(Picture& picture, const FieldEvaluator& evaluator) {
+void draw_zero_contours(Picture& picture, const field::FieldEvaluator& evaluator) {
   const auto u_zero = zero_contours(picture, evaluator, [](Vec2 value) { return value.x; });
   const auto v_zero = zero_contours(picture, evaluator, [](Vec2 value) { return value.y; });
   const Vec2 corner = picture.at({0, 0});
@@ -174,4 +174,4 @@ void draw_zero_contours(Picture& picture, const FieldEvaluator& evaluator) {
   add("jump", parts_where(v_zero, jumps), "v = 0, the cross angle jumps");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

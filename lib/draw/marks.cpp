@@ -8,7 +8,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -47,11 +47,11 @@ void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, do
     if (knot > cuts.back() && knot < std::max(t0, t1)) cuts.push_back(knot);
   cuts.push_back(std::max(t0, t1));
   if (!forwards) std::reverse(cuts.begin(), cuts.end());
-  if (path.empty()) path.move_to(picture.at(point(curve, t0)));
+  if (path.empty()) path.move_to(picture.at(curve::point(curve, t0)));
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const double last = std::max(cuts[i - 1], cuts[i]);
     const PixelCurve pixels = [&](double t) -> CurvePoint {
-      const auto d = derivatives(curve, t, t == last);
+      const auto d = curve::derivatives(curve, t, t == last);
       return {picture.at(d[0]), picture.scale() * d[1]};
     };
     append_curve(path, pixels, cuts[i - 1], cuts[i]);
@@ -143,4 +143,4 @@ std::string counted(int count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -7,7 +7,7 @@
 #include "draw/picture.hpp"
 #include "model/separatrix_graph.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 /// Appends `curve` between two parameters; a pen that is not down yet is put at its start.
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
@@ -41,4 +41,4 @@ std::string place_text(Vec2 x, Vec2 origin);
 /// "1 block", "2 blocks".
 std::string counted(int count, const std::string& noun);
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

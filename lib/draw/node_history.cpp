@@ -7,7 +7,7 @@
 
 #include "draw/marks.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -156,4 +156,4 @@ void draw_changes(Picture& picture, const std::vector<NodeChange>& changes) {
   if (!changes.empty()) picture.legend_mark(arrow_mark({-8, 0}, {8, 0}), "change");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -7,7 +7,7 @@
 #include "draw/picture.hpp"
 #include "model/critical_points.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 /// Cells in which the search ended, undecided ones in another colour, and the discs left to corners; only what lies in
 /// `face`, where it is not null.
@@ -20,4 +20,4 @@ void draw_clusters(Picture& picture, const std::vector<Cluster>& clusters, Vec2 
 /// cancelled, a ring where both are too near to each other for an arrow. Hover: kind and reason.
 void draw_changes(Picture& picture, const std::vector<NodeChange>& changes);
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -8,7 +8,7 @@
 
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 namespace {
 
@@ -73,7 +73,7 @@ Box bounding_box(const CadFace& face) {
   for (const Nurbs& curve : face.curves)
     for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
       for (int i = 0; i <= 32 && curve.knots[k] < curve.knots[k + 1]; ++i)
-        box.include(point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / 32.0)));
+        box.include(curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / 32.0)));
   return box;
 }
 
@@ -180,4 +180,4 @@ std::string Picture::str() const {
   return out + "</svg>\n";
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

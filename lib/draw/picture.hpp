@@ -11,7 +11,7 @@
 #include "draw/draw.hpp"
 #include "draw/svg.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 struct Box {
   Vec2 lower, upper;
@@ -62,4 +62,4 @@ class Picture {
 /// Width of a text in pixels, roughly.
 double text_width(const std::string& text, double font_size);
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

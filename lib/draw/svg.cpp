@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace quadrille {
+namespace quadrille::draw {
 
 std::string xml_escaped(const std::string& text) {
   std::string out;
@@ -63,4 +63,4 @@ std::string svg_element(const std::string& name, const Attributes& attributes, c
   return out + inner + "</" + name + '>';
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

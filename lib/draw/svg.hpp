@@ -8,7 +8,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 
 /// `text` with the five special characters of XML escaped; control characters become blanks.
 std::string xml_escaped(const std::string& text);
@@ -41,4 +41,4 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 std::string svg_element(const std::string& name, const Attributes& attributes, const std::string& title = {},
                         const std::string& inner = {});
 
-}  // namespace quadrille
+}  // namespace quadrille::draw

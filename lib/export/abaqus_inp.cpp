@@ -7,7 +7,7 @@
 #include "export/edge_numbering.hpp"
 #include "export/hohqmesh_model.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// Trixi.jl compares the second line, its leading blank included, and finds the order as the sixth word of its line.
@@ -78,4 +78,4 @@ Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame) {
   return {std::move(text), false, std::move(model.side_files), std::move(model.losses)};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -6,7 +6,7 @@
 
 #include "export/edge_numbering.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 constexpr SkeletonEdge nowhere{-1, -1};
@@ -184,4 +184,4 @@ std::optional<std::vector<BlockGrid>> block_grids(const QuadMesh& mesh) {
   return grids;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -6,7 +6,7 @@
 
 #include "export/skeleton.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct BlockGrid {
   int block = 0;
@@ -28,4 +28,4 @@ std::optional<std::vector<BlockGrid>> block_grids(const QuadMesh& mesh);
 /// one side of a grid to the other, on through its neighbour and so forth, so that cut grids meet side by side again.
 std::vector<BlockGrid> cut_grids(const QuadMesh& mesh, const std::vector<BlockGrid>& grids, std::vector<int> nodes);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -10,7 +10,7 @@
 #include "export/plain_names.hpp"
 #include "export/transfinite_loss.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// The plane's mesh is thickness_share of the face's diameter thick.
@@ -186,4 +186,4 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame) {
   return exported;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

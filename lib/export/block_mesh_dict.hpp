@@ -5,9 +5,9 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The format_table's writer. Throws ComputeError where a cell with straight sides is not convex.
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

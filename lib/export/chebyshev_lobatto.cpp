@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace quadrille {
+namespace quadrille::exports {
 
 std::vector<double> chebyshev_lobatto_points(int order) {
   std::vector<double> points;
@@ -11,4 +11,4 @@ std::vector<double> chebyshev_lobatto_points(int order) {
   return points;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The order + 1 Chebyshev-Gauss-Lobatto points, exactly antisymmetric about 0.
 std::vector<double> chebyshev_lobatto_points(int order);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

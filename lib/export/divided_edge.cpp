@@ -6,7 +6,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// Distance of x from the line through a and b.
@@ -49,7 +49,7 @@ DividedEdge DividedEdge::reversed() const {
 
 DividedEdge divided_edge(const QuadMesh& mesh, const std::vector<SkeletonEdge>& sides) {
   const std::vector<double> between{-0.5, 0, 0.5};
-  const Eigen::MatrixXd basis = interpolation_matrix(gll_points(mesh.order), between);
+  const Eigen::MatrixXd basis = spectral::interpolation_matrix(spectral::gll_points(mesh.order), between);
   DividedEdge edge;
   edge.vertices.push_back(mesh.nodes[side_start(mesh, sides.front().elem, sides.front().side)]);
   for (const SkeletonEdge& side : sides) {
@@ -95,4 +95,4 @@ std::vector<Vec2> block_mesh_points(const DividedEdge& bottom, const DividedEdge
   return points;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

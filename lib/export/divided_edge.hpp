@@ -6,7 +6,7 @@
 
 #include "export/skeleton.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct DividedEdge {
   std::vector<Vec2> vertices;  ///< ends of the cells, one more than there are cells
@@ -30,4 +30,4 @@ DividedEdge divided_edge(const QuadMesh& mesh, const std::vector<SkeletonEdge>& 
 std::vector<Vec2> block_mesh_points(const DividedEdge& bottom, const DividedEdge& right, const DividedEdge& top,
                                     const DividedEdge& left);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "export/skeleton.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 class Numbering {
@@ -91,4 +91,4 @@ void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numb
       a.y, b.x, b.y, reader));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -10,7 +10,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct NumberedEdge {
   std::array<int, 2> vertices{};  ///< the lower number first: the edge's own direction
@@ -36,4 +36,4 @@ std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 /// Throws ComputeError, with the place, where two edges join the same two vertices: `reader` could not tell them apart.
 void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

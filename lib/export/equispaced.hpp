@@ -5,10 +5,10 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// One position for each of mesh.nodes: what sits at Gauss-Lobatto-Legendre point (i, j) of an element moves to the
 /// equispaced point (i, j). Vertices stay, bit for bit; an edge's nodes are evaluated once and shared.
 std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

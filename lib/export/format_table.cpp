@@ -14,7 +14,7 @@
 #include "export/nektar.hpp"
 #include "export/vtu.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
@@ -59,4 +59,4 @@ Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_s
   return format.write(mesh, in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

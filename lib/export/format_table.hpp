@@ -8,7 +8,7 @@
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// A file that a format needs beside the main one, such as a table of names.
 struct SideFile {
@@ -47,4 +47,4 @@ const ExportFormat* export_format_of(std::string_view file_name);
 /// it cannot.
 Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

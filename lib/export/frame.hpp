@@ -5,7 +5,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// x3d = origin + x e_x + y e_y, in the unit of the file.
 struct Frame {
@@ -33,4 +33,4 @@ inline Frame model_frame(const CadFace& face) {
   return frame;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -3,10 +3,10 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The format_table's writers.
 Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame);
 Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -5,7 +5,7 @@
 #include "export/gmsh.hpp"
 #include "export/gmsh_model.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 std::string nodes_section(const GmshModel& model) {
@@ -55,4 +55,4 @@ Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame) {
   return {std::move(text), false, {}, {}};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -6,7 +6,7 @@
 #include "export/gmsh.hpp"
 #include "export/gmsh_model.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 using Position = std::array<double, 3>;
@@ -148,4 +148,4 @@ class Writer {
 
 Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) { return {Writer(mesh, frame).text(), false, {}, {}}; }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

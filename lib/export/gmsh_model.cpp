@@ -8,7 +8,7 @@
 
 #include "export/equispaced.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 constexpr int max_order = 10;
@@ -116,4 +116,4 @@ void append_position(const std::array<double, 3>& x, std::string& text) {
   fmt::format_to(std::back_inserter(text), "{} {} {}", x[0], x[1], x[2]);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

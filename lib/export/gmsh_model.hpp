@@ -13,7 +13,7 @@
 #include "export/groups.hpp"
 #include "export/skeleton.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct GmshModel {
   Skeleton skeleton;
@@ -42,4 +42,4 @@ void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, st
 /// "x y z", the shortest digits that read back to the same bits.
 void append_position(const std::array<double, 3>& x, std::string& text);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

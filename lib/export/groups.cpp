@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// The number of each name in `distinct`, which grows by the names that are new.
@@ -31,4 +31,4 @@ Groups mesh_groups(const QuadMesh& mesh) {
   return groups;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -7,7 +7,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct Groups {
   std::vector<std::string> boundary_names;  ///< in the sequence of their first curves
@@ -21,4 +21,4 @@ struct Groups {
 
 Groups mesh_groups(const QuadMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 constexpr double largest_move = 0.1;  ///< of the shortest side of the cells at a point
@@ -227,4 +227,4 @@ HexBlocks hex_blocks(const QuadMesh& mesh, const Groups& groups) {
   return collector.collected();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -8,7 +8,7 @@
 #include "export/divided_edge.hpp"
 #include "export/groups.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct HexBlock {
   std::array<int, 4> corners{};  ///< vertices, counter-clockwise
@@ -35,4 +35,4 @@ struct HexBlocks {
 /// Throws ComputeError, with the place, where a quad with straight sides is not convex.
 HexBlocks hex_blocks(const QuadMesh& mesh, const Groups& groups);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

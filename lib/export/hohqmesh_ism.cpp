@@ -6,7 +6,7 @@
 
 #include "export/hohqmesh_model.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 class Writer {
@@ -68,4 +68,4 @@ Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame) {
   return {std::move(text), false, std::move(model.side_files), std::move(model.losses)};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

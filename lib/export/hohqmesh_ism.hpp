@@ -4,10 +4,10 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The format_table's writer. Throws ComputeError where an element would be folded once its interior is rebuilt from
 /// its sides.
 Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

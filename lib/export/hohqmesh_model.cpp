@@ -16,7 +16,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 void number_corners(const EdgeNumbering& numbering, HohqmeshModel& model) {
@@ -89,7 +89,7 @@ HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame) {
   mark_curved_sides(mesh, model);
   find_boundaries(mesh, groups, model);
   const Eigen::MatrixXd to_chebyshev =
-      interpolation_matrix(gll_points(mesh.order), chebyshev_lobatto_points(mesh.order));
+      spectral::interpolation_matrix(spectral::gll_points(mesh.order), chebyshev_lobatto_points(mesh.order));
   for (const Vec2 x : renoded(mesh, to_chebyshev)) model.points.push_back(frame.at(x));
   name_boundaries(groups, model);
   tell_losses(mesh, groups, model);
@@ -102,4 +102,4 @@ std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side) {
   return nodes;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

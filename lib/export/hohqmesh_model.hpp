@@ -11,7 +11,7 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct HohqmeshEdge {
   int elem = 0, side = 0;                ///< the element of lower number; the edge runs counter-clockwise round it
@@ -40,4 +40,4 @@ HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame);
 /// The mesh nodes of a side in its local direction, both ends included.
 std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// Appends the 4 or 8 bytes of a number, the lowest first.
 template <class Number>
@@ -17,4 +17,4 @@ void append_little_endian(std::string& bytes, Number number) {
   for (std::size_t k = 0; k < sizeof(Bits); ++k) bytes += static_cast<char>((bits >> (8 * k)) & 0xff);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -10,7 +10,7 @@
 #include "export/groups.hpp"
 #include "export/names_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// MFEM's numbers of its geometries (mesh/geom.hpp).
@@ -131,4 +131,4 @@ Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) {
   return {Writer(mesh, frame, true).text(), false, {}, {}};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// A JSON string. UTF-8 passes as it is.
@@ -46,4 +46,4 @@ SideFile names_table(const Groups& groups, int first_boundary, int first_region)
   return names_table(numbered(groups.boundary_names, first_boundary), numbered(groups.region_names, first_region));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

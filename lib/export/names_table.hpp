@@ -8,7 +8,7 @@
 #include "export/format_table.hpp"
 #include "export/groups.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct NamedGroup {
   int id = 0;        ///< the group's number in the main file
@@ -23,4 +23,4 @@ SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vecto
 /// `first_region`.
 SideFile names_table(const Groups& groups, int first_boundary = 1, int first_region = 1);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -4,7 +4,7 @@
 
 #include "export/little_endian.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 constexpr std::size_t header_length = 132;
@@ -36,4 +36,4 @@ std::string nek_geometry_field(const QuadMesh& mesh, const Frame& frame) {
   return bytes;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

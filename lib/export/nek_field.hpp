@@ -7,9 +7,9 @@
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The file's bytes, little-endian. Elements in the mesh's sequence.
 std::string nek_geometry_field(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -16,7 +16,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 constexpr float byte_order_mark = 6.54321F;
@@ -61,7 +61,7 @@ class Writer {
   void write_curved_sides() {
     std::vector<bool> is_curved;
     std::vector<std::array<double, 3>> middles;
-    const Eigen::MatrixXd to_middle = interpolation_matrix(gll_points(mesh_.order), {0.0});
+    const Eigen::MatrixXd to_middle = spectral::interpolation_matrix(spectral::gll_points(mesh_.order), {0.0});
     for (const NumberedEdge& edge : edges_.edges) {
       const std::vector<int> nodes = edge_nodes(mesh_, edge);
       const double length = distance(mesh_.nodes[nodes.front()], mesh_.nodes[nodes.back()]);
@@ -128,4 +128,4 @@ Exported nek_re2(const QuadMesh& mesh, const Frame& frame) {
   return exported;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

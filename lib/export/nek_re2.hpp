@@ -4,10 +4,10 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The format_table's writer. Throws ComputeError where an element would be folded once its interior is rebuilt from
 /// its sides, and where two edges join the same two vertices, which Nek5000 cannot tell apart.
 Exported nek_re2(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

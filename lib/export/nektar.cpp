@@ -12,7 +12,7 @@
 #include "export/groups.hpp"
 #include "export/side_blend.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// Curves nearer than this to what Nektar++ makes up without them are left out (shares of the diameter): far below what
@@ -209,4 +209,4 @@ Exported nektar_xml(const QuadMesh& mesh, const Frame& frame) {
   return {Writer(mesh, frame).text(), false, {}, losses_of(mesh_groups(mesh))};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -4,10 +4,10 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The format_table's writer. Lossless but for control characters in names, which XML cannot hold. SPACE="3" where the
 /// frame leaves the plane z = 0.
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -6,7 +6,7 @@
 
 #include "export/names_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -74,4 +74,4 @@ std::string region_loss(const Groups& groups) {
   return fmt::format("{} not held", count == 1 ? "1 region name is" : fmt::format("{} region names are", count));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -7,7 +7,7 @@
 #include "export/format_table.hpp"
 #include "export/groups.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// Each name by ASCII letters, digits and _ . - alone, the first one a letter or _ ; what else it holds becomes _ .
 /// Names that would fall together, also with one of `taken`, are numbered (_2, _3, ...). Names that are such words
@@ -26,4 +26,4 @@ SideFile plain_names_table(const Groups& groups, const std::vector<std::string>&
 /// nobody gave.
 std::string region_loss(const Groups& groups);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -2,7 +2,7 @@
 
 #include "export/skeleton.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 void move_edge(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll, const std::vector<int>& edge,
@@ -46,4 +46,4 @@ std::vector<Vec2> renoded(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll)
   return moved;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

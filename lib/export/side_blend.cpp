@@ -5,7 +5,7 @@
 #include "export/transfinite_loss.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 double distance_from_side_blend(const QuadMesh& mesh, int elem) {
   const int count = mesh.nodes_per_elem();
@@ -18,7 +18,7 @@ double distance_from_side_blend(const QuadMesh& mesh, int elem) {
 }
 
 double distance_from_chord(const QuadMesh& mesh, const std::vector<int>& edge_nodes) {
-  const std::vector<double>& points = gll_points(mesh.order);
+  const std::vector<double>& points = spectral::gll_points(mesh.order);
   const Vec2 start = mesh.nodes[edge_nodes.front()], end = mesh.nodes[edge_nodes.back()];
   double largest = 0;
   for (int k = 1; k < mesh.order; ++k) {
@@ -28,4 +28,4 @@ double distance_from_chord(const QuadMesh& mesh, const std::vector<int>& edge_no
   return largest;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

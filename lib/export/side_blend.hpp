@@ -9,7 +9,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// Largest distance of an inner node from the blend of the element's sides (transfinite_loss.hpp); 0 for order 1. Unit
 /// of the file.
@@ -19,4 +19,4 @@ double distance_from_side_blend(const QuadMesh& mesh, int elem);
 /// between its ends, walked at constant speed. Unit of the file.
 double distance_from_chord(const QuadMesh& mesh, const std::vector<int>& edge_nodes);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// An edge seen from one element: its end nodes, the lower first.
@@ -148,4 +148,4 @@ std::vector<int> side_nodes(const QuadMesh& mesh, int elem, int side) {
 
 Skeleton mesh_skeleton(const QuadMesh& mesh) { return Builder(mesh).build(); }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -10,7 +10,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct SkeletonEdge {
   int elem = 0, side = 0;
@@ -36,4 +36,4 @@ std::vector<int> side_nodes(const QuadMesh& mesh, int elem, int side);
 /// First node of the side, as side_nodes would list it.
 int side_start(const QuadMesh& mesh, int elem, int side);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

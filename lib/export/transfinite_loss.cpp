@@ -9,7 +9,7 @@
 #include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// `nodes` as an element of order 2 at the points of the given order.
@@ -29,7 +29,7 @@ class Meter {
       : mesh_(mesh),
         from_(from),
         reader_(reader),
-        to_order_(interpolation_matrix(gll_points(2), gll_points(mesh.order))) {}
+        to_order_(spectral::interpolation_matrix(spectral::gll_points(2), spectral::gll_points(mesh.order))) {}
 
   TransfiniteLoss measure() {
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) add(elem);
@@ -64,8 +64,8 @@ class Meter {
   }
 
   void require_valid(int elem, int order, const std::vector<Vec2>& rebuilt) const {
-    if (quad_jacobian_lower_bound(order, rebuilt.data()) > 0) return;
-    const Vec2 middle = quad_position(mesh_.order, ours_.data(), {0, 0}) + mesh_.face.origin;
+    if (spectral::quad_jacobian_lower_bound(order, rebuilt.data()) > 0) return;
+    const Vec2 middle = spectral::quad_position(mesh_.order, ours_.data(), {0, 0}) + mesh_.face.origin;
     throw ComputeError(fmt::format(
         "{} rebuilds elements from their sides, and element {} near ({:.6g}, {:.6g}) would be folded; refine the mesh",
         reader_, elem, middle.x, middle.y));
@@ -83,7 +83,7 @@ class Meter {
 
 std::vector<Vec2> transfinite_element(int order, const Vec2* nodes) {
   const int n = order, width = n + 1;
-  const std::vector<double>& points = gll_points(n);
+  const std::vector<double>& points = spectral::gll_points(n);
   const auto at = [&](int i, int j) { return nodes[j * width + i]; };
   std::vector<Vec2> rebuilt(nodes, nodes + width * width);
   for (int j = 1; j < n; ++j)
@@ -102,7 +102,7 @@ std::vector<Vec2> quadratic_element(int order, const Vec2* nodes) {
   std::vector<Vec2> nine(9);
   for (const int j : {0, 1})
     for (const int i : {0, 1}) nine[6 * j + 2 * i] = corner(i, j);
-  const Eigen::MatrixXd middle = interpolation_matrix(gll_points(n), {0.0});
+  const Eigen::MatrixXd middle = spectral::interpolation_matrix(spectral::gll_points(n), {0.0});
   for (int k = 0; k <= n; ++k) {
     nine[1] += middle(0, k) * nodes[k];
     nine[7] += middle(0, k) * nodes[n * width + k];
@@ -120,4 +120,4 @@ std::string length_text(double length, double diameter) {
   return fmt::format("{:.2g} ({:.2g} of the diameter)", length, length / diameter);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -9,7 +9,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The element that the reader will have: nodes as in model/quad_mesh.hpp, from the sides of `nodes` alone.
 std::vector<Vec2> transfinite_element(int order, const Vec2* nodes);
@@ -32,4 +32,4 @@ TransfiniteLoss transfinite_loss(const QuadMesh& mesh, RebuiltFrom from, const s
 /// "3.1e-05 (1.5e-05 of the diameter)", or "less than 1e-12 of the diameter".
 std::string length_text(double length, double diameter);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

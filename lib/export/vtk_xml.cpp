@@ -7,7 +7,7 @@
 #include <iterator>
 #include <span>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
@@ -87,4 +87,4 @@ std::string vtk_xml(const VtkGrid& grid) {
   return text;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::exports {
 
 struct VtkIntegers {
   std::string name;
@@ -35,4 +35,4 @@ struct VtkGrid {
 
 std::string vtk_xml(const VtkGrid& grid);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -8,7 +8,7 @@
 #include "export/skeleton.hpp"
 #include "export/vtk_xml.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 struct CellTypes {
@@ -134,4 +134,4 @@ Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame) {
   return exported(Writer(mesh, frame, bezier_points(mesh), bezier_cells));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -4,10 +4,10 @@
 
 #include "export/format_table.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// The format_table's writers.
 Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame);
 Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame);
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

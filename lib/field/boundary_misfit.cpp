@@ -14,7 +14,7 @@
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -23,37 +23,38 @@ struct EdgePoint {
   Vec2 xi;
 };
 
-double misfit_at(const Field& field, const TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
+double misfit_at(const Field& field, const spectral::TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
   const CadFace& face = field.mesh.face;
   const int offset = field.coef_offsets[edge.elem];
   Vec2 x_h;
   Mat2 dx_dxi, dv_dxi;
   map.evaluate(at.xi, x_h, dx_dxi);
-  const Vec2 value = orthogonal_sum(field.elem_order[edge.elem], &field.u[offset], &field.v[offset], at.xi, dv_dxi);
+  const Vec2 value =
+      spectral::orthogonal_sum(field.elem_order[edge.elem], &field.u[offset], &field.v[offset], at.xi, dv_dxi);
   const Vec2 data = lifted_boundary_value(face, field.liftings, edge.curve, at.t);
   const Nurbs& curve = face.curves[edge.curve];
-  const Vec2 across = left_of(tangent(curve, at.t));
+  const Vec2 across = left_of(curve::tangent(curve, at.t));
   Vec2 slope = (dv_dxi * inverse(dx_dxi)) * across;
   for (const Lifting& lifting : field.liftings) slope += lifting.jump * dot(lifting_gradient(lifting, x_h), across);
-  return distance(value, data) + norm(slope) * std::abs(dot(x_h - point(curve, at.t), across));
+  return distance(value, data) + norm(slope) * std::abs(dot(x_h - curve::point(curve, at.t), across));
 }
 
 // |phi_h - Phi| of a phase, radians: what |v - v_h| is, as v is a unit vector.
-double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const TriMap& map, const BoundaryEdge& edge,
-                       const EdgePoint& at) {
+double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const spectral::TriMap& map,
+                       const BoundaryEdge& edge, const EdgePoint& at) {
   const CadFace& face = field.mesh.face;
   const double* s = &field.phase.s[field.coef_offsets[edge.elem]];
   Vec2 x_h;
   Mat2 dx_dxi, ds_dxi;
   map.evaluate(at.xi, x_h, dx_dxi);
-  const double value = orthogonal_sum(field.elem_order[edge.elem], s, s, at.xi, ds_dxi).x;
+  const double value = spectral::orthogonal_sum(field.elem_order[edge.elem], s, s, at.xi, ds_dxi).x;
   const int loop = face.loop_of(edge.curve);
   const double data = boundary.remainder(edge.curve, at.t) + (loop > 0 ? 2 * pi * field.phase.twists[loop - 1] : 0);
   const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
   const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field.phase.terms, x_h);
   const Nurbs& curve = face.curves[edge.curve];
-  const Vec2 across = left_of(tangent(curve, at.t));
-  return std::abs(value - data) + std::abs(dot(slope, across) * dot(x_h - point(curve, at.t), across));
+  const Vec2 across = left_of(curve::tangent(curve, at.t));
+  return std::abs(value - data) + std::abs(dot(slope, across) * dot(x_h - curve::point(curve, at.t), across));
 }
 
 }  // namespace
@@ -61,19 +62,19 @@ double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const 
 std::vector<double> boundary_misfit(const Field& field) {
   constexpr double fractions[] = {0.1, 0.37, 0.63, 0.9};
   const TriMesh& mesh = field.mesh;
-  const std::vector<TriMap> maps = tri_maps(mesh);
-  std::vector<ArcLength> lengths;
+  const std::vector<spectral::TriMap> maps = mesh::tri_maps(mesh);
+  std::vector<curve::ArcLength> lengths;
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
   std::unique_ptr<PhaseBoundary> phase;
   if (field.kind == "phase") phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.nodes);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
-    const ArcLength& length = lengths[edge.curve];
+    const curve::ArcLength& length = lengths[edge.curve];
     const double begin = length.at(edge.t0), whole = length.at(edge.t1) - begin;
     for (const double s : fractions) {
-      const EdgePoint at{length.parameter(begin + s * whole), tri_edge_point(edge.edge, s)};
-      const TriMap& map = maps[edge.elem];
+      const EdgePoint at{length.parameter(begin + s * whole), spectral::tri_edge_point(edge.edge, s)};
+      const spectral::TriMap& map = maps[edge.elem];
       const double misfit = phase ? phase_misfit_at(field, *phase, map, edge, at) : misfit_at(field, map, edge, at);
       misfits[edge.elem] = std::max(misfits[edge.elem], misfit);
     }
@@ -81,4 +82,4 @@ std::vector<double> boundary_misfit(const Field& field) {
   return misfits;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -5,7 +5,7 @@
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -26,14 +26,14 @@ Place place_on(const Nurbs& curve, double t) {
 
 // The direction in which the curve leaves the joint at one of its ends.
 Vec2 direction_from_joint(const Nurbs& curve, Place place) {
-  return place == Place::begin ? tangent(curve, curve.begin()) : -tangent(curve, curve.end(), true);
+  return place == Place::begin ? curve::tangent(curve, curve.begin()) : -curve::tangent(curve, curve.end(), true);
 }
 
 }  // namespace
 
 Vec2 boundary_value(const CadFace& face, int curve, double t) {
   const Nurbs& nurbs = face.curves[curve];
-  return fourth_power(tangent(nurbs, t, place_on(nurbs, t) == Place::end));
+  return fourth_power(curve::tangent(nurbs, t, place_on(nurbs, t) == Place::end));
 }
 
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
@@ -42,7 +42,7 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
   if (liftings.empty()) return value;
   const Place place = place_on(nurbs, t);
   const int joint = place == Place::begin ? curve : place == Place::end ? face.next_in_loop(curve) : -1;
-  const Vec2 x = point(nurbs, t);
+  const Vec2 x = curve::point(nurbs, t);
   for (const Lifting& lifting : liftings) {
     const bool at_apex = lifting.joint == joint;
     value -= lifting.jump *
@@ -69,4 +69,4 @@ bool is_line_field(const CadFace& face) {
   return opposite;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

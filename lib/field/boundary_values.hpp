@@ -6,7 +6,7 @@
 #include "model/cad_face.hpp"
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 /// (cos 4 theta, sin 4 theta) of the curve's tangent at t; one-sided at the curve's ends.
 Vec2 boundary_value(const CadFace& face, int curve, double t);
@@ -19,4 +19,4 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
 /// The field then vanishes on curves, and the harmonic method has no answer (method.md §3).
 bool is_line_field(const CadFace& face);
 
-}  // namespace quadrille
+}  // namespace quadrille::field

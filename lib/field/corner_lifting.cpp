@@ -7,7 +7,7 @@
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -47,7 +47,7 @@ double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
   if (size <= ray.shortest) return std::max(e.along_min, ray.shortest);
   const double middle = (curve.begin() + curve.end()) / 2;
   if (!(middle > curve.begin() && middle < curve.end())) return std::max(e.along_min, ray.shortest);
-  const Nurbs first = trimmed(curve, curve.begin(), middle), second = trimmed(curve, middle, curve.end());
+  const Nurbs first = curve::trimmed(curve, curve.begin(), middle), second = curve::trimmed(curve, middle, curve.end());
   const bool backwards = extent(second, ray).along_min < extent(first, ray).along_min;
   nearest = first_hit(backwards ? second : first, ray, nearest);
   return first_hit(backwards ? first : second, ray, nearest);
@@ -92,11 +92,11 @@ std::vector<Lifting> corner_liftings(const CadFace& face) {
     const Vec2 v_out = boundary_value(face, joint, face.curves[joint].begin());
     if (norm(v_in - v_out) <= jump_tol) continue;
     const double angle = face.joints[joint].interior_angle;
-    const Vec2 out = tangent(face.curves[joint], face.curves[joint].begin());
+    const Vec2 out = curve::tangent(face.curves[joint], face.curves[joint].begin());
     const Vec2 apex = face.joints[joint].position;
     liftings.push_back({joint, apex, exterior_pole(face, apex, out, angle), (v_in - v_out) / angle});
   }
   return liftings;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

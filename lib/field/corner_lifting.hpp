@@ -10,7 +10,7 @@
 #include "model/cad_face.hpp"
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 /// theta_c at x; x must not be c.
 double lifting_angle(const Lifting& lifting, Vec2 x);
@@ -30,4 +30,4 @@ Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double inte
 /// One lifting for every joint whose data jump by more than round-off, with its exterior_pole.
 std::vector<Lifting> corner_liftings(const CadFace& face);
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -8,7 +8,7 @@
 #include "field/boundary_misfit.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -32,7 +32,7 @@ std::vector<double> norms_by_degree(const Field& field, int elem) {
   for (const auto* component : {&field.u, &field.v, &field.phase.s}) {
     if (component->empty()) continue;
     for (int d = 0, i = 0; d <= order; ++d) {
-      for (; i < num_tri_modes(d); ++i) norms[d] += (*component)[offset + i] * (*component)[offset + i];
+      for (; i < spectral::num_tri_modes(d); ++i) norms[d] += (*component)[offset + i] * (*component)[offset + i];
     }
   }
   for (double& norm : norms) norm = std::sqrt(norm);
@@ -122,4 +122,4 @@ double position_error(const Mat2& j, double field_error) {
   return d > 0 ? field_error * greatest / d : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -19,7 +19,7 @@
 #include "base/vec2.hpp"
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 /// |v - v_h| on each element; of a field of kind "phase" |s - s_h|, which is that as v is a unit vector. Linear in the
 /// number of modes and of elements (the 512 strongest senders are heard).
@@ -28,4 +28,4 @@ std::vector<double> error_estimate(const Field& field);
 /// How far a zero moves at most for an error of that size: |J^-1 e| <= |e| / (least singular value of J = dv/dx).
 double position_error(const Mat2& jacobian, double field_error);
 
-}  // namespace quadrille
+}  // namespace quadrille::field

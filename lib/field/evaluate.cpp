@@ -7,7 +7,7 @@
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
@@ -17,8 +17,8 @@ constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 FieldEvaluator::FieldEvaluator(const Field& field)
     : field_(&field),
       is_phase_(field.kind == "phase"),
-      maps_(tri_maps(field.mesh)),
-      topology_(tri_topology(field.mesh)),
+      maps_(mesh::tri_maps(field.mesh)),
+      topology_(mesh::tri_topology(field.mesh)),
       locator_(field.mesh, maps_) {}
 
 Vec2 FieldEvaluator::inward(int elem, Vec2 x) const { return normalized(maps_[elem].position(centroid) - x); }
@@ -42,9 +42,10 @@ Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
   const int offset = field_->coef_offsets[elem];
   if (is_phase_) {
     const double* s = &field_->phase.s[offset];
-    return phase_value(orthogonal_sum(field_->elem_order[elem], s, s, xi).x, elem, x);
+    return phase_value(spectral::orthogonal_sum(field_->elem_order[elem], s, s, xi).x, elem, x);
   }
-  return orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi) + liftings(elem, x);
+  return spectral::orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi) +
+         liftings(elem, x);
 }
 
 // d e^(i phi) = i e^(i phi) d phi.
@@ -53,7 +54,7 @@ FieldSample FieldEvaluator::phase_sample(int elem, Vec2 xi) const {
   maps_[elem].evaluate(xi, sample.x, sample.dx_dxi);
   const double* s = &field_->phase.s[field_->coef_offsets[elem]];
   Mat2 ds_dxi;
-  const double remainder = orthogonal_sum(field_->elem_order[elem], s, s, xi, ds_dxi).x;
+  const double remainder = spectral::orthogonal_sum(field_->elem_order[elem], s, s, xi, ds_dxi).x;
   sample.value = phase_value(remainder, elem, sample.x);
   const Mat2 ds_dx = ds_dxi * inverse(sample.dx_dxi);
   const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field_->phase.terms, sample.x);
@@ -68,7 +69,7 @@ FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {
   maps_[elem].evaluate(xi, s.x, s.dx_dxi);
   const int offset = field_->coef_offsets[elem];
   Mat2 dv_dxi;
-  s.value = orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi, dv_dxi) +
+  s.value = spectral::orthogonal_sum(field_->elem_order[elem], &field_->u[offset], &field_->v[offset], xi, dv_dxi) +
             liftings(elem, s.x);
   s.dv_dx = dv_dxi * inverse(s.dx_dxi);
   for (const Lifting& lifting : field_->liftings) {
@@ -83,7 +84,7 @@ FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {
 }
 
 bool FieldEvaluator::value_at(Vec2 x, Vec2& value_there) const {
-  const Location at = locator_.find(x);
+  const mesh::Location at = locator_.find(x);
   if (at.elem < 0) return false;
   Vec2 position;
   Mat2 jacobian;
@@ -94,9 +95,9 @@ bool FieldEvaluator::value_at(Vec2 x, Vec2& value_there) const {
 std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& points) const {
   std::vector<PointSample> result;
   result.reserve(points.size());
-  Location last;
+  mesh::Location last;
   for (const Vec2 x : points) {
-    Location at = walk(topology_, maps_, x, last);
+    mesh::Location at = mesh::walk(topology_, maps_, x, last);
     if (at.elem < 0) at = locator_.find(x);
     PointSample& here = result.emplace_back();
     here.at = at;
@@ -109,11 +110,11 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
   return result;
 }
 
-std::vector<FieldSample> FieldEvaluator::samples(const std::vector<Location>& places) const {
+std::vector<FieldSample> FieldEvaluator::samples(const std::vector<mesh::Location>& places) const {
   std::vector<FieldSample> result;
   result.reserve(places.size());
-  for (const Location& at : places) result.push_back(sample(at.elem, at.xi));
+  for (const mesh::Location& at : places) result.push_back(sample(at.elem, at.xi));
   return result;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -8,7 +8,7 @@
 #include "model/field.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 struct FieldSample {
   Vec2 x;
@@ -19,7 +19,7 @@ struct FieldSample {
 
 /// The field at a point of the plane; at.elem = -1: outside the mesh, and zeros.
 struct PointSample {
-  Location at;
+  mesh::Location at;
   Vec2 value;
   Mat2 dv_dx;
 };
@@ -42,12 +42,12 @@ class FieldEvaluator {
   /// search grid where that ends without an answer. Quickest for points in a sequence that does not jump.
   std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
   /// sample() at many places, which must exist.
-  std::vector<FieldSample> samples(const std::vector<Location>& places) const;
+  std::vector<FieldSample> samples(const std::vector<mesh::Location>& places) const;
 
   const Field& field() const { return *field_; }
-  const std::vector<TriMap>& maps() const { return maps_; }
-  const TriTopology& topology() const { return topology_; }
-  const Locator& locator() const { return locator_; }
+  const std::vector<spectral::TriMap>& maps() const { return maps_; }
+  const mesh::TriTopology& topology() const { return topology_; }
+  const mesh::Locator& locator() const { return locator_; }
 
  private:
   Vec2 liftings(int elem, Vec2 x) const;
@@ -57,9 +57,9 @@ class FieldEvaluator {
 
   const Field* field_;
   bool is_phase_;
-  std::vector<TriMap> maps_;
-  TriTopology topology_;
-  Locator locator_;
+  std::vector<spectral::TriMap> maps_;
+  mesh::TriTopology topology_;
+  mesh::Locator locator_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -7,7 +7,7 @@
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -31,15 +31,16 @@ void add_parts(const Nurbs& curve, double t0, double t1, int depth, std::vector<
   constexpr double most_turn = 0.05;
   constexpr int deepest = 20;
   const double middle = (t0 + t1) / 2;
-  const Vec2 along = tangent(curve, middle);
-  const double turn = turn_between(tangent(curve, t0), along) + turn_between(along, tangent(curve, t1, true));
+  const Vec2 along = curve::tangent(curve, middle);
+  const double turn =
+      turn_between(curve::tangent(curve, t0), along) + turn_between(along, curve::tangent(curve, t1, true));
   if (std::abs(turn) > most_turn && depth < deepest) {
     add_parts(curve, t0, middle, depth + 1, parts);
     add_parts(curve, middle, t1, depth + 1, parts);
     return;
   }
-  const Vec2 x = point(curve, middle);
-  parts.push_back({x, along, distance(point(curve, t0), x) + distance(x, point(curve, t1)), turn, false});
+  const Vec2 x = curve::point(curve, middle);
+  parts.push_back({x, along, distance(curve::point(curve, t0), x) + distance(x, curve::point(curve, t1)), turn, false});
 }
 
 std::vector<Part> parts_of(const CadFace& face, int loop) {
@@ -130,4 +131,4 @@ std::vector<HoleFocus> hole_foci(const CadFace& face) {
   return foci;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

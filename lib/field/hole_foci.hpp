@@ -10,7 +10,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 struct HoleFocus {
   Vec2 position;  ///< inside the hole
@@ -22,4 +22,4 @@ struct HoleFocus {
 /// Linear in the number of curves.
 std::vector<HoleFocus> hole_foci(const CadFace& face);
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -6,7 +6,7 @@
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -21,7 +21,7 @@ Polygon sampled_loop(const CadFace& face, int loop) {
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
     const Nurbs& curve = face.curves[c];
     for (int i = 0; i < samples; ++i)
-      polygon.push_back(point(curve, curve.begin() + (curve.end() - curve.begin()) * i / samples));
+      polygon.push_back(curve::point(curve, curve.begin() + (curve.end() - curve.begin()) * i / samples));
   }
   return polygon;
 }
@@ -66,7 +66,7 @@ Vec2 hole_point(const CadFace& face, int loop) {
     const Nurbs& curve = face.curves[c];
     for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
       const double t = curve.begin() + f * (curve.end() - curve.begin());
-      const Vec2 x = half_way(face, point(curve, t), -left_of(tangent(curve, t)));
+      const Vec2 x = half_way(face, curve::point(curve, t), -left_of(curve::tangent(curve, t)));
       const double room = clearance(polygon, x);
       if (room > most * (1 + 1e-6)) most = room, best = x;
     }
@@ -82,4 +82,4 @@ std::vector<Vec2> hole_points(const CadFace& face) {
   return points;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

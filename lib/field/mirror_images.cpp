@@ -8,7 +8,7 @@
 #include "curve/project.hpp"
 #include "field/corner_lifting.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -40,19 +40,20 @@ struct Candidate {
 
 void add_candidate(const CadFace& face, int c, Vec2 x, std::vector<Candidate>& candidates) {
   const Nurbs& curve = face.curves[c];
-  const Projection foot = project(curve, x);
+  const curve::Projection foot = curve::project(curve, x);
   const double depth = foot.distance;
   if (!(depth > 0 && depth <= farthest_foot * face.diameter) || is_at_corner(face, c, foot.t)) return;
-  const Vec2 along = tangent(curve, foot.t, foot.t >= curve.end()), from_foot = x - foot.position;
+  const Vec2 along = curve::tangent(curve, foot.t, foot.t >= curve.end()), from_foot = x - foot.position;
   if (std::abs(dot(along, from_foot)) > 1e-6 * depth || cross(along, from_foot) <= 0) return;
-  const double shrink = 1 - curvature(curve, foot.t, foot.t >= curve.end()) * depth;
+  const double shrink = 1 - curve::curvature(curve, foot.t, foot.t >= curve.end()) * depth;
   if (shrink * farthest_image < 1 || shrink > greatest_shrink) return;
   const Vec2 outward = -left_of(along);
   const double beyond = depth / shrink, room = 2 * distance(half_way(face, foot.position, outward), foot.position);
   if (beyond > 0.9 * room) return;
   const Vec2 image = foot.position + beyond * outward;
   for (int other = 0; other < face.num_curves(); ++other) {
-    if (other != c && project(face.curves[other], image).distance < least_clearance * std::min(depth, beyond)) return;
+    if (other != c && curve::project(face.curves[other], image).distance < least_clearance * std::min(depth, beyond))
+      return;
   }
   candidates.push_back({{image, face.loop_of(c)}, depth});
 }
@@ -75,4 +76,4 @@ std::vector<MirrorImage> mirror_images(const CadFace& face, Vec2 x) {
   return images;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

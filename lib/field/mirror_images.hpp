@@ -8,7 +8,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 struct MirrorImage {
   Vec2 position;  ///< outside the domain
@@ -20,4 +20,4 @@ struct MirrorImage {
 /// and where the node is not far off a small bend, and the image has room outside the domain, to all sides.
 std::vector<MirrorImage> mirror_images(const CadFace& face, Vec2 x);
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -14,7 +14,7 @@
 #include "field/mirror_images.hpp"
 #include "field/phase_terms.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -169,12 +169,12 @@ void PhaseBoundary::make_apexes(const PhaseNodes& asked) {
     const Nurbs &curve = face_->curves[c], &before = face_->curves[face_->previous_in_loop(c)];
     apex_offsets_.push_back(static_cast<int>(apexes_.size()));
     apexes_.push_back({c, curve.begin(), face_->joints[c].interior_angle, valences[c], -1, 0});
-    make_corner_angle(apexes_.back(), tangent(before, before.end(), true), tangent(curve, curve.begin()));
+    make_corner_angle(apexes_.back(), curve::tangent(before, before.end(), true), curve::tangent(curve, curve.begin()));
     for (; next != inner.end() && next->curve == c; ++next) {
       if (next->t - apexes_.back().t <= same_place_tol * range_of(curve))
         throw ComputeError(fmt::format("two boundary nodes are at the same place of curve {}", c));
       apexes_.push_back({c, next->t, pi, next->valence, -1, 0});
-      make_corner_angle(apexes_.back(), tangent(curve, next->t, true), tangent(curve, next->t));
+      make_corner_angle(apexes_.back(), curve::tangent(curve, next->t, true), curve::tangent(curve, next->t));
     }
   }
   apex_offsets_.push_back(static_cast<int>(apexes_.size()));
@@ -185,7 +185,7 @@ void PhaseBoundary::make_corner_angle(Apex& apex, Vec2 tangent_in, Vec2 tangent_
   apex.angle = near(apex.angle, pi - (angle_of(tangent_out) - angle_of(tangent_in)));
   const double jump = 4 * apex.angle - 2 * pi * apex.valence;
   if (std::abs(jump) <= jump_tol) return;
-  const Vec2 x = point(face_->curves[apex.curve], apex.t);
+  const Vec2 x = curve::point(face_->curves[apex.curve], apex.t);
   apex.term = static_cast<int>(terms_.corner_angles.size());
   terms_.corner_angles.push_back(
       {x, pole_of(*face_, foci_, face_->loop_of(apex.curve), x, tangent_out, apex.angle), jump / apex.angle});
@@ -244,9 +244,9 @@ int PhaseBoundary::winding(int i, int loop) const {
 
 void PhaseBoundary::walk_loop(int loop) {
   const int first = face_->loop_offsets[loop], last = face_->loop_offsets[loop + 1];
-  const Vec2 x = point(face_->curves[first], face_->curves[first].begin());
+  const Vec2 x = curve::point(face_->curves[first], face_->curves[first].begin());
   Walk start;
-  start.tangent_angle = angle_of(tangent(face_->curves[first], face_->curves[first].begin()));
+  start.tangent_angle = angle_of(curve::tangent(face_->curves[first], face_->curves[first].begin()));
   for (int i = 0; i < num_turns(); ++i) start.turn_angles.push_back(angle_of(x - turn(i).position));
 
   Walk walk = start;
@@ -274,8 +274,8 @@ void PhaseBoundary::pass_apex(Apex& apex, Walk& walk) {
   const Nurbs& curve = face_->curves[apex.curve];
   const bool is_joint = apex.t == curve.begin();
   const Nurbs& before = is_joint ? face_->curves[face_->previous_in_loop(apex.curve)] : curve;
-  const Vec2 x = point(curve, apex.t), out = tangent(curve, apex.t);
-  const Vec2 in = tangent(before, is_joint ? before.end() : apex.t, true);
+  const Vec2 x = curve::point(curve, apex.t), out = curve::tangent(curve, apex.t);
+  const Vec2 in = curve::tangent(before, is_joint ? before.end() : apex.t, true);
   const auto g = [&](Vec2 inward) {
     double value = 4 * walk.tangent_angle - 2 * pi * walk.corner_index - corner_angles(x, apex.term, inward);
     for (int i = 0; i < num_turns(); ++i) value -= turn(i).turns * walk.turn_angles[i];
@@ -290,20 +290,20 @@ void PhaseBoundary::pass_apex(Apex& apex, Walk& walk) {
 }
 
 void PhaseBoundary::walk_curve(int curve, double t0, double t1, Walk& walk) {
-  walk_piece(trimmed(face_->curves[curve], t0, t1), curve, walk);
+  walk_piece(curve::trimmed(face_->curves[curve], t0, t1), curve, walk);
 }
 
 void PhaseBoundary::walk_piece(const Nurbs& piece, int curve, Walk& walk) {
   if (!is_tame(piece)) {
     const double middle = (piece.begin() + piece.end()) / 2;
     if (extent(piece) <= node_tol * face_->diameter || middle <= piece.begin() || middle >= piece.end()) refuse(piece);
-    walk_piece(trimmed(piece, piece.begin(), middle), curve, walk);
-    walk_piece(trimmed(piece, middle, piece.end()), curve, walk);
+    walk_piece(curve::trimmed(piece, piece.begin(), middle), curve, walk);
+    walk_piece(curve::trimmed(piece, middle, piece.end()), curve, walk);
     return;
   }
   Piece p{piece.begin(), piece.end(), 0, walk.corner_index, {}};
   p.tangent_angle = near(walk.tangent_angle, angle_of(piece.poles.back() - piece.poles.front()));
-  walk.tangent_angle = near(p.tangent_angle, angle_of(tangent(piece, piece.end(), true)));
+  walk.tangent_angle = near(p.tangent_angle, angle_of(curve::tangent(piece, piece.end(), true)));
   for (int i = 0; i < num_turns(); ++i) {
     const Vec2 from = turn(i).position;
     p.turn_angles.push_back(near(walk.turn_angles[i], angle_of(middle_of_ends(piece) - from)));
@@ -378,12 +378,12 @@ double PhaseBoundary::phase(int curve, double t) const {
   const Nurbs& nurbs = face_->curves[curve];
   const bool from_left = t >= nurbs.end();
   const Piece& piece = piece_at(curve, t, from_left);
-  return 4 * near(piece.tangent_angle, angle_of(tangent(nurbs, t, from_left))) - 2 * pi * piece.corner_index;
+  return 4 * near(piece.tangent_angle, angle_of(curve::tangent(nurbs, t, from_left))) - 2 * pi * piece.corner_index;
 }
 
 double PhaseBoundary::remainder(int curve, double t) const {
   if (const Apex* apex = apex_at(curve, t)) return apex->remainder;
-  const Vec2 x = point(face_->curves[curve], t);
+  const Vec2 x = curve::point(face_->curves[curve], t);
   const Piece& piece = piece_at(curve, t, false);
   double value = phase(curve, t) - corner_angles(x, -1, {});
   for (int i = 0; i < num_turns(); ++i) {
@@ -393,4 +393,4 @@ double PhaseBoundary::remainder(int curve, double t) const {
   return value;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

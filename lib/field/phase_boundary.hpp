@@ -16,7 +16,7 @@
 #include "model/phase_nodes.hpp"
 #include "model/phase_terms.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 /// Throws ComputeError with the arithmetic unless sum (4 - V_k) + sum (2 - V_c) = 4 chi (point 1).
 void require_index_sum(const CadFace& face, const PhaseNodes& asked);
@@ -84,4 +84,4 @@ class PhaseBoundary {
   std::vector<std::vector<Piece>> pieces_;  ///< by curve, ascending
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -5,7 +5,7 @@
 
 #include "field/corner_lifting.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 namespace {
 
@@ -81,4 +81,4 @@ Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x) {
   return gradient;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -4,7 +4,7 @@
 #include "base/vec2.hpp"
 #include "model/phase_terms.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 
 /// theta_c at x; at the apex, or within rounding of it, its limit along `inward`, a unit vector into the closed domain.
 double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward);
@@ -20,4 +20,4 @@ Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards);
 /// Its gradient: d left_of(z - a) / |z - a|^2 and the like. Not at nodes and apexes.
 Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x);
 
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -3,10 +3,10 @@
 #include "base/error.hpp"
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 CondensedElement condense(int order, const Eigen::MatrixXd& stiffness) {
-  const int nb = num_boundary_modes(order), ni = num_interior_modes(order);
+  const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
   CondensedElement element;
   if (ni == 0) {
     element.schur = stiffness;
@@ -26,4 +26,4 @@ CondensedElement condense(int order, const Eigen::MatrixXd& stiffness) {
   return element;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 struct CondensedElement {
   Eigen::MatrixXd schur;                   ///< K_bb - K_bi K_ii^-1 K_ib, over the boundary modes
@@ -14,4 +14,4 @@ struct CondensedElement {
 /// definite, which only an element with folded shape can cause.
 CondensedElement condense(int order, const Eigen::MatrixXd& stiffness);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -68,4 +68,4 @@ double relative_residual(const DofMap& map, const std::vector<CondensedElement>&
   return scale > 0 ? residual.norm() / scale : residual.norm();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -8,7 +8,7 @@
 #include "galerkin/condense.hpp"
 #include "galerkin/dof_map.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// The right-hand side: minus the reactions of `given`, the values of the dofs [num_unknowns, num_dofs).
 Eigen::MatrixXd right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
@@ -26,4 +26,4 @@ Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>
 double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
                          const Eigen::MatrixXd& dofs);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

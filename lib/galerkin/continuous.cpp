@@ -10,7 +10,7 @@
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads)
     : context_(&context),
@@ -59,14 +59,14 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
 }
 
 Eigen::MatrixXd ContinuousSystem::reactions(const Eigen::MatrixXd& dofs) const {
-  return quadrille::reactions(*map_, elements_, dofs);
+  return galerkin::reactions(*map_, elements_, dofs);
 }
 
 Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs) const {
-  const int order = elem_order_[elem], nb = num_boundary_modes(order);
-  Eigen::MatrixXd modes(num_tri_modes(order), dofs.cols());
+  const int order = elem_order_[elem], nb = spectral::num_boundary_modes(order);
+  Eigen::MatrixXd modes(spectral::num_tri_modes(order), dofs.cols());
   modes.topRows(nb) = element_dofs(*map_, elem, dofs);
-  modes.bottomRows(num_interior_modes(order)) = elements_[elem].interior_from_boundary * modes.topRows(nb);
+  modes.bottomRows(spectral::num_interior_modes(order)) = elements_[elem].interior_from_boundary * modes.topRows(nb);
   return modes;
 }
 
@@ -92,4 +92,4 @@ Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
   return solution;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

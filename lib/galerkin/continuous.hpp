@@ -9,7 +9,7 @@
 #include "galerkin/discretization.hpp"
 #include "galerkin/linear_solver.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// The condensed Laplace system on one mesh: factored once for an order map, solved for any boundary values. Functions
 /// are the columns of matrices.
@@ -60,4 +60,4 @@ class ContinuousGalerkin : public Discretization {
   DirichletData dirichlet_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -6,7 +6,7 @@
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -19,19 +19,19 @@ struct EdgeProjection {
 };
 
 EdgeProjection make_projection(int order) {
-  const Quadrature rule = gauss_legendre(order + 10);
+  const spectral::Quadrature rule = spectral::gauss_legendre(order + 10);
   const int n = static_cast<int>(rule.points.size());
   EdgeProjection projection{rule.points, Eigen::MatrixXd(order - 1, n)};
   for (int i = 0; i < n; ++i) {
     const double s = rule.points[i];
-    edge_mode_values(order, s, projection.matrix.col(i).data());
+    spectral::edge_mode_values(order, s, projection.matrix.col(i).data());
     for (int d = 2; d <= order; ++d) projection.matrix(d - 2, i) *= rule.weights[i] * d * (d - 1) / (1 - s * s);
   }
   return projection;
 }
 
 const EdgeProjection& edge_projection(int order) {
-  static PerOrder<EdgeProjection> tables(make_projection);
+  static spectral::PerOrder<EdgeProjection> tables(make_projection);
   return tables[order];
 }
 
@@ -45,7 +45,7 @@ const std::vector<double>& BoundaryPoints::parameters(int b, int order) {
   if (edge.order == order) return edge.parameters;
   const BoundaryEdge& boundary_edge = mesh_->boundary_edges[b];
   auto& arc_length = arc_lengths_[boundary_edge.curve];
-  if (!arc_length) arc_length = std::make_unique<ArcLength>(mesh_->face.curves[boundary_edge.curve]);
+  if (!arc_length) arc_length = std::make_unique<curve::ArcLength>(mesh_->face.curves[boundary_edge.curve]);
   const double begin = arc_length->at(boundary_edge.t0), length = arc_length->at(boundary_edge.t1) - begin;
   edge.parameters.clear();
   for (const double s : edge_projection(order).points)
@@ -100,7 +100,7 @@ void DirichletData::project(int b, int order) {
   edge.order = order;
 }
 
-Eigen::MatrixXd DirichletData::values(const TriTopology& topology, const DofMap& map) {
+Eigen::MatrixXd DirichletData::values(const mesh::TriTopology& topology, const DofMap& map) {
   const TriMesh& mesh = points_->mesh();
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, num_columns_);
   for (std::size_t b = 0; b < edges_.size(); ++b) {
@@ -110,7 +110,7 @@ Eigen::MatrixXd DirichletData::values(const TriTopology& topology, const DofMap&
     values.row(map.vertex2dof[vertex0] - map.num_unknowns) = edges_[b].first;
     const int edge = topology.elem2edges[boundary_edge.elem][boundary_edge.edge], order = map.edge2order[edge];
     if (order < 2) continue;
-    if (edges_[b].order != table_order(order)) project(static_cast<int>(b), table_order(order));
+    if (edges_[b].order != spectral::table_order(order)) project(static_cast<int>(b), spectral::table_order(order));
     Eigen::MatrixXd coefs = edges_[b].coefs.topRows(order - 1);
     if (vertex0 > vertex1) {  // the edge's own direction is the other one: odd degrees change sign
       for (int d = 3; d <= order; d += 2) coefs.row(d - 2) *= -1;
@@ -120,4 +120,4 @@ Eigen::MatrixXd DirichletData::values(const TriTopology& topology, const DofMap&
   return values;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -10,7 +10,7 @@
 #include "galerkin/dof_map.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// A pair's value at parameter t of a boundary curve.
 using BoundaryData = std::function<Vec2(int curve, double t)>;
@@ -33,8 +33,8 @@ class BoundaryPoints {
     std::vector<double> parameters;
   };
   const TriMesh* mesh_;
-  std::vector<std::unique_ptr<ArcLength>> arc_lengths_;  ///< by curve, made on first use
-  std::vector<Edge> edges_;                              ///< by boundary edge
+  std::vector<std::unique_ptr<curve::ArcLength>> arc_lengths_;  ///< by curve, made on first use
+  std::vector<Edge> edges_;                                     ///< by boundary edge
 };
 
 /// Values of the boundary dofs for any order map of one mesh. Exact at vertices; on an edge the projection in the norm
@@ -46,7 +46,7 @@ class DirichletData {
   /// One function; `points` may be shared with others on their mesh.
   DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data);
   /// Values of the dofs [num_unknowns, num_dofs): columns u, v, or the one function.
-  Eigen::MatrixXd values(const TriTopology& topology, const DofMap& map);
+  Eigen::MatrixXd values(const mesh::TriTopology& topology, const DofMap& map);
 
  private:
   /// Projection of the data on one edge, walked as its element does.
@@ -67,4 +67,4 @@ class DirichletData {
   std::vector<Edge> edges_;  ///< by boundary edge
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -6,12 +6,12 @@
 #include "mesh/tri_maps.hpp"
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 MeshContext::MeshContext(const TriMesh& tri_mesh)
     : mesh(&tri_mesh),
-      topology(tri_topology(tri_mesh)),
-      maps(tri_maps(tri_mesh)),
+      topology(mesh::tri_topology(tri_mesh)),
+      maps(mesh::tri_maps(tri_mesh)),
       tree(nested_dissection(tri_mesh, topology)) {}
 
 std::string MeshContext::describe(int elem) const {
@@ -22,12 +22,12 @@ std::string MeshContext::describe(int elem) const {
 StiffnessTable::StiffnessTable(const MeshContext& context) : context_(&context), curved_(context.maps.size()) {}
 
 Eigen::MatrixXd StiffnessTable::operator()(int elem, int order) {
-  const TriMap& map = context_->maps[elem];
+  const spectral::TriMap& map = context_->maps[elem];
   if (map.is_affine()) return stiffness_matrix(map, order);
   Integrals& integrals = curved_[elem];
-  const int higher = table_order(order);
+  const int higher = spectral::table_order(order);
   if (integrals.order != higher) integrals = {higher, stiffness_matrix(map, higher)};
   return cut_down(integrals.stiffness, higher, order);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -12,15 +12,15 @@
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// A mesh with all that is derived from it and does not depend on orders.
 struct MeshContext {
   explicit MeshContext(const TriMesh& mesh);  ///< `mesh` must outlive the context
 
   const TriMesh* mesh;
-  TriTopology topology;
-  std::vector<TriMap> maps;
+  mesh::TriTopology topology;
+  std::vector<spectral::TriMap> maps;
   EliminationTree tree;
 
   /// "element 7 near (0.5, 0.25)", in the user's coordinates.
@@ -60,4 +60,4 @@ class Discretization {
   virtual int num_unknowns(const std::vector<int>& elem_order) const = 0;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -4,12 +4,12 @@
 
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
 // An order for every edge, chosen from those of its one or two elements.
-std::vector<int> edge_orders(const TriTopology& topology, const std::vector<int>& elem_order,
+std::vector<int> edge_orders(const mesh::TriTopology& topology, const std::vector<int>& elem_order,
                              const int& (*choose)(const int&, const int&)) {
   std::vector<int> edge2order;
   edge2order.reserve(topology.edge2elems.size());
@@ -37,7 +37,7 @@ void number(const std::vector<int>& sequence, const std::vector<bool>& on_bounda
   }
 }
 
-void add_element(const TriMesh& mesh, const TriTopology& topology, int elem, int order, DofMap& map) {
+void add_element(const TriMesh& mesh, const mesh::TriTopology& topology, int elem, int order, DofMap& map) {
   for (const int vertex : mesh.elem2vertices[elem]) {
     map.elem2dofs.push_back(map.vertex2dof[vertex]);
     map.elem2signs.push_back(1);
@@ -55,7 +55,7 @@ void add_element(const TriMesh& mesh, const TriTopology& topology, int elem, int
 
 }  // namespace
 
-DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
                     const std::vector<int>& elem_order) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   const int num_edges = static_cast<int>(topology.edge2vertices.size());
@@ -77,7 +77,7 @@ DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std:
   return map;
 }
 
-DofMap make_trace_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
                       const std::vector<int>& elem_order) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   DofMap map;
@@ -106,4 +106,4 @@ DofMap make_trace_map(const TriMesh& mesh, const TriTopology& topology, const st
   return map;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -10,7 +10,7 @@
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 struct DofMap {
   int num_unknowns = 0, num_dofs = 0;
@@ -23,12 +23,12 @@ struct DofMap {
 };
 
 /// Free dofs are numbered along `sequence`, then those of the boundary.
-DofMap make_dof_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
                     const std::vector<int>& elem_order);
 
 /// Numbers of the trace unknowns of the hybridised method: edge modes of degree 0..order, order the greater one of both
 /// elements (edge2order); vertices have none. Free edges along `sequence`, then those of the boundary.
-DofMap make_trace_map(const TriMesh& mesh, const TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
                       const std::vector<int>& elem_order);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

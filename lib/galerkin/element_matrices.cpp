@@ -12,7 +12,7 @@
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -24,8 +24,9 @@ struct GradientTable {
 };
 
 GradientTable make_gradient_table(int order, int num_points) {
-  const Quadrature along = gauss_legendre(num_points), up = gauss_jacobi(num_points, 1, 0);
-  const int n = num_tri_modes(order), total = num_points * num_points;
+  const spectral::Quadrature along = spectral::gauss_legendre(num_points),
+                             up = spectral::gauss_jacobi(num_points, 1, 0);
+  const int n = spectral::num_tri_modes(order), total = num_points * num_points;
   GradientTable table;
   Eigen::VectorXd values(n);
   table.d1.resize(n, total);
@@ -35,7 +36,7 @@ GradientTable make_gradient_table(int order, int num_points) {
       const Vec2 xi{(1 + along.points[i]) * (1 - up.points[j]) / 2 - 1, up.points[j]};
       table.points.push_back(xi);
       table.weights.push_back(along.weights[i] * up.weights[j] / 2);
-      modified_gradients(order, xi, values.data(), table.d1.col(column).data(), table.d2.col(column).data());
+      spectral::modified_gradients(order, xi, values.data(), table.d1.col(column).data(), table.d2.col(column).data());
     }
   }
   return table;
@@ -76,16 +77,16 @@ ReferenceMatrices make_reference_matrices(int order) {
 }
 
 const ReferenceMatrices& reference_matrices(int order) {
-  static PerOrder<ReferenceMatrices> tables([](int n) {
-    static PerOrder<ReferenceMatrices> large(make_reference_matrices);
-    const int higher = table_order(n);
+  static spectral::PerOrder<ReferenceMatrices> tables([](int n) {
+    static spectral::PerOrder<ReferenceMatrices> large(make_reference_matrices);
+    const int higher = spectral::table_order(n);
     const ReferenceMatrices& all = large[higher];
     return ReferenceMatrices{cut_down(all.k11, higher, n), cut_down(all.k12, higher, n), cut_down(all.k22, higher, n)};
   });
   return tables[order];
 }
 
-Eigen::MatrixXd affine_stiffness(const TriMap& map, int order) {
+Eigen::MatrixXd affine_stiffness(const spectral::TriMap& map, int order) {
   Vec2 x;
   Mat2 j;
   map.evaluate({0, 0}, x, j);
@@ -97,7 +98,7 @@ Eigen::MatrixXd affine_stiffness(const TriMap& map, int order) {
   return g11 * reference.k11 + g12 * reference.k12 + g22 * reference.k22;
 }
 
-Eigen::MatrixXd curved_stiffness(const TriMap& map, int order, int num_points) {
+Eigen::MatrixXd curved_stiffness(const spectral::TriMap& map, int order, int num_points) {
   const GradientTable& table = gradient_table(order, num_points);
   const int n = static_cast<int>(table.d1.rows()), total = static_cast<int>(table.points.size());
   Eigen::MatrixXd gradients(n, 2 * total);  // physical derivatives times the root of weight and det J
@@ -114,14 +115,14 @@ Eigen::MatrixXd curved_stiffness(const TriMap& map, int order, int num_points) {
 
 }  // namespace
 
-Eigen::MatrixXd stiffness_matrix(const TriMap& map, int order, int extra_points) {
+Eigen::MatrixXd stiffness_matrix(const spectral::TriMap& map, int order, int extra_points) {
   return map.is_affine() ? affine_stiffness(map, order) : curved_stiffness(map, order, order + extra_points);
 }
 
 Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int order) {
   if (order == higher_order) return stiffness;
-  const std::vector<int>& places = modified_subset(order, higher_order);
+  const std::vector<int>& places = spectral::modified_subset(order, higher_order);
   return stiffness(places, places);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

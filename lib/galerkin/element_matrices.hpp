@@ -5,13 +5,13 @@
 
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// Affine elements combine three reference matrices, made once per order. Curved ones are integrated by a collapsed
 /// Gauss rule with `extra_points` more than the order in each direction: the integrand is not a polynomial there.
-Eigen::MatrixXd stiffness_matrix(const TriMap& map, int order, int extra_points = 6);
+Eigen::MatrixXd stiffness_matrix(const spectral::TriMap& map, int order, int extra_points = 6);
 
 /// The matrix of a lower order, cut out of that of `higher_order`: the basis is hierarchical.
 Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int order);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -10,7 +10,7 @@
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 struct EliminationTree {
   /// A part of the mesh: elements[begin..end).
@@ -28,6 +28,6 @@ struct EliminationTree {
 
 /// Cuts by straight lines in four directions, each time where the fewest edges are cut and both halves have a fair
 /// share. It serves every order map of the mesh. n log n.
-EliminationTree nested_dissection(const TriMesh& mesh, const TriTopology& topology);
+EliminationTree nested_dissection(const TriMesh& mesh, const mesh::TriTopology& topology);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

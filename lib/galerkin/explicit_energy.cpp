@@ -8,7 +8,7 @@
 #include "curve/nurbs.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -40,7 +40,7 @@ class BoundaryIntegral {
 
  private:
   int apex_at(double t) const {
-    const Vec2 x = point(*curve_, t);
+    const Vec2 x = curve::point(*curve_, t);
     for (int a = first_apex_; a < first_apex_ + 2 * num_apexes_; a += 2)
       if (distance(sources_[a].position, x) <= 1e-11 * face_.diameter) return a;
     return -1;
@@ -56,9 +56,11 @@ class BoundaryIntegral {
   bool is_short(const Piece& piece) const {
     constexpr double greatest_turn = 0.8, nearest = 0.5;
     if (piece.apex0 >= 0 && piece.apex1 >= 0) return false;
-    const Vec2 x[] = {point(*curve_, piece.t0), point(*curve_, (piece.t0 + piece.t1) / 2), point(*curve_, piece.t1)};
+    const Vec2 x[] = {curve::point(*curve_, piece.t0), curve::point(*curve_, (piece.t0 + piece.t1) / 2),
+                      curve::point(*curve_, piece.t1)};
     const double length = distance(x[0], x[1]) + distance(x[1], x[2]);
-    if (dot(tangent(*curve_, piece.t0), tangent(*curve_, piece.t1, true)) < std::cos(greatest_turn)) return false;
+    if (dot(curve::tangent(*curve_, piece.t0), curve::tangent(*curve_, piece.t1, true)) < std::cos(greatest_turn))
+      return false;
     if (dot(x[1] - x[0], x[2] - x[1]) < std::cos(greatest_turn) * distance(x[0], x[1]) * distance(x[1], x[2]))
       return false;
     for (int i = 0; i < static_cast<int>(sources_.size()); ++i) {
@@ -71,10 +73,10 @@ class BoundaryIntegral {
 
   // Beside an apex L is a logarithm: t goes like u^6 there.
   double integral(const Piece& piece) const {
-    static const Quadrature rule = gauss_legendre(16), fine_rule = gauss_legendre(20);
+    static const spectral::Quadrature rule = spectral::gauss_legendre(16), fine_rule = spectral::gauss_legendre(20);
     const bool at_begin = piece.apex0 >= 0, is_graded = at_begin || piece.apex1 >= 0;
     const double length = piece.t1 - piece.t0;
-    const Quadrature& used = is_graded ? fine_rule : rule;
+    const spectral::Quadrature& used = is_graded ? fine_rule : rule;
     double sum = 0;
     for (std::size_t q = 0; q < used.points.size(); ++q) {
       const double u = (1 + used.points[q]) / 2, weight = used.weights[q] / 2;
@@ -92,7 +94,7 @@ class BoundaryIntegral {
   double integrand(double t, int apex, double share) const {
     constexpr double too_near = 3e-6;  // the direction from the apex is the rounding of a point there
     const double least2 = 1e-34 * face_.diameter * face_.diameter;  // a point beside an apex may be rounded onto it
-    const auto [x, d1, d2, d3] = derivatives(*curve_, t);
+    const auto [x, d1, d2, d3] = curve::derivatives(*curve_, t);
     const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
     double log_sum = 0, turning = 0;
     for (int i = 0; i < static_cast<int>(sources_.size()); ++i) {
@@ -154,4 +156,4 @@ double explicit_energy(const CadFace& face, const PhaseNodes& asked, const Phase
   return energy;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -13,11 +13,11 @@
 #include "model/phase_nodes.hpp"
 #include "model/phase_terms.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// By Gauss' rule on pieces that are short beside their distance from every q, to about 1e-11. `terms` are those of
 /// PhaseBoundary for `asked`, with omega_c of each of its corner angles. Cost: terms times pieces, some tens a curve.
 double explicit_energy(const CadFace& face, const PhaseNodes& asked, const PhaseTerms& terms,
                        const std::vector<double>& interior_angles);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -9,7 +9,7 @@
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/linear_solver.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 HybridisedGalerkin::HybridisedGalerkin(const MeshContext& context, BoundaryData data, int num_threads, double penalty)
     : context_(&context),
@@ -69,4 +69,4 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   return solution;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -8,7 +8,7 @@
 #include "galerkin/trace_data.hpp"
 #include "galerkin/trace_element.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 class HybridisedGalerkin : public Discretization {
  public:
@@ -31,4 +31,4 @@ class HybridisedGalerkin : public Discretization {
   std::vector<CondensedElement> elements_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 CondensedCholesky::CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads)
     : tree_(&tree), map_(&map), num_threads_(num_threads), parts_(tree.nodes.size()) {
@@ -198,4 +198,4 @@ Eigen::MatrixXd CondensedCholesky::solve(const Eigen::MatrixXd& rhs) {
   return solution;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

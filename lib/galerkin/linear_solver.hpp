@@ -12,7 +12,7 @@
 #include "galerkin/elimination_tree.hpp"
 #include "galerkin/partial_cholesky.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// Cholesky factorisation of the sum of the elements' Schur complements over the free dofs. The result does not depend
 /// on the number of threads. For n elements: time n^1.5, memory n log n.
@@ -58,4 +58,4 @@ class CondensedCholesky {
   std::vector<std::vector<int>> levels_;  ///< the nodes above the subtrees, lowest level first
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

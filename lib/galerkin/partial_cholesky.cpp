@@ -4,7 +4,7 @@
 
 #include "base/parallel.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -56,4 +56,4 @@ bool eliminate(Front& front, int num_threads) {
   return true;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

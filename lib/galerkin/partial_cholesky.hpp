@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// A symmetric matrix [A11 .; A21 A22], lower triangle.
 struct Front {
@@ -15,4 +15,4 @@ struct Front {
 /// triangles are undefined. False when A11 is not positive definite.
 bool eliminate(Front& front, int num_threads);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -16,7 +16,7 @@
 #include "mesh/locate.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// W for many sets of nodes on the mesh of `field`, of any kind, with its orders. Keeps a copy of the mesh; the first
 /// call factors. Not for several threads at once. Throws as PhaseSolver::energy.
@@ -28,9 +28,9 @@ std::function<PhaseEnergy(const PhaseNodes&)> phase_energy_function(const Field&
 Vec2 phase_energy_gradient(const PhaseTerms& terms, int k, Vec2 remainder_slope);
 
 /// Gradient of s in the plane, coefficients in the orthogonal basis.
-Vec2 remainder_gradient(const TriMap& map, Vec2 xi, int order, const double* coefs);
+Vec2 remainder_gradient(const spectral::TriMap& map, Vec2 xi, int order, const double* coefs);
 
 /// Throws ComputeError where the node is not inside the mesh.
-Location locate_node(const Locator& locator, const TriMesh& mesh, Vec2 node);
+mesh::Location locate_node(const mesh::Locator& locator, const TriMesh& mesh, Vec2 node);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

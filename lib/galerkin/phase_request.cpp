@@ -7,7 +7,7 @@
 #include "curve/nurbs.hpp"
 #include "field/phase_boundary.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -38,7 +38,7 @@ void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {
   }
   for (const BoundaryNode& node : asked.boundary_nodes) {
     if (node.curve < 0 || node.curve >= face.num_curves()) continue;
-    require_admissible(face, pi, node.valence, point(face.curves[node.curve], node.t),
+    require_admissible(face, pi, node.valence, curve::point(face.curves[node.curve], node.t),
                        fmt::format("the boundary node on curve {}", node.curve));
   }
 }
@@ -48,10 +48,10 @@ void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {
 void require_possible(const CadFace& face, const PhaseNodes& asked, const std::string& name) {
   try {
     require_admissible_valences(face, asked);
-    const PhaseBoundary boundary(face, asked);
+    const field::PhaseBoundary boundary(face, asked);
   } catch (const ComputeError& error) {
     throw FormatError(fmt::format("{}: {}", name, error.what()));
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

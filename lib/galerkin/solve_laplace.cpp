@@ -13,7 +13,7 @@
 #include "galerkin/hybridised.hpp"
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -25,7 +25,7 @@ std::unique_ptr<Discretization> make_discretization(const std::string& method, c
 
 // Nothing is wrong with the solution, but its zeros say nothing about a layout.
 void warn_of_line_field(const CadFace& face, Report& report) {
-  if (!is_line_field(face)) return;
+  if (!field::is_line_field(face)) return;
   report.warn("W-SOLVE-001",
               "all sides are straight and at multiples of 45 degrees to each other, of both parities: the harmonic "
               "field vanishes on curves instead of at points; critpoints will choose corner valences by rule, for "
@@ -55,14 +55,16 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data, const std::
       discretization_(make_discretization(method, *context_, std::move(data), 1)) {}
 
 LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
-    : context_(std::make_unique<MeshContext>(mesh)), method_(options.method), liftings_(corner_liftings(mesh.face)) {
+    : context_(std::make_unique<MeshContext>(mesh)),
+      method_(options.method),
+      liftings_(field::corner_liftings(mesh.face)) {
   options.validate();
   if (options.corners == "dg") {
     if (options.method == "cg") require_no_jump(mesh.face, liftings_);
     liftings_.clear();
   }
   const auto data = [&face = mesh.face, liftings = liftings_](int curve, double t) {
-    return lifted_boundary_value(face, liftings, curve, t);
+    return field::lifted_boundary_value(face, liftings, curve, t);
   };
   discretization_ = make_discretization(method_, *context_, data, options.num_threads);
 }
@@ -82,7 +84,7 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   field.liftings = liftings_;
   field.coef_offsets.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) {
-    const Eigen::MatrixXd coefs = modified_to_orthogonal(elem_order[e]).transpose() * solution.elem_coefs[e];
+    const Eigen::MatrixXd coefs = spectral::modified_to_orthogonal(elem_order[e]).transpose() * solution.elem_coefs[e];
     field.u.insert(field.u.end(), coefs.col(0).begin(), coefs.col(0).end());
     field.v.insert(field.v.end(), coefs.col(1).begin(), coefs.col(1).end());
     field.coef_offsets.push_back(static_cast<int>(field.u.size()));
@@ -112,8 +114,8 @@ Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Rep
 LaplaceOptions options_of(const Field& field) {
   LaplaceOptions options;
   options.method = field.method;
-  if (field.liftings.empty() && !corner_liftings(field.mesh.face).empty()) options.corners = "dg";
+  if (field.liftings.empty() && !field::corner_liftings(field.mesh.face).empty()) options.corners = "dg";
   return options;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -11,7 +11,7 @@
 #include "galerkin/discretization.hpp"
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 struct LaplaceOptions {
   std::string method = "cg";     ///< "cg": continuous, orders 1..20; "dg": hybridised discontinuous, orders 1..12
@@ -51,4 +51,4 @@ class LaplaceSolver {
 /// The options by which `field` was solved.
 LaplaceOptions options_of(const Field& field);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -15,7 +15,7 @@
 #include "mesh/locate.hpp"
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -33,7 +33,7 @@ struct PhaseSolver::Parts {
   MeshContext context;
   ContinuousSystem system;
   std::shared_ptr<BoundaryPoints> points;
-  std::unique_ptr<Locator> locator;  ///< made for the first energy
+  std::unique_ptr<mesh::Locator> locator;  ///< made for the first energy
 
   std::vector<int> elem_order;
   bool is_factored = false;
@@ -102,7 +102,7 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   const std::size_t num_holes = mesh.face.num_loops() - 1;
   if (!options.twist_offsets.empty() && options.twist_offsets.size() != num_holes)
     throw UsageError(fmt::format("{} twist offsets for {} holes", options.twist_offsets.size(), num_holes));
-  const PhaseBoundary boundary(mesh.face, asked);
+  const field::PhaseBoundary boundary(mesh.face, asked);
   factor();
   DirichletData data(parts_->points, [&](int curve, double t) { return boundary.remainder(curve, t); });
   const Eigen::MatrixXd given = data.values(parts_->context.topology, parts_->system.map());
@@ -150,7 +150,7 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   const std::vector<Eigen::MatrixXd> modes = parts_->system.all_modes(state.dofs);
   std::vector<double>& s = field.phase.s;
   for (int e = 0; e < mesh.num_elems(); ++e) {
-    const Eigen::VectorXd coefs = modified_to_orthogonal(field.elem_order[e]).transpose() * modes[e];
+    const Eigen::VectorXd coefs = spectral::modified_to_orthogonal(field.elem_order[e]).transpose() * modes[e];
     s.insert(s.end(), coefs.begin(), coefs.end());
     field.coef_offsets.push_back(static_cast<int>(s.size()));
   }
@@ -178,14 +178,14 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
 PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& options) {
   const State state = this->state(asked, options);
   const MeshContext& context = parts_->context;
-  if (!parts_->locator) parts_->locator = std::make_unique<Locator>(*context.mesh, context.maps);
+  if (!parts_->locator) parts_->locator = std::make_unique<mesh::Locator>(*context.mesh, context.maps);
   PhaseEnergy energy;
   energy.value =
       state.remainder_energy + explicit_energy(context.mesh->face, asked, state.form.terms, state.interior_angles);
   for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
-    const Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
-    const Eigen::VectorXd s =
-        modified_to_orthogonal(parts_->elem_order[at.elem]).transpose() * parts_->system.modes(at.elem, state.dofs);
+    const mesh::Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
+    const Eigen::VectorXd s = spectral::modified_to_orthogonal(parts_->elem_order[at.elem]).transpose() *
+                              parts_->system.modes(at.elem, state.dofs);
     const Vec2 slope = remainder_gradient(context.maps[at.elem], at.xi, parts_->elem_order[at.elem], s.data());
     energy.gradient.push_back(phase_energy_gradient(state.form.terms, static_cast<int>(k), slope));
   }
@@ -201,4 +201,4 @@ Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const
   return solve_phase(mesh, elem_order, asked, {}, report);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -8,7 +8,7 @@
 #include "base/report.hpp"
 #include "model/field.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 struct PhaseOptions {
   /// Added to the twists of least energy, one for each hole (loops 1, 2, ...); empty: none. Lines wind round a hole for
@@ -56,4 +56,4 @@ Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const
                   const PhaseOptions& options, Report& report);
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

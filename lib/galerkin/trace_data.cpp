@@ -8,14 +8,16 @@
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
 // Legendre coefficients, degrees 0..order, of the data along one boundary edge, walked as its element does.
-Eigen::MatrixX2d project(const BoundaryEdge& edge, int order, const ArcLength& arc_length, const BoundaryData& data) {
-  static PerOrder<Quadrature> rules([](int n) { return gauss_legendre(n + 10); });  // the data are no polynomial
-  const Quadrature& rule = rules[order];
+Eigen::MatrixX2d project(const BoundaryEdge& edge, int order, const curve::ArcLength& arc_length,
+                         const BoundaryData& data) {
+  static spectral::PerOrder<spectral::Quadrature> rules(
+      [](int n) { return spectral::gauss_legendre(n + 10); });  // the data are no polynomial
+  const spectral::Quadrature& rule = rules[order];
   const double begin = arc_length.at(edge.t0), length = arc_length.at(edge.t1) - begin;
   Eigen::MatrixX2d coefs = Eigen::MatrixX2d::Zero(num_trace_modes(order), 2);
   Eigen::VectorXd modes(num_trace_modes(order));
@@ -29,13 +31,13 @@ Eigen::MatrixX2d project(const BoundaryEdge& edge, int order, const ArcLength& a
 
 }  // namespace
 
-Eigen::MatrixXd trace_data(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
+Eigen::MatrixXd trace_data(const TriMesh& mesh, const mesh::TriTopology& topology, const DofMap& map,
                            const BoundaryData& data) {
-  std::vector<std::unique_ptr<ArcLength>> arc_lengths(mesh.face.num_curves());
+  std::vector<std::unique_ptr<curve::ArcLength>> arc_lengths(mesh.face.num_curves());
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, 2);
   for (const BoundaryEdge& boundary_edge : mesh.boundary_edges) {
     auto& arc_length = arc_lengths[boundary_edge.curve];
-    if (!arc_length) arc_length = std::make_unique<ArcLength>(mesh.face.curves[boundary_edge.curve]);
+    if (!arc_length) arc_length = std::make_unique<curve::ArcLength>(mesh.face.curves[boundary_edge.curve]);
     const auto& vertices = mesh.elem2vertices[boundary_edge.elem];
     const int edge = topology.elem2edges[boundary_edge.elem][boundary_edge.edge], order = map.edge2order[edge];
     Eigen::MatrixX2d coefs = project(boundary_edge, order, *arc_length, data);
@@ -48,4 +50,4 @@ Eigen::MatrixXd trace_data(const TriMesh& mesh, const TriTopology& topology, con
   return values;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

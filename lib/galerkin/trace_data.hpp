@@ -6,12 +6,12 @@
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/dof_map.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// Values of the trace dofs [num_unknowns, num_dofs), columns u, v: the projection in the mean square along each edge.
 /// The point at fraction s of an edge lies at fraction s of the curve's arc length. Data are never asked for at the
 /// ends of an edge.
-Eigen::MatrixXd trace_data(const TriMesh& mesh, const TriTopology& topology, const DofMap& map,
+Eigen::MatrixXd trace_data(const TriMesh& mesh, const mesh::TriTopology& topology, const DofMap& map,
                            const BoundaryData& data);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

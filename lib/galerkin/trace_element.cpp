@@ -12,26 +12,26 @@
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
 // The modified basis along the three edges, at Gauss points.
 struct EdgeTable {
-  Quadrature rule;
+  spectral::Quadrature rule;
   std::array<Eigen::MatrixXd, 3> values, d1, d2;  // modes x points
 };
 
 EdgeTable make_edge_table(int order, int num_points) {
   EdgeTable table;
-  table.rule = gauss_legendre(num_points);
-  const int n = num_tri_modes(order);
+  table.rule = spectral::gauss_legendre(num_points);
+  const int n = spectral::num_tri_modes(order);
   for (int k = 0; k < 3; ++k) {
     for (auto* matrix : {&table.values[k], &table.d1[k], &table.d2[k]}) matrix->resize(n, num_points);
     for (int q = 0; q < num_points; ++q) {
-      const Vec2 xi = tri_edge_point(k, (1 + table.rule.points[q]) / 2);
-      modified_gradients(order, xi, table.values[k].col(q).data(), table.d1[k].col(q).data(),
-                         table.d2[k].col(q).data());
+      const Vec2 xi = spectral::tri_edge_point(k, (1 + table.rule.points[q]) / 2);
+      spectral::modified_gradients(order, xi, table.values[k].col(q).data(), table.d1[k].col(q).data(),
+                                   table.d2[k].col(q).data());
     }
   }
   return table;
@@ -55,9 +55,9 @@ struct EdgeTerms {
   Eigen::VectorXd weights, lengths;  ///< of the rule; |dx/ds| at its points
 };
 
-EdgeTerms edge_terms(const TriMap& map, int order, int edge, int edge_order, int num_points) {
+EdgeTerms edge_terms(const spectral::TriMap& map, int order, int edge, int edge_order, int num_points) {
   const EdgeTable& table = edge_table(order, num_points);
-  const Vec2 along = (tri_edge_point(edge, 1) - tri_edge_point(edge, 0)) / 2;  // d xi / d s
+  const Vec2 along = (spectral::tri_edge_point(edge, 1) - spectral::tri_edge_point(edge, 0)) / 2;  // d xi / d s
   EdgeTerms terms;
   terms.values = table.values[edge];
   terms.flux.resize(terms.values.rows(), num_points);
@@ -68,7 +68,7 @@ EdgeTerms edge_terms(const TriMap& map, int order, int edge, int edge_order, int
     const double s = table.rule.points[q];
     Vec2 x;
     Mat2 j;
-    map.evaluate(tri_edge_point(edge, (1 + s) / 2), x, j);
+    map.evaluate(spectral::tri_edge_point(edge, (1 + s) / 2), x, j);
     const Vec2 tangent = j * along;
     // n ds = (t_y, -t_x) ds and grad phi = J^-T grad_xi phi, so the flux is grad_xi phi . J^-1 (t_y, -t_x).
     const Vec2 direction = inverse(j) * Vec2{tangent.y, -tangent.x};
@@ -80,7 +80,7 @@ EdgeTerms edge_terms(const TriMap& map, int order, int edge, int edge_order, int
   return terms;
 }
 
-double area(const TriMap& map) {
+double area(const spectral::TriMap& map) {
   if (map.is_affine()) {
     Vec2 x;
     Mat2 jacobian;
@@ -88,7 +88,8 @@ double area(const TriMap& map) {
     return 2 * det(jacobian);
   }
   const int num_points = map.order();  // det J has degree 2 N - 2
-  const Quadrature along = gauss_legendre(num_points), up = gauss_jacobi(num_points, 1, 0);
+  const spectral::Quadrature along = spectral::gauss_legendre(num_points),
+                             up = spectral::gauss_jacobi(num_points, 1, 0);
   double sum = 0;
   for (int i = 0; i < num_points; ++i) {
     for (int j = 0; j < num_points; ++j) {
@@ -112,7 +113,7 @@ void trace_values(int order, double s, double* values) {
   }
 }
 
-CondensedElement condense_to_trace(const TriMap& map, int order, const std::array<int, 3>& edge_orders,
+CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const std::array<int, 3>& edge_orders,
                                    const Eigen::MatrixXd& stiffness, double penalty) {
   const int highest = std::max({order, edge_orders[0], edge_orders[1], edge_orders[2]});
   const int num_points = highest + (map.is_affine() ? 1 : 1 + map.order());
@@ -155,4 +156,4 @@ CondensedElement condense_to_trace(const TriMap& map, int order, const std::arra
   return element;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -13,7 +13,7 @@
 #include "galerkin/condense.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 /// Number of trace modes of an edge: Legendre polynomials of degree 0..order, scaled to norm 1 on [-1, 1].
 constexpr int num_trace_modes(int order) { return order + 1; }
@@ -24,7 +24,7 @@ void trace_values(int order, double s, double* values);
 /// The element's Schur complement over the trace modes of its edges 0, 1, 2, each walked counter-clockwise, and all
 /// modes of u (modified basis) from them in `interior_from_boundary`. `stiffness`: of the modified basis of degree
 /// `order` >= 1. Throws ComputeError when the form is not definite, which only an element with folded shape can cause.
-CondensedElement condense_to_trace(const TriMap& map, int order, const std::array<int, 3>& edge_orders,
+CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const std::array<int, 3>& edge_orders,
                                    const Eigen::MatrixXd& stiffness, double penalty);
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

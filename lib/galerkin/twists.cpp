@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::galerkin {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<int> nearest_twists(const Eigen::MatrixXd& gram, const Eigen::Vector
   return twists;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -9,7 +9,7 @@
 #include "guide/clusters.hpp"
 #include "guide/valence.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 struct Near {
@@ -33,7 +33,7 @@ int nearest_corner(const std::vector<Corner>& corners, Vec2 x, double reach, dou
 
 NodeMark mark(const Corner& corner) { return {corner.position, corner.valence, "corner"}; }
 
-NodeChange change_for(const FoundZero& zero, const Corner& before, int valence, double d, double length) {
+NodeChange change_for(const zeros::FoundZero& zero, const Corner& before, int valence, double d, double length) {
   NodeChange change;
   change.kind = "absorb";
   change.reason = fmt::format(
@@ -52,8 +52,9 @@ bool may_become(double angle_degrees, int valence) {
   return valence > 0 && valence <= 4 && block >= 15 && block <= 165 && std::abs(valence - angle_degrees / 90) <= 0.75;
 }
 
-std::vector<bool> absorb_into_corners(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                                      double length, std::vector<Corner>& corners, std::vector<NodeChange>& changes) {
+std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
+                                      const std::vector<zeros::FoundZero>& zeros, double length,
+                                      std::vector<Corner>& corners, std::vector<NodeChange>& changes) {
   std::vector<bool> is_absorbed(zeros.size(), false);
   if (length == 0) return is_absorbed;
   const double tol = 1e-6 * length;
@@ -86,4 +87,4 @@ std::vector<bool> absorb_into_corners(const FieldEvaluator& evaluator, const std
   return is_absorbed;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

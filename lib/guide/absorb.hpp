@@ -11,16 +11,17 @@
 
 #include <vector>
 
-#include "guide/zero_search.hpp"
 #include "model/critical_points.hpp"
+#include "zeros/zero_search.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// Whether a corner may take that valence by absorbing nodes.
 bool may_become(double angle_degrees, int valence);
 
 /// Changes `corners` and adds a change of the kind "absorb" for each that takes zeros in. Returns which zeros were.
-std::vector<bool> absorb_into_corners(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                                      double length, std::vector<Corner>& corners, std::vector<NodeChange>& changes);
+std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
+                                      const std::vector<zeros::FoundZero>& zeros, double length,
+                                      std::vector<Corner>& corners, std::vector<NodeChange>& changes);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

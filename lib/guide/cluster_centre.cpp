@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using Complex = std::complex<double>;
@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 constexpr int num_samples = 128;
 
 /// w on the circle, conjugated for a negative index; nothing where the circle leaves the mesh.
-std::optional<std::vector<Complex>> samples(const FieldEvaluator& evaluator, Vec2 centre, double radius,
+std::optional<std::vector<Complex>> samples(const field::FieldEvaluator& evaluator, Vec2 centre, double radius,
                                             bool is_conjugate) {
   std::vector<Complex> result;
   for (int i = 0; i < num_samples; ++i) {
@@ -38,7 +38,7 @@ double power(const std::vector<Complex>& w) {
 }
 
 /// One step to the centroid from samples about z0; nothing where the index's own term does not outweigh the others.
-std::optional<Vec2> step(const FieldEvaluator& evaluator, Vec2 centre, int index, double radius) {
+std::optional<Vec2> step(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double radius) {
   const auto w = samples(evaluator, centre, radius, index < 0);
   if (!w) return {};
   const int n = std::abs(index);
@@ -49,7 +49,7 @@ std::optional<Vec2> step(const FieldEvaluator& evaluator, Vec2 centre, int index
 }
 
 /// Repeated, because terms of higher order shift what is sampled off the centroid.
-std::optional<Vec2> centroid(const FieldEvaluator& evaluator, Vec2 centre, int index, double radius) {
+std::optional<Vec2> centroid(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double radius) {
   for (int round = 0; round < 8; ++round) {
     const auto shift = step(evaluator, centre, index, radius);
     if (!shift) return {};
@@ -61,7 +61,8 @@ std::optional<Vec2> centroid(const FieldEvaluator& evaluator, Vec2 centre, int i
 
 }  // namespace
 
-std::optional<Vec2> moment_centre(const FieldEvaluator& evaluator, Vec2 centre, int index, double inner, double outer) {
+std::optional<Vec2> moment_centre(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double inner,
+                                  double outer) {
   for (double radius = outer; radius >= inner; radius *= 0.8) {
     const auto found = centroid(evaluator, centre, index, radius);
     if (found && distance(*found, centre) <= inner) return found;
@@ -69,4 +70,4 @@ std::optional<Vec2> moment_centre(const FieldEvaluator& evaluator, Vec2 centre, 
   return {};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

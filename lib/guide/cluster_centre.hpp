@@ -11,11 +11,12 @@
 
 #include "field/evaluate.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// The centroid of the zeros about `centre` whose indices sum to `index`, |index| >= 2, from the largest circle between
 /// radius `inner` and `outer` that lies in the mesh and on which the coefficient of `index` has nine tenths of the
 /// power. Nothing where there is none, or where the centroid is farther than `inner` from `centre`.
-std::optional<Vec2> moment_centre(const FieldEvaluator& evaluator, Vec2 centre, int index, double inner, double outer);
+std::optional<Vec2> moment_centre(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double inner,
+                                  double outer);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

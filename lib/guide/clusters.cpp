@@ -9,9 +9,9 @@
 
 #include "base/error.hpp"
 #include "guide/cluster_centre.hpp"
-#include "guide/winding.hpp"
+#include "zeros/winding.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1 + 1e-6;
@@ -48,19 +48,19 @@ class Groups {
 
 /// A circle about discs: the middle of the box about them.
 template <typename Discs>
-Disc circle_about(const Discs& discs) {
+zeros::Disc circle_about(const Discs& discs) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 lower{infinity, infinity}, upper{-infinity, -infinity};
   for (const auto& d : discs) {
     lower = {std::min(lower.x, d.centre.x - d.radius), std::min(lower.y, d.centre.y - d.radius)};
     upper = {std::max(upper.x, d.centre.x + d.radius), std::max(upper.y, d.centre.y + d.radius)};
   }
-  Disc circle{0.5 * (lower + upper), 0};
+  zeros::Disc circle{0.5 * (lower + upper), 0};
   for (const auto& d : discs) circle.radius = std::max(circle.radius, distance(circle.centre, d.centre) + d.radius);
   return circle;
 }
 
-std::vector<Part> parts_of(const std::vector<FoundZero>& zeros, const std::vector<OpenCell>& open_cells) {
+std::vector<Part> parts_of(const std::vector<zeros::FoundZero>& zeros, const std::vector<zeros::OpenCell>& open_cells) {
   std::vector<Part> parts;
   for (std::size_t i = 0; i < zeros.size(); ++i) parts.push_back({zeros[i].x, 0, zeros[i].elem, static_cast<int>(i)});
   Groups touching(open_cells.size());
@@ -69,9 +69,9 @@ std::vector<Part> parts_of(const std::vector<FoundZero>& zeros, const std::vecto
       if (distance(open_cells[i].centre, open_cells[j].centre) <= 2 * (open_cells[i].radius + open_cells[j].radius))
         touching.join(static_cast<int>(i), static_cast<int>(j));
   for (const std::vector<int>& group : touching.all()) {
-    std::vector<Disc> discs;
+    std::vector<zeros::Disc> discs;
     for (const int i : group) discs.push_back({open_cells[i].centre, open_cells[i].radius});
-    const Disc circle = circle_about(discs);
+    const zeros::Disc circle = circle_about(discs);
     parts.push_back({circle.centre, circle.radius, open_cells[group[0]].elem, -1});
   }
   return parts;
@@ -79,8 +79,8 @@ std::vector<Part> parts_of(const std::vector<FoundZero>& zeros, const std::vecto
 
 class ClusterFinder {
  public:
-  ClusterFinder(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                const std::vector<OpenCell>& open_cells, const ClusterCriterion& criterion)
+  ClusterFinder(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
+                const std::vector<zeros::OpenCell>& open_cells, const ClusterCriterion& criterion)
       : evaluator_(&evaluator),
         zeros_(&zeros),
         criterion_(criterion),
@@ -138,14 +138,14 @@ class ClusterFinder {
   }
 
   /// On the smallest circle about the cluster, by steps of a quarter, on which the field stands out of its errors.
-  int index_by_contour(const std::vector<int>& group, const Disc& circle) const {
+  int index_by_contour(const std::vector<int>& group, const zeros::Disc& circle) const {
     const double outer = outer_radius(group, circle.centre);
     const double enough = std::max(10 * criterion_.noise, 4 * error(parts_[group[0]].elem));
     double best = 0;
     std::optional<int> result;
     for (double radius = std::max(1.25 * circle.radius, 1e-9 * diameter_); radius <= outer; radius *= 1.25) {
       double least = 0;
-      const std::optional<int> index = circle_index(*evaluator_, circle.centre, radius, least);
+      const std::optional<int> index = zeros::circle_index(*evaluator_, circle.centre, radius, least);
       if (!index) break;
       if (least > best) best = least, result = index;
       if (least > enough) break;
@@ -160,7 +160,7 @@ class ClusterFinder {
   Cluster cluster(const std::vector<int>& group) const {
     std::vector<Part> parts;
     for (const int i : group) parts.push_back(parts_[i]);
-    const Disc circle = circle_about(parts);
+    const zeros::Disc circle = circle_about(parts);
     Cluster result;
     const bool is_told_apart = std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.zero >= 0; });
     for (const Part& part : parts) {
@@ -183,8 +183,8 @@ class ClusterFinder {
     return result;
   }
 
-  const FieldEvaluator* evaluator_;
-  const std::vector<FoundZero>* zeros_;
+  const field::FieldEvaluator* evaluator_;
+  const std::vector<zeros::FoundZero>* zeros_;
   ClusterCriterion criterion_;
   double diameter_;
   std::vector<Part> parts_;
@@ -192,15 +192,15 @@ class ClusterFinder {
 
 }  // namespace
 
-bool sees(const FieldEvaluator& evaluator, Vec2 a, Vec2 b) {
+bool sees(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b) {
   for (int i = 1; i < 10; ++i)
     if (evaluator.locator().find(a + (i / 10.0) * (b - a)).elem < 0) return false;
   return true;
 }
 
-Clustering find_clusters(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                         const std::vector<OpenCell>& open_cells, const ClusterCriterion& criterion) {
+Clustering find_clusters(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
+                         const std::vector<zeros::OpenCell>& open_cells, const ClusterCriterion& criterion) {
   return ClusterFinder(evaluator, zeros, open_cells, criterion).find();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -15,29 +15,29 @@
 
 #include <vector>
 
-#include "guide/zero_search.hpp"
 #include "model/critical_points.hpp"
+#include "zeros/zero_search.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 struct ClusterCriterion {
-  double distance = 0;         ///< (b), in the file's unit; 0: multiple zeros only
-  double noise = field_noise;  ///< of |v|
+  double distance = 0;                ///< (b), in the file's unit; 0: multiple zeros only
+  double noise = zeros::field_noise;  ///< of |v|
 };
 
 struct Clustering {
   std::vector<Cluster> clusters;
-  std::vector<FoundZero> simple;  ///< the zeros in no cluster
+  std::vector<zeros::FoundZero> simple;  ///< the zeros in no cluster
 };
 
 /// Whether the straight way from a to b lies in the mesh, at nine points.
-bool sees(const FieldEvaluator& evaluator, Vec2 a, Vec2 b);
+bool sees(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b);
 
 /// Sorts the zeros into clusters and simple ones. The centre of a cluster with |index| >= 2 is that of the multiple
 /// zero behind it (guide/cluster_centre), else the mean of its members. Throws ComputeError where the index of open
 /// cells cannot be told because no contour about them stays in the domain and off the other zeros.
 /// Quadratic in the number of zeros and open cells.
-Clustering find_clusters(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                         const std::vector<OpenCell>& open_cells, const ClusterCriterion& criterion);
+Clustering find_clusters(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
+                         const std::vector<zeros::OpenCell>& open_cells, const ClusterCriterion& criterion);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "guide/sort_by_place.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints& points) {
   const auto is_at_centre = [&](const CriticalPoint& p) {
@@ -21,11 +21,11 @@ std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints&
   return are_free;
 }
 
-void complete_nodes(const FieldEvaluator& evaluator, CriticalPoints& points) {
+void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
   for (CriticalPoint& p : points.critical_points) {
     if (p.source == "zero") continue;
-    const Location at = evaluator.locator().find(p.position);
+    const mesh::Location at = evaluator.locator().find(p.position);
     if (at.elem < 0) {
       const Vec2 x = p.position + face.origin;
       throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) came to lie outside the face", x.x, x.y));
@@ -37,4 +37,4 @@ void complete_nodes(const FieldEvaluator& evaluator, CriticalPoints& points) {
   points.index_sum = index_sum_of(points);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -11,9 +11,9 @@
 #include "base/error.hpp"
 #include "guide/node_ring.hpp"
 #include "guide/resolve.hpp"
-#include "guide/room.hpp"
+#include "placement/room.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1e-6;  // of the diameter
@@ -144,7 +144,8 @@ class Overrider {
     for (int k = 1; k <= n; ++k) {
       directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
       const double start = equal * face_.diameter;  // off the corner itself
-      room = std::min(room, room_along(face_, joint.position + start * directions.back(), directions.back()));
+      room =
+          std::min(room, placement::room_along(face_, joint.position + start * directions.back(), directions.back()));
     }
     const double radius = free_radius(joint.position, directions, 0.25 * room);
     for (const Vec2 direction : directions)
@@ -241,4 +242,4 @@ void override_corners(const CadFace& face, const std::vector<CornerOverride>& ov
   Overrider(face, demands_of(face, overrides, points.corners), points).run();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -6,9 +6,9 @@
 #include "curve/nurbs.hpp"
 #include "guide/node_ring.hpp"
 #include "guide/resolve.hpp"
-#include "guide/room.hpp"
+#include "placement/room.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double share_of_room = 0.25, share_of_side = 0.5;
@@ -16,9 +16,9 @@ constexpr double share_of_room = 0.25, share_of_side = 0.5;
 /// How far a straight line from the corner to the other end of a side is.
 double side_length(const CadFace& face, int curve, bool is_outgoing) {
   const Nurbs& c = face.curves[curve];
-  return distance(c.poles.front(), c.poles.back()) > 0
-             ? distance(c.poles.front(), c.poles.back())
-             : distance(point(c, is_outgoing ? c.begin() : c.end()), point(c, 0.5 * (c.begin() + c.end())));
+  return distance(c.poles.front(), c.poles.back()) > 0 ? distance(c.poles.front(), c.poles.back())
+                                                       : distance(curve::point(c, is_outgoing ? c.begin() : c.end()),
+                                                                  curve::point(c, 0.5 * (c.begin() + c.end())));
 }
 
 Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::vector<CriticalPoint>& nodes) {
@@ -26,8 +26,8 @@ Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::ve
   const Vec2 bisector = unit(joint.tangent_out + joint.interior_angle / 2);
   const double off = 1e-6 * face.diameter;  // off the corner itself
   const double sides = std::min(side_length(face, corner.curves[0], false), side_length(face, corner.curves[1], true));
-  double radius =
-      std::min(share_of_room * room_along(face, joint.position + off * bisector, bisector), share_of_side * sides);
+  double radius = std::min(share_of_room * placement::room_along(face, joint.position + off * bisector, bisector),
+                           share_of_side * sides);
   for (const CriticalPoint& p : nodes) radius = std::min(radius, 0.5 * distance(p.position, joint.position));
   return joint.position + radius * bisector;
 }
@@ -55,4 +55,4 @@ void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

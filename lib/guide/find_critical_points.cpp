@@ -9,11 +9,11 @@
 #include "field/error_estimate.hpp"
 #include "guide/absorb.hpp"
 #include "guide/clusters.hpp"
-#include "guide/distinct_zeros.hpp"
 #include "guide/sort_by_place.hpp"
 #include "guide/valence.hpp"
+#include "zeros/distinct_zeros.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 /// A point of the closed reference triangle: a zero on an edge may stand round-off, or its jump, beyond it.
@@ -23,25 +23,26 @@ Vec2 clamped(Vec2 xi) {
   return excess > 0 ? Vec2{xi.x - excess / 2, xi.y - excess / 2} : xi;
 }
 
-CriticalPoint critical_point(const FieldEvaluator& evaluator, const FoundZero& zero) {
-  const FieldSample s = evaluator.sample(zero.elem, zero.xi);
+CriticalPoint critical_point(const field::FieldEvaluator& evaluator, const zeros::FoundZero& zero) {
+  const field::FieldSample s = evaluator.sample(zero.elem, zero.xi);
   const Mat2& j = s.dv_dx;
   const std::vector<double>& errors = evaluator.field().elem_error;
   const double diameter = evaluator.field().mesh.face.diameter;
-  const double error = errors.empty() ? 0 : std::min(position_error(j, errors[zero.elem]), diameter);
+  const double error = errors.empty() ? 0 : std::min(field::position_error(j, errors[zero.elem]), diameter);
   return {s.x, zero.index, 4 - zero.index, zero.elem, clamped(zero.xi), {j.xx, j.xy, j.yx, j.yy}, error};
 }
 
-std::vector<CriticalPoint> sorted_points(const FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {
+std::vector<CriticalPoint> sorted_points(const field::FieldEvaluator& evaluator,
+                                         const std::vector<zeros::FoundZero>& zeros) {
   std::vector<CriticalPoint> points;
-  for (const FoundZero& zero : zeros) points.push_back(critical_point(evaluator, zero));
+  for (const zeros::FoundZero& zero : zeros) points.push_back(critical_point(evaluator, zero));
   sort_by_place(points, 1e-6 * evaluator.field().mesh.face.diameter, [](const CriticalPoint& p) { return p.position; });
   return points;
 }
 
 template <typename Condition>
-std::vector<FoundZero> those(const std::vector<FoundZero>& zeros, const Condition& holds) {
-  std::vector<FoundZero> result;
+std::vector<zeros::FoundZero> those(const std::vector<zeros::FoundZero>& zeros, const Condition& holds) {
+  std::vector<zeros::FoundZero> result;
   for (std::size_t i = 0; i < zeros.size(); ++i)
     if (holds(i)) result.push_back(zeros[i]);
   return result;
@@ -51,9 +52,9 @@ CertificateCell certificate_cell(int elem, const std::array<Vec2, 3>& p, const c
   return {elem, {p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y}, verdict};
 }
 
-Certificate certificate_of(const ZeroSearch& search, const std::vector<FoundZero>& zeros,
-                           const std::vector<Disc>& discs, int num_elems) {
-  const SearchCounts& counts = search.counts();
+Certificate certificate_of(const zeros::ZeroSearch& search, const std::vector<zeros::FoundZero>& zeros,
+                           const std::vector<zeros::Disc>& discs, int num_elems) {
+  const zeros::SearchCounts& counts = search.counts();
   Certificate c;
   c.elements = num_elems;
   c.cells_examined = static_cast<double>(counts.examined);
@@ -61,17 +62,18 @@ Certificate certificate_of(const ZeroSearch& search, const std::vector<FoundZero
   c.cells_isolated = static_cast<double>(counts.isolated);
   c.cells_left_to_corners = static_cast<double>(counts.ignored);
   c.greatest_depth = counts.greatest_depth;
-  for (const FoundZero& zero : zeros) c.cells.push_back(certificate_cell(zero.elem, zero.cell, "zero"));
-  for (const OpenCell& cell : search.open_cells()) c.cells.push_back(certificate_cell(cell.elem, cell.cell, "open"));
-  for (const Disc& disc : discs) {
+  for (const zeros::FoundZero& zero : zeros) c.cells.push_back(certificate_cell(zero.elem, zero.cell, "zero"));
+  for (const zeros::OpenCell& cell : search.open_cells())
+    c.cells.push_back(certificate_cell(cell.elem, cell.cell, "open"));
+  for (const zeros::Disc& disc : discs) {
     c.disc_centres.push_back(disc.centre);
     c.disc_radii.push_back(disc.radius);
   }
   return c;
 }
 
-void report_proof(const ZeroSearch& search, const CriticalPoints& points, Report& report) {
-  const SearchCounts& counts = search.counts();
+void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points, Report& report) {
+  const zeros::SearchCounts& counts = search.counts();
   report.set("critical_points", points.critical_points.size());
   report.set("corners", points.corners.size());
   report.set("clusters", points.clusters.size());
@@ -86,7 +88,7 @@ void report_proof(const ZeroSearch& search, const CriticalPoints& points, Report
   report.set("proof.greatest_depth", counts.greatest_depth);
 }
 
-void search_all(ZeroSearch& search, const TriMesh& mesh) {
+void search_all(zeros::ZeroSearch& search, const TriMesh& mesh) {
   for (int e = 0; e < mesh.num_elems() && !search.is_hopeless(); ++e) search.search(e);
   if (!search.is_hopeless()) return;
   const Vec2 x = search.open_cells().back().centre + mesh.face.origin;
@@ -107,18 +109,19 @@ void SearchOptions::validate() const {
   require_in("the noise", noise, 1e-14, 1e-2);
 }
 
-CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const SearchOptions& options, Report& report) {
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
+                                    Report& report) {
   options.validate();
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
 
   CornerValences valences = corner_valences(evaluator, options.noise);
-  ZeroSearch search(evaluator, valences.discs, options.noise);
+  zeros::ZeroSearch search(evaluator, valences.discs, options.noise);
   search_all(search, mesh);
-  const std::vector<FoundZero> found = distinct_zeros(evaluator, search.zeros());
-  const std::vector<FoundZero> zeros = those(found, [&](std::size_t i) {
+  const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros());
+  const std::vector<zeros::FoundZero> zeros = those(found, [&](std::size_t i) {
     return std::none_of(valences.discs.begin(), valences.discs.end(),
-                        [&](const Disc& disc) { return distance(disc.centre, found[i].x) <= disc.radius; });
+                        [&](const zeros::Disc& disc) { return distance(disc.centre, found[i].x) <= disc.radius; });
   });
 
   CriticalPoints points;
@@ -126,8 +129,8 @@ CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const Searc
   points.corners = std::move(valences.corners);
   const std::vector<bool> is_absorbed =
       absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points.corners, points.changes);
-  const std::vector<FoundZero> free = those(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
-  Clustering clustering = find_clusters(evaluator, free, unexplained(search.open_cells(), zeros),
+  const std::vector<zeros::FoundZero> free = those(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
+  Clustering clustering = find_clusters(evaluator, free, zeros::unexplained(search.open_cells(), zeros),
                                         {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
   sort_by_place(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
@@ -140,8 +143,8 @@ CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const Searc
   return points;
 }
 
-CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report) {
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report) {
   return find_critical_points(evaluator, SearchOptions{}, report);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -4,10 +4,10 @@
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
-#include "guide/zero_search.hpp"
 #include "model/critical_points.hpp"
+#include "zeros/zero_search.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// Lengths as shares of the face's diameter.
 struct SearchOptions {
@@ -18,14 +18,14 @@ struct SearchOptions {
   double corner_absorb = 2e-3;
   /// In [1e-14, 1e-2]. Cells in which |v| stays below are not told from a multiple zero. Pairs of zeros d apart need
   /// less than |J| d / 4; less than what the field was solved to shows the zeros of the discrete field, not of v.
-  double noise = field_noise;
+  double noise = zeros::field_noise;
 
   /// Throws UsageError where a number is outside its interval.
   void validate() const;
 };
 
 /// Every element is subdivided in Bernstein form until each cell is proved empty or proved to hold at most one zero,
-/// which is then found or shown to lie elsewhere (guide/zero_search), or |v| in it is below `noise`.
+/// which is then found or shown to lie elsewhere (zeros/zero_search), or |v| in it is below `noise`.
 ///   critical_points   simple zeros that are in no cluster and that no corner absorbs; error bars where the field has
 ///                     elem_error
 ///   clusters          the others but for absorbed ones: they have no node yet (guide/resolve, resolve_clusters)
@@ -36,8 +36,9 @@ struct SearchOptions {
 /// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal).
 /// Throws ComputeError where the field vanishes on a curve, where the index of a multiple zero (guide/clusters) or a
 /// corner's valence (guide/valence) is open. Does not judge the index sum: see require_index_sum.
-CriticalPoints find_critical_points(const FieldEvaluator& evaluator, const SearchOptions& options, Report& report);
-CriticalPoints find_critical_points(const FieldEvaluator& evaluator, Report& report);
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
+                                    Report& report);
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report);
 
 /// sum (4 - V) over the nodes, the indices of clusters, and sum (2 - V) over corners and boundary nodes.
 int index_sum_with_clusters(const CriticalPoints& points);
@@ -45,4 +46,4 @@ int index_sum_with_clusters(const CriticalPoints& points);
 /// Throws ComputeError when index_sum != index_sum_expected, saying by how much and which corner is nearest a tie.
 void require_index_sum(const CriticalPoints& points);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

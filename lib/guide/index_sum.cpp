@@ -7,7 +7,7 @@
 #include "guide/find_critical_points.hpp"
 #include "guide/valence.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 int index_sum_with_clusters(const CriticalPoints& points) {
   int sum = index_sum_of(points);
@@ -34,4 +34,4 @@ void require_index_sum(const CriticalPoints& points) {
   throw ComputeError(message);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -8,7 +8,7 @@
 #include "base/angle.hpp"
 #include "guide/valence.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1e-6;
@@ -62,7 +62,7 @@ struct Orbit {
   Cost cost{};
 };
 
-std::vector<Orbit> orbits_of_ties(const CadFace& face, const std::vector<Isometry>& group,
+std::vector<Orbit> orbits_of_ties(const CadFace& face, const std::vector<curve::Isometry>& group,
                                   const std::vector<Corner>& corners) {
   std::vector<Orbit> orbits;
   std::vector<bool> is_done(corners.size(), false);
@@ -70,7 +70,7 @@ std::vector<Orbit> orbits_of_ties(const CadFace& face, const std::vector<Isometr
     if (is_done[i] || !is_tie(corners[i])) continue;
     Orbit orbit;
     for (std::size_t j = i; j < corners.size(); ++j) {
-      const bool is_image = std::any_of(group.begin(), group.end(), [&](const Isometry& g) {
+      const bool is_image = std::any_of(group.begin(), group.end(), [&](const curve::Isometry& g) {
         return distance(g(corners[i].position), corners[j].position) < equal * face.diameter;
       });
       if (!is_image) continue;
@@ -108,7 +108,7 @@ std::optional<Choice> cheapest(const std::vector<Orbit>& orbits, int count) {
 
 }  // namespace
 
-LineCorners line_corners(const CadFace& face, const std::vector<Isometry>& group) {
+LineCorners line_corners(const CadFace& face, const std::vector<curve::Isometry>& group) {
   LineCorners result;
   result.missing_index = 4 * face.euler_characteristic();
   for (int j = 0; j < face.num_curves(); ++j) {
@@ -125,4 +125,4 @@ LineCorners line_corners(const CadFace& face, const std::vector<Isometry>& group
   return result;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

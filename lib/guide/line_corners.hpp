@@ -16,13 +16,13 @@
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 struct LineCorners {
   std::vector<Corner> corners;  ///< in the sequence of the joints; ties have the source "line", others "angle"
   int missing_index = 0;        ///< 4 chi - sum (2 - V): not 0 where no symmetric choice fits; all ties are large then
 };
 
-LineCorners line_corners(const CadFace& face, const std::vector<Isometry>& group);
+LineCorners line_corners(const CadFace& face, const std::vector<curve::Isometry>& group);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

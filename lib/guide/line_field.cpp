@@ -4,9 +4,9 @@
 #include "guide/line_corners.hpp"
 #include "guide/node_ring.hpp"
 #include "guide/resolve.hpp"
-#include "guide/room.hpp"
+#include "placement/room.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 NodeChange corner_change(const Corner& corner) {
@@ -18,9 +18,9 @@ NodeChange corner_change(const Corner& corner) {
 }
 
 /// Where all nodes have their middle: a place that the symmetries of the face leave alone.
-Vec2 middle_of(const CadFace& face, const std::vector<Isometry>& group) {
+Vec2 middle_of(const CadFace& face, const std::vector<curve::Isometry>& group) {
   const bool has_rotations = group.size() > 1 && !group[1].is_mirrored;
-  return has_rotations ? group[0].centre : most_interior_point(face, group);
+  return has_rotations ? group[0].centre : placement::most_interior_point(face, group);
 }
 
 NodeChange nodes_change(const std::vector<CriticalPoint>& nodes, int index) {
@@ -37,7 +37,7 @@ NodeChange nodes_change(const std::vector<CriticalPoint>& nodes, int index) {
 }  // namespace
 
 CriticalPoints line_field_points(const CadFace& face, int max_valence) {
-  const std::vector<Isometry> group = symmetries(face);
+  const std::vector<curve::Isometry> group = curve::symmetries(face);
   const LineCorners chosen = line_corners(face, group);
   CriticalPoints points;
   points.form = "phase";
@@ -57,4 +57,4 @@ CriticalPoints line_field_points(const CadFace& face, int max_valence) {
   return points;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "base/angle.hpp"
-#include "guide/room.hpp"
+#include "placement/room.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1e-6;  // of the diameter, or radians
@@ -21,9 +21,9 @@ std::vector<Vec2> regular_polygon(Vec2 centre, double radius, double angle, int 
   return vertices;
 }
 
-std::vector<double> axis_directions(const CadFace& face, const std::vector<Isometry>& group, Vec2 centre) {
+std::vector<double> axis_directions(const CadFace& face, const std::vector<curve::Isometry>& group, Vec2 centre) {
   std::vector<double> directions;
-  for (const Isometry& g : group) {
+  for (const curve::Isometry& g : group) {
     if (!g.is_mirrored || distance(g(centre), centre) > equal * face.diameter) continue;
     directions.push_back(g.angle / 2);
     directions.push_back(g.angle / 2 + pi);
@@ -33,7 +33,8 @@ std::vector<double> axis_directions(const CadFace& face, const std::vector<Isome
 
 std::vector<double> foot_directions(const CadFace& face, Vec2 centre) {
   std::vector<double> directions;
-  for (const BoundaryFoot& foot : nearest_feet(face, centre)) directions.push_back(angle_of(foot.position - centre));
+  for (const placement::BoundaryFoot& foot : placement::nearest_feet(face, centre))
+    directions.push_back(angle_of(foot.position - centre));
   return directions;
 }
 
@@ -50,7 +51,7 @@ std::optional<double> member_angle(const CadFace& face, const Cluster& cluster) 
   const int n = std::abs(cluster.index);
   const int sign = cluster.index > 0 ? 1 : -1;
   if (static_cast<int>(cluster.members.size()) != n || static_cast<int>(cluster.member_indices.size()) != n) return {};
-  const double noise = std::pow(1e-8, 1.0 / n) * std::abs(signed_room(face, cluster.centre));
+  const double noise = std::pow(1e-8, 1.0 / n) * std::abs(placement::signed_room(face, cluster.centre));
   Vec2 sum;
   for (int i = 0; i < n; ++i) {
     const Vec2 from_centre = cluster.members[i] - cluster.centre;
@@ -72,7 +73,7 @@ void keep_least(std::vector<double>& angles, double tol, const std::function<dou
   angles = kept;
 }
 
-double orientation(const CadFace& face, const std::vector<Isometry>& group, const Cluster& cluster) {
+double orientation(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster) {
   const int n = std::abs(cluster.index);
   const double period = 2 * pi / n;
   const std::optional<double> members = member_angle(face, cluster);
@@ -83,7 +84,7 @@ double orientation(const CadFace& face, const std::vector<Isometry>& group, cons
   if (members) keep_least(angles, equal, [&](double a) { return std::abs(std::remainder(a - *members, period)); });
   keep_least(angles, equal * face.diameter, [&](double a) {
     double room = 0;
-    for (int k = 0; k < n; ++k) room += room_along(face, cluster.centre, unit(a + k * period)) / n;
+    for (int k = 0; k < n; ++k) room += placement::room_along(face, cluster.centre, unit(a + k * period)) / n;
     return cluster.index > 0 ? -room : room;
   });
   const double joint = angle_of(face.joints[0].position - cluster.centre);
@@ -106,7 +107,7 @@ double radius_outside(const CadFace& face, const Cluster& cluster, double angle)
   for (int i = 1; i < steps; ++i) {
     double room = INFINITY;
     for (const Vec2 x : regular_polygon(cluster.centre, face.diameter * i / steps, angle, std::abs(cluster.index)))
-      room = std::min(room, signed_room(face, x));
+      room = std::min(room, placement::signed_room(face, x));
     if (room > most + equal * face.diameter) most = room, best = face.diameter * i / steps;
   }
   return best;
@@ -114,28 +115,28 @@ double radius_outside(const CadFace& face, const Cluster& cluster, double angle)
 
 }  // namespace
 
-Vec2 onto_fixed_points(const CadFace& face, const std::vector<Isometry>& group, Vec2 x) {
+Vec2 onto_fixed_points(const CadFace& face, const std::vector<curve::Isometry>& group, Vec2 x) {
   const double reach = equal * face.diameter;
   if (group.size() > 1 && !group[1].is_mirrored && distance(x, group[1].centre) < reach) return group[1].centre;
-  for (const Isometry& g : group)
+  for (const curve::Isometry& g : group)
     if (g.is_mirrored && distance(g(x), x) < 2 * reach) return (x + g(x)) / 2;
   return x;
 }
 
-std::vector<Vec2> node_ring(const CadFace& face, const std::vector<Isometry>& group, const Cluster& cluster,
+std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster,
                             const std::vector<Vec2>& others) {
-  const double room = signed_room(face, cluster.centre);
+  const double room = placement::signed_room(face, cluster.centre);
   if (std::abs(cluster.index) == 1 && room > 0) return {cluster.centre};
   const double angle = orientation(face, group, cluster);
   const double radius = room > 0 ? radius_inside(cluster, room, others) : radius_outside(face, cluster, angle);
   return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
 }
 
-std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<Isometry>& group, int max_valence,
-                                         const Cluster& cluster, const std::vector<Vec2>& others,
+std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
+                                         int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
                                          const std::string& source) {
   const int valence = 4 - cluster.index;
-  if (valence >= 3 && valence <= max_valence && signed_room(face, cluster.centre) > 0)
+  if (valence >= 3 && valence <= max_valence && placement::signed_room(face, cluster.centre) > 0)
     return {made_node(cluster.centre, cluster.index, source)};
   std::vector<CriticalPoint> nodes;
   for (const Vec2 x : node_ring(face, group, cluster, others))
@@ -152,4 +153,4 @@ CriticalPoint made_node(Vec2 position, int index, const std::string& source) {
   return node;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -8,10 +8,10 @@
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// The point itself, or where it lies within 1e-6 diameters of the rotation centre or of a mirror axis, that.
-Vec2 onto_fixed_points(const CadFace& face, const std::vector<Isometry>& group, Vec2 x);
+Vec2 onto_fixed_points(const CadFace& face, const std::vector<curve::Isometry>& group, Vec2 x);
 
 /// The |index| places of nodes of index 1 or -1 about cluster.centre, a regular polygon.
 ///
@@ -27,16 +27,16 @@ Vec2 onto_fixed_points(const CadFace& face, const std::vector<Isometry>& group, 
 ///
 /// Radius. Half the distance to the boundary, at most a third of that to the nearest of `others`. About a centre
 /// outside the face (in a hole) the radius with the most room for all nodes.
-std::vector<Vec2> node_ring(const CadFace& face, const std::vector<Isometry>& group, const Cluster& cluster,
+std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster,
                             const std::vector<Vec2>& others);
 
 /// The nodes for a cluster of index != 0: one at its centre where 4 - index is 3 to max_valence (and the centre inside
 /// the face), else a node_ring. With the source given; no element is set.
-std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<Isometry>& group, int max_valence,
-                                         const Cluster& cluster, const std::vector<Vec2>& others,
+std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
+                                         int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
                                          const std::string& source);
 
 /// A node that is no zero of the field.
 CriticalPoint made_node(Vec2 position, int index, const std::string& source);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

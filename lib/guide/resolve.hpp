@@ -19,7 +19,7 @@
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// Curves a and b that meet in a corner, in either sequence, and the valence asked for. Where they meet in two corners
 /// (a half disc), the one where a ends and b begins, the face on the left.
@@ -63,10 +63,4 @@ void override_corners(const CadFace& face, const std::vector<CornerOverride>& ov
 /// corners get the source "divide", each corner a change of that kind.
 void divide_degenerate_corners(const CadFace& face, CriticalPoints& points);
 
-/// Small fillets and holes (method.md §5): nodes of valence 5 that features below `size` force go onto the boundary,
-/// those of valence 3 at convex walls inward to at least `size`, pairs cancel. size = 0: nothing. What a feature is and
-/// what it forces: guide/feature_bends. Two nodes on the boundary nearer than size / 2 become one of valence 4.
-/// Nodes that were moved keep `elem` and `xi` of where they were. Throws UsageError where size is no length.
-void resolve_features(const CadFace& face, double size, CriticalPoints& points);
-
-}  // namespace quadrille
+}  // namespace quadrille::guide

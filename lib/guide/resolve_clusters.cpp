@@ -7,7 +7,7 @@
 #include "guide/node_ring.hpp"
 #include "guide/resolve.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1e-6;  // of the diameter
@@ -19,13 +19,13 @@ bool is_member(const Cluster& cluster, Vec2 x, double tol) {
 /// A cluster that an isometry of the face maps onto another one, resolved before.
 struct Model {
   std::size_t cluster;
-  Isometry map;
+  curve::Isometry map;
 };
 
 class Resolver {
  public:
   Resolver(const CadFace& face, int max_valence, CriticalPoints& points)
-      : face_(face), max_valence_(max_valence), points_(points), group_(symmetries(face)) {}
+      : face_(face), max_valence_(max_valence), points_(points), group_(curve::symmetries(face)) {}
 
   void run() {
     if (points_.clusters.empty()) return;
@@ -52,7 +52,7 @@ class Resolver {
   std::optional<Model> model_of(std::size_t i) const {
     const Cluster& cluster = points_.clusters[i];
     for (std::size_t j = 0; j < i; ++j)
-      for (const Isometry& g : group_)
+      for (const curve::Isometry& g : group_)
         if (points_.clusters[j].index == cluster.index &&
             distance(g(points_.clusters[j].centre), cluster.centre) < equal * face_.diameter)
           return Model{j, g};
@@ -114,7 +114,7 @@ class Resolver {
   const CadFace& face_;
   int max_valence_;
   CriticalPoints& points_;
-  std::vector<Isometry> group_;
+  std::vector<curve::Isometry> group_;
   std::vector<std::optional<Model>> models_;
   std::vector<std::vector<CriticalPoint>> nodes_;  ///< of each cluster
 };
@@ -125,4 +125,4 @@ void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& poin
   Resolver(face, max_valence, points).run();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

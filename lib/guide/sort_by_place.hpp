@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// Sorts by the position that `at` gives, x values equal within `tol` counting as equal. Tolerances are no ordering:
 /// the points are put into columns of equal x first, then each column is sorted by y.
@@ -21,4 +21,4 @@ void sort_by_place(std::vector<Point>& points, double tol, const At& at) {
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -7,9 +7,9 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
-#include "guide/winding.hpp"
+#include "zeros/winding.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 constexpr double tie = 1e-6;  // radians
@@ -18,7 +18,8 @@ constexpr double tie = 1e-6;  // radians
 double room(const CadFace& face, int joint) {
   const auto extent = [&](int curve) {
     const Nurbs& c = face.curves[curve];
-    const Vec2 a = point(c, c.begin()), m = point(c, 0.5 * (c.begin() + c.end())), b = point(c, c.end());
+    const Vec2 a = curve::point(c, c.begin()), m = curve::point(c, 0.5 * (c.begin() + c.end())),
+               b = curve::point(c, c.end());
     return std::max(distance(a, m), distance(a, b));
   };
   return std::min(extent(joint), extent(face.previous_in_loop(joint)));
@@ -26,7 +27,7 @@ double room(const CadFace& face, int joint) {
 
 /// What |v| must exceed on an arc to be trusted. The error is that half the way along it; an angle off the tie lets the
 /// chord miss 0 by twice as much, and the zero that makes up for it must lie inside.
-double enough(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc, double noise) {
+double enough(const field::FieldEvaluator& evaluator, const Joint& joint, const zeros::Disc& disc, double noise) {
   const std::vector<double>& errors = evaluator.field().elem_error;
   const Vec2 middle = disc.centre + disc.radius * unit(joint.tangent_out + 0.5 * joint.interior_angle);
   const int elem = errors.empty() ? -1 : evaluator.locator().find(middle).elem;
@@ -40,11 +41,11 @@ struct ArcValence {
 };
 
 /// Quads in the sector, from the turn of the phase on an arc from the outgoing to the incoming side.
-std::optional<ArcValence> valence_by_arc(const FieldEvaluator& evaluator, const Joint& joint, const Disc& disc,
-                                         double noise) {
+std::optional<ArcValence> valence_by_arc(const field::FieldEvaluator& evaluator, const Joint& joint,
+                                         const zeros::Disc& disc, double noise) {
   constexpr double margin = 0.05;  // curved sides: what lies outside the domain is left out
-  const auto turn = phase_turn(evaluator, disc.centre, disc.radius, joint.tangent_out - margin,
-                               joint.tangent_out + joint.interior_angle + margin);
+  const auto turn = zeros::phase_turn(evaluator, disc.centre, disc.radius, joint.tangent_out - margin,
+                                      joint.tangent_out + joint.interior_angle + margin);
   if (!turn || turn->least_value < 10 * noise) return {};
   // The cross at both ends lies along the sides: the sector holds the quarter turns between them less the field's own.
   return ArcValence{static_cast<int>(std::lround((4 * joint.interior_angle - turn->turn) / (2 * pi))),
@@ -53,14 +54,14 @@ std::optional<ArcValence> valence_by_arc(const FieldEvaluator& evaluator, const 
 
 /// The valence at a tie and the disc of the arc that tells it. At a tie |v| grows like (r / diameter)^(pi / omega): the
 /// arcs begin where that is 1e-8, no nearer than positions can be told, and double.
-std::optional<int> valence_at_tie(const FieldEvaluator& evaluator, int joint, double noise, Disc& disc) {
+std::optional<int> valence_at_tie(const field::FieldEvaluator& evaluator, int joint, double noise, zeros::Disc& disc) {
   const CadFace& face = evaluator.field().mesh.face;
   const Joint& corner = face.joints[joint];
   const double greatest = 0.2 * room(face, joint);
   const double least = std::max(1e-9, std::pow(10.0, -8 * corner.interior_angle / pi));
   ArcValence best;
   for (double radius = least * face.diameter; radius <= greatest && best.trust < 1; radius *= 2) {
-    const Disc arc{corner.position, radius};
+    const zeros::Disc arc{corner.position, radius};
     const auto here = valence_by_arc(evaluator, corner, arc, noise);
     if (here && here->trust > best.trust) best = *here, disc = arc;
   }
@@ -82,7 +83,7 @@ double tie_distance(double interior_angle) {
   return std::abs(quarters - std::floor(quarters) - 0.5) * half_pi;
 }
 
-CornerValences corner_valences(const FieldEvaluator& evaluator, double noise) {
+CornerValences corner_valences(const field::FieldEvaluator& evaluator, double noise) {
   const CadFace& face = evaluator.field().mesh.face;
   CornerValences result;
   for (int j = 0; j < face.num_curves(); ++j) {
@@ -91,7 +92,7 @@ CornerValences corner_valences(const FieldEvaluator& evaluator, double noise) {
     int valence = static_cast<int>(std::lround(joint.interior_angle / half_pi));
     const bool is_tie = tie_distance(joint.interior_angle) < tie;
     if (is_tie) {
-      Disc disc;
+      zeros::Disc disc;
       const auto by_arc = valence_at_tie(evaluator, j, noise, disc);
       if (!by_arc) refuse(joint, face.origin);
       result.discs.push_back(disc);
@@ -107,4 +108,4 @@ CornerValences corner_valences(const FieldEvaluator& evaluator, double noise) {
   return result;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "field/evaluate.hpp"
-#include "guide/zero_search.hpp"
 #include "model/critical_points.hpp"
+#include "zeros/zero_search.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 
 /// Radians from a tie below which both neighbouring valences are as good.
 inline constexpr double near_tie = 0.02;
@@ -19,8 +19,8 @@ inline constexpr double near_tie = 0.02;
 double tie_distance(double interior_angle);
 
 struct CornerValences {
-  std::vector<Corner> corners;  ///< in the sequence of the joints
-  std::vector<Disc> discs;      ///< about the corners at ties: what lies in them is part of the valence
+  std::vector<Corner> corners;     ///< in the sequence of the joints
+  std::vector<zeros::Disc> discs;  ///< about the corners at ties: what lies in them is part of the valence
 };
 
 /// All corners of the layout. Within 1e-6 radians of a tie V counts the quarter turns of the cross along an arc about
@@ -28,6 +28,6 @@ struct CornerValences {
 /// error estimate there, and than 20 times the distance from the tie, so that it is not that which decides. Where no
 /// arc within a fifth of the corner's curves does, the one that comes nearest to it. Throws ComputeError where none
 /// exceeds 10 noise.
-CornerValences corner_valences(const FieldEvaluator& evaluator, double noise = field_noise);
+CornerValences corner_valences(const field::FieldEvaluator& evaluator, double noise = zeros::field_noise);
 
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -13,7 +13,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// What a dataset's attributes tell: `units` ("length", "radian", "1", ...) and `long_name`.
 struct Doc {
@@ -103,4 +103,4 @@ class Archive {
   }
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::io

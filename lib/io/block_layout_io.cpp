@@ -2,7 +2,7 @@
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -40,4 +40,4 @@ void write_block_layout(const std::string& path, const BlockLayout& layout) {
   write_hdf5_stage(path, block_layout_version, layout.provenance, [&](Archive& a) { describe_block_layout(a, copy); });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -1,6 +1,6 @@
 #include "io/cad_face_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curves) {
   archive.field(name, curves, [](Archive& a, Nurbs& curve) {
@@ -73,4 +73,4 @@ void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector
   });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

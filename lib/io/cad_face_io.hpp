@@ -5,7 +5,7 @@
 #include "model/cad_face.hpp"
 #include "model/separatrix_graph.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// As the object or group `face`.
 void describe_face(Archive& archive, CadFace& face);
@@ -13,4 +13,4 @@ void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curv
 /// `nodes` and `arcs` of a separatrix graph or a block layout.
 void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

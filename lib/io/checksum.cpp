@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -49,4 +49,4 @@ Checksum verify_checksum(const std::string& bytes, std::string_view& image) {
   return trailer == trailer_of(image) ? Checksum::right : Checksum::wrong;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace quadrille {
+namespace quadrille::io {
 
 enum class Checksum { missing, right, wrong };
 
@@ -14,4 +14,4 @@ void append_checksum(std::string& image);
 /// Also tells the image without the checksum.
 Checksum verify_checksum(const std::string& bytes, std::string_view& image);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -1,7 +1,7 @@
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -133,4 +133,4 @@ void write_critical_points(const std::string& path, const CriticalPoints& points
                    [&](Archive& a) { describe_critical_points(a, copy); });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

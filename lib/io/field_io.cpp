@@ -2,7 +2,7 @@
 #include "io/stage_io.hpp"
 #include "io/tri_mesh_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -95,4 +95,4 @@ void write_field(const std::string& path, const Field& field) {
   write_hdf5_stage(path, field_version, field.provenance, [&](Archive& a) { describe_field(a, copy); });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

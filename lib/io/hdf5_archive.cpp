@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "io/hdf5_columns.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -115,4 +115,4 @@ class Reader : public Archive {
 std::unique_ptr<Archive> hdf5_archive(const Hdf5GroupWriter& group) { return std::make_unique<Writer>(group); }
 std::unique_ptr<Archive> hdf5_archive(const Hdf5GroupReader& group) { return std::make_unique<Reader>(group); }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,10 +6,10 @@
 #include "io/archive.hpp"
 #include "io/hdf5_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// The group must outlive the archive.
 std::unique_ptr<Archive> hdf5_archive(const Hdf5GroupWriter& group);
 std::unique_ptr<Archive> hdf5_archive(const Hdf5GroupReader& group);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -267,4 +267,4 @@ void read_columns(const Hdf5GroupReader& parent, const char* name, const std::fu
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

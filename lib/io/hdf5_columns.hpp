@@ -6,10 +6,10 @@
 #include "io/archive.hpp"
 #include "io/hdf5_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 void write_columns(const Hdf5GroupWriter& parent, const char* name, std::size_t count, const Archive::Each& each);
 void read_columns(const Hdf5GroupReader& parent, const char* name, const std::function<void(std::size_t)>& resize,
                   const Archive::Each& each);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

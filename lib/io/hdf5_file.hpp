@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// An HDF5 identifier that is closed when it goes out of scope.
 class Hdf5Id {
@@ -104,4 +104,4 @@ class Hdf5Reader {
 /// Whether the bytes begin as an HDF5 file does.
 bool looks_like_hdf5(const std::string& bytes);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "io/hdf5_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -175,4 +175,4 @@ Hdf5Reader::Hdf5Reader(std::string_view bytes, const std::string& file_name) {
   root_ = std::make_unique<Hdf5GroupReader>(std::move(root), file_name, "");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

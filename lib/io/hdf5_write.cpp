@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "io/hdf5_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::string Hdf5Writer::image() {
   return bytes;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

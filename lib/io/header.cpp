@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "io/json_archive.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 std::string producer_of(const Provenance& provenance) {
   return provenance.empty() ? "Quadrille" : provenance.back().tool + ' ' + provenance.back().version;
@@ -54,4 +54,4 @@ Provenance parse_provenance(const std::string& text, const std::string& file_nam
   return provenance;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 #include "io/archive.hpp"
 #include "model/provenance.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 struct FormatVersion {
   const char* format;  ///< "tri-mesh"
@@ -26,4 +26,4 @@ void describe_provenance(Archive& archive, Provenance& provenance);
 std::string provenance_text(Provenance provenance);
 Provenance parse_provenance(const std::string& text, const std::string& file_name);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

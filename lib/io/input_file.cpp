@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "io/sha256.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -72,4 +72,4 @@ void require_same_origin(const InputFile& first, const Provenance& first_chain, 
                                 second.name, first.name));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 
 #include "model/provenance.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 struct InputFile {
   std::string name;  ///< for messages; "standard input" for "-"
@@ -23,4 +23,4 @@ InputFile read_input(const std::string& path);
 void require_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
                          const Provenance& second_chain);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "io/json_text.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -229,4 +229,4 @@ JsonReader::~JsonReader() = default;
 Archive& JsonReader::root() { return impl_->reader; }
 bool JsonReader::has(const char* name) const { return impl_->json.contains(name); }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 
 #include "io/archive.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// Collects an object and prints it.
 class JsonWriter {
@@ -35,4 +35,4 @@ class JsonReader {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::io

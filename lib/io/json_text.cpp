@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string json_text(const nlohmann::ordered_json& value) {
   return out + "\n}\n";
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

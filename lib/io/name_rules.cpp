@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::vector<NameRule> rules_of(const InputFile& file, const Dialect& dialect) {
 std::vector<NameRule> read_boundary_names(const InputFile& file) { return rules_of(file, boundary); }
 std::vector<NameRule> read_block_names(const InputFile& file) { return rules_of(file, block); }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 #include "io/input_file.hpp"
 #include "model/name_rules.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// Three forms: "name for all"; {"old name or number": "new name", "*": "name of the rest"}; or a list of
 /// {"id": N or "*", "name": ...}, {"old_name": ..., "name": ...} and {"near": [x, y] or [x, y, z], "name": ...}.
@@ -16,4 +16,4 @@ std::vector<NameRule> read_boundary_names(const InputFile& file);
 /// The same with "at" for "near", and without old names.
 std::vector<NameRule> read_block_names(const InputFile& file);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

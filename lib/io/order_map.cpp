@@ -9,7 +9,7 @@
 #include "io/header.hpp"
 #include "io/stage_files.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::string order_map_text(const std::vector<int>& elem_order) {
                      order_map_version.major, order_map_version.minor, fmt::join(elem_order, ", "));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

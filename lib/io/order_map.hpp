@@ -7,7 +7,7 @@
 
 #include "io/input_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// One order per element. Throws FormatError for anything that is neither an order map nor a field, for another number
 /// than `num_elems` and for an order outside [1, max_order].
@@ -16,4 +16,4 @@ std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_or
 /// The map as JSON text.
 std::string order_map_text(const std::vector<int>& elem_order);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

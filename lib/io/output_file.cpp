@@ -14,7 +14,7 @@
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -115,4 +115,4 @@ void write_output(const std::string& path, const std::string& bytes, bool is_bin
   temporary.rename();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -5,7 +5,7 @@
 
 #include "base/report.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// Writes `bytes` to `path` ("-": standard output; binary is refused on a terminal). Throws OutputError.
 void write_output(const std::string& path, const std::string& bytes, bool is_binary);
@@ -13,4 +13,4 @@ void write_output(const std::string& path, const std::string& bytes, bool is_bin
 /// Writes a report as JSON: {"tool", "version", entries nested by their dots, "warnings": [{code, message}]}.
 void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -4,7 +4,7 @@
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -49,4 +49,4 @@ void write_quad_mesh(const std::string& path, const QuadMesh& mesh) {
   write_hdf5_stage(path, quad_mesh_version, mesh.provenance, [&](Archive& a) { describe_quad_mesh(a, copy); });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

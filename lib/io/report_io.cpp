@@ -3,7 +3,7 @@
 #include "io/json_text.hpp"
 #include "io/output_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -34,4 +34,4 @@ void write_report(const std::string& path, const std::string& tool, const std::s
   write_output(path, json_text(root), false);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -2,7 +2,7 @@
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -54,4 +54,4 @@ void write_separatrix_graph(const std::string& path, const SeparatrixGraph& grap
                    [&](Archive& a) { describe_separatrix_graph(a, copy); });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

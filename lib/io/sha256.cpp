@@ -9,7 +9,7 @@
 #include <immintrin.h>
 #endif
 
-namespace quadrille {
+namespace quadrille::io {
 
 // FIPS 180-4 in a few lines instead of libcrypto: loading that library costs more than hashing any stage file.
 namespace {
@@ -125,4 +125,4 @@ std::string sha256_hex(std::string_view bytes) { return digest(bytes, fastest())
 
 std::string sha256_hex_in_software(std::string_view bytes) { return digest(bytes, add_blocks_in_software); }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

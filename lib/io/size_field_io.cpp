@@ -8,7 +8,7 @@
 #include "io/header.hpp"
 #include "io/json_archive.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -75,4 +75,4 @@ SizeSources read_size_field(const InputFile& file, Vec2 origin) {
   return sources;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

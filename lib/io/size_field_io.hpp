@@ -4,10 +4,10 @@
 #include "io/input_file.hpp"
 #include "model/size_sources.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 /// Positions become relative to `origin` (of the face; the file's include it). Throws FormatError, with the place in
 /// the file, for anything that is no size field.
 SizeSources read_size_field(const InputFile& file, Vec2 origin);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

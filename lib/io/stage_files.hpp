@@ -13,7 +13,7 @@
 #include "model/separatrix_graph.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 TriMesh read_tri_mesh(const InputFile& file);
 Field read_field(const InputFile& file);  ///< x.solve.h5, x.field.h5
@@ -33,4 +33,4 @@ void write_quad_mesh(const std::string& path, const QuadMesh& mesh);
 /// anything else.
 std::string stage_format(const InputFile& file);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

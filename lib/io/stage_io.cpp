@@ -12,7 +12,7 @@
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::string stage_format(const InputFile& file) {
   return format;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

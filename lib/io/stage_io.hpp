@@ -8,7 +8,7 @@
 #include "io/header.hpp"
 #include "io/input_file.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 using Describe = std::function<void(Archive&)>;
 
@@ -20,4 +20,4 @@ void write_json_stage(const std::string& path, const FormatVersion& version, con
                       const Describe& describe);
 Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -4,7 +4,7 @@
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 namespace {
 constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 0};
@@ -38,4 +38,4 @@ void write_tri_mesh(const std::string& path, const TriMesh& mesh) {
   write_hdf5_stage(path, tri_mesh_version, mesh.provenance, [&](Archive& a) { describe_tri_mesh(a, copy); });
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -4,8 +4,8 @@
 #include "io/archive.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 void describe_tri_mesh(Archive& archive, TriMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::io

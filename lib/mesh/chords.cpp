@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 std::vector<int> arc_chords(const std::vector<std::array<int, 4>>& block2arcs, int num_arcs) {
   std::vector<int> lowest(num_arcs);  // a forest in which every tree's root is its lowest arc
@@ -61,4 +61,4 @@ std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2
   return chords;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

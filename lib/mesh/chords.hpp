@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 /// The chord of each of `num_arcs` arcs, numbered by their first arc. `block2arcs` as in BlockLayout. An arc that is no
 /// block's side is a chord of its own. A chord may cross itself: then a block's four sides belong to one chord.
@@ -25,4 +25,4 @@ std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2
 inline int arc_of(int directed) { return directed < 0 ? -1 - directed : directed; }
 inline bool is_backwards(int directed) { return directed < 0; }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

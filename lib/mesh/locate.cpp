@@ -5,7 +5,7 @@
 
 #include "spectral/tri_bernstein.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 constexpr double reference_tol = 1e-10;
@@ -13,15 +13,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The range of a coordinate over the element, by its Bernstein hull.
 std::array<double, 2> hull(int order, const std::vector<double>& coefs) {
-  const std::vector<double> b = bernstein_from_orthogonal(order, coefs);
+  const std::vector<double> b = spectral::bernstein_from_orthogonal(order, coefs);
   const auto [low, high] = std::minmax_element(b.begin(), b.end());
   return {*low, *high};
 }
 
 // Reference coordinates of x under the straight triangle of an element's corners: where the curved map has no inverse.
-Vec2 straight_inverse(const TriMap& map, Vec2 x) {
+Vec2 straight_inverse(const spectral::TriMap& map, Vec2 x) {
   Vec2 xi;
-  TriMap({map.position({-1, -1}), map.position({1, -1}), map.position({-1, 1})}).invert(x, xi);
+  spectral::TriMap({map.position({-1, -1}), map.position({1, -1}), map.position({-1, 1})}).invert(x, xi);
   return xi;
 }
 
@@ -37,11 +37,11 @@ int way_out(Vec2 xi, const std::array<int, 3>& neighbors) {
 
 }  // namespace
 
-Locator::Locator(const TriMesh& mesh, const std::vector<TriMap>& maps) : maps_(&maps) {
+Locator::Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps) : maps_(&maps) {
   boxes_.reserve(maps.size());
   lower_ = {infinity, infinity};
   Vec2 upper{-infinity, -infinity};
-  for (const TriMap& map : maps) {
+  for (const spectral::TriMap& map : maps) {
     const auto [x0, x1] = hull(map.order(), map.coefs_x());
     const auto [y0, y1] = hull(map.order(), map.coefs_y());
     const double margin = 1e-8 * std::max(x1 - x0, y1 - y0) + 1e-14 * mesh.face.diameter;
@@ -93,7 +93,7 @@ Location Locator::find(Vec2 x) const {
   return {};
 }
 
-Location walk(const TriTopology& topology, const std::vector<TriMap>& maps, Vec2 x, Location from) {
+Location walk(const TriTopology& topology, const std::vector<spectral::TriMap>& maps, Vec2 x, Location from) {
   constexpr int most_steps = 64;
   constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
   int elem = from.elem, previous = -1;
@@ -113,4 +113,4 @@ Location walk(const TriTopology& topology, const std::vector<TriMap>& maps, Vec2
   return {};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -9,7 +9,7 @@
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 struct Location {
   int elem = -1;  ///< -1: outside the mesh
@@ -22,7 +22,7 @@ inline double outside_reference(Vec2 xi) { return std::fmax(std::fmax(-(1 + xi.x
 class Locator {
  public:
   /// `maps` must outlive the locator.
-  Locator(const TriMesh& mesh, const std::vector<TriMap>& maps);
+  Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps);
   /// The element that holds x, the lowest number where several do; points within 1e-10 of an element's reference
   /// triangle count as inside.
   Location find(Vec2 x) const;
@@ -34,7 +34,7 @@ class Locator {
   std::array<int, 2> cell_of(Vec2 x) const;
   void fill_grid();
 
-  const std::vector<TriMap>* maps_;
+  const std::vector<spectral::TriMap>* maps_;
   std::vector<Box> boxes_;  ///< one per element: holds it, with a margin
   Vec2 lower_, cell_;
   int nx_ = 1, ny_ = 1;
@@ -45,6 +45,6 @@ class Locator {
 /// begins in `from`, whose xi is the first guess. elem = -1 where the walk meets the boundary (the domain may be
 /// concave), goes round or takes more than 64 steps: that x lies outside only Locator::find can tell. On an edge the
 /// element is that which the walk reaches first. No allocation.
-Location walk(const TriTopology& topology, const std::vector<TriMap>& maps, Vec2 x, Location from);
+Location walk(const TriTopology& topology, const std::vector<spectral::TriMap>& maps, Vec2 x, Location from);
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 double least_angle(const TriMesh& mesh) {
   double least = pi;
@@ -31,4 +31,4 @@ double least_edge_ratio(const TriMesh& mesh) {
   return least;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

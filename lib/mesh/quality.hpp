@@ -3,7 +3,7 @@
 
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 /// Smallest angle of any element, by its vertices, radians.
 double least_angle(const TriMesh& mesh);
@@ -11,4 +11,4 @@ double least_angle(const TriMesh& mesh);
 /// Smallest ratio of the shortest edge to the longest one of an element, by vertices.
 double least_edge_ratio(const TriMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

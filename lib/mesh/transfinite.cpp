@@ -2,7 +2,7 @@
 
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 Vec2 blend_sides(const std::array<Vec2, 4>& on_sides, const std::array<Vec2, 4>& corners, double s, double t) {
   if (t == 0) return on_sides[0];
@@ -21,7 +21,7 @@ Vec2 crossing_parameters(double f0, double f1, double f2, double f3) {
   return {s, f3 + s * dt};
 }
 
-TransfiniteMap::TransfiniteMap(const std::array<const Chain*, 4>& sides, const std::array<bool, 4>& backwards)
+TransfiniteMap::TransfiniteMap(const std::array<const curve::Chain*, 4>& sides, const std::array<bool, 4>& backwards)
     : sides_(sides), backwards_(backwards) {
   for (int k = 0; k < 4; ++k) corners_[k] = side(k, 0);
 }
@@ -40,7 +40,7 @@ Vec2 TransfiniteMap::position(double s, double t) const {
 
 std::vector<Vec2> TransfiniteMap::sampled(int order) const {
   std::vector<double> fractions;
-  for (const double xi : gll_points(order)) fractions.push_back((1 + xi) / 2);
+  for (const double xi : spectral::gll_points(order)) fractions.push_back((1 + xi) / 2);
   std::array<std::vector<Vec2>, 4> on_sides;  // once for each side, not for each node
   for (int k = 0; k < 4; ++k)
     for (const double f : fractions) on_sides[k].push_back(side(k, k < 2 ? f : 1 - f));
@@ -52,4 +52,4 @@ std::vector<Vec2> TransfiniteMap::sampled(int order) const {
   return nodes;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -6,7 +6,7 @@
 
 #include "curve/chain.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 /// Gordon-Hall blend at (s, t) in [0,1]^2. `on_sides`: the points at s on side 0, at t on side 1, at s on side 2 (above
 /// side 0's) and at t on side 3. `corners` counter-clockwise; corner 0 is (0, 0). On a side exactly the side's own
@@ -20,7 +20,7 @@ Vec2 crossing_parameters(double f0, double f1, double f2, double f3);
 class TransfiniteMap {
  public:
   /// Sides counter-clockwise, each walked counter-clockwise; the chains must outlive the map.
-  explicit TransfiniteMap(const std::array<const Chain*, 4>& sides, const std::array<bool, 4>& backwards);
+  explicit TransfiniteMap(const std::array<const curve::Chain*, 4>& sides, const std::array<bool, 4>& backwards);
 
   /// The point at (s, t) in [0,1]^2: s along side 0, t along side 1. On a side the side's own point, exactly.
   Vec2 position(double s, double t) const;
@@ -29,9 +29,9 @@ class TransfiniteMap {
 
  private:
   Vec2 side(int k, double fraction) const;  ///< fraction counted counter-clockwise
-  std::array<const Chain*, 4> sides_;
+  std::array<const curve::Chain*, 4> sides_;
   std::array<bool, 4> backwards_;
   std::array<Vec2, 4> corners_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

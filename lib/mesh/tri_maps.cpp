@@ -2,12 +2,12 @@
 
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
-std::vector<TriMap> tri_maps(const TriMesh& mesh) {
-  std::vector<TriMap> maps;
+std::vector<spectral::TriMap> tri_maps(const TriMesh& mesh) {
+  std::vector<spectral::TriMap> maps;
   maps.reserve(mesh.elem2vertices.size());
-  const int num_nodes = num_tri_modes(mesh.order);
+  const int num_nodes = spectral::num_tri_modes(mesh.order);
   std::size_t next_curved = 0;
   for (int e = 0; e < mesh.num_elems(); ++e) {
     if (next_curved < mesh.curved_elems.size() && mesh.curved_elems[next_curved] == e) {
@@ -21,4 +21,4 @@ std::vector<TriMap> tri_maps(const TriMesh& mesh) {
   return maps;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

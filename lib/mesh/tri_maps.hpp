@@ -6,9 +6,9 @@
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 /// One map per element: affine, or of the mesh's order for the elements listed in curved_elems.
-std::vector<TriMap> tri_maps(const TriMesh& mesh);
+std::vector<spectral::TriMap> tri_maps(const TriMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 /// One side of an edge, as an element sees it.
@@ -104,4 +104,4 @@ TriTopology tri_topology(const TriMesh& mesh) {
   return topology;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -6,7 +6,7 @@
 
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 
 struct TriTopology {
   std::vector<std::array<int, 2>> edge2vertices;        ///< lower vertex first; sorted
@@ -21,4 +21,4 @@ struct TriTopology {
 /// of the mesh are not exactly the edges with one element.
 TriTopology tri_topology(const TriMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -79,7 +79,7 @@ struct CertificateCell {
   std::string verdict;               ///< "zero": holds exactly one; "open": could not be decided (part of a cluster)
 };
 
-/// That no zero is missing: what the search for them did (guide/zero_search).
+/// That no zero is missing: what the search for them did (zeros/zero_search).
 struct Certificate {
   int elements = 0;                  ///< all of the mesh were searched
   double cells_examined = 0;         ///< whole numbers

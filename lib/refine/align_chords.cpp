@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 constexpr int coarse_samples = 8;
@@ -16,17 +16,17 @@ struct ArcTable {
   double length = 0;
   std::vector<Vec2> positions, tangents;
 
-  ArcTable(const Chain& chain, bool backwards, int samples) : length(chain.length()) {
+  ArcTable(const curve::Chain& chain, bool backwards, int samples) : length(chain.length()) {
     for (int k = 0; k <= samples; ++k) {
       const double f = static_cast<double>(k) / samples;
-      const ChainPoint p = chain.at(backwards ? 1 - f : f);
+      const curve::ChainPoint p = chain.at(backwards ? 1 - f : f);
       positions.push_back(p.position);
       tangents.push_back(backwards ? -p.tangent : p.tangent);
     }
   }
   int samples() const { return static_cast<int>(positions.size()) - 1; }
 
-  ChainPoint at(double f) const {
+  curve::ChainPoint at(double f) const {
     const double x = f * samples();
     const int k = std::clamp(static_cast<int>(x), 0, samples() - 1);
     const double t = x - k, r = 1 - t, step = length / samples();
@@ -53,7 +53,7 @@ struct Rung {
 };
 
 Rung rung(const ArcTable& a, double fa, const ArcTable& b, double fb) {
-  const ChainPoint p = a.at(fa), q = b.at(fb);
+  const curve::ChainPoint p = a.at(fa), q = b.at(fb);
   const Vec2 sum = p.tangent + q.tangent, step = q.position - p.position;
   const double size = norm(sum);
   const Vec2 direction = size > 0 ? sum / size : p.tangent;
@@ -76,7 +76,7 @@ double misalignment(const std::vector<Rung>& rungs, std::size_t k) {
 
 class Aligner {
  public:
-  Aligner(const Chord& chord, const std::vector<Chain>& chains, const AlignOptions& options)
+  Aligner(const mesh::Chord& chord, const std::vector<curve::Chain>& chains, const AlignOptions& options)
       : chord_(chord), chains_(chains), options_(options) {}
 
   /// Whether equal fractions skew the chord's lines.
@@ -186,8 +186,8 @@ class Aligner {
       for (int k = 1; k < fine_samples; ++k) g[i][k] += share * step_at(step, i, k);
   }
 
-  const Chord& chord_;
-  const std::vector<Chain>& chains_;
+  const mesh::Chord& chord_;
+  const std::vector<curve::Chain>& chains_;
   const AlignOptions& options_;
   std::vector<ArcTable> tables_;
   std::vector<Eigen::Triplet<double>> entries_;
@@ -196,10 +196,10 @@ class Aligner {
 
 }  // namespace
 
-std::vector<ArcParameter> align_chords(const std::vector<Chord>& chords, const std::vector<Chain>& chains,
-                                       const AlignOptions& options) {
-  std::vector<ArcParameter> parameters(chains.size());
-  for (const Chord& chord : chords) {
+std::vector<sizing::ArcParameter> align_chords(const std::vector<mesh::Chord>& chords,
+                                               const std::vector<curve::Chain>& chains, const AlignOptions& options) {
+  std::vector<sizing::ArcParameter> parameters(chains.size());
+  for (const mesh::Chord& chord : chords) {
     Aligner aligner(chord, chains, options);
     if (!aligner.is_misaligned()) continue;
     const Fractions g = aligner.align();
@@ -209,10 +209,10 @@ std::vector<ArcParameter> align_chords(const std::vector<Chord>& chords, const s
         std::reverse(fractions.begin(), fractions.end());
         for (double& f : fractions) f = 1 - f;
       }
-      parameters[chord.arcs[i]] = ArcParameter(std::move(fractions));
+      parameters[chord.arcs[i]] = sizing::ArcParameter(std::move(fractions));
     }
   }
   return parameters;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -15,9 +15,9 @@
 
 #include "curve/chain.hpp"
 #include "mesh/chords.hpp"
-#include "refine/arc_parameter.hpp"
+#include "sizing/arc_parameter.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 struct AlignOptions {
   double tolerance = 0.25;    ///< a chord with |d - d*| / w <= tolerance everywhere keeps equal fractions
@@ -27,7 +27,8 @@ struct AlignOptions {
 
 /// One parameter for each arc; `chains` one per arc. Linear in the number of arcs but for a sparse factorisation in
 /// each misaligned chord.
-std::vector<ArcParameter> align_chords(const std::vector<Chord>& chords, const std::vector<Chain>& chains,
-                                       const AlignOptions& options = {});
+std::vector<sizing::ArcParameter> align_chords(const std::vector<mesh::Chord>& chords,
+                                               const std::vector<curve::Chain>& chains,
+                                               const AlignOptions& options = {});
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

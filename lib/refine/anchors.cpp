@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 bool has_two_of_one_arc(const std::vector<Break>& breaks) {
@@ -37,4 +37,4 @@ std::vector<Anchor> find_anchors(std::vector<Break> breaks, double reach) {
   return anchors;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::refine {
 
 /// A break of one arc of a chord.
 struct Break {
@@ -24,4 +24,4 @@ struct Anchor {
 /// where that would join two breaks of one arc, which must differ in u.
 std::vector<Anchor> find_anchors(std::vector<Break> breaks, double reach);
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -6,10 +6,10 @@
 
 #include "base/angle.hpp"
 #include "curve/project.hpp"
-#include "refine/divide_arcs.hpp"
+#include "sizing/interval_error.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 /// In diameters: a vertex is at a break, or on its curve.
@@ -23,7 +23,7 @@ int corner_node(const QuadMesh& mesh, int elem, int corner) {
 }
 
 /// The loop's curves one after the other, twice.
-Chain walked_twice(const CadFace& face, const CurveTable& table, int loop) {
+curve::Chain walked_twice(const CadFace& face, const curve::CurveTable& table, int loop) {
   std::vector<ArcPiece> pieces;
   for (int round = 0; round < 2; ++round)
     for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c)
@@ -67,7 +67,7 @@ void BoundarySlide::add_loop(std::size_t first_edge, std::size_t end_edge) {
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
   for (int e = first; e < first + count; ++e) {
-    const Chain& chain = loops_[vertices_[edges_[e].from].loop];
+    const curve::Chain& chain = loops_[vertices_[edges_[e].from].loop];
     const Ends ends = ends_of(e, 0, 0);
     const double slack = 2 * same_place * mesh_->face.diameter / chain.length();
     for (const double joint : chain.joint_fractions()) {
@@ -82,11 +82,11 @@ void BoundarySlide::add_loop(std::size_t first_edge, std::size_t end_edge) {
 /// By projection onto the curve of the edge that starts at x, or the one before; negative where it is on neither.
 double BoundarySlide::length_at(int loop, int curve, Vec2 x) const {
   const CadFace& face = mesh_->face;
-  Projection best;
+  curve::Projection best;
   int nearest = -1;
   const int num_curves = face.loop_offsets[loop + 1] - face.loop_offsets[loop];
   for (int c = curve, k = 0; k < std::min(num_curves, 3); ++k, c = face.previous_in_loop(c)) {
-    const Projection p = project(face.curves[c], x);
+    const curve::Projection p = curve::project(face.curves[c], x);
     if (nearest < 0 || p.distance < best.distance) best = p, nearest = c;
     if (best.distance < same_place * face.diameter) break;
   }
@@ -96,7 +96,7 @@ double BoundarySlide::length_at(int loop, int curve, Vec2 x) const {
 
 void BoundarySlide::fix_at_breaks(int vertex) {
   SlidingVertex& v = vertices_[vertex];
-  const Chain& chain = loops_[v.loop];
+  const curve::Chain& chain = loops_[v.loop];
   const double total = chain.length() / 2;
   if (v.length < 0) {
     v.length = 0;
@@ -113,9 +113,9 @@ void BoundarySlide::fix_at_breaks(int vertex) {
   }
 }
 
-ChainPoint BoundarySlide::at(int vertex, double slide) const {
+curve::ChainPoint BoundarySlide::at(int vertex, double slide) const {
   const SlidingVertex& v = vertices_[vertex];
-  const Chain& chain = loops_[v.loop];
+  const curve::Chain& chain = loops_[v.loop];
   const double total = chain.length() / 2, length = v.length + slide;
   return chain.at((length < 0 ? length + total : length) / (2 * total));
 }
@@ -133,7 +133,7 @@ BoundarySlide::Ends BoundarySlide::ends_of(int edge, double slide_from, double s
 std::vector<Vec2> BoundarySlide::edge_nodes(int edge, double slide_from, double slide_to) const {
   const Ends ends = ends_of(edge, slide_from, slide_to);
   std::vector<Vec2> nodes;
-  for (const double xi : gll_points(mesh_->order))
+  for (const double xi : spectral::gll_points(mesh_->order))
     nodes.push_back(
         loops_[vertices_[edges_[edge].from].loop].at(ends.low * (1 - xi) / 2 + ends.high * (1 + xi) / 2).position);
   return nodes;
@@ -141,7 +141,7 @@ std::vector<Vec2> BoundarySlide::edge_nodes(int edge, double slide_from, double 
 
 double BoundarySlide::edge_error(int edge, double slide_from, double slide_to) const {
   const Ends ends = ends_of(edge, slide_from, slide_to);
-  return interval_error(table_, loops_[vertices_[edges_[edge].from].loop], ends.low, ends.high, mesh_->order);
+  return sizing::interval_error(table_, loops_[vertices_[edges_[edge].from].loop], ends.low, ends.high, mesh_->order);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -9,7 +9,7 @@
 #include "curve/chain.hpp"
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 struct SlidingVertex {
   int node = 0;
@@ -34,7 +34,7 @@ class BoundarySlide {
   const std::vector<SlidingEdge>& edges() const { return edges_; }
 
   /// Position and unit tangent of a vertex that has slid by `slide`, a length along the loop.
-  ChainPoint at(int vertex, double slide) const;
+  curve::ChainPoint at(int vertex, double slide) const;
   /// The N + 1 nodes of an edge whose ends have slid: the Gauss-Lobatto-Legendre points by arc length.
   std::vector<Vec2> edge_nodes(int edge, double slide_from, double slide_to) const;
   /// Distance of the edge's polynomial from the curve (refine/divide_arcs: interval_error).
@@ -51,11 +51,11 @@ class BoundarySlide {
 
   const QuadMesh* mesh_;
   std::vector<Nurbs> no_splines_;
-  CurveTable table_;
-  std::vector<Chain> loops_;         ///< each walked twice
+  curve::CurveTable table_;
+  std::vector<curve::Chain> loops_;  ///< each walked twice
   std::vector<double> curve_start_;  ///< length along its loop
   std::vector<SlidingVertex> vertices_;
   std::vector<SlidingEdge> edges_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

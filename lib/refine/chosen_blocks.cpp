@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 /// A count that makes no mesh valid is given up at this.
@@ -28,7 +28,7 @@ std::set<int> blocks_called(const std::string& word, const std::vector<std::stri
   throw UsageError(fmt::format("--blocks: there is no block '{}'; they are numbered 0 to {}", word, names.size() - 1));
 }
 
-std::vector<int> chord_of_arcs(const BlockLayout& layout, const std::vector<Chord>& chords) {
+std::vector<int> chord_of_arcs(const BlockLayout& layout, const std::vector<mesh::Chord>& chords) {
   std::vector<int> chord(layout.arcs.size(), -1);
   for (std::size_t c = 0; c < chords.size(); ++c)
     for (const int arc : chords[c].arcs) chord[arc] = static_cast<int>(c);
@@ -36,11 +36,12 @@ std::vector<int> chord_of_arcs(const BlockLayout& layout, const std::vector<Chor
 }
 
 /// Whether each chord passes one of the blocks.
-std::vector<bool> passes(const BlockLayout& layout, const std::vector<Chord>& chords, const std::set<int>& blocks) {
+std::vector<bool> passes(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
+                         const std::set<int>& blocks) {
   const std::vector<int> chord = chord_of_arcs(layout, chords);
   std::vector<bool> does_pass(chords.size(), false);
   for (const int block : blocks)
-    for (const int side : layout.block2arcs[block]) does_pass[chord[arc_of(side)]] = true;
+    for (const int side : layout.block2arcs[block]) does_pass[chord[mesh::arc_of(side)]] = true;
   return does_pass;
 }
 
@@ -56,27 +57,28 @@ std::vector<int> parse_blocks(const std::string& list, const std::vector<std::st
   return {blocks.begin(), blocks.end()};
 }
 
-std::vector<ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                      const std::vector<int>& chosen, const std::vector<ChordCount>& prescribed) {
+std::vector<sizing::ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
+                                              const std::vector<int>& chosen,
+                                              const std::vector<sizing::ChordCount>& prescribed) {
   std::vector<bool> is_free = passes(layout, chords, {chosen.begin(), chosen.end()});
-  for (const ChordCount& p : prescribed)
+  for (const sizing::ChordCount& p : prescribed)
     if (p.chord >= 0 && p.chord < static_cast<int>(chords.size())) is_free[p.chord] = true;
-  std::vector<ChordCount> coarse;
+  std::vector<sizing::ChordCount> coarse;
   for (std::size_t c = 0; c < chords.size(); ++c)
     if (!is_free[c]) coarse.push_back({static_cast<int>(c), 1});
   return coarse;
 }
 
-bool raise_counts(const BlockLayout& layout, const std::vector<Chord>& chords, const QuadMesh& mesh,
-                  std::vector<ChordCount>& coarse) {
+bool raise_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords, const QuadMesh& mesh,
+                  std::vector<sizing::ChordCount>& coarse) {
   std::set<int> blocks;
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     if (!(mesh.elem_jacobian_bound[elem] > 0)) blocks.insert(mesh.elem_block[elem]);
   const std::vector<bool> is_concerned = passes(layout, chords, blocks);
   bool is_any = false;
-  for (ChordCount& c : coarse)
+  for (sizing::ChordCount& c : coarse)
     if (is_concerned[c.chord] && c.count < max_coarse_count) c.count *= 2, is_any = true;
   return is_any;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

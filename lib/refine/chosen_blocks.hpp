@@ -8,9 +8,9 @@
 #include "mesh/chords.hpp"
 #include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
-#include "refine/grade_chords.hpp"
+#include "sizing/grade_chords.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 /// Block numbers, ascending, from "3,inlet,7": numbers or names, which blocks may share (a name that is a number goes
 /// before the number).
@@ -18,12 +18,13 @@ namespace quadrille {
 std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names);
 
 /// A count of 1 for every chord that passes no block of `chosen` and has none in `prescribed`.
-std::vector<ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                      const std::vector<int>& chosen, const std::vector<ChordCount>& prescribed);
+std::vector<sizing::ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
+                                              const std::vector<int>& chosen,
+                                              const std::vector<sizing::ChordCount>& prescribed);
 
 /// Doubles the counts of those chords of `coarse` that pass a block with an element that is not proved valid; false
 /// when there are none.
-bool raise_counts(const BlockLayout& layout, const std::vector<Chord>& chords, const QuadMesh& mesh,
-                  std::vector<ChordCount>& coarse);
+bool raise_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords, const QuadMesh& mesh,
+                  std::vector<sizing::ChordCount>& coarse);
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -6,16 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "base/angle.hpp"
 #include "base/error.hpp"
-#include "curve/nurbs.hpp"
 #include "refine/anchors.hpp"
 #include "refine/spacing.hpp"
-#include "spectral/lagrange.hpp"
-#include "spectral/per_order.hpp"
-#include "spectral/quadrature.hpp"
+#include "sizing/interval_error.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 constexpr int max_intervals = 10000;
@@ -29,95 +25,6 @@ constexpr double least_excess = 1.05;
 /// So often may a chord's count rise by one in search of a symmetric division.
 constexpr int max_tie_rounds = 24;
 
-/// Interpolation from the nodes of an interval to samples between them.
-struct ErrorSamples {
-  std::vector<double> points;
-  Eigen::MatrixXd from_nodes;
-
-  explicit ErrorSamples(int order) {
-    const int count = 2 * order + 2;
-    for (int i = 0; i < count; ++i) points.push_back(-std::cos((2 * i + 1) * pi / (2 * count)));
-    from_nodes = interpolation_matrix(gll_points(order), points);
-  }
-};
-
-const ErrorSamples& error_samples(int order) {
-  static PerOrder<ErrorSamples> cache([](int n) { return ErrorSamples(n); });
-  return cache[order];
-}
-
-/// A polynomial of the order as a polygon, to tell the distance of points that may be far from where its parameter
-/// says.
-struct PolygonSamples {
-  Eigen::MatrixXd from_nodes;
-
-  explicit PolygonSamples(int order) {
-    const int count = 16 * order;
-    std::vector<double> points;
-    for (int i = 0; i <= count; ++i) points.push_back(-1 + 2.0 * i / count);
-    from_nodes = interpolation_matrix(gll_points(order), points);
-  }
-};
-
-const PolygonSamples& polygon_samples(int order) {
-  static PerOrder<PolygonSamples> cache([](int n) { return PolygonSamples(n); });
-  return cache[order];
-}
-
-double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
-  const double length2 = norm2(b - a);
-  const double share = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0;
-  return distance(x, a + share * (b - a));
-}
-
-/// A lower bound of the distance of the chain's breaks, and of the middles between them, from the interval's
-/// polynomial: there a bend that is short against the interval, a fillet, is farthest from it. Nodes and parameters do
-/// not see that.
-double bend_error(const Chain& chain, double low, double high, const std::vector<ChainPoint>& nodes, int order) {
-  std::vector<double> ends{low};
-  for (const double f : chain.break_fractions())
-    if (f > low + same_fraction && f < high - same_fraction) ends.push_back(f);
-  if (ends.size() == 1) return 0;
-  ends.push_back(high);
-
-  const Eigen::MatrixXd& from_nodes = polygon_samples(order).from_nodes;
-  std::vector<Vec2> polygon(from_nodes.rows());
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    for (int k = 0; k <= order; ++k) polygon[i] += from_nodes(static_cast<int>(i), k) * nodes[k].position;
-  double sagitta = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sagitta = std::max(sagitta, norm(polygon[i - 1] - 2 * polygon[i] + polygon[i + 1]) / 8);
-
-  double worst = 0;
-  for (std::size_t i = 1; i < ends.size(); ++i)
-    for (const double f : {ends[i - 1], (ends[i - 1] + ends[i]) / 2}) {
-      const Vec2 x = chain.at(f).position;
-      double nearest = distance(x, polygon[0]);
-      for (std::size_t k = 1; k < polygon.size(); ++k)
-        nearest = std::min(nearest, distance_to_segment(x, polygon[k - 1], polygon[k]));
-      worst = std::max(worst, nearest);
-    }
-  return worst - sagitta;
-}
-
-double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }
-
-/// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then that from the tangent.
-double distance_from(const Nurbs& curve, Vec2 x, double t) {
-  const auto d = derivatives(curve, t);
-  const double speed2 = norm2(d[1]);
-  if (speed2 == 0) return distance(x, d[0]);
-  const auto near = derivatives(curve, t + dot(x - d[0], d[1]) / speed2);
-  const double speed = norm(near[1]);
-  return speed == 0 ? distance(x, near[0]) : std::abs(cross(x - near[0], near[1])) / speed;
-}
-
-/// The same for a chain by its fraction, which measures length: no step is needed.
-double distance_from(const Chain& chain, Vec2 x, double fraction) {
-  const ChainPoint near = chain.at(fraction);
-  return std::abs(cross(x - near.position, near.tangent));
-}
-
 /// Two elements must not meet in two edges, nor one meet itself.
 int least_topological_count(const BlockLayout& layout, int arc) {
   const GraphArc& a = layout.arcs[arc];
@@ -130,9 +37,9 @@ int least_topological_count(const BlockLayout& layout, int arc) {
 /// The division of one chord: segments between those anchors that are needed, and what each arc makes of them.
 class ChordDivider {
  public:
-  ChordDivider(const BlockLayout& layout, const Chord& chord, const ChordPlan& plan, const CurveTable& table,
-               const std::vector<Chain>& chains, const std::vector<ArcParameter>& parameters,
-               const DivideOptions& options)
+  ChordDivider(const BlockLayout& layout, const mesh::Chord& chord, const sizing::ChordPlan& plan,
+               const curve::CurveTable& table, const std::vector<curve::Chain>& chains,
+               const std::vector<sizing::ArcParameter>& parameters, const DivideOptions& options)
       : layout_(layout),
         chord_(chord),
         plan_(plan),
@@ -182,7 +89,7 @@ class ChordDivider {
     const auto is_given = [&](int c) { return face.curve_names[c] != fmt::format("curve_{}", c); };
     return face.curve_names[before] != face.curve_names[after] && (is_given(before) || is_given(after));
   }
-  const Chain& chain(int i) const { return chains_[chord_.arcs[i]]; }
+  const curve::Chain& chain(int i) const { return chains_[chord_.arcs[i]]; }
 
   /// Between the chord's parameter and arc i's own fraction.
   double arc_fraction(int i, double u) const {
@@ -255,7 +162,7 @@ class ChordDivider {
     std::vector<double> worst(counts_.size(), 0.0);  ///< by segment
     bool missed = false;
     for (std::size_t k = 1; k < ends.size(); ++k) {
-      const double error = interval_error(table_, chain(i), ends[k - 1], ends[k], options_.order);
+      const double error = sizing::interval_error(table_, chain(i), ends[k - 1], ends[k], options_.order);
       if (error <= options_.tolerance) continue;
       missed = true;
       if (anchors_inside(i, ends[k - 1], ends[k], anchors)) continue;
@@ -345,15 +252,15 @@ class ChordDivider {
   }
 
   const BlockLayout& layout_;
-  const Chord& chord_;
-  const ChordPlan& plan_;
-  const CurveTable& table_;
-  const std::vector<Chain>& chains_;
-  const std::vector<ArcParameter>& parameters_;
+  const mesh::Chord& chord_;
+  const sizing::ChordPlan& plan_;
+  const curve::CurveTable& table_;
+  const std::vector<curve::Chain>& chains_;
+  const std::vector<sizing::ArcParameter>& parameters_;
   const DivideOptions& options_;
-  Grading grading_;
+  sizing::Grading grading_;
   double planned_count_ = 1;
-  std::vector<LengthDemand> demands_;
+  std::vector<sizing::LengthDemand> demands_;
   int base_count_ = 1;  ///< from plan and topology
   int count_ = 1;
   double longest_arc_ = 0;
@@ -366,32 +273,10 @@ class ChordDivider {
 
 }  // namespace
 
-double interval_error(const CurveTable& table, const Chain& chain, double low, double high, int order) {
-  const ErrorSamples& samples = error_samples(order);
-  std::vector<ChainPoint> nodes;
-  for (const double xi : gll_points(order)) nodes.push_back(chain.at(between(low, high, xi)));
-  const int piece = nodes[order / 2].piece;
-  const bool in_one_piece =
-      std::all_of(nodes.begin(), nodes.end(), [&](const ChainPoint& p) { return p.piece == piece; });
-  double worst = std::max(0.0, bend_error(chain, low, high, nodes, order));
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    Vec2 value;
-    double t = 0;
-    for (int k = 0; k <= order; ++k) {
-      const double weight = samples.from_nodes(static_cast<int>(i), k);
-      value += weight * nodes[k].position;
-      t += weight * nodes[k].t;
-    }
-    worst = std::max(worst, in_one_piece ? distance_from(table.curve(chain.pieces()[piece].curve), value, t)
-                                         : distance_from(chain, value, between(low, high, samples.points[i])));
-  }
-  return worst;
-}
-
-std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                             const std::vector<ChordPlan>& plans, const CurveTable& table,
-                                             const std::vector<Chain>& chains,
-                                             const std::vector<ArcParameter>& parameters,
+std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
+                                             const std::vector<sizing::ChordPlan>& plans,
+                                             const curve::CurveTable& table, const std::vector<curve::Chain>& chains,
+                                             const std::vector<sizing::ArcParameter>& parameters,
                                              const DivideOptions& options) {
   std::vector<std::vector<double>> ends(chains.size());
   for (std::size_t c = 0; c < chords.size(); ++c) {
@@ -402,4 +287,4 @@ std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const st
   return ends;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -1,7 +1,7 @@
 #pragma once
 // How many elements each chord gets, and where on each arc they end.
 //
-// A chord's count starts from its plan (refine/grade_chords), with elements that are equal by its grading. Then every
+// A chord's count starts from its plan (sizing/grade_chords), with elements that are equal by its grading. Then every
 // boundary arc is tried: the order-N polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length)
 // must stay within `tolerance` of the curve. Where it does not and the interval straddles a break of the curve (a joint
 // inside the side, a jump of curvature), an end of an interval moves onto the break; else that segment of the chord
@@ -13,10 +13,10 @@
 #include "curve/chain.hpp"
 #include "mesh/chords.hpp"
 #include "model/block_layout.hpp"
-#include "refine/arc_parameter.hpp"
-#include "refine/grade_chords.hpp"
+#include "sizing/arc_parameter.hpp"
+#include "sizing/grade_chords.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 struct DivideOptions {
   int order = 4;         ///< N
@@ -28,14 +28,10 @@ struct DivideOptions {
 /// leave segments that do not divide well, intervals may be longer by a quarter than the plan's; counts that were
 /// prescribed rise only where the breaks and the tolerance cannot be had otherwise. `chains`, `parameters`: one per
 /// arc; `plans`: one per chord. Throws ComputeError when a chord would need more than 10000 intervals, with its place.
-std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<Chord>& chords,
-                                             const std::vector<ChordPlan>& plans, const CurveTable& table,
-                                             const std::vector<Chain>& chains,
-                                             const std::vector<ArcParameter>& parameters, const DivideOptions& options);
+std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
+                                             const std::vector<sizing::ChordPlan>& plans,
+                                             const curve::CurveTable& table, const std::vector<curve::Chain>& chains,
+                                             const std::vector<sizing::ArcParameter>& parameters,
+                                             const DivideOptions& options);
 
-/// Greatest sampled distance between the chain and the order-N polynomial through its points at Gauss-Lobatto-Legendre
-/// fractions of [low, high]: of the polynomial from the chain, and of the chain's breaks from the polynomial. `table`:
-/// the chain's own.
-double interval_error(const CurveTable& table, const Chain& chain, double low, double high, int order);
-
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -2,7 +2,7 @@
 
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 NodeFollow::NodeFollow(const QuadMesh& mesh, const BoundarySlide& boundary)
     : mesh_(&mesh), boundary_(&boundary), nodes_(mesh.nodes) {
@@ -64,7 +64,7 @@ void NodeFollow::shift_sides(const VertexMoves& moves, std::vector<Vec2>& shifts
     if (moves[v] == Vec2{}) continue;
     shifts[vertex_nodes_[v]] = b < 0 ? moves[v] : boundary_->at(b, moves[v].x).position - nodes_[vertex_nodes_[v]];
   }
-  const std::vector<double>& xi = gll_points(mesh_->order);
+  const std::vector<double>& xi = spectral::gll_points(mesh_->order);
   for (int elem = 0; elem < mesh_->num_elems(); ++elem)
     for (int side = 0; side < 4; ++side) {
       const SlidingEdge edge{elem, side, 0, 0};
@@ -83,7 +83,7 @@ void NodeFollow::shift_sides(const VertexMoves& moves, std::vector<Vec2>& shifts
 /// Gordon-Hall blend of the shifts on the sides.
 void NodeFollow::shift_inside(int elem, std::vector<Vec2>& shifts) const {
   const int n = mesh_->order;
-  const std::vector<double>& xi = gll_points(n);
+  const std::vector<double>& xi = spectral::gll_points(n);
   const auto at = [&](int i, int j) { return shifts[node_of(elem, i, j)]; };
   const std::array<Vec2, 4> corner{at(0, 0), at(n, 0), at(n, n), at(0, n)};
   bool is_moved = false;
@@ -98,4 +98,4 @@ void NodeFollow::shift_inside(int elem, std::vector<Vec2>& shifts) const {
     }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -6,7 +6,7 @@
 
 #include "refine/boundary_slide.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 /// A vertex's move from where it was: on the boundary (slide, 0), a length along the loop; inside a shift.
 using VertexMoves = std::vector<Vec2>;
@@ -40,4 +40,4 @@ class NodeFollow {
   std::vector<std::array<int, 4>> elem_vertices_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

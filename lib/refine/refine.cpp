@@ -11,18 +11,18 @@
 
 #include "base/error.hpp"
 #include "check/check.hpp"
+#include "layers/wall_layers.hpp"
 #include "mesh/chords.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
-#include "refine/grade_chords.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
-#include "refine/tell_sizes.hpp"
 #include "refine/validity.hpp"
-#include "refine/wall_layers.hpp"
+#include "sizing/grade_chords.hpp"
+#include "sizing/tell_sizes.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 constexpr double max_element_nodes = 1e8;
@@ -33,8 +33,8 @@ using ArcEnds = std::vector<std::vector<double>>;
 void require_bounded_size(const BlockLayout& layout, const ArcEnds& arc_ends, int order) {
   double num_elems = 0;
   for (const std::array<int, 4>& sides : layout.block2arcs)
-    num_elems += static_cast<double>(arc_ends[arc_of(sides[0])].size() - 1) *
-                 static_cast<double>(arc_ends[arc_of(sides[1])].size() - 1);
+    num_elems += static_cast<double>(arc_ends[mesh::arc_of(sides[0])].size() - 1) *
+                 static_cast<double>(arc_ends[mesh::arc_of(sides[1])].size() - 1);
   if (num_elems * (order + 1) * (order + 1) > max_element_nodes)
     throw ComputeError(
         fmt::format("size and geometric tolerance ask for {:.0f} elements of order {}, which is more "
@@ -52,7 +52,7 @@ void tell(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
 }
 
 /// The elements of all blocks that hold layers: relaxation leaves them alone.
-std::vector<bool> elems_at_walls(const QuadMesh& mesh, const std::optional<WallPlan>& walls) {
+std::vector<bool> elems_at_walls(const QuadMesh& mesh, const std::optional<layers::WallPlan>& walls) {
   std::vector<bool> is_at_wall;
   if (walls)
     for (const int block : mesh.elem_block) is_at_wall.push_back(walls->has_wall(block));
@@ -87,28 +87,28 @@ double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ?
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
-  const CurveTable table(layout.face, layout.splines);
-  std::vector<Chain> chains;
+  const curve::CurveTable table(layout.face, layout.splines);
+  std::vector<curve::Chain> chains;
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(table, arc.pieces);
-  const std::vector<Chord> chords =
-      directed_chords(layout.block2arcs, arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size())));
+  const std::vector<mesh::Chord> chords = mesh::directed_chords(
+      layout.block2arcs, mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size())));
 
   const double diameter = layout.face.diameter;
-  const SizeField sizes =
-      options.size_field ? *options.size_field : SizeField(options.size > 0 ? options.size : diameter / 20);
+  const sizing::SizeField sizes =
+      options.size_field ? *options.size_field : sizing::SizeField(options.size > 0 ? options.size : diameter / 20);
   const double tolerance = options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order);
   const DivideOptions division{options.order, tolerance * diameter};
-  std::vector<ChordCount> coarse;
+  std::vector<sizing::ChordCount> coarse;
   if (!options.blocks.empty()) coarse = coarse_counts(layout, chords, options.blocks, options.counts);
-  std::optional<WallPlan> walls;
-  const auto split_at = [&](const std::vector<ArcParameter>& parameters) -> std::pair<QuadMesh, ArcEnds> {
-    std::vector<ChordCount> counts = options.counts;
+  std::optional<layers::WallPlan> walls;
+  const auto split_at = [&](const std::vector<sizing::ArcParameter>& parameters) -> std::pair<QuadMesh, ArcEnds> {
+    std::vector<sizing::ChordCount> counts = options.counts;
     counts.insert(counts.end(), coarse.begin(), coarse.end());
-    const std::vector<ChordPlan> plans =
-        grade_chords(layout, chords, chains, parameters, sizes, options.size_rule, counts);
+    const std::vector<sizing::ChordPlan> plans =
+        sizing::grade_chords(layout, chords, chains, parameters, sizes, options.size_rule, counts);
     ArcEnds arc_ends = divide_arcs(layout, chords, plans, table, chains, parameters, division);
     if (!options.walls.empty())
-      walls = plan_walls(
+      walls = layers::plan_walls(
           {layout, chords, table, chains, parameters, options.walls, sizes, division.order, division.tolerance},
           arc_ends);
     require_bounded_size(layout, arc_ends, options.order);
@@ -117,23 +117,23 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
     return {std::move(mesh), std::move(arc_ends)};
   };
 
-  const std::vector<ArcParameter> aligned = align_chords(chords, chains);
-  const bool is_plain = std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&ArcParameter::is_identity));
+  const std::vector<sizing::ArcParameter> aligned = align_chords(chords, chains);
+  const bool is_plain = std::all_of(aligned.begin(), aligned.end(), std::mem_fn(&sizing::ArcParameter::is_identity));
   const auto split_well = [&] {
     std::pair<QuadMesh, ArcEnds> first = split_at(aligned);
     if (first.first.is_valid || is_plain) return first;
-    std::pair<QuadMesh, ArcEnds> plain = split_at(std::vector<ArcParameter>(chains.size()));
+    std::pair<QuadMesh, ArcEnds> plain = split_at(std::vector<sizing::ArcParameter>(chains.size()));
     return plain.first.is_valid ? plain : first;
   };
   auto [mesh, arc_ends] = split_well();
   while (!mesh.is_valid && raise_counts(layout, chords, mesh, coarse)) std::tie(mesh, arc_ends) = split_well();
   if (options.relax > 0) relax_and_tell(mesh, {options.relax, division.tolerance, elems_at_walls(mesh, walls)}, report);
   tell(mesh, chords.size(), report);
-  if (walls) tell_walls(*walls, options.walls, report);
-  tell_sizes(chords, chains, arc_ends, sizes, options.counts, report);
+  if (walls) layers::tell_walls(*walls, options.walls, report);
+  sizing::tell_sizes(chords, chains, arc_ends, sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(mesh);
-  if (!mesh.is_valid) report.warn("W-QUA-001", doubt_about(mesh));
+  if (!mesh.is_valid) report.warn("W-QUA-001", check::doubt_about(mesh));
   return mesh;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -12,7 +12,7 @@
 #include "refine/validity.hpp"
 #include "spectral/quad_map.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 /// Within this, scaled Jacobians and errors in tolerances are equal: mirror images are treated alike.
@@ -196,9 +196,9 @@ class Relaxation {
       const bool is_moved = std::any_of(vertices.begin(), vertices.end(), [&](int v) { return has_moved(trial, v); });
       const std::vector<Vec2> nodes = is_moved ? element_nodes(moved, elem) : std::vector<Vec2>{};
       moved.elem_scaled_jacobian[elem] =
-          is_moved ? quad_scaled_jacobian(moved.order, nodes.data()) : mesh_.elem_scaled_jacobian[elem];
+          is_moved ? spectral::quad_scaled_jacobian(moved.order, nodes.data()) : mesh_.elem_scaled_jacobian[elem];
       moved.elem_jacobian_bound[elem] =
-          is_moved ? quad_jacobian_lower_bound(moved.order, nodes.data()) : mesh_.elem_jacobian_bound[elem];
+          is_moved ? spectral::quad_jacobian_lower_bound(moved.order, nodes.data()) : mesh_.elem_jacobian_bound[elem];
       if (is_moved) elems.push_back(elem);
     }
     const double floor = *std::min_element(mesh_.elem_scaled_jacobian.begin(), mesh_.elem_scaled_jacobian.end());
@@ -250,4 +250,4 @@ RelaxOutcome relax(QuadMesh& mesh, const RelaxOptions& options) {
   return outcome;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

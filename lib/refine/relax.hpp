@@ -12,7 +12,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 struct RelaxOptions {
   int sweeps = 0;                       ///< at most; fewer when nothing moves any more
@@ -29,4 +29,4 @@ struct RelaxOutcome {
 /// `mesh` must be measured (refine/validity) and is so again afterwards. A mesh that is not valid is left as it is.
 RelaxOutcome relax(QuadMesh& mesh, const RelaxOptions& options);
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

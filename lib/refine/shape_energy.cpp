@@ -6,7 +6,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 constexpr int power = 4;
@@ -17,7 +17,9 @@ static_assert(power == 4);
 }  // namespace
 
 ShapeEnergy::ShapeEnergy(const QuadMesh& mesh)
-    : order_(mesh.order), elem_nodes_(mesh.elem_nodes), derivative_(differentiation_matrix(gll_points(mesh.order))) {
+    : order_(mesh.order),
+      elem_nodes_(mesh.elem_nodes),
+      derivative_(spectral::differentiation_matrix(spectral::gll_points(mesh.order))) {
   inverse_lengths_.reserve(mesh.elem_nodes.size());
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const Jacobians j = jacobians(elem, mesh.nodes);
@@ -56,7 +58,7 @@ double ShapeEnergy::value(int elem, const std::vector<Vec2>& nodes) const {
 ElementEnergy ShapeEnergy::with_derivatives(int elem, const std::vector<Vec2>& nodes) const {
   const Jacobians j = jacobians(elem, nodes);
   const int width = order_ + 1, count = width * width;
-  const std::vector<double>& xi = gll_points(order_);
+  const std::vector<double>& xi = spectral::gll_points(order_);
   const std::array<Vec2, 4> corners{Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}};
   ElementEnergy energy;
   for (int k = 0; k < count; ++k) {
@@ -80,4 +82,4 @@ ElementEnergy ShapeEnergy::with_derivatives(int elem, const std::vector<Vec2>& n
   return energy;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -12,7 +12,7 @@
 
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 /// Energy of one element, its gradient by the shifts of the corners and a positive definite part of the Hessian's
 /// diagonal blocks (xx, xy, yy), when nodes follow corners bilinearly.
@@ -43,4 +43,4 @@ class ShapeEnergy {
   std::vector<Vec2> inverse_lengths_;  ///< 1 / l1, 1 / l2 at each node of each element
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

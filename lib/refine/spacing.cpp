@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 /// Lengths that differ by less, relatively, count as equal.
@@ -43,4 +43,4 @@ std::vector<double> interval_ends(const Segments& segments, const std::vector<in
   return ends;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

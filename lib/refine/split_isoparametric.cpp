@@ -8,7 +8,7 @@
 #include "mesh/transfinite.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 /// The nodes of an arc from its start to its end: every interval's Gauss-Lobatto-Legendre points, ends shared.
@@ -18,7 +18,7 @@ struct ArcNodes {
 };
 
 std::vector<double> node_fractions(const std::vector<double>& ends, int order) {
-  const std::vector<double>& gll = gll_points(order);
+  const std::vector<double>& gll = spectral::gll_points(order);
   std::vector<double> fractions{ends.front()};
   for (std::size_t k = 1; k < ends.size(); ++k) {
     for (int i = 1; i < order; ++i) fractions.push_back(ends[k - 1] * (1 - gll[i]) / 2 + ends[k] * (1 + gll[i]) / 2);
@@ -29,8 +29,8 @@ std::vector<double> node_fractions(const std::vector<double>& ends, int order) {
 
 class Splitter {
  public:
-  Splitter(const BlockLayout& layout, const std::vector<Chain>& chains,
-           const std::vector<std::vector<double>>& arc_ends, int order, const WallPlan* walls)
+  Splitter(const BlockLayout& layout, const std::vector<curve::Chain>& chains,
+           const std::vector<std::vector<double>>& arc_ends, int order, const layers::WallPlan* walls)
       : layout_(layout), chains_(chains), arc_ends_(arc_ends), walls_(walls) {
     mesh_.provenance = layout.provenance;
     mesh_.face = layout.face;
@@ -66,8 +66,8 @@ class Splitter {
   /// A side's nodes in the direction of rising s or t: sides 0 and 1 as they are walked, 2 and 3 against it.
   ArcNodes side_nodes(int block, int side) const {
     const int directed = layout_.block2arcs[block][side];
-    ArcNodes nodes = arc_nodes_[arc_of(directed)];
-    if (is_backwards(directed) != (side >= 2)) {
+    ArcNodes nodes = arc_nodes_[mesh::arc_of(directed)];
+    if (mesh::is_backwards(directed) != (side >= 2)) {
       std::reverse(nodes.ids.begin(), nodes.ids.end());
       std::reverse(nodes.fractions.begin(), nodes.fractions.end());
       for (double& f : nodes.fractions) f = 1 - f;
@@ -111,11 +111,11 @@ class Splitter {
             mesh_.nodes.push_back(in_layers[j * width + i]);
             continue;
           }
-          const Vec2 st = crossing_parameters(sides[0].fractions[i], sides[1].fractions[j], sides[2].fractions[i],
-                                              sides[3].fractions[j]);
+          const Vec2 st = mesh::crossing_parameters(sides[0].fractions[i], sides[1].fractions[j], sides[2].fractions[i],
+                                                    sides[3].fractions[j]);
           const std::array<Vec2, 4> on_sides{position(sides[0].ids[i]), position(sides[1].ids[j]),
                                              position(sides[2].ids[i]), position(sides[3].ids[j])};
-          mesh_.nodes.push_back(blend_sides(on_sides, corners, st.x, st.y));
+          mesh_.nodes.push_back(mesh::blend_sides(on_sides, corners, st.x, st.y));
         }
       }
     return grid;
@@ -124,26 +124,26 @@ class Splitter {
   /// The nodes of a block along a wall, or whose chords go on from layers; none for other blocks.
   std::vector<Vec2> layered_inside(int block, const std::array<ArcNodes, 4>& sides) const {
     const std::array<int, 4>& arcs = layout_.block2arcs[block];
-    if (!walls_ || !(walls_->is_graded[arc_of(arcs[0])] || walls_->is_graded[arc_of(arcs[1])])) return {};
+    if (!walls_ || !(walls_->is_graded[mesh::arc_of(arcs[0])] || walls_->is_graded[mesh::arc_of(arcs[1])])) return {};
     std::array<std::vector<double>, 4> fractions;
     for (int k = 0; k < 4; ++k) fractions[k] = sides[k].fractions;
-    const LayeredBlock layered = layered_block(*walls_, layout_, chains_, block, std::move(fractions));
-    return layered_positions(layered, mesh_.order, layout_.face.origin);
+    const layers::LayeredBlock layered = layers::layered_block(*walls_, layout_, chains_, block, std::move(fractions));
+    return layers::layered_positions(layered, mesh_.order, layout_.face.origin);
   }
 
   Vec2 position(int node) const { return mesh_.nodes[node]; }
 
   void add_boundary(int block, int first_elem, int columns, int rows) {
     for (int side = 0; side < 4; ++side) {
-      const int directed = layout_.block2arcs[block][side], arc = arc_of(directed);
+      const int directed = layout_.block2arcs[block][side], arc = mesh::arc_of(directed);
       if (!layout_.arcs[arc].is_boundary) continue;
       const std::vector<double>& ends = arc_ends_[arc];
       const int count = side % 2 == 0 ? columns : rows;
       for (int k = 0; k < count; ++k) {  // k along the side as it is walked
         const int i = side == 0 ? k : side == 1 ? columns - 1 : side == 2 ? columns - 1 - k : 0;
         const int j = side == 0 ? 0 : side == 1 ? k : side == 2 ? rows - 1 : rows - 1 - k;
-        const int interval = is_backwards(directed) ? count - 1 - k : k;
-        const ChainPoint middle = chains_[arc].at((ends[interval] + ends[interval + 1]) / 2);
+        const int interval = mesh::is_backwards(directed) ? count - 1 - k : k;
+        const curve::ChainPoint middle = chains_[arc].at((ends[interval] + ends[interval + 1]) / 2);
         const int curve = layout_.arcs[arc].pieces[middle.piece].curve;
         boundary_.push_back({curve, middle.t, {first_elem + j * columns + i, side, curve}});
       }
@@ -165,9 +165,9 @@ class Splitter {
   };
 
   const BlockLayout& layout_;
-  const std::vector<Chain>& chains_;
+  const std::vector<curve::Chain>& chains_;
   const std::vector<std::vector<double>>& arc_ends_;
-  const WallPlan* walls_;
+  const layers::WallPlan* walls_;
   QuadMesh mesh_;
   std::vector<ArcNodes> arc_nodes_;
   std::vector<PlacedEdge> boundary_;
@@ -175,9 +175,10 @@ class Splitter {
 
 }  // namespace
 
-QuadMesh split_isoparametric(const BlockLayout& layout, const std::vector<Chain>& chains,
-                             const std::vector<std::vector<double>>& arc_ends, int order, const WallPlan* walls) {
+QuadMesh split_isoparametric(const BlockLayout& layout, const std::vector<curve::Chain>& chains,
+                             const std::vector<std::vector<double>>& arc_ends, int order,
+                             const layers::WallPlan* walls) {
   return Splitter(layout, chains, arc_ends, order, walls).split();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -11,7 +11,7 @@
 #include "spectral/quad_bernstein.hpp"
 #include "spectral/quad_map.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 constexpr int num_told = 8;
@@ -42,19 +42,19 @@ void sort_equals(const QuadMesh& mesh, std::vector<int>& elems) {
 
 WorstElement look_at(const QuadMesh& mesh, int elem) {
   const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-  const Vec2 xi = quad_scaled_jacobian_minimum(mesh.order, nodes.data()).xi;
-  return {elem, quad_position(mesh.order, nodes.data(), xi) + mesh.face.origin, mesh.elem_scaled_jacobian[elem],
-          mesh.elem_jacobian_bound[elem]};
+  const Vec2 xi = spectral::quad_scaled_jacobian_minimum(mesh.order, nodes.data()).xi;
+  return {elem, spectral::quad_position(mesh.order, nodes.data(), xi) + mesh.face.origin,
+          mesh.elem_scaled_jacobian[elem], mesh.elem_jacobian_bound[elem]};
 }
 
 /// The ratio of one element where it is less than `known`; else something that is not.
-double jacobian_ratio(const BernsteinSquare& det, double known) {
+double jacobian_ratio(const spectral::BernsteinSquare& det, double known) {
   const auto [low, high] = std::minmax_element(det.coefs.begin(), det.coefs.end());
   if (*low > 0 && *low / *high >= known) return known;
   const double tolerance = ratio_tolerance / 4 * std::max(std::abs(*low), std::abs(*high));
-  BernsteinSquare reversed = det;
+  spectral::BernsteinSquare reversed = det;
   for (double& coef : reversed.coefs) coef = -coef;
-  const double least = least_value(det, tolerance), greatest = -least_value(reversed, tolerance);
+  const double least = spectral::least_value(det, tolerance), greatest = -spectral::least_value(reversed, tolerance);
   return least / std::max(std::abs(least), std::abs(greatest));
 }
 
@@ -72,8 +72,8 @@ void measure_elements(QuadMesh& mesh) {
   mesh.elem_scaled_jacobian.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-    mesh.elem_jacobian_bound.push_back(quad_jacobian_lower_bound(mesh.order, nodes.data()));
-    mesh.elem_scaled_jacobian.push_back(quad_scaled_jacobian(mesh.order, nodes.data()));
+    mesh.elem_jacobian_bound.push_back(spectral::quad_jacobian_lower_bound(mesh.order, nodes.data()));
+    mesh.elem_scaled_jacobian.push_back(spectral::quad_scaled_jacobian(mesh.order, nodes.data()));
   }
   mesh.least_jacobian_bound = *std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
   mesh.is_valid = mesh.least_jacobian_bound > 0;
@@ -99,7 +99,8 @@ std::string describe(const WorstElement& worst, const QuadMesh& mesh) {
 double least_jacobian_ratio(const QuadMesh& mesh) {
   double least = 1;
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
-    least = std::min(least, jacobian_ratio(quad_jacobian_det(mesh.order, element_nodes(mesh, elem).data()), least));
+    least = std::min(least,
+                     jacobian_ratio(spectral::quad_jacobian_det(mesh.order, element_nodes(mesh, elem).data()), least));
   return least;
 }
 
@@ -135,4 +136,4 @@ void tell_validity(const QuadMesh& mesh, Report& report) {
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

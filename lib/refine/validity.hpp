@@ -8,7 +8,7 @@
 #include "base/report.hpp"
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 
 /// The geometry nodes of one element, as model/quad_mesh.hpp numbers them.
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
@@ -43,4 +43,4 @@ void require_valid_elements(const QuadMesh& mesh);
 /// (worst.1.*, ...).
 void tell_validity(const QuadMesh& mesh, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -1,6 +1,6 @@
 #include "spectral/jacobi.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 JacobiStep jacobi_step(int n, double alpha, double beta) {
   // The general formula is 0/0 at n = 0 when alpha + beta is 0 or -1.
@@ -27,4 +27,4 @@ double jacobi_derivative(int n, double alpha, double beta, double x) {
   return (n + alpha + beta + 1) / 2 * jacobi(n - 1, alpha + 1, beta + 1, x);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

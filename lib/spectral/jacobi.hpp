@@ -1,7 +1,7 @@
 #pragma once
 // Jacobi polynomials P_n^{(alpha, beta)} on [-1, 1] by their three-term recurrence (Karniadakis and Sherwin, app. A).
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 /// P_{n+1}(x) = (a x + b) P_n(x) - c P_{n-1}(x), n >= 0 (c = 0 for n = 0).
 struct JacobiStep {
@@ -16,4 +16,4 @@ double jacobi(int n, double alpha, double beta, double x);
 /// Its derivative: (n + alpha + beta + 1) / 2 times P_{n-1}^{(alpha+1, beta+1)}(x).
 double jacobi_derivative(int n, double alpha, double beta, double x);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -1,6 +1,6 @@
 #include "spectral/lagrange.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 namespace {
 
@@ -50,4 +50,4 @@ Eigen::MatrixXd differentiation_matrix(const std::vector<double>& points) {
   return matrix;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 /// Row i: the values of the Lagrange polynomials of `from` at to[i]. Rows sum to 1.
 Eigen::MatrixXd interpolation_matrix(const std::vector<double>& from, const std::vector<double>& to);
@@ -12,4 +12,4 @@ Eigen::MatrixXd interpolation_matrix(const std::vector<double>& from, const std:
 /// Row i: the derivatives of the Lagrange polynomials of `points` at points[i].
 Eigen::MatrixXd differentiation_matrix(const std::vector<double>& points);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -9,7 +9,7 @@
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 namespace {
 
@@ -139,4 +139,4 @@ void edge_mode_values(int order, double s, double* values) {
   std::copy(modes.begin(), modes.end(), values);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

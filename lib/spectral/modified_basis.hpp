@@ -16,7 +16,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 constexpr int num_boundary_modes(int order) { return 3 * order; }
 constexpr int num_interior_modes(int order) { return (order - 1) * (order - 2) / 2; }
@@ -42,4 +42,4 @@ const Eigen::MatrixXd& modified_to_orthogonal(int order);
 /// The trace of an edge mode of degree 2..P at s in [-1, 1] along its edge: writes P - 1 numbers.
 void edge_mode_values(int order, double s, double* values);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "spectral/jacobi.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 namespace {
 
@@ -148,4 +148,4 @@ Eigen::MatrixXd orthogonal_vandermonde(int order, const std::vector<Vec2>& point
   return matrix;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -10,7 +10,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 constexpr int num_tri_modes(int order) { return (order + 1) * (order + 2) / 2; }
 
@@ -32,4 +32,4 @@ Vec2 orthogonal_sum(int order, const double* u, const double* v, Vec2 xi, Mat2& 
 /// Row i: the modes' values at points[i].
 Eigen::MatrixXd orthogonal_vandermonde(int order, const std::vector<Vec2>& points);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

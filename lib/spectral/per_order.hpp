@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 template <class Table>
 class PerOrder {
@@ -26,4 +26,4 @@ class PerOrder {
   std::map<int, std::unique_ptr<Table>> tables_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

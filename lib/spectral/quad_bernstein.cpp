@@ -10,7 +10,7 @@
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
@@ -216,4 +216,4 @@ double least_value(const BernsteinSquare& polynomial, double tolerance) {
   return attained;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

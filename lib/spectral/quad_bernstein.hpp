@@ -10,7 +10,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 /// A polynomial of degree (degree, degree): coefficient (i, j) at [j * (degree + 1) + i], i along xi1.
 struct BernsteinSquare {
@@ -30,4 +30,4 @@ double lower_bound(const BernsteinSquare& polynomial, int depth);
 /// halved whose coefficients leave room for less than what a corner has attained; quadratic in 1 / depth.
 double least_value(const BernsteinSquare& polynomial, double tolerance);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

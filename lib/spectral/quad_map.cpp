@@ -8,7 +8,7 @@
 #include "spectral/quad_bernstein.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 /// Values and derivatives of the nodal basis at equispaced sample points, ends included.
@@ -70,4 +70,4 @@ Vec2 quad_position(int order, const Vec2* nodes, Vec2 xi) {
   return sum;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

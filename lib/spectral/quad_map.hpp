@@ -6,7 +6,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 /// A proved lower bound of det J over [-1,1]^2: det J is a polynomial of degree 2N-1 in each variable; its least
 /// Bernstein coefficient less a bound of the rounding errors, sharpened by up to `depth` subdivisions while it is not
@@ -26,4 +26,4 @@ ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes)
 /// Position at xi by interpolation.
 Vec2 quad_position(int order, const Vec2* nodes, Vec2 xi);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

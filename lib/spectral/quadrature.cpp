@@ -8,7 +8,7 @@
 #include "spectral/jacobi.hpp"
 #include "spectral/per_order.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 namespace {
 
@@ -92,4 +92,4 @@ const std::vector<double>& gll_points(int order) {
   return tables[order];
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 struct Quadrature {
   std::vector<double> points;   ///< ascending in [-1, 1]
@@ -20,4 +20,4 @@ Quadrature gauss_lobatto(int n);
 /// The N + 1 Gauss-Lobatto-Legendre points of an edge of order N >= 1, ascending.
 const std::vector<double>& gll_points(int order);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "spectral/per_order.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 constexpr int max_order = 64;
@@ -224,4 +224,4 @@ double jacobian_lower_bound(int order, const std::vector<double>& x, const std::
   return lower_bound(2 * n, det, depth);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

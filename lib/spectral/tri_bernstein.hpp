@@ -9,7 +9,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 constexpr int num_bernstein(int order) { return (order + 1) * (order + 2) / 2; }
 constexpr int bernstein_index(int order, int j, int k) { return k * (2 * order + 3 - k) / 2 + j; }
@@ -46,4 +46,4 @@ double bernstein_value(int order, const std::vector<double>& coefs, const std::a
 /// positive and no vertex shows that it cannot be.
 double jacobian_lower_bound(int order, const std::vector<double>& x, const std::vector<double>& y, int depth = 3);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -6,7 +6,7 @@
 #include "spectral/per_order.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 namespace {
 
@@ -97,4 +97,4 @@ Vec2 tri_edge_point(int edge, double s) {
   return {-1, 1 - 2 * s};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -6,7 +6,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 class TriMap {
  public:
@@ -39,4 +39,4 @@ class TriMap {
 /// The reference coordinates of the point at fraction s in [0, 1] of local edge k, from vertex k to vertex k + 1.
 Vec2 tri_edge_point(int edge, double s);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -7,7 +7,7 @@
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 namespace {
 
@@ -74,4 +74,4 @@ int tri_edge_node(int order, int edge, int j) {
   return 3 + edge * (order - 1) + j - 1;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

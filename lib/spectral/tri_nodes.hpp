@@ -8,7 +8,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 
 /// (N+1)(N+2)/2 points, N >= 1. The reference stays valid for the program's life; results are computed once.
 const std::vector<Vec2>& tri_nodes(int order);
@@ -16,4 +16,4 @@ const std::vector<Vec2>& tri_nodes(int order);
 /// Index into tri_nodes(order) of node j = 0..N of local edge `edge`, walked from vertex edge to vertex edge+1.
 int tri_edge_node(int order, int edge, int j);
 
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "curve/project.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // x + share h (...): the cubic with positions and directions of both ends.
@@ -20,7 +20,7 @@ StreamStep hermite(Vec2 x, Vec2 direction, Vec2 end, Vec2 end_direction, double 
 
 class Walker {
  public:
-  Walker(const FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
+  Walker(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
          Streamline& line)
       : evaluator_(evaluator),
         nodes_(nodes),
@@ -35,7 +35,7 @@ class Walker {
     Vec2 f[4];
     if (!direction(x_, f[0])) fail();
     for (int count = 0; count < max_stream_steps && line_.length() <= options_.max_length; ++count) {
-      const Location before = at_;
+      const mesh::Location before = at_;
       Vec2 next;
       const bool is_inside = count < 3 ? runge_kutta(f[0], h, next) : true;
       if (count >= 3) next = x_ + (h / 24) * (55.0 * f[0] - 59.0 * f[1] + 37.0 * f[2] - 9.0 * f[3]);
@@ -52,13 +52,13 @@ class Walker {
 
  private:
   bool locate(Vec2 x) {
-    Location at = walk_to(x);
+    mesh::Location at = walk_to(x);
     if (at.elem < 0) at = evaluator_.locator().find(x);
     if (at.elem >= 0) at_ = at;
     return at.elem >= 0;
   }
 
-  Location walk_to(Vec2 x) const { return quadrille::walk(evaluator_.topology(), evaluator_.maps(), x, at_); }
+  mesh::Location walk_to(Vec2 x) const { return mesh::walk(evaluator_.topology(), evaluator_.maps(), x, at_); }
 
   // False outside the mesh. Turns angle_.
   bool direction(Vec2 x, Vec2& f) {
@@ -81,13 +81,13 @@ class Walker {
   }
 
   // The boundary lies within the next step: halving Euler's step with the direction's own turn is as good as the rest.
-  void leave(Location before, Vec2 f, double h) {
+  void leave(mesh::Location before, Vec2 f, double h) {
     at_ = before;
     const double angle = angle_of(f);
     angle_ = angle + std::remainder(angle_ - angle, 2 * pi);
     double share = 0.5;
     while (h > 1e-13 * evaluator_.field().mesh.face.diameter) {
-      const Location here = at_;
+      const mesh::Location here = at_;
       const double angle_here = angle_;
       Vec2 next, there;
       if (runge_kutta(f, share * h, next) && direction(next, there)) {
@@ -106,7 +106,7 @@ class Walker {
     for (const int edge : evaluator_.topology().elem2boundary_edge[at_.elem]) {
       if (edge < 0) continue;
       const BoundaryEdge& boundary = mesh.boundary_edges[edge];
-      const Projection foot = project(mesh.face.curves[boundary.curve], x_, boundary.t0, boundary.t1);
+      const curve::Projection foot = curve::project(mesh.face.curves[boundary.curve], x_, boundary.t0, boundary.t1);
       const double gap = distance(foot.position, x_);
       if (gap >= nearest) continue;
       nearest = gap;
@@ -139,18 +139,18 @@ class Walker {
     throw ComputeError(fmt::format("a line cannot be followed beyond ({:.6g}, {:.6g})", place.x, place.y));
   }
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;
   const AdvanceOptions& options_;
   Streamline& line_;
-  Location at_;
+  mesh::Location at_;
   Vec2 x_;
   double angle_;
 };
 
 }  // namespace
 
-Streamline advance_adams_bashforth(const FieldEvaluator& evaluator, const Launch& launch,
+Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch,
                                    const std::vector<Vec2>& nodes, const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
@@ -158,4 +158,4 @@ Streamline advance_adams_bashforth(const FieldEvaluator& evaluator, const Launch
   return line;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -10,12 +10,12 @@
 
 #include "trace/advance.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 /// Follows a launched line with steps of options.max_step; ends as advance() does, but meets a node only where a step
 /// ends within options.hit_distance of it. Positions between the steps are cubics. Throws ComputeError where the field
 /// vanishes or a step jumps out of the domain and no boundary lies between.
-Streamline advance_adams_bashforth(const FieldEvaluator& evaluator, const Launch& launch,
+Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch,
                                    const std::vector<Vec2>& nodes, const AdvanceOptions& options);
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

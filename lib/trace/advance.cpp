@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "curve/project.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // A point counts as outside an element from here on, in barycentric coordinates: keeps a line that grazes an edge from
@@ -68,7 +68,7 @@ Exit first_exit(const StreamStep& step) {
 class Walker {
  public:
   // Begins at the line's front.
-  Walker(const FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
+  Walker(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
          Streamline& line)
       : evaluator_(evaluator),
         nodes_(nodes),
@@ -143,7 +143,7 @@ class Walker {
     push(step);
     const int elem = step.elem;
     const double fraction = along_edge(exit.edge, step.xi(exit.share));
-    const TriTopology& topology = evaluator_.topology();
+    const mesh::TriTopology& topology = evaluator_.topology();
     const int neighbor = topology.elem2neighbors[elem][exit.edge];
     state_.angle = angle_at(step, exit.share);
     if (neighbor < 0) {
@@ -151,7 +151,7 @@ class Walker {
       const BoundaryEdge& boundary = evaluator_.field().mesh.boundary_edges[edge];
       const Vec2 x = evaluator_.maps()[elem].position(step.xi(exit.share));
       const Nurbs& curve = evaluator_.field().mesh.face.curves[boundary.curve];
-      const Projection foot = project(curve, x, boundary.t0, boundary.t1);
+      const curve::Projection foot = curve::project(curve, x, boundary.t0, boundary.t1);
       state_.angle = stream_state(evaluator_, elem, step.xi(exit.share), state_.angle).angle;
       if (ends_at_node(foot.position)) return true;
       line_.curve = boundary.curve;
@@ -160,7 +160,7 @@ class Walker {
       return true;
     }
     const int edge = topology.elem2neighbor_edges[elem][exit.edge];
-    state_ = stream_state(evaluator_, neighbor, tri_edge_point(edge, 1 - fraction), state_.angle);
+    state_ = stream_state(evaluator_, neighbor, spectral::tri_edge_point(edge, 1 - fraction), state_.angle);
     return false;
   }
 
@@ -169,7 +169,7 @@ class Walker {
     const auto [pass, is_first] = line_.passes.try_emplace(3 * elem + edge, Streamline::Pass{state_, s_});
     if (is_first) return false;
     const Streamline::Pass before = std::exchange(pass->second, Streamline::Pass{state_, s_});
-    const TriMap& map = evaluator_.maps()[state_.elem];
+    const spectral::TriMap& map = evaluator_.maps()[state_.elem];
     return s_ - before.s > least_lap * options_.hit_distance &&
            std::abs(wrap_pi(state_.angle - before.state.angle)) < same_direction &&
            distance(map.position(state_.xi), map.position(before.state.xi)) <= options_.hit_distance;
@@ -226,7 +226,7 @@ class Walker {
                     from.x, from.y, degrees(wrap_pi(line_.launch.angle)), at.x, at.y));
   }
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;
   const AdvanceOptions& options_;
   Streamline& line_;
@@ -246,7 +246,7 @@ Vec2 Streamline::lead_in(double s, Vec2& direction) const {
   return launch.origin + f * (d0 + f * (c2 + f * c3));
 }
 
-Vec2 Streamline::at(const FieldEvaluator& evaluator, double s, Vec2& direction) const {
+Vec2 Streamline::at(const field::FieldEvaluator& evaluator, double s, Vec2& direction) const {
   if (s <= launch.radius || steps.empty()) return lead_in(std::max(s, 0.0), direction);
   if (s >= length()) {
     direction = unit(end_angle);
@@ -267,7 +267,7 @@ Vec2 Streamline::at(const FieldEvaluator& evaluator, double s, Vec2& direction) 
   return x;
 }
 
-Vec2 Streamline::at(const FieldEvaluator& evaluator, double s) const {
+Vec2 Streamline::at(const field::FieldEvaluator& evaluator, double s) const {
   Vec2 direction;
   return at(evaluator, s, direction);
 }
@@ -279,7 +279,7 @@ std::vector<double> Streamline::step_ends() const {
   return ends;
 }
 
-Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
+Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
                    const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
@@ -289,9 +289,9 @@ Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const 
   return line;
 }
 
-void follow(const FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
+void follow(const field::FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
             const AdvanceOptions& options) {
   if (line.end == Streamline::End::length && !line.is_limit_cycle) Walker(evaluator, nodes, options, line).walk();
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -11,7 +11,7 @@
 #include "trace/launch.hpp"
 #include "trace/step.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 inline constexpr int max_stream_steps = 100000;
 
@@ -47,9 +47,9 @@ class Streamline {
 
   double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
   /// Position at arc length s in [0, length()].
-  Vec2 at(const FieldEvaluator& evaluator, double s) const;
+  Vec2 at(const field::FieldEvaluator& evaluator, double s) const;
   /// Position and unit direction.
-  Vec2 at(const FieldEvaluator& evaluator, double s, Vec2& direction) const;
+  Vec2 at(const field::FieldEvaluator& evaluator, double s, Vec2& direction) const;
   /// Arc lengths at which steps begin, and the end.
   std::vector<double> step_ends() const;
 
@@ -60,12 +60,12 @@ class Streamline {
 /// Integrates from the launch. A spiral ends, as by its length, where it has come to its limit cycle. Throws
 /// ComputeError when the line cannot be followed: where the field vanishes at no node. A line also ends, as by its
 /// length, after max_stream_steps.
-Streamline advance(const FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
+Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
                    const AdvanceOptions& options);
 
 /// Goes on with a line that a length ended, to the length of these options: the steps are those of one advance(). Not
 /// round a limit cycle.
-void follow(const FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
+void follow(const field::FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
             const AdvanceOptions& options);
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

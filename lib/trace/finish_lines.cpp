@@ -6,9 +6,9 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "trace/fit_line.hpp"
+#include "curve/fit_line.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 [[noreturn]] void fail_endless(const CadFace& face, const Streamline& line) {
@@ -23,7 +23,7 @@ namespace {
 
 }  // namespace
 
-LineFinisher::LineFinisher(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, double tol)
+LineFinisher::LineFinisher(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines, double tol)
     : evaluator_(evaluator), lines_(lines), tol_(tol), traced_(lines.size()) {}
 
 void LineFinisher::finish(const MergePlan& plan, const std::vector<int>& chosen) {
@@ -39,24 +39,25 @@ void LineFinisher::finish(const MergePlan& plan, const std::vector<int>& chosen)
   }
 }
 
-FinishedLine LineFinisher::merged(const MergePlan& plan, int candidate) {
+graph::FinishedLine LineFinisher::merged(const MergePlan& plan, int candidate) {
   if (merged_.size() <= static_cast<size_t>(candidate)) merged_.resize(candidate + 1);
   const MergeCandidate& m = plan.candidate(candidate);
   const Streamline &a = lines_[m.a], &b = lines_[m.b];
-  if (!merged_[candidate]) merged_[candidate] = fit_line(merged_curve(evaluator_, a, b, m), m.length(), tol_);
+  if (!merged_[candidate]) merged_[candidate] = curve::fit_line(merged_curve(evaluator_, a, b, m), m.length(), tol_);
   return {{a.launch.node, -1, 0}, {b.launch.node, -1, 0}, *merged_[candidate], "merged"};
 }
 
-FinishedLine LineFinisher::traced(int line) {
+graph::FinishedLine LineFinisher::traced(int line) {
   const Streamline& l = lines_[line];
   if (l.end == Streamline::End::length) fail_endless(evaluator_.field().mesh.face, l);
   if (!traced_[line]) {
     const auto along = [&](double s, Vec2& direction) { return l.at(evaluator_, s, direction); };
-    traced_[line] = fit_line(along, l.length(), tol_);
+    traced_[line] = curve::fit_line(along, l.length(), tol_);
   }
   const bool is_cut = l.launch.node < 0;
-  const LineEnd start = is_cut ? LineEnd{-1, l.launch.curve, l.launch.t} : LineEnd{l.launch.node, -1, 0};
+  const graph::LineEnd start =
+      is_cut ? graph::LineEnd{-1, l.launch.curve, l.launch.t} : graph::LineEnd{l.launch.node, -1, 0};
   return {start, {l.end_node, l.curve, l.t}, *traced_[line], is_cut ? "cut" : "traced"};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -4,34 +4,34 @@
 #include <optional>
 #include <vector>
 
-#include "trace/build_graph.hpp"
+#include "graph/build_graph.hpp"
 #include "trace/merge_plan.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 class LineFinisher {
  public:
   /// `tol` (a length): the splines follow their lines within it.
-  LineFinisher(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, double tol);
+  LineFinisher(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines, double tol);
 
   /// Merged pairs and single lines, in the sequence of the lines. Throws ComputeError where a single line has no end.
   void finish(const MergePlan& plan, const std::vector<int>& chosen);
 
-  const std::vector<FinishedLine>& finished() const { return finished_; }
+  const std::vector<graph::FinishedLine>& finished() const { return finished_; }
   const std::vector<Nurbs>& splines() const { return splines_; }  ///< of the finished lines
   const std::vector<int>& merge_of() const { return merge_of_; }  ///< candidate of each finished line, or -1
 
  private:
-  FinishedLine merged(const MergePlan& plan, int candidate);
-  FinishedLine traced(int line);
+  graph::FinishedLine merged(const MergePlan& plan, int candidate);
+  graph::FinishedLine traced(int line);
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   const std::vector<Streamline>& lines_;
   double tol_;
   std::vector<std::optional<Nurbs>> traced_, merged_;
-  std::vector<FinishedLine> finished_;
+  std::vector<graph::FinishedLine> finished_;
   std::vector<Nurbs> splines_;
   std::vector<int> merge_of_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

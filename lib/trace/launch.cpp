@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 double bisect(const std::function<double(double)>& f, double a, double b) {
@@ -82,7 +82,7 @@ std::vector<double> launch_directions(const Mat2& j) {
   return directions;
 }
 
-std::vector<double> launch_directions_on_circle(const FieldEvaluator& evaluator, Vec2 centre, double radius,
+std::vector<double> launch_directions_on_circle(const field::FieldEvaluator& evaluator, Vec2 centre, double radius,
                                                 int valence) {
   // G on a polygon of the circle, unwrapped; between its vertices linear in the angle, then by bisection.
   constexpr int num_samples = 256;
@@ -144,7 +144,7 @@ std::vector<double> phase_corner_launch_directions(double interior_angle, int va
 namespace {
 
 // The direction of the field's cross next to `direction` at origin + radius e(bearing); false outside the mesh.
-bool direction_at(const FieldEvaluator& evaluator, Vec2 x, double direction, double& found) {
+bool direction_at(const field::FieldEvaluator& evaluator, Vec2 x, double direction, double& found) {
   Vec2 value;
   if (!evaluator.value_at(x, value)) return false;
   found = guided_angle(value, direction);
@@ -153,7 +153,7 @@ bool direction_at(const FieldEvaluator& evaluator, Vec2 x, double direction, dou
 
 // Bearing offset beta: the direction at origin + radius e(angle + beta) is angle + (1 + power) beta. Bracketed, because
 // next to corners of 45, 135, ... degrees the direction all but jumps there. False when the first point is outside.
-bool bend_launch(const FieldEvaluator& evaluator, Vec2 origin, double angle, double radius, double power,
+bool bend_launch(const field::FieldEvaluator& evaluator, Vec2 origin, double angle, double radius, double power,
                  double& beta) {
   bool inside = true;
   const auto residual = [&](double b) {
@@ -177,11 +177,12 @@ bool bend_launch(const FieldEvaluator& evaluator, Vec2 origin, double angle, dou
 
 }  // namespace
 
-Launch launch_line(const FieldEvaluator& evaluator, int node, Vec2 origin, double angle, double radius, double power) {
+Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin, double angle, double radius,
+                   double power) {
   for (int attempt = 0; attempt < 6; ++attempt, radius /= 10) {
     double beta = 0;
     if (!bend_launch(evaluator, origin, angle, radius, power, beta)) continue;
-    const Location at = evaluator.locator().find(origin + radius * unit(angle + beta));
+    const mesh::Location at = evaluator.locator().find(origin + radius * unit(angle + beta));
     if (at.elem < 0) continue;
     Launch launch{node, origin, angle, radius, at.elem, at.xi, evaluator.maps()[at.elem].position(at.xi), angle, -1, 0};
     if (!direction_at(evaluator, launch.x, angle, launch.angle_there)) continue;
@@ -192,19 +193,19 @@ Launch launch_line(const FieldEvaluator& evaluator, int node, Vec2 origin, doubl
                                  place.x, place.y, degrees(wrap_pi(angle))));
 }
 
-Launch launch_from_boundary(const FieldEvaluator& evaluator, int curve, double t) {
+Launch launch_from_boundary(const field::FieldEvaluator& evaluator, int curve, double t) {
   const TriMesh& mesh = evaluator.field().mesh;
   const Nurbs& c = mesh.face.curves[curve];
-  const Vec2 x = point(c, t);
-  const double angle = angle_of(left_of(tangent(c, t)));
+  const Vec2 x = curve::point(c, t);
+  const double angle = angle_of(left_of(curve::tangent(c, t)));
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     if (edge.curve != curve || t < edge.t0 || t > edge.t1) continue;
     const double fraction = (t - edge.t0) / (edge.t1 - edge.t0);
-    Vec2 xi = tri_edge_point(edge.edge, fraction);
-    if (!evaluator.maps()[edge.elem].invert(x, xi)) xi = tri_edge_point(edge.edge, fraction);
+    Vec2 xi = spectral::tri_edge_point(edge.edge, fraction);
+    if (!evaluator.maps()[edge.elem].invert(x, xi)) xi = spectral::tri_edge_point(edge.edge, fraction);
     return {-1, x, angle, 0, edge.elem, xi, x, angle, curve, t};
   }
   throw Defect("launch_from_boundary: no boundary edge holds the parameter");
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -16,14 +16,14 @@
 #include "field/evaluate.hpp"
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 /// The V = 4 - sign(det J) directions at a simple zero with Jacobian `j` = d v / d x, radians, ascending from the axis
 /// of J's greatest stretch.
 std::vector<double> launch_directions(const Mat2& j);
 
 /// The V directions at a zero of any index, from the field's values on a circle about it.
-std::vector<double> launch_directions_on_circle(const FieldEvaluator& evaluator, Vec2 centre, double radius,
+std::vector<double> launch_directions_on_circle(const field::FieldEvaluator& evaluator, Vec2 centre, double radius,
                                                 int valence);
 
 /// The V - 1 directions into the domain at a corner of valence V, as angles from the outgoing side's tangent,
@@ -53,9 +53,10 @@ struct Launch {
 /// Goes `radius` along the direction `angle`, or less when that leaves the domain, on the curve whose direction
 /// deviates from `angle` like distance^power: 1 at a zero of the field, pi / omega at a corner. Throws ComputeError
 /// when no point of the domain lies in that direction.
-Launch launch_line(const FieldEvaluator& evaluator, int node, Vec2 origin, double angle, double radius, double power);
+Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin, double angle, double radius,
+                   double power);
 
 /// A line from a point of the boundary straight into the domain (cuts).
-Launch launch_from_boundary(const FieldEvaluator& evaluator, int curve, double t);
+Launch launch_from_boundary(const field::FieldEvaluator& evaluator, int curve, double t);
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -11,7 +11,7 @@
 #include "curve/nurbs.hpp"
 #include "field/node_phase.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // A line's first point lies this far from its node, as a share of the distance to the nearest feature: near enough that
@@ -24,37 +24,37 @@ constexpr double stiff_turn = 50;         // of the direction, radians per radia
 constexpr double farthest_launch = 0.05;  // share of the distance to the nearest feature
 
 // Distance to the nearest other node or joint, at most `limit`.
-double feature_distance(const CadFace& face, const std::vector<FixedNode>& nodes, Vec2 x, double limit) {
+double feature_distance(const CadFace& face, const std::vector<graph::FixedNode>& nodes, Vec2 x, double limit) {
   double feature = limit;
   const auto other = [&](Vec2 y) {
     if (y != x) feature = std::min(feature, distance(x, y));
   };
-  for (const FixedNode& node : nodes) other(node.position);
+  for (const graph::FixedNode& node : nodes) other(node.position);
   for (const Joint& joint : face.joints) other(joint.position);
   return feature;
 }
 
 // Elements follow the field's scale, but for the fans of corners, which are much smaller.
-double element_size(const FieldEvaluator& evaluator, int elem) {
+double element_size(const field::FieldEvaluator& evaluator, int elem) {
   Vec2 position;
   Mat2 dx_dxi;
   evaluator.maps()[elem].evaluate({-1.0 / 3, -1.0 / 3}, position, dx_dxi);
   return std::sqrt(std::abs(det(dx_dxi)));
 }
 
-bool is_phase(const FieldEvaluator& evaluator) { return evaluator.field().kind == "phase"; }
+bool is_phase(const field::FieldEvaluator& evaluator) { return evaluator.field().kind == "phase"; }
 
-std::vector<double> directions_at(const FieldEvaluator& evaluator, int node, const CriticalPoint& p, const Location& at,
-                                  double feature) {
-  if (is_phase(evaluator)) return phase_launch_directions(node_phase(evaluator, node), p.valence);
+std::vector<double> directions_at(const field::FieldEvaluator& evaluator, int node, const CriticalPoint& p,
+                                  const mesh::Location& at, double feature) {
+  if (is_phase(evaluator)) return phase_launch_directions(field::node_phase(evaluator, node), p.valence);
   const bool is_simple = std::abs(p.index) == 1;
   if (!is_simple) return launch_directions_on_circle(evaluator, p.position, 1e-2 * feature, p.valence);
   return launch_directions(evaluator.sample(at.elem, at.xi).dv_dx);
 }
 
 // How fast the direction turns with the bearing from the node.
-double turn_rate(const FieldEvaluator& evaluator, const Launch& launch) {
-  const FieldSample f = evaluator.sample(launch.elem, launch.xi);
+double turn_rate(const field::FieldEvaluator& evaluator, const Launch& launch) {
+  const field::FieldSample f = evaluator.sample(launch.elem, launch.xi);
   const Vec2 v = f.value, across = left_of(unit(launch.angle));
   const double rate = cross(v, f.dv_dx * across) / (4 * norm2(v));
   return std::abs(rate) * launch.radius;
@@ -66,18 +66,18 @@ struct Sector {
   double interior_angle = pi;
 };
 
-Sector sector_at(const CadFace& face, const FixedNode& node) {
+Sector sector_at(const CadFace& face, const graph::FixedNode& node) {
   if (node.joint >= 0) return {face.joints[node.joint].tangent_out, face.joints[node.joint].interior_angle};
-  return {angle_of(tangent(face.curves[node.curve], node.t)), pi};
+  return {angle_of(curve::tangent(face.curves[node.curve], node.t)), pi};
 }
 
-std::vector<double> directions_in(const FieldEvaluator& evaluator, const Sector& sector, int valence) {
+std::vector<double> directions_in(const field::FieldEvaluator& evaluator, const Sector& sector, int valence) {
   return is_phase(evaluator) ? phase_corner_launch_directions(sector.interior_angle, valence)
                              : corner_launch_directions(sector.interior_angle, valence);
 }
 
-Launch launch_from_sector(const FieldEvaluator& evaluator, int node, Vec2 apex, const Sector& sector, double angle,
-                          double feature) {
+Launch launch_from_sector(const field::FieldEvaluator& evaluator, int node, Vec2 apex, const Sector& sector,
+                          double angle, double feature) {
   double share = launch_share;
   for (;;) {
     const Launch launch =
@@ -87,10 +87,10 @@ Launch launch_from_sector(const FieldEvaluator& evaluator, int node, Vec2 apex, 
   }
 }
 
-FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
+graph::FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
   const Nurbs& curve = face.curves[b.curve];
   const double tol = 1e-12 * (curve.end() - curve.begin());
-  FixedNode node{point(curve, b.t), NodeKind::boundary, b.valence, -1, b.curve, b.t};
+  graph::FixedNode node{curve::point(curve, b.t), NodeKind::boundary, b.valence, -1, b.curve, b.t};
   if (b.t <= curve.begin() + tol) node.joint = b.curve;
   if (b.t >= curve.end() - tol) node.joint = face.next_in_loop(b.curve);
   if (node.joint >= 0) node.position = face.joints[node.joint].position;
@@ -104,8 +104,8 @@ FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
 
 }  // namespace
 
-std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points) {
-  std::vector<FixedNode> nodes;
+std::vector<graph::FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points) {
+  std::vector<graph::FixedNode> nodes;
   for (const CriticalPoint& p : points.critical_points) {
     const Vec2 place = p.position + face.origin;
     if (p.valence <= 2)
@@ -130,14 +130,14 @@ std::vector<FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& po
   return nodes;
 }
 
-std::vector<Launch> launch_all(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
-  const std::vector<FixedNode> nodes = fixed_nodes(face, points);
+  const std::vector<graph::FixedNode> nodes = fixed_nodes(face, points);
   const int num_inner = static_cast<int>(points.critical_points.size()), num = static_cast<int>(nodes.size());
   std::vector<Launch> launches;
   for (int n = 0; n < num_inner; ++n) {
     const Vec2 x = nodes[n].position;
-    const Location at = evaluator.locator().find(x);
+    const mesh::Location at = evaluator.locator().find(x);
     if (at.elem < 0) throw FormatError("an irregular node lies outside the field's mesh");
     const double feature = feature_distance(face, nodes, x, 4 * element_size(evaluator, at.elem));
     for (const double angle : directions_at(evaluator, n, points.critical_points[n], at, feature))
@@ -160,9 +160,9 @@ int num_launches(const CriticalPoints& points) {
   return num;
 }
 
-std::vector<Launch> launch_cuts(const FieldEvaluator& evaluator) {
+std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator) {
   const CadFace& face = evaluator.field().mesh.face;
-  std::vector<ArcLength> lengths;
+  std::vector<curve::ArcLength> lengths;
   const int first = face.loop_offsets[1], last = face.loop_offsets[2];
   double total = 0;
   for (int c = first; c < last; ++c) {
@@ -179,4 +179,4 @@ std::vector<Launch> launch_cuts(const FieldEvaluator& evaluator) {
   return launches;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

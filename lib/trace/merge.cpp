@@ -5,7 +5,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // Between a line where it passes a node and the line that leaves the node towards it. Lines turn where they pass a
@@ -25,7 +25,7 @@ struct Pass {
 // Places where a line comes nearest to a point: local minima of the distance below a length that grows with s.
 class Passes {
  public:
-  Passes(const FieldEvaluator& evaluator, const Streamline& line) : evaluator_(evaluator), line_(line) {
+  Passes(const field::FieldEvaluator& evaluator, const Streamline& line) : evaluator_(evaluator), line_(line) {
     // Step ends and the middles between them follow the line closely enough to bracket every minimum.
     const std::vector<double> ends = line.step_ends();
     for (size_t i = 0; i < ends.size(); ++i) {
@@ -89,7 +89,7 @@ class Passes {
     return m;
   }
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   const Streamline& line_;
   std::vector<double> s_;
   std::vector<Vec2> x_;
@@ -101,8 +101,8 @@ struct Blend {
   Vec2 along_a, along_b;      ///< unit directions of both lines, each its own way
 };
 
-Blend blend(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length_a, double length_b,
-            double f) {
+Blend blend(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length_a,
+            double length_b, double f) {
   const double c = std::cos(half_pi * f), w = c * c, slope = -half_pi * std::sin(pi * f);
   Blend m;
   const Vec2 xa = a.at(evaluator, f * length_a, m.along_a), xb = b.at(evaluator, (1 - f) * length_b, m.along_b);
@@ -113,8 +113,8 @@ Blend blend(const FieldEvaluator& evaluator, const Streamline& a, const Streamli
 
 // Fills in turn and gap; false where the rules don't allow the pair. The first sample that turns too far settles it:
 // samples are taken far from each other first.
-bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, const MergeOptions& options,
-           MergeCandidate& candidate) {
+bool judge(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+           const MergeOptions& options, MergeCandidate& candidate) {
   const double la = candidate.length_a, lb = candidate.length_b;
   const double at_nodes =
       std::max(distance(a.at(evaluator, la), b.launch.origin), distance(b.at(evaluator, lb), a.launch.origin));
@@ -136,7 +136,7 @@ bool judge(const FieldEvaluator& evaluator, const Streamline& a, const Streamlin
 bool is_endless(const Streamline& line) { return line.end == Streamline::End::length; }
 
 // The joined line at share f of its length: position, and derivative with respect to f.
-Vec2 joined(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length, double f,
+Vec2 joined(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length, double f,
             Vec2& derivative) {
   Vec2 along, along_end;
   const Vec2 x = a.at(evaluator, f * length, along), end = a.at(evaluator, length, along_end);
@@ -146,7 +146,8 @@ Vec2 joined(const FieldEvaluator& evaluator, const Streamline& a, const Streamli
 }
 
 // Fills in the turn of a joined line from the field that it runs through; false where that is too far, or outside.
-bool judge_join(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, MergeCandidate& candidate) {
+bool judge_join(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                MergeCandidate& candidate) {
   double guide = a.launch.angle;
   candidate.turn = 0;
   for (int i = 1; i < num_samples; ++i) {
@@ -170,7 +171,7 @@ bool are_unequal(const Pass& a, const Pass& b) {
 }
 
 // Between line a where it passes the start of line b, and b's way back.
-double meeting_angle(const FieldEvaluator& evaluator, const Streamline& a, double length, const Streamline& b) {
+double meeting_angle(const field::FieldEvaluator& evaluator, const Streamline& a, double length, const Streamline& b) {
   Vec2 direction;
   a.at(evaluator, length, direction);
   return angle_between(direction, -unit(b.launch.angle));
@@ -179,8 +180,8 @@ double meeting_angle(const FieldEvaluator& evaluator, const Streamline& a, doubl
 using PassTable = std::vector<std::vector<std::vector<Pass>>>;  // [line][node]
 
 // The line of a node that most nearly comes the way of a line that passes there; -1: none does.
-int line_against(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, int passing, double length,
-                 int node) {
+int line_against(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines, int passing,
+                 double length, int node) {
   int best = -1;
   double least = head_on_angle;
   for (int j = 0; j < static_cast<int>(lines.size()); ++j) {
@@ -192,8 +193,8 @@ int line_against(const FieldEvaluator& evaluator, const std::vector<Streamline>&
 }
 
 // Joins of lines that pass a node within the distance or end in it, where the pair is not one that merges already.
-void add_joins(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
-               double allowed, const std::vector<Passes>& along, PassTable& passes,
+void add_joins(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+               const std::vector<Vec2>& nodes, double allowed, const std::vector<Passes>& along, PassTable& passes,
                std::vector<MergeCandidate>& candidates) {
   const size_t num_merges = candidates.size();
   const auto merges = [&](int i, int j) {
@@ -218,8 +219,8 @@ void add_joins(const FieldEvaluator& evaluator, const std::vector<Streamline>& l
 
 }  // namespace
 
-CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
-                           const MergeCandidate& candidate) {
+curve::CurveFunction merged_curve(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                                  const MergeCandidate& candidate) {
   const double length = candidate.length(), la = candidate.length_a, lb = candidate.length_b;
   if (candidate.is_join)
     return [&evaluator, &a, &b, length](double s, Vec2& derivative) {
@@ -238,8 +239,9 @@ CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a,
   };
 }
 
-std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
-                                             const std::vector<Vec2>& nodes, const MergeOptions& options) {
+std::vector<MergeCandidate> merge_candidates(const field::FieldEvaluator& evaluator,
+                                             const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
+                                             const MergeOptions& options) {
   // passes[line][node]. The blend's slope adds at most (pi / 2) gap / length to the direction.
   const double slope = 2 * std::tan(options.max_angle);
   std::vector<Passes> along;
@@ -298,4 +300,4 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
   return chosen;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

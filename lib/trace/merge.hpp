@@ -20,10 +20,10 @@
 #include <numbers>
 #include <vector>
 
+#include "curve/fit_line.hpp"
 #include "trace/advance.hpp"
-#include "trace/fit_line.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 /// The most that merging may turn a line that would go on for ever, radians.
 inline constexpr double greatest_merge_angle = 0.7;
@@ -52,8 +52,9 @@ struct MergeCandidate {
 
 /// All pairs that the rules allow, in the sequence in which fronts advancing at equal speed meet. Linear in lines times
 /// nodes.
-std::vector<MergeCandidate> merge_candidates(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
-                                             const std::vector<Vec2>& nodes, const MergeOptions& options);
+std::vector<MergeCandidate> merge_candidates(const field::FieldEvaluator& evaluator,
+                                             const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
+                                             const MergeOptions& options);
 
 /// Picks pairs in their sequence so that no line is in two; `taken` tells which lines are, before and after. Pairs
 /// that meet after lengths that differ by less than 1e-6 of themselves are decided together: where two of them want one
@@ -62,7 +63,7 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
                                std::vector<bool>& taken);
 
 /// M as a function of f * length(), with its derivative.
-CurveFunction merged_curve(const FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
-                           const MergeCandidate& candidate);
+curve::CurveFunction merged_curve(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                                  const MergeCandidate& candidate);
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-namespace quadrille {
+namespace quadrille::trace {
 
-MergePlan::MergePlan(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+MergePlan::MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                      const std::vector<Vec2>& nodes, const MergeOptions& options, double reach)
     : evaluator_(evaluator), lines_(lines), nodes_(nodes), reach_(reach) {
   add_candidates(options);
@@ -90,4 +90,4 @@ bool MergePlan::give_up_worst(const std::vector<int>& candidates, double least_t
   return true;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -6,14 +6,14 @@
 
 #include "trace/merge.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 class MergePlan {
  public:
   /// `evaluator`, `lines` and `nodes` must outlive the plan. `reach` (a length): lines that have no end yet have been
   /// followed so far, and could be farther; 0: all are as long as they will be.
-  MergePlan(const FieldEvaluator& evaluator, const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
-            const MergeOptions& options, double reach = 0);
+  MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+            const std::vector<Vec2>& nodes, const MergeOptions& options, double reach = 0);
 
   /// Candidates chosen, by the rules of merge.hpp among those not given up. Then every endless line (spiral, limit
   /// cycle) that has no partner takes the first free one that comes its way within greatest_merge_angle; where all are
@@ -37,7 +37,7 @@ class MergePlan {
   std::vector<int> choose_once();
   bool give_up_for(const std::vector<int>& lost, const std::vector<int>& chosen);
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   const std::vector<Streamline>& lines_;
   const std::vector<Vec2>& nodes_;
   std::vector<MergeCandidate> candidates_;  // by the rules, then the last resorts of endless lines
@@ -47,4 +47,4 @@ class MergePlan {
   bool is_cut_short_ = false;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -8,19 +8,19 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 constexpr double node_share = 1e-6;   // of the diameter: how far a node may lie from its zero
 constexpr double asked_share = 1e-9;  // and from the place that the phase was asked for
 
 // A zero of the index that the file says.
-bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
+bool is_zero(const field::FieldEvaluator& evaluator, const CriticalPoint& p) {
   if (p.valence != 4 - p.index) return false;
   const double diameter = evaluator.field().mesh.face.diameter;
-  const Location at = evaluator.locator().find(p.position);
+  const mesh::Location at = evaluator.locator().find(p.position);
   if (at.elem < 0) return false;
-  const FieldSample sample = evaluator.sample(at.elem, at.xi);
+  const field::FieldSample sample = evaluator.sample(at.elem, at.xi);
   // A multiple zero has no slope to tell its distance by, but the field is small about it.
   if (std::abs(p.index) != 1) return norm(sample.value) <= 1e-4;
   if ((det(sample.dv_dx) > 0) != (p.index > 0)) return false;
@@ -32,7 +32,7 @@ std::string place_of(const CadFace& face, Vec2 x) {
   return fmt::format("({:.6g}, {:.6g})", x.x + face.origin.x, x.y + face.origin.y);
 }
 
-void require_zeros(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+void require_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
   if (points.form == "phase")
     throw FormatError(
@@ -66,7 +66,7 @@ std::string first_difference(const Field& field, const CriticalPoints& points) {
   }
   for (const Corner& c : points.corners)
     if (c.valence != asked_valence(asked, c.joint)) return "the corner at " + place_of(face, c.position);
-  const auto position = [&](int curve, double t) { return point(face.curves[curve], t); };
+  const auto position = [&](int curve, double t) { return curve::point(face.curves[curve], t); };
   for (size_t i = 0; i < points.boundary_nodes.size(); ++i) {
     const IrregularBoundaryPoint& b = points.boundary_nodes[i];
     if (i >= asked.boundary_nodes.size() || b.valence != asked.boundary_nodes[i].valence ||
@@ -98,7 +98,7 @@ void require_asked(const Field& field, const CriticalPoints& points) {
 
 }  // namespace
 
-void require_nodes_of_field(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+void require_nodes_of_field(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const Field& field = evaluator.field();
   const CadFace& face = field.mesh.face;
   for (const Corner& c : points.corners)
@@ -113,4 +113,4 @@ void require_nodes_of_field(const FieldEvaluator& evaluator, const CriticalPoint
     throw FormatError(fmt::format("the index sum of nodes and corners is {} where the domain needs {}", sum, expected));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

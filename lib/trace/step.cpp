@@ -5,7 +5,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 constexpr double a21 = 1.0 / 5;
@@ -40,7 +40,7 @@ class Guide {
   }
 
   // d xi / d s at xi; false where the direction is in doubt.
-  bool rate(const FieldEvaluator& evaluator, int elem, Vec2 xi, Vec2& rate) const {
+  bool rate(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, Vec2& rate) const {
     Vec2 x;
     Mat2 dx_dxi;
     const Vec2 value = evaluator.value(elem, xi, x, dx_dxi);
@@ -56,7 +56,7 @@ class Guide {
 };
 
 // d xi / d s at xi; false where the direction is in doubt.
-bool rate_at(const FieldEvaluator& evaluator, int elem, Vec2 xi, double direction, Vec2& rate, double& angle,
+bool rate_at(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction, Vec2& rate, double& angle,
              Mat2& dx_dxi) {
   Vec2 x;
   const Vec2 value = evaluator.value(elem, xi, x, dx_dxi);
@@ -79,7 +79,7 @@ Vec2 StreamStep::slope(double theta) const {
          2 * theta * r * (r - theta) * dense[4];
 }
 
-StreamState stream_state(const FieldEvaluator& evaluator, int elem, Vec2 xi, double direction) {
+StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction) {
   StreamState state{elem, xi, direction, {}};
   Mat2 dx_dxi;
   if (!rate_at(evaluator, elem, xi, direction, state.rate, state.angle, dx_dxi))
@@ -87,8 +87,8 @@ StreamState stream_state(const FieldEvaluator& evaluator, int elem, Vec2 xi, dou
   return state;
 }
 
-void try_step(const FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step, StreamState& end,
-              double& error) {
+void try_step(const field::FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step,
+              StreamState& end, double& error) {
   error = std::numeric_limits<double>::infinity();
   const Vec2 y = state.xi, k1 = state.rate;
   Vec2 k2, k3, k4, k5, k6, k7;
@@ -111,4 +111,4 @@ void try_step(const FieldEvaluator& evaluator, const StreamState& state, double 
   step.dense = {y, rise, bend, rise - h * k7 - bend, h * (d1 * k1 + d3 * k3 + d4 * k4 + d5 * k5 + d6 * k6 + d7 * k7)};
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

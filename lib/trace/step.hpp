@@ -9,7 +9,7 @@
 #include "base/vec2.hpp"
 #include "field/evaluate.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 /// The `elem` of a step whose coordinates are positions in the plane.
 inline constexpr int in_the_plane = -1;
@@ -37,11 +37,11 @@ struct StreamState {
 };
 
 /// Fills in angle and rate at (elem, xi), guided by `direction`.
-StreamState stream_state(const FieldEvaluator& evaluator, int elem, Vec2 xi, double direction);
+StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction);
 
 /// Tries a step of length h from `state`. `step.dense` and `end` hold the result; `error` is the estimated error's
 /// length in the plane, infinite when the direction turns by more than 0.6 rad within the step or the field vanishes.
-void try_step(const FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step, StreamState& end,
-              double& error);
+void try_step(const field::FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step,
+              StreamState& end, double& error);
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -5,7 +5,7 @@
 #include "trace/adams_bashforth.hpp"
 #include "trace/launch_all.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // Shares of the diameter.
@@ -15,8 +15,8 @@ constexpr double fixed_step_share = 0.002;
 
 }  // namespace
 
-LineTracer::LineTracer(const FieldEvaluator& evaluator, const CriticalPoints& points, const std::vector<Vec2>& nodes,
-                       const TraceOptions& options)
+LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                       const std::vector<Vec2>& nodes, const TraceOptions& options)
     : evaluator_(evaluator), nodes_(nodes), is_adams_bashforth_(options.integrator == "ab4") {
   const CadFace& face = evaluator.field().mesh.face;
   const double d = face.diameter;
@@ -42,4 +42,4 @@ void LineTracer::follow_by_adams_bashforth() {
     lines_.push_back(advance_adams_bashforth(evaluator_, launches_[i], nodes_, bounds_));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -5,16 +5,16 @@
 
 #include "model/critical_points.hpp"
 #include "trace/advance.hpp"
-#include "trace/trace_separatrices.hpp"
+#include "trace/trace_options.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 
 /// Lines that are merged behind each other's nodes, or stopped, need not go on for ever: they are followed in rounds.
 class LineTracer {
  public:
   /// `evaluator` and `nodes` (the positions of fixed_nodes) must outlive the tracer. Launches, cuts where nothing else
   /// starts in an annulus. Throws ComputeError as launch_all.
-  LineTracer(const FieldEvaluator& evaluator, const CriticalPoints& points, const std::vector<Vec2>& nodes,
+  LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const std::vector<Vec2>& nodes,
              const TraceOptions& options);
 
   /// Follows all lines that have no end yet to a length, at most options.max_length. Throws ComputeError as advance().
@@ -29,7 +29,7 @@ class LineTracer {
  private:
   void follow_by_adams_bashforth();
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;
   bool is_adams_bashforth_;
   AdvanceOptions bounds_;
@@ -38,4 +38,4 @@ class LineTracer {
   std::vector<Streamline> lines_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::trace

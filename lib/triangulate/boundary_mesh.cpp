@@ -12,7 +12,7 @@
 #include "triangulate/clearance.hpp"
 #include "triangulate/size_field.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr double slack = 1 + 1e-9;
@@ -78,7 +78,7 @@ void BoundaryMesh::append(Segment segment) {
   } else {
     const Nurbs& curve = fit_->outline().face().curves[segment.curve];
     const Stretch stretch(curve, segment.t0, segment.t1);
-    for (int k = 1; k < 4; ++k) segment.samples[k] = point(curve, stretch.parameter(k / 4.0));
+    for (int k = 1; k < 4; ++k) segment.samples[k] = curve::point(curve, stretch.parameter(k / 4.0));
   }
   segment.centre = (from + to) / 2;
   for (const Vec2 x : segment.samples) segment.radius = std::max(segment.radius, distance(x, segment.centre));
@@ -97,7 +97,7 @@ void BoundaryMesh::add_rim(const Fan& fan) {
 
 void BoundaryMesh::add_piece(int piece, int from, int to, double t0, double t1, const EdgeLimits& limits) {
   const SmoothPiece& whole = fit_->outline().pieces()[piece];
-  const ArcLength& arc_length = fit_->outline().arc_length(whole.curve);
+  const curve::ArcLength& arc_length = fit_->outline().arc_length(whole.curve);
   const double s0 = t0 == whole.t0 ? whole.s0 : arc_length.at(t0), s1 = t1 == whole.t1 ? whole.s1 : arc_length.at(t1);
   const double turn = whole.is_straight ? 0 : fit_->turn(whole.curve, t0, t1);
   const double parts = std::max(turn / limits.turn, (s1 - s0) / limits.size) / slack;
@@ -201,4 +201,4 @@ void BoundaryMesh::grade(double growth) {
   }
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

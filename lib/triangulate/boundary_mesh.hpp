@@ -7,7 +7,7 @@
 
 #include "triangulate/corner_fans.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 struct Segment {
   int from = 0, to = 0;  ///< vertices of the draft; the face on the left
@@ -55,4 +55,4 @@ class BoundaryMesh {
 /// Least distance between two segments as polygons through their samples.
 double segment_distance(const Segment& a, const Segment& b);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

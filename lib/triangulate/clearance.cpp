@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr double sample_turn = radians(10.0);
@@ -16,21 +16,21 @@ constexpr int max_depth = 10;
 void sample(const Nurbs& curve, double t0, double t1, Vec2 tangent0, Vec2 tangent1, int depth,
             std::vector<Vec2>& points) {
   const double middle = (t0 + t1) / 2;
-  const Vec2 between = tangent(curve, middle);
+  const Vec2 between = curve::tangent(curve, middle);
   const auto turn = [](Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); };
   if (depth < max_depth && (depth < 2 || turn(tangent0, between) + turn(between, tangent1) > sample_turn)) {
     sample(curve, t0, middle, tangent0, between, depth + 1, points);
     sample(curve, middle, t1, between, tangent1, depth + 1, points);
   } else {
-    points.push_back(point(curve, t1));
+    points.push_back(curve::point(curve, t1));
   }
 }
 
 std::vector<Vec2> polyline(const Outline& outline, const SmoothPiece& piece) {
   const Nurbs& curve = outline.face().curves[piece.curve];
-  std::vector<Vec2> points{point(curve, piece.t0)};
+  std::vector<Vec2> points{curve::point(curve, piece.t0)};
   if (piece.is_straight) {
-    points.push_back(point(curve, piece.t1));
+    points.push_back(curve::point(curve, piece.t1));
     return points;
   }
   std::vector<double> ends{piece.t0};
@@ -38,7 +38,8 @@ std::vector<Vec2> polyline(const Outline& outline, const SmoothPiece& piece) {
     if (knot > ends.back() && knot < piece.t1) ends.push_back(knot);
   ends.push_back(piece.t1);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    sample(curve, ends[i], ends[i + 1], tangent(curve, ends[i]), tangent(curve, ends[i + 1], true), 0, points);
+    sample(curve, ends[i], ends[i + 1], curve::tangent(curve, ends[i]), curve::tangent(curve, ends[i + 1], true), 0,
+           points);
   return points;
 }
 
@@ -82,4 +83,4 @@ double Clearance::at_junction(int j) const {
   return least;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

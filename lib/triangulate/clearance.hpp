@@ -5,7 +5,7 @@
 
 #include "triangulate/outline.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 class Clearance {
  public:
@@ -24,4 +24,4 @@ class Clearance {
 /// Distance from x to the segment from a to b.
 double distance_to_segment(Vec2 x, Vec2 a, Vec2 b);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -8,7 +8,7 @@
 #include "triangulate/clearance.hpp"
 #include "triangulate/singularity.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr double acute_angle = radians(75.0);
@@ -18,11 +18,11 @@ constexpr double slack = 1 + 1e-9;
 /// The parameter between t0 and t1 at which the curve leaves the circle around `apex`. `inner` is the end at the apex.
 double parameter_at_radius(const Outline& outline, const SmoothPiece& piece, bool from_start, double radius) {
   const Nurbs& curve = outline.face().curves[piece.curve];
-  const ArcLength& length = outline.arc_length(piece.curve);
+  const curve::ArcLength& length = outline.arc_length(piece.curve);
   const Vec2 apex = outline.at(piece.curve, from_start ? piece.t0 : piece.t1);
   double t = length.parameter(from_start ? piece.s0 + radius : piece.s1 - radius);
   for (int iteration = 0; iteration < 20; ++iteration) {
-    const auto d = derivatives(curve, t);
+    const auto d = curve::derivatives(curve, t);
     const Vec2 way = d[0] - apex;
     const double step = (norm2(way) - radius * radius) / (2 * dot(way, d[1]));
     t = std::clamp(t - step, piece.t0, piece.t1);
@@ -162,4 +162,4 @@ void build_fan(const Outline& outline, Fan& fan, Draft& draft) {
   fan.rim = inner;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

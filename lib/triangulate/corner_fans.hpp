@@ -13,7 +13,7 @@
 #include "triangulate/edge_fit.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 struct Fan {
   int junction = 0;
@@ -38,4 +38,4 @@ std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options
 /// Adds vertices, triangles and boundary edges of `fan` and fills its rim.
 void build_fan(const Outline& outline, Fan& fan, Draft& draft);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

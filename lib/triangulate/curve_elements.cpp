@@ -9,7 +9,7 @@
 #include "spectral/tri_map.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using Vertices = std::array<Vec2, 3>;
@@ -18,9 +18,9 @@ std::array<double, 3> barycentric(Vec2 xi) { return {-(xi.x + xi.y) / 2, (1 + xi
 
 /// For each local edge: displacements of the edge's inner nodes -> displacements of all nodes.
 std::array<Eigen::MatrixXd, 3> edge_extensions(int order) {
-  const auto& gll = gll_points(order);
+  const auto& gll = spectral::gll_points(order);
   const std::vector<double> inner(gll.begin() + 1, gll.end() - 1);
-  const auto& nodes = tri_nodes(order);
+  const auto& nodes = spectral::tri_nodes(order);
   std::array<Eigen::MatrixXd, 3> extensions;
   for (int edge = 0; edge < 3; ++edge) {
     std::vector<double> along;
@@ -28,7 +28,7 @@ std::array<Eigen::MatrixXd, 3> edge_extensions(int order) {
       const auto lambda = barycentric(xi);
       along.push_back(lambda[(edge + 1) % 3] - lambda[edge]);
     }
-    Eigen::MatrixXd& extension = extensions[edge] = interpolation_matrix(inner, along);
+    Eigen::MatrixXd& extension = extensions[edge] = spectral::interpolation_matrix(inner, along);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto lambda = barycentric(nodes[i]);
       for (std::size_t j = 0; j < inner.size(); ++j)
@@ -45,7 +45,7 @@ Vertices vertices_of(const TriMesh& mesh, int elem) {
 
 std::vector<Vec2> straight_nodes(int order, const Vertices& x) {
   std::vector<Vec2> result;
-  for (const Vec2 xi : tri_nodes(order)) {
+  for (const Vec2 xi : spectral::tri_nodes(order)) {
     const auto lambda = barycentric(xi);
     result.push_back(x[0] + (lambda[1] * (x[1] - x[0]) + lambda[2] * (x[2] - x[0])));
   }
@@ -56,7 +56,7 @@ std::vector<Vec2> straight_nodes(int order, const Vertices& x) {
 /// Displaces the nodes of an element so that local edge `edge` passes through `on_curve`.
 void bend(const Eigen::MatrixXd& extension, const Vertices& x, int order, int edge, const std::vector<Vec2>& on_curve,
           std::vector<Vec2>& nodes) {
-  const auto& gll = gll_points(order);
+  const auto& gll = spectral::gll_points(order);
   const Vec2 from = x[edge], to = x[(edge + 1) % 3];
   std::vector<Vec2> displacements;
   for (int j = 1; j < order; ++j) displacements.push_back((on_curve[j - 1] - from) - (1 + gll[j]) / 2 * (to - from));
@@ -91,7 +91,7 @@ void curve_elements(const EdgeFit& fit, TriMesh& mesh) {
       const auto on_curve = fit.inner_nodes(edges[i]->curve, edges[i]->t0, edges[i]->t1);
       bend(extensions[edges[i]->edge], x, mesh.order, edges[i]->edge, on_curve, nodes);
       for (int j = 1; j < mesh.order; ++j)
-        exact.emplace_back(tri_edge_node(mesh.order, edges[i]->edge, j), on_curve[j - 1]);
+        exact.emplace_back(spectral::tri_edge_node(mesh.order, edges[i]->edge, j), on_curve[j - 1]);
     }
     // To the last digit on the curve.
     for (const auto& [node, position] : exact) nodes[node] = position;
@@ -102,7 +102,7 @@ void curve_elements(const EdgeFit& fit, TriMesh& mesh) {
 
 std::vector<double> jacobian_ratio_bounds(const TriMesh& mesh) {
   std::vector<double> ratios(mesh.num_elems(), 1.0);
-  const int num_nodes = num_tri_modes(mesh.order);
+  const int num_nodes = spectral::num_tri_modes(mesh.order);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const Vertices x = vertices_of(mesh, e);
     if (cross(x[1] - x[0], x[2] - x[0]) <= 0) ratios[e] = -1;
@@ -113,14 +113,14 @@ std::vector<double> jacobian_ratio_bounds(const TriMesh& mesh) {
     const Vertices x = vertices_of(mesh, e);
     // Relative to a vertex: small elements far from the origin keep their digits.
     for (int i = 0; i < num_nodes; ++i) local[i] = mesh.curved_nodes[c * num_nodes + i] - x[0];
-    const TriMap map(mesh.order, local.data());
-    const auto bx = bernstein_from_orthogonal(mesh.order, map.coefs_x());
-    const auto by = bernstein_from_orthogonal(mesh.order, map.coefs_y());
+    const spectral::TriMap map(mesh.order, local.data());
+    const auto bx = spectral::bernstein_from_orthogonal(mesh.order, map.coefs_x());
+    const auto by = spectral::bernstein_from_orthogonal(mesh.order, map.coefs_y());
     const double straight = cross(x[1] - x[0], x[2] - x[0]) / 4;
-    const double bound = jacobian_lower_bound(mesh.order, bx, by);
+    const double bound = spectral::jacobian_lower_bound(mesh.order, bx, by);
     ratios[e] = straight > 0 ? bound / straight : std::min(bound, 0.0) - 1;
   }
   return ratios;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -10,7 +10,7 @@
 #include "model/tri_mesh.hpp"
 #include "triangulate/edge_fit.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 /// Geometry nodes of all elements that have an edge on a curve which is not straight: fills curved_elems and
 /// curved_nodes from the rest of the mesh.
@@ -19,4 +19,4 @@ void curve_elements(const EdgeFit& fit, TriMesh& mesh);
 /// A proved lower bound of det(d x / d xi) of each element, divided by the det of its straight triangle.
 std::vector<double> jacobian_ratio_bounds(const TriMesh& mesh);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

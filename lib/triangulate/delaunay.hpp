@@ -10,7 +10,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 /// Vertices counter-clockwise; local edge k runs from vertex k to vertex k+1 (mod 3).
 struct DelaunayTriangle {
@@ -38,4 +38,4 @@ class ConstrainedDelaunay {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

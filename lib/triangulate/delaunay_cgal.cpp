@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "triangulate/delaunay.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -133,4 +133,4 @@ std::vector<DelaunayTriangle> ConstrainedDelaunay::triangles() const {
   return result;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -6,7 +6,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 /// From vertex `from` to vertex `to` along `curve`, t0 < t1, the face on the left.
 struct DraftEdge {
@@ -31,4 +31,4 @@ struct Draft {
   }
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -7,7 +7,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr int num_turn_samples = 8;
@@ -15,10 +15,10 @@ constexpr int num_turn_samples = 8;
 }  // namespace
 
 EdgeFit::EdgeFit(const Outline& outline, int order) : outline_(&outline), order_(order) {
-  const auto& points = gll_points(order);
+  const auto& points = spectral::gll_points(order);
   std::vector<double> samples;
   for (int i = 0; i < order; ++i) samples.push_back((points[i] + points[i + 1]) / 2);
-  samples_ = interpolation_matrix(points, samples);
+  samples_ = spectral::interpolation_matrix(points, samples);
   for (const double x : points) fractions_.push_back((1 + x) / 2);
   for (const double x : samples) sample_fractions_.push_back((1 + x) / 2);
 }
@@ -30,7 +30,7 @@ std::vector<Vec2> EdgeFit::inner_nodes(int curve, double t0, double t1) const {
 
 std::vector<Vec2> EdgeFit::inner_nodes(const Nurbs& curve, const Stretch& stretch) const {
   std::vector<Vec2> nodes;
-  for (int j = 1; j < order_; ++j) nodes.push_back(point(curve, stretch.parameter(fractions_[j])));
+  for (int j = 1; j < order_; ++j) nodes.push_back(curve::point(curve, stretch.parameter(fractions_[j])));
   return nodes;
 }
 
@@ -38,14 +38,14 @@ double EdgeFit::error(int curve, double t0, double t1) const {
   const Nurbs& nurbs = outline_->face().curves[curve];
   const Stretch stretch(nurbs, t0, t1);
   std::vector<Vec2> nodes = inner_nodes(nurbs, stretch);
-  nodes.insert(nodes.begin(), point(nurbs, t0));
-  nodes.push_back(point(nurbs, t1));
+  nodes.insert(nodes.begin(), curve::point(nurbs, t0));
+  nodes.push_back(curve::point(nurbs, t1));
   double worst = 0;
   for (int i = 0; i < order_; ++i) {
     // Relative to the first node: an error of 1e-12 must not drown in the digits of the place.
     Vec2 value;
     for (int j = 1; j <= order_; ++j) value += samples_(i, j) * (nodes[j] - nodes[0]);
-    const auto d = derivatives(nurbs, stretch.parameter(sample_fractions_[i]));
+    const auto d = curve::derivatives(nurbs, stretch.parameter(sample_fractions_[i]));
     const double speed = norm(d[1]);
     const Vec2 miss = value - (d[0] - nodes[0]);
     worst = std::max(worst, speed > 0 ? std::abs(cross(d[1] / speed, miss)) : norm(miss));
@@ -56,7 +56,7 @@ double EdgeFit::error(int curve, double t0, double t1) const {
 double EdgeFit::turn(int curve, double t0, double t1) const {
   const Nurbs& nurbs = outline_->face().curves[curve];
   double sum = 0;
-  Vec2 before = tangent(nurbs, t0, false);
+  Vec2 before = curve::tangent(nurbs, t0, false);
   // Sampling follows the knots: every span gets its own samples.
   std::vector<double> ends{t0};
   for (const double knot : nurbs.knots)
@@ -65,7 +65,7 @@ double EdgeFit::turn(int curve, double t0, double t1) const {
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     for (int k = 1; k <= num_turn_samples; ++k) {
       const double t = ends[i] + (ends[i + 1] - ends[i]) * k / num_turn_samples;
-      const Vec2 here = tangent(nurbs, t, k == num_turn_samples);
+      const Vec2 here = curve::tangent(nurbs, t, k == num_turn_samples);
       sum += std::abs(std::atan2(cross(before, here), dot(before, here)));
       before = here;
     }
@@ -73,4 +73,4 @@ double EdgeFit::turn(int curve, double t0, double t1) const {
   return sum;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

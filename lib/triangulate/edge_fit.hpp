@@ -8,7 +8,7 @@
 #include "triangulate/outline.hpp"
 #include "triangulate/stretch.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 class EdgeFit {
  public:
@@ -34,4 +34,4 @@ class EdgeFit {
   Eigen::MatrixXd samples_;               ///< nodes -> samples
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -5,7 +5,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 bool is_straight(const Nurbs& curve, double tol) {
@@ -20,14 +20,14 @@ bool is_straight(const Nurbs& curve, double tol) {
 
 /// d curvature / d arc length, from the first three derivatives.
 double curvature_slope(const Nurbs& curve, double t, bool from_left) {
-  const auto d = derivatives(curve, t, from_left);
+  const auto d = curve::derivatives(curve, t, from_left);
   const double speed2 = norm2(d[1]);
   if (speed2 == 0) return 0;
   return (cross(d[1], d[3]) - 3 * cross(d[1], d[2]) * dot(d[1], d[2]) / speed2) / (speed2 * speed2);
 }
 
 double curvature_or_zero(const Nurbs& curve, double t, bool from_left) {
-  return norm2(derivatives(curve, t, from_left)[1]) == 0 ? 0 : curvature(curve, t, from_left);
+  return norm2(curve::derivatives(curve, t, from_left)[1]) == 0 ? 0 : curve::curvature(curve, t, from_left);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void Outline::add_pieces(int curve, double straight_tol) {
   const bool straight = is_straight(nurbs, straight_tol);
   std::vector<double> ends{nurbs.begin()};
   if (!straight) {
-    const auto breaks = smoothness_breaks(nurbs);
+    const auto breaks = curve::smoothness_breaks(nurbs);
     ends.insert(ends.end(), breaks.begin(), breaks.end());
   }
   ends.push_back(nurbs.end());
@@ -76,7 +76,7 @@ Junction Outline::junction(int piece) const {
   const Nurbs& curve_in = face_->curves[in.curve];
   const bool is_joint = out.t0 == curve_out.begin();
   Junction junction;
-  junction.position = is_joint ? face_->joints[out.curve].position : point(curve_out, out.t0);
+  junction.position = is_joint ? face_->joints[out.curve].position : curve::point(curve_out, out.t0);
   junction.interior_angle = is_joint ? face_->joints[out.curve].interior_angle : pi;
   if (!in.is_straight) {
     junction.curvature_in = curvature_or_zero(curve_in, in.t1, true);
@@ -89,6 +89,6 @@ Junction Outline::junction(int piece) const {
   return junction;
 }
 
-Vec2 Outline::at(int curve, double t) const { return point(face_->curves[curve], t); }
+Vec2 Outline::at(int curve, double t) const { return curve::point(face_->curves[curve], t); }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

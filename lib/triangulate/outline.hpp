@@ -9,7 +9,7 @@
 #include "curve/arc_length.hpp"
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 struct SmoothPiece {
   int curve = 0;
@@ -37,7 +37,7 @@ class Outline {
   const CadFace& face() const { return *face_; }
   const std::vector<SmoothPiece>& pieces() const { return pieces_; }
   const std::vector<Junction>& junctions() const { return junctions_; }
-  const ArcLength& arc_length(int curve) const { return lengths_[curve]; }
+  const curve::ArcLength& arc_length(int curve) const { return lengths_[curve]; }
   /// The point of `curve` at parameter t.
   Vec2 at(int curve, double t) const;
 
@@ -47,9 +47,9 @@ class Outline {
   Junction junction(int piece) const;
 
   const CadFace* face_;
-  std::vector<ArcLength> lengths_;
+  std::vector<curve::ArcLength> lengths_;
   std::vector<SmoothPiece> pieces_;
   std::vector<Junction> junctions_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 /// A point sees a segment that it encroaches at an angle above 107 degrees: cos = -0.3.
@@ -209,4 +209,4 @@ std::vector<std::array<int, 3>> DomainRefiner::triangles() const {
   return result;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -10,7 +10,7 @@
 #include "triangulate/delaunay.hpp"
 #include "triangulate/size_field.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 class DomainRefiner {
  public:
@@ -53,4 +53,4 @@ class DomainRefiner {
   std::map<std::pair<int, int>, int> vertices2segment_;  ///< (from, to) of the draft
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

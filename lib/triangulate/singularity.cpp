@@ -5,7 +5,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr double far_field_tol = 1e-10;
@@ -48,4 +48,4 @@ int fan_layers(const Singularity& singularity, double factor) {
   return std::max(1, static_cast<int>(std::lround(layers)));
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -9,7 +9,7 @@
 
 #include "triangulate/outline.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 struct Singularity {
   double exponent = 0;   ///< alpha; 0: the field is smooth here
@@ -23,4 +23,4 @@ Singularity junction_singularity(const Junction& junction, double radius);
 /// below tol in the far field. 0 where the term is so weak that order 8 alone resolves it.
 int fan_layers(const Singularity& singularity, double factor);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

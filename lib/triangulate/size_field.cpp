@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth)
     : size_(size), growth_(growth) {
@@ -22,4 +22,4 @@ double TriangleSizes::at(Vec2 x) const {
   return least;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -6,7 +6,7 @@
 
 #include "triangulate/boundary_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 class TriangleSizes {
  public:
@@ -22,4 +22,4 @@ class TriangleSizes {
   double size_, growth_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr int num_sweeps = 6;
@@ -87,4 +87,4 @@ void smooth(Draft& draft, const std::vector<char>& is_free) {
       if (is_free[v]) mover.improve(v);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

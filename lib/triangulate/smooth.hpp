@@ -5,7 +5,7 @@
 
 #include "triangulate/draft.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 /// Shape of a triangle: 4 sqrt(3) area / (sum of squared edges); 1 equilateral, 0 flat, negative turned over.
 double triangle_shape(Vec2 a, Vec2 b, Vec2 c);
@@ -14,4 +14,4 @@ double triangle_shape(Vec2 a, Vec2 b, Vec2 c);
 /// shape around it. `is_free` has one entry per vertex.
 void smooth(Draft& draft, const std::vector<char>& is_free);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

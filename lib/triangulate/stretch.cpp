@@ -6,7 +6,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr int max_depth = 12;
@@ -61,7 +61,7 @@ void Stretch::add_span(const Nurbs& curve, double t0, double t1, double noise, i
   const auto& cosine = cosines<n>();
   const double middle = (t0 + t1) / 2, half = (t1 - t0) / 2;
   std::array<double, n + 1> speed{};
-  for (int j = 0; j <= n; ++j) speed[j] = norm(derivatives(curve, middle + half * cosine[j], j == 0)[1]);
+  for (int j = 0; j <= n; ++j) speed[j] = norm(curve::derivatives(curve, middle + half * cosine[j], j == 0)[1]);
   // Chebyshev coefficients a of the interpolant of the speed.
   std::array<double, n + 3> a{};
   for (int k = 0; k <= n; ++k) {
@@ -102,4 +102,4 @@ double Stretch::parameter(double fraction) const {
   return x >= 1 ? span.t1 : x <= -1 ? span.t0 : (span.t0 + span.t1) / 2 + x * (span.t1 - span.t0) / 2;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

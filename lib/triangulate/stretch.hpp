@@ -8,7 +8,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 class Stretch {
  public:
@@ -31,4 +31,4 @@ class Stretch {
   std::vector<Span> spans_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -13,7 +13,7 @@
 #include "triangulate/refine_domain.hpp"
 #include "triangulate/smooth.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 constexpr double edge_turn = radians(40.0);
@@ -127,7 +127,7 @@ void write_report(const Result& result, const EdgeFit& fit, double curve_tol, Re
   report.set("mesh.corner_fans", result.num_fans);
   report.set("mesh.fan_elements",
              std::count_if(mesh.elem_layer.begin(), mesh.elem_layer.end(), [](int l) { return l >= 0; }));
-  report.set("mesh.least_angle_degrees", degrees(least_angle(mesh)));
+  report.set("mesh.least_angle_degrees", degrees(mesh::least_angle(mesh)));
   report.set("mesh.least_jacobian_ratio", *std::min_element(result.ratios.begin(), result.ratios.end()));
   report.set("mesh.curve_error", error / mesh.face.diameter);
   report.set("mesh.proof_rounds", result.rounds);
@@ -161,4 +161,4 @@ TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Repo
   return std::move(result.mesh);
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

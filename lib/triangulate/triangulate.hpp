@@ -4,7 +4,7 @@
 #include "base/report.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 
 struct TriangulateOptions {
   int order = 8;             ///< shape order N, 1..16: proofs are exact to round-off up to degree 2N - 2 = 30
@@ -20,4 +20,4 @@ struct TriangulateOptions {
 /// proved valid. Throws ComputeError with the place where that is impossible.
 TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report);
 
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

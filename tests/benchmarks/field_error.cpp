@@ -44,7 +44,8 @@ struct Errors {
   double greatest = 0, sum_of_squares = 0;
 };
 
-Errors compare(const FieldEvaluator& field, const FieldEvaluator& reference, int num_points, double margin) {
+Errors compare(const field::FieldEvaluator& field, const field::FieldEvaluator& reference, int num_points,
+               double margin) {
   const TriMesh& mesh = reference.field().mesh;
   Vec2 lower = mesh.vertices.front(), upper = lower;
   for (const Vec2 x : mesh.vertices) {
@@ -65,9 +66,9 @@ Errors compare(const FieldEvaluator& field, const FieldEvaluator& reference, int
 }
 
 Field load(const char* name) {
-  const InputFile file = read_input(name);
-  Field field = read_field(file);
-  require_valid(check_field(field, CheckDepth::quick), file.name);
+  const io::InputFile file = io::read_input(name);
+  Field field = io::read_field(file);
+  check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
   return field;
 }
 
@@ -82,10 +83,11 @@ int main(int argc, char** argv) {
     const Field field = load(argv[1]), reference = load(argv[2]);
     const int num_points = argc > 3 ? std::atoi(argv[3]) : 500;
     const double margin = argc > 4 ? std::atof(argv[4]) : 0.02;
-    const Errors errors = compare(FieldEvaluator(field), FieldEvaluator(reference), num_points, margin);
-    const int num_unknowns = LaplaceSolver(field.mesh, options_of(field)).num_unknowns(field.elem_order);
+    const Errors errors = compare(field::FieldEvaluator(field), field::FieldEvaluator(reference), num_points, margin);
+    const int num_unknowns =
+        galerkin::LaplaceSolver(field.mesh, galerkin::options_of(field)).num_unknowns(field.elem_order);
     int num_interior = 0;
-    for (const int order : field.elem_order) num_interior += num_interior_modes(order);
+    for (const int order : field.elem_order) num_interior += spectral::num_interior_modes(order);
     fmt::print(
         "{{\"points\": {}, \"max_error\": {:.4g}, \"rms_error\": {:.4g}, \"elements\": {}, \"condensed\": {}, "
         "\"unknowns\": {}, \"coefficients\": {}, \"max_order\": {}}}\n",

@@ -10,9 +10,9 @@
 #include "field/evaluate.hpp"
 #include "galerkin/condense.hpp"
 #include "galerkin/element_matrices.hpp"
-#include "guide/cell.hpp"
-#include "guide/enclosure.hpp"
 #include "triangulate/triangulate.hpp"
+#include "zeros/cell.hpp"
+#include "zeros/enclosure.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <string>
 
-#include "guide/wall_distance.hpp"
 #include "io/input_file.hpp"
 #include "io/stage_files.hpp"
+#include "placement/wall_distance.hpp"
 
 using namespace quadrille;
 
@@ -21,7 +21,7 @@ namespace {
 std::string number_or_null(double x) { return x < 1e9 ? fmt::format("{:.5g}", x) : "null"; }
 
 void tell_room(const CadFace& face, const CriticalPoints& points) {
-  const WallDistance walls(face);
+  const placement::WallDistance walls(face);
   double least_wall = 1e10, least_pair = 1e10;
   std::string nodes;
   for (const CriticalPoint& node : points.critical_points) {
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    tell_room(read_field(read_input(argv[1])).mesh.face, read_critical_points(read_input(argv[2])));
+    tell_room(io::read_field(io::read_input(argv[1])).mesh.face, io::read_critical_points(io::read_input(argv[2])));
   } catch (const std::exception& error) {
     fmt::print(stderr, "node_room: {}\n", error.what());
     return 1;

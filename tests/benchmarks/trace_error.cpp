@@ -31,7 +31,7 @@ constexpr double node_margin = 0.02, max_step = 0.05, max_length = 4;  // diamet
 constexpr double reference_tolerance = 1e-14;
 constexpr int num_samples = 400;
 
-using Integrator = std::function<Streamline(const Launch&, double length)>;
+using Integrator = std::function<trace::Streamline(const trace::Launch&, double length)>;
 
 double cpu_seconds() {
   timespec now{};
@@ -41,29 +41,30 @@ double cpu_seconds() {
 
 class Comparison {
  public:
-  Comparison(const FieldEvaluator& evaluator, const CriticalPoints& points)
+  Comparison(const field::FieldEvaluator& evaluator, const CriticalPoints& points)
       : evaluator_(evaluator),
         diameter_(evaluator.field().mesh.face.diameter),
-        launches_(launch_all(evaluator, points)) {
-    for (const FixedNode& node : fixed_nodes(evaluator.field().mesh.face, points)) nodes_.push_back(node.position);
-    const AdvanceOptions bounds{reference_tolerance * diameter_, max_step * diameter_, max_length * diameter_,
-                                node_margin * diameter_};
-    for (const Launch& launch : launches_) {
-      reference_.push_back(advance(evaluator, launch, nodes_, bounds));
+        launches_(trace::launch_all(evaluator, points)) {
+    for (const graph::FixedNode& node : trace::fixed_nodes(evaluator.field().mesh.face, points))
+      nodes_.push_back(node.position);
+    const trace::AdvanceOptions bounds{reference_tolerance * diameter_, max_step * diameter_, max_length * diameter_,
+                                       node_margin * diameter_};
+    for (const trace::Launch& launch : launches_) {
+      reference_.push_back(trace::advance(evaluator, launch, nodes_, bounds));
       lengths_.push_back(reference_.back().length());
     }
   }
 
-  Streamline runge_kutta(const Launch& launch, double length, double tolerance) const {
-    return advance(evaluator_, launch, nodes_, {tolerance * diameter_, max_step * diameter_, length, 0});
+  trace::Streamline runge_kutta(const trace::Launch& launch, double length, double tolerance) const {
+    return trace::advance(evaluator_, launch, nodes_, {tolerance * diameter_, max_step * diameter_, length, 0});
   }
-  Streamline adams_bashforth(const Launch& launch, double length, double step) const {
-    return advance_adams_bashforth(evaluator_, launch, nodes_, {0, step * diameter_, length, 0});
+  trace::Streamline adams_bashforth(const trace::Launch& launch, double length, double step) const {
+    return trace::advance_adams_bashforth(evaluator_, launch, nodes_, {0, step * diameter_, length, 0});
   }
 
   std::string measure(const char* name, double value, const Integrator& integrator) const {
     double least = 1e300, spent = 0;
-    std::vector<Streamline> lines;
+    std::vector<trace::Streamline> lines;
     for (int run = 0; run < 3 || (spent < 0.3 && run < 100); ++run) {
       lines.clear();
       const double begin = cpu_seconds();
@@ -84,22 +85,22 @@ class Comparison {
   size_t num_lines() const { return launches_.size(); }
 
  private:
-  double miss(const Streamline& line, const Streamline& reference, double length) const {
+  double miss(const trace::Streamline& line, const trace::Streamline& reference, double length) const {
     double error = 0;
     for (int i = 0; i < num_samples; ++i) {
       const double s = length * (i + 0.5) / num_samples;
       if (s > line.length() || s > reference.length()) break;
       error = std::max(error, distance(line.at(evaluator_, s), reference.at(evaluator_, s)));
     }
-    if (reference.end != Streamline::End::boundary) return error;
+    if (reference.end != trace::Streamline::End::boundary) return error;
     return std::max(error, distance(line.end_position, reference.end_position));
   }
 
-  const FieldEvaluator& evaluator_;
+  const field::FieldEvaluator& evaluator_;
   double diameter_;
-  std::vector<Launch> launches_;
+  std::vector<trace::Launch> launches_;
   std::vector<Vec2> nodes_;
-  std::vector<Streamline> reference_;
+  std::vector<trace::Streamline> reference_;
   std::vector<double> lengths_;
 };
 
@@ -112,18 +113,18 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: trace_error FIELD CRIT\n");
     return 2;
   }
-  const Field field = read_field(read_input(argv[1]));
-  const CriticalPoints points = read_critical_points(read_input(argv[2]));
-  const FieldEvaluator evaluator(field);
+  const Field field = io::read_field(io::read_input(argv[1]));
+  const CriticalPoints points = io::read_critical_points(io::read_input(argv[2]));
+  const field::FieldEvaluator evaluator(field);
   const Comparison comparison(evaluator, points);
   std::vector<std::string> rk, ab4;
   for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12})
-    rk.push_back(comparison.measure("tolerance", tolerance, [&](const Launch& launch, double length) {
+    rk.push_back(comparison.measure("tolerance", tolerance, [&](const trace::Launch& launch, double length) {
       return comparison.runge_kutta(launch, length, tolerance);
     }));
   for (int k = 0; k <= 9; ++k) {
     const double step = 0.01 * std::pow(0.5, k);
-    ab4.push_back(comparison.measure("step", step, [&](const Launch& launch, double length) {
+    ab4.push_back(comparison.measure("step", step, [&](const trace::Launch& launch, double length) {
       return comparison.adams_bashforth(launch, length, step);
     }));
   }

@@ -102,7 +102,7 @@ class Walls {
 
   double height(Vec2 x) const {
     double nearest = 1e300;
-    for (const int c : curves_) nearest = std::min(nearest, project(mesh_.face.curves[c], x).distance);
+    for (const int c : curves_) nearest = std::min(nearest, curve::project(mesh_.face.curves[c], x).distance);
     return nearest;
   }
 
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
     std::fputs("wall_heights MESH.quad.h5 FIRST STEPS NAME...\n", stderr);
     return 2;
   }
-  const QuadMesh mesh = read_quad_mesh(read_input(argv[1]));
+  const QuadMesh mesh = io::read_quad_mesh(io::read_input(argv[1]));
   const Measured m = Walls(mesh, {argv + 4, argv + argc}).measure(std::atof(argv[2]), std::atoi(argv[3]));
   const Vec2 worst = m.worst_place + mesh.face.origin;
   fmt::print(

@@ -42,17 +42,17 @@ void write_samples(const char* format, const std::string& extension, Write<Stage
   const bool is_json = extension.ends_with(".json");
   for (const int major : {0, 2}) {
     const std::string name = std::string("version-") + (major == 0 ? "older" : "newer") + extension;
-    const auto write_empty = is_json ? write_json_stage : write_hdf5_stage;
-    write_empty(target(folder, "failed", name), {format, major, 0}, stage.provenance, [](Archive&) {});
+    const auto write_empty = is_json ? io::write_json_stage : io::write_hdf5_stage;
+    write_empty(target(folder, "failed", name), {format, major, 0}, stage.provenance, [](io::Archive&) {});
   }
 }
 
 /// Nodes that are not the field's own zeros: a second valid file, and what else can be wrong then.
 void write_resolved_points() {
   const CriticalPoints points = samples::resolved_points();
-  write_critical_points(target("critical_points", "passed", "resolved.crit.json"), points);
+  io::write_critical_points(target("critical_points", "passed", "resolved.crit.json"), points);
   const auto broken = [&](const std::string& rule, const auto& damage) {
-    write_broken("critical_points", ".crit.json", write_critical_points, points, rule, damage);
+    write_broken("critical_points", ".crit.json", io::write_critical_points, points, rule, damage);
   };
   broken("CRT-R12", [](CriticalPoints& c) { c.form = "harmonic"; });
   broken("CRT-R13", [](CriticalPoints& c) { c.boundary_nodes[0].curve = -1; });
@@ -63,7 +63,8 @@ void write_resolved_points() {
 /// What else can be wrong with a graph: its certificate. passed/version-1.0.sep.json is a file from before it had one.
 void write_wrong_certificates() {
   const auto broken = [](const std::string& rule, const auto& damage) {
-    write_broken("separatrix_graph", ".sep.json", write_separatrix_graph, samples::separatrix_graph(), rule, damage);
+    write_broken("separatrix_graph", ".sep.json", io::write_separatrix_graph, samples::separatrix_graph(), rule,
+                 damage);
   };
   broken("SEP-R11", [](SeparatrixGraph& g) { g.certificate.way = "guessed"; });
   broken("SEP-R12", [](SeparatrixGraph& g) { g.certificate.index_sum = 3; });
@@ -78,17 +79,17 @@ void write_marked_mesh() {
   mesh.elem_jacobian_bound[0] = mesh.least_jacobian_bound = -0.0425;
   mesh.elem_scaled_jacobian[0] = -1;
   mesh.is_valid = false;
-  write_quad_mesh(target("quad_mesh", "passed", "marked.quad.h5"), mesh);
-  write_broken("quad_mesh", ".quad.h5", write_quad_mesh, mesh, "QUA-R04", [](QuadMesh& m) { m.is_valid = true; });
-  write_broken("quad_mesh", ".quad.h5", write_quad_mesh, mesh, "QUA-R10",
+  io::write_quad_mesh(target("quad_mesh", "passed", "marked.quad.h5"), mesh);
+  write_broken("quad_mesh", ".quad.h5", io::write_quad_mesh, mesh, "QUA-R04", [](QuadMesh& m) { m.is_valid = true; });
+  write_broken("quad_mesh", ".quad.h5", io::write_quad_mesh, mesh, "QUA-R10",
                [](QuadMesh& m) { m.least_jacobian_bound = 0.125; });
 }
 
 void write_phase_field() {
   const Field field = samples::phase_field();
-  write_field(target("field", "passed", "phase.field.h5"), field);
-  write_broken("field", ".field.h5", write_field, field, "FLD-R09", [](Field& f) { f.phase.twists = {1}; });
-  write_broken("field", ".field.h5", write_field, field, "FLD-R10",
+  io::write_field(target("field", "passed", "phase.field.h5"), field);
+  write_broken("field", ".field.h5", io::write_field, field, "FLD-R09", [](Field& f) { f.phase.twists = {1}; });
+  write_broken("field", ".field.h5", io::write_field, field, "FLD-R10",
                [](Field& f) { f.phase.nodes.nodes[0].position.x += 0.125; });
 }
 
@@ -100,18 +101,19 @@ int main(int argc, char** argv) {
     return 2;
   }
   root = argv[1];
-  write_samples("tri-mesh", ".tri.h5", write_tri_mesh, samples::tri_mesh(), "TRI-R12",
+  write_samples("tri-mesh", ".tri.h5", io::write_tri_mesh, samples::tri_mesh(), "TRI-R12",
                 [](TriMesh& m) { m.curved_nodes[4].y += 1e-6; });
-  write_samples("field", ".field.h5", write_field, samples::field(), "FLD-R02", [](Field& f) { f.elem_order[1] = 2; });
-  write_samples("critical-points", ".crit.json", write_critical_points, samples::critical_points(), "CRT-R05",
+  write_samples("field", ".field.h5", io::write_field, samples::field(), "FLD-R02",
+                [](Field& f) { f.elem_order[1] = 2; });
+  write_samples("critical-points", ".crit.json", io::write_critical_points, samples::critical_points(), "CRT-R05",
                 [](CriticalPoints& c) { c.corners[2].valence = 2; });
-  write_samples("separatrix-graph", ".sep.json", write_separatrix_graph, samples::separatrix_graph(), "SEP-R05",
+  write_samples("separatrix-graph", ".sep.json", io::write_separatrix_graph, samples::separatrix_graph(), "SEP-R05",
                 [](SeparatrixGraph& g) {
                   g.splines[0].poles[1] = {0.6, 1};
                 });
-  write_samples("block-layout", ".blocks.h5", write_block_layout, samples::block_layout(), "BLK-R11",
+  write_samples("block-layout", ".blocks.h5", io::write_block_layout, samples::block_layout(), "BLK-R11",
                 [](BlockLayout& b) { b.arc_chord[0] = 3; });
-  write_samples("quad-mesh", ".quad.h5", write_quad_mesh, samples::quad_mesh(), "QUA-R09", [](QuadMesh& m) {
+  write_samples("quad-mesh", ".quad.h5", io::write_quad_mesh, samples::quad_mesh(), "QUA-R09", [](QuadMesh& m) {
     m.nodes[4] = {-0.1, 0.4};
   });
   write_resolved_points();

@@ -21,9 +21,9 @@ inline CadFace face(const std::vector<std::vector<Nurbs>>& loops, double diamete
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Nurbs& before = loop[(i + loop.size() - 1) % loop.size()];
       Joint joint;
-      joint.position = point(loop[i], loop[i].begin());
-      joint.tangent_in = angle_of(tangent(before, before.end(), true));
-      joint.tangent_out = angle_of(tangent(loop[i], loop[i].begin()));
+      joint.position = curve::point(loop[i], loop[i].begin());
+      joint.tangent_in = angle_of(curve::tangent(before, before.end(), true));
+      joint.tangent_out = angle_of(curve::tangent(loop[i], loop[i].begin()));
       const double turn = wrap_pi(joint.tangent_out - joint.tangent_in);
       joint.interior_angle = pi - turn;
       joint.is_corner = std::abs(turn) > radians(1);
@@ -49,7 +49,7 @@ inline int add_joint_node(SeparatrixGraph& g, int curve, int valence = 1) {
 
 /// A node on the boundary inside a curve.
 inline int add_boundary_node(SeparatrixGraph& g, int curve, double t) {
-  return add_node(g, point(g.face.curves[curve], t), NodeKind::boundary, 2, curve, t);
+  return add_node(g, curve::point(g.face.curves[curve], t), NodeKind::boundary, 2, curve, t);
 }
 
 inline int add_arc(SeparatrixGraph& g, int from, int to, bool is_boundary, std::vector<ArcPiece> pieces) {
@@ -59,7 +59,7 @@ inline int add_arc(SeparatrixGraph& g, int from, int to, bool is_boundary, std::
 
 /// A straight separatrix.
 inline int add_cut(SeparatrixGraph& g, int from, int to) {
-  g.splines.push_back(segment(g.nodes[from].position, g.nodes[to].position));
+  g.splines.push_back(curve::segment(g.nodes[from].position, g.nodes[to].position));
   const int curve = g.face.num_curves() + static_cast<int>(g.splines.size()) - 1;
   return add_arc(g, from, to, false, {{curve, g.splines.back().begin(), g.splines.back().end()}});
 }
@@ -82,15 +82,15 @@ inline SeparatrixGraph one_block(CadFace f, const std::vector<std::vector<int>>&
 }
 
 inline SeparatrixGraph unit_square() {
-  return one_block(
-      face({{segment({0, 0}, {1, 0}), segment({1, 0}, {1, 1}), segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})}},
-           std::sqrt(2.0)),
-      {{0}, {1}, {2}, {3}});
+  return one_block(face({{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {1, 1}),
+                          curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})}},
+                        std::sqrt(2.0)),
+                   {{0}, {1}, {2}, {3}});
 }
 
 inline SeparatrixGraph quarter_annulus(double inner = 1, double outer = 2) {
-  return one_block(face({{segment({inner, 0}, {outer, 0}), circular_arc({0, 0}, outer, 0, half_pi),
-                          segment({0, outer}, {0, inner}), circular_arc({0, 0}, inner, half_pi, 0)}},
+  return one_block(face({{curve::segment({inner, 0}, {outer, 0}), curve::circular_arc({0, 0}, outer, 0, half_pi),
+                          curve::segment({0, outer}, {0, inner}), curve::circular_arc({0, 0}, inner, half_pi, 0)}},
                         std::sqrt(2.0) * outer),
                    {{0}, {1}, {2}, {3}});
 }
@@ -100,7 +100,7 @@ inline SeparatrixGraph l_shape() {
   SeparatrixGraph g;
   const std::vector<Vec2> corners{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   std::vector<Nurbs> loop;
-  for (std::size_t i = 0; i < corners.size(); ++i) loop.push_back(segment(corners[i], corners[(i + 1) % 6]));
+  for (std::size_t i = 0; i < corners.size(); ++i) loop.push_back(curve::segment(corners[i], corners[(i + 1) % 6]));
   g.face = face({loop}, std::sqrt(8.0));
   for (int i = 0; i < 6; ++i) add_joint_node(g, i, i == 3 ? 3 : 1);
   const int bottom = add_boundary_node(g, 0, 1), left = add_boundary_node(g, 5, 1);
@@ -117,7 +117,7 @@ inline SeparatrixGraph l_shape() {
 /// Radii 0.5 and 1, cut `num_cuts` times along radii from the angle 0 on.
 inline SeparatrixGraph cut_annulus(int num_cuts) {
   SeparatrixGraph g;
-  g.face = face({{circular_arc({0, 0}, 1, 0, 2 * pi)}, {circular_arc({0, 0}, 0.5, 2 * pi, 0)}}, 2);
+  g.face = face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}, {curve::circular_arc({0, 0}, 0.5, 2 * pi, 0)}}, 2);
   const Nurbs &out = g.face.curves[0], &in = g.face.curves[1];
   const auto share = [](const Nurbs& c, double f) { return c.begin() * (1 - f) + c.end() * f; };
   std::vector<int> outer, inner;
@@ -143,20 +143,21 @@ inline SeparatrixGraph s_bend() {
   const double a = pi / 3, w = 0.5, radius = 2;
   const Vec2 d = unit(a), c1{2, radius}, p1 = c1 + radius * unit(a - half_pi), p2 = p1 + d;
   const Vec2 c2 = p2 - radius * left_of(d), p3 = c2 + Vec2{0, radius}, n = w * left_of(d), up{0, w}, run{2, 0};
-  const std::vector<Nurbs> loop{segment(-up, Vec2{2, 0} - up),   circular_arc(c1, radius + w, -half_pi, a - half_pi),
-                                segment(p1 - n, p2 - n),         circular_arc(c2, radius - w, a + half_pi, half_pi),
-                                segment(p3 - up, p3 + run - up), segment(p3 + run - up, p3 + run + up),
-                                segment(p3 + run + up, p3 + up), circular_arc(c2, radius + w, half_pi, a + half_pi),
-                                segment(p2 + n, p1 + n),         circular_arc(c1, radius - w, a - half_pi, -half_pi),
-                                segment(Vec2{2, 0} + up, up),    segment(up, -up)};
+  const std::vector<Nurbs> loop{
+      curve::segment(-up, Vec2{2, 0} - up),   curve::circular_arc(c1, radius + w, -half_pi, a - half_pi),
+      curve::segment(p1 - n, p2 - n),         curve::circular_arc(c2, radius - w, a + half_pi, half_pi),
+      curve::segment(p3 - up, p3 + run - up), curve::segment(p3 + run - up, p3 + run + up),
+      curve::segment(p3 + run + up, p3 + up), curve::circular_arc(c2, radius + w, half_pi, a + half_pi),
+      curve::segment(p2 + n, p1 + n),         curve::circular_arc(c1, radius - w, a - half_pi, -half_pi),
+      curve::segment(Vec2{2, 0} + up, up),    curve::segment(up, -up)};
   return one_block(face({loop}, distance(p3 + run + up, -up)), {{0, 1, 2, 3, 4}, {5}, {6, 7, 8, 9, 10}, {11}});
 }
 
 /// A duct of width 1: straight for 1, then a quarter turn to the left (radii 1 and 2). Each long side is line and arc.
 inline SeparatrixGraph elbow() {
-  const std::vector<Nurbs> loop{segment({0, 0}, {1, 0}), circular_arc({1, 2}, 2, -half_pi, 0),
-                                segment({3, 2}, {2, 2}), circular_arc({1, 2}, 1, 0, -half_pi),
-                                segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})};
+  const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::circular_arc({1, 2}, 2, -half_pi, 0),
+                                curve::segment({3, 2}, {2, 2}), curve::circular_arc({1, 2}, 1, 0, -half_pi),
+                                curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   CadFace bent = face({loop}, std::sqrt(13.0));
   for (int c = 0; c < bent.num_curves(); ++c) bent.curve_names[c] = "curve_" + std::to_string(c);  // none is given
   return one_block(std::move(bent), {{0, 1}, {2}, {3, 4}, {5}});

@@ -20,7 +20,7 @@ inline CadFace polygon_face(const std::vector<Vec2>& corners, double diameter) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 a = corners[(i + n - 1) % n], b = corners[i], c = corners[(i + 1) % n];
-    face.curves.push_back(segment(b, c));
+    face.curves.push_back(curve::segment(b, c));
     const double in = angle_of(b - a), out = angle_of(c - b);
     face.joints.push_back({b, in, out, pi - wrap_pi(out - in), true});
   }
@@ -72,10 +72,10 @@ inline TriMesh disc_mesh(int sectors, int order) {
   TriMesh mesh;
   mesh.order = order;
   mesh.face.diameter = 2;
-  mesh.face.curves = {circular_arc({0, 0}, 1, 0, 2 * pi)};
+  mesh.face.curves = {curve::circular_arc({0, 0}, 1, 0, 2 * pi)};
   mesh.face.joints = {{{1, 0}, half_pi, half_pi, pi, false}};
   mesh.face.loop_offsets = {0, 1};
-  const ArcLength angle(mesh.face.curves[0]);  // on the unit circle: the parameter itself is not the angle
+  const curve::ArcLength angle(mesh.face.curves[0]);  // on the unit circle: the parameter itself is not the angle
   mesh.vertices.push_back({0, 0});
   for (int i = 0; i < sectors; ++i) mesh.vertices.push_back(unit(2 * pi * i / sectors));
   for (int i = 0; i < sectors; ++i) {
@@ -85,7 +85,7 @@ inline TriMesh disc_mesh(int sectors, int order) {
         {i, 1, 0, angle.parameter(2 * pi * i / sectors), angle.parameter(2 * pi * (i + 1) / sectors)});
     mesh.curved_elems.push_back(i);
     const Vec2 a = mesh.vertices[1 + i], b = mesh.vertices[1 + next];
-    for (const Vec2 xi : tri_nodes(order)) {
+    for (const Vec2 xi : spectral::tri_nodes(order)) {
       const double l1 = (1 + xi.x) / 2, l2 = (1 + xi.y) / 2, f = (1 + l2 - l1) / 2;
       const Vec2 on_arc = unit(2 * pi * (i + f) / sectors);
       const Vec2 bulge = (on_arc - a * (1 - f) - b * f) / (f * (1 - f));

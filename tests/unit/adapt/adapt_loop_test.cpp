@@ -10,24 +10,24 @@
 #include "galerkin/solve_laplace.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 namespace {
 
 Field solved(const TriMesh& mesh, int order) {
   Report report;
-  return solve_laplace(mesh, std::vector<int>(mesh.num_elems(), order), report);
+  return galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), order), report);
 }
 
 TriMesh half_disc() {
   CadFace face;
   face.diameter = 2;
-  face.curves = {segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)};
+  face.curves = {curve::segment({-1, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, pi)};
   face.curve_names = {"diameter", "arc"};
   face.curve_cad_edges = {0, 1};
   face.joints = {{{-1, 0}, -half_pi, 0, half_pi, true}, {{1, 0}, 0, half_pi, half_pi, true}};
   face.loop_offsets = {0, 2};
   Report report;
-  return triangulate(face, {}, report);
+  return triangulate::triangulate(face, {}, report);
 }
 
 // The half disc's field in closed form (method.md, 2).
@@ -43,7 +43,7 @@ Vec2 half_disc_field(Vec2 x) {
 TEST(AdaptLoop, ReachesTheClosedFormOfTheHalfDisc) {
   Report report;
   const Field field = adapt_loop(solved(half_disc(), 8), {}, report);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   double worst = 0;
   for (double angle = 0.05; angle < pi; angle += 0.1) {
     for (const double r : {0.05, 0.3, 0.7, 0.9}) {
@@ -55,8 +55,8 @@ TEST(AdaptLoop, ReachesTheClosedFormOfTheHalfDisc) {
   EXPECT_LT(worst, 1e-8);
   // The zeros lie where the closed form has them, to far less than the 1e-7 that blocks need.
   const Vec2 zero{0.50508102270043128, 0.50508102270043128};
-  const Location at = evaluator.locator().find(zero);
-  const FieldSample sample = evaluator.sample(at.elem, at.xi);
+  const mesh::Location at = evaluator.locator().find(zero);
+  const field::FieldSample sample = evaluator.sample(at.elem, at.xi);
   EXPECT_LT(norm(inverse(sample.dv_dx) * sample.value), 1e-9 * 2);
   EXPECT_TRUE(report.warnings().empty());
 }
@@ -116,7 +116,7 @@ TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
 TEST(AdaptLoop, KeepsADiscontinuousFieldWithinItsOrders) {
   const TriMesh mesh = half_disc();
   Report report;
-  const Field start = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 11), {.method = "dg"}, report);
+  const Field start = galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 11), {.method = "dg"}, report);
   const Field field = adapt_loop(start, {.raise_above = 1e-24, .lower_below = 1e-30, .max_order = 20}, report);
   EXPECT_EQ(*std::max_element(field.elem_order.begin(), field.elem_order.end()), 12);
   EXPECT_EQ(field.method, "dg");
@@ -138,4 +138,4 @@ TEST(AdaptLoop, RefusesThresholdsThatCross) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::adapt

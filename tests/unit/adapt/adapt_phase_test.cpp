@@ -14,7 +14,7 @@
 #include "galerkin/solve_phase.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 namespace {
 
 using namespace testing_faces;
@@ -24,12 +24,12 @@ CadFace loaded(const std::string& shape) {
   std::ostringstream bytes;
   bytes << std::ifstream(std::string(TEST_DATA) + "/" + shape, std::ios::binary).rdbuf();
   Report report;
-  return load_face(bytes.str(), shape, {}, report);
+  return cad::load_face(bytes.str(), shape, {}, report);
 }
 
 Field adapted(const CadFace& face, const PhaseNodes& asked, Report& report) {
-  const TriMesh mesh = triangulate(face, {}, report);
-  return adapt_loop(solve_phase(mesh, std::vector<int>(mesh.num_elems(), 8), asked, report), {}, report);
+  const TriMesh mesh = triangulate::triangulate(face, {}, report);
+  return adapt_loop(galerkin::solve_phase(mesh, std::vector<int>(mesh.num_elems(), 8), asked, report), {}, report);
 }
 
 // Corners have the valences nearest to their angles.
@@ -42,7 +42,7 @@ PhaseNodes with_corners(const CadFace& face, const std::vector<PhaseNode>& nodes
 }
 
 // Of the phase on the way from angle a to b about a point, modulo nothing.
-double turning(const FieldEvaluator& field, Vec2 centre, double radius, double a, double b) {
+double turning(const field::FieldEvaluator& field, Vec2 centre, double radius, double a, double b) {
   constexpr int steps = 400;
   double sum = 0, last = 0;
   for (int i = 0; i <= steps; ++i) {
@@ -56,21 +56,21 @@ double turning(const FieldEvaluator& field, Vec2 centre, double radius, double a
 }
 
 // Greatest |phi - 4 theta_t| on the boundary, but for what the rounding of a point does beside a corner.
-double misalignment(const FieldEvaluator& field) {
+double misalignment(const field::FieldEvaluator& field) {
   const CadFace& face = field.field().mesh.face;
   double worst = 0;
   for (const BoundaryEdge& edge : field.field().mesh.boundary_edges) {
     const Nurbs& curve = face.curves[edge.curve];
-    const ArcLength length(curve);
+    const curve::ArcLength length(curve);
     const double begin = length.at(edge.t0), end = length.at(edge.t1);
     for (const double f : {0.07, 0.33, 0.5, 0.8}) {
       const double t = length.parameter(begin + f * (end - begin));
       Vec2 x;
       Mat2 dx_dxi;
-      const Vec2 value = field.value(edge.elem, tri_edge_point(edge.edge, f), x, dx_dxi);
+      const Vec2 value = field.value(edge.elem, spectral::tri_edge_point(edge.edge, f), x, dx_dxi);
       const double to_corner = std::min(distance(x, curve.poles.front()), distance(x, curve.poles.back()));
       if (to_corner < 1e-6 * face.diameter) continue;
-      worst = std::max(worst, std::abs(wrap_pi(angle_of(value) - 4 * angle_of(tangent(curve, t)))));
+      worst = std::max(worst, std::abs(wrap_pi(angle_of(value) - 4 * angle_of(curve::tangent(curve, t)))));
     }
   }
   return worst;
@@ -80,7 +80,7 @@ void expect_as_asked(const CadFace& face, const PhaseNodes& asked, double tol) {
   Report report;
   const Field field = adapted(face, asked, report);
   EXPECT_TRUE(report.warnings().empty()) << report.warnings()[0].message;
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (const PhaseNode& node : asked.nodes)
     EXPECT_NEAR(turning(evaluator, node.position, 1e-4 * face.diameter, 0, 2 * pi), 2 * pi * (4 - node.valence), 1e-9);
   for (const CornerValence& corner : asked.corners) {
@@ -98,7 +98,7 @@ TEST(AdaptPhase, OnTheDiscReachesTheClosedForm) {
   const Field field = adapted(make_face({circle({0, 0}, 1)}), {nodes, {}, {}}, report);
   EXPECT_TRUE(report.warnings().empty());
   EXPECT_GT(field.adapt_steps.size(), 1u);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   double worst = 0;
   for (int e = 0; e < field.mesh.num_elems(); ++e) {
     for (const Vec2 xi : {Vec2{-0.3, -0.3}, {-0.9, -0.8}, {0.7, -0.9}, {-0.95, 0.9}}) {
@@ -172,4 +172,4 @@ TEST(AdaptPhase, GoesOnWhereItEnded) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::adapt

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::adapt {
 namespace {
 
 const AdaptOptions options{.raise_above = 1e-8, .lower_below = 1e-12, .min_order = 3, .max_order = 9};
@@ -24,4 +24,4 @@ TEST(OrderPolicy, NeverLowersWhatItHasRaised) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::adapt

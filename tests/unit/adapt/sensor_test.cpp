@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 namespace {
 
 // Two elements of order 3 with all coefficients 0.
@@ -85,4 +85,4 @@ TEST(Sensor, KindsHaveNames) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::adapt

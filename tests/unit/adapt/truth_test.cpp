@@ -13,7 +13,7 @@
 #include "galerkin/solve_laplace.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::adapt {
 namespace {
 
 std::string read(const std::string& name) {
@@ -22,24 +22,25 @@ std::string read(const std::string& name) {
   return bytes.str();
 }
 
-Field adapted(const std::string& shape, const LaplaceOptions& options) {
+Field adapted(const std::string& shape, const galerkin::LaplaceOptions& options) {
   Report report;
-  const TriMesh mesh = triangulate(load_face(read(shape + ".step"), shape + ".step", {}, report), {}, report);
-  return adapt_loop(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), options, report), {}, report);
+  const TriMesh mesh =
+      triangulate::triangulate(cad::load_face(read(shape + ".step"), shape + ".step", {}, report), {}, report);
+  return adapt_loop(galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), options, report), {}, report);
 }
 
 void expect_truth(const std::string& shape, const Field& field, double field_tol, double zero_tol) {
   const auto truth = nlohmann::json::parse(read("truth.json")).at(shape);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (const auto& sample : truth.at("field_samples")) {
     Vec2 value;
     ASSERT_TRUE(evaluator.value_at(Vec2{sample[0], sample[1]} - field.mesh.face.origin, value));
     EXPECT_LT(distance(value, {sample[2], sample[3]}), field_tol) << sample;
   }
   for (const auto& point : truth.at("critical_points")) {
-    const Location at = evaluator.locator().find(Vec2{point.at("x"), point.at("y")} - field.mesh.face.origin);
+    const mesh::Location at = evaluator.locator().find(Vec2{point.at("x"), point.at("y")} - field.mesh.face.origin);
     ASSERT_GE(at.elem, 0);
-    const FieldSample there = evaluator.sample(at.elem, at.xi);
+    const field::FieldSample there = evaluator.sample(at.elem, at.xi);
     const double step = norm(inverse(there.dv_dx) * there.value);  // Newton's, to our zero
     EXPECT_LT(step, zero_tol * field.mesh.face.diameter) << point;
     EXPECT_EQ(det(there.dv_dx) > 0 ? 1 : -1, point.at("index"));
@@ -64,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Truth,
                          [](const auto& shape) { return std::string(shape.param); });
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::adapt

@@ -15,17 +15,17 @@ inline SeparatrixGraph near_tangent_strip(bool is_mirrored = false, double gap =
   const Vec2 near_in = centre + Vec2{radius, 0}, far_in = centre + Vec2{0, sign * radius};
   const double low = std::asin(sign * near_in.y);
   const Vec2 near_out = unit(sign * low), far_out = unit(sign * high);
-  const std::vector<Nurbs> upper{segment(near_in, near_out), circular_arc({0, 0}, 1, low, high),
-                                 segment(far_out, far_in), circular_arc(centre, radius, half_pi, 0)};
-  const std::vector<Nurbs> lower{segment(near_out, near_in), circular_arc(centre, radius, 0, -half_pi),
-                                 segment(far_in, far_out), circular_arc({0, 0}, 1, -high, -low)};
+  const std::vector<Nurbs> upper{curve::segment(near_in, near_out), curve::circular_arc({0, 0}, 1, low, high),
+                                 curve::segment(far_out, far_in), curve::circular_arc(centre, radius, half_pi, 0)};
+  const std::vector<Nurbs> lower{curve::segment(near_out, near_in), curve::circular_arc(centre, radius, 0, -half_pi),
+                                 curve::segment(far_in, far_out), curve::circular_arc({0, 0}, 1, -high, -low)};
   return hand_made::one_block(hand_made::face({is_mirrored ? lower : upper}, 1.1), {{0}, {1}, {2}, {3}});
 }
 
 /// One side dented beyond the opposite corner: no cut makes it valid.
 inline SeparatrixGraph dart() {
-  const std::vector<Nurbs> loop{segment({0, 0}, {1, 0}), segment({1, 0}, {0.1, 0.1}), segment({0.1, 0.1}, {0, 1}),
-                                segment({0, 1}, {0, 0})};
+  const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0.1, 0.1}),
+                                curve::segment({0.1, 0.1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   return hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
 }
 

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "mesh/chords.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 BlockLayout extracted(const SeparatrixGraph& graph) {
@@ -18,8 +18,8 @@ BlockLayout extracted(const SeparatrixGraph& graph) {
 }
 
 int start_of(const BlockLayout& layout, int directed) {
-  const GraphArc& arc = layout.arcs[arc_of(directed)];
-  return is_backwards(directed) ? arc.to : arc.from;
+  const GraphArc& arc = layout.arcs[mesh::arc_of(directed)];
+  return mesh::is_backwards(directed) ? arc.to : arc.from;
 }
 
 /// Sides follow each other around every block; every directed inner arc bounds one block, boundary arcs only forwards.
@@ -67,8 +67,8 @@ TEST(ExtractBlocks, BlockMayTouchItself) {
 }
 
 TEST(ExtractBlocks, FoldedBlockHasNoPositiveBound) {
-  const std::vector<Nurbs> loop{segment({0, 0}, {1, 0}), segment({1, 0}, {0.1, 0.1}), segment({0.1, 0.1}, {0, 1}),
-                                segment({0, 1}, {0, 0})};
+  const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0.1, 0.1}),
+                                curve::segment({0.1, 0.1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   const BlockLayout layout =
       extracted(hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}}));
   EXPECT_LE(layout.block_jacobian_bound[0], 0);
@@ -104,4 +104,4 @@ TEST(ExtractBlocks, TJunctionsAreRefusedWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::block

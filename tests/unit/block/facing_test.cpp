@@ -4,16 +4,16 @@
 
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 /// Of a line from (0, 0) to (10, 0), walked backwards, and another one, at their middles.
 std::optional<double> difference(Vec2 from, Vec2 to) {
   CadFace face;
-  face.curves = {segment({10, 0}, {0, 0}), segment(from, to)};
+  face.curves = {curve::segment({10, 0}, {0, 0}), curve::segment(from, to)};
   const std::vector<Nurbs> none;
-  const CurveTable table(face, none);
-  const Chain a(table, {{0, 0, 10}}), b(table, {{1, face.curves[1].begin(), face.curves[1].end()}});
+  const curve::CurveTable table(face, none);
+  const curve::Chain a(table, {{0, 0, 10}}), b(table, {{1, face.curves[1].begin(), face.curves[1].end()}});
   return facing_difference({&a, true}, {&b, false}, 0.5);
 }
 
@@ -32,4 +32,4 @@ TEST(Facing, FollowsAShift) {
 TEST(Facing, FindsNothingWhereTheEndsDoNotReach) { EXPECT_FALSE(difference({11, 1}, {21, 1})); }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::block

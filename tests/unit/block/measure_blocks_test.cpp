@@ -4,7 +4,7 @@
 
 #include "block_samples.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 BlockMeasure only_block(const SeparatrixGraph& graph) {
@@ -34,8 +34,8 @@ TEST(MeasureBlocks, QuarterAnnulusIsOrthogonal) {
 }
 
 TEST(MeasureBlocks, ScaledJacobianIsFoundAtItsPlace) {
-  const std::vector<Nurbs> loop{segment({0, 0}, {2, 0}), segment({2, 0}, {2, 1.5}), segment({2, 1.5}, {1, 1}),
-                                segment({1, 1}, {0, 0})};
+  const std::vector<Nurbs> loop{curve::segment({0, 0}, {2, 0}), curve::segment({2, 0}, {2, 1.5}),
+                                curve::segment({2, 1.5}, {1, 1}), curve::segment({1, 1}, {0, 0})};
   const BlockMeasure m = only_block(hand_made::one_block(hand_made::face({loop}, 2.5), {{0}, {1}, {2}, {3}}));
   EXPECT_NEAR(m.scaled_jacobian, 1 / std::sqrt(10.0), 1e-12);
   EXPECT_NEAR(distance(m.scaled_jacobian_place, {1, 1}), 0, 1e-12);
@@ -61,4 +61,4 @@ TEST(MeasureBlocks, FoldedBlockCannotBeProved) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::block

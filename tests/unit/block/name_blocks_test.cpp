@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "block_samples.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 using Kind = NameRule::Kind;
@@ -107,4 +107,4 @@ TEST(NameBlocks, TwoRulesForOneBlockAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::block

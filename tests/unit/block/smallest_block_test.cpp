@@ -5,7 +5,7 @@
 #include "block/tell_layout.hpp"
 #include "block_samples.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 SmallestBlock smallest_of(const SeparatrixGraph& graph) {
@@ -53,4 +53,4 @@ TEST(SmallestBlock, OneLineForPeople) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::block

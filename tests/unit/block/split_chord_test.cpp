@@ -6,12 +6,13 @@
 #include "block_samples.hpp"
 #include "check/check.hpp"
 
-namespace quadrille {
+namespace quadrille::block {
 namespace {
 
 std::string faults(const BlockLayout& layout) {
   std::string all;
-  for (const Violation& v : check_block_layout(layout, CheckDepth::full)) all += v.rule + ": " + v.text + "\n";
+  for (const check::Violation& v : check::check_block_layout(layout, check::CheckDepth::full))
+    all += v.rule + ": " + v.text + "\n";
   return all;
 }
 
@@ -46,7 +47,7 @@ TEST(SplitChord, CutOfASoundBlockIsALineOfItsMap) {
   const BlockLayout layout = cut(hand_made::cut_annulus(4), 1);
   for (const BlockMeasure& m : measure_blocks(layout)) EXPECT_NEAR(m.scaled_jacobian, 1, 1e-6);
   for (const Nurbs& spline : std::vector<Nurbs>(layout.splines.end() - 4, layout.splines.end()))
-    for (int i = 0; i <= 8; ++i) EXPECT_NEAR(norm(point(spline, spline.end() * i / 8)), 0.75, 1e-8);
+    for (int i = 0; i <= 8; ++i) EXPECT_NEAR(norm(curve::point(spline, spline.end() * i / 8)), 0.75, 1e-8);
 }
 
 TEST(SplitChord, LeavesPrescribedLengthsAlone) {
@@ -113,4 +114,4 @@ TEST(MakeBlocks, WarnsOfWhatNoCutMakesValid) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::block

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 RawEdge edge(const Nurbs& curve, int cad_edge, const std::string& name = {}) {
@@ -20,7 +20,7 @@ RawFace polygon(const std::vector<Vec2>& p) {
   raw.file = "f.step";
   raw.wires.emplace_back();
   for (size_t i = 0; i < p.size(); ++i)
-    raw.wires[0].push_back(edge(segment(p[i], p[(i + 1) % p.size()]), static_cast<int>(i)));
+    raw.wires[0].push_back(edge(curve::segment(p[i], p[(i + 1) % p.size()]), static_cast<int>(i)));
   return raw;
 }
 
@@ -40,10 +40,10 @@ TEST(AssembleFace, turns_clockwise_wires_but_keeps_their_first_edge) {
 
 TEST(AssembleFace, puts_the_outline_first_whatever_the_file_does) {
   RawFace raw = polygon(square);
-  raw.wires.insert(raw.wires.begin(), {edge(circular_arc({0.5, 0.5}, 0.1, 0, 2 * pi), 4)});
+  raw.wires.insert(raw.wires.begin(), {edge(curve::circular_arc({0.5, 0.5}, 0.1, 0, 2 * pi), 4)});
   const CadFace face = assembled(raw);
   EXPECT_EQ(face.loop_offsets, (std::vector<int>{0, 4, 5}));
-  EXPECT_LT(curvature(face.curves[4], 1), 0);
+  EXPECT_LT(curve::curvature(face.curves[4], 1), 0);
 }
 
 TEST(AssembleFace, chains_edges_that_come_in_any_sequence) {
@@ -54,16 +54,16 @@ TEST(AssembleFace, chains_edges_that_come_in_any_sequence) {
 
 TEST(AssembleFace, closes_gaps_below_the_tolerance_bit_for_bit_and_no_others) {
   RawFace raw = polygon(square);
-  raw.wires[0][1] = edge(segment({1 + 1e-8, 1e-8}, {1, 1}), 1);
+  raw.wires[0][1] = edge(curve::segment({1 + 1e-8, 1e-8}, {1, 1}), 1);
   const CadFace face = assembled(raw);
   EXPECT_EQ(face.curves[0].poles.back(), face.curves[1].poles.front());
-  raw.wires[0][1] = edge(segment({1 + 1e-4, 0}, {1, 1}), 1);
+  raw.wires[0][1] = edge(curve::segment({1 + 1e-4, 0}, {1, 1}), 1);
   EXPECT_THROW(assembled(raw), FormatError);
 }
 
 TEST(AssembleFace, drops_edges_without_length_with_a_warning) {
   RawFace raw = polygon(square);
-  raw.wires[0].insert(raw.wires[0].begin() + 1, edge(segment({1, 0}, {1, 1e-9}), 4));
+  raw.wires[0].insert(raw.wires[0].begin() + 1, edge(curve::segment({1, 0}, {1, 1e-9}), 4));
   Report report;
   EXPECT_EQ(assemble_face(raw, 0.01, report).num_curves(), 4);
   ASSERT_EQ(report.warnings().size(), 1U);
@@ -112,4 +112,4 @@ TEST(AssembleFace, refuses_coordinates_that_are_not_numbers) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 RawEdge edge(const std::string& name, const std::string& layer, const std::string& colour) {
@@ -47,4 +47,4 @@ TEST(ChooseNames, one_colour_for_all_of_several_edges_says_nothing) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

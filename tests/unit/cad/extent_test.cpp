@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 Nurbs turned(Nurbs curve, double angle) {
@@ -17,21 +17,21 @@ Nurbs turned(Nurbs curve, double angle) {
 
 // A D: a half ellipse with half axes 1 and 3 over the y axis, whose farthest points lie on no knot.
 std::vector<Nurbs> lens() {
-  Nurbs arc = circular_arc({0, 0}, 1, -1.2, 1.7);
+  Nurbs arc = curve::circular_arc({0, 0}, 1, -1.2, 1.7);
   for (Vec2& p : arc.poles) p.y *= 3;
-  return {arc, segment(arc.poles.back(), arc.poles.front())};
+  return {arc, curve::segment(arc.poles.back(), arc.poles.front())};
 }
 
 TEST(Extent, area_of_a_disc_has_the_sign_of_its_direction) {
-  EXPECT_NEAR(signed_area({circular_arc({5, 5}, 2, 0.3, 0.3 + 2 * pi)}), 4 * pi, 1e-13);
-  EXPECT_NEAR(signed_area({circular_arc({5, 5}, 2, 0.3, 0.3 - 2 * pi)}), -4 * pi, 1e-13);
+  EXPECT_NEAR(signed_area({curve::circular_arc({5, 5}, 2, 0.3, 0.3 + 2 * pi)}), 4 * pi, 1e-13);
+  EXPECT_NEAR(signed_area({curve::circular_arc({5, 5}, 2, 0.3, 0.3 - 2 * pi)}), -4 * pi, 1e-13);
 }
 
 TEST(Extent, diameter_of_disc_and_rectangle) {
-  EXPECT_NEAR(diameter({circular_arc({1, 2}, 3, 0.4, 0.4 + 2 * pi)}), 6, 1e-14);
+  EXPECT_NEAR(diameter({curve::circular_arc({1, 2}, 3, 0.4, 0.4 + 2 * pi)}), 6, 1e-14);
   const std::vector<Vec2> p{{0, 0}, {3, 0}, {3, 4}, {0, 4}};
   std::vector<Nurbs> sides;
-  for (int i = 0; i < 4; ++i) sides.push_back(segment(p[i], p[(i + 1) % 4]));
+  for (int i = 0; i < 4; ++i) sides.push_back(curve::segment(p[i], p[(i + 1) % 4]));
   EXPECT_NEAR(diameter(sides), 5, 1e-15);
 }
 
@@ -46,4 +46,4 @@ TEST(Extent, diameter_does_not_change_when_the_shape_is_turned) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

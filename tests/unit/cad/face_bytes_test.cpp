@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 CadFace some_face() {
@@ -17,7 +17,7 @@ CadFace some_face() {
   face.plane_origin = {1, 2, 1.0 / 3};
   face.origin = {1e6, -0.0};
   face.diameter = 0.1;
-  face.curves = {segment({0, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, 3)};
+  face.curves = {curve::segment({0, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, 3)};
   face.curve_names = {"wall", std::string("zero\0inside", 11)};
   face.curve_cad_edges = {4, 2};
   face.loop_offsets = {0, 2};
@@ -57,4 +57,4 @@ TEST(FaceBytes, cut_off_or_too_long_is_a_defect) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

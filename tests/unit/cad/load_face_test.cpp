@@ -12,7 +12,7 @@
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 std::string bytes_of(const std::string& file) {
@@ -33,7 +33,7 @@ struct Loaded {
   }
   double perimeter() const {
     double sum = 0;
-    for (const Nurbs& curve : face.curves) sum += ArcLength(curve).total();
+    for (const Nurbs& curve : face.curves) sum += curve::ArcLength(curve).total();
     return sum;
   }
 };
@@ -70,7 +70,7 @@ void expect_consistent(const CadFace& face) {
     EXPECT_EQ(curve.knots.size(), curve.poles.size() + curve.degree + 1);
     EXPECT_EQ(curve.poles.back(), face.curves[face.next_in_loop(i)].poles.front());
     EXPECT_EQ(face.joints[i].position, curve.poles.front());
-    EXPECT_NEAR(wrap_pi(face.joints[i].tangent_out - angle_of(tangent(curve, curve.begin()))), 0, 1e-15);
+    EXPECT_NEAR(wrap_pi(face.joints[i].tangent_out - angle_of(curve::tangent(curve, curve.begin()))), 0, 1e-15);
   }
   // Turning: 2 pi around the outline, -2 pi around a hole.
   for (int l = 0; l < face.num_loops(); ++l) {
@@ -80,7 +80,7 @@ void expect_consistent(const CadFace& face) {
       const Nurbs& curve = face.curves[i];
       for (int k = 0; k < 1000; ++k) {
         const double span = (curve.end() - curve.begin()) / 1000, t = curve.begin() + k * span;
-        const Vec2 a = tangent(curve, t), b = tangent(curve, t + span, true);
+        const Vec2 a = curve::tangent(curve, t), b = curve::tangent(curve, t + span, true);
         turning += std::atan2(cross(a, b), dot(a, b));
       }
     }
@@ -113,7 +113,7 @@ TEST(LoadFace, a_hole_is_walked_clockwise_and_its_seam_is_smooth) {
   expect_consistent(l.face);
   ASSERT_EQ(l.face.num_loops(), 2);
   EXPECT_EQ(l.face.euler_characteristic(), 0);
-  EXPECT_LT(curvature(l.face.curves[1], 1), 0);
+  EXPECT_LT(curve::curvature(l.face.curves[1], 1), 0);
   for (const Joint& joint : l.face.joints) {
     EXPECT_EQ(joint.interior_angle, pi);
     EXPECT_FALSE(joint.is_corner);
@@ -294,7 +294,7 @@ TEST(LoadFace, curves_are_exact) {
   expect_consistent(arc.face);
   for (int i = 0; i <= 50; ++i) {
     const Nurbs& ellipse = arc.face.curves[0];
-    const Vec2 x = point(ellipse, ellipse.begin() + (ellipse.end() - ellipse.begin()) * i / 50);
+    const Vec2 x = curve::point(ellipse, ellipse.begin() + (ellipse.end() - ellipse.begin()) * i / 50);
     EXPECT_NEAR(x.x * x.x / 4 + x.y * x.y, 1, 1e-14);
   }
   EXPECT_NEAR(load("bad/bezier.step").area(), 1.0 / 3, 1e-15);
@@ -323,7 +323,7 @@ TEST(LoadFace, other_curves_are_converted) {
   expect_consistent(face);
   for (int i = 1; i < 50; ++i) {
     const Vec2 x =
-        point(face.curves[0], face.curves[0].begin() + i * (face.curves[0].end() - face.curves[0].begin()) / 50);
+        curve::point(face.curves[0], face.curves[0].begin() + i * (face.curves[0].end() - face.curves[0].begin()) / 50);
     // The nearest point of the parabola: u^3 / 8 + u (1 - x / 2) - y = 0.
     double u = x.y;
     for (int k = 0; k < 50; ++k) u -= (u * u * u / 8 + u * (1 - x.x / 2) - x.y) / (3 * u * u / 8 + 1 - x.x / 2);
@@ -392,4 +392,4 @@ TEST(LoadFace, refuses_holes_out_of_place) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -5,18 +5,18 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 using Loop = std::vector<Nurbs>;
 
 Loop polygon(const std::vector<Vec2>& p) {
   Loop loop;
-  for (size_t i = 0; i < p.size(); ++i) loop.push_back(segment(p[i], p[(i + 1) % p.size()]));
+  for (size_t i = 0; i < p.size(); ++i) loop.push_back(curve::segment(p[i], p[(i + 1) % p.size()]));
   return loop;
 }
 
-Loop circle(Vec2 centre, double radius) { return {circular_arc(centre, radius, 0.2, 0.2 + 2 * pi)}; }
+Loop circle(Vec2 centre, double radius) { return {curve::circular_arc(centre, radius, 0.2, 0.2 + 2 * pi)}; }
 
 constexpr double tol = 1e-9;
 
@@ -25,8 +25,8 @@ TEST(OutlineChecks, simple_loops_have_no_contact) {
   EXPECT_FALSE(find_contact({circle({0, 0}, 1)}, tol));
   EXPECT_FALSE(find_contact({circle({0, 0}, 1), circle({0.3, 0}, 0.6)}, tol));
   // A lens of two arcs, and a corner of nearly 360 degrees.
-  const Nurbs up = circular_arc({0, -1}, std::sqrt(2.0), pi / 4, 3 * pi / 4);
-  EXPECT_FALSE(find_contact({{segment({-1, 0}, {1, 0}), up}}, tol));
+  const Nurbs up = curve::circular_arc({0, -1}, std::sqrt(2.0), pi / 4, 3 * pi / 4);
+  EXPECT_FALSE(find_contact({{curve::segment({-1, 0}, {1, 0}), up}}, tol));
   EXPECT_FALSE(find_contact({polygon({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0.9999, 2}, {0, 2}})}, tol));
 }
 
@@ -52,13 +52,13 @@ TEST(OutlineChecks, crossings_are_located) {
 
 TEST(OutlineChecks, curves_upon_each_other_are_a_contact) {
   EXPECT_TRUE(find_contact({circle({0, 0}, 1), circle({0, 0}, 1)}, tol));
-  const Nurbs arc = circular_arc({0, 0}, 1, 0, 1);
-  EXPECT_TRUE(find_contact({{arc, reversed(arc)}}, tol));
+  const Nurbs arc = curve::circular_arc({0, 0}, 1, 0, 1);
+  EXPECT_TRUE(find_contact({{arc, curve::reversed(arc)}}, tol));
 }
 
 TEST(OutlineChecks, a_curve_that_crosses_itself_is_found) {
   const Nurbs loop{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {3, 2}, {-1, 2}, {2, 0}}, {1, 1, 1, 1}};
-  EXPECT_TRUE(find_contact({{loop, segment({2, 0}, {0, 0})}}, tol));
+  EXPECT_TRUE(find_contact({{loop, curve::segment({2, 0}, {0, 0})}}, tol));
 }
 
 TEST(OutlineChecks, winding_number_tells_inside_from_outside_close_to_the_curve) {
@@ -66,8 +66,8 @@ TEST(OutlineChecks, winding_number_tells_inside_from_outside_close_to_the_curve)
   EXPECT_EQ(winding_number(disc, {0, 0}), 1);
   EXPECT_EQ(winding_number(disc, (1 - 1e-12) * unit(0.7)), 1);
   EXPECT_EQ(winding_number(disc, (1 + 1e-12) * unit(0.7)), 0);
-  EXPECT_EQ(winding_number({reversed(disc[0])}, {0.5, 0}), -1);
+  EXPECT_EQ(winding_number({curve::reversed(disc[0])}, {0.5, 0}), -1);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

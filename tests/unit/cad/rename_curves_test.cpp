@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 using Kind = NameRule::Kind;
@@ -15,7 +15,8 @@ using Names = std::vector<std::string>;
 /// The upper half of the unit disc, in a plane of its own: the diameter is curve 0, the arc curves 1 and 2.
 CadFace half_disc() {
   CadFace face;
-  face.curves = {segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, half_pi), circular_arc({0, 0}, 1, half_pi, pi)};
+  face.curves = {curve::segment({-1, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, half_pi),
+                 curve::circular_arc({0, 0}, 1, half_pi, pi)};
   face.curve_names = {"axis", "arc", "arc"};
   face.diameter = 2;
   face.origin = {100, 0};
@@ -96,4 +97,4 @@ TEST(RenameCurves, TwoRulesForOneCurveAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

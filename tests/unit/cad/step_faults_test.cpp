@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 std::string step(const std::string& data) { return "ISO-10303-21;\nDATA;\n" + data + "ENDSEC;\nEND-ISO-10303-21;\n"; }
@@ -25,4 +25,4 @@ TEST(StepFaults, wrong_types_are_named) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

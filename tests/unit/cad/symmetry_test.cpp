@@ -10,7 +10,7 @@
 
 #include "cad/load_face.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 /// Rotations and mirrored isometries.
@@ -22,7 +22,7 @@ std::pair<int, int> order_of(const std::string& file) {
   Report report;
   const CadFace face = load_face_guarded(bytes.str(), file, {}, report);
   std::pair<int, int> order;
-  for (const Isometry& g : symmetries(face)) ++(g.is_mirrored ? order.second : order.first);
+  for (const curve::Isometry& g : curve::symmetries(face)) ++(g.is_mirrored ? order.second : order.first);
   return order;
 }
 
@@ -44,4 +44,4 @@ TEST(SymmetriesOfFiles, are_those_of_the_shapes) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -10,14 +10,14 @@
 #include "cad/load_face.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::cad {
 namespace {
 
 // A half disc of radius 1, cut into two blocks along the y axis, whose arc pieces and names are those of the face.
 BlockLayout two_blocks() {
   BlockLayout layout;
   CadFace& face = layout.face;
-  face.curves = {segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)};
+  face.curves = {curve::segment({-1, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, pi)};
   face.curve_names = {"floor", "roof"};
   face.loop_offsets = {0, 2};
   face.diameter = 2;
@@ -25,7 +25,7 @@ BlockLayout two_blocks() {
   face.metres_per_unit = 0.0254;
   face.plane_origin = {1, 2, 3};
   face.plane_y = {0, 0.8, 0.6};
-  layout.splines = {segment({0, 0}, {0, 1})};
+  layout.splines = {curve::segment({0, 0}, {0, 1})};
   const auto on_roof = [](double angle) { return unit(angle); };
   for (const Vec2 x : {Vec2{-1, 0}, {0, 0}, {1, 0}, on_roof(pi / 4), {0, 1}, on_roof(3 * pi / 4)})
     layout.nodes.push_back({x, NodeKind::boundary, 1, 0, 0});
@@ -102,8 +102,8 @@ TEST(WriteStep, one_block_is_read_again_with_its_numbers) {
     EXPECT_NEAR(face.plane_origin[k] + corner.x * face.plane_x[k] + corner.y * face.plane_y[k], expected[k], 1e-13);
   for (double t = 0; t <= 1; t += 0.125) {
     const Nurbs& roof = face.curves[3];
-    const Vec2 x = point(roof, roof.begin() + t * (roof.end() - roof.begin()));
-    const Vec2 centre = point(face.curves[0], face.curves[0].end());
+    const Vec2 x = curve::point(roof, roof.begin() + t * (roof.end() - roof.begin()));
+    const Vec2 centre = curve::point(face.curves[0], face.curves[0].end());
     EXPECT_NEAR(distance(x, centre), 1, 1e-13);
   }
 }
@@ -115,4 +115,4 @@ TEST(WriteStep, refuses_arcs_that_miss_their_nodes) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cad

@@ -5,7 +5,7 @@
 #include "../samples.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 template <typename Damage>
@@ -93,4 +93,4 @@ TEST(BlockLayoutCheck, BlkR15IndexSum) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -6,7 +6,7 @@
 #include "check/nurbs_rules.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 /// The rules that the square breaks once `damage` has been done to it.
@@ -98,4 +98,4 @@ TEST(NurbsRules, AQuarterCircleIsRound) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -5,7 +5,7 @@
 #include "../samples.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 constexpr int least = std::numeric_limits<int>::min();
@@ -175,4 +175,4 @@ TEST(CriticalPointsCheck, CrtR16ChangesKeepTheIndexSum) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

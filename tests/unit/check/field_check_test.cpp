@@ -5,7 +5,7 @@
 #include "../samples.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 constexpr int least = std::numeric_limits<int>::min();
@@ -122,4 +122,4 @@ TEST(FieldCheck, FldR10TermsAreThoseAskedFor) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

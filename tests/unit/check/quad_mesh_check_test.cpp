@@ -5,7 +5,7 @@
 #include "../samples.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 template <typename Damage>
@@ -90,4 +90,4 @@ TEST(QuadMeshCheck, DoubtNamesTheWorstElement) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

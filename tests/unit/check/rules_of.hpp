@@ -7,7 +7,7 @@
 
 #include "check/check.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 
 inline std::set<std::string> rules_of(const std::vector<Violation>& violations) {
   std::set<std::string> rules;
@@ -17,4 +17,4 @@ inline std::set<std::string> rules_of(const std::vector<Violation>& violations) 
 
 using Rules = std::set<std::string>;
 
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -3,7 +3,7 @@
 #include "../samples.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 template <typename Damage>
@@ -108,4 +108,4 @@ TEST(SeparatrixGraphCheck, AGraphWithoutACertificateIsNotJudgedByOne) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -5,7 +5,7 @@
 #include "../samples.hpp"
 #include "rules_of.hpp"
 
-namespace quadrille {
+namespace quadrille::check {
 namespace {
 
 template <typename Damage>
@@ -87,4 +87,4 @@ TEST(TriMeshCheck, QuickDepthLeavesTheProofsOut) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::check

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::cli {
 namespace {
 
 /// What one run of a tool did.
@@ -209,4 +209,4 @@ TEST(ToolMain, AReportThatCannotBeWrittenIsAnOutputError) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::cli

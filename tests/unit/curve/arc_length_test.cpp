@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 // Half axes 3 and 1: an affine image of the unit circle's NURBS.
@@ -97,4 +97,4 @@ TEST(ArcLength, of_a_parabola_of_many_spans_is_exact_to_round_off) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 // A slot's side: a unit line into a quarter arc of radius 1, then a spline that is no CAD curve.
@@ -74,4 +74,4 @@ TEST_F(ChainTest, the_seam_of_a_circle_is_no_break_but_that_of_a_drop_is) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::curve

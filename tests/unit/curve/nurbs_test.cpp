@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 void expect_near(Vec2 a, Vec2 b, double tol) {
@@ -131,4 +131,4 @@ TEST(Nurbs, a_jump_of_the_third_derivative_is_a_break) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::curve

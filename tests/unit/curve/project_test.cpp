@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 TEST(Project, onto_a_circle_is_radial_from_inside_and_outside) {
@@ -53,4 +53,4 @@ TEST(Project, finds_the_nearest_of_two_branches) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -10,7 +10,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::curve {
 namespace {
 
 using namespace testing_faces;
@@ -141,4 +141,4 @@ TEST(Symmetries, are_a_group_that_maps_corners_onto_corners) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 namespace {
 
 struct Piece {
@@ -87,4 +87,4 @@ TEST(Bezier, CircleStaysWithinATenthOfAPixel) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::draw {
 namespace {
 
 TEST(Colour, GreysAreGreyAndEndsAreBlackAndWhite) {
@@ -32,4 +32,4 @@ TEST(Colour, NeighboursDiffer) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -8,7 +8,7 @@
 #include "curve/nurbs.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::draw {
 namespace {
 
 int count(const std::string& text, const std::string& part) {
@@ -30,7 +30,7 @@ CadFace square() {
   CadFace face;
   const Vec2 corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int i = 0; i < 4; ++i) {
-    face.curves.push_back(segment(corners[i], corners[(i + 1) % 4]));
+    face.curves.push_back(curve::segment(corners[i], corners[(i + 1) % 4]));
     face.joints.push_back({corners[i], wrap_pi(half_pi * (i - 1)), wrap_pi(half_pi * i), half_pi, true});
   }
   face.curve_names = {"wall", "out < let", "", ""};
@@ -287,7 +287,7 @@ TEST(Draw, NoCriticalPointsAtAllIsAPictureToo) { expect_sound(draw_critical_poin
 SeparatrixGraph halved_square() {
   SeparatrixGraph graph;
   graph.face = square();
-  graph.splines = {segment({0, 0.5}, {1, 0.5})};
+  graph.splines = {curve::segment({0, 0.5}, {1, 0.5})};
   for (int i = 0; i < 4; ++i) graph.nodes.push_back({graph.face.joints[i].position, NodeKind::corner, 1, i, 0});
   graph.nodes.push_back({{1, 0.5}, NodeKind::boundary, 2, 1, 0.5});
   graph.nodes.push_back({{0, 0.5}, NodeKind::cut, 2, 3, 0.5});
@@ -364,7 +364,7 @@ QuadMesh two_quads(int order, double quality) {
   QuadMesh mesh;
   mesh.face = square();
   mesh.order = order;
-  const auto& points = gll_points(order);
+  const auto& points = spectral::gll_points(order);
   const int m = order + 1;
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < 2 * order + 1; ++i) {
@@ -404,4 +404,4 @@ TEST(Draw, QuadsThatAreNotProvedAreOutlinedAndSaid) {
 TEST(Draw, PerfectMeshHasNoRing) { EXPECT_EQ(count(draw_quad_mesh(two_quads(1, 1), {}), "class=\"ring\""), 0); }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::draw

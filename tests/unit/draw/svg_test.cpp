@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::draw {
 namespace {
 
 TEST(Svg, NumbersAreShortAndNeverMinusZero) {
@@ -32,4 +32,4 @@ TEST(Svg, PathDataIsCompact) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::draw

@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 TEST(AbaqusInp, TwoQuadsWordByWord) {
@@ -40,4 +40,4 @@ TEST(AbaqusInp, NamesAreWrittenInLettersThatReadersTake) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -9,12 +9,12 @@
 #include "refine/refine.hpp"
 #include "spectral/quad_map.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, 5e-7}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
 }
 
 /// de Casteljau on points[0 .. order * stride].
@@ -42,7 +42,7 @@ TEST(Bezier, ControlPointsGiveTheSameMap) {
         std::vector<Vec2> column;
         for (int j = 0; j <= order; ++j) column.push_back(on_curve(&points[j * (order + 1)], order, 1, (1 + xi.x) / 2));
         const Vec2 x = on_curve(column.data(), order, 1, (1 + xi.y) / 2);
-        EXPECT_NEAR(distance(x, quad_position(order, nodes.data(), xi)), 0, 1e-13) << order;
+        EXPECT_NEAR(distance(x, spectral::quad_position(order, nodes.data(), xi)), 0, 1e-13) << order;
       }
     }
   }
@@ -62,4 +62,4 @@ TEST(Bezier, QuadraticArcHasItsPoleWhereTheTangentsMeet) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

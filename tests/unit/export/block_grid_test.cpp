@@ -8,15 +8,15 @@
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  RefineOptions options;
+  refine::RefineOptions options;
   options.size = size;
   options.order = order;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine::refine(block::extract_blocks(graph, report), options, report);
 }
 
 /// Every element once, neighbours in a row share a side, and the four sides go round.
@@ -86,4 +86,4 @@ TEST(BlockGrid, CutRunsOnThroughTheNeighbour) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -9,15 +9,15 @@
 #include "refine/refine.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  RefineOptions options;
+  refine::RefineOptions options;
   options.size = size;
   options.order = order;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine::refine(block::extract_blocks(graph, report), options, report);
 }
 
 TEST(BlockMeshDict, TwoQuadsWordByWord) {
@@ -163,4 +163,4 @@ TEST(HexBlocks, RefusesCellsThatAreNotConvex) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 TEST(ChebyshevLobatto, KnownPoints) {
@@ -30,4 +30,4 @@ TEST(ChebyshevLobatto, AscendsAndReadsTheSameFromBothEnds) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

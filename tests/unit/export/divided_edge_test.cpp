@@ -4,7 +4,7 @@
 
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 DividedEdge line(Vec2 a, Vec2 b, const std::vector<double>& shares) {
@@ -69,4 +69,4 @@ TEST(BlockMeshPoints, AreTheVerticesOnTheSides) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -10,12 +10,12 @@
 #include "refine/refine.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order, double geometry_tol = 5e-7) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, geometry_tol}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, geometry_tol}, report);
 }
 
 TEST(EdgeNumbering, CountsObeyEuler) {
@@ -62,4 +62,4 @@ TEST(EdgeNumbering, TwoEdgesBetweenTwoVerticesStayTwo) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

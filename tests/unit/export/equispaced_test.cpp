@@ -10,12 +10,12 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, 5e-7}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
 }
 
 TEST(Equispaced, NodesLieOnTheSamePolynomial) {
@@ -29,7 +29,7 @@ TEST(Equispaced, NodesLieOnTheSamePolynomial) {
       for (int k = 0; k < count; ++k) nodes.push_back(mesh.nodes[mesh.elem_nodes[elem * count + k]]);
       for (int j = 0; j <= order; ++j)
         for (int i = 0; i <= order; ++i) {
-          const Vec2 exact = quad_position(order, nodes.data(), {-1 + 2.0 * i / order, -1 + 2.0 * j / order});
+          const Vec2 exact = spectral::quad_position(order, nodes.data(), {-1 + 2.0 * i / order, -1 + 2.0 * j / order});
           const Vec2 got = moved[mesh.elem_nodes[elem * count + j * (order + 1) + i]];
           EXPECT_NEAR(distance(got, exact), 0, 1e-13);
         }
@@ -48,4 +48,4 @@ TEST(Equispaced, VerticesStayBitForBit) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

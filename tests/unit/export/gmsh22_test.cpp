@@ -12,12 +12,12 @@
 #include "export/gmsh.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, 5e-7}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
 }
 
 std::string msh22(const QuadMesh& mesh) { return gmsh_msh22(mesh, plane_frame(mesh.face)).bytes; }
@@ -161,4 +161,4 @@ TEST(Gmsh22, EveryOrderUpToTenHasItsTypes) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

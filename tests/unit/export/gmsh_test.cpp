@@ -13,14 +13,14 @@
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 std::string msh_text(const QuadMesh& mesh) { return gmsh_msh41(mesh, plane_frame(mesh.face)).bytes; }
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, 5e-7}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
 }
 
 /// What this test needs of a file, by a reader that shares no code with the writer.
@@ -197,4 +197,4 @@ TEST(Gmsh, HighOrderNodesLieOnTheSamePolynomial) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -5,7 +5,7 @@
 #include "export/hohqmesh_model.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 TEST(HohqmeshIsm, TwoQuadsWordByWord) {
@@ -87,4 +87,4 @@ TEST(HohqmeshIsm, OrderOneHasNoCurves) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

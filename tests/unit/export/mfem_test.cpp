@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 TEST(Mfem, TwoQuadsInFull) {
@@ -162,4 +162,4 @@ TEST(Mfem, EdgesThatItCannotTellApartAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

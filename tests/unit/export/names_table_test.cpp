@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 TEST(NamesTable, ListsGroupsWithTheirNumbers) {
@@ -37,4 +37,4 @@ TEST(NamesTable, SaysWhatTheFileCallsAGroup) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

@@ -8,7 +8,7 @@
 #include "export/nek_field.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// Little-endian doubles, put together byte by byte.
@@ -86,4 +86,4 @@ TEST(NekField, TwoQuadsByteByByte) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

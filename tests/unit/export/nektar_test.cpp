@@ -4,7 +4,7 @@
 
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 std::string xml(const QuadMesh& mesh) { return nektar_xml(mesh, plane_frame(mesh.face)).bytes; }
@@ -123,4 +123,4 @@ TEST(Nektar, SpaceHasThreeDimensionsOnlyWhereItNeedsThem) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

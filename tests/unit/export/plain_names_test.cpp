@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -42,4 +42,4 @@ TEST(PlainNames, RegionsAreLostWhereSomebodyNamedThem) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

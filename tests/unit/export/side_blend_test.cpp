@@ -8,7 +8,7 @@
 #include "refine/refine.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 TEST(SideBlend, TellsHowFarTheMiddleWasMoved) {
@@ -19,7 +19,7 @@ TEST(SideBlend, TellsHowFarTheMiddleWasMoved) {
 
 TEST(SideBlend, ElementsOfABlendedBlockAreBlends) {
   Report report;
-  const QuadMesh mesh = refine(extract_blocks(hand_made::elbow(), report), {0.4, 7, 5e-7}, report);
+  const QuadMesh mesh = refine::refine(block::extract_blocks(hand_made::elbow(), report), {0.4, 7, 5e-7}, report);
   for (int elem = 0; elem < mesh.num_elems(); ++elem) EXPECT_LT(distance_from_side_blend(mesh, elem), 1e-14) << elem;
 }
 
@@ -33,4 +33,4 @@ TEST(SideBlend, DistanceFromTheChordIsThatOfTheArcAndOfUnevenSpeed) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

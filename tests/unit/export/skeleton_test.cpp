@@ -9,12 +9,12 @@
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, 5e-7}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
 }
 
 /// Each curve's edges follow each other from its first point to its last.
@@ -76,4 +76,4 @@ TEST(Skeleton, EdgesCoverTheBoundaryOnce) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

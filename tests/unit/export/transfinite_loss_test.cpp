@@ -6,7 +6,7 @@
 #include "spectral/quadrature.hpp"
 #include "two_quads.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 /// One element of order n whose nodes are f(s, t), s and t in [0, 1].
@@ -15,8 +15,8 @@ QuadMesh one_quad(int order, Map f) {
   QuadMesh mesh;
   mesh.order = order;
   mesh.face.diameter = 1;
-  for (const double eta : gll_points(order))
-    for (const double xi : gll_points(order)) {
+  for (const double eta : spectral::gll_points(order))
+    for (const double xi : spectral::gll_points(order)) {
       mesh.elem_nodes.push_back(static_cast<int>(mesh.nodes.size()));
       mesh.nodes.push_back(f((1 + xi) / 2, (1 + eta) / 2));
     }
@@ -44,7 +44,7 @@ TEST(TransfiniteLoss, IsTheDistanceOfTheMovedNode) {
 TEST(TransfiniteLoss, ParabolasKeepOrderTwoAndMissOrderThree) {
   EXPECT_EQ(transfinite_loss(two_quads(), RebuiltFrom::quadratic_sides, "x").sides, 0);
   // y = s^3 / 4 against the parabola through s = 0, 1/2, 1: the difference s (s - 1/2) (s - 1) / 4 at the nodes.
-  const double s = (1 + gll_points(3)[2]) / 2;
+  const double s = (1 + spectral::gll_points(3)[2]) / 2;
   EXPECT_NEAR(transfinite_loss(one_quad(3, ruled), RebuiltFrom::quadratic_sides, "x").sides,
               std::abs(s * (s - 0.5) * (s - 1) / 4), 1e-15);
 }
@@ -68,4 +68,4 @@ TEST(TransfiniteLoss, RefusesWhatTheReaderWouldFold) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

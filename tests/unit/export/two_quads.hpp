@@ -8,7 +8,7 @@
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 
 /// [0, 2]^2 and [2, 4] x [0, 2], the second with a curved top through (3, 2.5) and, in its middle, the blend of its
 /// sides. Nodes row by row from below. Curves: below and above "wall", right "in & out", left without a name.
@@ -76,4 +76,4 @@ inline QuadMesh ring_of_two_quads() {
 /// x3d = (7, 0, 0) + x (0, 1, 0) + y (0, 0, 1).
 inline Frame upright_frame() { return {{7, 0, 0}, {0, 1, 0}, {0, 0, 1}}; }
 
-}  // namespace quadrille
+}  // namespace quadrille::exports

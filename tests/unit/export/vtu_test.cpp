@@ -12,12 +12,12 @@
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::exports {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
   Report report;
-  return refine(extract_blocks(graph, report), {size, order, 5e-7}, report);
+  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
 }
 
 /// What follows the array's start tag, up to its end tag; "" where there is no such array.
@@ -159,4 +159,4 @@ TEST(Vtu, FrameInSpaceIsWritten) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::exports

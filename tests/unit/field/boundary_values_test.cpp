@@ -8,13 +8,13 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 CadFace half_disc() {
   CadFace face;
   face.diameter = 2;
-  face.curves = {segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)};
+  face.curves = {curve::segment({-1, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, pi)};
   face.joints = {{{-1, 0}, -half_pi, 0, half_pi, true}, {{1, 0}, 0, half_pi, half_pi, true}};
   face.loop_offsets = {0, 2};
   return face;
@@ -31,7 +31,7 @@ TEST(BoundaryValues, FollowTheTangentOfAnArc) {
   for (const double t : {0.0, 0.1, 1.0, 2.5, pi}) {
     // The tangent at polar angle t is t + 90 degrees: the same cross.
     const Vec2 value = boundary_value(face, 1, t);
-    EXPECT_NEAR(distance(value, unit(4 * angle_of(point(face.curves[1], t)))), 0, 2e-15);
+    EXPECT_NEAR(distance(value, unit(4 * angle_of(curve::point(face.curves[1], t)))), 0, 2e-15);
     EXPECT_NEAR(norm(value), 1, 1e-15);
   }
 }
@@ -39,7 +39,7 @@ TEST(BoundaryValues, FollowTheTangentOfAnArc) {
 TEST(BoundaryValues, SubtractTheLiftingOfAnotherJoint) {
   const CadFace face = half_disc();
   const std::vector<Lifting> liftings{{1, {1, 0}, {2, -1}, {0.5, -2}}};
-  const Vec2 x = point(face.curves[0], 1.5);
+  const Vec2 x = curve::point(face.curves[0], 1.5);
   const double angle = std::arg(std::complex<double>(x.x - 1, x.y) / std::complex<double>(x.x - 2, x.y + 1));
   const Vec2 value = lifted_boundary_value(face, liftings, 0, 1.5);
   EXPECT_NEAR(value.x, 1 - 0.5 * angle, 1e-15);
@@ -49,7 +49,7 @@ TEST(BoundaryValues, SubtractTheLiftingOfAnotherJoint) {
 CadFace polygon(const std::vector<Vec2>& corners) {
   CadFace face;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    face.curves.push_back(segment(corners[i], corners[(i + 1) % corners.size()]));
+    face.curves.push_back(curve::segment(corners[i], corners[(i + 1) % corners.size()]));
   }
   return face;
 }
@@ -74,4 +74,4 @@ TEST(BoundaryValues, DataOnALineAreNoticed) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -9,7 +9,7 @@
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 // A face bounded by polygons: loop 0 counter-clockwise, the others clockwise.
@@ -21,7 +21,7 @@ CadFace polygon_face(const std::vector<std::vector<Vec2>>& loops, double diamete
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Vec2 a = loop[(i + n - 1) % n], b = loop[i], c = loop[(i + 1) % n];
-      face.curves.push_back(segment(b, c));
+      face.curves.push_back(curve::segment(b, c));
       const double in = angle_of(b - a), out = angle_of(c - b);
       face.joints.push_back({b, in, out, pi - wrap_pi(out - in), true});
     }
@@ -99,8 +99,8 @@ TEST(CornerLifting, PolesStayInsideTheirHoleOrWithinOneDiameter) {
 TEST(CornerLifting, PoleGoesHalfWayToACurvedObstacle) {
   // A V-shaped notch under an arc that closes over it: the ray from the notch's apex meets the arc.
   CadFace face = polygon_face({{{-1, -1}, {1, -1}, {0.8, 1}, {0, 0}, {-0.8, 1}}}, 3);
-  face.curves.push_back(circular_arc({0, 1}, 0.5, 1.2 * pi, 1.9 * pi));
-  face.joints.push_back({point(face.curves.back(), face.curves.back().begin()), 0, 0, pi, false});
+  face.curves.push_back(curve::circular_arc({0, 1}, 0.5, 1.2 * pi, 1.9 * pi));
+  face.joints.push_back({curve::point(face.curves.back(), face.curves.back().begin()), 0, 0, pi, false});
   face.loop_offsets.push_back(6);
   const std::vector<Lifting> liftings = corner_liftings(face);
   const auto notch = std::find_if(liftings.begin(), liftings.end(), [](const Lifting& l) { return l.joint == 3; });
@@ -123,4 +123,4 @@ TEST(CornerLifting, GradientMatchesDifferencesAndIsHarmonic) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

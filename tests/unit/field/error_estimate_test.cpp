@@ -8,7 +8,7 @@
 #include "field/boundary_misfit.hpp"
 #include "field/evaluate.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 Vec2 smooth(Vec2 p) { return {std::exp(p.x) * std::cos(p.y), std::exp(p.x) * std::sin(p.y)}; }
@@ -70,4 +70,4 @@ TEST(PositionError, IsTheGreatestStepOfNewtonForAnErrorOfThatSize) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -7,7 +7,7 @@
 #include "field/corner_lifting.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 constexpr double tol = 1e-13;
@@ -52,7 +52,7 @@ TEST(FieldEvaluator, adds_liftings_and_their_gradients) {
   ASSERT_TRUE(evaluator.value_at(x, value));
   EXPECT_NEAR(distance(value, expected), 0, tol);
 
-  const Location at = evaluator.locator().find(x);
+  const mesh::Location at = evaluator.locator().find(x);
   const double h = 1e-6;
   Vec2 east, west, north, south;
   evaluator.value_at(x + Vec2{h, 0}, east);
@@ -82,9 +82,9 @@ TEST(FieldEvaluator, says_when_a_point_is_outside) {
 // Points all over the bounding box of a ring: curved elements, a hole, an outside, and jumps from one end to the other.
 TEST(FieldEvaluator, meets_single_evaluation_at_many_points_of_a_ring) {
   Report report;
-  const CadFace ring =
-      hand_made::face({{circular_arc({0, 0}, 1, 0, 2 * pi)}, {circular_arc({0.1, 0}, 0.4, 0, -2 * pi)}}, 2);
-  Field field = interpolated_field(triangulate(ring, {}, report), 6, cubic);
+  const CadFace ring = hand_made::face(
+      {{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}, {curve::circular_arc({0.1, 0}, 0.4, 0, -2 * pi)}}, 2);
+  Field field = interpolated_field(triangulate::triangulate(ring, {}, report), 6, cubic);
   const FieldEvaluator evaluator(field);
   std::vector<Vec2> points;
   for (int i = 0; i < 2000; ++i) points.push_back({std::cos(7.0 * i) * 1.1, std::sin(0.01 * i) * 1.1});
@@ -108,4 +108,4 @@ TEST(FieldEvaluator, meets_single_evaluation_at_many_points_of_a_ring) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

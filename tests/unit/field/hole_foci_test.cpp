@@ -4,7 +4,7 @@
 
 #include "../triangulate/faces.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 using namespace testing_faces;
@@ -35,9 +35,10 @@ TEST(HoleFoci, OfAThinEllipseAreItsFociWithTwoTurnsEach) {
 }
 
 TEST(HoleFoci, OfASlotAreInsideItsRoundEnds) {
-  const CadFace face = make_face({outline,
-                                  {segment({-2, 0.2}, {2, 0.2}), circular_arc({2, 0}, 0.2, half_pi, -half_pi),
-                                   segment({2, -0.2}, {-2, -0.2}), circular_arc({-2, 0}, 0.2, 1.5 * pi, half_pi)}});
+  const CadFace face =
+      make_face({outline,
+                 {curve::segment({-2, 0.2}, {2, 0.2}), curve::circular_arc({2, 0}, 0.2, half_pi, -half_pi),
+                  curve::segment({2, -0.2}, {-2, -0.2}), curve::circular_arc({-2, 0}, 0.2, 1.5 * pi, half_pi)}});
   const std::vector<HoleFocus> foci = hole_foci(face);
   ASSERT_EQ(foci.size(), 2u);
   for (const HoleFocus& focus : foci) {
@@ -48,4 +49,4 @@ TEST(HoleFoci, OfASlotAreInsideItsRoundEnds) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

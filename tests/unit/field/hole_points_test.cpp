@@ -4,7 +4,7 @@
 
 #include "../triangulate/faces.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 using namespace testing_faces;
@@ -41,4 +41,4 @@ TEST(HolePoints, MoveWithTheFace) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -4,7 +4,7 @@
 
 #include "../triangulate/faces.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 using namespace testing_faces;
@@ -60,4 +60,4 @@ TEST(MirrorImages, CountOnceAtASmoothJoint) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -9,7 +9,7 @@
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 using namespace testing_faces;
@@ -97,7 +97,7 @@ TEST_P(DiscNodes, LeaveTheirMirrorImages) {
   double constant = 0;
   for (const PhaseTurn& image : boundary.terms().images) constant += std::arg(-complex(image.position));
   const auto difference = [&](double t) {
-    const Complex z = complex(point(face.curves[0], t));
+    const Complex z = complex(curve::point(face.curves[0], t));
     double g = boundary.remainder(0, t) + constant;
     for (const PhaseTurn& image : boundary.terms().images) g += std::arg(1.0 - z / complex(image.position));
     for (const PhaseNode& node : asked.nodes) g -= std::arg(1.0 - std::conj(complex(node.position)) * z);
@@ -117,7 +117,7 @@ TEST(PhaseBoundary, IsFourTimesTheTangentAngleModuloWholeTurns) {
   for (int c = 0; c < face.num_curves(); ++c) {
     for (const double f : {0.0, 0.01, 0.37, 0.8, 1.0}) {
       const double t = at(face.curves[c], f);
-      EXPECT_NEAR(wrap_pi(boundary.phase(c, t) - 4 * angle_of(tangent(face.curves[c], t, f == 1))), 0, 1e-12);
+      EXPECT_NEAR(wrap_pi(boundary.phase(c, t) - 4 * angle_of(curve::tangent(face.curves[c], t, f == 1))), 0, 1e-12);
     }
   }
 }
@@ -173,7 +173,7 @@ TEST(PhaseBoundary, LeavesContinuousDataOnEveryLoop) {
 }
 
 TEST(PhaseBoundary, ABoundaryNodeAtTheEndOfACurveIsACorner) {
-  const CadFace face = make_face({{circular_arc({0, 0}, 1, 0, pi), circular_arc({0, 0}, 1, pi, 2 * pi)}});
+  const CadFace face = make_face({{curve::circular_arc({0, 0}, 1, 0, pi), curve::circular_arc({0, 0}, 1, pi, 2 * pi)}});
   PhaseNodes asked = four_nodes(0.5, 0.2);
   asked.nodes.push_back({{0, 0}, 3});
   PhaseNodes other = asked;
@@ -189,4 +189,4 @@ TEST(PhaseBoundary, ABoundaryNodeAtTheEndOfACurveIsACorner) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

@@ -4,7 +4,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::field {
 namespace {
 
 const PhaseTerms terms{{{{0.2, 0.1}, 1}, {{-0.4, 0.3}, -1}, {{0.7, -0.2}, 2}},
@@ -69,4 +69,4 @@ TEST(PhaseTerms, AtAnApexTakeTheLimitAlongTheDirection) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::field

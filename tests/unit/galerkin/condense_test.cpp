@@ -6,15 +6,15 @@
 #include "galerkin/element_matrices.hpp"
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
-const TriMap triangle(std::array<Vec2, 3>{Vec2{0, 0}, Vec2{1, 0.1}, Vec2{0.2, 0.9}});
+const spectral::TriMap triangle(std::array<Vec2, 3>{Vec2{0, 0}, Vec2{1, 0.1}, Vec2{0.2, 0.9}});
 
 TEST(Condense, SolvesLikeTheWholeMatrix) {
   // Interior rows are met, and the boundary rows give the complement's product.
   for (const int order : {3, 5, 10}) {
-    const int nb = num_boundary_modes(order), ni = num_interior_modes(order);
+    const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
     const Eigen::MatrixXd k = stiffness_matrix(triangle, order);
     const CondensedElement element = condense(order, k);
     Eigen::VectorXd boundary(nb);
@@ -38,4 +38,4 @@ TEST(Condense, RefusesAMatrixThatIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

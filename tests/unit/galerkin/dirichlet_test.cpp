@@ -6,11 +6,11 @@
 #include "galerkin/elimination_tree.hpp"
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 // The expansion at fraction s of boundary edge b, walked as its element walks it.
-Vec2 trace(const TriMesh& mesh, const TriTopology& topology, const DofMap& map, const Eigen::MatrixX2d& values,
+Vec2 trace(const TriMesh& mesh, const mesh::TriTopology& topology, const DofMap& map, const Eigen::MatrixX2d& values,
            const BoundaryEdge& b, double s) {
   const auto& vertices = mesh.elem2vertices[b.elem];
   const int v0 = vertices[b.edge], v1 = vertices[(b.edge + 1) % 3], edge = topology.elem2edges[b.elem][b.edge];
@@ -20,7 +20,7 @@ Vec2 trace(const TriMesh& mesh, const TriTopology& topology, const DofMap& map, 
   };
   Vec2 sum = (1 - s) * value(map.vertex2dof[v0]) + s * value(map.vertex2dof[v1]);
   std::vector<double> modes(order - 1);
-  edge_mode_values(order, 2 * s - 1, modes.data());
+  spectral::edge_mode_values(order, 2 * s - 1, modes.data());
   for (int d = 2; d <= order; ++d) {
     const double sign = v0 > v1 && d % 2 == 1 ? -1 : 1;
     sum += sign * modes[d - 2] * value(map.edge2dof[edge] + d - 2);
@@ -29,17 +29,17 @@ Vec2 trace(const TriMesh& mesh, const TriTopology& topology, const DofMap& map, 
 }
 
 double worst_error(const TriMesh& mesh, int order, const std::function<Vec2(Vec2)>& f) {
-  const TriTopology topology = tri_topology(mesh);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
   const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).sequence,
                                   std::vector<int>(mesh.num_elems(), order));
-  DirichletData data(mesh, [&](int curve, double t) { return f(point(mesh.face.curves[curve], t)); });
+  DirichletData data(mesh, [&](int curve, double t) { return f(curve::point(mesh.face.curves[curve], t)); });
   const Eigen::MatrixX2d values = data.values(topology, map);
   double worst = 0;
   for (const BoundaryEdge& b : mesh.boundary_edges) {
-    const ArcLength arc_length(mesh.face.curves[b.curve]);
+    const curve::ArcLength arc_length(mesh.face.curves[b.curve]);
     for (const double s : {0.0, 0.1, 0.45, 0.8, 1.0}) {
       const double begin = arc_length.at(b.t0), end = arc_length.at(b.t1);
-      const Vec2 x = point(mesh.face.curves[b.curve], arc_length.parameter(begin + s * (end - begin)));
+      const Vec2 x = curve::point(mesh.face.curves[b.curve], arc_length.parameter(begin + s * (end - begin)));
       worst = std::max(worst, distance(trace(mesh, topology, map, values, b, s), f(x)));
     }
   }
@@ -61,4 +61,4 @@ TEST(Dirichlet, DataFollowTheArcLengthOfACurve) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

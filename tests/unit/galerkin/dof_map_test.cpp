@@ -8,13 +8,13 @@
 #include "../test_meshes.hpp"
 #include "galerkin/elimination_tree.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 4);
 
 TEST(DofMap, CountsVerticesAndEdges) {
-  const TriTopology topology = tri_topology(mesh);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
   const int order = 5, num_edges = static_cast<int>(topology.edge2vertices.size());
   const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).sequence,
                                   std::vector<int>(mesh.num_elems(), order));
@@ -24,7 +24,7 @@ TEST(DofMap, CountsVerticesAndEdges) {
 }
 
 TEST(DofMap, EdgesTakeTheLowerOrder) {
-  const TriTopology topology = tri_topology(mesh);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
   std::vector<int> orders(mesh.num_elems());
   for (int e = 0; e < mesh.num_elems(); ++e) orders[e] = 2 + e % 4;
   const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).sequence, orders);
@@ -46,7 +46,7 @@ TEST(DofMap, EdgesTakeTheLowerOrder) {
 }
 
 TEST(DofMap, NeighboursDisagreeInSignExactlyForOddDegrees) {
-  const TriTopology topology = tri_topology(mesh);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
   const int order = 6;
   const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).sequence,
                                   std::vector<int>(mesh.num_elems(), order));
@@ -65,7 +65,7 @@ TEST(DofMap, NeighboursDisagreeInSignExactlyForOddDegrees) {
 }
 
 TEST(DofMap, NumbersEachDofOnceAndBoundaryDofsLast) {
-  const TriTopology topology = tri_topology(mesh);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
   const DofMap map =
       make_dof_map(mesh, topology, nested_dissection(mesh, topology).sequence, std::vector<int>(mesh.num_elems(), 3));
   std::set<int> seen;
@@ -85,4 +85,4 @@ TEST(DofMap, NumbersEachDofOnceAndBoundaryDofsLast) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

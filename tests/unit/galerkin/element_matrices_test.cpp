@@ -7,10 +7,10 @@
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
-const TriMap straight(std::array<Vec2, 3>{Vec2{0.2, 0.1}, Vec2{1.5, 0.4}, Vec2{0.4, 1.3}});
+const spectral::TriMap straight(std::array<Vec2, 3>{Vec2{0.2, 0.1}, Vec2{1.5, 0.4}, Vec2{0.4, 1.3}});
 
 TEST(ElementMatrices, LinearMatrixIsTheTextbookOne) {
   // K_ij = e_i . e_j / (4 area), e_i the edge opposite vertex i.
@@ -24,7 +24,7 @@ TEST(ElementMatrices, LinearMatrixIsTheTextbookOne) {
 
 TEST(ElementMatrices, IsSymmetricSemidefiniteWithConstantsAsItsKernel) {
   const TriMesh disc = disc_mesh(6, 8);
-  for (const TriMap& map : {straight, tri_maps(disc)[2]}) {
+  for (const spectral::TriMap& map : {straight, mesh::tri_maps(disc)[2]}) {
     for (const int order : {1, 2, 5, 12}) {
       const Eigen::MatrixXd k = stiffness_matrix(map, order);
       EXPECT_LT((k - k.transpose()).norm(), 1e-12);
@@ -41,8 +41,8 @@ TEST(ElementMatrices, IsSymmetricSemidefiniteWithConstantsAsItsKernel) {
 TEST(ElementMatrices, CurvedIntegrationAgreesWithTheAffineShortCut) {
   // An affine element given as one of order 4 takes the other path.
   std::vector<Vec2> nodes;
-  for (const Vec2 xi : tri_nodes(4)) nodes.push_back(straight.position(xi));
-  const TriMap as_curved(4, nodes.data());
+  for (const Vec2 xi : spectral::tri_nodes(4)) nodes.push_back(straight.position(xi));
+  const spectral::TriMap as_curved(4, nodes.data());
   for (const int order : {3, 8, 11}) {
     EXPECT_LT((stiffness_matrix(straight, order) - stiffness_matrix(as_curved, order)).norm(), 1e-11);
   }
@@ -50,7 +50,7 @@ TEST(ElementMatrices, CurvedIntegrationAgreesWithTheAffineShortCut) {
 
 TEST(ElementMatrices, QuadratureOfCurvedElementsHasConverged) {
   const TriMesh disc = disc_mesh(8, 8);
-  const TriMap map = tri_maps(disc)[0];
+  const spectral::TriMap map = mesh::tri_maps(disc)[0];
   for (const int order : {4, 8, 16}) {
     const Eigen::MatrixXd fine = stiffness_matrix(map, order, 20);
     EXPECT_LT((stiffness_matrix(map, order) - fine).cwiseAbs().maxCoeff(), 1e-11);
@@ -62,4 +62,4 @@ TEST(ElementMatrices, LowerOrdersAreCutOutOfHigherOnes) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -7,11 +7,11 @@
 
 #include "../test_meshes.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0.3, 1}, 9);
-const TriTopology topology = tri_topology(mesh);
+const mesh::TriTopology topology = mesh::tri_topology(mesh);
 const EliminationTree tree = nested_dissection(mesh, topology);
 
 bool is_permutation_of_all(std::vector<int> numbers, std::size_t n) {
@@ -58,4 +58,4 @@ TEST(EliminationTree, EliminatesTheFirstCutLast) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

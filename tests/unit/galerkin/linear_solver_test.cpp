@@ -7,7 +7,7 @@
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/discretization.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 // A mesh, its dofs and the condensed matrices of its elements.
@@ -85,4 +85,4 @@ TEST(CondensedCholesky, RefusesAnIndefiniteMatrix) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

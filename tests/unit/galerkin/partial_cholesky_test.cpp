@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 Eigen::MatrixXd definite(int n) {
@@ -52,4 +52,4 @@ TEST(PartialCholesky, RefusesAnIndefiniteMatrix) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -7,7 +7,7 @@
 #include "../triangulate/faces.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 using namespace testing_faces;
@@ -15,9 +15,9 @@ using Complex = std::complex<double>;
 
 TriMesh fine_mesh(const CadFace& face) {
   Report report;
-  TriangulateOptions options;
+  triangulate::TriangulateOptions options;
   options.size = face.diameter / 10;
-  return triangulate(face, options, report);
+  return triangulate::triangulate(face, options, report);
 }
 
 // One mesh for many sets of nodes.
@@ -89,10 +89,11 @@ TEST(PhaseEnergy, OnTheDiscIsTheClosedForm) {
 
 // Corners of all kinds, curved sides, a boundary node, a hole and its twist.
 TEST(PhaseEnergy, GradientIsThatOfTheValue) {
-  Energy energy(fine_mesh(make_face(
-      {{segment({-2, -1}, {2, -0.8}), circular_arc({2, 0.2}, 1, -half_pi, half_pi), segment({2, 1.2}, {-2, 1}),
-        circular_arc({-2.75, 0}, 1.25, std::atan2(1, 0.75), -std::atan2(1, 0.75))},
-       polygon({{0.4, 0}, {0.6, 0.4}, {1, 0.1}})})));
+  Energy energy(
+      fine_mesh(make_face({{curve::segment({-2, -1}, {2, -0.8}), curve::circular_arc({2, 0.2}, 1, -half_pi, half_pi),
+                            curve::segment({2, 1.2}, {-2, 1}),
+                            curve::circular_arc({-2.75, 0}, 1.25, std::atan2(1, 0.75), -std::atan2(1, 0.75))},
+                           polygon({{0.4, 0}, {0.6, 0.4}, {1, 0.1}})})));
   const PhaseNodes asked{{{{-0.5, -0.5}, 3}, {{0.9, 0.7}, 3}, {{1.9, -0.3}, 5}},
                          {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 3}, {5, 3}, {6, 4}},
                          {{2, 1.7, 3}}};
@@ -136,4 +137,4 @@ TEST(PhaseEnergy, GradientIsOneOfAFunctionWhereThereAreHolesAndCorners) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -5,7 +5,7 @@
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 using namespace testing_faces;
@@ -48,4 +48,4 @@ TEST(PhaseRequest, RefusesNodesOutside) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -10,7 +10,7 @@
 #include "curve/nurbs.hpp"
 #include "field/evaluate.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 Vec2 power(Vec2 x, int n) {
@@ -21,17 +21,17 @@ Vec2 power(Vec2 x, int n) {
 Field solve_power(const TriMesh& mesh, const std::vector<int>& orders, int n, const std::string& method = "cg") {
   Report report;
   return LaplaceSolver(
-             mesh, [&](int curve, double t) { return power(point(mesh.face.curves[curve], t), n); }, method)
+             mesh, [&](int curve, double t) { return power(curve::point(mesh.face.curves[curve], t), n); }, method)
       .solve(orders, report);
 }
 
 // Greatest difference from z^n at points of every element, vertices and edges included.
 double error_of_power(const Field& field, int n) {
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   double worst = 0;
   for (int e = 0; e < field.mesh.num_elems(); ++e) {
-    for (const Vec2 xi : tri_nodes(5)) {
-      const FieldSample sample = evaluator.sample(e, xi);
+    for (const Vec2 xi : spectral::tri_nodes(5)) {
+      const field::FieldSample sample = evaluator.sample(e, xi);
       worst = std::max(worst, distance(sample.value, power(sample.x, n)));
     }
   }
@@ -108,7 +108,7 @@ TEST(Hybridised, MeetsDataThatJumpInTheMeanOnly) {
   EXPECT_TRUE(direct.liftings.empty());
   EXPECT_EQ(options_of(direct).corners, "dg");
   EXPECT_EQ(options_of(lifted).corners, "lift");
-  const FieldEvaluator exact(lifted), rough(direct);
+  const field::FieldEvaluator exact(lifted), rough(direct);
   Vec2 a, b;
   ASSERT_TRUE(exact.value_at({1.25, 0.5}, a));
   ASSERT_TRUE(rough.value_at({1.25, 0.5}, b));
@@ -130,7 +130,7 @@ TEST(SolveLaplace, MethodsAgreeOnALiftedField) {
   Report report;
   const Field cg = solve_laplace(mesh, orders, {"cg", "lift"}, report),
               dg = solve_laplace(mesh, orders, {"dg", "lift"}, report);
-  const FieldEvaluator a(cg), b(dg);
+  const field::FieldEvaluator a(cg), b(dg);
   for (int e = 0; e < mesh.num_elems(); ++e)
     EXPECT_LT(distance(a.sample(e, {-0.3, -0.4}).value, b.sample(e, {-0.3, -0.4}).value), 1e-6) << e;
 }
@@ -145,16 +145,17 @@ TEST(SolveLaplace, FieldIsContinuousAcrossEdgesOfUnequalOrder) {
   // z^9 is beyond most elements' order: the solution is not exact, but one-valued on every edge.
   const TriMesh mesh = parallelogram_mesh({-1, -1}, {2, 0.3}, {0.2, 2}, 3);
   const Field field = solve_power(mesh, scattered_orders(mesh.num_elems(), 2, 5), 9);
-  const FieldEvaluator evaluator(field);
-  const TriTopology& topology = evaluator.topology();
+  const field::FieldEvaluator evaluator(field);
+  const mesh::TriTopology& topology = evaluator.topology();
   double jump = 0;
   for (int e = 0; e < mesh.num_elems(); ++e) {
     for (int k = 0; k < 3; ++k) {
       const int other = topology.elem2neighbors[e][k];
       if (other < 0) continue;
       for (const double s : {0.0, 0.2, 0.7}) {
-        const Vec2 here = evaluator.sample(e, tri_edge_point(k, s)).value;
-        const Vec2 there = evaluator.sample(other, tri_edge_point(topology.elem2neighbor_edges[e][k], 1 - s)).value;
+        const Vec2 here = evaluator.sample(e, spectral::tri_edge_point(k, s)).value;
+        const Vec2 there =
+            evaluator.sample(other, spectral::tri_edge_point(topology.elem2neighbor_edges[e][k], 1 - s)).value;
         jump = std::max(jump, distance(here, there));
       }
     }
@@ -224,7 +225,7 @@ TEST(SolveLaplace, ATurnedDomainGivesTheTurnedField) {
   const std::vector<int> orders = scattered_orders(mesh.num_elems(), 3, 5);
   Report report;
   const Field field = solve_laplace(mesh, orders, report), turned_field = solve_laplace(turned_mesh, orders, report);
-  const FieldEvaluator here(field), there(turned_field);
+  const field::FieldEvaluator here(field), there(turned_field);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const Vec2 value = here.sample(e, {-0.3, -0.4}).value, other = there.sample(e, {-0.3, -0.4}).value;
     // A cross turned by an angle is a field value turned by four times the angle.
@@ -252,14 +253,14 @@ TEST(SolveLaplace, OblongCrossesAreExactWithLiftings) {
   Report report;
   const Field field = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 10), report);
   ASSERT_EQ(field.liftings.size(), 4u);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (const BoundaryEdge& b : mesh.boundary_edges) {
-    const Vec2 data = cross_value(angle_of(tangent(mesh.face.curves[b.curve], b.t0)));
+    const Vec2 data = cross_value(angle_of(curve::tangent(mesh.face.curves[b.curve], b.t0)));
     for (const double s : {0.1, 0.4, 0.8}) {
-      EXPECT_LT(distance(evaluator.sample(b.elem, tri_edge_point(b.edge, s)).value, data), 1e-9);
+      EXPECT_LT(distance(evaluator.sample(b.elem, spectral::tri_edge_point(b.edge, s)).value, data), 1e-9);
     }
   }
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

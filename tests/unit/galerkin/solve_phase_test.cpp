@@ -13,7 +13,7 @@
 #include "spectral/tri_nodes.hpp"
 #include "triangulate/triangulate.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 using namespace testing_faces;
@@ -22,8 +22,8 @@ using Complex = std::complex<double>;
 Complex complex(Vec2 a) { return {a.x, a.y}; }
 
 // Nodes, poles and mirror images lie as near to the boundary as a tenth of the diameter.
-TriangulateOptions small_elements(const CadFace& face, double share) {
-  TriangulateOptions options;
+triangulate::TriangulateOptions small_elements(const CadFace& face, double share) {
+  triangulate::TriangulateOptions options;
   options.size = share * face.diameter;
   return options;
 }
@@ -32,11 +32,11 @@ TriangulateOptions small_elements(const CadFace& face, double share) {
 class Solved {
  public:
   Solved(const CadFace& face, const PhaseNodes& nodes, const PhaseOptions& options = {}, double share = 0.1)
-      : mesh(triangulate(face, small_elements(face, share), report_)),
+      : mesh(triangulate::triangulate(face, small_elements(face, share), report_)),
         asked(nodes),
         field(solve_phase(mesh, std::vector<int>(mesh.num_elems(), 12), asked, options, report_)),
         solution(field.phase),
-        evaluator_(std::make_unique<FieldEvaluator>(field)) {}
+        evaluator_(std::make_unique<field::FieldEvaluator>(field)) {}
 
   // Of v, in (-pi, pi].
   double phase(int elem, Vec2 xi, Vec2& x) const {
@@ -51,7 +51,7 @@ class Solved {
   // Calls f(x, phi) at points of all elements, edges and vertices included.
   void for_points(const std::function<void(Vec2, double)>& f) const {
     for (int e = 0; e < mesh.num_elems(); ++e) {
-      for (const Vec2 xi : tri_nodes(5)) {
+      for (const Vec2 xi : spectral::tri_nodes(5)) {
         Vec2 x;
         const double phi = phase(e, xi, x);
         f(x, phi);
@@ -88,13 +88,13 @@ class Solved {
     double worst = 0;
     for (const BoundaryEdge& edge : mesh.boundary_edges) {
       const Nurbs& curve = mesh.face.curves[edge.curve];
-      const ArcLength length(curve);
+      const curve::ArcLength length(curve);
       const double begin = length.at(edge.t0), end = length.at(edge.t1);
       for (const double f : {0.1, 0.33, 0.5, 0.8}) {
         const double t = length.parameter(begin + f * (end - begin));
         Vec2 x;
-        const double phi = phase(edge.elem, tri_edge_point(edge.edge, f), x);
-        const double error = std::abs(wrap_pi(phi - 4 * angle_of(tangent(curve, t))));
+        const double phi = phase(edge.elem, spectral::tri_edge_point(edge.edge, f), x);
+        const double error = std::abs(wrap_pi(phi - 4 * angle_of(curve::tangent(curve, t))));
         const double to_corner = std::min(distance(x, curve.poles.front()), distance(x, curve.poles.back()));
         worst = std::max(worst, error - 4e-15 * mesh.face.diameter / to_corner);
       }
@@ -125,7 +125,7 @@ class Solved {
   const PhaseForm& solution;
 
  private:
-  std::unique_ptr<FieldEvaluator> evaluator_;
+  std::unique_ptr<field::FieldEvaluator> evaluator_;
 };
 
 // arg of the product of (z - a)(1 - conj(a) z).
@@ -206,8 +206,8 @@ TEST(SolvePhase, AroundATriangularHoleIsSingleValued) {
 
 TEST(SolvePhase, FollowsNodesNearTheBoundary) {
   // Far nearer than elements are small, beside straight sides, round holes and arcs.
-  const CadFace face = make_face({{segment({-2, -1}, {2, -1}), circular_arc({2, 0}, 1, -half_pi, half_pi),
-                                   segment({2, 1}, {-2, 1}), segment({-2, 1}, {-2, -1})},
+  const CadFace face = make_face({{curve::segment({-2, -1}, {2, -1}), curve::circular_arc({2, 0}, 1, -half_pi, half_pi),
+                                   curve::segment({2, 1}, {-2, 1}), curve::segment({-2, 1}, {-2, -1})},
                                   hole({0.3, 0.1}, 0.4)});
   for (const double depth : {1e-2, 1e-3, 1e-5}) {
     const PhaseNodes asked{{{{-0.5, -1 + depth}, 3},
@@ -266,7 +266,7 @@ TEST(SolvePhase, ASolverReusedGivesTheSameBits) {
   Report report;
   const CadFace face =
       make_face({circle({0, 0}, 1), hole({-0.4, 0}, 0.1), hole({0.4, 0.1}, 0.15), hole({0, 0.5}, 0.1)});
-  const TriMesh mesh = triangulate(face, {}, report);
+  const TriMesh mesh = triangulate::triangulate(face, {}, report);
   const std::vector<int> low(mesh.num_elems(), 5), high(mesh.num_elems(), 9);
   PhaseNodes first, second;
   for (int k = 0; k < 8; ++k) {
@@ -288,9 +288,9 @@ TEST(SolvePhase, ASolverReusedGivesTheSameBits) {
 
 TEST(SolvePhase, RefusesOffsetsThatDoNotFitTheHoles) {
   Report report;
-  const TriMesh mesh = triangulate(disc(), {}, report);
+  const TriMesh mesh = triangulate::triangulate(disc(), {}, report);
   EXPECT_THROW(solve_phase(mesh, std::vector<int>(mesh.num_elems(), 4), scattered_nodes(), {{1}}, report), UsageError);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -6,16 +6,16 @@
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 CondensedElement sample_element(double penalty) {
-  const TriMap map({Vec2{0.1, -0.2}, Vec2{1.3, 0.1}, Vec2{0.4, 0.9}});
+  const spectral::TriMap map({Vec2{0.1, -0.2}, Vec2{1.3, 0.1}, Vec2{0.4, 0.9}});
   return condense_to_trace(map, 5, {5, 7, 6}, stiffness_matrix(map, 5), penalty);
 }
 
 TEST(TraceElement, TraceModesAreOrthonormal) {
-  const Quadrature rule = gauss_legendre(8);
+  const spectral::Quadrature rule = spectral::gauss_legendre(8);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(8, 8);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     Eigen::VectorXd values(8);
@@ -46,4 +46,4 @@ TEST(TraceElement, TheComplementIsSymmetricWithOneZeroEnergy) {
 TEST(TraceElement, TooSmallAPenaltyIsRefused) { EXPECT_ANY_THROW(sample_element(0.01)); }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

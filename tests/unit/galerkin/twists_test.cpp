@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::galerkin {
 namespace {
 
 double norm2(const Eigen::MatrixXd& gram, const Eigen::VectorXd& x) { return x.dot(gram * x); }
@@ -34,4 +34,4 @@ TEST(NearestTwists, GoBeyondRoundingWhereHolesAreCoupled) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::galerkin

@@ -6,7 +6,7 @@
 #include "../support/square_field.hpp"
 #include "guide/find_critical_points.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 TEST(MayBecome, keeps_blocks_between_15_and_165_degrees_and_near_right_angles) {
@@ -30,17 +30,17 @@ TEST(MayBecome, zero_only_at_the_tie) {
 /// Hand-made zeros beside the corner of 135 degrees at the lower left of a square: only places and indices count.
 struct AbsorbTest : testing::Test {
   Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2) { return Vec2{1, 0}; });
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
   std::vector<Corner> corners{{0, {0, 0}, 135, 2, {3, 0}}, {1, {1, 0}, 90, 1, {0, 1}}};
   std::vector<NodeChange> changes;
 
-  static FoundZero zero(Vec2 x, int index) {
-    FoundZero result;
+  static zeros::FoundZero zero(Vec2 x, int index) {
+    zeros::FoundZero result;
     result.x = x;
     result.index = index;
     return result;
   }
-  std::vector<bool> absorb(const std::vector<FoundZero>& zeros, double length = 0.01) {
+  std::vector<bool> absorb(const std::vector<zeros::FoundZero>& zeros, double length = 0.01) {
     return absorb_into_corners(evaluator, zeros, length, corners, changes);
   }
 };
@@ -89,7 +89,7 @@ TEST(Absorb, the_length_alone_decides_beside_a_corner_near_a_tie) {
   const double excess = 1e-4;  // off 135 degrees
   const Field field =
       adapted_field(polygon_face({{0, 0}, {2, 0}, {2, 0.7}, {1.7, 0.7 + 0.3 * std::tan(pi / 4 + excess)}, {0, 1.4}}));
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   Report report;
   const CriticalPoints free = find_critical_points(evaluator, {0, 0, 1e-10}, report);
   ASSERT_EQ(free.critical_points.size(), 1u);
@@ -109,4 +109,4 @@ TEST(Absorb, the_length_alone_decides_beside_a_corner_near_a_tie) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

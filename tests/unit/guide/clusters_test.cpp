@@ -7,15 +7,15 @@
 
 #include "../support/square_field.hpp"
 #include "guide/cluster_centre.hpp"
-#include "guide/edge_jumps.hpp"
+#include "zeros/edge_jumps.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using Complex = std::complex<double>;
 
-FoundZero zero(Vec2 x, int index) {
-  FoundZero result;
+zeros::FoundZero zero(Vec2 x, int index) {
+  zeros::FoundZero result;
   result.x = x;
   result.index = index;
   return result;
@@ -23,11 +23,11 @@ FoundZero zero(Vec2 x, int index) {
 
 struct ClustersTest : testing::Test {
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 1, [](Vec2) { return Vec2{1, 0}; });
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
 };
 
 TEST_F(ClustersTest, hang_together_through_others) {
-  const std::vector<FoundZero> row{zero({0, 0}, 1), zero({0.1, 0}, -1), zero({0.2, 0}, 1), zero({0.5, 0}, 1)};
+  const std::vector<zeros::FoundZero> row{zero({0, 0}, 1), zero({0.1, 0}, -1), zero({0.2, 0}, 1), zero({0.5, 0}, 1)};
   const Clustering found = find_clusters(evaluator, row, {}, {0.1, 1e-10});
   ASSERT_EQ(found.clusters.size(), 1u);
   EXPECT_EQ(found.clusters[0].members.size(), 3u);
@@ -50,16 +50,16 @@ TEST_F(ClustersTest, the_error_of_the_field_makes_a_cluster_too) {
     const Complex w = std::pow(Complex(x.x, x.y), 2) - d * d;
     return Vec2{w.real(), w.imag()};
   });
-  const std::vector<FoundZero> zeros{zero({-d, 0}, 1), zero({d, 0}, 1)};
+  const std::vector<zeros::FoundZero> zeros{zero({-d, 0}, 1), zero({d, 0}, 1)};
   for (const double error : {0.1 * d * d, d * d}) {
     pair.elem_error.assign(pair.mesh.num_elems(), error);
-    const FieldEvaluator with_error(pair);
+    const field::FieldEvaluator with_error(pair);
     EXPECT_EQ(find_clusters(with_error, zeros, {}, {0, 1e-10}).clusters.size(), error < d * d ? 0u : 1u);
   }
 }
 
 TEST_F(ClustersTest, open_cells_without_a_zero_are_none) {
-  const OpenCell open{0, {0.1, 0.2}, 1e-3, {}};
+  const zeros::OpenCell open{0, {0.1, 0.2}, 1e-3, {}};
   EXPECT_TRUE(find_clusters(evaluator, {}, {open}, {0.1, 1e-10}).clusters.empty());
   const Clustering found = find_clusters(evaluator, {zero({0.1, 0.2}, 1)}, {open}, {0.1, 1e-10});
   ASSERT_EQ(found.clusters.size(), 1u);
@@ -75,7 +75,7 @@ TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
       const Complex z{x.x - at.x, x.y - at.y}, w = std::pow(z, std::abs(index)) * (1.0 + 0.3 * z) + e;
       return Vec2{w.real(), index > 0 ? w.imag() : -w.imag()};
     });
-    const auto centre = moment_centre(FieldEvaluator(field), at + Vec2{1e-3, 2e-3}, index, 0.01, 0.5);
+    const auto centre = moment_centre(field::FieldEvaluator(field), at + Vec2{1e-3, 2e-3}, index, 0.01, 0.5);
     ASSERT_TRUE(centre.has_value());
     EXPECT_NEAR(distance(*centre, at), 0, 10 * e) << index;  // the zeros themselves are e^(1/n) away
   }
@@ -83,12 +83,12 @@ TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
 
 TEST(EdgeJumps, bound_what_is_between_neighbours) {
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 1), 2, [](Vec2 x) { return Vec2{x.x, x.y}; });
-  EXPECT_TRUE(edge_jumps(FieldEvaluator(field)).empty());
+  EXPECT_TRUE(zeros::edge_jumps(field::FieldEvaluator(field)).empty());
   field.method = "dg";
   field.u[field.coef_offsets[1]] += std::sqrt(2.0) * 1e-6;  // a constant 1e-6
-  const auto jumps = edge_jumps(FieldEvaluator(field));
+  const auto jumps = zeros::edge_jumps(field::FieldEvaluator(field));
   ASSERT_EQ(jumps.size(), 2u);
-  for (const Jumps& of_elem : jumps) {
+  for (const zeros::Jumps& of_elem : jumps) {
     EXPECT_EQ(std::count(of_elem.edge.begin(), of_elem.edge.end(), 0.0), 2);  // all but the diagonal are boundary
     const double diagonal = *std::max_element(of_elem.edge.begin(), of_elem.edge.end());
     EXPECT_NEAR(diagonal, 2e-6, 1e-12);
@@ -98,4 +98,4 @@ TEST(EdgeJumps, bound_what_is_between_neighbours) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -10,7 +10,7 @@
 #include "curve/symmetry.hpp"
 #include "guide/resolve.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using namespace testing_faces;
@@ -197,7 +197,7 @@ TEST(OverrideCorners, symmetric_overrides_give_symmetric_nodes) {
     CriticalPoints points = points_of(square(), nodes);
     override_corners(square(), {{0, 1, valence}, {1, 2, valence}, {2, 3, valence}, {3, 0, valence}}, points);
     expect_sound(points);
-    for (const Isometry& g : symmetries(square()))
+    for (const curve::Isometry& g : curve::symmetries(square()))
       for (const CriticalPoint& p : points.critical_points)
         EXPECT_TRUE(std::any_of(points.critical_points.begin(), points.critical_points.end(), [&](const auto& q) {
           return q.valence == p.valence && distance(g(p.position), q.position) < 1e-12;
@@ -232,4 +232,4 @@ TEST(OverrideCorners, index_sum_holds_on_random_polygons) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

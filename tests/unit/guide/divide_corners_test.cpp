@@ -5,9 +5,9 @@
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
 #include "guide/resolve.hpp"
-#include "guide/room.hpp"
+#include "placement/room.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using namespace testing_faces;
@@ -73,4 +73,4 @@ TEST(DivideCorners, AShortSideDrawsTheNodeNearer) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "field/corner_lifting.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using Complex = std::complex<double>;
@@ -29,7 +29,7 @@ Function product(std::vector<Complex> positive, std::vector<Complex> negative = 
 
 struct Search {
   explicit Search(const Field& field, const SearchOptions& options = {}) {
-    points = find_critical_points(FieldEvaluator(field), options, report);
+    points = find_critical_points(field::FieldEvaluator(field), options, report);
   }
   long long count(const std::string& key) const {
     for (const auto& [name, value] : report.entries())
@@ -85,9 +85,9 @@ TEST(FindCriticalPoints, tells_the_two_signs_apart) {
 
 TEST(FindCriticalPoints, records_element_reference_point_and_jacobian) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 3, product({{0.3, 0.2}, {-0.5, 0.7}}));
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (const CriticalPoint& p : Search(field).points.critical_points) {
-    const FieldSample s = evaluator.sample(p.elem, p.xi);
+    const field::FieldSample s = evaluator.sample(p.elem, p.xi);
     EXPECT_NEAR(distance(s.x, p.position), 0, 1e-14);
     EXPECT_NEAR(norm(s.value), 0, 1e-14);
     EXPECT_EQ(p.jacobian[0], s.dv_dx.xx);
@@ -147,11 +147,11 @@ TEST(FindCriticalPoints, searches_curved_elements) {
   TriMesh mesh = square_mesh({-1, -1}, 2, 2);
   mesh.order = 4;
   const auto bend = [](Vec2 p) { return p + Vec2{0, (1 - p.x * p.x) * (1 - p.y * p.y) / 8}; };
-  const std::vector<TriMap> straight = tri_maps(square_mesh({-1, -1}, 2, 2));
+  const std::vector<spectral::TriMap> straight = mesh::tri_maps(square_mesh({-1, -1}, 2, 2));
   for (Vec2& v : mesh.vertices) v = bend(v);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     mesh.curved_elems.push_back(e);
-    for (const Vec2 xi : tri_nodes(4)) mesh.curved_nodes.push_back(bend(straight[e].position(xi)));
+    for (const Vec2 xi : spectral::tri_nodes(4)) mesh.curved_nodes.push_back(bend(straight[e].position(xi)));
   }
   const Field field = interpolated_field(mesh, 8, product({{0.3, 0.2}, {-0.4, 0.1}}));
   expect_points(Search(field).points.critical_points, {{-0.4, 0.1}, {0.3, 0.2}}, {1, 1});
@@ -161,7 +161,7 @@ TEST(FindCriticalPoints, encloses_liftings) {
   // u vanishes on the circle through apex, pole and x*, v on a line through x*: they meet once in the square.
   const Vec2 at{0.35, 0.2};
   const Lifting lifting{0, {-1, -1}, {-1.5, -1.5}, {1, 0}};
-  const double angle = lifting_angle(lifting, at);
+  const double angle = field::lifting_angle(lifting, at);
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 3, [&](Vec2 x) {
     return Vec2{-angle, x.x - at.x + x.y - at.y};
   });
@@ -298,4 +298,4 @@ TEST(RequireIndexSum, says_by_how_much_and_which_corner_is_in_doubt) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

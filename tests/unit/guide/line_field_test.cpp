@@ -10,7 +10,7 @@
 #include "field/boundary_values.hpp"
 #include "guide/resolve.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using namespace testing_faces;
@@ -63,7 +63,7 @@ void expect_sound(const CadFace& face, const CriticalPoints& points) {
   EXPECT_EQ(next, points.corners.size());
 }
 
-bool is_invariant(const CriticalPoints& points, const Isometry& g) {
+bool is_invariant(const CriticalPoints& points, const curve::Isometry& g) {
   const bool corners = std::all_of(points.corners.begin(), points.corners.end(),
                                    [&](const Corner& c) { return valence_at(points, g(c.position)) == c.valence; });
   return corners && std::all_of(points.critical_points.begin(), points.critical_points.end(), [&](const auto& p) {
@@ -75,13 +75,13 @@ bool is_invariant(const CriticalPoints& points, const Isometry& g) {
 
 std::size_t num_invariant(const CadFace& face, const CriticalPoints& points) {
   std::size_t n = 0;
-  for (const Isometry& g : symmetries(face)) n += is_invariant(points, g);
+  for (const curve::Isometry& g : curve::symmetries(face)) n += is_invariant(points, g);
   return n;
 }
 
 TEST(LineField, chamfered_plate_is_three_quads) {
   const CadFace face = chamfered(4, 3, 0.6, 0.4, 0, 0);
-  ASSERT_TRUE(is_line_field(face));
+  ASSERT_TRUE(field::is_line_field(face));
   const CriticalPoints points = line_field_points(face, 6);
   expect_sound(face, points);
   EXPECT_TRUE(points.critical_points.empty());
@@ -98,10 +98,10 @@ TEST(LineField, chamfered_plate_is_three_quads) {
 TEST(LineField, symmetric_plates_have_symmetric_corners) {
   for (const CadFace& face : {chamfered(4, 3, 0.5, 0.5, 0, 0), chamfered(4, 3, 0.5, 0.5, 0.5, 0.5),
                               chamfered(3, 3, 0.5, 0, 0.5, 0), chamfered(4, 3, 0.5, 0.3, 0.5, 0.3)}) {
-    ASSERT_TRUE(is_line_field(face));
+    ASSERT_TRUE(field::is_line_field(face));
     const CriticalPoints points = line_field_points(face, 6);
     expect_sound(face, points);
-    EXPECT_EQ(num_invariant(face, points), symmetries(face).size());
+    EXPECT_EQ(num_invariant(face, points), curve::symmetries(face).size());
   }
   // The long sides end in the corners of one block.
   const CriticalPoints plate = line_field_points(chamfered(4, 3, 0.5, 0.5, 0.5, 0.5), 6);
@@ -125,7 +125,7 @@ TEST(LineField, one_chamfer_on_the_mirror_axis_takes_a_node) {
 
 TEST(LineField, octagons_have_four_nodes_of_valence_3) {
   for (const CadFace& face : {octagon(), chamfered(3, 3, 0.5, 0.5, 0.5, 0.5), moved(octagon(), 2, 0.3, {5, 1}, true)}) {
-    ASSERT_TRUE(is_line_field(face));
+    ASSERT_TRUE(field::is_line_field(face));
     const CriticalPoints points = line_field_points(face, 6);
     expect_sound(face, points);
     ASSERT_EQ(points.critical_points.size(), 4u);
@@ -137,7 +137,7 @@ TEST(LineField, octagons_have_four_nodes_of_valence_3) {
 
 TEST(LineField, ramps_take_two_on_both_ends) {
   const CadFace face = make_face({polygon({{0, 0}, {2, 0}, {3, 1}, {5, 1}, {5, 2.5}, {0, 2.5}})});
-  ASSERT_TRUE(is_line_field(face));
+  ASSERT_TRUE(field::is_line_field(face));
   const CriticalPoints points = line_field_points(face, 6);
   expect_sound(face, points);
   EXPECT_TRUE(points.critical_points.empty());
@@ -158,7 +158,7 @@ TEST(LineField, triangle_has_one_node_on_its_axis_instead_of_a_corner_of_valence
 TEST(LineField, holes_turned_by_45_degrees) {
   const Loop outline = polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
   const CadFace face = make_face({outline, diamond_hole({0, 0}, 0.8)});
-  ASSERT_TRUE(is_line_field(face));
+  ASSERT_TRUE(field::is_line_field(face));
   const CriticalPoints points = line_field_points(face, 6);
   expect_sound(face, points);
   EXPECT_TRUE(points.critical_points.empty());
@@ -189,7 +189,7 @@ TEST(LineField, does_not_depend_on_place_orientation_or_first_curve) {
     for (const bool mirrored : {false, true}) {
       const double angle = radians(37);
       const Vec2 shift{3, -2};
-      const auto h = [&](Vec2 x) { return 2 * Isometry{{0, 0}, angle, mirrored}.turned(x) + shift; };
+      const auto h = [&](Vec2 x) { return 2 * curve::Isometry{{0, 0}, angle, mirrored}.turned(x) + shift; };
       CadFace image = moved(face, 2, angle, shift, mirrored);
       Loop turned(image.curves.begin(), image.curves.end());
       std::rotate(turned.begin(), turned.begin() + 2, turned.end());
@@ -233,15 +233,15 @@ TEST(LineField, index_sum_holds_on_random_polygons) {
       if (bump == 3) points.push_back(corner + 6.5 * along);
     }
     const CadFace face = make_face({polygon(points)});
-    if (!is_line_field(face)) continue;
+    if (!field::is_line_field(face)) continue;
     const CriticalPoints result = line_field_points(face, 6);
     expect_sound(face, result);
     ++(result.critical_points.empty() ? without : with_nodes);
-    EXPECT_EQ(num_invariant(face, result), symmetries(face).size());
+    EXPECT_EQ(num_invariant(face, result), curve::symmetries(face).size());
   }
   EXPECT_GT(with_nodes, 5);
   EXPECT_GT(without, 20);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

@@ -8,9 +8,9 @@
 #include "base/angle.hpp"
 #include "curve/symmetry.hpp"
 #include "guide/resolve.hpp"
-#include "guide/room.hpp"
+#include "placement/room.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 using namespace testing_faces;
@@ -48,15 +48,16 @@ bool has_node_at(const CriticalPoints& points, Vec2 x, double tol) {
                      [&](const CriticalPoint& p) { return distance(p.position, x) < tol; });
 }
 
-bool is_invariant(const CriticalPoints& points, const Isometry& g, double tol) {
+bool is_invariant(const CriticalPoints& points, const curve::Isometry& g, double tol) {
   return std::all_of(points.critical_points.begin(), points.critical_points.end(),
                      [&](const CriticalPoint& p) { return has_node_at(points, g(p.position), tol); });
 }
 
 int num_symmetries(const CadFace& face, const CriticalPoints& points) {
-  const std::vector<Isometry> group = symmetries(face);
-  return static_cast<int>(std::count_if(
-      group.begin(), group.end(), [&](const Isometry& g) { return is_invariant(points, g, 1e-10 * face.diameter); }));
+  const std::vector<curve::Isometry> group = curve::symmetries(face);
+  return static_cast<int>(std::count_if(group.begin(), group.end(), [&](const curve::Isometry& g) {
+    return is_invariant(points, g, 1e-10 * face.diameter);
+  }));
 }
 
 int index_of(const std::vector<NodeMark>& marks) {
@@ -177,7 +178,7 @@ TEST(ResolveClusters, clusters_of_one_orbit_are_resolved_alike) {
   std::vector<Cluster> clusters;
   const Vec2 c{0.5, 0.5}, off{0.31, 0.12};
   int noise = 0;
-  for (const Isometry& g : symmetries(square()))
+  for (const curve::Isometry& g : curve::symmetries(square()))
     clusters.push_back(multiple_zero(g(c + off) + 1e-9 * unit(++noise), 2));
   const CriticalPoints points = resolved(square(), clusters);
   EXPECT_EQ(points.critical_points.size(), 16u);
@@ -200,7 +201,7 @@ TEST(ResolveClusters, moved_faces_get_moved_nodes) {
       for (const double scale : {1e-3, 1.0, 1e3}) {
         const Vec2 shift = scale * Vec2{3, -2};
         const double angle = radians(37);
-        const auto h = [&](Vec2 x) { return scale * Isometry{{0, 0}, angle, mirrored}.turned(x) + shift; };
+        const auto h = [&](Vec2 x) { return scale * curve::Isometry{{0, 0}, angle, mirrored}.turned(x) + shift; };
         const CadFace image = moved(c.face, scale, angle, shift, mirrored);
         Cluster moved_cluster = c.cluster;
         moved_cluster.centre = moved_cluster.members[0] = h(c.cluster.centre);
@@ -232,7 +233,7 @@ TEST(ResolveClusters, index_sum_is_kept_and_nodes_stay_inside_on_random_polygons
     EXPECT_EQ(index_sum_of(points), sum);
     for (const NodeChange& change : points.changes) EXPECT_EQ(index_of(change.before), index_of(change.after));
     for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
-      EXPECT_GT(signed_room(face, points.critical_points[i].position), 0);
+      EXPECT_GT(placement::signed_room(face, points.critical_points[i].position), 0);
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_GT(distance(points.critical_points[i].position, points.critical_points[j].position), 1e-3);
     }
@@ -240,4 +241,4 @@ TEST(ResolveClusters, index_sum_is_kept_and_nodes_stay_inside_on_random_polygons
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

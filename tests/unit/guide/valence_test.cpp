@@ -7,7 +7,7 @@
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::guide {
 namespace {
 
 TEST(TieDistance, is_zero_at_odd_multiples_of_45_degrees) {
@@ -30,7 +30,7 @@ Field wedge_field(double c) {
   mesh.elem2vertices = {{0, 1, 2}};
   for (int i = 0; i < 3; ++i) {
     const Vec2 before = p[(i + 2) % 3], after = p[(i + 1) % 3];
-    mesh.face.curves.push_back(segment(p[i], after));
+    mesh.face.curves.push_back(curve::segment(p[i], after));
     mesh.boundary_edges.push_back({0, i, i, 0, distance(p[i], after)});
     const double out = angle_of(after - p[i]), angle = wrap_two_pi(angle_of(before - p[i]) - out);
     mesh.face.joints.push_back({p[i], angle_of(p[i] - before), out, angle, true});
@@ -48,14 +48,14 @@ Field wedge_field(double c) {
 TEST(CornerValences, a_tie_is_decided_by_the_next_term) {
   for (const double c : {3.0, 0.5}) {
     const Field smaller = wedge_field(c), larger = wedge_field(-c);
-    EXPECT_EQ(corner_valences(FieldEvaluator(smaller)).corners[0].valence, 0);
-    EXPECT_EQ(corner_valences(FieldEvaluator(larger)).corners[0].valence, 1);
+    EXPECT_EQ(corner_valences(field::FieldEvaluator(smaller)).corners[0].valence, 0);
+    EXPECT_EQ(corner_valences(field::FieldEvaluator(larger)).corners[0].valence, 1);
   }
 }
 
 TEST(CornerValences, away_from_ties_is_the_nearest_integer) {
   const Field field = wedge_field(1);
-  const std::vector<Corner> corners = corner_valences(FieldEvaluator(field)).corners;
+  const std::vector<Corner> corners = corner_valences(field::FieldEvaluator(field)).corners;
   ASSERT_EQ(corners.size(), 3u);
   EXPECT_NEAR(corners[1].angle_degrees, degrees(std::atan2(0.6, 0.4)), 1e-12);
   EXPECT_EQ(corners[1].valence, 1);  // 56.3 degrees
@@ -64,8 +64,8 @@ TEST(CornerValences, away_from_ties_is_the_nearest_integer) {
 
 TEST(CornerValences, a_tie_that_the_field_leaves_open_is_an_error) {
   const Field field = wedge_field(0);
-  EXPECT_THROW(corner_valences(FieldEvaluator(field)), ComputeError);
+  EXPECT_THROW(corner_valences(field::FieldEvaluator(field)), ComputeError);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::guide

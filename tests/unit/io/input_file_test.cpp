@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "scratch.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 class Input : public Scratch {
@@ -58,4 +58,4 @@ TEST(SameOrigin, OneChainMustHoldTheOthersDigest) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -11,7 +11,7 @@
 #include "io/stage_files.hpp"
 #include "scratch.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 struct Format {
@@ -250,4 +250,4 @@ TEST_F(Damaged, ValencesOfAnySizeAreReadAndRefusedLater) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 using Kind = NameRule::Kind;
@@ -94,4 +94,4 @@ TEST(NameRules, NumbersOutOfRangeMeetNothing) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

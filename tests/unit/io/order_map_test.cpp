@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 std::vector<int> read(const std::string& text, int num_elems = 2, int max_order = 12) {
@@ -52,4 +52,4 @@ TEST(OrderMap, anything_else_is_refused_by_the_name_of_the_file) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

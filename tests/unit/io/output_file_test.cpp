@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "scratch.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 class Output : public Scratch {};
@@ -76,4 +76,4 @@ TEST_F(Output, ReportIsNestedByItsDots) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

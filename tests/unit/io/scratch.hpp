@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-namespace quadrille {
+namespace quadrille::io {
 
 class Scratch : public testing::Test {
  protected:
@@ -35,4 +35,4 @@ class Scratch : public testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 // FIPS 180-4 and NIST's example vectors.
@@ -31,4 +31,4 @@ TEST(Sha256, WithAndWithoutTheProcessorsInstructions) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

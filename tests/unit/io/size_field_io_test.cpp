@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 SizeSources read(const std::string& text, Vec2 origin = {}) {
@@ -79,4 +79,4 @@ TEST(SizeFieldIo, OtherVersionsAreRefusedWithTwoSentences) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "scratch.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 namespace {
 
 class StageFiles : public Scratch {
@@ -130,4 +130,4 @@ TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::io

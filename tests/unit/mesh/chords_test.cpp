@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 TEST(Chords, NumberedByTheirFirstArc) {
@@ -40,4 +40,4 @@ TEST(Chords, ABlockThatTouchesItselfIsNoPair) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -4,12 +4,12 @@
 
 #include "../support/square_field.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 struct LocatorTest : testing::Test {
   TriMesh mesh = square_mesh({-1, 2}, 3, 5);
-  std::vector<TriMap> maps = tri_maps(mesh);
+  std::vector<spectral::TriMap> maps = tri_maps(mesh);
   Locator locator{mesh, maps};
 };
 
@@ -66,10 +66,10 @@ TEST(Locator, inverts_curved_elements) {
   mesh.elem2vertices = {{0, 1, 2}, {1, 0, 3}};
   mesh.curved_elems = {0, 1};
   for (const auto& [a, b, c] : mesh.elem2vertices) {
-    const TriMap straight({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-    for (const Vec2 xi : tri_nodes(3)) mesh.curved_nodes.push_back(bend(straight.position(xi)));
+    const spectral::TriMap straight({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    for (const Vec2 xi : spectral::tri_nodes(3)) mesh.curved_nodes.push_back(bend(straight.position(xi)));
   }
-  const std::vector<TriMap> maps = tri_maps(mesh);
+  const std::vector<spectral::TriMap> maps = tri_maps(mesh);
   const Locator locator(mesh, maps);
   for (const Vec2 xi : {Vec2{0, -0.99}, Vec2{-0.5, -0.7}, Vec2{-0.9, 0.8}})
     for (int e = 0; e < 2; ++e) {
@@ -81,4 +81,4 @@ TEST(Locator, inverts_curved_elements) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::mesh

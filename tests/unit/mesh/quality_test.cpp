@@ -4,7 +4,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 TEST(Quality, OfTheTriangleThreeFourFive) {
@@ -23,4 +23,4 @@ TEST(Quality, AnElementTurnedOverHasANegativeAngle) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::mesh

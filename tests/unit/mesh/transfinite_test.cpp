@@ -4,13 +4,13 @@
 
 #include "../hand_made.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 struct Block {
   SeparatrixGraph graph;
-  CurveTable table{graph.face, graph.splines};
-  std::vector<Chain> chains;
+  curve::CurveTable table{graph.face, graph.splines};
+  std::vector<curve::Chain> chains;
 
   explicit Block(SeparatrixGraph g) : graph(std::move(g)) {
     for (const GraphArc& arc : graph.arcs) chains.emplace_back(table, arc.pieces);
@@ -43,10 +43,11 @@ TEST(Transfinite, SidesAreReproducedExactly) {
 TEST(Transfinite, TwoBlocksSeeTheSameSide) {
   // The middle arc bounds the left block forwards and the right one backwards; dyadic fractions mirror exactly.
   SeparatrixGraph g = hand_made::unit_square();
-  g.splines.push_back(circular_arc({-1, 0.5}, 1.5, -0.3, 0.3));
-  const CurveTable table(g.face, g.splines);
-  const Chain shared(table, {{4, -0.3, 0.3}});
-  const Chain bottom(table, {{0, 0, 1}}), right(table, {{1, 0, 1}}), top(table, {{2, 0, 1}}), left(table, {{3, 0, 1}});
+  g.splines.push_back(curve::circular_arc({-1, 0.5}, 1.5, -0.3, 0.3));
+  const curve::CurveTable table(g.face, g.splines);
+  const curve::Chain shared(table, {{4, -0.3, 0.3}});
+  const curve::Chain bottom(table, {{0, 0, 1}}), right(table, {{1, 0, 1}}), top(table, {{2, 0, 1}}),
+      left(table, {{3, 0, 1}});
   const TransfiniteMap a({&bottom, &shared, &top, &left}, {});
   const TransfiniteMap b({&bottom, &right, &top, &shared}, {false, false, false, true});
   for (const double t : {0.125, 0.5, 0.8125}) EXPECT_EQ(a.position(1, t), b.position(0, t));
@@ -69,4 +70,4 @@ TEST(Transfinite, SampledBlockHoldsItsPositions) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -4,7 +4,7 @@
 
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 TEST(TriMaps, ElementsOutsideCurvedElemsAreAffineAndTheOthersPassThroughTheirNodes) {
@@ -14,7 +14,7 @@ TEST(TriMaps, ElementsOutsideCurvedElemsAreAffineAndTheOthersPassThroughTheirNod
   mesh.elem2vertices = {{0, 1, 2}, {0, 2, 3}};
   mesh.curved_elems = {1};
   const auto bent = [](Vec2 xi) { return Vec2{xi.x + 0.1 * xi.y * xi.y, xi.y + 0.05 * xi.x * xi.y * xi.y}; };
-  for (const Vec2 xi : tri_nodes(3)) mesh.curved_nodes.push_back(bent(xi));
+  for (const Vec2 xi : spectral::tri_nodes(3)) mesh.curved_nodes.push_back(bent(xi));
 
   const auto maps = tri_maps(mesh);
   ASSERT_EQ(maps.size(), 2u);
@@ -26,4 +26,4 @@ TEST(TriMaps, ElementsOutsideCurvedElemsAreAffineAndTheOthersPassThroughTheirNod
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::mesh

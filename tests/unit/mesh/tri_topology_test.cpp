@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::mesh {
 namespace {
 
 // 3---2
@@ -78,4 +78,4 @@ TEST(TriTopology, RefusesABoundaryEdgeOfNoElement) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::mesh

@@ -8,25 +8,25 @@
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 struct Aligned {
   BlockLayout layout;
-  std::vector<ArcParameter> parameters;
+  std::vector<sizing::ArcParameter> parameters;
   double worst_slope = 0;  ///< greatest |tangent . rung| of opposite sides of block 0, 0 = upright
 
   explicit Aligned(const SeparatrixGraph& graph) {
     Report report;
-    layout = extract_blocks(graph, report);
-    const CurveTable table(layout.face, layout.splines);
-    std::vector<Chain> chains;
+    layout = block::extract_blocks(graph, report);
+    const curve::CurveTable table(layout.face, layout.splines);
+    std::vector<curve::Chain> chains;
     for (const GraphArc& arc : layout.arcs) chains.emplace_back(table, arc.pieces);
-    parameters = align_chords(directed_chords(layout.block2arcs, layout.arc_chord), chains);
+    parameters = align_chords(mesh::directed_chords(layout.block2arcs, layout.arc_chord), chains);
     for (int k = 1; k < 100; ++k) {
       const double u = k / 100.0;
-      const ChainPoint a = chains[0].at(parameters[0].fraction(u));
-      const ChainPoint b = chains[2].at(parameters[2].fraction(1 - u));
+      const curve::ChainPoint a = chains[0].at(parameters[0].fraction(u));
+      const curve::ChainPoint b = chains[2].at(parameters[2].fraction(1 - u));
       worst_slope = std::max(worst_slope, std::abs(dot(a.tangent, normalized(b.position - a.position))));
     }
   }
@@ -35,13 +35,13 @@ struct Aligned {
 TEST(AlignChords, StraightAndConcentricBlocksKeepEqualFractions) {
   for (const SeparatrixGraph& graph : {hand_made::unit_square(), hand_made::quarter_annulus(), hand_made::l_shape(),
                                        hand_made::cut_annulus(1), hand_made::cut_annulus(3)})
-    for (const ArcParameter& p : Aligned(graph).parameters) EXPECT_TRUE(p.is_identity());
+    for (const sizing::ArcParameter& p : Aligned(graph).parameters) EXPECT_TRUE(p.is_identity());
 }
 
 TEST(AlignChords, ShearedBlocksKeepEqualFractions) {
-  const std::vector<Nurbs> loop{segment({0, 0}, {3, 0}), segment({3, 0}, {4, 1}), segment({4, 1}, {1, 1}),
-                                segment({1, 1}, {0, 0})};
-  for (const ArcParameter& p :
+  const std::vector<Nurbs> loop{curve::segment({0, 0}, {3, 0}), curve::segment({3, 0}, {4, 1}),
+                                curve::segment({4, 1}, {1, 1}), curve::segment({1, 1}, {0, 0})};
+  for (const sizing::ArcParameter& p :
        Aligned(hand_made::one_block(hand_made::face({loop}, 4), {{0}, {1}, {2}, {3}})).parameters)
     EXPECT_TRUE(p.is_identity());
 }
@@ -59,4 +59,4 @@ TEST(AlignChords, HalfTurnSymmetryIsKept) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 TEST(Anchors, FacingBreaksShareOne) {
@@ -30,4 +30,4 @@ TEST(Anchors, BreaksOfOneArcAreNeverJoined) {
 TEST(Anchors, NoneWithoutBreaks) { EXPECT_TRUE(find_anchors({}, 0.1).empty()); }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

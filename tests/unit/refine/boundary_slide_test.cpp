@@ -8,12 +8,12 @@
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
   Report report;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine(block::extract_blocks(graph, report), options, report);
 }
 
 TEST(BoundarySlide, VerticesAtJointsAreFixedAndNoOthers) {
@@ -39,7 +39,7 @@ TEST(BoundarySlide, StaysOnTheCircleAlsoAcrossItsSeam) {
     const double radius = vertex.loop == 0 ? 1 : 0.5;
     EXPECT_LT(distance(boundary.at(v, 0).position, mesh.nodes[vertex.node]), 1e-12);
     for (const double slide : {-0.05, 0.05}) {
-      const ChainPoint p = boundary.at(v, slide);
+      const curve::ChainPoint p = boundary.at(v, slide);
       EXPECT_NEAR(norm(p.position), radius, 1e-12);
       EXPECT_NEAR(distance(p.position, mesh.nodes[vertex.node]), 2 * radius * std::sin(0.025 / radius), 1e-10);
       EXPECT_NEAR(dot(p.tangent, p.position), 0, 1e-10);
@@ -81,4 +81,4 @@ TEST(BoundarySlide, EdgesThatPassAJointKeepTheirEnds) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -9,12 +9,12 @@
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 BlockLayout layout_of(const SeparatrixGraph& graph) {
   Report report;
-  return extract_blocks(graph, report);
+  return block::extract_blocks(graph, report);
 }
 
 QuadMesh refined(const BlockLayout& layout, const RefineOptions& options) {
@@ -58,8 +58,8 @@ TEST(ChosenBlocks, ACountThatWasAskedForStays) {
   RefineOptions options{0.25, 1, 5e-7};
   options.blocks = {0};
   const int before = refined(layout, options).num_elems();
-  const std::vector<Chord> chords = directed_chords(layout.block2arcs, layout.arc_chord);
-  const std::vector<ChordCount> coarse = coarse_counts(layout, chords, {0}, {});
+  const std::vector<mesh::Chord> chords = mesh::directed_chords(layout.block2arcs, layout.arc_chord);
+  const std::vector<sizing::ChordCount> coarse = coarse_counts(layout, chords, {0}, {});
   ASSERT_FALSE(coarse.empty());
   EXPECT_TRUE(coarse_counts(layout, chords, {0}, {{coarse[0].chord, 3}}).size() == coarse.size() - 1);
   options.counts = {{coarse[0].chord, 3}};
@@ -80,17 +80,17 @@ TEST(ChosenBlocks, ToleranceAndTopologyAskForMore) {
 
 TEST(ChosenBlocks, CountsRiseWhereElementsAreNotProved) {
   const BlockLayout layout = layout_of(hand_made::l_shape());
-  const std::vector<Chord> chords = directed_chords(layout.block2arcs, layout.arc_chord);
+  const std::vector<mesh::Chord> chords = mesh::directed_chords(layout.block2arcs, layout.arc_chord);
   QuadMesh mesh = refined(layout, {1, 1, 5e-7});
-  std::vector<ChordCount> coarse = coarse_counts(layout, chords, {0}, {});
+  std::vector<sizing::ChordCount> coarse = coarse_counts(layout, chords, {0}, {});
   EXPECT_FALSE(raise_counts(layout, chords, mesh, coarse)) << "all elements are proved";
   for (double& bound : mesh.elem_jacobian_bound) bound = -1;
   EXPECT_TRUE(raise_counts(layout, chords, mesh, coarse));
-  for (const ChordCount& c : coarse) EXPECT_EQ(c.count, 2);
+  for (const sizing::ChordCount& c : coarse) EXPECT_EQ(c.count, 2);
   int rounds = 0;
   while (raise_counts(layout, chords, mesh, coarse)) ++rounds;
   EXPECT_LT(rounds, 20) << "it ends";
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -9,8 +9,9 @@
 #include "../hand_made.hpp"
 #include "base/error.hpp"
 #include "block/extract_blocks.hpp"
+#include "sizing/interval_error.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 struct Divided {
@@ -29,21 +30,22 @@ struct Options {
 
 Divided divided(const SeparatrixGraph& graph, const Options& options) {
   Report report;
-  Divided d{extract_blocks(graph, report), {}, {}, {}};
-  const CurveTable table(d.layout.face, d.layout.splines);
-  std::vector<Chain> chains;
+  Divided d{block::extract_blocks(graph, report), {}, {}, {}};
+  const curve::CurveTable table(d.layout.face, d.layout.splines);
+  std::vector<curve::Chain> chains;
   for (const GraphArc& arc : d.layout.arcs) chains.emplace_back(table, arc.pieces);
-  const std::vector<Chord> chords = directed_chords(d.layout.block2arcs, d.layout.arc_chord);
-  const std::vector<ArcParameter> parameters(chains.size());
-  const std::vector<ChordPlan> plans =
-      grade_chords(d.layout, chords, chains, parameters, SizeField(options.size), SizeRule::at_most, {});
+  const std::vector<mesh::Chord> chords = mesh::directed_chords(d.layout.block2arcs, d.layout.arc_chord);
+  const std::vector<sizing::ArcParameter> parameters(chains.size());
+  const std::vector<sizing::ChordPlan> plans = sizing::grade_chords(
+      d.layout, chords, chains, parameters, sizing::SizeField(options.size), sizing::SizeRule::at_most, {});
   d.ends = divide_arcs(d.layout, chords, plans, table, chains, parameters, {options.order, options.tolerance});
   for (std::size_t a = 0; a < chains.size(); ++a) {
     d.breaks.push_back(chains[a].break_fractions());
     d.lengths.push_back(chains[a].length());
     if (!d.layout.arcs[a].is_boundary) continue;
     for (std::size_t k = 1; k < d.ends[a].size(); ++k)
-      d.worst = std::max(d.worst, interval_error(table, chains[a], d.ends[a][k - 1], d.ends[a][k], options.order));
+      d.worst =
+          std::max(d.worst, sizing::interval_error(table, chains[a], d.ends[a][k - 1], d.ends[a][k], options.order));
   }
   return d;
 }
@@ -111,8 +113,8 @@ TEST(DivideArcs, KnotsSpreadOverAnIntervalAreNoCutsBeforeItIsShort) {
     points.push_back({x, 0.05 * std::sin(2 * pi * x)});
   }
   const Vec2 slope{1, 0.1 * pi};
-  const std::vector<Nurbs> loop{cubic_spline(parameters, points, slope, slope), segment({1, 0}, {1, 1}),
-                                segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})};
+  const std::vector<Nurbs> loop{curve::cubic_spline(parameters, points, slope, slope), curve::segment({1, 0}, {1, 1}),
+                                curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   const Divided d =
       divided(hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}}), {10, 4, 1e-5});
   EXPECT_GT(d.breaks[0].size(), 50u);
@@ -146,28 +148,29 @@ TEST(DivideArcs, ImpossibleWishesEndWithAPlace) {
 
 TEST(IntervalError, FallsWithTheOrderAsTheoryHasIt) {
   const SeparatrixGraph g = hand_made::quarter_annulus();
-  const CurveTable table(g.face, g.splines);
-  const Chain arc(table, {{1, 0, half_pi}});
+  const curve::CurveTable table(g.face, g.splines);
+  const curve::Chain arc(table, {{1, 0, half_pi}});
   // Along a circle the normal error of an even order gains one power by symmetry.
   for (const int order : {1, 2, 3, 4, 5, 6}) {
-    const double ratio = interval_error(table, arc, 0, 0.4, order) / interval_error(table, arc, 0, 0.2, order);
+    const double ratio =
+        sizing::interval_error(table, arc, 0, 0.4, order) / sizing::interval_error(table, arc, 0, 0.2, order);
     EXPECT_NEAR(std::log2(ratio), order % 2 == 0 ? order + 2 : order + 1, 0.15) << order;
   }
-  EXPECT_LE(interval_error(table, Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
+  EXPECT_LE(sizing::interval_error(table, curve::Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
 }
 
 TEST(IntervalError, SeesABendThatIsShortAgainstTheInterval) {
   // A line cuts the corner between two sides off: what is farthest is the corner, though at equal fractions of the
   // length both are near each other's tangents.
-  const CadFace face =
-      hand_made::face({{segment({0, 0}, {1, 0}), segment({1, 0}, {1, 2}), segment({1, 2}, {0, 0})}}, 2);
+  const CadFace face = hand_made::face(
+      {{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {1, 2}), curve::segment({1, 2}, {0, 0})}}, 2);
   const std::vector<Nurbs> no_splines;
-  const CurveTable table(face, no_splines);
-  const Chain chain(table, {{0, 0, 1}, {1, 0, 2}});
-  EXPECT_NEAR(interval_error(table, chain, 0, 1, 1), 2 / std::sqrt(5), 1e-12);
+  const curve::CurveTable table(face, no_splines);
+  const curve::Chain chain(table, {{0, 0, 1}, {1, 0, 2}});
+  EXPECT_NEAR(sizing::interval_error(table, chain, 0, 1, 1), 2 / std::sqrt(5), 1e-12);
   // Interpolation through the corner itself leaves less, and no break inside means that nothing is cut off.
-  EXPECT_LT(interval_error(table, Chain(table, {{1, 0, 2}}), 0, 1, 1), 1e-15);
+  EXPECT_LT(sizing::interval_error(table, curve::Chain(table, {{1, 0, 2}}), 0, 1, 1), 1e-15);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

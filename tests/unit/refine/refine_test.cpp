@@ -17,20 +17,20 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
   Report report;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine(block::extract_blocks(graph, report), options, report);
 }
 
 /// Green's formula over the boundary polynomials, exact by a Gauss rule of sufficient degree.
 double area(const QuadMesh& mesh) {
   const int n = mesh.order, width = n + 1;
-  const Quadrature rule = gauss_legendre(n + 1);
-  const Eigen::MatrixXd value = interpolation_matrix(gll_points(n), rule.points);
-  const Eigen::MatrixXd slope = value * differentiation_matrix(gll_points(n));
+  const spectral::Quadrature rule = spectral::gauss_legendre(n + 1);
+  const Eigen::MatrixXd value = spectral::interpolation_matrix(spectral::gll_points(n), rule.points);
+  const Eigen::MatrixXd slope = value * spectral::differentiation_matrix(spectral::gll_points(n));
   const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
   double twice = 0;
   for (const QuadBoundaryEdge& e : mesh.boundary_edges)
@@ -50,7 +50,7 @@ double boundary_distance(const QuadMesh& mesh) {
   const int n = mesh.order, width = n + 1;
   std::vector<double> points;
   for (int i = 0; i <= 40; ++i) points.push_back(-1 + i / 20.0);
-  const Eigen::MatrixXd value = interpolation_matrix(gll_points(n), points);
+  const Eigen::MatrixXd value = spectral::interpolation_matrix(spectral::gll_points(n), points);
   const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
   double worst = 0;
   for (const QuadBoundaryEdge& e : mesh.boundary_edges)
@@ -60,7 +60,7 @@ double boundary_distance(const QuadMesh& mesh) {
         x += value(q, k) * mesh.nodes[mesh.elem_nodes[e.elem * width * width + starts[e.side] + k * strides[e.side]]];
       double nearest = 1e300;
       for (const int c : {e.curve, mesh.face.next_in_loop(e.curve), mesh.face.previous_in_loop(e.curve)})
-        nearest = std::min(nearest, project(mesh.face.curves[c], x).distance);
+        nearest = std::min(nearest, curve::project(mesh.face.curves[c], x).distance);
       worst = std::max(worst, nearest);
     }
   return worst;
@@ -157,7 +157,7 @@ TEST(Refine, MirroredFaceGivesAMirroredMesh) {
   // The S bend is its own image under a half turn; so must its mesh be.
   const QuadMesh mesh = refined(hand_made::s_bend(), {0.45, 4, 5e-7});
   EXPECT_GT(least(mesh.elem_jacobian_bound), 0);
-  const Vec2 ends = point(mesh.face.curves[5], mesh.face.curves[5].end()) + mesh.face.joints[0].position;
+  const Vec2 ends = curve::point(mesh.face.curves[5], mesh.face.curves[5].end()) + mesh.face.joints[0].position;
   for (const Vec2 x : mesh.nodes) {
     double nearest = 1e300;
     for (const Vec2 y : mesh.nodes) nearest = std::min(nearest, distance(ends - x, y));
@@ -185,8 +185,8 @@ TEST(Refine, BoundaryEdgesWalkTheLoops) {
 
 TEST(Refine, FoldedBlockIsRefusedWithItsPlace) {
   // A chevron whose lower side bulges through the upper one.
-  const std::vector<Nurbs> loop{segment({0, 0}, {1, 0}), segment({1, 0}, {0.1, 0.1}), segment({0.1, 0.1}, {0, 1}),
-                                segment({0, 1}, {0, 0})};
+  const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0.1, 0.1}),
+                                curve::segment({0.1, 0.1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   const SeparatrixGraph graph = hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
   try {
     refined(graph, {0.2, 2, 5e-7});
@@ -210,4 +210,4 @@ TEST(Refine, OptionsOutsideTheirIntervalsAreUsageErrors) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

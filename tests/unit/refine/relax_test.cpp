@@ -12,12 +12,12 @@
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
   Report report;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine(block::extract_blocks(graph, report), options, report);
 }
 
 /// The unit square, inner nodes moved by `move`.
@@ -98,7 +98,7 @@ TEST(Relax, NeverMakesTheWorstWorseAndKeepsTheBoundaryOnItsCurves) {
         for (const int node : boundary_nodes(mesh)) {
           double nearest = 1e300;
           for (const Nurbs& curve : mesh.face.curves)
-            nearest = std::min(nearest, project(curve, mesh.nodes[node]).distance);
+            nearest = std::min(nearest, curve::project(curve, mesh.nodes[node]).distance);
           EXPECT_LT(nearest, 1e-11);
         }
         for (std::size_t k = 0; k < joints.size(); ++k)
@@ -148,4 +148,4 @@ TEST(Relax, GivesTheSameBytesTwice) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

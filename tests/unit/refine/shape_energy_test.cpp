@@ -10,12 +10,12 @@
 #include "refine/node_follow.hpp"
 #include "refine/refine.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
   Report report;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine(block::extract_blocks(graph, report), options, report);
 }
 
 TEST(ShapeEnergy, OfARectangleIsOneWhateverItsProportions) {
@@ -65,4 +65,4 @@ TEST(ShapeEnergy, GradientIsThatOfDifferences) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

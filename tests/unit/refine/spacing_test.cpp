@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 using Counts = std::vector<int>;
@@ -47,4 +47,4 @@ TEST(Spacing, MirrorImageIsCutInMirroredPlaces) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

@@ -12,12 +12,12 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::refine {
 namespace {
 
 QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
   Report report;
-  return refine(extract_blocks(graph, report), options, report);
+  return refine(block::extract_blocks(graph, report), options, report);
 }
 
 /// Least over the elements of least over greatest det J, on a dense grid.
@@ -25,8 +25,8 @@ double sampled_ratio(const QuadMesh& mesh) {
   const int n = mesh.order + 1;
   std::vector<double> points;
   for (int i = 0; i <= 400; ++i) points.push_back(-1 + i / 200.0);
-  const Eigen::MatrixXd value = interpolation_matrix(gll_points(mesh.order), points);
-  const Eigen::MatrixXd slope = value * differentiation_matrix(gll_points(mesh.order));
+  const Eigen::MatrixXd value = spectral::interpolation_matrix(spectral::gll_points(mesh.order), points);
+  const Eigen::MatrixXd slope = value * spectral::differentiation_matrix(spectral::gll_points(mesh.order));
   double least = 1;
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const std::vector<Vec2> nodes = element_nodes(mesh, e);
@@ -116,4 +116,4 @@ TEST(Validity, ReportHoldsTheLeastAndTheWorst) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::refine

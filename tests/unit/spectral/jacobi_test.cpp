@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 TEST(Jacobi, LegendreAndChebyshevInClosedForm) {
@@ -36,4 +36,4 @@ TEST(Jacobi, DerivativeMatchesCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

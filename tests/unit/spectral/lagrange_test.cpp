@@ -6,7 +6,7 @@
 
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 TEST(Lagrange, InterpolatesPolynomialsExactly) {
@@ -36,4 +36,4 @@ TEST(Lagrange, DifferentiatesPolynomialsExactly) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

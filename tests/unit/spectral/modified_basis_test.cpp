@@ -8,7 +8,7 @@
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_map.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 std::vector<double> values_at(int order, Vec2 xi) {
@@ -68,4 +68,4 @@ TEST(ModifiedBasis, ModesAreIndependent) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -8,7 +8,7 @@
 #include "spectral/jacobi.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 TEST(OrthogonalBasis, IsOrthonormalOnTheReferenceTriangle) {
@@ -99,4 +99,4 @@ TEST(OrthogonalBasis, RefusesOrdersBeyondItsTables) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 /// Value at (s, t) in the unit square.
@@ -52,4 +52,4 @@ TEST(QuadBernstein, LeastValueOfAConstantIsFoundAtOnce) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

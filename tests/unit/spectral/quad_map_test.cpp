@@ -10,7 +10,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 using Map = std::function<Vec2(double, double)>;
@@ -124,4 +124,4 @@ TEST(QuadMap, PositionReproducesTheMap) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 double integrate_power(const Quadrature& rule, int k) {
@@ -66,4 +66,4 @@ TEST(Quadrature, GllPointsAreTheLobattoRule) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -8,7 +8,7 @@
 
 #include "spectral/orthogonal_basis.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 using Lambda = std::array<double, 3>;
@@ -192,4 +192,4 @@ TEST(TriBernstein, a_folded_element_has_no_positive_bound) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -7,7 +7,7 @@
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 const std::array<Vec2, 3> triangle{Vec2{1, 2}, Vec2{4, 2.5}, Vec2{1.5, 5}};
@@ -70,4 +70,4 @@ TEST(TriMap, EdgePointsWalkCounterClockwise) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

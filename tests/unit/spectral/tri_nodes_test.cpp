@@ -9,7 +9,7 @@
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille {
+namespace quadrille::spectral {
 namespace {
 
 TEST(TriNodes, EdgesHoldTheGaussLobattoPoints) {
@@ -59,4 +59,4 @@ TEST(TriNodes, InterpolationIsWellConditioned) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::spectral

@@ -21,7 +21,7 @@ inline CadFace polygon_face(const std::vector<Vec2>& corners) {
   for (int i = 0; i < n; ++i) {
     const Vec2 before = corners[(i + n - 1) % n], here = corners[i], after = corners[(i + 1) % n];
     for (const Vec2 other : corners) face.diameter = std::max(face.diameter, distance(here, other));
-    face.curves.push_back(segment(here, after));
+    face.curves.push_back(curve::segment(here, after));
     face.curve_names.push_back("side" + std::to_string(i));
     face.curve_cad_edges.push_back(i);
     const double interior = wrap_two_pi(angle_of(before - here) - angle_of(after - here));
@@ -38,8 +38,8 @@ inline std::vector<Vec2> regular_polygon(int n, double turn) {
 
 inline Field adapted_field(const CadFace& face) {
   Report report;
-  const TriMesh mesh = triangulate(face, {}, report);
-  return adapt_loop(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), report), {}, report);
+  const TriMesh mesh = triangulate::triangulate(face, {}, report);
+  return adapt::adapt_loop(galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), report), {}, report);
 }
 
 }  // namespace quadrille

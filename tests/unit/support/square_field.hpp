@@ -20,7 +20,7 @@ inline CadFace square_face(Vec2 low, double size) {
   face.diameter = size * std::sqrt(2.0);
   face.loop_offsets = {0, 4};
   for (int i = 0; i < 4; ++i) {
-    face.curves.push_back(segment(p[i], p[(i + 1) % 4]));
+    face.curves.push_back(curve::segment(p[i], p[(i + 1) % 4]));
     face.curve_names.push_back("side" + std::to_string(i));
     face.curve_cad_edges.push_back(i);
     face.joints.push_back({p[i], angle_of(p[i] - p[(i + 3) % 4]), angle_of(p[(i + 1) % 4] - p[i]), half_pi, true});
@@ -60,13 +60,13 @@ inline TriMesh square_mesh(Vec2 low, double size, int n) {
 inline Field interpolated_field(TriMesh mesh, int order, const std::function<Vec2(Vec2)>& value) {
   Field field;
   field.mesh = std::move(mesh);
-  const int n = num_tri_modes(order);
-  const Eigen::MatrixXd to_modes = orthogonal_vandermonde(order, tri_nodes(order)).inverse();
+  const int n = spectral::num_tri_modes(order);
+  const Eigen::MatrixXd to_modes = spectral::orthogonal_vandermonde(order, spectral::tri_nodes(order)).inverse();
   field.coef_offsets = {0};
-  for (const TriMap& map : tri_maps(field.mesh)) {
+  for (const spectral::TriMap& map : mesh::tri_maps(field.mesh)) {
     Eigen::MatrixX2d values(n, 2);
     for (int i = 0; i < n; ++i) {
-      const Vec2 v = value(map.position(tri_nodes(order)[i]));
+      const Vec2 v = value(map.position(spectral::tri_nodes(order)[i]));
       values.row(i) << v.x, v.y;
     }
     const Eigen::MatrixX2d coefs = to_modes * values;

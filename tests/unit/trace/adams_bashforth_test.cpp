@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // v = z^4, which elements of order 4 hold exactly: streamlines are circles about 0 and rays from it.
@@ -17,7 +17,7 @@ struct PolarCrosses : testing::Test {
     const std::complex<double> w = std::pow(std::complex<double>(p.x, p.y), 4);
     return Vec2{w.real(), w.imag()};
   });
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
 
   Streamline quarter_circle(double radius, double step) const {
     return advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, radius), {}, {1, step, 20, 1e-7});
@@ -29,7 +29,7 @@ TEST_F(PolarCrosses, EndsOnTheBoundaryAndOnItsCurve) {
   const Streamline line = quarter_circle(0.6, 0.005);
   ASSERT_EQ(line.end, Streamline::End::boundary);
   EXPECT_EQ(line.curve, 3);
-  EXPECT_EQ(line.end_position, point(field.mesh.face.curves[3], line.t));
+  EXPECT_EQ(line.end_position, curve::point(field.mesh.face.curves[3], line.t));
   EXPECT_LT(miss(line), 1e-8);
   EXPECT_NEAR(line.length(), 0.6 * half_pi, 1e-8);
 }
@@ -60,10 +60,10 @@ TEST_F(PolarCrosses, ABoundOnTheLengthEndsIt) {
 
 TEST(AdamsBashforth, GivesUpWhereTheFieldVanishes) {
   const Field field = interpolated_field(square_mesh({0, 0}, 1, 2), 1, [](Vec2) { return Vec2{0, 0}; });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   EXPECT_THROW(advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, 0.6), {}, {1, 0.01, 0.5, 1e-7}),
                ComputeError);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

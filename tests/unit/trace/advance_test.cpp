@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 using Complex = std::complex<double>;
@@ -19,8 +19,8 @@ Complex complex(Vec2 p) { return {p.x, p.y}; }
 AdvanceOptions options() { return {1e-11, 0.1, 20, 1e-7}; }
 
 // From a point inside, without a node.
-Launch launch_at(const FieldEvaluator& evaluator, Vec2 x, double angle) {
-  const Location at = evaluator.locator().find(x);
+Launch launch_at(const field::FieldEvaluator& evaluator, Vec2 x, double angle) {
+  const mesh::Location at = evaluator.locator().find(x);
   return {-1, x, angle, 0, at.elem, at.xi, x, angle, -1, 0};
 }
 
@@ -32,7 +32,7 @@ Vec2 on_square(double angle) {
 
 void expect_straight_rays(const Mat2& j) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 5), 1, [&](Vec2 p) { return j * p; });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (const double angle : launch_directions(j)) {
     const Launch launch = launch_line(evaluator, 0, {0, 0}, angle, 1e-4, 1);
     const Streamline line = advance(evaluator, launch, {{0, 0}}, options());
@@ -41,7 +41,7 @@ void expect_straight_rays(const Mat2& j) {
     EXPECT_NEAR(line.length(), norm(on_square(angle)), 1e-9);
     EXPECT_EQ(line.at(evaluator, 0), (Vec2{0, 0}));
     // The end lies on the curve exactly, at the parameter it names.
-    EXPECT_EQ(line.end_position, point(field.mesh.face.curves[line.curve], line.t));
+    EXPECT_EQ(line.end_position, curve::point(field.mesh.face.curves[line.curve], line.t));
   }
 }
 
@@ -51,7 +51,7 @@ TEST(Advance, FiveStraightRaysAtConjugateZ) { expect_straight_rays({1, 0, 0, -1}
 TEST(Advance, StaysOnACircleOverManyElements) {
   const Field field =
       interpolated_field(square_mesh({-1, -1}, 2, 6), 4, [](Vec2 p) { return vec(std::pow(complex(p), 4)); });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   AdvanceOptions bounds = options();
   bounds.max_length = 2 * pi * 0.7;
   const Streamline line = advance(evaluator, launch_at(evaluator, {0.7, 0}, half_pi), {}, bounds);
@@ -67,7 +67,7 @@ TEST(Advance, StaysOnACircleOverManyElements) {
 
 TEST(Advance, RunsAlongElementEdgesAndThroughVertices) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 4), 1, [](Vec2) { return Vec2{1, 0}; });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (const double y : {0.0, 0.25, 0.5}) {
     const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, y}, 0), {}, options());
     ASSERT_EQ(line.end, Streamline::End::boundary);
@@ -75,7 +75,7 @@ TEST(Advance, RunsAlongElementEdgesAndThroughVertices) {
   }
   // A cross turned by 45 degrees: along the diagonals of the mesh, through its vertices.
   const Field turned = interpolated_field(square_mesh({-1, -1}, 2, 4), 1, [](Vec2) { return Vec2{-1, 0}; });
-  const FieldEvaluator diagonal(turned);
+  const field::FieldEvaluator diagonal(turned);
   const Streamline line = advance(diagonal, launch_at(diagonal, {-0.9, -0.9}, pi / 4), {}, options());
   ASSERT_EQ(line.end, Streamline::End::boundary);
   EXPECT_LT(distance(line.end_position, {1, 1}), 1e-11);
@@ -85,7 +85,7 @@ TEST(Advance, EndsInANodeThatItMeets) {
   // v = -(z^2 - 1/4): the separatrices of two nodes of valence 3 run into each other along the axis.
   const Field field =
       interpolated_field(square_mesh({-1, -1}, 2, 5), 2, [](Vec2 p) { return vec(0.25 - complex(p) * complex(p)); });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   const std::vector<Vec2> nodes{{-0.5, 0}, {0.5, 0}};
   const Launch launch = launch_line(evaluator, 0, nodes[0], 0, 1e-4, 1);
   const Streamline line = advance(evaluator, launch, nodes, options());
@@ -99,7 +99,7 @@ TEST(Advance, EndsOnACurvedLineOnlyAtTheBoundary) {
   // A quarter circle about the square's corner ends on the next side at the same distance.
   const Field field =
       interpolated_field(square_mesh({0, 0}, 1, 4), 4, [](Vec2 p) { return vec(std::pow(complex(p), 4)); });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   const Launch launch = launch_from_boundary(evaluator, 0, 0.6);
   EXPECT_EQ(launch.x, (Vec2{0.6, 0}));
   EXPECT_NEAR(launch.angle, half_pi, 1e-15);
@@ -113,7 +113,7 @@ TEST(Advance, EndsOnACurvedLineOnlyAtTheBoundary) {
 TEST(Advance, GoesOnAsIfItHadNeverStopped) {
   const Field field =
       interpolated_field(square_mesh({0, 0}, 1, 4), 4, [](Vec2 p) { return vec(std::pow(complex(p), 4)); });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   const Launch launch = launch_from_boundary(evaluator, 0, 0.6);
   const Streamline whole = advance(evaluator, launch, {}, options());
   AdvanceOptions bounds = options();
@@ -133,7 +133,7 @@ TEST(Advance, GoesOnAsIfItHadNeverStopped) {
 
 TEST(Advance, TheNumberOfStepsIsBounded) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 1, [](Vec2) { return Vec2{1, 0}; });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   AdvanceOptions bounds = options();
   bounds.max_step = 1e-6;
   const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, 0.1}, 0), {}, bounds);
@@ -143,9 +143,9 @@ TEST(Advance, TheNumberOfStepsIsBounded) {
 
 TEST(Advance, GivesUpWhereTheFieldHasNoDirection) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 1, [](Vec2) { return Vec2{0, 0}; });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   EXPECT_THROW(advance(evaluator, launch_at(evaluator, {0.1, 0.2}, 0), {}, options()), ComputeError);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -5,7 +5,7 @@
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 double off_cross(const Mat2& j, double alpha) { return wrap_pi(4 * alpha - angle_of(j * unit(alpha))); }
@@ -83,7 +83,7 @@ TEST(LaunchLine, FollowsACurvedSeparatrixToThirdOrder) {
     return Vec2{p.x * w.x - p.y * w.y, p.x * w.y + p.y * w.x};
   };
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 2, value);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   // Near 0 the separatrix is y = kappa x^2 / 2 with 4 y' = y / x + 0.3 x, so kappa = 0.3 / 3.5.
   const double kappa = 0.3 / 3.5;
   for (const double r : {1e-2, 1e-3}) {
@@ -96,9 +96,9 @@ TEST(LaunchLine, FollowsACurvedSeparatrixToThirdOrder) {
 
 TEST(LaunchLine, RefusesADirectionOutOfTheDomain) {
   const Field field = interpolated_field(square_mesh({0, 0}, 1, 2), 1, [](Vec2) { return Vec2{1, 0}; });
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   EXPECT_THROW(launch_line(evaluator, 0, {0, 0}, -1, 1e-3, 1), ComputeError);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -6,7 +6,7 @@
 
 #include "../support/square_field.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 using Complex = std::complex<double>;
@@ -21,7 +21,7 @@ struct Passing : testing::Test {
   std::vector<Streamline> traced(double max_length) const {
     std::vector<Streamline> lines;
     for (int n = 0; n < 2; ++n) {
-      const Location at = evaluator.locator().find(nodes[n]);
+      const mesh::Location at = evaluator.locator().find(nodes[n]);
       for (const double angle : launch_directions(evaluator.sample(at.elem, at.xi).dv_dx))
         lines.push_back(advance(evaluator, launch_line(evaluator, n, nodes[n], angle, 1e-4, 1), nodes,
                                 {1e-11, 0.1, max_length, 1e-7}));
@@ -31,7 +31,7 @@ struct Passing : testing::Test {
 
   const std::vector<Vec2> nodes{{-0.5, 0}, {0.5, 0}};
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 4), 2, value);
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
 };
 
 TEST_F(Passing, LinesWithAnEndFollowTheRules) {
@@ -66,4 +66,4 @@ TEST_F(Passing, WhatIsGivenUpIsNotChosenAgain) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -8,7 +8,7 @@
 
 #include "../support/square_field.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 using Complex = std::complex<double>;
@@ -22,10 +22,10 @@ struct TwoNodes : testing::Test {
       return Vec2{v.real(), v.imag()};
     };
     field = interpolated_field(square_mesh({-1, -1}, 2, 4), 2, value);
-    evaluator = std::make_unique<FieldEvaluator>(field);
+    evaluator = std::make_unique<field::FieldEvaluator>(field);
     lines.clear();
     for (int n = 0; n < 2; ++n) {
-      const Location at = evaluator->locator().find(nodes[n]);
+      const mesh::Location at = evaluator->locator().find(nodes[n]);
       for (const double angle : launch_directions(evaluator->sample(at.elem, at.xi).dv_dx))
         lines.push_back(
             advance(*evaluator, launch_line(*evaluator, n, nodes[n], angle, 1e-4, 1), nodes, {1e-11, 0.1, 10, 1e-7}));
@@ -38,7 +38,7 @@ struct TwoNodes : testing::Test {
 
   const std::vector<Vec2> nodes{{-0.5, 0}, {0.5, 0}};
   Field field;
-  std::unique_ptr<FieldEvaluator> evaluator;
+  std::unique_ptr<field::FieldEvaluator> evaluator;
   std::vector<Streamline> lines;
 };
 
@@ -49,7 +49,7 @@ TEST_F(TwoNodes, ExactlyHeadOnLinesMergeIntoOneStraightLine) {
   EXPECT_LT(found[0].turn, 1e-6);
   EXPECT_LT(found[0].gap, 1e-6);
   EXPECT_NEAR(found[0].length(), 1, 1e-6);
-  const CurveFunction merged = merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0]);
+  const curve::CurveFunction merged = merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0]);
   for (int i = 0; i <= 10; ++i) {
     Vec2 d;
     EXPECT_LT(distance(merged(found[0].length() * i / 10, d), {-0.5 + i / 10.0, 0}), 1e-6);
@@ -61,7 +61,7 @@ TEST_F(TwoNodes, MergingKeepsEndsAndEndDirections) {
   const auto found = candidates(20);
   ASSERT_EQ(found.size(), 1u);
   const Streamline &a = lines[found[0].a], &b = lines[found[0].b];
-  const CurveFunction merged = merged_curve(*evaluator, a, b, found[0]);
+  const curve::CurveFunction merged = merged_curve(*evaluator, a, b, found[0]);
   Vec2 start, end;
   EXPECT_EQ(merged(0, start), nodes[0]);
   EXPECT_EQ(merged(found[0].length(), end), nodes[1]);
@@ -94,7 +94,7 @@ TEST_F(TwoNodes, TheDerivativeIsThatOfTheCurve) {
   make(0.2);
   const auto found = candidates(20);
   ASSERT_EQ(found.size(), 1u);
-  const CurveFunction merged = merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0]);
+  const curve::CurveFunction merged = merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0]);
   for (const double s : {0.2, 0.5, 0.7}) {
     Vec2 d, unused;
     merged(s, d);
@@ -137,7 +137,7 @@ TEST_F(ShortOfOneNode, ALineThatPassesWithinTheDistanceIsJoined) {
   EXPECT_TRUE(candidates(0, 0.99 * join.gap).empty());
   EXPECT_EQ(candidates(0, 1.01 * join.gap).size(), 1u);
   const Streamline &a = lines[join.a], &b = lines[join.b];
-  const CurveFunction curve = merged_curve(*evaluator, a, b, join);
+  const curve::CurveFunction curve = merged_curve(*evaluator, a, b, join);
   Vec2 start, end, d, unused;
   EXPECT_EQ(curve(0, start), nodes[0]);
   EXPECT_EQ(curve(join.length(), end), nodes[1]);
@@ -176,4 +176,4 @@ TEST(ChooseMerges, DecidesTiesOfAnOrbitAlike) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

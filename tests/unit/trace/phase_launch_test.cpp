@@ -9,7 +9,7 @@
 #include "field/phase_terms.hpp"
 #include "trace/launch_all.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 using Complex = std::complex<double>;
@@ -28,7 +28,7 @@ CriticalPoints points_of(const Field& field) {
 
 TEST(NodePhase, IsTheClosedFormWithoutTheNodesOwnTurn) {
   const Field field = disc_phase(scattered);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   for (int k = 0; k < 4; ++k) {
     const Complex a = complex(scattered[k]);
     Complex product = 1;
@@ -36,7 +36,7 @@ TEST(NodePhase, IsTheClosedFormWithoutTheNodesOwnTurn) {
       const Complex b = complex(scattered[j]);
       product *= (j == k ? 1.0 : a - b) * (1.0 - std::conj(b) * a);
     }
-    EXPECT_NEAR(wrap_pi(node_phase(evaluator, k) - std::arg(product)), 0, 1e-13);
+    EXPECT_NEAR(wrap_pi(field::node_phase(evaluator, k) - std::arg(product)), 0, 1e-13);
   }
 }
 
@@ -56,7 +56,7 @@ TEST(PhaseLaunch, ASquareOfNodesInADiscLaunchesOutwardsAndToItsNeighbours) {
   std::vector<Vec2> square;
   for (int k = 0; k < 4; ++k) square.push_back(0.6 * unit(pi / 4 + k * half_pi));
   const Field field = disc_phase(square);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   const std::vector<Launch> launches = launch_all(evaluator, points_of(field));
   ASSERT_EQ(launches.size(), 12u);
   for (const Launch& launch : launches) {
@@ -69,7 +69,7 @@ TEST(PhaseLaunch, ASquareOfNodesInADiscLaunchesOutwardsAndToItsNeighbours) {
 TEST(PhaseLaunch, ANodeOfValenceSixLaunchesSixLines) {
   // arg of conj(z)^2, turned by 0.5.
   const Field field = closed_phase(square_mesh({-1, -1}, 2, 3), {{{{0.1, 0.2}, -2}}, {}, {}, {}}, 0.5);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   const std::vector<Launch> launches = launch_all(evaluator, points_of(field));
   ASSERT_EQ(launches.size(), 6u);
   for (const Launch& launch : launches) {
@@ -83,11 +83,11 @@ TEST(PhaseLaunch, BendsLinearlyWithTheSlopeOfTheOtherTerms) {
   // 4 direction = phi_0 + d bearing + g . e r and direction = angle + 2 beta, bearing = angle + beta: beta = g . e r /
   // (8 - d).
   const Field field = disc_phase(scattered);
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   PhaseTerms others = field.phase.terms;
   others.nodes.erase(others.nodes.begin());
-  const Vec2 slope = explicit_phase_gradient(others, scattered[0]);
-  for (const double angle : phase_launch_directions(node_phase(evaluator, 0), 3)) {
+  const Vec2 slope = field::explicit_phase_gradient(others, scattered[0]);
+  for (const double angle : phase_launch_directions(field::node_phase(evaluator, 0), 3)) {
     const double beta = dot(slope, unit(angle)) / 7;
     for (const double r : {1e-2, 1e-3}) {
       const Launch launch = launch_line(evaluator, 0, scattered[0], angle, r, 1);
@@ -102,13 +102,13 @@ Field field_with_boundary_node() {
   const Vec2 apex{0, -1}, pole{0, -3};
   Field field = closed_phase(square_mesh({-1, -1}, 2, 3), {{}, {}, {}, {{apex, pole, -2}}}, 0);
   // The cross is along the side: phi = 0 on the way out of the apex, to the right.
-  const double there = -2 * corner_angle(field.phase.terms.corner_angles[0], apex, {1, 0});
+  const double there = -2 * field::corner_angle(field.phase.terms.corner_angles[0], apex, {1, 0});
   return closed_phase(std::move(field.mesh), field.phase.terms, -there);
 }
 
 TEST(PhaseLaunch, ABoundaryNodeDividesTheHalfPlane) {
   const Field field = field_with_boundary_node();
-  const FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field);
   CriticalPoints points;
   points.form = "phase";
   points.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
@@ -135,7 +135,7 @@ TEST(FixedNodes, BoundaryNodesComeLastAndAtJointsWithTheirJoint) {
   const CadFace face = square_face({0, 0}, 1);
   CriticalPoints points;
   points.boundary_nodes = {{1, 0.25, {1, 0.25}, 3, "feature"}, {1, 1, {1, 1}, 3, "feature"}};
-  const std::vector<FixedNode> nodes = fixed_nodes(face, points);
+  const std::vector<graph::FixedNode> nodes = fixed_nodes(face, points);
   ASSERT_EQ(nodes.size(), 2u);
   EXPECT_EQ(nodes[0].kind, NodeKind::boundary);
   EXPECT_EQ(nodes[0].joint, -1);
@@ -151,4 +151,4 @@ TEST(FixedNodes, AStraightCornerOfABlockIsRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -7,7 +7,7 @@
 #include "../support/phase_field.hpp"
 #include "base/error.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // v = (x + i y - a)(...): one zero of index +1 at (0.25, 0.125) in a square whose corners make up for it.
@@ -15,7 +15,7 @@ struct OneZero : testing::Test {
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 1, [](Vec2 p) {
     return Vec2{p.x - 0.25, p.y - 0.125};
   });
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
 
   CriticalPoints points() const {
     CriticalPoints all;
@@ -54,7 +54,7 @@ TEST_F(OneZero, RefusesAWrongIndexSum) {
   EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
 }
 
-std::string message_of(const FieldEvaluator& evaluator, const CriticalPoints& points) {
+std::string message_of(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   try {
     require_nodes_of_field(evaluator, points);
   } catch (const FormatError& error) {
@@ -76,7 +76,7 @@ TEST_F(OneZero, RefusesTheFormPhaseAndNodesOnTheBoundary) {
 // A square with a node of valence 3 inside and one on its lower side; the corners have 1, as the index sum wants.
 struct AskedPhase : testing::Test {
   Field field = make_field();
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
 
   static Field make_field() {
     Field made = closed_phase(square_mesh({-1, -1}, 2, 3), {{{{0.25, 0.125}, 1}}, {}, {}, {}}, 0);
@@ -137,4 +137,4 @@ TEST_F(AskedPhase, NoTwistsAreTwistsOfZero) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

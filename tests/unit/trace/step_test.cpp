@@ -6,7 +6,7 @@
 
 #include "../support/square_field.hpp"
 
-namespace quadrille {
+namespace quadrille::trace {
 namespace {
 
 // v = z^4: the crosses of polar coordinates. Streamlines are circles about 0 and rays from it.
@@ -17,10 +17,10 @@ Vec2 polar_crosses(Vec2 p) {
 
 struct OneStep : testing::Test {
   Field field = interpolated_field(square_mesh({0.5, 0}, 1, 1), 4, polar_crosses);
-  FieldEvaluator evaluator{field};
+  field::FieldEvaluator evaluator{field};
 
   StreamState start(Vec2 x) const {
-    const Location at = evaluator.locator().find(x);
+    const mesh::Location at = evaluator.locator().find(x);
     return stream_state(evaluator, at.elem, at.xi, half_pi);
   }
   // Distance from the circle's point after a step of length h, at share theta of it.
@@ -78,4 +78,4 @@ TEST_F(OneStep, AStepThatTurnsTooFarIsRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::trace

@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
@@ -97,4 +97,4 @@ TEST(BoundaryMesh, GradingLimitsTheGrowthAlongTheBoundary) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -4,7 +4,7 @@
 
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
@@ -25,8 +25,8 @@ TEST(Clearance, SeesAHoleBesideTheCorner) {
 TEST(Clearance, SeesTheSameCurveComeBack) {
   // A needle's eye: the arc leaves the corner and returns close to it.
   const double gap = 0.1;
-  const Loop loop{circular_arc({0, 0}, 1, gap, 2 * pi - gap), segment(unit(2 * pi - gap), {3, -gap}),
-                  segment({3, -gap}, {3, gap}), segment({3, gap}, unit(gap))};
+  const Loop loop{curve::circular_arc({0, 0}, 1, gap, 2 * pi - gap), curve::segment(unit(2 * pi - gap), {3, -gap}),
+                  curve::segment({3, -gap}, {3, gap}), curve::segment({3, gap}, unit(gap))};
   const CadFace face = make_face({loop});
   const Outline outline(face, 1e-13);
   EXPECT_NEAR(Clearance(outline).at_junction(0), 2 * std::sin(gap), 1e-9);
@@ -39,4 +39,4 @@ TEST(Clearance, DistanceToASegment) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

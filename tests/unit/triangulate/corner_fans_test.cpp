@@ -4,7 +4,7 @@
 
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
@@ -99,4 +99,4 @@ TEST(CornerFans, RadiiKeepAwayFromOtherParts) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

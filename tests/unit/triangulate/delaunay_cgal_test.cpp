@@ -2,7 +2,7 @@
 
 #include "triangulate/delaunay.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 /// Inserts a closed polygon and constrains its sides; returns its first vertex.
@@ -108,4 +108,4 @@ TEST(Delaunay, AReleasedConstraintOpensTheWay) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -4,7 +4,7 @@
 
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
@@ -30,7 +30,7 @@ TEST(EdgeFit, NodesLieOnTheCircleAtLobattoFractionsOfTheLength) {
 TEST(EdgeFit, ErrorOfOrderEightOnACircle) {
   const CadFace face = half_disc();
   const Outline outline(face, 1e-13);
-  const ArcLength& length = outline.arc_length(1);
+  const curve::ArcLength& length = outline.arc_length(1);
   const EdgeFit fit(outline, 8);
   const double error45 = fit.error(1, 0, length.parameter(pi / 4)), error90 = fit.error(1, 0, length.parameter(pi / 2));
   EXPECT_LT(error45, 1e-12);  // known: 8e-13 of the radius
@@ -45,4 +45,4 @@ TEST(EdgeFit, AStraightEdgeHasNoError) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

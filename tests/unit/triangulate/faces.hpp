@@ -17,8 +17,8 @@ inline Joint make_joint(const CadFace& face, int curve) {
   const Nurbs& out = face.curves[curve];
   Joint joint;
   joint.position = out.poles.front();
-  joint.tangent_in = angle_of(tangent(in, in.end(), true));
-  joint.tangent_out = angle_of(tangent(out, out.begin()));
+  joint.tangent_in = angle_of(curve::tangent(in, in.end(), true));
+  joint.tangent_out = angle_of(curve::tangent(out, out.begin()));
   const double turn = wrap_pi(joint.tangent_out - joint.tangent_in);
   joint.interior_angle = std::abs(turn) < 1e-9 ? pi : pi - turn;
   joint.is_corner = std::abs(turn) > radians(1.0);
@@ -30,7 +30,7 @@ inline double diameter_of(const CadFace& face) {
   for (int c = 0; c < face.loop_offsets[1]; ++c) {
     const Nurbs& curve = face.curves[c];
     for (int i = 0; i <= 64; ++i)
-      points.push_back(point(curve, curve.begin() + (curve.end() - curve.begin()) * i / 64));
+      points.push_back(curve::point(curve, curve.begin() + (curve.end() - curve.begin()) * i / 64));
   }
   double diameter = 0;
   for (const Vec2 a : points)
@@ -58,20 +58,23 @@ inline CadFace make_face(const std::vector<Loop>& loops) {
 
 inline Loop polygon(const std::vector<Vec2>& points) {
   Loop loop;
-  for (std::size_t i = 0; i < points.size(); ++i) loop.push_back(segment(points[i], points[(i + 1) % points.size()]));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    loop.push_back(curve::segment(points[i], points[(i + 1) % points.size()]));
   return loop;
 }
 
-inline Loop circle(Vec2 centre, double radius) { return {circular_arc(centre, radius, 0, 2 * pi)}; }
-inline Loop hole(Vec2 centre, double radius) { return {circular_arc(centre, radius, 2 * pi, 0)}; }
+inline Loop circle(Vec2 centre, double radius) { return {curve::circular_arc(centre, radius, 0, 2 * pi)}; }
+inline Loop hole(Vec2 centre, double radius) { return {curve::circular_arc(centre, radius, 2 * pi, 0)}; }
 
 inline CadFace square() { return make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})}); }
-inline CadFace half_disc() { return make_face({{segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)}}); }
+inline CadFace half_disc() {
+  return make_face({{curve::segment({-1, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, pi)}});
+}
 inline CadFace annulus() { return make_face({circle({0, 0}, 1), hole({0, 0}, 0.5)}); }
 inline CadFace l_shape() { return make_face({polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})}); }
 inline CadFace stadium() {
-  return make_face({{segment({-1, -1}, {1, -1}), circular_arc({1, 0}, 1, -pi / 2, pi / 2), segment({1, 1}, {-1, 1}),
-                     circular_arc({-1, 0}, 1, pi / 2, 1.5 * pi)}});
+  return make_face({{curve::segment({-1, -1}, {1, -1}), curve::circular_arc({1, 0}, 1, -pi / 2, pi / 2),
+                     curve::segment({1, 1}, {-1, 1}), curve::circular_arc({-1, 0}, 1, pi / 2, 1.5 * pi)}});
 }
 
 /// The whole face moved by x -> scale * R(angle) x + shift; mirrored about the x axis first where asked.
@@ -85,7 +88,7 @@ inline CadFace moved(const CadFace& face, double scale, double angle, Vec2 shift
         const double y = mirrored ? -p.y : p.y;
         p = Vec2{d.x * p.x - d.y * y, d.y * p.x + d.x * y} + shift;
       }
-      if (mirrored) curve = reversed(curve);
+      if (mirrored) curve = curve::reversed(curve);
     }
     if (mirrored) std::reverse(loop.begin(), loop.end());
     loops.push_back(loop);

@@ -4,7 +4,7 @@
 
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
@@ -33,8 +33,8 @@ TEST(Outline, PiecesAreLinkedLoopByLoop) {
 }
 
 TEST(Outline, AKnotOfACubicSplineDividesIt) {
-  Loop loop{cubic_spline({0, 1, 2}, {{0, 0}, {1, -0.5}, {2, 0}}, {1, -2}, {1, 2}), segment({2, 0}, {1, 3}),
-            segment({1, 3}, {0, 0})};
+  Loop loop{curve::cubic_spline({0, 1, 2}, {{0, 0}, {1, -0.5}, {2, 0}}, {1, -2}, {1, 2}),
+            curve::segment({2, 0}, {1, 3}), curve::segment({1, 3}, {0, 0})};
   const CadFace face = make_face({loop});
   const Outline outline(face, 1e-13);
   ASSERT_EQ(outline.pieces().size(), 4u);
@@ -46,15 +46,15 @@ TEST(Outline, AKnotOfACubicSplineDividesIt) {
 
 TEST(Outline, AStraightCurveOfHigherDegreeIsStraight) {
   Nurbs line{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0.1, 0}, {0.9, 0}, {1, 0}}, {1, 1, 1, 1}};
-  const CadFace face = make_face({{line, segment({1, 0}, {0.5, 1}), segment({0.5, 1}, {0, 0})}});
+  const CadFace face = make_face({{line, curve::segment({1, 0}, {0.5, 1}), curve::segment({0.5, 1}, {0, 0})}});
   EXPECT_TRUE(Outline(face, 1e-13).pieces()[0].is_straight);
 }
 
 TEST(Outline, ACurveThatReturnsOnItsOwnLineIsNotStraight) {
   Nurbs line{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {2, 0}, {0.9, 0}, {1, 0}}, {1, 1, 1, 1}};
-  const CadFace face = make_face({{line, segment({1, 0}, {0.5, 1}), segment({0.5, 1}, {0, 0})}});
+  const CadFace face = make_face({{line, curve::segment({1, 0}, {0.5, 1}), curve::segment({0.5, 1}, {0, 0})}});
   EXPECT_FALSE(Outline(face, 1e-13).pieces()[0].is_straight);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -5,7 +5,7 @@
 #include "base/error.hpp"
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
@@ -75,4 +75,4 @@ TEST(RefineDomain, CrossingLoopsAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -4,7 +4,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 Junction corner(double angle_degrees, double curvature_in = 0, double curvature_out = 0) {
@@ -55,4 +55,4 @@ TEST(Singularity, ASmallerFactorNeedsFewerLayers) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 Segment straight(Vec2 a, Vec2 b) {
@@ -28,4 +28,4 @@ TEST(TriangleSizes, IsLipschitz) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -4,7 +4,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 TEST(Smooth, ShapeIsOneForEquilateralZeroForFlatAndChangesSignWithOrientation) {
@@ -36,4 +36,4 @@ TEST(Smooth, OtherVerticesStay) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -5,12 +5,12 @@
 #include "curve/arc_length.hpp"
 #include "faces.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 /// Compares with ArcLength at many fractions.
 void expect_same_as_arc_length(const Nurbs& curve, double t0, double t1) {
-  const ArcLength exact(curve);
+  const curve::ArcLength exact(curve);
   const Stretch stretch(curve, t0, t1);
   const double s0 = exact.at(t0), s1 = exact.at(t1);
   EXPECT_NEAR(stretch.length(), s1 - s0, 1e-13 * exact.total());
@@ -19,14 +19,14 @@ void expect_same_as_arc_length(const Nurbs& curve, double t0, double t1) {
 }
 
 TEST(Stretch, OfACircle) {
-  const Nurbs arc = circular_arc({0, 0}, 2, 0, 2 * pi);
+  const Nurbs arc = curve::circular_arc({0, 0}, 2, 0, 2 * pi);
   expect_same_as_arc_length(arc, arc.begin(), arc.end());
   expect_same_as_arc_length(arc, 0.3, 0.9);
   expect_same_as_arc_length(arc, 1.2, 4.9);  // across knots at which the speed is not smooth
 }
 
 TEST(Stretch, OfASegmentIsLinear) {
-  const Stretch stretch(segment({0, 0}, {4, 0}), 1, 3);
+  const Stretch stretch(curve::segment({0, 0}, {4, 0}), 1, 3);
   EXPECT_EQ(stretch.length(), 2);
   EXPECT_NEAR(stretch.parameter(0.25), 1.5, 1e-15);
 }
@@ -37,11 +37,11 @@ TEST(Stretch, OfACurveWhoseSpeedNearlyVanishes) {
 }
 
 TEST(Stretch, EndsAreExact) {
-  const Nurbs arc = circular_arc({0, 0}, 1, 0, 2);
+  const Nurbs arc = curve::circular_arc({0, 0}, 1, 0, 2);
   const Stretch stretch(arc, 0.7, 1.9);
   EXPECT_EQ(stretch.parameter(0), 0.7);
   EXPECT_EQ(stretch.parameter(1), 1.9);
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

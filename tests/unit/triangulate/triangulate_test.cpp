@@ -10,16 +10,17 @@
 #include "spectral/quadrature.hpp"
 #include "triangulate/curve_elements.hpp"
 
-namespace quadrille {
+namespace quadrille::triangulate {
 namespace {
 
 using namespace testing_faces;
 
 /// Integral of det J over all elements, exact for the polynomials that they are.
 double area_of(const TriMesh& mesh) {
-  const Quadrature along = gauss_legendre(mesh.order + 1), across = gauss_jacobi(mesh.order + 1, 1, 0);
+  const spectral::Quadrature along = spectral::gauss_legendre(mesh.order + 1),
+                             across = spectral::gauss_jacobi(mesh.order + 1, 1, 0);
   double area = 0;
-  for (const TriMap& map : tri_maps(mesh)) {
+  for (const spectral::TriMap& map : mesh::tri_maps(mesh)) {
     for (std::size_t j = 0; j < across.points.size(); ++j) {
       for (std::size_t i = 0; i < along.points.size(); ++i) {
         const double eta1 = along.points[i], eta2 = across.points[j];
@@ -34,7 +35,7 @@ double area_of(const TriMesh& mesh) {
 }
 
 int euler_count(const TriMesh& mesh) {
-  const TriTopology topology = tri_topology(mesh);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
   return static_cast<int>(mesh.vertices.size()) - static_cast<int>(topology.edge2vertices.size()) + mesh.num_elems();
 }
 
@@ -52,8 +53,8 @@ void expect_sound(const TriMesh& mesh) {
     const auto& v = mesh.elem2vertices[edge.elem];
     const Nurbs& curve = mesh.face.curves[edge.curve];
     const double tol = 1e-14 * mesh.face.diameter;
-    EXPECT_NEAR(distance(mesh.vertices[v[edge.edge]], point(curve, edge.t0)), 0, tol);
-    EXPECT_NEAR(distance(mesh.vertices[v[(edge.edge + 1) % 3]], point(curve, edge.t1)), 0, tol);
+    EXPECT_NEAR(distance(mesh.vertices[v[edge.edge]], curve::point(curve, edge.t0)), 0, tol);
+    EXPECT_NEAR(distance(mesh.vertices[v[(edge.edge + 1) % 3]], curve::point(curve, edge.t1)), 0, tol);
   }
   for (int c = 0; c < mesh.face.num_curves(); ++c) EXPECT_EQ(reached[c], mesh.face.curves[c].end());
 }
@@ -70,19 +71,19 @@ struct Shape {
 };
 
 std::vector<Shape> shapes() {
-  return {
-      {"square", square(), 1},
-      {"half disc", half_disc(), pi / 2},
-      {"annulus", annulus(), 0.75 * pi},
-      {"L", l_shape(), 3},
-      {"stadium", stadium(), 4 + pi},
-      {"thin gap", make_face({circle({0, 0}, 1), hole({0.398, 0}, 0.6)}), 0.64 * pi},
-      {"small hole", make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), hole({0.3, 0.6}, 1e-3)}), 1 - 1e-6 * pi},
-      {"tiny fillet",
-       make_face({{segment({0, 0}, {1, 0}), segment({1, 0}, {1, 0.999}), circular_arc({0.999, 0.999}, 1e-3, 0, half_pi),
-                   segment({0.999, 1}, {0, 1}), segment({0, 1}, {0, 0})}}),
-       1 - 1e-6 * (1 - pi / 4)},
-      {"sliver", make_face({polygon({{0, 0}, {1, 0}, {1, 0.02}})}), 0.01}};
+  return {{"square", square(), 1},
+          {"half disc", half_disc(), pi / 2},
+          {"annulus", annulus(), 0.75 * pi},
+          {"L", l_shape(), 3},
+          {"stadium", stadium(), 4 + pi},
+          {"thin gap", make_face({circle({0, 0}, 1), hole({0.398, 0}, 0.6)}), 0.64 * pi},
+          {"small hole", make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), hole({0.3, 0.6}, 1e-3)}), 1 - 1e-6 * pi},
+          {"tiny fillet",
+           make_face({{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {1, 0.999}),
+                       curve::circular_arc({0.999, 0.999}, 1e-3, 0, half_pi), curve::segment({0.999, 1}, {0, 1}),
+                       curve::segment({0, 1}, {0, 0})}}),
+           1 - 1e-6 * (1 - pi / 4)},
+          {"sliver", make_face({polygon({{0, 0}, {1, 0}, {1, 0.02}})}), 0.01}};
 }
 
 TEST(Triangulate, EveryMeshIsSoundAndHasTheExactArea) {
@@ -203,4 +204,4 @@ TEST(Triangulate, OptionsOutsideTheirIntervalsAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille
+}  // namespace quadrille::triangulate

@@ -1,0 +1,44 @@
+#pragma once
+// From finished lines to the planar graph: crossings become nodes, lines and boundary curves are split into arcs.
+
+#include <string>
+#include <vector>
+
+#include "graph/crossings.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille::graph {
+
+/// An irregular node, a corner or an irregular point of the boundary: what is a node whatever the lines do.
+struct FixedNode {
+  Vec2 position;
+  NodeKind kind = NodeKind::irregular;
+  int valence = 4;
+  int joint = -1;  ///< of a corner, or of a boundary node at a smooth joint
+  int curve = -1;  ///< of a boundary node inside a curve, with its parameter
+  double t = 0;
+};
+
+/// An end of a line: a fixed node, a place on the boundary, or neither: on another line, at a crossing with it that
+/// lies at the very end of the spline's domain.
+struct LineEnd {
+  int node = -1;
+  int curve = -1;
+  double t = 0;
+  bool is_on_line() const { return node < 0 && curve < 0; }
+};
+
+struct FinishedLine {
+  LineEnd start, end;
+  Nurbs spline;      ///< a non-rational cubic from the one to the other
+  std::string kind;  ///< "traced", "merged", "cut"
+};
+
+/// Nodes in this sequence: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
+/// within `snap` (a length) of a fixed node on the boundary or of a joint are moved to it, ends within `snap` of each
+/// other are one node, crossings within `snap` of each other on one line too. `crossings`: of the lines' splines.
+/// Throws ComputeError where a line passes through the end of another; one that ends ON another makes a T-junction.
+SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
+                            const std::vector<Crossing>& crossings, double snap);
+
+}  // namespace quadrille::graph

@@ -1,0 +1,44 @@
+#include "graph/chord_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graph/planar_faces.hpp"
+
+namespace quadrille::graph {
+
+Pieces reversed_pieces(Pieces pieces) {
+  std::reverse(pieces.begin(), pieces.end());
+  for (ArcPiece& p : pieces) std::swap(p.t0, p.t1);
+  return pieces;
+}
+
+Pieces pieces_along(const SeparatrixGraph& graph, int dart) {
+  const Pieces& pieces = graph.arcs[dart_arc(dart)].pieces;
+  return dart >= 0 ? pieces : reversed_pieces(pieces);
+}
+
+Pieces joined(Pieces first, const Pieces& second) {
+  for (const ArcPiece& p : second) {
+    if (!first.empty()) {
+      ArcPiece& last = first.back();
+      const bool goes_on = last.curve == p.curve && (last.t1 > last.t0) == (p.t1 > p.t0) &&
+                           std::abs(last.t1 - p.t0) <= 1e-9 * std::abs(p.t1 - p.t0);
+      if (goes_on) {
+        last.t1 = p.t1;
+        continue;
+      }
+    }
+    first.push_back(p);
+  }
+  return first;
+}
+
+std::pair<Pieces, Pieces> cut(const Pieces& pieces, const curve::ChainPoint& at) {
+  Pieces before(pieces.begin(), pieces.begin() + at.piece + 1), behind(pieces.begin() + at.piece, pieces.end());
+  before.back().t1 = at.t;
+  behind.front().t0 = at.t;
+  return {before, behind};
+}
+
+}  // namespace quadrille::graph

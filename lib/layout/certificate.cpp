@@ -1,0 +1,62 @@
+#include "layout/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "graph/face_census.hpp"
+
+namespace quadrille::layout {
+namespace {
+
+constexpr int samples_of_arc = 8;
+
+void tell(const LayoutCertificate& certificate, Report& report) {
+  report.set("certificate.way", certificate.way);
+  report.set("certificate.index_sum", certificate.index_sum);
+  for (const FaceCount& count : certificate.census)
+    report.set(fmt::format("certificate.faces_of_{}_corners", count.corners), count.faces);
+  report.set("certificate.t_junctions", certificate.t_junctions);
+  report.set("certificate.merged_lines", certificate.merged_lines);
+  report.set("certificate.collapsed_chords", certificate.collapsed_chords);
+  report.set("certificate.laps_cut", certificate.laps_cut);
+  report.set("certificate.largest_turn_degrees", certificate.largest_turn_degrees);
+}
+
+}  // namespace
+
+void certify(const field::FieldEvaluator& evaluator, const std::string& way, SeparatrixGraph& graph, Report& report) {
+  LayoutCertificate& certificate = graph.certificate;
+  certificate.way = way;
+  certificate.index_sum = static_cast<int>(index_sum_of(graph));
+  certificate.census = graph::face_census(graph);
+  certificate.t_junctions = static_cast<int>(graph.t_junctions.size());
+  certificate.largest_turn_degrees =
+      std::max(certificate.largest_turn_degrees, degrees(turn_of_extended_lines(evaluator, graph)));
+  tell(certificate, report);
+}
+
+double turn_of_extended_lines(const field::FieldEvaluator& evaluator, const SeparatrixGraph& graph) {
+  std::vector<Vec2> places;
+  std::vector<double> angles;
+  for (const SeparatrixLine& line : graph.lines) {
+    if (line.kind != "extended") continue;
+    for (const int arc : line.arcs)
+      for (const ArcPiece& piece : graph.arcs[arc].pieces)
+        for (int i = 1; i < samples_of_arc; ++i) {
+          const double t = piece.t0 + (piece.t1 - piece.t0) * i / samples_of_arc;
+          places.push_back(curve::point(graph.curve(piece.curve), t));
+          angles.push_back(angle_of(curve::tangent(graph.curve(piece.curve), t)));
+        }
+  }
+  double turn = 0;
+  const std::vector<field::PointSample> samples = evaluator.values_at(places);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (samples[i].at.elem >= 0) turn = std::max(turn, std::abs(guided_angle(samples[i].value, angles[i]) - angles[i]));
+  return turn;
+}
+
+}  // namespace quadrille::layout

@@ -1,0 +1,125 @@
+#include "placement/node_symmetry.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "curve/symmetry.hpp"
+
+namespace quadrille::placement {
+
+namespace {
+
+constexpr double same_place = 1e-6;  // share of the diameter
+
+Mat2 linear_part(const curve::Isometry& isometry) {
+  const Vec2 u = unit(isometry.angle);
+  return isometry.is_mirrored ? Mat2{u.x, u.y, u.y, -u.x} : Mat2{u.x, -u.y, u.y, u.x};
+}
+
+// For each of `places` the entry of the same kind at the place to which it is moved; empty unless one to one.
+template <class Place, class IsSame>
+std::vector<int> images(const std::vector<Place>& places, const curve::Isometry& isometry, double tol, IsSame is_same) {
+  std::vector<int> image, taken(places.size(), 0);
+  for (const Place& from : places) {
+    const Vec2 x = isometry(from.position);
+    int nearest = -1;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const bool is_candidate = distance(places[i].position, x) <= tol && is_same(from, places[i]);
+      if (is_candidate && (nearest < 0 || distance(places[i].position, x) < distance(places[nearest].position, x)))
+        nearest = static_cast<int>(i);
+    }
+    if (nearest < 0 || taken[nearest]++) return {};
+    image.push_back(nearest);
+  }
+  return image;
+}
+
+struct FreeNode {
+  Vec2 position;
+  int valence;
+  bool is_free;
+};
+
+const auto same_valence = [](const auto& a, const auto& b) { return a.valence == b.valence; };
+
+bool keeps_boundary(const CriticalPoints& points, const curve::Isometry& isometry, double tol) {
+  return images(points.corners, isometry, tol, same_valence).size() == points.corners.size() &&
+         images(points.boundary_nodes, isometry, tol, same_valence).size() == points.boundary_nodes.size();
+}
+
+// Whether with g and h the isometry g h is there, told by what they do to the nodes.
+bool is_closed(const std::vector<NodeSymmetry>& group) {
+  for (const NodeSymmetry& g : group)
+    for (const NodeSymmetry& h : group) {
+      const Mat2 gh = g.linear * h.linear;
+      const bool is_there = std::any_of(group.begin(), group.end(), [&](const NodeSymmetry& k) {
+        const Mat2 l = k.linear;
+        if (std::hypot(std::hypot(l.xx - gh.xx, l.xy - gh.xy), std::hypot(l.yx - gh.yx, l.yy - gh.yy)) > same_place)
+          return false;
+        for (std::size_t i = 0; i < k.image.size(); ++i)
+          if (k.image[i] != g.image[h.image[i]]) return false;
+        return true;
+      });
+      if (!is_there) return false;
+    }
+  return true;
+}
+
+bool has_twists(const CriticalPoints& points) {
+  return std::any_of(points.twist_offsets.begin(), points.twist_offsets.end(), [](int m) { return m != 0; });
+}
+
+}  // namespace
+
+std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoints& points,
+                                          const std::vector<bool>& is_free) {
+  std::vector<FreeNode> nodes;
+  for (std::size_t k = 0; k < is_free.size(); ++k)
+    nodes.push_back({points.critical_points[k].position, points.critical_points[k].valence, is_free[k]});
+  const double tol = same_place * face.diameter;
+  const auto is_same = [](const FreeNode& a, const FreeNode& b) {
+    return a.valence == b.valence && a.is_free == b.is_free;
+  };
+  std::vector<NodeSymmetry> group;
+  for (const curve::Isometry& isometry :
+       has_twists(points) ? std::vector{curve::Isometry{}} : curve::symmetries(face)) {
+    const std::vector<int> image = images(nodes, isometry, tol, is_same);
+    if (image.size() != nodes.size() || !keeps_boundary(points, isometry, tol)) continue;
+    NodeSymmetry symmetry{linear_part(isometry), {}, image};
+    for (const FreeNode& node : nodes) symmetry.moved.push_back(isometry(node.position));
+    group.push_back(symmetry);
+  }
+  if (!is_closed(group)) group.resize(1);
+  return group;
+}
+
+void symmetrise(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free, CriticalPoints& points) {
+  std::vector<Vec2> sum(is_free.size());
+  for (const NodeSymmetry& g : group)
+    for (std::size_t k = 0; k < g.image.size(); ++k) sum[g.image[k]] += g.moved[k];
+  for (std::size_t k = 0; k < is_free.size(); ++k)
+    if (is_free[k]) points.critical_points[k].position = sum[k] / static_cast<double>(group.size());
+}
+
+Eigen::MatrixXd invariant_movements(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free) {
+  std::vector<int> row(is_free.size(), -1);
+  int num_free = 0;
+  for (std::size_t k = 0; k < is_free.size(); ++k)
+    if (is_free[k]) row[k] = 2 * num_free++;
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(2 * num_free, 2 * num_free);
+  for (const NodeSymmetry& g : group)
+    for (std::size_t k = 0; k < is_free.size(); ++k) {
+      if (!is_free[k]) continue;
+      Eigen::Matrix2d linear;
+      linear << g.linear.xx, g.linear.xy, g.linear.yx, g.linear.yy;
+      mean.block<2, 2>(row[g.image[k]], row[k]) += linear / static_cast<double>(group.size());
+    }
+  // A projector: eigenvalues 0 and 1, in ascending sequence.
+  if (group.size() == 1) return mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(mean);
+  const auto num_invariant = (modes.eigenvalues().array() > 0.5).count();
+  return modes.eigenvectors().rightCols(num_invariant);
+}
+
+}  // namespace quadrille::placement

@@ -1,0 +1,31 @@
+#pragma once
+// Which isometries of a face keep its nodes, and the ways in which nodes can move so that they go on keeping them.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/critical_points.hpp"
+
+namespace quadrille::placement {
+
+/// An isometry that takes node k to the place of node image[k].
+struct NodeSymmetry {
+  Mat2 linear;              ///< its rotation or reflection
+  std::vector<Vec2> moved;  ///< where it takes node k
+  std::vector<int> image;
+};
+
+/// The isometries of the face that keep nodes with their valences and is_free, corners with their valences and boundary
+/// nodes, all within 1e-6 diameters. The identity first; it alone where there are twist offsets.
+std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoints& points,
+                                          const std::vector<bool>& is_free);
+
+/// Puts each free node to the mean of where the others are taken that should fall on it.
+void symmetrise(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free, CriticalPoints& points);
+
+/// Orthonormal columns that span the invariant movements: entries 2 i and 2 i + 1 are x and y of free node i, each node
+/// in units of its own length scale (the same for nodes that are images of each other).
+Eigen::MatrixXd invariant_movements(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free);
+
+}  // namespace quadrille::placement

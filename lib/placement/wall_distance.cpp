@@ -1,0 +1,112 @@
+#include "placement/wall_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/angle.hpp"
+#include "curve/gauss.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+
+namespace quadrille::placement {
+
+namespace {
+
+constexpr int max_depth = 50;
+
+template <class Piece>
+double least_distance(const Piece& piece, Vec2 x) {
+  double least2 = std::numeric_limits<double>::infinity();
+  for (const Vec2 y : piece.points) least2 = std::min(least2, norm2(x - y));
+  return std::sqrt(least2);
+}
+
+// No two neighbours of the points, ends included, are further apart along a piece whose speed is nearly constant.
+template <class Piece>
+double greatest_gap(const Piece& piece) {
+  return piece.length / 4;
+}
+
+}  // namespace
+
+/// oint ds / r^2 and oint (y - x) ds / r^4.
+struct WallDistance::Integral {
+  double value = 0;
+  Vec2 moment;
+};
+
+WallDistance::WallDistance(const CadFace& face) : face_(face) {
+  for (int c = 0; c < face.num_curves(); ++c) {
+    const std::vector<double>& knots = face.curves[c].knots;
+    for (std::size_t i = 1; i < knots.size(); ++i)
+      if (knots[i - 1] < knots[i]) cut(c, knots[i - 1], knots[i], 0);
+  }
+}
+
+WallDistance::Piece WallDistance::piece(int curve, double t0, double t1) const {
+  const curve::GaussRule<16>& rule = curve::gauss_rule<16>();
+  const Nurbs& nurbs = face_.curves[curve];
+  const double middle = (t0 + t1) / 2, half = (t1 - t0) / 2;
+  Piece piece{curve, t0, t1, 0, {}, {}};
+  for (int i = 0; i < 16; ++i) {
+    const double t = middle + half * rule.points[i];
+    piece.points[i] = curve::point(nurbs, t);
+    piece.weights[i] = half * rule.weights[i] * norm(curve::derivative(nurbs, t));
+    piece.length += piece.weights[i];
+  }
+  return piece;
+}
+
+// Until the speed is smooth enough for the rule and nearly constant, so that lengths tell where the points are.
+void WallDistance::cut(int curve, double t0, double t1, int depth) {
+  const Piece whole = piece(curve, t0, t1);
+  const double middle = (t0 + t1) / 2;
+  const double left = piece(curve, t0, middle).length, right = piece(curve, middle, t1).length;
+  const double noise = 2e-15 * face_.diameter;  // of differences of poles
+  const bool is_exact = std::abs(left + right - whole.length) <= 1e-14 * whole.length + noise;
+  const bool is_even = std::max(left, right) <= 2 * std::min(left, right);
+  if ((is_exact && is_even) || depth >= max_depth || whole.length <= 1e-12 * face_.diameter) {
+    pieces_.push_back(whole);
+  } else {
+    cut(curve, t0, middle, depth + 1);
+    cut(curve, middle, t1, depth + 1);
+  }
+}
+
+// 1 / r^2 has its poles at the distance of x from the piece: no nearer than the piece is long, 16 points are exact.
+void WallDistance::add(const Piece& whole, Vec2 x, int depth, Integral& sum) const {
+  if (whole.length > least_distance(whole, x) && depth < max_depth) {
+    const double middle = (whole.t0 + whole.t1) / 2;
+    add(piece(whole.curve, whole.t0, middle), x, depth + 1, sum);
+    add(piece(whole.curve, middle, whole.t1), x, depth + 1, sum);
+    return;
+  }
+  for (int i = 0; i < 16; ++i) {
+    const Vec2 r = whole.points[i] - x;
+    const double r2 = norm2(r), share = whole.weights[i] / r2;
+    sum.value += share;
+    sum.moment += share / r2 * r;
+  }
+}
+
+double WallDistance::log_smooth(Vec2 x, Vec2& gradient) const {
+  Integral sum;
+  for (const Piece& whole : pieces_) add(whole, x, 0, sum);
+  gradient = (-2 / sum.value) * sum.moment;
+  return std::log(pi / sum.value);
+}
+
+double WallDistance::nearest(Vec2 x) const {
+  std::vector<double> distances;
+  for (const Piece& p : pieces_) distances.push_back(least_distance(p, x));
+  double best = *std::min_element(distances.begin(), distances.end());
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& p = pieces_[i];
+    if (distances[i] - greatest_gap(p) < best)
+      best = std::min(best, curve::project(face_.curves[p.curve], x, p.t0, p.t1).distance);
+  }
+  return best;
+}
+
+}  // namespace quadrille::placement

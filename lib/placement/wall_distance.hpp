@@ -1,0 +1,46 @@
+#pragma once
+// A smooth distance to the boundary:
+//
+//   delta(x) = pi / oint ds / |x - y(s)|^2
+//
+// the distance to a straight wall, (R^2 - r^2) / (2 R) in a disc. It tends to the plain distance at a smooth boundary,
+// has no kinks where two walls are equally near, and moves with the face under motions and scaling.
+
+#include <array>
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille::placement {
+
+/// Keeps a reference to the face. Positions are relative to face.origin, lengths in the file's unit.
+class WallDistance {
+ public:
+  /// Cuts the curves into pieces on which 16 Gauss points are exact.
+  explicit WallDistance(const CadFace& face);
+
+  /// ln delta(x) and its gradient, to 1e-12; x must not lie on the boundary. Linear in the number of curves.
+  double log_smooth(Vec2 x, Vec2& gradient) const;
+
+  /// The plain distance to the nearest point of the boundary.
+  double nearest(Vec2 x) const;
+
+ private:
+  struct Piece {
+    int curve = 0;
+    double t0 = 0, t1 = 0;  ///< parameters
+    double length = 0;
+    std::array<Vec2, 16> points;
+    std::array<double, 16> weights;  ///< of arc length
+  };
+  struct Integral;
+
+  Piece piece(int curve, double t0, double t1) const;
+  void cut(int curve, double t0, double t1, int depth);
+  void add(const Piece& piece, Vec2 x, int depth, Integral& sum) const;
+
+  const CadFace& face_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace quadrille::placement

@@ -1,0 +1,119 @@
+#include "quantize/integer_programme.hpp"
+
+#include <Cbc_C_Interface.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace quadrille::quantize {
+namespace {
+
+constexpr int max_nodes = 2000;
+constexpr double gap_share = 1e-3;  // a solution this near to the bound is good enough
+
+// The solver, loaded when it is asked for: few layouts need it, and it comes with ten libraries that would cost every
+// run of a chain as much time to start as small layouts to trace.
+class Cbc {
+ public:
+  static const Cbc& get() {
+    static const Cbc cbc;
+    return cbc;
+  }
+
+ private:
+  struct Symbol {
+    void* address;
+    template <class Function>
+    operator Function*() const {
+      return reinterpret_cast<Function*>(address);
+    }
+  };
+
+  // Where it was when this was built, else where the system keeps its libraries.
+  static void* load() {
+    const std::string path = QUADRILLE_CBC_LIBRARY;
+    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) library = dlopen(path.substr(path.rfind('/') + 1).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw Defect(fmt::format("the solver of integer programmes is not there: {}", dlerror()));
+    return library;
+  }
+
+  Symbol symbol(const char* name) const {
+    const Symbol found{dlsym(library_, name)};
+    if (found.address == nullptr) throw Defect(fmt::format("the solver of integer programmes lacks {}", name));
+    return found;
+  }
+
+  void* library_ = load();
+
+ public:
+  decltype(&Cbc_newModel) new_model = symbol("Cbc_newModel");
+  decltype(&Cbc_deleteModel) delete_model = symbol("Cbc_deleteModel");
+  decltype(&Cbc_loadProblem) load_problem = symbol("Cbc_loadProblem");
+  decltype(&Cbc_setInteger) set_integer = symbol("Cbc_setInteger");
+  decltype(&Cbc_setLogLevel) set_log_level = symbol("Cbc_setLogLevel");
+  decltype(&Cbc_setMaximumNodes) set_maximum_nodes = symbol("Cbc_setMaximumNodes");
+  decltype(&Cbc_setAllowableFractionGap) set_allowable_fraction_gap = symbol("Cbc_setAllowableFractionGap");
+  decltype(&Cbc_solve) solve = symbol("Cbc_solve");
+  decltype(&Cbc_bestSolution) best_solution = symbol("Cbc_bestSolution");
+  decltype(&Cbc_isProvenOptimal) is_proven_optimal = symbol("Cbc_isProvenOptimal");
+  decltype(&Cbc_getColSolution) get_col_solution = symbol("Cbc_getColSolution");
+};
+
+struct Deleter {
+  void operator()(Cbc_Model* model) const { Cbc::get().delete_model(model); }
+};
+
+}  // namespace
+
+int IntegerProgramme::add_variable(double low, double high, double cost, bool is_integer) {
+  low_.push_back(low), high_.push_back(high), cost_.push_back(cost), is_integer_.push_back(is_integer);
+  column_.emplace_back();
+  return static_cast<int>(column_.size()) - 1;
+}
+
+void IntegerProgramme::add_equation(const std::vector<Term>& terms, double right_side) {
+  const int row = static_cast<int>(right_side_.size());
+  for (const Term& term : terms) {
+    std::vector<Term>& column = column_[term.variable];
+    if (!column.empty() && column.back().variable == row)
+      column.back().coefficient += term.coefficient;
+    else
+      column.push_back({row, term.coefficient});
+  }
+  right_side_.push_back(right_side);
+}
+
+std::vector<double> IntegerProgramme::solve() const {
+  std::vector<int> starts{0}, rows;
+  std::vector<double> values;
+  for (const std::vector<Term>& column : column_) {
+    for (const Term& entry : column) rows.push_back(entry.variable), values.push_back(entry.coefficient);
+    starts.push_back(static_cast<int>(rows.size()));
+  }
+  const Cbc& cbc = Cbc::get();
+  const std::unique_ptr<Cbc_Model, Deleter> model(cbc.new_model());
+  const int num = static_cast<int>(column_.size());
+  cbc.load_problem(model.get(), num, static_cast<int>(right_side_.size()), starts.data(), rows.data(), values.data(),
+                   low_.data(), high_.data(), cost_.data(), right_side_.data(), right_side_.data());
+  for (int i = 0; i < num; ++i)
+    if (is_integer_[i]) cbc.set_integer(model.get(), i);
+  cbc.set_log_level(model.get(), 0);
+  cbc.set_maximum_nodes(model.get(), max_nodes);
+  cbc.set_allowable_fraction_gap(model.get(), gap_share);
+  cbc.solve(model.get());
+  const double* best = cbc.best_solution(model.get());
+  if (best == nullptr && cbc.is_proven_optimal(model.get()) != 0) best = cbc.get_col_solution(model.get());
+  if (best == nullptr) return {};
+  std::vector<double> solution(best, best + num);
+  for (int i = 0; i < num; ++i)
+    if (is_integer_[i]) solution[i] = std::round(solution[i]);
+  return solution;
+}
+
+}  // namespace quadrille::quantize

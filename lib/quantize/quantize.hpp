@@ -1,0 +1,30 @@
+#pragma once
+// Integer lengths for the arcs of a T-mesh such that opposite sides of every face have equal sums: each face is then an
+// integer grid, and the grids of all faces fit together (Campen, Bommes and Kobbelt 2015; Lyon, Campen and Kobbelt
+// 2021; Heistermann, Warnett and Bommes 2023).
+//
+//   minimise  sum_a (n_a - t_a)^2 / max(t_a, 1/2)    n_a >= 1 integer,    t_a = length of arc a / unit
+//
+// with the squares taken as piecewise linear between integers. Arcs whose lengths in the plane differ by less than 1e-6
+// of themselves, as those of a symmetry orbit, get one length wherever there is a solution like that (the sum of a
+// solution's images under a symmetry is one).
+
+#include <vector>
+
+#include "quantize/t_mesh.hpp"
+
+namespace quadrille::quantize {
+
+/// `arc_lengths` and `unit`: lengths. Integer lengths of the arcs, 1 or more; empty where there are none.
+std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit);
+
+/// Arcs that are zero in every solution with lengths >= 0: strips of faces that wind onto themselves. Where there are
+/// none quantize() succeeds.
+std::vector<int> vanishing_arcs(const std::vector<TFace>& faces, int num_arcs);
+
+/// Why an arc vanishes: multipliers y of the equations whose sum has no negative coefficient and a positive one at this
+/// arc, of the least sum |y| (Farkas). The faces with y != 0 are the strip that winds onto itself; returned are the
+/// arcs along it, ascending: if the lines that they belong to did not run as they do, it might not.
+std::vector<int> winding_rails(const std::vector<TFace>& faces, int num_arcs, int vanishing_arc);
+
+}  // namespace quadrille::quantize

@@ -1,0 +1,18 @@
+#pragma once
+// The faces of a T-mesh (quantize/t_mesh.hpp): four sides each, with T-junctions on them.
+
+#include <array>
+#include <vector>
+
+#include "graph/planar_faces.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille::quantize {
+
+/// A face of a T-mesh: the darts of its four sides, counter-clockwise.
+using TFace = std::array<std::vector<int>, 4>;
+
+/// Throws ComputeError, naming a place, unless every face has four corners and no sector but quarters and halves.
+std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph);
+
+}  // namespace quadrille::quantize

@@ -1,0 +1,50 @@
+#pragma once
+// The line that takes the place of two lines side by side: it starts on the one and ends on the other,
+//
+//   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the share of the length of either,
+//
+// as where separatrices are merged (trace/merge.hpp): the weights are flat at both ends, so M leaves along A and
+// arrives along B.
+
+#include <optional>
+
+#include "curve/chain.hpp"
+#include "curve/fit_line.hpp"
+#include "field/evaluate.hpp"
+#include "graph/chord_pieces.hpp"
+
+namespace quadrille::simplify {
+
+/// M as a function of f * blend_length, with its derivative. The chains must outlive it.
+curve::CurveFunction blended_curve(const curve::Chain& from, const curve::Chain& to);
+double blend_length(const curve::Chain& from, const curve::Chain& to);
+
+/// The largest angle between a blend and the direction of the field's cross that the two lines follow there, radians,
+/// at equal steps inside it.
+double turn_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to);
+
+struct BlendOptions {
+  double max_turn = 0.7;  ///< radians: of a blend from the cross of the field
+  double fit_tol = 0;     ///< a length: splines follow their blends within this
+};
+
+/// A blend as a spline, and the walks that it was made from, both in its direction.
+struct Blend {
+  graph::Pieces from, to;
+  Nurbs spline;
+  double turn = 0;  ///< turn_of_blend
+};
+
+/// Nothing where that turns too far.
+std::optional<Blend> make_blend(const field::FieldEvaluator& evaluator, const curve::CurveTable& table,
+                                const graph::Pieces& from, const graph::Pieces& to, const BlendOptions& options);
+
+/// The spline of the blend that starts where the walk `from` does and ends where `to` does, or of one that does so the
+/// other way round, turned. What lies between does not matter: a walk may have been cut into other arcs since.
+std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const graph::Pieces& from, const graph::Pieces& to);
+
+/// Where a spline crosses a chain: Newton's method from (s, fraction). False where it finds nothing inside the chain
+/// and the spline's domain.
+bool cross_chain(const Nurbs& spline, const curve::Chain& chain, double& s, double& fraction);
+
+}  // namespace quadrille::simplify

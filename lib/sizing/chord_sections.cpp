@@ -1,0 +1,128 @@
+#include "sizing/chord_sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "mesh/transfinite.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+/// The size may change by this share between two lines through a block.
+constexpr double line_resolution = 0.5;
+constexpr int max_lines = 63;
+/// So many lines are tried to see how fine the lines must be.
+constexpr int trial_lines = 7;
+
+double power6(double x) { return x * x * x * x * x * x; }
+
+/// The mean, the greatest and what they are made of.
+struct Sum {
+  double weighted_log = 0, weight = 0, greatest = 0;
+
+  void add(double length, double size, double greatest_size, double share) {
+    const double density = length / size, w = share * length * power6(greatest_size / size);
+    weighted_log += w * std::log(density);
+    weight += w;
+    greatest = std::max(greatest, density);
+  }
+};
+
+}  // namespace
+
+std::vector<std::vector<ChordBlock>> chord_blocks(const BlockLayout& layout, const std::vector<int>& arc_chord) {
+  std::vector<std::vector<ChordBlock>> blocks(
+      arc_chord.empty() ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
+  for (int block = 0; block < layout.num_blocks(); ++block)
+    for (const int side : {0, 1})
+      blocks[arc_chord[mesh::arc_of(layout.block2arcs[block][side])]].push_back({block, side});
+  return blocks;
+}
+
+ChordSections::ChordSections(const BlockLayout& layout, const mesh::Chord& chord, const std::vector<ChordBlock>& blocks,
+                             const std::vector<curve::Chain>& chains, const std::vector<ArcParameter>& parameters,
+                             const SizeField& sizes)
+    : chord_(chord), chains_(chains), parameters_(parameters), sizes_(sizes) {
+  std::unordered_map<int, int> arc2place;
+  for (std::size_t i = 0; i < chord.arcs.size(); ++i) arc2place[chord.arcs[i]] = static_cast<int>(i);
+  for (const ChordBlock& b : blocks) {
+    std::array<int, 4> sides = layout.block2arcs[b.block];
+    std::rotate(sides.begin(), sides.begin() + b.side, sides.end());
+    add_block(sides, {arc2place.at(mesh::arc_of(sides[0])), arc2place.at(mesh::arc_of(sides[2]))});
+  }
+}
+
+void ChordSections::add_block(const std::array<int, 4>& sides, const std::array<int, 2>& ends) {
+  Block block;
+  block.a = ends[0], block.b = ends[1];
+  block.is_against = chord_.backwards[block.a] != mesh::is_backwards(sides[0]);
+  if (!sizes_.is_uniform()) {
+    for (int k = 0; k < 4; ++k)
+      block.corners[k] = chains_[mesh::arc_of(sides[k])].at(mesh::is_backwards(sides[k]) ? 1.0 : 0.0).position;
+    add_lines(block, sides, trial_lines);
+    const double width = std::max(chains_[mesh::arc_of(sides[1])].length(), chains_[mesh::arc_of(sides[3])].length());
+    const double wanted = width * sizes_.slope() / (line_resolution * least_size(block));
+    add_lines(block, sides, static_cast<int>(std::min<double>(max_lines, std::ceil(wanted) - 1)));
+  }
+  blocks_.push_back(std::move(block));
+}
+
+void ChordSections::add_lines(Block& block, const std::array<int, 4>& sides, int lines) const {
+  const auto on_side = [&](int directed, double t) {
+    return chains_[mesh::arc_of(directed)].at(mesh::is_backwards(directed) ? 1 - t : t).position;
+  };
+  block.left.clear(), block.right.clear();
+  for (int k = 1; k <= lines; ++k) {
+    const double t = static_cast<double>(k) / (lines + 1);
+    block.right.push_back(on_side(sides[1], t));
+    block.left.push_back(on_side(sides[3], 1 - t));
+  }
+}
+
+double ChordSections::least_size(const Block& block) const {
+  double least = sizes_.greatest();
+  for (int k = 0; k <= trial_lines + 1; ++k) {
+    const std::vector<Place> at = places(static_cast<double>(k) / (trial_lines + 1));
+    for (const int end : {block.a, block.b}) least = std::min(least, sizes_.at(at[end].position));
+    for (std::size_t line = 0; line < block.left.size(); ++line)
+      least = std::min(least, sizes_.at(position(block, at, line)));
+  }
+  return least;
+}
+
+std::vector<ChordSections::Place> ChordSections::places(double u) const {
+  std::vector<Place> result;
+  for (std::size_t i = 0; i < chord_.arcs.size(); ++i) {
+    const bool backwards = chord_.backwards[i];
+    const double fraction = parameters_[chord_.arcs[i]].fraction(backwards ? 1 - u : u);
+    result.push_back({chains_[chord_.arcs[i]].at(fraction).position, backwards ? 1 - fraction : fraction});
+  }
+  return result;
+}
+
+Vec2 ChordSections::position(const Block& block, const std::vector<Place>& places, std::size_t line) const {
+  const Place &a = places[block.a], &b = places[block.b];
+  const double t = static_cast<double>(line + 1) / static_cast<double>(block.left.size() + 1);
+  const double along = (1 - t) * a.along + t * b.along, s = block.is_against ? 1 - along : along;
+  return mesh::blend_sides({a.position, block.right[line], b.position, block.left[line]}, block.corners, s, t);
+}
+
+WantedDensity ChordSections::at(double u) const {
+  const double greatest = sizes_.greatest();
+  Sum sum;
+  const std::vector<Place> at = sizes_.is_uniform() ? std::vector<Place>(chord_.arcs.size()) : places(u);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position), greatest, 1);
+  for (const Block& block : blocks_) {
+    const double lines = static_cast<double>(block.left.size()) + 1;
+    for (std::size_t line = 0; line < block.left.size(); ++line) {
+      const double t = static_cast<double>(line + 1) / lines;
+      const double length = (1 - t) * chain(block.a).length() + t * chain(block.b).length();
+      sum.add(length, sizes_.at(position(block, at, line)), greatest, 1 / lines);
+    }
+  }
+  return {std::exp(sum.weighted_log / sum.weight), sum.greatest};
+}
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,132 @@
+#include "sizing/interval_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+constexpr double same_fraction = 1e-9;
+
+/// Interpolation from the nodes of an interval to samples between them.
+struct ErrorSamples {
+  std::vector<double> points;
+  Eigen::MatrixXd from_nodes;
+
+  explicit ErrorSamples(int order) {
+    const int count = 2 * order + 2;
+    for (int i = 0; i < count; ++i) points.push_back(-std::cos((2 * i + 1) * pi / (2 * count)));
+    from_nodes = spectral::interpolation_matrix(spectral::gll_points(order), points);
+  }
+};
+
+const ErrorSamples& error_samples(int order) {
+  static spectral::PerOrder<ErrorSamples> cache([](int n) { return ErrorSamples(n); });
+  return cache[order];
+}
+
+/// A polynomial of the order as a polygon, to tell the distance of points that may be far from where its parameter
+/// says.
+struct PolygonSamples {
+  Eigen::MatrixXd from_nodes;
+
+  explicit PolygonSamples(int order) {
+    const int count = 16 * order;
+    std::vector<double> points;
+    for (int i = 0; i <= count; ++i) points.push_back(-1 + 2.0 * i / count);
+    from_nodes = spectral::interpolation_matrix(spectral::gll_points(order), points);
+  }
+};
+
+const PolygonSamples& polygon_samples(int order) {
+  static spectral::PerOrder<PolygonSamples> cache([](int n) { return PolygonSamples(n); });
+  return cache[order];
+}
+
+double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
+  const double length2 = norm2(b - a);
+  const double share = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0;
+  return distance(x, a + share * (b - a));
+}
+
+/// A lower bound of the distance of the chain's breaks, and of the middles between them, from the interval's
+/// polynomial: there a bend that is short against the interval, a fillet, is farthest from it. Nodes and parameters do
+/// not see that.
+double bend_error(const curve::Chain& chain, double low, double high, const std::vector<curve::ChainPoint>& nodes,
+                  int order) {
+  std::vector<double> ends{low};
+  for (const double f : chain.break_fractions())
+    if (f > low + same_fraction && f < high - same_fraction) ends.push_back(f);
+  if (ends.size() == 1) return 0;
+  ends.push_back(high);
+
+  const Eigen::MatrixXd& from_nodes = polygon_samples(order).from_nodes;
+  std::vector<Vec2> polygon(from_nodes.rows());
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    for (int k = 0; k <= order; ++k) polygon[i] += from_nodes(static_cast<int>(i), k) * nodes[k].position;
+  double sagitta = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sagitta = std::max(sagitta, norm(polygon[i - 1] - 2 * polygon[i] + polygon[i + 1]) / 8);
+
+  double worst = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    for (const double f : {ends[i - 1], (ends[i - 1] + ends[i]) / 2}) {
+      const Vec2 x = chain.at(f).position;
+      double nearest = distance(x, polygon[0]);
+      for (std::size_t k = 1; k < polygon.size(); ++k)
+        nearest = std::min(nearest, distance_to_segment(x, polygon[k - 1], polygon[k]));
+      worst = std::max(worst, nearest);
+    }
+  return worst - sagitta;
+}
+
+double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }
+
+/// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then that from the tangent.
+double distance_from(const Nurbs& curve, Vec2 x, double t) {
+  const auto d = curve::derivatives(curve, t);
+  const double speed2 = norm2(d[1]);
+  if (speed2 == 0) return distance(x, d[0]);
+  const auto near = curve::derivatives(curve, t + dot(x - d[0], d[1]) / speed2);
+  const double speed = norm(near[1]);
+  return speed == 0 ? distance(x, near[0]) : std::abs(cross(x - near[0], near[1])) / speed;
+}
+
+/// The same for a chain by its fraction, which measures length: no step is needed.
+double distance_from(const curve::Chain& chain, Vec2 x, double fraction) {
+  const curve::ChainPoint near = chain.at(fraction);
+  return std::abs(cross(x - near.position, near.tangent));
+}
+
+}  // namespace
+
+double interval_error(const curve::CurveTable& table, const curve::Chain& chain, double low, double high, int order) {
+  const ErrorSamples& samples = error_samples(order);
+  std::vector<curve::ChainPoint> nodes;
+  for (const double xi : spectral::gll_points(order)) nodes.push_back(chain.at(between(low, high, xi)));
+  const int piece = nodes[order / 2].piece;
+  const bool in_one_piece =
+      std::all_of(nodes.begin(), nodes.end(), [&](const curve::ChainPoint& p) { return p.piece == piece; });
+  double worst = std::max(0.0, bend_error(chain, low, high, nodes, order));
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    Vec2 value;
+    double t = 0;
+    for (int k = 0; k <= order; ++k) {
+      const double weight = samples.from_nodes(static_cast<int>(i), k);
+      value += weight * nodes[k].position;
+      t += weight * nodes[k].t;
+    }
+    worst = std::max(worst, in_one_piece ? distance_from(table.curve(chain.pieces()[piece].curve), value, t)
+                                         : distance_from(chain, value, between(low, high, samples.points[i])));
+  }
+  return worst;
+}
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,13 @@
+#pragma once
+// How far the side of an element of order N lies from its curve.
+
+#include "curve/chain.hpp"
+
+namespace quadrille::sizing {
+
+/// Greatest sampled distance between the chain and the order-N polynomial through its points at Gauss-Lobatto-Legendre
+/// fractions of [low, high]: of the polynomial from the chain, and of the chain's breaks from the polynomial. `table`:
+/// the chain's own.
+double interval_error(const curve::CurveTable& table, const curve::Chain& chain, double low, double high, int order);
+
+}  // namespace quadrille::sizing

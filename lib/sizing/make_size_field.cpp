@@ -1,0 +1,74 @@
+#include "sizing/make_size_field.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "sizing/boundary_sizes.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+constexpr double least_curvature_size = 1e-4;  // diameters
+
+template <typename Number>
+std::optional<Number> number_of(const std::string& text) {
+  Number value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional<Number>(value) : std::nullopt;
+}
+
+/// What stands before and behind the last =.
+std::pair<std::string, std::string> halves(const std::string& text) {
+  const std::size_t at = text.rfind('=');
+  return at == std::string::npos ? std::pair<std::string, std::string>{text, ""}
+                                 : std::pair{text.substr(0, at), text.substr(at + 1)};
+}
+
+}  // namespace
+
+void SizeOptions::validate() const {
+  if (size < 0) throw UsageError("--size must not be negative");
+  if (growth != 0 && !(growth > 1)) throw UsageError("--growth must be greater than 1");
+  if (curvature < 0) throw UsageError("--curvature must not be negative");
+}
+
+SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
+  options.validate();
+  const double greatest = options.size > 0 ? options.size : face.diameter / 20;
+  double growth = options.growth > 0 ? options.growth : options.sources.growth;
+  if (growth == 0) growth = SizeField::default_growth;
+  const double slope = std::log(growth);
+  std::vector<SizeSegment> segments;
+  const auto add = [&](const std::vector<SizeSegment>& more) {
+    segments.insert(segments.end(), more.begin(), more.end());
+  };
+  for (const NearSize& near : options.near)
+    for (const int curve : named_curves(face, near.boundary)) add(segments_near(face.curves[curve], near.size, slope));
+  if (options.curvature > 0)
+    for (const Nurbs& curve : face.curves)
+      add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
+  return {greatest, options.sources, segments, growth};
+}
+
+NearSize parse_near_size(const std::string& text) {
+  const auto [name, value] = halves(text);
+  const std::optional<double> size = number_of<double>(value);
+  if (name.empty() || !size || !(*size > 0) || !std::isfinite(*size))
+    throw UsageError(fmt::format("--size-near: '{}' is not NAME=H with a length H > 0", text));
+  return {name, *size};
+}
+
+ChordCount parse_chord_count(const std::string& text) {
+  const auto [name, value] = halves(text);
+  const std::optional<int> chord = number_of<int>(name), count = number_of<int>(value);
+  if (!chord || !count || *count < 1)
+    throw UsageError(fmt::format("--count: '{}' is not CHORD=N with whole numbers, N >= 1", text));
+  return {*chord, *count};
+}
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,36 @@
+#pragma once
+// The wanted sizes from what people say: a size for all, sizes near boundaries, from their curvature, from a file.
+
+#include <string>
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/size_sources.hpp"
+#include "sizing/grade_chords.hpp"
+#include "sizing/size_field.hpp"
+
+namespace quadrille::sizing {
+
+/// Edges of length `size` along a named boundary.
+struct NearSize {
+  std::string boundary;
+  double size = 0;
+};
+
+struct SizeOptions {
+  double size = 0;  ///< wanted where nothing asks for less; 0: diameter / 20
+  std::vector<NearSize> near;
+  double curvature = 0;  ///< elements per full turn of the boundary; 0: curvature asks for nothing
+  double growth = 0;     ///< from one element to the next, > 1; 0: that of `sources`, else SizeField::default_growth
+  SizeSources sources;
+  void validate() const;  ///< throws UsageError
+};
+
+/// Curvature asks for no less than 1e-4 diameters. Throws UsageError for names that no boundary has.
+SizeField make_size_field(const CadFace& face, const SizeOptions& options);
+
+/// "NAME=H" (the last = counts) and "CHORD=N"; throw UsageError.
+NearSize parse_near_size(const std::string& text);
+ChordCount parse_chord_count(const std::string& text);
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,156 @@
+#include "sizing/size_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+constexpr int leaf_size = 4;
+
+/// A rectangle, and the least size in it.
+struct Bounds {
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  double least = 1e300;
+
+  void add(const Bounds& other) {
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    least = std::min(least, other.least);
+  }
+  double distance_to(Vec2 x) const {
+    return std::hypot(std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}));
+  }
+  Vec2 centre() const { return (low + high) / 2; }
+};
+
+Bounds bounds_of(Vec2 a, Vec2 b, double least, double radius = 0) {
+  return {{std::min(a.x, b.x) - radius, std::min(a.y, b.y) - radius},
+          {std::max(a.x, b.x) + radius, std::max(a.y, b.y) + radius},
+          least};
+}
+
+enum class Kind { point, box, segment };
+
+/// One source of any kind: a point has a, size_a and radius; a box bounds and size_a; a segment all but the radius.
+struct Source {
+  Kind kind = Kind::point;
+  Bounds bounds;
+  Vec2 a, b;
+  double size_a = 0, size_b = 0, radius = 0;
+
+  double at(Vec2 x, double slope) const {
+    if (kind == Kind::point) return size_a + slope * std::max(0.0, distance(x, a) - radius);
+    if (kind == Kind::box) return size_a + slope * bounds.distance_to(x);
+    return along_segment(x, slope);
+  }
+
+  /// min over p in the segment of size(p) + slope |x - p|: from the foot of x the least lies towards the smaller size.
+  double along_segment(Vec2 x, double slope) const {
+    const double length = distance(a, b);
+    if (!(length > 0)) return std::min(size_a, size_b) + slope * distance(x, a);
+    const Vec2 along = (b - a) / length;
+    const double rise = (size_b - size_a) / length, foot = dot(x - a, along), off = std::abs(cross(along, x - a));
+    const double shift = std::abs(rise) < slope ? off * rise / std::sqrt(slope * slope - rise * rise)
+                                                : std::copysign(length + std::abs(foot), rise);
+    const double at = std::clamp(foot - shift, 0.0, length);
+    return size_a + rise * at + slope * std::hypot(foot - at, off);
+  }
+};
+
+void require_size(double size, const char* what) {
+  if (!(size > 0) || !std::isfinite(size))
+    throw UsageError(fmt::format("the wanted size of {} must be positive, not {}", what, size));
+}
+
+}  // namespace
+
+/// A tree of rectangles over the sources: children of node n follow each other from `first`; a leaf has none but
+/// `count` sources from there.
+struct SizeField::Sources {
+  struct Node {
+    Bounds bounds;
+    int first = 0, count = 0;
+  };
+  std::vector<Source> items;
+  std::vector<Node> nodes{Node{}};
+
+  void build() { divide(0, 0, static_cast<int>(items.size())); }
+
+  double at(Vec2 x, double greatest, double slope) const {
+    double best = greatest;
+    std::vector<int> open{0};
+    while (!open.empty()) {
+      const Node& node = nodes[open.back()];
+      open.pop_back();
+      if (lower_bound(node, x, slope) >= best) continue;
+      for (int k = 0; k < node.count; ++k) best = std::min(best, items[node.first + k].at(x, slope));
+      if (node.count > 0) continue;
+      std::array<int, 2> children{node.first, node.first + 1};
+      if (lower_bound(nodes[children[0]], x, slope) < lower_bound(nodes[children[1]], x, slope))
+        std::swap(children[0], children[1]);
+      open.insert(open.end(), children.begin(), children.end());
+    }
+    return best;
+  }
+
+ private:
+  static double lower_bound(const Node& node, Vec2 x, double slope) {
+    return node.bounds.least + slope * node.bounds.distance_to(x);
+  }
+
+  void divide(int node, int begin, int end) {
+    Bounds bounds;
+    for (int i = begin; i < end; ++i) bounds.add(items[i].bounds);
+    nodes[node].bounds = bounds;
+    if (end - begin <= leaf_size) {
+      nodes[node].first = begin, nodes[node].count = end - begin;
+      return;
+    }
+    const bool along_x = bounds.high.x - bounds.low.x > bounds.high.y - bounds.low.y;
+    const auto before = [&](const Source& p, const Source& q) {
+      return along_x ? p.bounds.centre().x < q.bounds.centre().x : p.bounds.centre().y < q.bounds.centre().y;
+    };
+    const int middle = (begin + end) / 2, first = static_cast<int>(nodes.size());
+    std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end, before);
+    nodes[node].first = first;
+    nodes.resize(nodes.size() + 2);
+    divide(first, begin, middle);
+    divide(first + 1, middle, end);
+  }
+};
+
+SizeField::SizeField(double greatest) : greatest_(greatest) { require_size(greatest, "all elements"); }
+
+SizeField::SizeField(double greatest, const SizeSources& sources, const std::vector<SizeSegment>& segments,
+                     double growth)
+    : SizeField(greatest) {
+  if (!(growth > 1)) throw UsageError("the growth of sizes must be greater than 1");
+  auto tree = std::make_shared<Sources>();
+  const auto add = [&](const Source& source, double least, const char* what) {
+    require_size(least, what);
+    if (least < greatest) tree->items.push_back(source);
+  };
+  for (const SizePoint& p : sources.points)
+    add({Kind::point, bounds_of(p.position, p.position, p.size, p.radius), p.position, {}, p.size, 0, p.radius}, p.size,
+        "a point");
+  for (const SizeBox& b : sources.boxes)
+    add({Kind::box, bounds_of(b.low, b.high, b.size), b.low, b.high, b.size}, b.size, "a box");
+  for (const SizeSegment& s : segments) {
+    const double least = std::min(s.size_a, s.size_b);
+    add({Kind::segment, bounds_of(s.a, s.b, least), s.a, s.b, s.size_a, s.size_b}, least, "a piece of the boundary");
+  }
+  if (tree->items.empty()) return;
+  tree->build();
+  slope_ = std::log(growth);
+  sources_ = std::move(tree);
+}
+
+double SizeField::at(Vec2 x) const { return sources_ ? sources_->at(x, greatest_, slope_) : greatest_; }
+
+}  // namespace quadrille::sizing

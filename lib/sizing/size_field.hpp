@@ -1,0 +1,45 @@
+#pragma once
+// The wanted length of an element's edge at every place.
+//
+//   h(x) = min( greatest, min over sources of h_source + ln(growth) |x - source| ),
+//
+// so that of elements in a row each is at most `growth` times as long as its neighbour: h grows by ln(growth) for each
+// unit of length (n elements of an h = s x end where x = exp(s n)). Distances are straight, through holes too.
+
+#include <memory>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "model/size_sources.hpp"
+
+namespace quadrille::sizing {
+
+/// A source along a straight segment, its size linear from end to end: a piece of a boundary curve.
+struct SizeSegment {
+  Vec2 a, b;
+  double size_a = 0, size_b = 0;
+};
+
+class SizeField {
+ public:
+  static constexpr double default_growth = 1.2;
+
+  /// The same everywhere. `greatest` > 0.
+  explicit SizeField(double greatest);
+  /// Sources of `greatest` or more say nothing. `growth` > 1. Throws UsageError for sizes that are not positive.
+  SizeField(double greatest, const SizeSources& sources, const std::vector<SizeSegment>& segments, double growth);
+
+  /// Wanted edge length at x, relative to face.origin. Cost: logarithmic in the number of sources.
+  double at(Vec2 x) const;
+  double greatest() const { return greatest_; }
+  /// d h / d x is at most that: ln(growth); 0 where the size is the same everywhere.
+  double slope() const { return slope_; }
+  bool is_uniform() const { return !sources_; }
+
+ private:
+  struct Sources;
+  double greatest_ = 0, slope_ = 0;
+  std::shared_ptr<const Sources> sources_;
+};
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,113 @@
+#include "sizing/tell_sizes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quadrille::sizing {
+namespace {
+
+/// Sums over edges; means are made of them.
+struct Sums {
+  double length = 0, log_wanted = 0, log_ratio = 0, log_ratio2 = 0;
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  double least_log = std::numeric_limits<double>::infinity(), greatest_log = -least_log;
+
+  void add_edge(double achieved, double wanted) {
+    const double ratio = std::log(achieved / wanted);
+    length += achieved;
+    log_wanted += achieved * std::log(wanted);
+    log_ratio += achieved * ratio;
+    log_ratio2 += achieved * ratio * ratio;
+    least = std::min(least, achieved), greatest = std::max(greatest, achieved);
+    least_log = std::min(least_log, ratio), greatest_log = std::max(greatest_log, ratio);
+  }
+  void add(const Sums& other) {
+    length += other.length, log_wanted += other.log_wanted;
+    log_ratio += other.log_ratio, log_ratio2 += other.log_ratio2;
+    least = std::min(least, other.least), greatest = std::max(greatest, other.greatest);
+    least_log = std::min(least_log, other.least_log), greatest_log = std::max(greatest_log, other.greatest_log);
+  }
+  EdgeSizes means() const {
+    return {length,
+            std::exp(log_wanted / length),
+            least,
+            greatest,
+            log_ratio / length,
+            std::sqrt(log_ratio2 / length),
+            std::exp(least_log),
+            std::exp(greatest_log)};
+  }
+};
+
+Sums sums_of(const mesh::Chord& chord, const std::vector<curve::Chain>& chains,
+             const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes) {
+  Sums sums;
+  for (const int arc : chord.arcs) {
+    const std::vector<double>& ends = arc_ends[arc];
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+      const double achieved = (ends[k] - ends[k - 1]) * chains[arc].length();
+      const double wanted =
+          sizes.is_uniform() ? sizes.greatest() : sizes.at(chains[arc].at((ends[k - 1] + ends[k]) / 2).position);
+      sums.add_edge(achieved, wanted);
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+std::vector<EdgeSizes> edge_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve::Chain>& chains,
+                                  const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes) {
+  std::vector<EdgeSizes> result;
+  Sums all;
+  for (const mesh::Chord& chord : chords) {
+    const Sums sums = sums_of(chord, chains, arc_ends, sizes);
+    result.push_back(sums.means());
+    all.add(sums);
+  }
+  result.push_back(all.means());
+  return result;
+}
+
+void tell_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve::Chain>& chains,
+                const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes,
+                const std::vector<ChordCount>& prescribed, Report& report) {
+  const std::vector<EdgeSizes> edges = edge_sizes(chords, chains, arc_ends, sizes);
+  const EdgeSizes& all = edges.back();
+  report.set("sizes.wanted", all.wanted);
+  report.set("sizes.mean_ratio", std::exp(all.mean_log));
+  report.set("sizes.deviation", all.deviation);
+  report.set("sizes.least_edge", all.least);
+  report.set("sizes.greatest_edge", all.greatest);
+  report.set("sizes.least_ratio", all.least_ratio);
+  report.set("sizes.greatest_ratio", all.greatest_ratio);
+
+  std::vector<double> id, count, wanted, ratio, deviation, least, greatest;
+  for (std::size_t c = 0; c < chords.size(); ++c) {
+    id.push_back(static_cast<double>(c));
+    count.push_back(static_cast<double>(arc_ends[chords[c].arcs[0]].size() - 1));
+    wanted.push_back(edges[c].wanted);
+    ratio.push_back(std::exp(edges[c].mean_log));
+    deviation.push_back(edges[c].deviation);
+    least.push_back(edges[c].least);
+    greatest.push_back(edges[c].greatest);
+  }
+  for (const ChordCount& p : prescribed)
+    if (count[p.chord] != p.count)
+      report.warn("W-QUA-002",
+                  fmt::format("chord {} has {} elements, not {}: layers along walls, the geometric tolerance "
+                              "or two elements that would share two edges ask for them",
+                              p.chord, count[p.chord], p.count));
+  report.set("sizes.chord.id", std::move(id));
+  report.set("sizes.chord.count", std::move(count));
+  report.set("sizes.chord.wanted", std::move(wanted));
+  report.set("sizes.chord.mean_ratio", std::move(ratio));
+  report.set("sizes.chord.deviation", std::move(deviation));
+  report.set("sizes.chord.least_edge", std::move(least));
+  report.set("sizes.chord.greatest_edge", std::move(greatest));
+}
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,166 @@
+#include "zeros/enclosure.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/angle.hpp"
+#include "field/corner_lifting.hpp"
+#include "spectral/tri_bernstein.hpp"
+
+namespace quadrille::zeros {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Angles {
+  double low = 0, high = 0;
+};
+
+/// The angles under which `eye` sees the cell, counted from the direction to `centre`: those of the Bernstein points,
+/// since the cell lies in their hull. The whole circle when they are not on one side of `eye`.
+Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
+  const Vec2 ahead = centre - eye;
+  Angles angles;
+  for (int i = 0; i < cell.num_coefs(); ++i) {
+    const Vec2 d = cell.point(i) - eye;
+    if (norm2(d) <= 1e-24 * norm2(ahead)) continue;  // the eye itself is a vertex
+    if (dot(ahead, d) <= 0) return {-pi, pi};
+    const double angle = std::atan2(cross(ahead, d), dot(ahead, d));
+    angles = {std::min(angles.low, angle), std::max(angles.high, angle)};
+  }
+  return angles;
+}
+
+}  // namespace
+
+void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, double margin) {
+  cell_ = &cell;
+  margin_ = margin;
+  centre_ = (cell.vertex(0) + cell.vertex(1) + cell.vertex(2)) / 3;
+  double radius2 = 0, size2 = 0, rounding = 0;
+  values_.resize(cell.num_coefs());
+  for (int i = 0; i < cell.num_coefs(); ++i) {
+    values_[i] = cell.value(i);
+    radius2 = std::max(radius2, norm2(cell.point(i) - centre_));
+    size2 = std::max(size2, norm2(values_[i]));
+  }
+  radius_ = std::sqrt(radius2);
+  double size = std::sqrt(size2);
+  Vec2 shift;
+  Mat2 slope;
+  ranges_.clear();
+  gradient_error_ = 0;
+  for (const Lifting& lifting : liftings) {
+    const double to_apex = distance(lifting.apex, centre_), to_pole = distance(lifting.pole, centre_);
+    size += norm(lifting.jump);
+    rounding += norm(lifting.jump) * (1 / std::max(to_apex, radius_) + 1 / std::max(to_pole, radius_));
+    if (std::min(to_apex, to_pole) > 2 * radius_)
+      add_linearised(lifting, shift, slope);
+    else
+      add_by_angles(lifting);
+  }
+  for (int i = 0; i < cell.num_coefs(); ++i) values_[i] += shift + slope * (cell.point(i) - centre_);
+  // A position is rounded to its distance from the origin: close to a corner that turns the lifting's angle.
+  slack_ = 1e-14 * size + 1e-15 * cell.scale + 4e-16 * (norm(centre_) + radius_) * rounding;
+}
+
+void Enclosure::add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope) {
+  const Vec2 gradient = field::lifting_gradient(lifting, centre_), jump = lifting.jump;
+  shift += field::lifting_angle(lifting, centre_) * jump;
+  slope = {slope.xx + jump.x * gradient.x, slope.xy + jump.x * gradient.y, slope.yx + jump.y * gradient.x,
+           slope.yy + jump.y * gradient.y};
+  const double near_apex = distance(lifting.apex, centre_) - radius_;
+  const double near_pole = distance(lifting.pole, centre_) - radius_;
+  const double bend = 1 / (near_apex * near_apex) + 1 / (near_pole * near_pole);
+  ranges_.push_back({lifting.jump, 0.5 * bend * radius_ * radius_});
+  gradient_error_ += norm(lifting.jump) * bend * radius_;
+}
+
+void Enclosure::add_by_angles(const Lifting& lifting) {
+  const Angles apex = viewing_angles(*cell_, lifting.apex, centre_);
+  const Angles pole = viewing_angles(*cell_, lifting.pole, centre_);
+  const double low = apex.low - pole.high, high = apex.high - pole.low;
+  const Vec2 middle = lifting.jump * (field::lifting_angle(lifting, centre_) + 0.5 * (low + high));
+  for (Vec2& value : values_) value += middle;
+  ranges_.push_back({lifting.jump, 0.5 * (high - low)});
+  gradient_error_ = infinity;
+}
+
+/// The least value of direction . v over what the ranges add.
+double Enclosure::support(Vec2 direction) const {
+  double sum = 0;
+  for (const Range& range : ranges_) sum += std::abs(dot(direction, range.jump)) * range.half_width;
+  return -sum;
+}
+
+bool Enclosure::excludes_zero() const {
+  // y runs towards the point of the hull nearest to 0; wherever a half plane normal to y holds all values, 0 is out.
+  Vec2 y;
+  for (const Vec2 value : values_) y += value;
+  y = y / static_cast<double>(values_.size());
+  for (int step = 0; step < 12; ++step) {
+    const double length = norm(y);
+    if (length <= slack_ + margin_) return false;
+    const Vec2 direction = y / length;
+    double least = infinity;
+    Vec2 nearest;
+    for (const Vec2 value : values_) {
+      const double d = dot(direction, value);
+      if (d < least) least = d, nearest = value;
+    }
+    if (least + support(direction) > slack_ + margin_) return true;
+    // The extreme point of the hull widened by the ranges.
+    for (const Range& range : ranges_) {
+      const double side = dot(direction, range.jump) > 0 ? -1 : 1;
+      nearest += range.jump * (side * range.half_width);
+    }
+    const Vec2 chord = nearest - y;
+    const double share = -dot(y, chord) / norm2(chord);
+    if (!(share > 0)) return false;
+    y += std::min(share, 1.0) * chord;
+  }
+  return false;
+}
+
+bool Enclosure::isolates(Mat2& inverse_jacobian, double& contraction) const {
+  if (gradient_error_ == infinity) return false;
+  const int n = cell_->degree;
+  const auto derivative = [&](int j, int k) {
+    const Vec2 base = values_[spectral::bernstein_index(n, j, k)];
+    const Vec2 d1 = values_[spectral::bernstein_index(n, j + 1, k)] - base,
+               d2 = values_[spectral::bernstein_index(n, j, k + 1)] - base;
+    return Mat2{n * d1.x, n * d2.x, n * d1.y, n * d2.y};
+  };
+  Mat2 mean;
+  double stretch = 0;  // greatest |d x / d lambda|
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j + k < n; ++j) {
+      const Mat2 d = derivative(j, k);
+      mean = {mean.xx + d.xx, mean.xy + d.xy, mean.yx + d.yx, mean.yy + d.yy};
+      const Vec2 base = cell_->point(spectral::bernstein_index(n, j, k));
+      stretch = std::max(stretch, norm2(cell_->point(spectral::bernstein_index(n, j + 1, k)) - base) +
+                                      norm2(cell_->point(spectral::bernstein_index(n, j, k + 1)) - base));
+    }
+  const double count = spectral::num_bernstein(n - 1);
+  mean = {mean.xx / count, mean.xy / count, mean.yx / count, mean.yy / count};
+  if (!(std::abs(det(mean)) > 1e-14 * frobenius_norm(mean) * frobenius_norm(mean))) return false;
+  inverse_jacobian = inverse(mean);
+  contraction = 0;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j + k < n; ++j) {
+      const Mat2 m = inverse_jacobian * derivative(j, k);
+      contraction = std::max(contraction, frobenius_norm({m.xx - 1, m.xy, m.yx, m.yy - 1}));
+    }
+  contraction += frobenius_norm(inverse_jacobian) * (gradient_error_ * n * std::sqrt(stretch) + 2 * n * slack_);
+  return contraction < 0.75;
+}
+
+double Enclosure::greatest_value() const {
+  double greatest2 = 0;
+  for (const Vec2 value : values_) greatest2 = std::max(greatest2, norm2(value));
+  double greatest = std::sqrt(greatest2);
+  for (const Range& range : ranges_) greatest += norm(range.jump) * range.half_width;
+  return greatest;
+}
+
+}  // namespace quadrille::zeros

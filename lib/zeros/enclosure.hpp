@@ -1,0 +1,53 @@
+#pragma once
+// What the guiding field can be over a cell: a polygon of values and a set of Jacobians, liftings included.
+//
+// Over a cell each lifting angle is theta(x0) + grad theta(x0) . (x - x0) + rest, |rest| <= r^2 sup|theta''| / 2, with
+// r the cell's radius about x0. The linear part joins the polynomial exactly; the rest widens it along the lifting's
+// jump. Close to a corner, where theta'' is unbounded, theta is enclosed by the angles under which the corner sees the
+// cell's Bernstein points instead.
+
+#include <vector>
+
+#include "zeros/cell.hpp"
+
+namespace quadrille::zeros {
+
+class Enclosure {
+ public:
+  /// Recomputes everything for `cell`, which must live as long as the results are used; storage is kept. `margin`: how
+  /// far the field itself is left open (zeros/edge_jumps): a value no longer than that may be a zero.
+  void set(const Cell& cell, const std::vector<Lifting>& liftings, double margin = 0);
+
+  /// True when the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
+  bool excludes_zero() const;
+  /// True when the field is injective on the cell, so that it has at most one zero there: with
+  /// inverse_jacobian = J0^-1, J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
+  bool isolates(Mat2& inverse_jacobian, double& contraction) const;
+
+  /// No value in the cell is longer.
+  double greatest_value() const;
+  /// What rounding and the margin may change in a value of the field over the cell.
+  double value_noise() const { return slack_ + margin_; }
+  Vec2 centre() const { return centre_; }
+  double radius() const { return radius_; }
+
+ private:
+  struct Range {
+    Vec2 jump;
+    double half_width;  ///< of the angle's rest
+  };
+  void add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope);  ///< linear parts go into shift and slope
+  void add_by_angles(const Lifting& lifting);
+  double support(Vec2 direction) const;
+
+  const Cell* cell_ = nullptr;
+  Vec2 centre_;
+  double radius_ = 0;
+  double slack_ = 0;  ///< round-off of values: of coefficients, and of positions near corners
+  double margin_ = 0;
+  std::vector<Vec2> values_;  ///< Bernstein coefficients of the field with linearised liftings
+  std::vector<Range> ranges_;
+  double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised
+};
+
+}  // namespace quadrille::zeros

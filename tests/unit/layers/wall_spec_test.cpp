@@ -1,0 +1,89 @@
+#include "layers/wall_spec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+
+namespace quadrille::layers {
+namespace {
+
+TEST(WallSpec, ReadsNamesAndKeysInAnySequence) {
+  const WallSpec spec = parse_wall_spec("hole,outer side:layers=7,law=tanh,growth=1.3,first=2e-3");
+  EXPECT_EQ(spec.names, (std::vector<std::string>{"hole", "outer side"}));
+  EXPECT_EQ(spec.first, 2e-3);
+  EXPECT_EQ(spec.growth, 1.3);
+  EXPECT_EQ(spec.layers, 7);
+  EXPECT_EQ(spec.law, LayerLaw::tanh);
+  EXPECT_FALSE(spec.many_as_fit);
+}
+
+TEST(WallSpec, GrowsByAFifthGeometricallyUnlessTold) {
+  const WallSpec spec = parse_wall_spec("a:first=1,thickness=5");
+  EXPECT_EQ(spec.growth, 1.2);
+  EXPECT_EQ(spec.law, LayerLaw::geometric);
+  EXPECT_EQ(spec.thickness, 5);
+  EXPECT_EQ(spec.layers, 0);
+}
+
+TEST(WallSpec, TakesAsManyLayersAsFit) { EXPECT_TRUE(parse_wall_spec("a:first=1,layers=fit").many_as_fit); }
+
+TEST(WallSpec, KeepsColonsOfNames) {
+  EXPECT_EQ(parse_wall_spec("wing:upper:first=1,layers=2").names, std::vector<std::string>{"wing:upper"});
+}
+
+TEST(WallSpec, MistakesAreUsageErrorsThatQuoteTheText) {
+  for (const std::string text : {"a",
+                                 ":first=1,layers=2",
+                                 "a:",
+                                 "a:layers=2",
+                                 "a:first=1",
+                                 "a:first=0,layers=2",
+                                 "a:first=-1,layers=2",
+                                 "a:first=nan,layers=2",
+                                 "a:first=1x,layers=2",
+                                 "a:first=1,layers=0",
+                                 "a:first=1,layers=1001",
+                                 "a:first=1,layers=1.5",
+                                 "a:first=1,layers=2,thickness=3",
+                                 "a:first=1,thickness=0",
+                                 "a:first=1,layers=2,growth=0.9",
+                                 "a:first=1,layers=2,growth=2.1",
+                                 "a:first=1,layers=2,law=cubic",
+                                 "a:first=1,layers=2,first=1",
+                                 "a:first=1,layers=2,last=1",
+                                 "a:first=1,layers"}) {
+    try {
+      parse_wall_spec(text);
+      ADD_FAILURE() << text << " was taken";
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(WallSpec, CurvesOfOneNameMakeOneWall) {
+  CadFace face = hand_made::unit_square().face;
+  face.curve_names = {"wall", "out", "wall", "in"};
+  EXPECT_EQ(curve_walls({parse_wall_spec("in:first=1,layers=1"), parse_wall_spec("wall:first=1,layers=1")}, face),
+            (std::vector<int>{1, -1, 1, 0}));
+  EXPECT_EQ(curve_walls({parse_wall_spec("1:first=1,layers=1")}, face), (std::vector<int>{-1, 0, -1, -1}));
+}
+
+TEST(WallSpec, UnknownNamesAreRefusedWithTheKnownOnesAndNoCurveHasTwoSpecs) {
+  const CadFace face = hand_made::unit_square().face;
+  try {
+    curve_walls({parse_wall_spec("roof:first=1,layers=1")}, face);
+    ADD_FAILURE();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("roof"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("side_2"), std::string::npos);
+  }
+  const WallSpec spec = parse_wall_spec("side_2:first=1,layers=1");
+  EXPECT_THROW(curve_walls({spec, spec}, face), UsageError);
+}
+
+}  // namespace
+}  // namespace quadrille::layers

@@ -1,0 +1,94 @@
+#include "placement/node_symmetry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../triangulate/faces.hpp"
+
+namespace quadrille::placement {
+namespace {
+
+using namespace testing_faces;
+
+/// A rectangle of 4 x 2 about (0, 0): it has the identity, the half turn and two reflections.
+CadFace rectangle() { return make_face({polygon({{-2, -1}, {2, -1}, {2, 1}, {-2, 1}})}); }
+
+CriticalPoints points_at(const std::vector<Vec2>& places) {
+  CriticalPoints points;
+  for (const Vec2 x : places) {
+    points.critical_points.emplace_back();
+    points.critical_points.back().position = x;
+    points.critical_points.back().valence = 3;
+  }
+  return points;
+}
+
+std::size_t num_symmetries(const CriticalPoints& points, std::vector<bool> is_free = {}) {
+  is_free.resize(points.critical_points.size(), is_free.empty());
+  return node_symmetries(rectangle(), points, is_free).size();
+}
+
+TEST(NodeSymmetries, are_those_of_the_face_that_keep_all_nodes) {
+  EXPECT_EQ(num_symmetries(points_at({{1, 0.5}, {-1, 0.5}, {-1, -0.5}, {1, -0.5}})), 4u);
+  EXPECT_EQ(num_symmetries(points_at({{1, 0.5}, {-1, -0.5}})), 2u);
+  EXPECT_EQ(num_symmetries(points_at({{1, 0.5}, {-1, 0.5}})), 2u);
+  EXPECT_EQ(num_symmetries(points_at({{1, 0.5}, {-0.9, 0.5}})), 1u);
+  EXPECT_EQ(num_symmetries(points_at({{0, 0}})), 4u);
+}
+
+TEST(NodeSymmetries, keep_valences_and_freedom_and_the_boundary) {
+  CriticalPoints points = points_at({{1, 0}, {-1, 0}});
+  EXPECT_EQ(num_symmetries(points), 4u);
+  EXPECT_EQ(num_symmetries(points, {true, false}), 2u);
+  points.critical_points[0].valence = 5;
+  EXPECT_EQ(num_symmetries(points), 2u);
+  points.critical_points[0].valence = 3;
+  for (int j = 0; j < 4; ++j) {
+    points.corners.emplace_back();
+    points.corners.back().position = rectangle().joints[j].position;
+    points.corners.back().valence = 1;
+  }
+  EXPECT_EQ(num_symmetries(points), 4u);
+  points.corners[2].valence = 2;
+  EXPECT_EQ(num_symmetries(points), 1u);
+  points.corners[1].valence = 2;
+  EXPECT_EQ(num_symmetries(points), 2u);
+  points.twist_offsets = {1};
+  EXPECT_EQ(num_symmetries(points), 1u);
+}
+
+TEST(NodeSymmetries, can_be_made_exact) {
+  CriticalPoints points = points_at({{1 + 1e-7, 0.5}, {-1, 0.5 + 2e-7}, {-1 - 1e-7, -0.5}, {1, -0.5}});
+  const std::vector<bool> is_free(4, true);
+  symmetrise(node_symmetries(rectangle(), points, is_free), is_free, points);
+  const Vec2 x = points.critical_points[0].position;
+  EXPECT_NEAR(distance(x, {1 + 5e-8, 0.5 + 5e-8}), 0, 1e-13);
+  EXPECT_NEAR(distance(points.critical_points[1].position, {-x.x, x.y}), 0, 1e-15);
+  EXPECT_NEAR(distance(points.critical_points[2].position, -x), 0, 1e-15);
+  EXPECT_NEAR(distance(points.critical_points[3].position, {x.x, -x.y}), 0, 1e-15);
+}
+
+TEST(InvariantMovements, leave_as_many_ways_as_the_symmetry) {
+  const auto num_ways = [](const std::vector<Vec2>& places) {
+    const std::vector<bool> is_free(places.size(), true);
+    return invariant_movements(node_symmetries(rectangle(), points_at(places), is_free), is_free).cols();
+  };
+  EXPECT_EQ(num_ways({{1, 0.5}, {-1, 0.5}, {-1, -0.5}, {1, -0.5}}), 2);
+  EXPECT_EQ(num_ways({{1, 0}, {-1, 0}}), 1);
+  EXPECT_EQ(num_ways({{0, 0}}), 0);
+  EXPECT_EQ(num_ways({{1, 0.5}, {-0.9, 0.5}}), 4);
+  EXPECT_EQ(num_ways({{1, 0}, {-1, 0}, {0, 0.5}, {0, -0.5}, {0, 0}}), 2);
+}
+
+TEST(InvariantMovements, are_images_of_each_other) {
+  const std::vector<bool> is_free{true, false, true};
+  const CriticalPoints points = points_at({{1, 0.5}, {0, 0}, {-1, 0.5}});
+  const Eigen::MatrixXd ways = invariant_movements(node_symmetries(rectangle(), points, is_free), is_free);
+  ASSERT_EQ(ways.rows(), 4);
+  ASSERT_EQ(ways.cols(), 2);
+  EXPECT_NEAR((ways.row(0) + ways.row(2)).norm(), 0, 1e-14);
+  EXPECT_NEAR((ways.row(1) - ways.row(3)).norm(), 0, 1e-14);
+  EXPECT_NEAR((ways.transpose() * ways - Eigen::MatrixXd::Identity(2, 2)).norm(), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace quadrille::placement

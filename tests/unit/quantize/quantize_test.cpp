@@ -1,0 +1,79 @@
+#include "quantize/quantize.hpp"
+
+#include <gtest/gtest.h>
+
+#include "quantize/integer_programme.hpp"
+
+namespace quadrille::quantize {
+namespace {
+
+int sum(const std::vector<int>& side, const std::vector<int>& lengths) {
+  int total = 0;
+  for (const int dart : side) total += lengths[graph::dart_arc(dart)];
+  return total;
+}
+
+// Arcs 0, 1, 2 across a strip of two faces that closes on itself: 0 = 1 and 1 = 0 + 2. Arcs 3 to 6 run along it.
+const std::vector<TFace> spiral{{{{0}, {3}, {1}, {4}}}, {{{-2}, {5}, {-1, 2}, {6}}}};
+
+TEST(IntegerProgramme, FindsWholeNumbersWhereTheRealOptimumHasNone) {
+  // Maximise x + y with 2 x + 2 y + slack = 5.
+  IntegerProgramme programme;
+  const int x = programme.add_variable(0, 10, -1, true), y = programme.add_variable(0, 10, -1, true);
+  const int slack = programme.add_variable(0, 10, 0, false);
+  programme.add_equation({{x, 2}, {y, 2}, {slack, 1}}, 5);
+  const std::vector<double> solution = programme.solve();
+  ASSERT_EQ(solution.size(), 3u);
+  EXPECT_EQ(solution[x] + solution[y], 2);
+}
+
+TEST(IntegerProgramme, SaysWhereThereIsNoSolution) {
+  IntegerProgramme programme;
+  const int x = programme.add_variable(0, 10, 1, true);
+  programme.add_equation({{x, 2}}, 5);
+  EXPECT_TRUE(programme.solve().empty());
+}
+
+TEST(Quantize, OppositeSidesAreEqualAndNearTheirTargets) {
+  // One face: side 0 of three arcs, the others of one.
+  const std::vector<TFace> faces{{{{0, 1, 2}, {3}, {4}, {5}}}};
+  const std::vector<int> lengths = quantize(faces, {0.2, 1.0, 2.1, 0.1, 5.2, 0.3}, 1);
+  ASSERT_EQ(lengths.size(), 6u);
+  EXPECT_EQ(sum(faces[0][0], lengths), sum(faces[0][2], lengths));
+  EXPECT_EQ(sum(faces[0][1], lengths), sum(faces[0][3], lengths));
+  for (const int length : lengths) EXPECT_GE(length, 1);
+  EXPECT_EQ(lengths[3], 1);
+  EXPECT_NEAR(lengths[4], 4.5, 0.5);
+}
+
+TEST(Quantize, EqualArcsGetEqualLengths) {
+  // 3 + 4 = 7 would be nearest, 3 + 3 = 6 is as symmetric as the face.
+  const std::vector<TFace> faces{{{{0, 1}, {2}, {3}, {4}}}};
+  EXPECT_EQ(quantize(faces, {3.4, 3.4, 1, 6.8, 1}, 1), (std::vector<int>{3, 3, 1, 6, 1}));
+  EXPECT_EQ(quantize(faces, {3.4, 3.4001, 1, 6.8, 1}, 1)[3], 7);
+}
+
+TEST(Quantize, EqualArcsThatCannotBeEqualAreNot) {
+  // Opposite sides of one and two arcs, all equally long.
+  const std::vector<TFace> faces{{{{0, 1}, {2}, {3}, {4}}}};
+  EXPECT_EQ(quantize(faces, {1, 1, 1, 1, 1}, 1), (std::vector<int>{1, 1, 1, 2, 1}));
+}
+
+TEST(Quantize, AStripThatWindsOntoItselfHasNoLengths) {
+  EXPECT_TRUE(quantize(spiral, {1, 1, 0.1, 1, 1, 1, 1}, 1).empty());
+  EXPECT_EQ(vanishing_arcs(spiral, 7), std::vector<int>{2});
+}
+
+TEST(Quantize, NothingVanishesWhereLengthsExist) {
+  EXPECT_TRUE(vanishing_arcs({{{{0, 1, 2}, {3}, {4}, {5}}}}, 6).empty());
+}
+
+TEST(Quantize, TheRailsOfTheStripAreNamed) {
+  // A third face beside the strip has no part in it.
+  std::vector<TFace> faces = spiral;
+  faces.push_back({{{-4}, {7}, {8}, {9}}});
+  EXPECT_EQ(winding_rails(faces, 10, 2), (std::vector<int>{3, 4, 5, 6}));
+}
+
+}  // namespace
+}  // namespace quadrille::quantize

@@ -1,0 +1,93 @@
+#include "sizing/boundary_sizes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+#include "sizing/make_size_field.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+const double slope = std::log(1.2);
+
+TEST(BoundarySizes, SegmentsStayNearACircle) {
+  const Nurbs circle = curve::circular_arc({1, 2}, 3, 0.1, 0.1 + 2 * pi);
+  const SizeField sizes(10, {}, segments_near(circle, 0.01, slope), 1.2);
+  for (const double angle : {0.0, 0.7, 2.9, 4.4})
+    for (const double away : {-2.0, -0.1, 0.0, 0.3, 5.0})
+      EXPECT_NEAR(sizes.at(Vec2{1, 2} + (3 + away) * unit(angle)), 0.01 + slope * std::abs(away), 1e-7);
+}
+
+TEST(BoundarySizes, StraightCurvesAreTheirPolesAndHaveNoCurvature) {
+  EXPECT_EQ(segments_near(curve::segment({0, 0}, {1, 0}), 0.1, slope).size(), 1u);
+  EXPECT_TRUE(segments_by_curvature(curve::segment({0, 0}, {1, 0}), 50, 1e-3, 1, slope).empty());
+}
+
+TEST(BoundarySizes, ACircleGetsItsElementsPerTurn) {
+  const std::vector<SizeSegment> segments =
+      segments_by_curvature(curve::circular_arc({0, 0}, 2, 0, 2 * pi), 50, 1e-3, 10, slope);
+  ASSERT_FALSE(segments.empty());
+  for (const SizeSegment& s : segments) EXPECT_NEAR(s.size_a, 2 * pi * 2 / 50, 1e-12);
+  EXPECT_TRUE(segments_by_curvature(curve::circular_arc({0, 0}, 2, 0, 2 * pi), 3, 1e-3, 2, slope).empty())
+      << "more than the greatest size";
+  EXPECT_EQ(segments_by_curvature(curve::circular_arc({0, 0}, 2, 0, 2 * pi), 50, 0.5, 10, slope)[0].size_a, 0.5);
+}
+
+TEST(BoundarySizes, CurvatureOfAParabolaIsFollowed) {
+  // y = x^2 has the curvature 2 / (1 + 4 x^2)^(3/2).
+  const Nurbs parabola{2, {-1, -1, -1, 1, 1, 1}, {{-1, 1}, {0, -1}, {1, 1}}, {1, 1, 1}};
+  const SizeField sizes(100, {}, segments_by_curvature(parabola, 20, 1e-3, 100, 10), std::exp(10.0));
+  for (const double x : {-0.9, -0.31, 0.0, 0.2, 0.77}) {
+    const double wanted = 2 * pi / 20 * std::pow(1 + 4 * x * x, 1.5) / 2;
+    EXPECT_NEAR(sizes.at({x, x * x}), wanted, 1e-4 * wanted) << x;
+  }
+}
+
+TEST(BoundarySizes, NamesGoBeforeNumbers) {
+  CadFace face = hand_made::unit_square().face;
+  face.curve_names = {"wall", "0", "wall", "out"};
+  EXPECT_EQ(named_curves(face, "wall"), (std::vector<int>{0, 2}));
+  EXPECT_EQ(named_curves(face, "0"), std::vector<int>{1});
+  EXPECT_EQ(named_curves(face, "3"), std::vector<int>{3});
+  try {
+    named_curves(face, "in");
+    FAIL() << "an unknown name was accepted";
+  } catch (const UsageError& error) {
+    for (const char* known : {"wall", "out", "0 to 3"})
+      EXPECT_NE(std::string(error.what()).find(known), std::string::npos) << error.what();
+  }
+}
+
+TEST(MakeSizeField, TakesAllSourcesTogether) {
+  const CadFace face = hand_made::unit_square().face;
+  SizeOptions options;
+  EXPECT_NEAR(make_size_field(face, options).at({0.5, 0.5}), face.diameter / 20, 1e-15);
+  options.size = 0.5;
+  options.near = {{"side_0", 0.1}, {"2", 0.2}};
+  options.sources.growth = 1.4;
+  EXPECT_NEAR(make_size_field(face, options).at({0.5, 0.25}), 0.1 + std::log(1.4) * 0.25, 1e-15);
+  EXPECT_NEAR(make_size_field(face, options).at({0.5, 0.9}), 0.2 + std::log(1.4) * 0.1, 1e-15);
+  options.growth = 1.1;
+  EXPECT_NEAR(make_size_field(face, options).at({0.5, 0.25}), 0.1 + std::log(1.1) * 0.25, 1e-15);
+  options.growth = 1;
+  EXPECT_THROW(make_size_field(face, options), UsageError);
+}
+
+TEST(MakeSizeField, ParsesWhatTheCommandLineHas) {
+  EXPECT_EQ(parse_near_size("a=b=0.5").boundary, "a=b");
+  EXPECT_EQ(parse_near_size("wall=2e-3").size, 2e-3);
+  for (const char* text : {"wall", "wall=", "=1", "wall=x", "wall=0", "wall=-1", "wall=1x", "wall=inf"})
+    EXPECT_THROW(parse_near_size(text), UsageError) << text;
+  EXPECT_EQ(parse_chord_count("3=17").chord, 3);
+  EXPECT_EQ(parse_chord_count("3=17").count, 17);
+  for (const char* text : {"3", "3=", "=4", "3=0", "3=1.5", "a=4", "3=-2"})
+    EXPECT_THROW(parse_chord_count(text), UsageError) << text;
+}
+
+}  // namespace
+}  // namespace quadrille::sizing

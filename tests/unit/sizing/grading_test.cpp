@@ -1,0 +1,70 @@
+#include "sizing/grading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace quadrille::sizing {
+namespace {
+
+TEST(Grading, WithoutLengthsIsTheIdentity) {
+  const Grading equal(7.5);
+  EXPECT_TRUE(equal.is_identity());
+  EXPECT_EQ(equal.count(), 7.5);
+  EXPECT_EQ(equal.parameter(0.3), 0.3);
+  EXPECT_TRUE(Grading({0, 0.5, 1}, {0.1, 0.1, 0.1}).is_identity());
+  EXPECT_NEAR(Grading({0, 0.5, 1}, {0.1, 0.1, 0.1}).count(), 10, 1e-13);
+}
+
+TEST(Grading, LengthsThatGrowLinearlyGiveAGeometricSeries) {
+  // eta = 0.01 + s u: the ends are at u = 0.01 (exp(s n) - 1) / s, neighbours differ by exp(s).
+  const double s = 0.2;
+  const Grading grading({0, 1}, {0.01, 0.01 + s});
+  EXPECT_NEAR(grading.count(), std::log(1 + s / 0.01) / s, 1e-12);
+  for (const double n : {1.0, 2.0, 7.3})
+    EXPECT_NEAR(grading.parameter(n / grading.count()), 0.01 * (std::exp(s * n) - 1) / s, 1e-14);
+}
+
+TEST(Grading, ShareAndParameterAreInverse) {
+  const Grading grading({0, 0.1, 0.4, 0.8, 1}, {0.3, 0.01, 0.02, 0.02, 0.5});
+  double before = -1;
+  for (int k = 0; k <= 200; ++k) {
+    const double v = k / 200.0, u = grading.parameter(v);
+    EXPECT_GT(u, before);
+    EXPECT_NEAR(grading.share(u), v, 1e-13);
+    before = u;
+  }
+  EXPECT_EQ(grading.parameter(0), 0);
+  EXPECT_EQ(grading.parameter(1), 1);
+  EXPECT_EQ(grading.share(1), 1);
+}
+
+TEST(Grading, MirroredLengthsGiveMirroredEnds) {
+  const Grading grading({0, 0.1, 0.4, 1}, {0.3, 0.01, 0.02, 0.5}), mirrored({0, 0.6, 0.9, 1}, {0.5, 0.02, 0.01, 0.3});
+  for (int k = 0; k <= 20; ++k) EXPECT_NEAR(grading.parameter(k / 20.0), 1 - mirrored.parameter(1 - k / 20.0), 1e-14);
+}
+
+TEST(Grading, LimitedLengthsFallOnlyAndKeepTheSlope) {
+  const std::vector<double> u{0, 0.2, 0.5, 0.6, 1}, eta{1, 0.1, 1, 0.05, 0.06};
+  const std::vector<double> result = limited(u, eta, 0.5);
+  const std::vector<double> expected{0.2, 0.1, 0.1, 0.05, 0.06};
+  for (std::size_t k = 0; k < u.size(); ++k) EXPECT_NEAR(result[k], expected[k], 1e-15) << k;
+}
+
+TEST(Grading, ShortenedElementsKeepTheDemandsAndFallEveryTime) {
+  const Grading grading({0, 1}, {0.05, 0.25});
+  const double count = std::ceil(grading.count());
+  const Grading once = grading.shortened(count, {{0.8, 0.9, 0.02, 1.5}}, 0.2);
+  EXPECT_GT(once.count(), count);
+  const auto length_at = [](const Grading& g, double u) { return 1e-6 / (g.share(u + 1e-6) - g.share(u)) / g.count(); };
+  for (const double u : {0.81, 0.85, 0.89}) EXPECT_NEAR(length_at(once, u), 0.02, 1e-5);
+  EXPECT_NEAR(length_at(once, 0.75), 0.03, 1e-3);
+  EXPECT_NEAR(length_at(once, 0.1), length_at(grading, 0.1) * grading.count() / count, 1e-5);
+  // A demand that is longer than what there is still shortens it.
+  const Grading twice = once.shortened(once.count(), {{0.8, 0.9, 0.5, 1.5}}, 0.2);
+  EXPECT_NEAR(length_at(twice, 0.85), 0.02 / 1.5, 1e-5);
+}
+
+}  // namespace
+}  // namespace quadrille::sizing

@@ -1,0 +1,102 @@
+#include "sizing/size_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/error.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+constexpr double growth = 1.3;
+const double slope = std::log(growth);
+
+SizeField of_points(const std::vector<SizePoint>& points) { return SizeField(1, {points, {}, 0}, {}, growth); }
+
+TEST(SizeField, WithoutSourcesIsTheSameEverywhere) {
+  const SizeField field(0.3);
+  EXPECT_TRUE(field.is_uniform());
+  EXPECT_EQ(field.at({1e9, -3}), 0.3);
+  EXPECT_TRUE(of_points({{{0, 0}, 1, 0}, {{0, 0}, 7, 0}}).is_uniform()) << "sources above the greatest size";
+}
+
+TEST(SizeField, GrowsFromPointsAndTheirDiscs) {
+  const SizeField field = of_points({{{2, 1}, 0.1, 0.5}});
+  EXPECT_EQ(field.at({2, 1}), 0.1);
+  EXPECT_EQ(field.at({2.5, 1}), 0.1);
+  EXPECT_NEAR(field.at({2, 2}), 0.1 + slope * 0.5, 1e-15);
+  EXPECT_EQ(field.at({50, 0}), 1);
+}
+
+TEST(SizeField, GrowsFromBoxes) {
+  const SizeField field(1, {{}, {{{0, 0}, {2, 1}, 0.2}}, 0}, {}, growth);
+  EXPECT_EQ(field.at({1.9, 0.1}), 0.2);
+  EXPECT_NEAR(field.at({1, 1.5}), 0.2 + slope * 0.5, 1e-15);
+  EXPECT_NEAR(field.at({5, 5}), 1, 1e-15);
+  EXPECT_NEAR(field.at({3, 2}), 0.2 + slope * std::sqrt(2), 1e-15);
+}
+
+TEST(SizeField, ElementsInARowGrowByTheFactor) {
+  // Elements of wanted length: each ends where the integral of 1 / h is a whole number.
+  const SizeField field = of_points({{{0, 0}, 0.01, 0}});
+  double x = 0, before = 0;
+  for (int elem = 0; elem < 6; ++elem) {
+    const double start = x;
+    for (int step = 0; step < 100000; ++step) x += field.at({x, 0}) / 100000;
+    if (elem > 0) {
+      EXPECT_NEAR((x - start) / before, growth, 1e-3);
+    }
+    before = x - start;
+  }
+}
+
+TEST(SizeField, SegmentsAreTheLeastOverTheirPoints) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 300; ++trial) {
+    const SizeSegment s{{number(random), number(random)},
+                        {number(random), number(random)},
+                        0.3 + 0.2 * number(random),
+                        0.3 + 0.2 * number(random)};
+    const SizeField field(10, {}, {s}, growth);
+    const Vec2 x{2 * number(random), 2 * number(random)};
+    double least = 1e300;
+    for (int k = 0; k <= 2000; ++k) {
+      const double t = k / 2000.0;
+      least = std::min(least, (1 - t) * s.size_a + t * s.size_b + slope * distance(x, (1 - t) * s.a + t * s.b));
+    }
+    EXPECT_LE(field.at(x), least + 1e-12);
+    EXPECT_GE(field.at(x), least - 1e-3);
+  }
+}
+
+TEST(SizeField, ManySourcesAreTheLeastOfEach) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0, 1);
+  SizeSources sources;
+  for (int k = 0; k < 500; ++k) {
+    sources.points.push_back({{number(random), number(random)}, 0.01 + 0.2 * number(random), 0.01 * number(random)});
+    const Vec2 low{number(random), number(random)};
+    sources.boxes.push_back({low, low + Vec2{0.01, 0.02}, 0.01 + 0.2 * number(random)});
+  }
+  const SizeField field(1, sources, {}, growth);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vec2 x{number(random), number(random)};
+    double least = 1;
+    for (const SizePoint& p : sources.points) least = std::min(least, of_points({p}).at(x));
+    for (const SizeBox& b : sources.boxes) least = std::min(least, SizeField(1, {{}, {b}, 0}, {}, growth).at(x));
+    EXPECT_NEAR(field.at(x), least, 1e-15);
+  }
+}
+
+TEST(SizeField, ImpossibleSizesAreUsageErrors) {
+  EXPECT_THROW(SizeField(0), UsageError);
+  EXPECT_THROW(of_points({{{0, 0}, 0, 0}}), UsageError);
+  EXPECT_THROW(SizeField(1, {{{{0, 0}, 0.1, 0}}, {}, 0}, {}, 1), UsageError);
+}
+
+}  // namespace
+}  // namespace quadrille::sizing

@@ -1,0 +1,75 @@
+#include "sizing/tell_sizes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "../hand_made.hpp"
+#include "block/extract_blocks.hpp"
+#include "refine/refine.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+Report told(const SeparatrixGraph& graph, const refine::RefineOptions& options) {
+  Report report;
+  const BlockLayout layout = block::extract_blocks(graph, report);
+  Report result;
+  refine::refine(layout, options, result);
+  return result;
+}
+
+const Report::Value& value(const Report& report, const std::string& key) {
+  const auto found = std::find_if(report.entries().begin(), report.entries().end(),
+                                  [&](const auto& entry) { return entry.first == key; });
+  if (found == report.entries().end()) throw std::runtime_error("no " + key);
+  return found->second;
+}
+double number(const Report& report, const std::string& key) { return std::get<double>(value(report, key)); }
+double of_chord(const Report& report, const std::string& key, std::size_t chord) {
+  return std::get<std::vector<double>>(value(report, "sizes.chord." + key)).at(chord);
+}
+
+TEST(TellSizes, EqualEdgesDeviateByTheirRatio) {
+  refine::RefineOptions options;
+  options.size = 0.3;  // three edges to a side
+  const Report report = told(hand_made::unit_square(), options);
+  for (const char* key : {"sizes.mean_ratio", "sizes.least_ratio", "sizes.greatest_ratio"})
+    EXPECT_NEAR(number(report, key), 1 / 0.9, 1e-12) << key;
+  EXPECT_NEAR(number(report, "sizes.deviation"), -std::log(0.9), 1e-12);
+  EXPECT_NEAR(number(report, "sizes.wanted"), 0.3, 1e-15);
+  EXPECT_EQ(of_chord(report, "count", 1), 3);
+  EXPECT_NEAR(of_chord(report, "least_edge", 0), 1.0 / 3, 1e-15);
+}
+
+TEST(TellSizes, ChordsAreToldOneByOne) {
+  // Arcs of length pi and pi / 2 share ten elements: 0.314 and 0.157 where 0.2 is wanted; the straight sides have five.
+  refine::RefineOptions options;
+  options.size = 0.2;
+  options.counts = {{1, 10}};
+  const Report report = told(hand_made::quarter_annulus(), options);
+  EXPECT_EQ(of_chord(report, "id", 1), 1);
+  EXPECT_NEAR(of_chord(report, "deviation", 0), 0, 1e-12);
+  const double outer = std::log(pi / 2), inner = std::log(pi / 4);
+  EXPECT_NEAR(std::log(of_chord(report, "mean_ratio", 1)), (2 * outer + inner) / 3, 1e-10);
+  EXPECT_NEAR(of_chord(report, "deviation", 1), std::sqrt((2 * outer * outer + inner * inner) / 3), 1e-10);
+  EXPECT_NEAR(of_chord(report, "least_edge", 1), pi / 20, 1e-10);
+  EXPECT_NEAR(of_chord(report, "greatest_edge", 1), pi / 10, 1e-10);
+}
+
+TEST(TellSizes, CountsThatHadToRiseAreWarnedOf) {
+  refine::RefineOptions options;
+  options.counts = {{1, 1}};
+  options.geometry_tol = 1e-9;
+  const Report report = told(hand_made::quarter_annulus(), options);
+  EXPECT_GT(of_chord(report, "count", 1), 1);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_EQ(report.warnings()[0].code, "W-QUA-002");
+  options.geometry_tol = 1;
+  EXPECT_TRUE(told(hand_made::quarter_annulus(), options).warnings().empty());
+}
+
+}  // namespace
+}  // namespace quadrille::sizing
