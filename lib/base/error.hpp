@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of failure, one type for each exit code that a user can meet (README, "Exit codes").
+// The kinds of failure, one type for each exit code that a user can meet (formats/README.md, "Exit codes").
 // Library code throws them; only cli/tool_main turns them into messages and codes.
 // A message says what and where, in a user's words, without the tool's name and without a trailing full stop.
 

@@ -7,7 +7,7 @@
 
 namespace quadrille::check {
 
-/// Empty, or why the arrays of the curve do not fit together (method.md: clamped, never periodic).
+/// Empty, or why the arrays of the curve do not fit together (formats/cad-face.md: clamped, never periodic).
 std::string structure_fault(const Nurbs& curve);
 /// Empty, or "pole 3 is not finite" and the like.
 std::string number_fault(const Nurbs& curve);

@@ -1,5 +1,5 @@
 #pragma once
-// The frame of every command: options, help, exit codes, signals, report (README, "Contract of a command").
+// The frame of every command: options, help, exit codes, signals, report (lib/README.md, "Invariants").
 // The only place that maps failures to exit codes, and the only folder that includes CLI11.
 
 #include <functional>

@@ -13,7 +13,7 @@
 namespace quadrille::exports {
 namespace {
 
-/// MFEM's numbers of its geometries (mesh/geom.hpp).
+/// MFEM's numbers of its geometries (geom.hpp of its source).
 constexpr int segment_type = 1, square_type = 3;
 
 /// As std::quoted writes it, which is how MFEM reads it.

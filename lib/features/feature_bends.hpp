@@ -6,7 +6,7 @@
 // it carries is read off the RUN that it is part of: the longest stretch around it that is curved to the same side at
 // all, so that a blunt nose counts with its flanks. A run that turns by tau would, as a corner of interior angle
 // pi -+ tau, have the valence 2 -+ 2 tau / pi: it carries |index| = 2 tau / pi rounded, up from 0.4 on, because near
-// 45 degrees either may be (method.md §5: a small fillet carries the index 2 - V of its corner).
+// 45 degrees either may be (lib/method.md §5: a small fillet carries the index 2 - V of its corner).
 //
 // A hole is small where the largest distance between two of its points is below L. It carries, with its bends, -4 less
 // the index of its corners. A loop that is one bend all round is a hole or the outline, never a fillet.

@@ -1,5 +1,5 @@
 #pragma once
-// Nodes of valence 3 at convex fillets go inward: on a smooth boundary they have no valid block (method.md §5).
+// Nodes of valence 3 at convex fillets go inward: on a smooth boundary they have no valid block (lib/method.md §5).
 
 #include <vector>
 

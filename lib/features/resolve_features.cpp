@@ -25,7 +25,7 @@
 namespace quadrille::features {
 namespace {
 
-constexpr double least_block_angle = 15;  // degrees (method.md §5)
+constexpr double least_block_angle = 15;  // degrees (lib/method.md §5)
 
 struct Claim {
   int node = 0;

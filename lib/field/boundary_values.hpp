@@ -16,7 +16,7 @@ Vec2 boundary_value(const CadFace& face, int curve, double t);
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
 
 /// Whether all data lie on one line through 0, both ways: sides straight at multiples of 45 degrees of both parities.
-/// The field then vanishes on curves, and the harmonic method has no answer (method.md §3).
+/// The field then vanishes on curves, and the harmonic method has no answer (lib/method.md §3).
 bool is_line_field(const CadFace& face);
 
 }  // namespace quadrille::field

@@ -1,5 +1,5 @@
 #pragma once
-// Exact harmonic liftings of tangent jumps (method.md §3, phase-field.md point 4).
+// Exact harmonic liftings of tangent jumps (lib/method.md §3, §8.4).
 //
 // At a corner c the data jump from v_in (end of the incoming curve) to v_out (start of the outgoing one). The function
 // jump * theta_c(x), theta_c = Arg((z - c)/(z - p_c)), is harmonic in the domain and has exactly that jump at c, so

@@ -1,5 +1,5 @@
 #pragma once
-// Where a hole's turns D_j are centred if the hole is not round (phase-field.md point 3).
+// Where a hole's turns D_j are centred if the hole is not round (lib/method.md §8.3).
 //
 // 4 theta_t of an ellipse is 2 arg (z - f) + 2 arg (z - f') but for a constant, f and f' its foci, and 2 arg (z - f) of
 // a parabola: where a hole's boundary turns by T in a sharp bend, 2 T / pi turns belong to the bend's focus, half of

@@ -1,5 +1,5 @@
 #pragma once
-// One point inside each hole, where arg(z - h_j) is centred (phase-field.md, h_j).
+// One point inside each hole, where arg(z - h_j) is centred (lib/method.md §8.3).
 
 #include <vector>
 

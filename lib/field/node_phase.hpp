@@ -1,5 +1,5 @@
 #pragma once
-// The phase beside an irregular node (phase-field.md point 7).
+// The phase beside an irregular node (lib/method.md §8.7).
 //
 //   phi(z) = phi_0 + d arg(z - a) + O(|z - a|)   near a node a of index d = 4 - V:
 //

@@ -1,5 +1,5 @@
 #pragma once
-// Boundary data of a phase with irregular nodes and corner valences as asked (phase-field.md points 1 to 5).
+// Boundary data of a phase with irregular nodes and corner valences as asked (lib/method.md §8.1 to §8.5).
 //
 //   Phi: 4 theta_t along smooth pieces, theta_t the tangent's angle followed along the loop; at corner c it jumps by
 //        delta_c = 2 pi V_c - 4 omega_c from the incoming to the outgoing side (point 2).

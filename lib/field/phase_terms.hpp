@@ -1,5 +1,5 @@
 #pragma once
-// Value and gradient of the explicit part of a phase (model/phase_terms.hpp; phase-field.md points 3 and 4).
+// Value and gradient of the explicit part of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
 
 #include "base/vec2.hpp"
 #include "model/phase_terms.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// How the energy of a cross field depends on the places of its irregular nodes (phase-field.md point 9).
+// How the energy of a cross field depends on the places of its irregular nodes (lib/method.md §8.9).
 //
 // W is what is left of E = 1/2 int |grad phi|^2 when small discs round the nodes are taken out and their own part,
 // pi d_k^2 ln(1 / radius) each, is subtracted; likewise at corners with an angle term, omega_c beta_c^2 / 2 ln(1 /

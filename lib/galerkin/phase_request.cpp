@@ -11,7 +11,7 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// method.md section 5; a corner within rounding of a bound is on it.
+// lib/method.md §5; a corner within rounding of a bound is on it.
 constexpr double least_degrees = 15 - 1e-6, greatest_degrees = 165 + 1e-6;
 
 bool is_admissible(double angle, int valence) {

@@ -1,6 +1,6 @@
 #pragma once
-// The unit cross field with exactly the irregular nodes and corner valences asked for (phase-field.md): s of point 3 by
-// one continuous Laplace solve, the twists of the holes by point 6.
+// The unit cross field with exactly the irregular nodes and corner valences asked for (lib/method.md §8): s of §8.3 by
+// one continuous Laplace solve, the twists of the holes by §8.6.
 
 #include <memory>
 #include <vector>

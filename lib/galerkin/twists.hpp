@@ -1,5 +1,5 @@
 #pragma once
-// Whole numbers nearest to given ones in the norm of a Gram matrix (phase-field.md point 6, the twists m_j of holes).
+// Whole numbers nearest to given ones in the norm of a Gram matrix (lib/method.md §8.6, the twists m_j of holes).
 
 #include <Eigen/Dense>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Zeros that belong together (method.md §5): a multiple zero, however noise or the last digits split it, and zeros
+// Zeros that belong together (lib/method.md §5): a multiple zero, however noise or the last digits split it, and zeros
 // nearer to each other than any block could be.
 //
 // Two zeros are of one cluster when

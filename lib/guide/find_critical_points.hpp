@@ -1,6 +1,6 @@
 #pragma once
 // The field's own view of its irregular points: all zeros, once each, with indices; which of them belong together;
-// valences of corners and what they absorb (method.md §1, §3, §5).
+// valences of corners and what they absorb (lib/method.md §1, §3, §5).
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"

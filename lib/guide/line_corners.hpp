@@ -1,6 +1,6 @@
 #pragma once
-// Corner valences by rule, for faces whose sides are all straight at multiples of 45 degrees (method.md §3): the field
-// vanishes on curves and decides nothing.
+// Corner valences by rule, for faces whose sides are all straight at multiples of 45 degrees (lib/method.md §3): the
+// field vanishes on curves and decides nothing.
 //
 // A corner of 135, 225 or 315 degrees may take either integer beside 2 omega / pi. (One of 45 degrees takes 1: V = 0 is
 // no block, and an interior node always serves instead.) All start with the larger; each of the smaller raises

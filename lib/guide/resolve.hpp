@@ -1,5 +1,5 @@
 #pragma once
-// From the field's own zeros to the irregular nodes of the layout (method.md §3, §5). Each step takes what the one
+// From the field's own zeros to the irregular nodes of the layout (lib/method.md §3, §5). Each step takes what the one
 // before left, changes it and says so in `changes`; the index sum stays. All lengths are in the file's unit.
 //
 //   find_critical_points   zeros, clusters, corners by angle or field, corners that absorb       (the field's own view)
@@ -31,7 +31,7 @@ struct CornerOverride {
 /// --corner-valence "3:4=2"; throws UsageError.
 CornerOverride parse_corner_override(const std::string& text);
 
-/// Whether the valence is 0 to 4 and blocks of angle / valence are between 15 and 165 degrees (method.md §5).
+/// Whether the valence is 0 to 4 and blocks of angle / valence are between 15 and 165 degrees (lib/method.md §5).
 /// Valence 0 is admissible: it is degenerate.
 bool is_admissible_valence(double angle_degrees, int valence);
 
@@ -57,8 +57,8 @@ CriticalPoints line_field_points(const CadFace& face, int max_valence);
 /// Throws UsageError where the curves meet in no corner, the valence is not admissible or one corner gets two.
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points);
 
-/// Midpoint division (paper; method.md §6): corners of valence 0 and at least 15 degrees get valence 1 and a node of
-/// valence 3 on their bisector, at a quarter of the room there or half the shorter side. Two of its lines meet the
+/// Midpoint division (paper; lib/method.md §3): corners of valence 0 and at least 15 degrees get valence 1 and a node
+/// of valence 3 on their bisector, at a quarter of the room there or half the shorter side. Two of its lines meet the
 /// corner's sides at right angles, the third runs away from the corner. Sharper corners stay degenerate. Nodes and
 /// corners get the source "divide", each corner a change of that kind.
 void divide_degenerate_corners(const CadFace& face, CriticalPoints& points);

@@ -1,7 +1,7 @@
 #pragma once
-// Valences of corners (method.md §3): near a corner the field follows the chord between the data on its two sides, so
-// that V is the integer nearest 2 omega / pi. At omega = 45, 135, 225, 315 degrees the chord passes through 0: a tie,
-// which the field away from the corner decides. This is the valence in the limit at the corner. Close to a tie a
+// Valences of corners (lib/method.md §3): near a corner the field follows the chord between the data on its two sides,
+// so that V is the integer nearest 2 omega / pi. At omega = 45, 135, 225, 315 degrees the chord passes through 0: a
+// tie, which the field away from the corner decides. This is the valence in the limit at the corner. Close to a tie a
 // critical point may lie so near the corner that no block fits between: what becomes of it is for guide/absorb.
 
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 // The block decomposition (formats/block-layout.md, x.blocks.h5): a conforming set of four-sided blocks.
-// A block is its four EXACT sides and their transfinite blend (block/.., method.md §7); every side is one arc.
+// A block is its four EXACT sides and their transfinite blend (lib/method.md §7); every side is one arc.
 //
 // Side k of a block runs from its node k to its node k+1 (mod 4), counter-clockwise. block2arcs holds arc ids with
 // direction: a >= 0 is arc a walked forwards, a < 0 is arc -1 - a walked backwards.

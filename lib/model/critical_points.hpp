@@ -101,7 +101,7 @@ struct CriticalPoints {
   std::vector<int> twist_offsets;  ///< added to the twists of least energy, one for each hole; empty: none
   int index_sum = 0;               ///< sum (4 - V) + sum (2 - V)
   int index_sum_expected = 0;      ///< 4 chi
-  Vec2 origin;                     ///< positions are relative to it (cad-face.md)
+  Vec2 origin;                     ///< positions are relative to it (formats/cad-face.md)
 
   std::vector<CriticalPoint> zeros;  ///< of the field as found, where critical_points differ from them; else empty
   std::vector<Cluster> clusters;

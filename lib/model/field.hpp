@@ -4,10 +4,10 @@
 //   v(x) = sum_n c_n phi_n(xi) + sum_c lifting_c.jump * theta_c(x)
 //
 // phi_n: the orthonormal Dubiner basis of the reference triangle (spectral/orthogonal_basis), degree P_e on element e,
-// sorted by total degree, so that the highest order is the tail. theta_c: phase-field.md point 4,
+// sorted by total degree, so that the highest order is the tail. theta_c: lib/method.md §8.4,
 // theta_c = Arg((z - c) / (z - p_c)), principal value, p_c outside the domain; its cut is the segment [c, p_c].
 //
-// Of kind "phase" (phase-field.md) it is a unit field with exactly the irregular nodes asked for:
+// Of kind "phase" (lib/method.md §8) it is a unit field with exactly the irregular nodes asked for:
 //
 //   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_terms.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which irregular nodes and corner valences a cross field shall have: the input of the phase form (phase-field.md).
+// Which irregular nodes and corner valences a cross field shall have: the input of the phase form (lib/method.md §8).
 // Positions are relative to face.origin. The audit (field/phase_boundary.hpp) wants
 //   sum over nodes (4 - V) + sum over corners and boundary nodes (2 - V) = 4 chi.
 
@@ -19,7 +19,7 @@ struct CornerValence {
   int valence = 2;  ///< V_c; joints that are not listed have 2
 };
 
-/// A node on a smooth boundary point: a corner with omega = pi (phase-field.md point 8).
+/// A node on a smooth boundary point: a corner with omega = pi (lib/method.md §8.8).
 struct BoundaryNode {
   int curve = 0;
   double t = 0;     ///< parameter, inside the curve

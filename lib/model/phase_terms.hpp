@@ -1,5 +1,5 @@
 #pragma once
-// The explicit part of a phase (phase-field.md point 3):
+// The explicit part of a phase (lib/method.md §8.3):
 //   sum_k d_k arg(z - a_k) + sum_j D_j arg(z - h_j) + sum_c beta_c theta_c,   theta_c = Arg((z - c) / (z - p_c)),
 // and, to leave a smooth remainder, sum d_k arg(z - a_k*) over mirror images a_k* outside the domain
 // (field/mirror_images). An image inside hole j is taken from D_j, so that the turns round the hole stay the same.

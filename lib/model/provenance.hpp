@@ -1,5 +1,5 @@
 #pragma once
-// Where a file comes from: every stage appends one step to the chain that it read (README, "Provenance").
+// Where a file comes from: every stage appends one step to the chain that it read (formats/README.md, "Provenance").
 // No file names, times or machines: the same input and options give the same bytes.
 
 #include <string>

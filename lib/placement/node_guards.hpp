@@ -1,6 +1,6 @@
 #pragma once
 // Nodes of opposite index attract each other without end, and so do a node and a corner whose charge
-// beta = 4 - 2 pi V / omega (phase-field.md point 3) has the other sign: there the energy has no minimum. A guard is a
+// beta = 4 - 2 pi V / omega (lib/method.md §8.3) has the other sign: there the energy has no minimum. A guard is a
 // short-ranged term that keeps such a pair apart:
 //
 //   2 pi |d beta| (reach / r - 1)^3   for r < reach, else 0

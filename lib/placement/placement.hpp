@@ -1,5 +1,5 @@
 #pragma once
-// Where irregular nodes are put: the least energy of the phase form (phase-field.md point 9) plus a term that keeps
+// Where irregular nodes are put: the least energy of the phase form (lib/method.md §8.9) plus a term that keeps
 // them off the boundary.
 //
 //   F(a) = W(a) - w pi sum_k d_k^2 ln delta(a_k),   delta(x) = pi / oint ds / |x - y(s)|^2

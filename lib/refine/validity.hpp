@@ -1,6 +1,6 @@
 #pragma once
-// What is known of a mesh's elements: the proved lower bounds of det J, the scaled Jacobians (method.md §7), and which
-// elements are the worst.
+// What is known of a mesh's elements: the proved lower bounds of det J, the scaled Jacobians (lib/method.md §7), and
+// which elements are the worst.
 
 #include <string>
 #include <vector>

@@ -10,7 +10,7 @@ namespace quadrille::spectral {
 
 /// A proved lower bound of det J over [-1,1]^2: det J is a polynomial of degree 2N-1 in each variable; its least
 /// Bernstein coefficient less a bound of the rounding errors, sharpened by up to `depth` subdivisions while it is not
-/// positive (method.md §7). J is with respect to (xi1, xi2).
+/// positive (lib/method.md §7). J is with respect to (xi1, xi2).
 double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth = 4);
 
 /// Least sampled scaled Jacobian det J / (|x_xi1| |x_xi2|) on (2N+3)^2 points, ends included; -1 where det J <= 0.

@@ -1,12 +1,12 @@
 #pragma once
-// Where separatrices start, and in which directions (method.md §6).
+// Where separatrices start, and in which directions (lib/method.md §6).
 //
 // A line leaves in direction alpha where the direction is one of the cross: 4 alpha = arg v (mod 2 pi). With v = J
 // e(alpha) near a zero, and v on the straight chord between the data of both sides near a corner, G(alpha) = 4 alpha -
 // arg v takes each value 2 pi k once for each k, but for fans: three solutions for one k, of which the middle one is
 // launched and its neighbours run into it.
 //
-// A phase (phase-field.md point 7) has exact directions: 4 alpha = phi_0 + d alpha beside a node of index d = 4 - V, so
+// A phase (lib/method.md §8.7) has exact directions: 4 alpha = phi_0 + d alpha beside a node of index d = 4 - V, so
 // 360 / V degrees apart, and omega k / V at a corner or, with omega = pi, at a node on the boundary.
 
 #include <array>

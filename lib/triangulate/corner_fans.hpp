@@ -1,5 +1,5 @@
 #pragma once
-// Geometric fans at the junctions where the field is singular (method.md §3, "Layers"): apex triangles and rings of
+// Geometric fans at the junctions where the field is singular (lib/method.md §3, "Layers"): apex triangles and rings of
 // quads, each split in two, with radii R, R sigma, R sigma^2, ...
 //
 //        rim ______      Sectors of at most 60 degrees. Side vertices lie ON the two curves at the ring's distance from

@@ -1,7 +1,7 @@
 #pragma once
 // How singular the guiding field is at a junction of the boundary, and how many layers a fan there needs.
 //
-// After the exact lifting of the jump, a junction of interior angle omega leaves r^alpha terms (method.md §3):
+// After the exact lifting of the jump, a junction of interior angle omega leaves r^alpha terms (lib/method.md §3):
 //   pi / omega = n an integer, straight sides   none: the field is smooth
 //   pi / omega = n >= 2, a curved side          r^n log r
 //   omega = pi, the curvature jumps             r log r;   its derivative jumps: r^2 log r

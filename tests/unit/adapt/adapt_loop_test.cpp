@@ -30,7 +30,7 @@ TriMesh half_disc() {
   return triangulate::triangulate(face, {}, report);
 }
 
-// The half disc's field in closed form (method.md, 2).
+// The half disc's field in closed form (lib/method.md §2).
 Vec2 half_disc_field(Vec2 x) {
   const double r = norm(x), angle = angle_of(x);
   double u = 1, power = r;

@@ -1,4 +1,4 @@
-// resolve_features on faces made by hand, with nodes where small features put them (method.md §5): a convex right
+// resolve_features on faces made by hand, with nodes where small features put them (lib/method.md §5): a convex right
 // angle of radius r has its node of valence 3 at 0.312 r from the arc, a reflex one its node of valence 5 at 0.407 r.
 #include "features/resolve_features.hpp"
 

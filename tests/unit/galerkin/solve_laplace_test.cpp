@@ -165,7 +165,7 @@ TEST(SolveLaplace, FieldIsContinuousAcrossEdgesOfUnequalOrder) {
 }
 
 TEST(SolveLaplace, CrossesOfADiscAreZToTheFourth) {
-  // Data (cos 4 theta, sin 4 theta) of the tangent: v = (Re z^4, Im z^4) (method.md, 5).
+  // Data (cos 4 theta, sin 4 theta) of the tangent: v = (Re z^4, Im z^4) (lib/method.md §5).
   const TriMesh mesh = disc_mesh(12, 10);
   Report report;
   const Field field = solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 12), report);

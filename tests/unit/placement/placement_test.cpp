@@ -22,7 +22,7 @@ struct Charge {
   double index;
 };
 
-/// W of the unit disc and its gradient (phase-field.md, closed forms):
+/// W of the unit disc and its gradient (lib/method.md §8.11):
 /// -pi sum_{i != j} d_i d_j ln |a_i - a_j| - pi sum_{i, j} d_i d_j ln |1 - a_i conj(a_j)|.
 NodeEnergy disc_energy(const std::vector<Charge>& nodes) {
   NodeEnergy w{0, std::vector<Vec2>(nodes.size())};

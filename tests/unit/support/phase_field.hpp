@@ -16,7 +16,7 @@ inline Field closed_phase(TriMesh mesh, PhaseTerms terms, double constant) {
   return field;
 }
 
-/// The disc of radius 1 with nodes of valence 3 (phase-field.md): sum arg[(z - a)(1 - conj(a) z)], on a square about
+/// The disc of radius 1 with nodes of valence 3 (lib/method.md §8): sum arg[(z - a)(1 - conj(a) z)], on a square about
 /// it.
 inline Field disc_phase(const std::vector<Vec2>& nodes) {
   PhaseTerms terms;

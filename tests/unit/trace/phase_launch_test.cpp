@@ -1,4 +1,4 @@
-// Launching from phases with closed forms (phase-field.md point 7).
+// Launching from phases with closed forms (lib/method.md §8.7).
 #include <gtest/gtest.h>
 
 #include <complex>
