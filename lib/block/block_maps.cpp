@@ -13,9 +13,9 @@ mesh::TransfiniteMap BlockMaps::map(int block) const {
   std::array<const curve::Chain*, 4> sides{};
   std::array<bool, 4> backwards{};
   for (int k = 0; k < 4; ++k) {
-    const int directed = layout_->block2arcs[block][k];
-    sides[k] = &chains_[mesh::arc_of(directed)];
-    backwards[k] = mesh::is_backwards(directed);
+    const HalfEdge directed = layout_->block2arcs[block][k];
+    sides[k] = &chains_[directed.arc];
+    backwards[k] = directed.is_backwards;
   }
   return mesh::TransfiniteMap(sides, backwards);
 }

@@ -28,9 +28,10 @@ BlockLayout extract_blocks(const SeparatrixGraph& graph) {
   layout.nodes = graph.nodes;
   layout.arcs = graph.arcs;
 
-  for (const std::vector<int>& cycle : graph::planar_faces(graph).cycles) {
-    std::array<int, 4> arcs{}, nodes{};
-    for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = graph::dart_from(graph, cycle[k]);
+  for (const std::vector<HalfEdge>& cycle : graph::planar_faces(graph).cycles) {
+    std::array<HalfEdge, 4> arcs;
+    std::array<int, 4> nodes{};
+    for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = start_of(graph.arcs, cycle[k]);
     layout.block2arcs.push_back(arcs);
     layout.block2nodes.push_back(nodes);
     layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));

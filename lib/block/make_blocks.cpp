@@ -34,10 +34,10 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
   std::set<int> chords, arcs;
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
     if (is_good(blocks.measures[b])) continue;
-    const std::array<int, 4>& sides = blocks.layout.block2arcs[b];
-    const auto length = [&](int k) { return maps.arc(mesh::arc_of(sides[k])).length(); };
+    const std::array<HalfEdge, 4>& sides = blocks.layout.block2arcs[b];
+    const auto length = [&](int k) { return maps.arc(sides[k].arc).length(); };
     const bool first = length(0) + length(2) >= (1 - 1e-6) * (length(1) + length(3));
-    const int arc = mesh::arc_of(sides[first ? 0 : 1]);
+    const int arc = sides[first ? 0 : 1].arc;
     if (chords.insert(blocks.layout.arc_chord[arc]).second) arcs.insert(arc);
   }
   return arcs;

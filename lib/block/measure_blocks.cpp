@@ -102,11 +102,12 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int
   prove(map, m);
   m.shortest_side = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {
-    const int directed = layout.block2arcs[block][k], a = mesh::arc_of(directed);
+    const HalfEdge directed = layout.block2arcs[block][k];
+    const int a = directed.arc;
     const curve::Chain& chain = maps.arc(a);
     if (chain.length() < (1 - same_length) * m.shortest_side)
       m.shortest_side = chain.length(), m.shortest_side_index = k;
-    m.area += (mesh::is_backwards(directed) ? -1 : 1) * area_left_of(chain);
+    m.area += (directed.is_backwards ? -1 : 1) * area_left_of(chain);
     if (layout.arcs[a].is_boundary) measure_boundary_distance(layout, chain, layout.arcs[a], m);
   }
   return m;

@@ -54,7 +54,7 @@ std::vector<int> blocks_that_touch(const BlockLayout& layout, Vec2 x) {
   std::vector<int> blocks;
   for (int b = 0; b < layout.num_blocks(); ++b) {
     const auto& arcs = layout.block2arcs[b];
-    if (std::any_of(arcs.begin(), arcs.end(), [&](int a) { return is_near[a >= 0 ? a : -1 - a]; })) blocks.push_back(b);
+    if (std::any_of(arcs.begin(), arcs.end(), [&](HalfEdge h) { return is_near[h.arc]; })) blocks.push_back(b);
   }
   return blocks;
 }
@@ -68,7 +68,7 @@ int block_at(const BlockLayout& layout, const NameRule& rule) {
   const std::vector<double> angles = swept_angles(layout, x);
   for (int b = 0; b < layout.num_blocks(); ++b) {
     double angle = 0;
-    for (const int a : layout.block2arcs[b]) angle += a >= 0 ? angles[a] : -angles[-1 - a];
+    for (const HalfEdge h : layout.block2arcs[b]) angle += h.is_backwards ? -angles[h.arc] : angles[h.arc];
     if (angle > pi) return b;
   }
   throw FormatError(fmt::format("{}: {} lies in no block", rule.where, place));

@@ -26,49 +26,46 @@ class Rails {
     for (std::vector<int>& beside : beside_) beside.assign(layout.arcs.size(), -1);
     for (int b = 0; b < layout.num_blocks(); ++b)
       for (int k = 0; k < 4; ++k) {
-        const int directed = layout.block2arcs[b][k];
-        beside_[mesh::is_backwards(directed)][mesh::arc_of(directed)] = 4 * b + k;
+        const HalfEdge directed = layout.block2arcs[b][k];
+        beside_[directed.is_backwards][directed.arc] = 4 * b + k;
       }
   }
 
   /// What holds the rails through both ends of side k of a block, looked for on both sides of it.
   std::array<BoundaryFeature, 2> around(int block, int side) {
-    const int directed = layout_.block2arcs[block][side];
+    const HalfEdge directed = layout_.block2arcs[block][side];
     held_ = {};
     look_at_node(0, start_of(directed), 0);
-    look_at_node(1, start_of(-1 - directed), 0);
+    look_at_node(1, start_of(directed.reversed()), 0);
     walk(directed, {0, 1});
-    walk(-1 - directed, {1, 0});
+    walk(directed.reversed(), {1, 0});
     std::array<BoundaryFeature, 2> found{held_[0].feature, held_[1].feature};
     for (int r = 0; r < 2; ++r)
       if (held_[r].feature.curve < 0)
-        found[r] = nearest_curve(layout_.nodes[start_of(r == 0 ? directed : -1 - directed)].position);
+        found[r] = nearest_curve(layout_.nodes[start_of(r == 0 ? directed : directed.reversed())].position);
     return found;
   }
 
  private:
-  int start_of(int directed) const {
-    const GraphArc& arc = layout_.arcs[mesh::arc_of(directed)];
-    return mesh::is_backwards(directed) ? arc.to : arc.from;
-  }
+  int start_of(HalfEdge h) const { return quadrille::start_of(layout_.arcs, h); }
 
   /// Through the blocks on the left of a directed arc; rail[0] is held_'s index of the rail through its start.
-  void walk(int directed, std::array<int, 2> rail) {
+  void walk(HalfEdge directed, std::array<int, 2> rail) {
     std::array<double, 2> walked{0, 0};
     for (int steps = 0; steps <= layout_.num_blocks(); ++steps) {
-      const int place = beside_[mesh::is_backwards(directed)][mesh::arc_of(directed)];
+      const int place = beside_[directed.is_backwards][directed.arc];
       if (place < 0) return;
       const int block = place / 4, k = place % 4;
-      const std::array<int, 4>& sides = layout_.block2arcs[block];
-      const std::array<int, 2> along{sides[(k + 3) % 4], sides[(k + 1) % 4]};  // at the start and at the end
+      const std::array<HalfEdge, 4>& sides = layout_.block2arcs[block];
+      const std::array<HalfEdge, 2> along{sides[(k + 3) % 4], sides[(k + 1) % 4]};  // at the start and at the end
       for (int end = 0; end < 2; ++end) {
-        look_at_arc(rail[end], along[end], start_of(end == 0 ? directed : -1 - directed), walked[end]);
-        walked[end] += maps_.arc(mesh::arc_of(along[end])).length();
+        look_at_arc(rail[end], along[end], start_of(end == 0 ? directed : directed.reversed()), walked[end]);
+        walked[end] += maps_.arc(along[end].arc).length();
       }
-      const int opposite = sides[(k + 2) % 4];
-      directed = -1 - opposite;
+      const HalfEdge opposite = sides[(k + 2) % 4];
+      directed = opposite.reversed();
       for (int end = 0; end < 2; ++end)
-        look_at_node(rail[end], start_of(end == 0 ? directed : -1 - directed), walked[end]);
+        look_at_node(rail[end], start_of(end == 0 ? directed : directed.reversed()), walked[end]);
     }
   }
 
@@ -78,8 +75,8 @@ class Rails {
   }
 
   /// A rail along the boundary is held from its nearer end on; by the curve rather than by a corner at its start.
-  void look_at_arc(int rail, int directed, int from, double distance) {
-    const GraphArc& arc = layout_.arcs[mesh::arc_of(directed)];
+  void look_at_arc(int rail, HalfEdge directed, int from, double distance) {
+    const GraphArc& arc = layout_.arcs[directed.arc];
     if (!arc.is_boundary) return;
     const ArcPiece& piece = arc.from == from ? arc.pieces.front() : arc.pieces.back();
     const BoundaryFeature feature{piece.curve, false, layout_.nodes[from].position};
@@ -127,7 +124,7 @@ SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockM
     if (measures[b].shortest_side < (1 - same_length) * least)
       least = measures[b].shortest_side, smallest.block = b, smallest.side = measures[b].shortest_side_index;
   const BlockMaps maps(layout);
-  smallest.place = maps.arc(mesh::arc_of(layout.block2arcs[smallest.block][smallest.side])).at(0.5).position;
+  smallest.place = maps.arc(layout.block2arcs[smallest.block][smallest.side].arc).at(0.5).position;
   smallest.between = Rails(layout, maps).around(smallest.block, smallest.side);
   return smallest;
 }

@@ -33,7 +33,7 @@ std::vector<Crossing> blocks_of(const BlockLayout& layout, int chord) {
   std::vector<Crossing> crossings;
   for (int b = 0; b < layout.num_blocks(); ++b)
     for (int k = 0; k < 2; ++k)
-      if (layout.arc_chord[mesh::arc_of(layout.block2arcs[b][k])] == chord) crossings.push_back({b, k});
+      if (layout.arc_chord[layout.block2arcs[b][k].arc] == chord) crossings.push_back({b, k});
   return crossings;
 }
 
@@ -55,13 +55,11 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
     Eigen::MatrixXd normal = anchor_weight * Eigen::MatrixXd::Identity(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Constant(n, anchor_weight / 2);
     for (const Crossing& c : crossings) {
-      const std::array<int, 4>& sides = layout.block2arcs[c.block];
-      const int i = place[mesh::arc_of(sides[c.side])], j = place[mesh::arc_of(sides[c.side + 2])];
+      const std::array<HalfEdge, 4>& sides = layout.block2arcs[c.block];
+      const int i = place[sides[c.side].arc], j = place[sides[c.side + 2].arc];
       if (i == j) continue;
-      const double length =
-          maps.arc(mesh::arc_of(sides[c.side])).length() + maps.arc(mesh::arc_of(sides[c.side + 2])).length();
-      const double width =
-          maps.arc(mesh::arc_of(sides[c.side + 1])).length() + maps.arc(mesh::arc_of(sides[(c.side + 3) % 4])).length();
+      const double length = maps.arc(sides[c.side].arc).length() + maps.arc(sides[c.side + 2].arc).length();
+      const double width = maps.arc(sides[c.side + 1].arc).length() + maps.arc(sides[(c.side + 3) % 4].arc).length();
       const double d = facing_difference(walk(i), walk(j), (f[i] + f[j]) / 2).value_or(f[j] - f[i]);
       const double w = length * length / (width * width);
       normal(i, i) += w, normal(j, j) += w, normal(i, j) -= w, normal(j, i) -= w;
@@ -96,10 +94,8 @@ Vec2 like_side(const Walk& side, Vec2 from, Vec2 to, double t) {
 }
 
 Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing& c, double f, double g, bool sound) {
-  const std::array<int, 4>& sides = layout.block2arcs[c.block];
-  const auto side = [&](int k) {
-    return Walk{&maps.arc(mesh::arc_of(sides[k % 4])), mesh::is_backwards(sides[k % 4])};
-  };
+  const std::array<HalfEdge, 4>& sides = layout.block2arcs[c.block];
+  const auto side = [&](int k) { return Walk{&maps.arc(sides[k % 4].arc), sides[k % 4].is_backwards}; };
   const Vec2 from = side(c.side).at(f).position, to = side(c.side + 2).at(1 - g).position;
   const Walk right = side(c.side + 1);
   Walk left = side(c.side + 3);
@@ -150,22 +146,25 @@ int divide_arc(BlockLayout& layout, const curve::Chain& chain, int id, double f)
   return second;
 }
 
-/// The two parts of a directed arc, in its direction.
-std::array<int, 2> parts(int directed, int second) {
-  return mesh::is_backwards(directed) ? std::array{-1 - second, directed} : std::array{directed, second};
+/// The two parts of a half-edge, in its direction.
+std::array<HalfEdge, 2> parts(HalfEdge h, int second) {
+  const HalfEdge other{second, h.is_backwards};
+  return h.is_backwards ? std::array{other, h} : std::array{h, other};
 }
 
 void divide_block(BlockLayout& layout, const Crossing& c, const std::vector<int>& second, int cut) {
   const int k0 = c.side, k1 = k0 + 1, k2 = k0 + 2, k3 = (k0 + 3) % 4;
-  const std::array<int, 4> nodes = layout.block2nodes[c.block], sides = layout.block2arcs[c.block];
-  const std::array<int, 2> near = parts(sides[k0], second[mesh::arc_of(sides[k0])]);
-  const std::array<int, 2> far = parts(sides[k2], second[mesh::arc_of(sides[k2])]);
+  const std::array<int, 4> nodes = layout.block2nodes[c.block];
+  const std::array<HalfEdge, 4> sides = layout.block2arcs[c.block];
+  const std::array<HalfEdge, 2> near = parts(sides[k0], second[sides[k0].arc]);
+  const std::array<HalfEdge, 2> far = parts(sides[k2], second[sides[k2].arc]);
   const int p = layout.arcs[cut].from, q = layout.arcs[cut].to;
-  std::array<int, 4> left_nodes = nodes, left = sides, right_nodes = nodes, right = sides;
+  std::array<int, 4> left_nodes = nodes, right_nodes = nodes;
+  std::array<HalfEdge, 4> left = sides, right = sides;
   left_nodes[k1] = p, left_nodes[k2] = q;
-  left[k0] = near[0], left[k1] = cut, left[k2] = far[1];
+  left[k0] = near[0], left[k1] = {cut}, left[k2] = far[1];
   right_nodes[k0] = p, right_nodes[k3] = q;
-  right[k0] = near[1], right[k2] = far[0], right[k3] = -1 - cut;
+  right[k0] = near[1], right[k2] = far[0], right[k3] = {cut, true};
   layout.block2nodes[c.block] = left_nodes, layout.block2arcs[c.block] = left;
   layout.block2nodes.push_back(right_nodes), layout.block2arcs.push_back(right);
   layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));
@@ -187,14 +186,14 @@ bool split_chord(BlockLayout& layout, int id, const std::vector<bool>& is_sound)
   std::vector<int> second(before.arcs.size(), -1);
   for (const int a : chord.arcs) second[a] = divide_arc(layout, maps.arc(a), a, own[a]);
   for (const Crossing& c : crossings) {
-    const int near = before.block2arcs[c.block][c.side], far = before.block2arcs[c.block][c.side + 2];
-    const double f = mesh::is_backwards(near) ? 1 - own[mesh::arc_of(near)] : own[mesh::arc_of(near)];
-    const double g = mesh::is_backwards(far) ? own[mesh::arc_of(far)] : 1 - own[mesh::arc_of(far)];
+    const HalfEdge near = before.block2arcs[c.block][c.side], far = before.block2arcs[c.block][c.side + 2];
+    const double f = near.is_backwards ? 1 - own[near.arc] : own[near.arc];
+    const double g = far.is_backwards ? own[far.arc] : 1 - own[far.arc];
     layout.splines.push_back(cut_curve(before, maps, c, f, g, is_sound[c.block]));
     const Nurbs& spline = layout.splines.back();
     const int curve = layout.face.num_curves() + static_cast<int>(layout.splines.size()) - 1;
-    layout.arcs.push_back({layout.arcs[second[mesh::arc_of(near)]].from,
-                           layout.arcs[second[mesh::arc_of(far)]].from,
+    layout.arcs.push_back({layout.arcs[second[near.arc]].from,
+                           layout.arcs[second[far.arc]].from,
                            false,
                            0,
                            {{curve, spline.begin(), spline.end()}}});

@@ -124,12 +124,11 @@ class ShellBuilder {
     return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
   }
 
-  TopoDS_Wire wire_of(const std::array<int, 4>& arcs) {
+  TopoDS_Wire wire_of(const std::array<HalfEdge, 4>& arcs) {
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
-    for (const int a : arcs) {
-      const bool backwards = a < 0;
-      std::vector<TopoDS_Edge> edges = edges_[backwards ? -1 - a : a];
+    for (const auto& [arc, backwards] : arcs) {
+      std::vector<TopoDS_Edge> edges = edges_[arc];
       if (backwards) std::reverse(edges.begin(), edges.end());
       for (const TopoDS_Edge& edge : edges)
         builder_.Add(wire, edge.Oriented(backwards ? TopAbs_REVERSED : TopAbs_FORWARD));

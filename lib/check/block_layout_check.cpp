@@ -8,7 +8,6 @@ namespace quadrille::check {
 namespace {
 
 GraphView view(const BlockLayout& b) { return {b.face, b.splines, b.nodes, b.arcs}; }
-int arc_of(int side_arc) { return side_arc >= 0 ? side_arc : -1 - side_arc; }
 
 void arrays_agree(const BlockLayout& layout, Findings& findings) {
   const std::size_t n = layout.block2nodes.size();
@@ -28,7 +27,7 @@ void block_indices_exist(const BlockLayout& layout, Findings& findings) {
   for (std::size_t b = 0; b < layout.block2nodes.size(); ++b)
     for (int k = 0; k < 4; ++k)
       if (!is_index(layout.block2nodes[b][k], layout.nodes.size()) ||
-          !is_index(arc_of(layout.block2arcs[b][k]), layout.arcs.size()))
+          !is_index(layout.block2arcs[b][k].arc, layout.arcs.size()))
         findings.add("block {}: node or arc {} does not exist", b, k);
   for (std::size_t a = 0; a < layout.arc_chord.size(); ++a)
     if (!is_index(layout.arc_chord[a], layout.arcs.size()))
@@ -38,10 +37,9 @@ void block_indices_exist(const BlockLayout& layout, Findings& findings) {
 void sides_join_nodes(const BlockLayout& layout, Findings& findings) {
   for (std::size_t b = 0; b < layout.block2nodes.size(); ++b)
     for (int k = 0; k < 4; ++k) {
-      const int id = layout.block2arcs[b][k];
-      const GraphArc& arc = layout.arcs[arc_of(id)];
-      const int from = id >= 0 ? arc.from : arc.to, to = id >= 0 ? arc.to : arc.from;
-      if (from != layout.block2nodes[b][k] || to != layout.block2nodes[b][(k + 1) % 4])
+      const HalfEdge side = layout.block2arcs[b][k];
+      if (start_of(layout.arcs, side) != layout.block2nodes[b][k] ||
+          end_of(layout.arcs, side) != layout.block2nodes[b][(k + 1) % 4])
         findings.add("block {}: side {} does not run from its node {} to the next", b, k, k);
     }
 }
@@ -50,7 +48,7 @@ void sides_join_nodes(const BlockLayout& layout, Findings& findings) {
 void arcs_are_shared(const BlockLayout& layout, Findings& findings) {
   std::vector<std::array<int, 2>> uses(layout.arcs.size());
   for (const auto& sides : layout.block2arcs)
-    for (const int id : sides) ++uses[arc_of(id)][id >= 0 ? 0 : 1];
+    for (const HalfEdge h : sides) ++uses[h.arc][h.is_backwards ? 1 : 0];
   for (std::size_t a = 0; a < uses.size(); ++a) {
     const bool is_sound =
         layout.arcs[a].is_boundary ? uses[a][0] + uses[a][1] == 1 : uses[a][0] == 1 && uses[a][1] == 1;
@@ -63,7 +61,7 @@ void arcs_are_shared(const BlockLayout& layout, Findings& findings) {
 void chords_link_opposite_sides(const BlockLayout& layout, Findings& findings) {
   for (std::size_t b = 0; b < layout.block2arcs.size(); ++b)
     for (int k = 0; k < 2; ++k)
-      if (layout.arc_chord[arc_of(layout.block2arcs[b][k])] != layout.arc_chord[arc_of(layout.block2arcs[b][k + 2])])
+      if (layout.arc_chord[layout.block2arcs[b][k].arc] != layout.arc_chord[layout.block2arcs[b][k + 2].arc])
         findings.add("block {}: sides {} and {} are not of one chord", b, k, k + 2);
 }
 

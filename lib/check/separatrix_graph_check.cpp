@@ -80,12 +80,13 @@ void certificate_is_sound(const SeparatrixGraph& graph, Findings& findings) {
   constexpr std::array<const char*, 4> ways{"", "traced", "quantized", "t-mesh"};
   if (std::find(ways.begin(), ways.end(), c.way) == ways.end())
     findings.add("the certificate's way is \"{}\", not traced, quantized or t-mesh", c.way);
-  if (c.t_junctions < 0 || c.merged_lines < 0 || c.collapsed_chords < 0 || c.laps_cut < 0)
+  if (c.t_junctions < 0 || c.merged_lines < 0 || c.collapsed_chords < 0 || c.shortened_spirals < 0)
     findings.add("a count of the certificate is negative");
-  if (!(c.largest_turn_degrees >= 0 && c.largest_turn_degrees < 180))
-    findings.add("the certificate's largest turn, {:.6g} degrees, is outside 0 to 180", c.largest_turn_degrees);
-  for (std::size_t i = 0; i < c.census.size(); ++i)
-    if (c.census[i].faces < 1 || (i > 0 && c.census[i].corners <= c.census[i - 1].corners))
+  if (!(c.largest_deviation_degrees >= 0 && c.largest_deviation_degrees < 180))
+    findings.add("the certificate's largest turn, {:.6g} degrees, is outside 0 to 180", c.largest_deviation_degrees);
+  for (std::size_t i = 0; i < c.face_valence_histogram.size(); ++i)
+    if (c.face_valence_histogram[i].faces < 1 ||
+        (i > 0 && c.face_valence_histogram[i].corners <= c.face_valence_histogram[i - 1].corners))
       return findings.add("the certificate's census does not count faces by rising corners");
 }
 
@@ -103,7 +104,7 @@ void certified_census_holds(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
   if (c.way.empty()) return;
   long long faces = 0, corners = 0, expected_corners = 0;
-  for (const FaceCount& count : c.census) {
+  for (const FaceCount& count : c.face_valence_histogram) {
     faces += count.faces;
     corners += static_cast<long long>(count.corners) * count.faces;
   }
@@ -124,8 +125,8 @@ void certified_census_holds(const SeparatrixGraph& graph, Findings& findings) {
 void certified_layout_conforms(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
   if (c.way.empty() || c.way == "t-mesh") return;
-  const bool is_four_sided =
-      std::all_of(c.census.begin(), c.census.end(), [](const auto& n) { return n.corners == 4; });
+  const bool is_four_sided = std::all_of(c.face_valence_histogram.begin(), c.face_valence_histogram.end(),
+                                         [](const auto& n) { return n.corners == 4; });
   if (!is_four_sided || c.t_junctions != 0)
     findings.add("a {} layout has faces without four corners or T-junctions", c.way);
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "curve/arc_length.hpp"
-#include "model/separatrix_graph.hpp"
+#include "model/arc_graph.hpp"
 
 namespace quadrille::curve {
 

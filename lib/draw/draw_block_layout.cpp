@@ -15,9 +15,9 @@ namespace {
 
 /// The pieces of side k, walked counter-clockwise around the block.
 std::vector<ArcPiece> side_pieces(const BlockLayout& layout, int block, int k) {
-  const int directed = layout.block2arcs[block][k];
-  std::vector<ArcPiece> pieces = layout.arcs[directed >= 0 ? directed : -1 - directed].pieces;
-  if (directed < 0) {
+  const HalfEdge directed = layout.block2arcs[block][k];
+  std::vector<ArcPiece> pieces = layout.arcs[directed.arc].pieces;
+  if (directed.is_backwards) {
     std::reverse(pieces.begin(), pieces.end());
     for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
   }

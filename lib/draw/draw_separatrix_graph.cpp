@@ -75,14 +75,14 @@ void draw_node(Picture& picture, const SeparatrixGraph& graph, int id) {
 /// "traced: 4 faces of 4 corners, index sum 4, turned by 2.3° at most".
 std::string certificate_text(const LayoutCertificate& certificate) {
   std::string text = certificate.way + ": ";
-  for (const FaceCount& count : certificate.census)
+  for (const FaceCount& count : certificate.face_valence_histogram)
     text += fmt::format("{} of {} corners, ", counted(count.faces, "face"), count.corners);
   text += fmt::format("index sum {}", certificate.index_sum);
   if (certificate.t_junctions > 0) text += ", " + counted(certificate.t_junctions, "T-junction");
   if (certificate.merged_lines > 0) text += fmt::format(", {} merged", counted(certificate.merged_lines, "pair"));
-  const int num_collapsed = certificate.collapsed_chords + certificate.laps_cut;
+  const int num_collapsed = certificate.collapsed_chords + certificate.shortened_spirals;
   if (num_collapsed > 0) text += fmt::format(", {} taken out", counted(num_collapsed, "strip"));
-  return text + fmt::format(", turned by {:.1f}° at most", certificate.largest_turn_degrees);
+  return text + fmt::format(", turned by {:.1f}° at most", certificate.largest_deviation_degrees);
 }
 
 }  // namespace

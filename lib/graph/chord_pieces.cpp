@@ -13,9 +13,9 @@ Pieces reversed_pieces(Pieces pieces) {
   return pieces;
 }
 
-Pieces pieces_along(const SeparatrixGraph& graph, int dart) {
-  const Pieces& pieces = graph.arcs[dart_arc(dart)].pieces;
-  return dart >= 0 ? pieces : reversed_pieces(pieces);
+Pieces pieces_along(const ArcGraph& graph, HalfEdge h) {
+  const Pieces& pieces = graph.arcs[h.arc].pieces;
+  return h.is_backwards ? reversed_pieces(pieces) : pieces;
 }
 
 Pieces joined(Pieces first, const Pieces& second) {

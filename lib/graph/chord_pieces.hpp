@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "curve/chain.hpp"
-#include "model/separatrix_graph.hpp"
+#include "model/arc_graph.hpp"
+#include "model/half_edge.hpp"
 
 namespace quadrille::graph {
 
@@ -13,8 +14,8 @@ using Pieces = std::vector<ArcPiece>;
 
 Pieces reversed_pieces(Pieces pieces);
 
-/// Of a dart (graph/planar_faces.hpp).
-Pieces pieces_along(const SeparatrixGraph& graph, int dart);
+/// Of a half-edge, in its direction.
+Pieces pieces_along(const ArcGraph& graph, HalfEdge h);
 
 /// One walk after the other; where the curve goes on, as one piece.
 Pieces joined(Pieces first, const Pieces& second);

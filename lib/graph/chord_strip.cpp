@@ -8,46 +8,46 @@
 namespace quadrille::graph {
 namespace {
 
-// Where each dart stands: its cycle and its place there.
-class DartTable {
+// Where each half-edge stands: its cycle and its place there.
+class SideTable {
  public:
-  DartTable(const SeparatrixGraph& graph, const PlanarFaces& faces)
+  SideTable(const SeparatrixGraph& graph, const PlanarFaces& faces)
       : faces_(faces), face_(2, std::vector<int>(graph.arcs.size(), -1)), place_(face_) {
     for (int f = 0; f < static_cast<int>(faces.cycles.size()); ++f)
       for (int k = 0; k < static_cast<int>(faces.cycles[f].size()); ++k) {
-        const int dart = faces.cycles[f][k];
-        at(face_, dart) = f;
-        at(place_, dart) = k;
+        const HalfEdge h = faces.cycles[f][k];
+        at(face_, h) = f;
+        at(place_, h) = k;
       }
   }
 
-  /// The block on a dart's left, or -1.
-  int face(int dart) { return at(face_, dart); }
-  /// The dart `turns` sides counter-clockwise after this one in the block on its left.
-  int side(int dart, int turns) { return faces_.cycles[face(dart)][(at(place_, dart) + turns) % 4]; }
+  /// The block on a half-edge's left, or -1.
+  int face(HalfEdge h) { return at(face_, h); }
+  /// The half-edge `turns` sides counter-clockwise after this one in the block on its left.
+  HalfEdge side(HalfEdge h, int turns) { return faces_.cycles[face(h)][(at(place_, h) + turns) % 4]; }
 
  private:
   using Table = std::vector<std::vector<int>>;
-  static int& at(Table& table, int dart) { return table[dart < 0][dart_arc(dart)]; }
+  static int& at(Table& table, HalfEdge h) { return table[h.is_backwards][h.arc]; }
 
   const PlanarFaces& faces_;
   Table face_, place_;
 };
 
 // From a rung forwards until the boundary, the same rung or a block met before.
-ChordStrip walk(DartTable& darts, int rung) {
+ChordStrip walk(SideTable& sides, HalfEdge rung) {
   ChordStrip strip;
   strip.rungs.push_back(rung);
   std::set<int> met;
-  for (int d = rung; darts.face(d) >= 0;) {
-    if (!met.insert(darts.face(d)).second) {
+  for (HalfEdge d = rung; sides.face(d) >= 0;) {
+    if (!met.insert(sides.face(d)).second) {
       strip.crosses_itself = true;
       break;
     }
-    strip.blocks.push_back(darts.face(d));
-    strip.left.push_back(reversed_dart(darts.side(d, 3)));
-    strip.right.push_back(darts.side(d, 1));
-    d = reversed_dart(darts.side(d, 2));
+    strip.blocks.push_back(sides.face(d));
+    strip.left.push_back(sides.side(d, 3).reversed());
+    strip.right.push_back(sides.side(d, 1));
+    d = sides.side(d, 2).reversed();
     if (d == rung) {
       strip.is_closed = true;
       break;
@@ -57,19 +57,19 @@ ChordStrip walk(DartTable& darts, int rung) {
   return strip;
 }
 
-ChordStrip strip_from(DartTable& darts, int arc) {
-  ChordStrip strip = walk(darts, arc);
+ChordStrip strip_from(SideTable& sides, int arc) {
+  ChordStrip strip = walk(sides, {arc});
   if (strip.is_closed || strip.crosses_itself) return strip;
   // Open: once more from one end.
-  const ChordStrip back = walk(darts, reversed_dart(arc));
-  const int first = reversed_dart(back.rungs.back()), last = strip.rungs.back();
-  return walk(darts, dart_arc(first) <= dart_arc(last) ? first : reversed_dart(last));
+  const ChordStrip back = walk(sides, {arc, true});
+  const HalfEdge first = back.rungs.back().reversed(), last = strip.rungs.back();
+  return walk(sides, first.arc <= last.arc ? first : last.reversed());
 }
 
-double mean_length(const std::vector<double>& lengths, const std::vector<int>& darts) {
+double mean_length(const std::vector<double>& lengths, const std::vector<HalfEdge>& half_edges) {
   double sum = 0;
-  for (const int d : darts) sum += lengths[dart_arc(d)];
-  return sum / static_cast<double>(darts.size());
+  for (const HalfEdge d : half_edges) sum += lengths[d.arc];
+  return sum / static_cast<double>(half_edges.size());
 }
 
 void measure(const std::vector<double>& lengths, ChordStrip& strip) {
@@ -102,20 +102,20 @@ std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
 }
 
 ChordStrip strip_through(const SeparatrixGraph& graph, const PlanarFaces& faces, int arc) {
-  DartTable darts(graph, faces);
-  return strip_from(darts, arc);
+  SideTable sides(graph, faces);
+  return strip_from(sides, arc);
 }
 
 std::vector<ChordStrip> all_strips(const SeparatrixGraph& graph, const PlanarFaces& faces,
                                    const std::vector<double>& lengths) {
-  DartTable darts(graph, faces);
+  SideTable sides(graph, faces);
   std::vector<bool> seen(graph.arcs.size(), false);
   std::vector<ChordStrip> strips;
   for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
     if (seen[arc]) continue;
-    strips.push_back(strip_from(darts, arc));
+    strips.push_back(strip_from(sides, arc));
     seen[arc] = true;
-    for (const int d : strips.back().rungs) seen[dart_arc(d)] = true;
+    for (const HalfEdge d : strips.back().rungs) seen[d.arc] = true;
     measure(lengths, strips.back());
   }
   return strips;
@@ -129,15 +129,15 @@ namespace {
 
 bool repeats_a_node(const SeparatrixGraph& graph, const ChordStrip& strip) {
   std::set<int> nodes;
-  for (const int d : strip.rungs)
-    if (!nodes.insert(dart_from(graph, d)).second || !nodes.insert(dart_to(graph, d)).second) return true;
+  for (const HalfEdge d : strip.rungs)
+    if (!nodes.insert(start_of(graph.arcs, d)).second || !nodes.insert(end_of(graph.arcs, d)).second) return true;
   return false;
 }
 
 // False where the rung cannot be welded.
-bool find_pin(const SeparatrixGraph& graph, int rung, Pin& pin) {
-  const GraphNode &l = graph.nodes[dart_from(graph, rung)], &r = graph.nodes[dart_to(graph, rung)];
-  const bool is_inner = !graph.arcs[dart_arc(rung)].is_boundary;
+bool find_pin(const SeparatrixGraph& graph, HalfEdge rung, Pin& pin) {
+  const GraphNode &l = graph.nodes[start_of(graph.arcs, rung)], &r = graph.nodes[end_of(graph.arcs, rung)];
+  const bool is_inner = !graph.arcs[rung.arc].is_boundary;
   const bool left = is_fixed(l) || (is_inner && l.curve >= 0), right = is_fixed(r) || (is_inner && r.curve >= 0);
   pin = left ? Pin::left : right ? Pin::right : Pin::none;
   return !(left && right);

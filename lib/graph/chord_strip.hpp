@@ -2,8 +2,8 @@
 // Chords of a separatrix graph as strips: blocks linked through opposite sides, walked from rung to rung.
 //
 //     left rail   l_0 ---- l_1 ---- l_2          Rung i runs from l_i to r_i; block i lies between rungs i and i + 1.
-//                  | block  | block  |           Darts as in graph/planar_faces.hpp: rungs lead from left to right,
-//     right rail  r_0 ---- r_1 ---- r_2          rails forwards.
+//                  | block  | block  |           Rungs lead from left to right, rails forwards.
+//     right rail  r_0 ---- r_1 ---- r_2
 
 #include <map>
 #include <tuple>
@@ -15,9 +15,9 @@
 namespace quadrille::graph {
 
 struct ChordStrip {
-  std::vector<int> rungs;        ///< one more than blocks; in a closed strip as many
-  std::vector<int> left, right;  ///< of each block
-  std::vector<int> blocks;       ///< cycles of the PlanarFaces
+  std::vector<HalfEdge> rungs;        ///< one more than blocks; in a closed strip as many
+  std::vector<HalfEdge> left, right;  ///< of each block
+  std::vector<int> blocks;            ///< cycles of the PlanarFaces
   bool is_closed = false;
   bool crosses_itself = false;  ///< some block is met twice: the walk ends there
   double width = 0;             ///< mean length of the rungs

@@ -14,23 +14,20 @@
 namespace quadrille::graph {
 namespace {
 
-// Tables over darts: the slot of a dart.
-size_t slot(int dart) { return dart >= 0 ? 2 * static_cast<size_t>(dart) : 2 * static_cast<size_t>(-1 - dart) + 1; }
+bool is_boundary(const SeparatrixGraph& graph, HalfEdge h) { return graph.arcs[h.arc].is_boundary; }
 
-bool is_boundary(const SeparatrixGraph& graph, int dart) { return graph.arcs[dart_arc(dart)].is_boundary; }
-
-// Where a dart leaves its first node: a curve and a parameter.
-std::pair<int, double> leaves_at(const SeparatrixGraph& graph, int dart) {
-  const std::vector<ArcPiece>& pieces = graph.arcs[dart_arc(dart)].pieces;
-  return dart >= 0 ? std::pair{pieces.front().curve, pieces.front().t0}
-                   : std::pair{pieces.back().curve, pieces.back().t1};
+// Where a half-edge leaves its first node: a curve and a parameter.
+std::pair<int, double> leaves_at(const SeparatrixGraph& graph, HalfEdge h) {
+  const std::vector<ArcPiece>& pieces = graph.arcs[h.arc].pieces;
+  return !h.is_backwards ? std::pair{pieces.front().curve, pieces.front().t0}
+                         : std::pair{pieces.back().curve, pieces.back().t1};
 }
 
-// The T-junction of an inner line: half a turn lies between the darts of the line that goes on, whatever the angles:
-// near a node lines turn fast. Empty where no two neighbours of three are of one line.
-std::vector<int> t_junction_quarters(const SeparatrixGraph& graph, const std::vector<int>& darts) {
+// The T-junction of an inner line: half a turn lies between the half-edges of the line that goes on, whatever the
+// angles: near a node lines turn fast. Empty where no two neighbours of three are of one line.
+std::vector<int> t_junction_quarters(const SeparatrixGraph& graph, const std::vector<HalfEdge>& half_edges) {
   for (int k = 0; k < 3; ++k) {
-    if (leaves_at(graph, darts[k]) != leaves_at(graph, darts[(k + 1) % 3])) continue;
+    if (leaves_at(graph, half_edges[k]) != leaves_at(graph, half_edges[(k + 1) % 3])) continue;
     std::vector<int> quarters(3, 1);
     quarters[k] = 2;
     return quarters;
@@ -38,19 +35,19 @@ std::vector<int> t_junction_quarters(const SeparatrixGraph& graph, const std::ve
   return {};
 }
 
-// Quarter turns of the sectors between consecutive darts. Each is one where all lines of the node are there; else the
-// angles share the valence out.
-std::vector<int> sector_quarters(const SeparatrixGraph& graph, int node, const std::vector<int>& darts) {
-  const int valence = graph.nodes[node].valence, num = static_cast<int>(darts.size());
-  const bool closed = !is_boundary(graph, darts.front());
+// Quarter turns of the sectors between consecutive half-edges. Each is one where all lines of the node are there; else
+// the angles share the valence out.
+std::vector<int> sector_quarters(const SeparatrixGraph& graph, int node, const std::vector<HalfEdge>& half_edges) {
+  const int valence = graph.nodes[node].valence, num = static_cast<int>(half_edges.size());
+  const bool closed = !is_boundary(graph, half_edges.front());
   const int num_sectors = closed ? num : num - 1;
   if (num_sectors == valence) return std::vector<int>(num_sectors, 1);
   if (closed && num == 3 && graph.nodes[node].kind == NodeKind::crossing)
-    if (std::vector<int> quarters = t_junction_quarters(graph, darts); !quarters.empty()) return quarters;
+    if (std::vector<int> quarters = t_junction_quarters(graph, half_edges); !quarters.empty()) return quarters;
   std::vector<double> angles;
   angles.reserve(num_sectors);
   for (int k = 0; k < num_sectors; ++k)
-    angles.push_back(wrap_two_pi(dart_angle(graph, darts[(k + 1) % num]) - dart_angle(graph, darts[k])));
+    angles.push_back(wrap_two_pi(start_angle(graph, half_edges[(k + 1) % num]) - start_angle(graph, half_edges[k])));
   if (num_sectors == 1) return {valence};
   const double total = closed ? 2 * pi : std::accumulate(angles.begin(), angles.end(), 0.0);
   std::vector<int> quarters;
@@ -78,9 +75,9 @@ int num_components(const SeparatrixGraph& graph) {
 
 }  // namespace
 
-double dart_angle(const SeparatrixGraph& graph, int dart) {
-  const GraphArc& arc = graph.arcs[dart_arc(dart)];
-  const bool forwards = dart >= 0;
+double start_angle(const SeparatrixGraph& graph, HalfEdge h) {
+  const GraphArc& arc = graph.arcs[h.arc];
+  const bool forwards = !h.is_backwards;
   const ArcPiece& piece = forwards ? arc.pieces.front() : arc.pieces.back();
   const double t = forwards ? piece.t0 : piece.t1;
   const bool rising = forwards == (piece.t0 < piece.t1);
@@ -88,58 +85,59 @@ double dart_angle(const SeparatrixGraph& graph, int dart) {
   return angle_of(rising ? along : -along);
 }
 
-std::vector<std::vector<int>> darts_around_nodes(const SeparatrixGraph& graph) {
+std::vector<std::vector<HalfEdge>> half_edges_around_nodes(const SeparatrixGraph& graph) {
   struct Leaving {
-    double turn;  // from the first dart's direction
-    int dart;
+    double turn;  // from the first half-edge's direction
+    HalfEdge h;
   };
   std::vector<std::vector<Leaving>> leaving(graph.nodes.size());
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
-    for (const int dart : {a, reversed_dart(a)})
-      leaving[dart_from(graph, dart)].push_back({dart_angle(graph, dart), dart});
-  std::vector<std::vector<int>> around(graph.nodes.size());
+    for (const HalfEdge h : {HalfEdge{a}, HalfEdge{a, true}})
+      leaving[start_of(graph.arcs, h)].push_back({start_angle(graph, h), h});
+  std::vector<std::vector<HalfEdge>> around(graph.nodes.size());
   for (size_t n = 0; n < leaving.size(); ++n) {
     double reference = -pi;
     for (const Leaving& d : leaving[n])
-      if (d.dart >= 0 && is_boundary(graph, d.dart)) reference = d.turn;
+      if (!d.h.is_backwards && is_boundary(graph, d.h)) reference = d.turn;
     for (Leaving& d : leaving[n]) {
-      const bool at_boundary = is_boundary(graph, d.dart);
-      d.turn = at_boundary ? (d.dart >= 0 ? -1 : 7) : wrap_two_pi(d.turn - reference);
+      const bool at_boundary = is_boundary(graph, d.h);
+      d.turn = at_boundary ? (!d.h.is_backwards ? -1 : 7) : wrap_two_pi(d.turn - reference);
     }
     std::sort(leaving[n].begin(), leaving[n].end(),
-              [](const Leaving& a, const Leaving& b) { return a.turn != b.turn ? a.turn < b.turn : a.dart < b.dart; });
-    for (const Leaving& d : leaving[n]) around[n].push_back(d.dart);
+              [](const Leaving& a, const Leaving& b) { return a.turn != b.turn ? a.turn < b.turn : a.h < b.h; });
+    for (const Leaving& d : leaving[n]) around[n].push_back(d.h);
   }
   return around;
 }
 
 PlanarFaces planar_faces(const SeparatrixGraph& graph) {
   const size_t num_slots = 2 * graph.arcs.size();
-  std::vector<int> next(num_slots, 0), turn(num_slots, 0);
+  std::vector<HalfEdge> next(num_slots);
+  std::vector<int> turn(num_slots, 0);
   std::vector<bool> seen(num_slots, false);
-  const auto around = darts_around_nodes(graph);
+  const auto around = half_edges_around_nodes(graph);
   for (size_t n = 0; n < around.size(); ++n) {
     if (around[n].empty()) continue;
-    const std::vector<int>& darts = around[n];
-    const std::vector<int> quarters = sector_quarters(graph, static_cast<int>(n), darts);
-    // Coming in against dart k + 1, the face on the left goes on along dart k: the first one clockwise.
+    const std::vector<HalfEdge>& half_edges = around[n];
+    const std::vector<int> quarters = sector_quarters(graph, static_cast<int>(n), half_edges);
+    // Coming in against half-edge k + 1, the face on the left goes on along half-edge k: the first one clockwise.
     for (size_t k = 0; k < quarters.size(); ++k) {
-      const size_t in = slot(reversed_dart(darts[(k + 1) % darts.size()]));
-      next[in] = darts[k];
+      const size_t in = half_edges[(k + 1) % half_edges.size()].reversed().index();
+      next[in] = half_edges[k];
       turn[in] = quarters[k];
     }
   }
   PlanarFaces faces;
   faces.num_components = num_components(graph);
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
-    for (const int first : {a, reversed_dart(a)}) {
-      if (seen[slot(first)] || (first < 0 && is_boundary(graph, first))) continue;
+    for (const HalfEdge first : {HalfEdge{a}, HalfEdge{a, true}}) {
+      if (seen[first.index()] || (first.is_backwards && is_boundary(graph, first))) continue;
       faces.cycles.emplace_back();
       faces.quarters.emplace_back();
-      for (int dart = first; !seen[slot(dart)]; dart = next[slot(dart)]) {
-        seen[slot(dart)] = true;
-        faces.cycles.back().push_back(dart);
-        faces.quarters.back().push_back(turn[slot(dart)]);
+      for (HalfEdge h = first; !seen[h.index()]; h = next[h.index()]) {
+        seen[h.index()] = true;
+        faces.cycles.back().push_back(h);
+        faces.quarters.back().push_back(turn[h.index()]);
       }
     }
   return faces;
@@ -151,10 +149,10 @@ int num_corners(const std::vector<int>& quarters) {
   return corners;
 }
 
-Vec2 place_of(const SeparatrixGraph& graph, const std::vector<int>& cycle) {
+Vec2 place_of(const SeparatrixGraph& graph, const std::vector<HalfEdge>& cycle) {
   Vec2 sum;
-  for (const int dart : cycle) {
-    const auto& pieces = graph.arcs[dart_arc(dart)].pieces;
+  for (const HalfEdge h : cycle) {
+    const auto& pieces = graph.arcs[h.arc].pieces;
     const ArcPiece& piece = pieces[pieces.size() / 2];
     sum += curve::point(graph.curve(piece.curve), (piece.t0 + piece.t1) / 2);
   }

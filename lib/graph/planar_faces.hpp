@@ -1,34 +1,27 @@
 #pragma once
 // The faces of a separatrix graph: a walk over half-edges, and the census of corners that certifies the layout.
 //
-// A directed arc ("dart") is an int: a >= 0 is arc a walked forwards, a < 0 is arc -1 - a walked backwards (as in
-// BlockLayout). A face is the cycle of darts that has it on the left. What lies outside the domain is no face.
+// A face is the cycle of half-edges that has it on the left. What lies outside the domain is no face.
 
 #include <vector>
 
+#include "model/half_edge.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::graph {
 
-constexpr int dart_arc(int dart) { return dart >= 0 ? dart : -1 - dart; }
-constexpr int reversed_dart(int dart) { return -1 - dart; }
-inline int dart_from(const SeparatrixGraph& graph, int dart) {
-  return dart >= 0 ? graph.arcs[dart].from : graph.arcs[dart_arc(dart)].to;
-}
-inline int dart_to(const SeparatrixGraph& graph, int dart) { return dart_from(graph, reversed_dart(dart)); }
+/// Angle at which a half-edge leaves its first node, radians in (-pi, pi].
+double start_angle(const SeparatrixGraph& graph, HalfEdge h);
 
-/// Angle at which a dart leaves its first node, radians in (-pi, pi].
-double dart_angle(const SeparatrixGraph& graph, int dart);
-
-/// The darts that leave a node, counter-clockwise. On the boundary the first runs along the boundary with the domain
-/// on its left and the last comes back along it, whatever the rounding of their angles.
-std::vector<std::vector<int>> darts_around_nodes(const SeparatrixGraph& graph);
+/// The half-edges that leave a node, counter-clockwise. On the boundary the first runs along the boundary with the
+/// domain on its left and the last comes back along it, whatever the rounding of their angles.
+std::vector<std::vector<HalfEdge>> half_edges_around_nodes(const SeparatrixGraph& graph);
 
 struct PlanarFaces {
-  /// Cycles of darts, each begun at its lowest arc number; sorted by it. In a domain whose graph is not connected the
-  /// two sides of an annular face are two cycles.
-  std::vector<std::vector<int>> cycles;
-  /// Quarter turns of the cross in the sector of the face at the END of each dart of each cycle.
+  /// Cycles of half-edges, each begun at its lowest arc number; sorted by it. In a domain whose graph is not connected
+  /// the two sides of an annular face are two cycles.
+  std::vector<std::vector<HalfEdge>> cycles;
+  /// Quarter turns of the cross in the sector of the face at the END of each half-edge of each cycle.
   std::vector<std::vector<int>> quarters;
   int num_components = 0;  ///< of the graph; above 1 some face has a hole in it
 };
@@ -40,7 +33,7 @@ PlanarFaces planar_faces(const SeparatrixGraph& graph);
 int num_corners(const std::vector<int>& quarters);
 
 /// The mean of the middles of a cycle's arcs, file coordinates: a place to look at.
-Vec2 place_of(const SeparatrixGraph& graph, const std::vector<int>& cycle);
+Vec2 place_of(const SeparatrixGraph& graph, const std::vector<HalfEdge>& cycle);
 
 /// The cycles that are no quadrilaterals: not four corners, or a node of two quarter turns on a side.
 std::vector<int> cycles_without_four_corners(const PlanarFaces& faces);

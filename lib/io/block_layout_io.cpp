@@ -8,12 +8,22 @@ namespace {
 
 constexpr FormatVersion block_layout_version{"block-layout", 1, 1};
 
+void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>& block2arcs) {
+  std::vector<std::array<int, 4>> codes;
+  for (const auto& [s0, s1, s2, s3] : block2arcs)
+    codes.push_back({file_code(s0), file_code(s1), file_code(s2), file_code(s3)});
+  archive.field("block2arcs", codes, {"", "side k: arc a forwards, or -1-a backwards"});
+  block2arcs.clear();
+  for (const auto& [c0, c1, c2, c3] : codes)
+    block2arcs.push_back({half_edge_of_code(c0), half_edge_of_code(c1), half_edge_of_code(c2), half_edge_of_code(c3)});
+}
+
 void describe_block_layout(Archive& archive, BlockLayout& layout) {
   describe_face(archive, layout.face);
   describe_nurbs(archive, "splines", layout.splines);
   describe_graph(archive, layout.nodes, layout.arcs);
   archive.field("block2nodes", layout.block2nodes, {"", "nodes of each block, counter-clockwise"});
-  archive.field("block2arcs", layout.block2arcs, {"", "side k: arc a forwards, or -1-a backwards"});
+  describe_block_sides(archive, layout.block2arcs);
   archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});
   archive.field("block_jacobian_bound", layout.block_jacobian_bound,
                 {"length^2", "least Bernstein bound of det J of the block as one order-8 quad"});

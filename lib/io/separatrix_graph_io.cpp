@@ -12,15 +12,15 @@ void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
   archive.field("way", certificate.way);
   archive.field("reason", certificate.reason);
   archive.field("index_sum", certificate.index_sum);
-  archive.field("census", certificate.census, [](Archive& a, FaceCount& count) {
+  archive.field("census", certificate.face_valence_histogram, [](Archive& a, FaceCount& count) {
     a.field("corners", count.corners);
     a.field("faces", count.faces);
   });
   archive.field("t_junctions", certificate.t_junctions);
   archive.field("merged_lines", certificate.merged_lines);
   archive.field("collapsed_chords", certificate.collapsed_chords);
-  archive.field("laps_cut", certificate.laps_cut);
-  archive.field("largest_turn_degrees", certificate.largest_turn_degrees);
+  archive.field("laps_cut", certificate.shortened_spirals);
+  archive.field("largest_turn_degrees", certificate.largest_deviation_degrees);
 }
 
 void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {

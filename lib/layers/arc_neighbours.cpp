@@ -7,16 +7,15 @@
 namespace quadrille::layers {
 namespace {
 
-ArcEnd beginning(int directed) { return {mesh::arc_of(directed), mesh::is_backwards(directed) ? 1 : 0}; }
-ArcEnd end(int directed) { return {mesh::arc_of(directed), mesh::is_backwards(directed) ? 0 : 1}; }
+ArcEnd beginning(HalfEdge directed) { return {directed.arc, directed.is_backwards ? 1 : 0}; }
+ArcEnd end(HalfEdge directed) { return {directed.arc, directed.is_backwards ? 0 : 1}; }
 
 }  // namespace
 
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout) {
   std::vector<std::vector<std::array<int, 2>>> arc2sides(layout.arcs.size());
   for (int block = 0; block < layout.num_blocks(); ++block)
-    for (int side = 0; side < 4; ++side)
-      arc2sides[mesh::arc_of(layout.block2arcs[block][side])].push_back({block, side});
+    for (int side = 0; side < 4; ++side) arc2sides[layout.block2arcs[block][side].arc].push_back({block, side});
   std::vector<ArcNeighbours> pairs;
   for (const std::vector<std::array<int, 2>>& sides : arc2sides) {
     if (sides.size() != 2 || sides[0][0] == sides[1][0]) continue;

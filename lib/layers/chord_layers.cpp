@@ -107,9 +107,9 @@ class ChordPlanner {
       if (any_layers ? wish(i, chord_end).layers() > 0 : !wish(i, chord_end).is_empty()) reach[i] = {0, i};
     for (bool changed = true; changed;) {
       changed = false;
-      for (const std::array<int, 4>& sides : in_.layout.block2arcs)
+      for (const std::array<HalfEdge, 4>& sides : in_.layout.block2arcs)
         for (int k = 0; k < 2; ++k) {
-          const int a = place_[mesh::arc_of(sides[k])], b = place_[mesh::arc_of(sides[k + 2])];
+          const int a = place_[sides[k].arc], b = place_[sides[k + 2].arc];
           if (a < 0 || b < 0 || a == b) continue;
           const double way = way_across(sides, k);
           changed |= shorten(reach[b], reach[a], way, chord_end) | shorten(reach[a], reach[b], way, chord_end);
@@ -131,9 +131,8 @@ class ChordPlanner {
   }
 
   /// Mean length of the sides that lead from one arc to the other.
-  double way_across(const std::array<int, 4>& sides, int k) const {
-    return (in_.chains[mesh::arc_of(sides[k + 1])].length() + in_.chains[mesh::arc_of(sides[(k + 3) % 4])].length()) /
-           2;
+  double way_across(const std::array<HalfEdge, 4>& sides, int k) const {
+    return (in_.chains[sides[k + 1].arc].length() + in_.chains[sides[(k + 3) % 4].arc].length()) / 2;
   }
 
   void draw_together(std::vector<std::vector<double>>& ends) const {
@@ -165,9 +164,9 @@ class ChordPlanner {
   Eigen::SparseMatrix<double> pulls() const {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < num_arcs(); ++i) entries.emplace_back(i, i, 1.0);
-    for (const std::array<int, 4>& sides : in_.layout.block2arcs)
+    for (const std::array<HalfEdge, 4>& sides : in_.layout.block2arcs)
       for (int k = 0; k < 2; ++k) {
-        const int a = place_[mesh::arc_of(sides[k])], b = place_[mesh::arc_of(sides[k + 2])];
+        const int a = place_[sides[k].arc], b = place_[sides[k + 2].arc];
         if (a < 0 || b < 0 || a == b) continue;
         if (wish(a, 0).layers() != wish(b, 0).layers() || wish(a, 1).layers() != wish(b, 1).layers()) continue;
         const bool is_layered = wish(a, 0).layers() + wish(a, 1).layers() > 0;

@@ -22,10 +22,9 @@ constexpr double greatest_change = 1.25;
 constexpr double least_growth = 1.1;
 constexpr int max_intervals = 10000;
 
-std::array<const curve::Chain*, 4> side_chains(const std::array<int, 4>& sides,
+std::array<const curve::Chain*, 4> side_chains(const std::array<HalfEdge, 4>& sides,
                                                const std::vector<curve::Chain>& chains) {
-  return {&chains[mesh::arc_of(sides[0])], &chains[mesh::arc_of(sides[1])], &chains[mesh::arc_of(sides[2])],
-          &chains[mesh::arc_of(sides[3])]};
+  return {&chains[sides[0].arc], &chains[sides[1].arc], &chains[sides[2].arc], &chains[sides[3].arc]};
 }
 
 /// A point of the block in the frame of its side k: x along that side, y away from it.
@@ -59,11 +58,10 @@ class Prober {
 
  private:
   void add(const WallSide& wall, int far, double x) {
-    const std::array<int, 4>& sides = layout_.block2arcs[wall.block];
-    const mesh::TransfiniteMap map(side_chains(sides, chains_),
-                                   {mesh::is_backwards(sides[0]), mesh::is_backwards(sides[1]),
-                                    mesh::is_backwards(sides[2]), mesh::is_backwards(sides[3])});
-    const int begin = mesh::arc_of(sides[(wall.side + 3) % 4]), end = mesh::arc_of(sides[(wall.side + 1) % 4]);
+    const std::array<HalfEdge, 4>& sides = layout_.block2arcs[wall.block];
+    const mesh::TransfiniteMap map(side_chains(sides, chains_), {sides[0].is_backwards, sides[1].is_backwards,
+                                                                 sides[2].is_backwards, sides[3].is_backwards});
+    const int begin = sides[(wall.side + 3) % 4].arc, end = sides[(wall.side + 1) % 4].arc;
     ColumnProbe probe;
     probe.chord = arc_chord_[begin];
     probe.front = wall.spec;
@@ -84,10 +82,10 @@ class Prober {
 
   /// Heights of the points of a line that leaves the wall at the share x of its side.
   std::vector<double> heights(const WallSide& wall, const std::vector<Vec2>& line, double x) const {
-    const int directed = layout_.block2arcs[wall.block][wall.side];
-    const curve::ChainPoint start = chains_[mesh::arc_of(directed)].at(mesh::is_backwards(directed) ? 1 - x : x);
+    const HalfEdge directed = layout_.block2arcs[wall.block][wall.side];
+    const curve::ChainPoint start = chains_[directed.arc].at(directed.is_backwards ? 1 - x : x);
     const int count = wall.end.piece - wall.begin.piece;
-    WallFoot foot{wall.begin.piece + (mesh::is_backwards(directed) ? count - start.piece : start.piece), start.t};
+    WallFoot foot{wall.begin.piece + (directed.is_backwards ? count - start.piece : start.piece), start.t};
     std::vector<double> result;
     for (const Vec2 point : line) result.push_back(wall.line.distance(point, foot));
     return result;

@@ -70,8 +70,8 @@ class WallPlanner {
   /// Shares of the arc's length from its end at which its nodes in the layers lie.
   std::vector<double> layer_nodes(int arc, int end) const {
     const WallSide& wall = plan_.walls.sides[plan_.walls.at_arc_end[arc][end]];
-    const int before = in_.layout.block2arcs[wall.block][(wall.side + 3) % 4];
-    const bool at_begin = mesh::arc_of(before) == arc && 1 - beginning_of(before) == end;
+    const HalfEdge before = in_.layout.block2arcs[wall.block][(wall.side + 3) % 4];
+    const bool at_begin = before.arc == arc && 1 - beginning_of(before) == end;
     const std::vector<double> heights = node_heights(plan_.heights[wall.spec], in_.order);
     std::vector<double> nodes =
         parameters_at_heights(from_end(arc, end), wall.line, at_begin ? wall.begin : wall.end, heights);
@@ -275,17 +275,18 @@ LayeredBlock layered_block(const WallPlan& plan, const BlockLayout& layout, cons
                            int block, std::array<std::vector<double>, 4> fractions) {
   LayeredBlock result;
   for (int side = 0; side < 4; ++side) {
-    const int directed = layout.block2arcs[block][side], number = plan.walls.of_block[block][side];
-    const curve::Chain& chain = chains[mesh::arc_of(directed)];
+    const HalfEdge directed = layout.block2arcs[block][side];
+    const int number = plan.walls.of_block[block][side];
+    const curve::Chain& chain = chains[directed.arc];
     result.lengths[side] = chain.length();
-    result.tables[side] = SideTable(chain, mesh::is_backwards(directed) != (side >= 2));
+    result.tables[side] = SideTable(chain, directed.is_backwards != (side >= 2));
     if (number < 0) continue;
     const WallSide& wall = plan.walls.sides[number];
     result.sides[side].wall = &wall.line;
     result.sides[side].heights = plan.heights[wall.spec];
     for (const double f : fractions[side]) {  // sides 2 and 3 are walked against s and t
-      const curve::ChainPoint p = chain.at(mesh::is_backwards(directed) != (side >= 2) ? 1 - f : f);
-      const int piece = mesh::is_backwards(directed) ? wall.end.piece - p.piece : wall.begin.piece + p.piece;
+      const curve::ChainPoint p = chain.at(directed.is_backwards != (side >= 2) ? 1 - f : f);
+      const int piece = directed.is_backwards ? wall.end.piece - p.piece : wall.begin.piece + p.piece;
       result.sides[side].feet.push_back({piece, p.t});
     }
   }

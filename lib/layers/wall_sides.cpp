@@ -27,7 +27,7 @@ class Finder {
          const std::vector<WallSpec>& specs)
       : layout_(layout), table_(table), curve_spec_(curve_spec), specs_(specs), arc2sides_(layout.arcs.size()) {
     for (int block = 0; block < layout.num_blocks(); ++block)
-      for (int side = 0; side < 4; ++side) arc2sides_[mesh::arc_of(directed(block, side))].push_back({block, side});
+      for (int side = 0; side < 4; ++side) arc2sides_[directed(block, side).arc].push_back({block, side});
   }
 
   WallSides find() {
@@ -41,7 +41,7 @@ class Finder {
   }
 
  private:
-  int directed(int block, int side) const { return layout_.block2arcs[block][(side + 4) % 4]; }
+  HalfEdge directed(int block, int side) const { return layout_.block2arcs[block][(side + 4) % 4]; }
 
   bool is_finer(int a, int b) const {
     return b < 0 || specs_[a].first < (1 - 1e-6) * specs_[b].first ||
@@ -64,15 +64,14 @@ class Finder {
   void overrule(int loser, int winner) { overruled_.insert({loser, winner}); }
 
   void add_side(int block, int side) {
-    const int spec = spec_of(mesh::arc_of(directed(block, side)));
+    const int spec = spec_of(directed(block, side).arc);
     if (spec < 0) return;
     found_.of_block[block][side] = static_cast<int>(found_.sides.size());
     WallSide wall{block, side, spec, {}, {}, {}};
     std::vector<ArcPiece> pieces;
     const auto append = [&](int b, int s) {
-      const int d = directed(b, s);
-      for (const ArcPiece& piece : walked(layout_.arcs[mesh::arc_of(d)].pieces, mesh::is_backwards(d)))
-        pieces.push_back(piece);
+      const HalfEdge d = directed(b, s);
+      for (const ArcPiece& piece : walked(layout_.arcs[d.arc].pieces, d.is_backwards)) pieces.push_back(piece);
     };
     if (const Side before = next_along(block, side, -1); before.block >= 0) append(before.block, before.side);
     const int first = static_cast<int>(pieces.size());
@@ -87,11 +86,11 @@ class Finder {
   /// The boundary side that goes on from this one beyond the arc between them (step +1: at its end, -1: at its
   /// beginning); none at corners of other valences than 2.
   Side next_along(int block, int side, int step) const {
-    const int between = directed(block, side + step);
-    for (const Side& other : arc2sides_[mesh::arc_of(between)]) {
+    const HalfEdge between = directed(block, side + step);
+    for (const Side& other : arc2sides_[between.arc]) {
       if (layout_.block2arcs[other.block][other.side] == between) continue;  // this block itself
       const int next = (other.side + step + 4) % 4;
-      if (layout_.arcs[mesh::arc_of(directed(other.block, next))].is_boundary) return {other.block, next};
+      if (layout_.arcs[directed(other.block, next).arc].is_boundary) return {other.block, next};
     }
     return {};
   }
@@ -127,9 +126,9 @@ class Finder {
   /// The arcs that leave the wall at both ends of a side.
   void mark_arcs(int wall) {
     const WallSide& side = found_.sides[wall];
-    const int before = directed(side.block, side.side - 1), after = directed(side.block, side.side + 1);
-    int& at_begin = found_.at_arc_end[mesh::arc_of(before)][1 - beginning_of(before)];
-    int& at_end = found_.at_arc_end[mesh::arc_of(after)][beginning_of(after)];
+    const HalfEdge before = directed(side.block, side.side - 1), after = directed(side.block, side.side + 1);
+    int& at_begin = found_.at_arc_end[before.arc][1 - beginning_of(before)];
+    int& at_end = found_.at_arc_end[after.arc][beginning_of(after)];
     if (at_begin < 0) at_begin = wall;
     if (at_end < 0) at_end = wall;
   }
@@ -145,7 +144,7 @@ class Finder {
 
 }  // namespace
 
-int beginning_of(int directed) { return mesh::is_backwards(directed) ? 1 : 0; }
+int beginning_of(HalfEdge directed) { return directed.is_backwards ? 1 : 0; }
 
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
                           const std::vector<WallSpec>& specs) {

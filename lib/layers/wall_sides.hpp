@@ -33,7 +33,7 @@ struct WallSides {
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
                           const std::vector<WallSpec>& specs);
 
-/// The end (0: from, 1: to) of the arc of a directed arc at which it begins.
-int beginning_of(int directed);
+/// The end (0: from, 1: to) of the arc of a half-edge at which it begins.
+int beginning_of(HalfEdge directed);
 
 }  // namespace quadrille::layers

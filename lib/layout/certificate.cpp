@@ -17,13 +17,15 @@ constexpr int samples_of_arc = 8;
 void tell(const LayoutCertificate& certificate, Report& report) {
   report.set("certificate.way", certificate.way);
   report.set("certificate.index_sum", certificate.index_sum);
-  for (const FaceCount& count : certificate.census)
+  for (const FaceCount& count : certificate.face_valence_histogram)
     report.set(fmt::format("certificate.faces_of_{}_corners", count.corners), count.faces);
   report.set("certificate.t_junctions", certificate.t_junctions);
   report.set("certificate.merged_lines", certificate.merged_lines);
   report.set("certificate.collapsed_chords", certificate.collapsed_chords);
-  report.set("certificate.laps_cut", certificate.laps_cut);
-  report.set("certificate.largest_turn_degrees", certificate.largest_turn_degrees);
+  report.set("certificate.laps_cut", certificate.shortened_spirals);
+  report.set("certificate.shortened_spirals", certificate.shortened_spirals);
+  report.set("certificate.largest_turn_degrees", certificate.largest_deviation_degrees);
+  report.set("certificate.largest_deviation_degrees", certificate.largest_deviation_degrees);
 }
 
 }  // namespace
@@ -32,10 +34,10 @@ void certify(const field::FieldEvaluator& evaluator, const std::string& way, Sep
   LayoutCertificate& certificate = graph.certificate;
   certificate.way = way;
   certificate.index_sum = static_cast<int>(index_sum_of(graph));
-  certificate.census = graph::face_census(graph);
+  certificate.face_valence_histogram = graph::face_census(graph);
   certificate.t_junctions = static_cast<int>(graph.t_junctions.size());
-  certificate.largest_turn_degrees =
-      std::max(certificate.largest_turn_degrees, degrees(turn_of_extended_lines(evaluator, graph)));
+  certificate.largest_deviation_degrees =
+      std::max(certificate.largest_deviation_degrees, degrees(turn_of_extended_lines(evaluator, graph)));
   tell(certificate, report);
 }
 

@@ -127,7 +127,7 @@ SeparatrixGraph trace_separatrices(const field::FieldEvaluator& evaluator, const
   report.set("trace.merged", found->num_merged);
   report.set("trace.largest_merge_turn_degrees", degrees(found->largest_turn));
   graph.certificate.merged_lines = static_cast<int>(found->num_merged);
-  graph.certificate.largest_turn_degrees = degrees(found->largest_turn);
+  graph.certificate.largest_deviation_degrees = degrees(found->largest_turn);
 
   if (options.simplify != "none") {
     graph::require_four_corners(graph);

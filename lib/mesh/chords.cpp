@@ -5,16 +5,16 @@
 
 namespace quadrille::mesh {
 
-std::vector<int> arc_chords(const std::vector<std::array<int, 4>>& block2arcs, int num_arcs) {
+std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs) {
   std::vector<int> lowest(num_arcs);  // a forest in which every tree's root is its lowest arc
   std::iota(lowest.begin(), lowest.end(), 0);
   const auto root = [&](int arc) {
     while (lowest[arc] != arc) arc = lowest[arc] = lowest[lowest[arc]];
     return arc;
   };
-  for (const std::array<int, 4>& arcs : block2arcs)
+  for (const std::array<HalfEdge, 4>& arcs : block2arcs)
     for (int k = 0; k < 2; ++k) {
-      const int a = root(arc_of(arcs[k])), b = root(arc_of(arcs[k + 2]));
+      const int a = root(arcs[k].arc), b = root(arcs[k + 2].arc);
       lowest[std::max(a, b)] = std::min(a, b);
     }
   std::vector<int> chord(num_arcs);
@@ -23,7 +23,7 @@ std::vector<int> arc_chords(const std::vector<std::array<int, 4>>& block2arcs, i
   return chord;
 }
 
-std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2arcs,
+std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs,
                                    const std::vector<int>& arc_chord) {
   const int num_arcs = static_cast<int>(arc_chord.size());
   struct Link {
@@ -31,10 +31,10 @@ std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2
     bool flips;  ///< opposite sides, each walked counter-clockwise, run against each other
   };
   std::vector<std::vector<Link>> links(num_arcs);
-  for (const std::array<int, 4>& sides : block2arcs)
+  for (const std::array<HalfEdge, 4>& sides : block2arcs)
     for (int k = 0; k < 2; ++k) {
-      const int a = arc_of(sides[k]), b = arc_of(sides[k + 2]);
-      const bool flips = is_backwards(sides[k]) == is_backwards(sides[k + 2]);
+      const int a = sides[k].arc, b = sides[k + 2].arc;
+      const bool flips = sides[k].is_backwards == sides[k + 2].is_backwards;
       links[a].push_back({b, flips});
       links[b].push_back({a, flips});
     }
@@ -53,9 +53,9 @@ std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2
       for (const Link& link : links[chord.arcs[k]])
         if (place[link.arc] < 0) add(link.arc, chord.backwards[k] != link.flips);
   }
-  for (const std::array<int, 4>& sides : block2arcs)
+  for (const std::array<HalfEdge, 4>& sides : block2arcs)
     for (int k = 0; k < 2; ++k) {
-      const int a = arc_of(sides[k]), b = arc_of(sides[k + 2]);
+      const int a = sides[k].arc, b = sides[k + 2].arc;
       if (a != b) chords[arc_chord[a]].pairs.push_back({place[a], place[b]});
     }
   return chords;

@@ -4,11 +4,13 @@
 #include <array>
 #include <vector>
 
+#include "model/half_edge.hpp"
+
 namespace quadrille::mesh {
 
 /// The chord of each of `num_arcs` arcs, numbered by their first arc. `block2arcs` as in BlockLayout. An arc that is no
 /// block's side is a chord of its own. A chord may cross itself: then a block's four sides belong to one chord.
-std::vector<int> arc_chords(const std::vector<std::array<int, 4>>& block2arcs, int num_arcs);
+std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs);
 
 /// A chord seen across: its arcs, all taken in one direction, and which of them are opposite sides of a block.
 struct Chord {
@@ -18,11 +20,7 @@ struct Chord {
 };
 
 /// All chords, numbered as in `arc_chord`.
-std::vector<Chord> directed_chords(const std::vector<std::array<int, 4>>& block2arcs,
+std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs,
                                    const std::vector<int>& arc_chord);
-
-/// The arc of a directed arc (a >= 0: forwards, a < 0: arc -1 - a backwards).
-inline int arc_of(int directed) { return directed < 0 ? -1 - directed : directed; }
-inline bool is_backwards(int directed) { return directed < 0; }
 
 }  // namespace quadrille::mesh

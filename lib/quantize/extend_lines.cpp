@@ -81,10 +81,10 @@ class Extender {
 
   // The node at a position of a side, not at its ends.
   int node_at(int face, int side, int position) const {
-    const auto [dart, number] = lengths_.dart_at(face, side, position);
-    const int arc = graph::dart_arc(dart), length = lengths_.arc(arc);
-    if (number == length) return graph::dart_to(t_mesh_, dart);
-    return node_of_mark_.at({arc, dart >= 0 ? number : length - number});
+    const auto [h, number] = lengths_.half_edge_at(face, side, position);
+    const int arc = h.arc, length = lengths_.arc(arc);
+    if (number == length) return end_of(t_mesh_.arcs, h);
+    return node_of_mark_.at({arc, !h.is_backwards ? number : length - number});
   }
 
   double fraction_at(int face, int side, int position) const {
@@ -93,9 +93,9 @@ class Extender {
 
   curve::Chain side_chain(int face, int side) const {
     std::vector<ArcPiece> pieces;
-    for (const int dart : faces_[face][side]) {
-      const std::vector<ArcPiece>& own = t_mesh_.arcs[graph::dart_arc(dart)].pieces;
-      const std::vector<ArcPiece> directed = dart >= 0 ? own : reversed_pieces(own);
+    for (const HalfEdge h : faces_[face][side]) {
+      const std::vector<ArcPiece>& own = t_mesh_.arcs[h.arc].pieces;
+      const std::vector<ArcPiece> directed = h.is_backwards ? reversed_pieces(own) : own;
       pieces.insert(pieces.end(), directed.begin(), directed.end());
     }
     return curve::Chain(table_, pieces);

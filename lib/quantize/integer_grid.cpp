@@ -11,17 +11,17 @@ IntegerSides::IntegerSides(const std::vector<TFace>& faces, const std::vector<in
   for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
     totals_.push_back({});
     for (int side = 0; side < 4; ++side)
-      for (const int dart : faces[f][side]) {
-        places_[slot(dart)] = {f, side, totals_[f][side]};
-        totals_[f][side] += lengths[graph::dart_arc(dart)];
+      for (const HalfEdge h : faces[f][side]) {
+        places_[h.index()] = {f, side, totals_[f][side]};
+        totals_[f][side] += lengths[h.arc];
       }
   }
 }
 
-std::pair<int, int> IntegerSides::dart_at(int face, int side, int position) const {
-  for (const int dart : faces_[face][side]) {
-    const int length = lengths_[graph::dart_arc(dart)];
-    if (position <= length) return {dart, position};
+std::pair<HalfEdge, int> IntegerSides::half_edge_at(int face, int side, int position) const {
+  for (const HalfEdge h : faces_[face][side]) {
+    const int length = lengths_[h.arc];
+    if (position <= length) return {h, position};
     position -= length;
   }
   throw Defect("IntegerSides: a position beyond the end of a side");
@@ -31,8 +31,8 @@ GridLines::GridLines(const SeparatrixGraph& t_mesh, const IntegerSides& sides)
     : marks(t_mesh.arcs.size()), lines(sides.faces().size()), t_mesh_(t_mesh), sides_(sides) {
   for (int f = 0; f < static_cast<int>(sides.faces().size()); ++f)
     for (int side = 0; side < 4; ++side) {
-      const std::vector<int>& darts = sides.faces()[f][side];
-      for (size_t k = 1; k < darts.size(); ++k) ask(f, side, sides.place(darts[k]).offset);
+      const std::vector<HalfEdge>& half_edges = sides.faces()[f][side];
+      for (size_t k = 1; k < half_edges.size(); ++k) ask(f, side, sides.place(half_edges[k]).offset);
     }
   while (!asked_.empty()) {
     const Asked line = asked_.back();
@@ -50,11 +50,11 @@ void GridLines::ask(int face, int side, int position) {
 
 // The line comes to a side: at a node it is the line of a T-junction there, else it goes on behind the arc.
 void GridLines::reach(int face, int side, int position) {
-  const auto [dart, number] = sides_.dart_at(face, side, position);
-  const int arc = graph::dart_arc(dart), length = sides_.arc(arc);
+  const auto [h, number] = sides_.half_edge_at(face, side, position);
+  const int arc = h.arc, length = sides_.arc(arc);
   if (number == length) return;
-  if (!marks[arc].insert(dart >= 0 ? number : length - number).second || t_mesh_.arcs[arc].is_boundary) return;
-  const DartPlace& behind = sides_.place(graph::reversed_dart(dart));
+  if (!marks[arc].insert(!h.is_backwards ? number : length - number).second || t_mesh_.arcs[arc].is_boundary) return;
+  const SidePosition& behind = sides_.place(h.reversed());
   ask(behind.face, behind.side, behind.offset + length - number);
 }
 
@@ -63,16 +63,16 @@ namespace {
 constexpr int num_rounds = 50;
 constexpr double least_distance = 0.25;  // of neighbours on an arc, as a share of their even distance
 
-// Share of the dart's arc where a fraction of the side lies; beyond 0..1 outside the dart.
-double share_at(const IntegerSides& sides, const std::vector<double>& arc_lengths, int dart, double fraction) {
-  const DartPlace& place = sides.place(dart);
+// Share of the half-edge's arc where a fraction of the side lies; beyond 0..1 outside the half-edge.
+double share_at(const IntegerSides& sides, const std::vector<double>& arc_lengths, HalfEdge h, double fraction) {
+  const SidePosition& place = sides.place(h);
   double before = 0, total = 0;
-  for (const int other : sides.faces()[place.face][place.side]) {
-    if (other == dart) before = total;
-    total += arc_lengths[graph::dart_arc(other)];
+  for (const HalfEdge other : sides.faces()[place.face][place.side]) {
+    if (other == h) before = total;
+    total += arc_lengths[other.arc];
   }
-  const double along = (fraction * total - before) / arc_lengths[graph::dart_arc(dart)];
-  return dart >= 0 ? along : 1 - along;
+  const double along = (fraction * total - before) / arc_lengths[h.arc];
+  return !h.is_backwards ? along : 1 - along;
 }
 
 // In sequence, each in the room that the others leave it.
@@ -106,13 +106,13 @@ std::vector<std::map<int, double>> mark_shares(const IntegerSides& sides, const 
       for (auto& [number, share] : next[a]) {
         double sum = 0;
         int count = 0;
-        for (const int dart : {a, graph::reversed_dart(a)}) {
-          const DartPlace& at = sides.place(dart);
+        for (const HalfEdge h : {HalfEdge{a}, HalfEdge{a, true}}) {
+          const SidePosition& at = sides.place(h);
           if (at.face < 0) continue;
-          const int position = at.offset + (dart >= 0 ? number : sides.arc(a) - number);
+          const int position = at.offset + (!h.is_backwards ? number : sides.arc(a) - number);
           const int across = (at.side + 2) % 4, total = sides.total(at.face, across);
           const double there = side_fraction(sides, shares, arc_lengths, at.face, across, total - position);
-          sum += share_at(sides, arc_lengths, dart, 1 - there);
+          sum += share_at(sides, arc_lengths, h, 1 - there);
           ++count;
         }
         share = (share + sum / count) / 2;
@@ -126,15 +126,15 @@ std::vector<std::map<int, double>> mark_shares(const IntegerSides& sides, const 
 
 double side_fraction(const IntegerSides& sides, const std::vector<std::map<int, double>>& shares,
                      const std::vector<double>& arc_lengths, int face, int side, int position) {
-  const auto [last, number] = sides.dart_at(face, side, position);
-  const int arc = graph::dart_arc(last), length = sides.arc(arc);
+  const auto [last, number] = sides.half_edge_at(face, side, position);
+  const int arc = last.arc, length = sides.arc(arc);
   double before = 0, total = 0;
-  for (const int dart : sides.faces()[face][side]) {
-    if (dart == last) before = total;
-    total += arc_lengths[graph::dart_arc(dart)];
+  for (const HalfEdge h : sides.faces()[face][side]) {
+    if (h == last) before = total;
+    total += arc_lengths[h.arc];
   }
   if (number == length) return (before + arc_lengths[arc]) / total;
-  const double along = last >= 0 ? shares[arc].at(number) : 1 - shares[arc].at(length - number);
+  const double along = !last.is_backwards ? shares[arc].at(number) : 1 - shares[arc].at(length - number);
   return (before + along * arc_lengths[arc]) / total;
 }
 

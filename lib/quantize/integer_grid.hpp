@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "model/separatrix_graph.hpp"
+#include "model/arc_graph.hpp"
 #include "quantize/t_mesh.hpp"
 
 namespace quadrille::quantize {
 
-/// Where a dart lies: side of a face, and the position on the side at which it starts.
-struct DartPlace {
+/// Where a half-edge lies: side of a face, and the position on the side at which it starts.
+struct SidePosition {
   int face = -1, side = 0, offset = 0;
 };
 
@@ -28,17 +28,16 @@ class IntegerSides {
 
   const std::vector<TFace>& faces() const { return faces_; }
   /// Face -1 where a boundary arc has no face on that side.
-  const DartPlace& place(int dart) const { return places_[slot(dart)]; }
+  const SidePosition& place(HalfEdge h) const { return places_[h.index()]; }
   int total(int face, int side) const { return totals_[face][side]; }
   int arc(int a) const { return lengths_[a]; }
-  /// The dart of a side at a position, and the position along the dart: 0 < number <= its length.
-  std::pair<int, int> dart_at(int face, int side, int position) const;
+  /// The half-edge of a side at a position, and the position along the half-edge: 0 < number <= its length.
+  std::pair<HalfEdge, int> half_edge_at(int face, int side, int position) const;
 
  private:
-  static size_t slot(int dart) { return 2 * static_cast<size_t>(graph::dart_arc(dart)) + (dart < 0); }
   const std::vector<TFace>& faces_;
   const std::vector<int>& lengths_;
-  std::vector<DartPlace> places_;
+  std::vector<SidePosition> places_;
   std::vector<std::array<int, 4>> totals_;
 };
 

@@ -20,8 +20,8 @@ void add_face_equations(const std::vector<TFace>& faces, IntegerProgramme& progr
   for (const TFace& face : faces)
     for (const int k : {0, 1}) {
       std::vector<Term> terms;
-      for (const int dart : face[k]) terms.push_back({graph::dart_arc(dart), 1});
-      for (const int dart : face[k + 2]) terms.push_back({graph::dart_arc(dart), -1});
+      for (const HalfEdge h : face[k]) terms.push_back({h.arc, 1});
+      for (const HalfEdge h : face[k + 2]) terms.push_back({h.arc, -1});
       programme.add_equation(terms, 0);
     }
 }
@@ -100,10 +100,10 @@ std::vector<int> winding_rails(const std::vector<TFace>& faces, int num_arcs, in
       const int plus = programme.add_variable(0, longest, 1, false);
       const int minus = programme.add_variable(0, longest, 1, false);
       for (const int side : {k, k + 2})
-        for (const int dart : faces[f][side]) {
+        for (const HalfEdge h : faces[f][side]) {
           const double sign = side == k ? 1 : -1;
-          column[graph::dart_arc(dart)].push_back({plus, sign});
-          column[graph::dart_arc(dart)].push_back({minus, -sign});
+          column[h.arc].push_back({plus, sign});
+          column[h.arc].push_back({minus, -sign});
         }
     }
   for (int a = 0; a < num_arcs; ++a) {
@@ -116,7 +116,7 @@ std::vector<int> winding_rails(const std::vector<TFace>& faces, int num_arcs, in
   for (size_t e = 0; e < 2 * faces.size(); ++e) {
     if (solution[2 * e] + solution[2 * e + 1] < 1e-6) continue;
     for (const size_t side : {e % 2 + 1, (e % 2 + 3) % 4})
-      for (const int dart : faces[e / 2][side]) rails.insert(graph::dart_arc(dart));
+      for (const HalfEdge h : faces[e / 2][side]) rails.insert(h.arc);
   }
   return {rails.begin(), rails.end()};
 }

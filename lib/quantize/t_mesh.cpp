@@ -346,7 +346,7 @@ TMeshTracer::~TMeshTracer() = default;
 SeparatrixGraph TMeshTracer::trace(Report& report) {
   SeparatrixGraph graph = impl_->run();
   graph.certificate.merged_lines = impl_->num_merged();
-  graph.certificate.largest_turn_degrees = degrees(impl_->largest_turn());
+  graph.certificate.largest_deviation_degrees = degrees(impl_->largest_turn());
   report.set("t_mesh.launched", impl_->num_lines());
   report.set("t_mesh.merged", impl_->num_merged());
   report.set("t_mesh.stopped", impl_->num_stopped());

@@ -14,9 +14,9 @@ bool is_four_sided(const std::vector<int>& quarters) {
          std::all_of(quarters.begin(), quarters.end(), [](int q) { return q == 1 || q == 2; });
 }
 
-TFace sides_of(const std::vector<int>& cycle, const std::vector<int>& quarters) {
+TFace sides_of(const std::vector<HalfEdge>& cycle, const std::vector<int>& quarters) {
   const size_t n = cycle.size();
-  size_t first = 0;  // the dart after a corner
+  size_t first = 0;  // the half-edge after a corner
   while (quarters[(first + n - 1) % n] != 1) ++first;
   TFace face;
   int side = 0;

@@ -9,8 +9,8 @@
 
 namespace quadrille::quantize {
 
-/// A face of a T-mesh: the darts of its four sides, counter-clockwise.
-using TFace = std::array<std::vector<int>, 4>;
+/// A face of a T-mesh: the half-edges of its four sides, counter-clockwise.
+using TFace = std::array<std::vector<HalfEdge>, 4>;
 
 /// Throws ComputeError, naming a place, unless every face has four corners and no sector but quarters and halves.
 std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph);

@@ -41,7 +41,7 @@ std::vector<bool> passes(const BlockLayout& layout, const std::vector<mesh::Chor
   const std::vector<int> chord = chord_of_arcs(layout, chords);
   std::vector<bool> does_pass(chords.size(), false);
   for (const int block : blocks)
-    for (const int side : layout.block2arcs[block]) does_pass[chord[mesh::arc_of(side)]] = true;
+    for (const HalfEdge side : layout.block2arcs[block]) does_pass[chord[side.arc]] = true;
   return does_pass;
 }
 

@@ -32,9 +32,9 @@ using ArcEnds = std::vector<std::vector<double>>;
 /// A slip of the pen in the size must not fill the memory.
 void require_bounded_size(const BlockLayout& layout, const ArcEnds& arc_ends, int order) {
   double num_elems = 0;
-  for (const std::array<int, 4>& sides : layout.block2arcs)
-    num_elems += static_cast<double>(arc_ends[mesh::arc_of(sides[0])].size() - 1) *
-                 static_cast<double>(arc_ends[mesh::arc_of(sides[1])].size() - 1);
+  for (const std::array<HalfEdge, 4>& sides : layout.block2arcs)
+    num_elems +=
+        static_cast<double>(arc_ends[sides[0].arc].size() - 1) * static_cast<double>(arc_ends[sides[1].arc].size() - 1);
   if (num_elems * (order + 1) * (order + 1) > max_element_nodes)
     throw ComputeError(
         fmt::format("size and geometric tolerance ask for {:.0f} elements of order {}, which is more "

@@ -65,9 +65,9 @@ class Splitter {
 
   /// A side's nodes in the direction of rising s or t: sides 0 and 1 as they are walked, 2 and 3 against it.
   ArcNodes side_nodes(int block, int side) const {
-    const int directed = layout_.block2arcs[block][side];
-    ArcNodes nodes = arc_nodes_[mesh::arc_of(directed)];
-    if (mesh::is_backwards(directed) != (side >= 2)) {
+    const HalfEdge directed = layout_.block2arcs[block][side];
+    ArcNodes nodes = arc_nodes_[directed.arc];
+    if (directed.is_backwards != (side >= 2)) {
       std::reverse(nodes.ids.begin(), nodes.ids.end());
       std::reverse(nodes.fractions.begin(), nodes.fractions.end());
       for (double& f : nodes.fractions) f = 1 - f;
@@ -123,8 +123,8 @@ class Splitter {
 
   /// The nodes of a block along a wall, or whose chords go on from layers; none for other blocks.
   std::vector<Vec2> layered_inside(int block, const std::array<ArcNodes, 4>& sides) const {
-    const std::array<int, 4>& arcs = layout_.block2arcs[block];
-    if (!walls_ || !(walls_->is_graded[mesh::arc_of(arcs[0])] || walls_->is_graded[mesh::arc_of(arcs[1])])) return {};
+    const std::array<HalfEdge, 4>& arcs = layout_.block2arcs[block];
+    if (!walls_ || !(walls_->is_graded[arcs[0].arc] || walls_->is_graded[arcs[1].arc])) return {};
     std::array<std::vector<double>, 4> fractions;
     for (int k = 0; k < 4; ++k) fractions[k] = sides[k].fractions;
     const layers::LayeredBlock layered = layers::layered_block(*walls_, layout_, chains_, block, std::move(fractions));
@@ -135,14 +135,15 @@ class Splitter {
 
   void add_boundary(int block, int first_elem, int columns, int rows) {
     for (int side = 0; side < 4; ++side) {
-      const int directed = layout_.block2arcs[block][side], arc = mesh::arc_of(directed);
+      const HalfEdge directed = layout_.block2arcs[block][side];
+      const int arc = directed.arc;
       if (!layout_.arcs[arc].is_boundary) continue;
       const std::vector<double>& ends = arc_ends_[arc];
       const int count = side % 2 == 0 ? columns : rows;
       for (int k = 0; k < count; ++k) {  // k along the side as it is walked
         const int i = side == 0 ? k : side == 1 ? columns - 1 : side == 2 ? columns - 1 - k : 0;
         const int j = side == 0 ? 0 : side == 1 ? k : side == 2 ? rows - 1 : rows - 1 - k;
-        const int interval = mesh::is_backwards(directed) ? count - 1 - k : k;
+        const int interval = directed.is_backwards ? count - 1 - k : k;
         const curve::ChainPoint middle = chains_[arc].at((ends[interval] + ends[interval + 1]) / 2);
         const int curve = layout_.arcs[arc].pieces[middle.piece].curve;
         boundary_.push_back({curve, middle.t, {first_elem + j * columns + i, side, curve}});

@@ -89,7 +89,7 @@ class Collapser {
   }
 
   bool drops_boundary() const {
-    const auto is_boundary = [&](int dart) { return old_.arcs[graph::dart_arc(dart)].is_boundary; };
+    const auto is_boundary = [&](HalfEdge h) { return old_.arcs[h.arc].is_boundary; };
     for (int b = 0; b < strip_.num_blocks(); ++b)
       if ((kept_[b] != graph::Pin::left && is_boundary(strip_.left[b])) ||
           (kept_[b] != graph::Pin::right && is_boundary(strip_.right[b])))
@@ -129,7 +129,7 @@ class Collapser {
   }
 
   void weld(int i) {
-    const int l = graph::dart_from(old_, strip_.rungs[i]), r = graph::dart_to(old_, strip_.rungs[i]);
+    const int l = start_of(old_.arcs, strip_.rungs[i]), r = end_of(old_.arcs, strip_.rungs[i]);
     const graph::Pieces rung = graph::pieces_along(old_, strip_.rungs[i]);
     if (weld_nodes_[i]) {
       const auto [before, behind] = graph::cut(rung, *weld_nodes_[i]);
@@ -149,17 +149,18 @@ class Collapser {
   // The one arc that leaves the strip at a regular node gets `pieces` in front of it.
   void lengthen(int node, const graph::Pieces& pieces) {
     for (int a = 0; a < static_cast<int>(old_.arcs.size()); ++a)
-      for (const int dart : {a, graph::reversed_dart(a)}) {
-        if (graph::dart_from(old_, dart) != node || is_of_strip(a)) continue;
+      for (const HalfEdge h : {HalfEdge{a}, HalfEdge{a, true}}) {
+        if (start_of(old_.arcs, h) != node || is_of_strip(a)) continue;
         graph::Pieces& own = result_.graph.arcs[a].pieces;
-        own = dart >= 0 ? graph::joined(pieces, own) : graph::joined(std::move(own), graph::reversed_pieces(pieces));
+        own = !h.is_backwards ? graph::joined(pieces, own)
+                              : graph::joined(std::move(own), graph::reversed_pieces(pieces));
         changed_[a] = true;
       }
   }
 
   bool is_of_strip(int arc) const {
-    const auto has = [&](const std::vector<int>& darts) {
-      return std::any_of(darts.begin(), darts.end(), [&](int d) { return graph::dart_arc(d) == arc; });
+    const auto has = [&](const std::vector<HalfEdge>& half_edges) {
+      return std::any_of(half_edges.begin(), half_edges.end(), [&](HalfEdge d) { return d.arc == arc; });
     };
     return has(strip_.rungs) || has(strip_.left) || has(strip_.right);
   }
@@ -171,14 +172,14 @@ class Collapser {
 
   void rebuild_arcs() {
     std::vector<int> stays_as(old_.arcs.size(), -2);  // -2: as it is, -1: goes, else: the rail that it becomes
-    for (const int d : strip_.rungs) stays_as[graph::dart_arc(d)] = -1;
+    for (const HalfEdge d : strip_.rungs) stays_as[d.arc] = -1;
     for (int b = 0; b < strip_.num_blocks(); ++b) {
-      const int left = graph::dart_arc(strip_.left[b]), right = graph::dart_arc(strip_.right[b]);
+      const int left = strip_.left[b].arc, right = strip_.right[b].arc;
       const bool keeps_left = kept_[b] != graph::Pin::right;
       stays_as[keeps_left ? right : left] = keeps_left ? left : right;
       if (kept_[b] != graph::Pin::none) continue;
       GraphArc& arc = result_.graph.arcs[left];
-      arc = {graph::dart_from(old_, strip_.left[b]), graph::dart_to(old_, strip_.left[b]), false, 0, {*new_arcs_[b]}};
+      arc = {start_of(old_.arcs, strip_.left[b]), end_of(old_.arcs, strip_.left[b]), false, 0, {*new_arcs_[b]}};
       changed_[left] = true;
     }
     std::vector<GraphArc> arcs;

@@ -19,14 +19,14 @@ class Judge {
   explicit Judge(const SeparatrixGraph& graph)
       : graph_(graph), table_(graph.face, graph.splines), chains_(graph.arcs.size()) {}
 
-  void add(const std::vector<int>& cycle, BlockShape& worst) {
+  void add(const std::vector<HalfEdge>& cycle, BlockShape& worst) {
     std::array<const curve::Chain*, 4> sides{};
     std::array<bool, 4> backwards{};
     for (int k = 0; k < 4; ++k) {
-      sides[k] = &chain(graph::dart_arc(cycle[k]));
-      backwards[k] = cycle[k] < 0;
-      const double angle = wrap_two_pi(graph::dart_angle(graph_, graph::reversed_dart(cycle[(k + 3) % 4])) -
-                                       graph::dart_angle(graph_, cycle[k]));
+      sides[k] = &chain(cycle[k].arc);
+      backwards[k] = cycle[k].is_backwards;
+      const double angle =
+          wrap_two_pi(graph::start_angle(graph_, cycle[(k + 3) % 4].reversed()) - graph::start_angle(graph_, cycle[k]));
       worst.least_angle = std::min(worst.least_angle, angle);
       worst.greatest_angle = std::max(worst.greatest_angle, angle);
     }
@@ -59,8 +59,7 @@ BlockShape worst_shape(const SeparatrixGraph& graph, const graph::PlanarFaces& f
 std::vector<int> faces_beside(const graph::PlanarFaces& faces, const std::vector<bool>& is_marked) {
   std::vector<int> beside;
   for (int f = 0; f < static_cast<int>(faces.cycles.size()); ++f)
-    if (std::any_of(faces.cycles[f].begin(), faces.cycles[f].end(),
-                    [&](int d) { return is_marked[graph::dart_arc(d)]; }))
+    if (std::any_of(faces.cycles[f].begin(), faces.cycles[f].end(), [&](HalfEdge d) { return is_marked[d.arc]; }))
       beside.push_back(f);
   return beside;
 }

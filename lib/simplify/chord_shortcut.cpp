@@ -11,14 +11,14 @@ namespace quadrille::simplify {
 namespace {
 
 // The spline that an inner arc is a part of, -1 on the boundary.
-int spline_of(const SeparatrixGraph& graph, int dart) {
-  const GraphArc& arc = graph.arcs[graph::dart_arc(dart)];
+int spline_of(const SeparatrixGraph& graph, HalfEdge h) {
+  const GraphArc& arc = graph.arcs[h.arc];
   return arc.is_boundary ? -1 : arc.pieces.front().curve - graph.face.num_curves();
 }
 
-graph::Pin fixed_end(const SeparatrixGraph& graph, int rung, bool& both) {
-  const bool left = graph::is_fixed(graph.nodes[graph::dart_from(graph, rung)]),
-             right = graph::is_fixed(graph.nodes[graph::dart_to(graph, rung)]);
+graph::Pin fixed_end(const SeparatrixGraph& graph, HalfEdge rung, bool& both) {
+  const bool left = graph::is_fixed(graph.nodes[start_of(graph.arcs, rung)]),
+             right = graph::is_fixed(graph.nodes[end_of(graph.arcs, rung)]);
   both = left && right;
   return left ? graph::Pin::left : right ? graph::Pin::right : graph::Pin::none;
 }
@@ -30,17 +30,17 @@ std::optional<Shortcut> shortcut_between(const SeparatrixGraph& graph, const gra
   s.from_left = from_left;
   for (int i = first; i <= last; ++i) s.rungs.push_back(strip.rungs[i]);
   for (int i = first; i < last; ++i) s.left.push_back(strip.left[i]), s.right.push_back(strip.right[i]);
-  const std::vector<int>&from = from_left ? s.left : s.right, &to = from_left ? s.right : s.left;
+  const std::vector<HalfEdge>&from = from_left ? s.left : s.right, &to = from_left ? s.right : s.left;
   s.spline = spline_of(graph, from.front());
   if (s.spline < 0) return std::nullopt;
   std::set<int> arcs;
   double width = 0, length = 0;
-  for (const std::vector<int>* rail : {&from, &to})
-    for (const int d : *rail) {
-      if (spline_of(graph, d) != s.spline || !arcs.insert(graph::dart_arc(d)).second) return std::nullopt;
-      length += lengths[graph::dart_arc(d)] / 2;
+  for (const std::vector<HalfEdge>* rail : {&from, &to})
+    for (const HalfEdge d : *rail) {
+      if (spline_of(graph, d) != s.spline || !arcs.insert(d.arc).second) return std::nullopt;
+      length += lengths[d.arc] / 2;
     }
-  for (const int d : s.rungs) width += lengths[graph::dart_arc(d)] / static_cast<double>(s.rungs.size());
+  for (const HalfEdge d : s.rungs) width += lengths[d.arc] / static_cast<double>(s.rungs.size());
   s.slimness = width / length;
   return s;
 }
@@ -56,16 +56,16 @@ struct Editor {
 
   // Two arcs that meet in a node of no others become one. False where they are not two.
   bool dissolve(int node) {
-    std::vector<int> darts;
+    std::vector<HalfEdge> half_edges;
     for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
-      for (const int d : {a, graph::reversed_dart(a)})
-        if (!is_gone[a] && graph::dart_from(graph, d) == node) darts.push_back(d);
-    if (darts.size() != 2 || graph::dart_arc(darts[0]) == graph::dart_arc(darts[1])) return false;
-    const int in = graph::reversed_dart(darts[0]), out = darts[1];
+      for (const HalfEdge d : {HalfEdge{a}, HalfEdge{a, true}})
+        if (!is_gone[a] && start_of(graph.arcs, d) == node) half_edges.push_back(d);
+    if (half_edges.size() != 2 || half_edges[0].arc == half_edges[1].arc) return false;
+    const HalfEdge in = half_edges[0].reversed(), out = half_edges[1];
     if (spline_of(graph, in) < 0 || spline_of(graph, in) != spline_of(graph, out)) return false;
-    add_arc(graph::dart_from(graph, in), graph::dart_to(graph, out),
+    add_arc(start_of(graph.arcs, in), end_of(graph.arcs, out),
             graph::joined(graph::pieces_along(graph, in), graph::pieces_along(graph, out)));
-    is_gone[graph::dart_arc(in)] = is_gone[graph::dart_arc(out)] = true;
+    is_gone[in.arc] = is_gone[out.arc] = true;
     return true;
   }
 
@@ -96,14 +96,13 @@ struct Editor {
 bool insert_blend(Editor& edit, const curve::CurveTable& table, const Shortcut& shortcut, Nurbs spline) {
   const int last = static_cast<int>(shortcut.rungs.size()) - 1;
   const auto pinned = [&](int rung, bool is_left) {
-    return is_left ? graph::dart_from(edit.graph, shortcut.rungs[rung])
-                   : graph::dart_to(edit.graph, shortcut.rungs[rung]);
+    return is_left ? start_of(edit.graph.arcs, shortcut.rungs[rung]) : end_of(edit.graph.arcs, shortcut.rungs[rung]);
   };
   const int curve = edit.graph.face.num_curves() + static_cast<int>(edit.graph.splines.size());
   int node = pinned(0, shortcut.from_left);
   double s = spline.begin();
   for (int i = 1; i < last; ++i) {
-    const int rung = shortcut.rungs[i];
+    const HalfEdge rung = shortcut.rungs[i];
     const graph::Pieces pieces = graph::pieces_along(edit.graph, rung);
     const curve::Chain chain(table, pieces);
     double at = spline.begin() + (spline.end() - spline.begin()) * i / last, fraction = 0.5;
@@ -112,8 +111,8 @@ bool insert_blend(Editor& edit, const curve::CurveTable& table, const Shortcut& 
     const int weld = static_cast<int>(edit.graph.nodes.size());
     edit.graph.nodes.push_back({x.position, NodeKind::crossing, 4, -1, 0});
     const auto [before, behind] = graph::cut(pieces, x);
-    const int l = graph::dart_from(edit.graph, rung), r = graph::dart_to(edit.graph, rung);
-    edit.is_gone[graph::dart_arc(rung)] = true;
+    const int l = start_of(edit.graph.arcs, rung), r = end_of(edit.graph.arcs, rung);
+    edit.is_gone[rung.arc] = true;
     edit.add_arc(l, weld, before);
     edit.add_arc(weld, r, behind);
     edit.add_arc(node, weld, {{curve, s, at}});
@@ -148,8 +147,8 @@ std::vector<Shortcut> find_shortcuts(const SeparatrixGraph& graph, const graph::
 std::optional<Blend> blend_of(const field::FieldEvaluator& evaluator, const SeparatrixGraph& graph,
                               const Shortcut& shortcut, const BlendOptions& options) {
   graph::Pieces left, right;
-  for (const int d : shortcut.left) left = graph::joined(std::move(left), graph::pieces_along(graph, d));
-  for (const int d : shortcut.right) right = graph::joined(std::move(right), graph::pieces_along(graph, d));
+  for (const HalfEdge d : shortcut.left) left = graph::joined(std::move(left), graph::pieces_along(graph, d));
+  for (const HalfEdge d : shortcut.right) right = graph::joined(std::move(right), graph::pieces_along(graph, d));
   const curve::CurveTable table(graph.face, graph.splines);
   return make_blend(evaluator, table, shortcut.from_left ? left : right, shortcut.from_left ? right : left, options);
 }
@@ -157,9 +156,9 @@ std::optional<Blend> blend_of(const field::FieldEvaluator& evaluator, const Sepa
 std::optional<SeparatrixGraph> take_shortcut(const SeparatrixGraph& graph, const Shortcut& shortcut,
                                              const Blend& blend) {
   const curve::CurveTable table(graph.face, graph.splines);
-  const int first_rung = graph::dart_arc(shortcut.rungs.front());
-  const int start =
-      shortcut.from_left == (shortcut.rungs.front() >= 0) ? graph.arcs[first_rung].from : graph.arcs[first_rung].to;
+  const int first_rung = shortcut.rungs.front().arc;
+  const int start = shortcut.from_left != shortcut.rungs.front().is_backwards ? graph.arcs[first_rung].from
+                                                                              : graph.arcs[first_rung].to;
   const Vec2 begin = curve::point(blend.spline, blend.spline.begin()),
              end = curve::point(blend.spline, blend.spline.end());
   const Vec2 at = graph.nodes[start].position;
@@ -168,7 +167,7 @@ std::optional<SeparatrixGraph> take_shortcut(const SeparatrixGraph& graph, const
   Editor edit(graph);
   std::set<int> crossed;
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a) {
-    if (spline_of(graph, a) != shortcut.spline) continue;
+    if (spline_of(graph, {a}) != shortcut.spline) continue;
     edit.is_gone[a] = true;
     for (const int n : {graph.arcs[a].from, graph.arcs[a].to})
       if (!graph::is_fixed(graph.nodes[n])) crossed.insert(n);

@@ -14,10 +14,10 @@ namespace quadrille::simplify {
 /// Blocks of a strip between a pin at one side of a rung and the next at the other side, where both rails are the two
 /// ends of one line between the pinned nodes.
 struct Shortcut {
-  int spline = 0;                       ///< of the line, in the graph's splines
-  std::vector<int> rungs, left, right;  ///< darts as in ChordStrip
-  bool from_left = true;                ///< P is the left end of the first rung
-  double slimness = 0;                  ///< mean length of the rungs over that of the rails
+  int spline = 0;                            ///< of the line, in the graph's splines
+  std::vector<HalfEdge> rungs, left, right;  ///< half-edges as in ChordStrip
+  bool from_left = true;                     ///< P is the left end of the first rung
+  double slimness = 0;                       ///< mean length of the rungs over that of the rails
 };
 
 /// All, in the sequence of their strips.

@@ -27,9 +27,9 @@ struct Trial {
 bool share_a_rail(const std::vector<graph::ChordStrip>& strips) {
   std::set<int> rails;
   for (const graph::ChordStrip& strip : strips)
-    for (const std::vector<int>* darts : {&strip.left, &strip.right})
-      for (const int d : *darts)
-        if (!rails.insert(graph::dart_arc(d)).second) return true;
+    for (const std::vector<HalfEdge>* half_edges : {&strip.left, &strip.right})
+      for (const HalfEdge d : *half_edges)
+        if (!rails.insert(d.arc).second) return true;
   return false;
 }
 
@@ -38,9 +38,9 @@ std::vector<double> key_of(const SeparatrixGraph& graph, const std::vector<graph
   std::vector<std::vector<double>> keys;
   for (const graph::ChordStrip& strip : strips) {
     keys.emplace_back();
-    for (const std::vector<int>* darts : {&strip.rungs, &strip.left, &strip.right})
-      for (const int d : *darts)
-        for (const ArcPiece& p : graph.arcs[graph::dart_arc(d)].pieces)
+    for (const std::vector<HalfEdge>* half_edges : {&strip.rungs, &strip.left, &strip.right})
+      for (const HalfEdge d : *half_edges)
+        for (const ArcPiece& p : graph.arcs[d.arc].pieces)
           keys.back().insert(keys.back().end(), {static_cast<double>(p.curve), p.t0, p.t1});
     std::sort(keys.back().begin(), keys.back().end());
   }
@@ -133,8 +133,8 @@ class Simplifier {
   // The strip as it is after the collapse of others that cross it, and with it the census of faces.
   bool collapse_one(const graph::ChordStrip& old_strip, const std::vector<Blend>& blends, Trial& trial) const {
     int arc = -1;
-    for (const int d : old_strip.rungs)
-      if (arc < 0) arc = trial.arc2arc[graph::dart_arc(d)];
+    for (const HalfEdge d : old_strip.rungs)
+      if (arc < 0) arc = trial.arc2arc[d.arc];
     if (arc < 0) return false;
     const graph::ChordStrip strip = graph::strip_through(trial.graph, graph::planar_faces(trial.graph), arc);
     const std::vector<graph::Pin> pins = graph::pins_of(trial.graph, strip);
@@ -240,15 +240,19 @@ SeparatrixGraph simplify(const field::FieldEvaluator& evaluator, SeparatrixGraph
   }
   report.set("simplify.collapsed", simplifier.num_collapsed());
   report.set("simplify.laps_cut", simplifier.num_shortcuts());
+  report.set("simplify.laps_cut", simplifier.num_shortcuts());
+  report.set("simplify.shortened_spirals", simplifier.num_shortcuts());
   report.set("simplify.largest_turn_degrees", degrees(simplifier.turn()));
+  report.set("simplify.largest_turn_degrees", degrees(simplifier.turn()));
+  report.set("simplify.largest_deviation_degrees", degrees(simplifier.turn()));
   const bool is_changed = simplifier.num_collapsed() + simplifier.num_shortcuts() > 0;
   graph = simplifier.graph_without_leftovers();
   if (is_changed) least = least_scaled_jacobian(graph, graph::planar_faces(graph));
   report.set("simplify.least_scaled_jacobian", least);
   LayoutCertificate& certificate = graph.certificate;
   certificate.collapsed_chords += simplifier.num_collapsed();
-  certificate.laps_cut += simplifier.num_shortcuts();
-  certificate.largest_turn_degrees = std::max(certificate.largest_turn_degrees, degrees(simplifier.turn()));
+  certificate.shortened_spirals += simplifier.num_shortcuts();
+  certificate.largest_deviation_degrees = std::max(certificate.largest_deviation_degrees, degrees(simplifier.turn()));
   return graph;
 }
 

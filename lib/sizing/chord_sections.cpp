@@ -35,8 +35,7 @@ std::vector<std::vector<ChordBlock>> chord_blocks(const BlockLayout& layout, con
   std::vector<std::vector<ChordBlock>> blocks(
       arc_chord.empty() ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
   for (int block = 0; block < layout.num_blocks(); ++block)
-    for (const int side : {0, 1})
-      blocks[arc_chord[mesh::arc_of(layout.block2arcs[block][side])]].push_back({block, side});
+    for (const int side : {0, 1}) blocks[arc_chord[layout.block2arcs[block][side].arc]].push_back({block, side});
   return blocks;
 }
 
@@ -47,30 +46,29 @@ ChordSections::ChordSections(const BlockLayout& layout, const mesh::Chord& chord
   std::unordered_map<int, int> arc2place;
   for (std::size_t i = 0; i < chord.arcs.size(); ++i) arc2place[chord.arcs[i]] = static_cast<int>(i);
   for (const ChordBlock& b : blocks) {
-    std::array<int, 4> sides = layout.block2arcs[b.block];
+    std::array<HalfEdge, 4> sides = layout.block2arcs[b.block];
     std::rotate(sides.begin(), sides.begin() + b.side, sides.end());
-    add_block(sides, {arc2place.at(mesh::arc_of(sides[0])), arc2place.at(mesh::arc_of(sides[2]))});
+    add_block(sides, {arc2place.at(sides[0].arc), arc2place.at(sides[2].arc)});
   }
 }
 
-void ChordSections::add_block(const std::array<int, 4>& sides, const std::array<int, 2>& ends) {
+void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends) {
   Block block;
   block.a = ends[0], block.b = ends[1];
-  block.is_against = chord_.backwards[block.a] != mesh::is_backwards(sides[0]);
+  block.is_against = chord_.backwards[block.a] != sides[0].is_backwards;
   if (!sizes_.is_uniform()) {
-    for (int k = 0; k < 4; ++k)
-      block.corners[k] = chains_[mesh::arc_of(sides[k])].at(mesh::is_backwards(sides[k]) ? 1.0 : 0.0).position;
+    for (int k = 0; k < 4; ++k) block.corners[k] = chains_[sides[k].arc].at(sides[k].is_backwards ? 1.0 : 0.0).position;
     add_lines(block, sides, trial_lines);
-    const double width = std::max(chains_[mesh::arc_of(sides[1])].length(), chains_[mesh::arc_of(sides[3])].length());
+    const double width = std::max(chains_[sides[1].arc].length(), chains_[sides[3].arc].length());
     const double wanted = width * sizes_.slope() / (line_resolution * least_size(block));
     add_lines(block, sides, static_cast<int>(std::min<double>(max_lines, std::ceil(wanted) - 1)));
   }
   blocks_.push_back(std::move(block));
 }
 
-void ChordSections::add_lines(Block& block, const std::array<int, 4>& sides, int lines) const {
-  const auto on_side = [&](int directed, double t) {
-    return chains_[mesh::arc_of(directed)].at(mesh::is_backwards(directed) ? 1 - t : t).position;
+void ChordSections::add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const {
+  const auto on_side = [&](HalfEdge directed, double t) {
+    return chains_[directed.arc].at(directed.is_backwards ? 1 - t : t).position;
   };
   block.left.clear(), block.right.clear();
   for (int k = 1; k <= lines; ++k) {

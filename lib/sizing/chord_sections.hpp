@@ -60,8 +60,8 @@ class ChordSections {
     std::vector<Vec2> left, right;  ///< points on the sides s = 0 and s = 1, one for each line
   };
   const curve::Chain& chain(int place) const { return chains_[chord_.arcs[place]]; }
-  void add_block(const std::array<int, 4>& sides, const std::array<int, 2>& ends);
-  void add_lines(Block& block, const std::array<int, 4>& sides, int lines) const;
+  void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends);
+  void add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const;
   double least_size(const Block& block) const;
   std::vector<Place> places(double u) const;
   Vec2 position(const Block& block, const std::vector<Place>& places, std::size_t line) const;

@@ -68,8 +68,8 @@ void write_wrong_certificates() {
   };
   broken("SEP-R11", [](SeparatrixGraph& g) { g.certificate.way = "guessed"; });
   broken("SEP-R12", [](SeparatrixGraph& g) { g.certificate.index_sum = 3; });
-  broken("SEP-R13", [](SeparatrixGraph& g) { g.certificate.census = {{4, 3}}; });
-  broken("SEP-R14", [](SeparatrixGraph& g) { g.certificate.census = {{3, 1}, {5, 1}}; });
+  broken("SEP-R13", [](SeparatrixGraph& g) { g.certificate.face_valence_histogram = {{4, 3}}; });
+  broken("SEP-R14", [](SeparatrixGraph& g) { g.certificate.face_valence_histogram = {{3, 1}, {5, 1}}; });
 }
 
 /// A mesh that is not valid and says so. passed/version-1.0.quad.h5 is a file from before meshes could.

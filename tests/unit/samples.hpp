@@ -7,6 +7,7 @@
 #include "model/quad_mesh.hpp"
 #include "model/separatrix_graph.hpp"
 #include "model/tri_mesh.hpp"
+#include "support/block_sides.hpp"
 
 namespace quadrille::samples {
 
@@ -157,7 +158,7 @@ inline SeparatrixGraph separatrix_graph() {
   g.lines = {{4, 5, "cut", {6}}};
   g.certificate.way = "traced";
   g.certificate.index_sum = 4;
-  g.certificate.census = {{4, 2}};
+  g.certificate.face_valence_histogram = {{4, 2}};
   return g;
 }
 
@@ -170,7 +171,7 @@ inline BlockLayout block_layout() {
   b.nodes = g.nodes;
   b.arcs = g.arcs;
   b.block2nodes = {{0, 4, 5, 3}, {4, 1, 2, 5}};
-  b.block2arcs = {{0, 6, 4, 5}, {1, 2, 3, -7}};
+  b.block2arcs = {block_sides({0, 6, 4, 5}), block_sides({1, 2, 3, -7})};
   b.arc_chord = {0, 1, 2, 1, 0, 2, 2};
   b.block_jacobian_bound = {0.125, 0.125};
   b.block_scaled_jacobian = {1, 1};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../hand_made.hpp"
+#include "../support/block_sides.hpp"
 #include "base/error.hpp"
 #include "mesh/chords.hpp"
 
@@ -17,31 +18,27 @@ BlockLayout extracted(const SeparatrixGraph& graph) {
   return extract_blocks(graph, report);
 }
 
-int start_of(const BlockLayout& layout, int directed) {
-  const GraphArc& arc = layout.arcs[mesh::arc_of(directed)];
-  return mesh::is_backwards(directed) ? arc.to : arc.from;
-}
-
-/// Sides follow each other around every block; every directed inner arc bounds one block, boundary arcs only forwards.
+/// Sides follow each other around every block; each direction of an inner arc bounds one block, of a boundary arc the
+/// first only.
 void expect_consistent(const BlockLayout& layout) {
-  std::multiset<int> sides;
+  std::multiset<HalfEdge> sides;
   for (int b = 0; b < layout.num_blocks(); ++b)
     for (int k = 0; k < 4; ++k) {
-      const int directed = layout.block2arcs[b][k];
-      sides.insert(directed);
-      EXPECT_EQ(start_of(layout, directed), layout.block2nodes[b][k]);
-      EXPECT_EQ(start_of(layout, -1 - directed), layout.block2nodes[b][(k + 1) % 4]);
+      const HalfEdge side = layout.block2arcs[b][k];
+      sides.insert(side);
+      EXPECT_EQ(start_of(layout.arcs, side), layout.block2nodes[b][k]);
+      EXPECT_EQ(end_of(layout.arcs, side), layout.block2nodes[b][(k + 1) % 4]);
     }
   for (int a = 0; a < static_cast<int>(layout.arcs.size()); ++a) {
-    EXPECT_EQ(sides.count(a), 1u);
-    EXPECT_EQ(sides.count(-1 - a), layout.arcs[a].is_boundary ? 0u : 1u);
+    EXPECT_EQ(sides.count({a}), 1u);
+    EXPECT_EQ(sides.count({a, true}), layout.arcs[a].is_boundary ? 0u : 1u);
   }
 }
 
 TEST(ExtractBlocks, OneBlockPerFace) {
   const BlockLayout square = extracted(hand_made::unit_square());
   EXPECT_EQ(square.num_blocks(), 1);
-  EXPECT_EQ(square.block2arcs[0], (std::array<int, 4>{0, 1, 2, 3}));
+  EXPECT_EQ(square.block2arcs[0], block_sides({0, 1, 2, 3}));
   EXPECT_EQ(square.block_names[0], "block_0");
   EXPECT_NEAR(square.block_jacobian_bound[0], 0.25, 1e-9);
   for (const auto& [graph, count] : {std::pair{hand_made::l_shape(), 3}, std::pair{hand_made::cut_annulus(4), 4},

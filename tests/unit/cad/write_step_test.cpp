@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "../support/block_sides.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "cad/load_face.hpp"
@@ -40,7 +41,7 @@ BlockLayout two_blocks() {
   arc(5, 0, 1, 3 * pi / 4, pi);
   arc(4, 1, 2, 1, 0);
   layout.block2nodes = {{0, 1, 4, 5}, {1, 2, 3, 4}};
-  layout.block2arcs = {{0, -7, -5, 5}, {1, 2, 3, 6}};
+  layout.block2arcs = {block_sides({0, -7, -5, 5}), block_sides({1, 2, 3, 6})};
   layout.block_names = {"left", "right"};
   return layout;
 }

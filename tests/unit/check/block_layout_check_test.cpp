@@ -41,8 +41,9 @@ TEST(BlockLayoutCheck, BlkR04ArraysAgree) {
 }
 TEST(BlockLayoutCheck, BlkR05BlockIndicesExist) {
   EXPECT_EQ(broken([](auto& b) { b.block2nodes[0][2] = 6; }), Rules{"BLK-R05"});
-  EXPECT_EQ(broken([](auto& b) { b.block2arcs[0][2] = -8; }), Rules{"BLK-R05"});
-  EXPECT_EQ(broken([](auto& b) { b.block2arcs[0][2] = std::numeric_limits<int>::min(); }), Rules{"BLK-R05"});
+  EXPECT_EQ(broken([](auto& b) { b.block2arcs[0][2] = {7, true}; }), Rules{"BLK-R05"});
+  EXPECT_EQ(broken([](auto& b) { b.block2arcs[0][2] = half_edge_of_code(std::numeric_limits<int>::min()); }),
+            Rules{"BLK-R05"});
   EXPECT_EQ(broken([](auto& b) { b.arc_chord[0] = -1; }), Rules{"BLK-R05"});
 }
 TEST(BlockLayoutCheck, BlkR06ArcsAreChains) {
@@ -55,7 +56,7 @@ TEST(BlockLayoutCheck, BlkR08NodeKindsFit) {
   EXPECT_EQ(broken([](auto& b) { b.nodes[5].kind = NodeKind::crossing; }), Rules{"BLK-R08"});
 }
 TEST(BlockLayoutCheck, BlkR09SidesJoinNodes) {
-  EXPECT_TRUE(broken([](auto& b) { b.block2arcs[0][1] = -7; }).contains("BLK-R09"));
+  EXPECT_TRUE(broken([](auto& b) { b.block2arcs[0][1] = {6, true}; }).contains("BLK-R09"));
 }
 TEST(BlockLayoutCheck, BlkR10ArcsAreShared) {
   EXPECT_EQ(broken([](auto& b) {

@@ -74,16 +74,16 @@ TEST(SeparatrixGraphCheck, SepR10Census) {
 TEST(SeparatrixGraphCheck, SepR11CertificateIsSound) {
   EXPECT_EQ(broken([](auto& g) { g.certificate.way = "guessed"; }), Rules{"SEP-R11"});
   EXPECT_EQ(broken([](auto& g) { g.certificate.merged_lines = -1; }), Rules{"SEP-R11"});
-  EXPECT_EQ(broken([](auto& g) { g.certificate.largest_turn_degrees = 200; }), Rules{"SEP-R11"});
-  EXPECT_EQ(broken([](auto& g) { g.certificate.census = {{4, 1}, {4, 1}}; }), Rules{"SEP-R11"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.largest_deviation_degrees = 200; }), Rules{"SEP-R11"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.face_valence_histogram = {{4, 1}, {4, 1}}; }), Rules{"SEP-R11"});
 }
 TEST(SeparatrixGraphCheck, SepR12IndexSum) {
   EXPECT_EQ(broken([](auto& g) { g.certificate.index_sum = 3; }), Rules{"SEP-R12"});
 }
 TEST(SeparatrixGraphCheck, SepR13CensusIsThatOfTheGraph) {
-  EXPECT_EQ(broken([](auto& g) { g.certificate.census = {{4, 3}}; }), Rules{"SEP-R13"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.face_valence_histogram = {{4, 3}}; }), Rules{"SEP-R13"});
   EXPECT_EQ(broken([](auto& g) {
-              g.certificate.census = {{3, 1}, {4, 1}};
+              g.certificate.face_valence_histogram = {{3, 1}, {4, 1}};
               g.certificate.way = "t-mesh";
             }),
             Rules{"SEP-R13"});
@@ -96,7 +96,7 @@ TEST(SeparatrixGraphCheck, SepR13CensusIsThatOfTheGraph) {
 TEST(SeparatrixGraphCheck, SepR14LayoutsConform) {
   const auto unequal = [](const char* way) {
     return broken([way](auto& g) {
-      g.certificate.census = {{3, 1}, {5, 1}};  // together as many as there are
+      g.certificate.face_valence_histogram = {{3, 1}, {5, 1}};  // together as many as there are
       g.certificate.way = way;
     });
   };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/block_sides.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
@@ -310,8 +311,8 @@ TEST(Draw, SeparatricesTellTheirCertificate) {
   EXPECT_EQ(count(draw_separatrix_graph(graph, {}), "index sum"), 0);
   graph.certificate.way = "traced";
   graph.certificate.index_sum = 4;
-  graph.certificate.census = {{4, 2}};
-  graph.certificate.largest_turn_degrees = 2.34;
+  graph.certificate.face_valence_histogram = {{4, 2}};
+  graph.certificate.largest_deviation_degrees = 2.34;
   EXPECT_EQ(
       count(draw_separatrix_graph(graph, {}), "traced: 2 faces of 4 corners, index sum 4, turned by 2.3° at most"), 1);
 }
@@ -330,7 +331,7 @@ TEST(Draw, BlocksShowNumbersInTheirMiddle) {
   layout.nodes = graph.nodes;
   layout.arcs = graph.arcs;
   layout.block2nodes = {{0, 1, 4, 5}, {5, 4, 2, 3}};
-  layout.block2arcs = {{0, 1, -7, 5}, {6, 2, 3, 4}};
+  layout.block2arcs = {block_sides({0, 1, -7, 5}), block_sides({6, 2, 3, 4})};
   layout.arc_chord = {0, 1, 2, 0, 2, 1, 0};
   layout.block_names = {"inlet block", ""};
   DrawOptions options;

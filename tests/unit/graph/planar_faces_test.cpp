@@ -20,16 +20,16 @@ std::string message_of(const SeparatrixGraph& graph) {
 TEST(PlanarFaces, OneBlockIsOneCycleOfItsFourSides) {
   const PlanarFaces faces = planar_faces(hand_made::unit_square());
   ASSERT_EQ(faces.cycles.size(), 1u);
-  EXPECT_EQ(faces.cycles[0], (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(faces.cycles[0], (std::vector<HalfEdge>{{0}, {1}, {2}, {3}}));
   EXPECT_EQ(faces.quarters[0], (std::vector<int>{1, 1, 1, 1}));
   EXPECT_EQ(faces.num_components, 1);
 }
 
-TEST(PlanarFaces, EveryDartInsideTheDomainLiesInOneCycle) {
+TEST(PlanarFaces, EveryHalfEdgeInsideTheDomainLiesInOneCycle) {
   const SeparatrixGraph graph = hand_made::l_shape();
   std::vector<int> uses(2 * graph.arcs.size(), 0);
   for (const auto& cycle : planar_faces(graph).cycles)
-    for (const int dart : cycle) ++uses[dart >= 0 ? 2 * dart : 2 * dart_arc(dart) + 1];
+    for (const HalfEdge h : cycle) ++uses[h.index()];
   for (size_t a = 0; a < graph.arcs.size(); ++a) {
     EXPECT_EQ(uses[2 * a], 1);
     EXPECT_EQ(uses[2 * a + 1], graph.arcs[a].is_boundary ? 0 : 1);
@@ -41,19 +41,20 @@ TEST(PlanarFaces, CyclesAreClosedAndWalkedCounterClockwise) {
   for (const auto& cycle : planar_faces(graph).cycles) {
     double area = 0;
     for (size_t k = 0; k < cycle.size(); ++k) {
-      EXPECT_EQ(dart_to(graph, cycle[k]), dart_from(graph, cycle[(k + 1) % cycle.size()]));
-      area += cross(graph.nodes[dart_from(graph, cycle[k])].position, graph.nodes[dart_to(graph, cycle[k])].position);
+      EXPECT_EQ(end_of(graph.arcs, cycle[k]), start_of(graph.arcs, cycle[(k + 1) % cycle.size()]));
+      area += cross(graph.nodes[start_of(graph.arcs, cycle[k])].position,
+                    graph.nodes[end_of(graph.arcs, cycle[k])].position);
     }
     EXPECT_NEAR(area / 2, 1, 1e-14);  // three unit squares
   }
 }
 
-TEST(PlanarFaces, DartsAroundABoundaryNodeBeginAndEndOnTheBoundary) {
+TEST(PlanarFaces, HalfEdgesAroundABoundaryNodeBeginAndEndOnTheBoundary) {
   const SeparatrixGraph graph = hand_made::l_shape();
-  const auto around = darts_around_nodes(graph);
-  for (const auto& darts : around) {
-    EXPECT_TRUE(darts.front() >= 0 && graph.arcs[darts.front()].is_boundary);
-    EXPECT_TRUE(darts.back() < 0 && graph.arcs[dart_arc(darts.back())].is_boundary);
+  const auto around = half_edges_around_nodes(graph);
+  for (const auto& half_edges : around) {
+    EXPECT_TRUE(!half_edges.front().is_backwards && graph.arcs[half_edges.front().arc].is_boundary);
+    EXPECT_TRUE(half_edges.back().is_backwards && graph.arcs[half_edges.back().arc].is_boundary);
   }
   EXPECT_EQ(around[3].size(), 4u);  // the reflex corner: two sides, two separatrices
 }

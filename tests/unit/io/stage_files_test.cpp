@@ -96,7 +96,7 @@ TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
   EXPECT_EQ(graph.nodes[4].kind, NodeKind::boundary);
   EXPECT_EQ(graph.arcs[6].pieces[0].curve, 4);
   EXPECT_EQ(graph.certificate.way, "traced");
-  EXPECT_EQ(graph.certificate.census.at(0).faces, 2);
+  EXPECT_EQ(graph.certificate.face_valence_histogram.at(0).faces, 2);
   EXPECT_EQ(stage_format(read_input(path("first"))), "separatrix-graph");
 }
 

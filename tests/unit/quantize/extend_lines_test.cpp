@@ -72,10 +72,10 @@ TEST(TMesh, ALineThatEndsOnAnotherMakesATJunctionAndFourCorneredFaces) {
   EXPECT_EQ(num_t_junctions(graph), 1);
   const std::vector<TFace> faces = t_mesh_faces(graph);
   ASSERT_EQ(faces.size(), 3u);
-  size_t darts = 0;
+  size_t half_edges = 0;
   for (const TFace& f : faces)
-    for (const auto& side : f) darts += side.size();
-  EXPECT_EQ(darts, 13u);  // four sides each, and one more where the T-junction is
+    for (const auto& side : f) half_edges += side.size();
+  EXPECT_EQ(half_edges, 13u);  // four sides each, and one more where the T-junction is
   const std::vector<FaceCount> census = graph::face_census(graph);
   ASSERT_EQ(census.size(), 1u);
   EXPECT_EQ(census[0].corners, 4);
@@ -89,7 +89,7 @@ TEST(ExtendLines, TheStoppedLineGoesStraightOnToTheBoundary) {
   // The left side of the square has no node yet: two units there, as on the line with the T-junction.
   for (const TFace& f : faces)
     for (int k = 0; k < 4; ++k)
-      if (f[k].size() == 2) lengths[graph::dart_arc(f[(k + 2) % 4].front())] = 2;
+      if (f[k].size() == 2) lengths[f[(k + 2) % 4].front().arc] = 2;
   const SeparatrixGraph whole = extend_lines(graph, faces, lengths);
   EXPECT_EQ(num_t_junctions(whole), 0);
   EXPECT_EQ(graph::require_four_corners(whole), 4);
@@ -110,11 +110,11 @@ SeparatrixGraph extended_pinwheel(int in_the_middle) {
   std::vector<int> lengths(graph.arcs.size(), 0);
   // Arcs around the middle block, other inner arcs, and the boundary arcs opposite to both.
   for (const TFace& f : faces) {
-    const bool is_middle = std::all_of(f.begin(), f.end(), [&](const std::vector<int>& side) {
-      return side.size() == 1 && !graph.arcs[graph::dart_arc(side.front())].is_boundary;
+    const bool is_middle = std::all_of(f.begin(), f.end(), [&](const std::vector<HalfEdge>& side) {
+      return side.size() == 1 && !graph.arcs[side.front().arc].is_boundary;
     });
     if (!is_middle) continue;
-    for (const auto& side : f) lengths[graph::dart_arc(side.front())] = in_the_middle;
+    for (const auto& side : f) lengths[side.front().arc] = in_the_middle;
   }
   for (size_t a = 0; a < graph.arcs.size(); ++a)
     if (lengths[a] == 0 && !graph.arcs[a].is_boundary) lengths[a] = 1;
@@ -122,9 +122,8 @@ SeparatrixGraph extended_pinwheel(int in_the_middle) {
     for (int k = 0; k < 4; ++k) {
       const int across = (k + 2) % 4;
       int total = 0;
-      for (const int dart : f[across]) total += lengths[graph::dart_arc(dart)];
-      if (f[k].size() == 1 && graph.arcs[graph::dart_arc(f[k].front())].is_boundary)
-        lengths[graph::dart_arc(f[k].front())] = total;
+      for (const HalfEdge h : f[across]) total += lengths[h.arc];
+      if (f[k].size() == 1 && graph.arcs[f[k].front().arc].is_boundary) lengths[f[k].front().arc] = total;
     }
   SeparatrixGraph whole = extend_lines(graph, faces, lengths);
   return whole;

@@ -7,14 +7,22 @@
 namespace quadrille::quantize {
 namespace {
 
-int sum(const std::vector<int>& side, const std::vector<int>& lengths) {
+int sum(const std::vector<HalfEdge>& side, const std::vector<int>& lengths) {
   int total = 0;
-  for (const int dart : side) total += lengths[graph::dart_arc(dart)];
+  for (const HalfEdge h : side) total += lengths[h.arc];
   return total;
 }
 
+/// A face from its sides, each a list of arcs as files hold them: -1 - a is arc a backwards.
+TFace face(const std::array<std::vector<int>, 4>& sides) {
+  TFace result;
+  for (int k = 0; k < 4; ++k)
+    for (const int code : sides[k]) result[k].push_back(half_edge_of_code(code));
+  return result;
+}
+
 // Arcs 0, 1, 2 across a strip of two faces that closes on itself: 0 = 1 and 1 = 0 + 2. Arcs 3 to 6 run along it.
-const std::vector<TFace> spiral{{{{0}, {3}, {1}, {4}}}, {{{-2}, {5}, {-1, 2}, {6}}}};
+const std::vector<TFace> spiral{face({{{0}, {3}, {1}, {4}}}), face({{{-2}, {5}, {-1, 2}, {6}}})};
 
 TEST(IntegerProgramme, FindsWholeNumbersWhereTheRealOptimumHasNone) {
   // Maximise x + y with 2 x + 2 y + slack = 5.
@@ -36,7 +44,7 @@ TEST(IntegerProgramme, SaysWhereThereIsNoSolution) {
 
 TEST(Quantize, OppositeSidesAreEqualAndNearTheirTargets) {
   // One face: side 0 of three arcs, the others of one.
-  const std::vector<TFace> faces{{{{0, 1, 2}, {3}, {4}, {5}}}};
+  const std::vector<TFace> faces{face({{{0, 1, 2}, {3}, {4}, {5}}})};
   const std::vector<int> lengths = quantize(faces, {0.2, 1.0, 2.1, 0.1, 5.2, 0.3}, 1);
   ASSERT_EQ(lengths.size(), 6u);
   EXPECT_EQ(sum(faces[0][0], lengths), sum(faces[0][2], lengths));
@@ -48,14 +56,14 @@ TEST(Quantize, OppositeSidesAreEqualAndNearTheirTargets) {
 
 TEST(Quantize, EqualArcsGetEqualLengths) {
   // 3 + 4 = 7 would be nearest, 3 + 3 = 6 is as symmetric as the face.
-  const std::vector<TFace> faces{{{{0, 1}, {2}, {3}, {4}}}};
+  const std::vector<TFace> faces{face({{{0, 1}, {2}, {3}, {4}}})};
   EXPECT_EQ(quantize(faces, {3.4, 3.4, 1, 6.8, 1}, 1), (std::vector<int>{3, 3, 1, 6, 1}));
   EXPECT_EQ(quantize(faces, {3.4, 3.4001, 1, 6.8, 1}, 1)[3], 7);
 }
 
 TEST(Quantize, EqualArcsThatCannotBeEqualAreNot) {
   // Opposite sides of one and two arcs, all equally long.
-  const std::vector<TFace> faces{{{{0, 1}, {2}, {3}, {4}}}};
+  const std::vector<TFace> faces{face({{{0, 1}, {2}, {3}, {4}}})};
   EXPECT_EQ(quantize(faces, {1, 1, 1, 1, 1}, 1), (std::vector<int>{1, 1, 1, 2, 1}));
 }
 
@@ -65,13 +73,13 @@ TEST(Quantize, AStripThatWindsOntoItselfHasNoLengths) {
 }
 
 TEST(Quantize, NothingVanishesWhereLengthsExist) {
-  EXPECT_TRUE(vanishing_arcs({{{{0, 1, 2}, {3}, {4}, {5}}}}, 6).empty());
+  EXPECT_TRUE(vanishing_arcs({face({{{0, 1, 2}, {3}, {4}, {5}}})}, 6).empty());
 }
 
 TEST(Quantize, TheRailsOfTheStripAreNamed) {
   // A third face beside the strip has no part in it.
   std::vector<TFace> faces = spiral;
-  faces.push_back({{{-4}, {7}, {8}, {9}}});
+  faces.push_back(face({{{-4}, {7}, {8}, {9}}}));
   EXPECT_EQ(winding_rails(faces, 10, 2), (std::vector<int>{3, 4, 5, 6}));
 }
 

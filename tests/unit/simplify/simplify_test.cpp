@@ -87,7 +87,7 @@ TEST_F(Hall, TheThinStripIsPinnedByACornerAtEachRung) {
   ASSERT_EQ(pins.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const int pinned =
-        pins[i] == graph::Pin::left ? graph::dart_from(graph, strip.rungs[i]) : graph::dart_to(graph, strip.rungs[i]);
+        pins[i] == graph::Pin::left ? start_of(graph.arcs, strip.rungs[i]) : end_of(graph.arcs, strip.rungs[i]);
     EXPECT_EQ(graph.nodes[pinned].kind, NodeKind::corner);
   }
   // P and the floor's other end on one side, Q on the other.
@@ -98,8 +98,7 @@ TEST_F(Hall, TheThinStripIsPinnedByACornerAtEachRung) {
 TEST_F(Hall, AStripIsTheSameFromEachOfItsRungs) {
   const graph::PlanarFaces faces = graph::planar_faces(graph);
   const graph::ChordStrip strip = thin_strip();
-  for (const int rung : strip.rungs)
-    EXPECT_EQ(graph::strip_through(graph, faces, graph::dart_arc(rung)).rungs, strip.rungs);
+  for (const HalfEdge rung : strip.rungs) EXPECT_EQ(graph::strip_through(graph, faces, rung.arc).rungs, strip.rungs);
 }
 
 TEST_F(Hall, TheStripBecomesOneLineBetweenTheReflexCorners) {

@@ -1,0 +1,57 @@
+#pragma once
+// A planar graph of arcs on curves: what separatrix graphs and block layouts have in common.
+//
+// Arcs meet only in nodes. Every arc is a chain of pieces of curves: of the CAD face (curve < face.num_curves()) or of
+// `splines` (curve - face.num_curves()). Nodes are all places where something happens to the TOPOLOGY: irregular
+// nodes, corners, ends of separatrices on the boundary, crossings. A joint with V = 2 where no separatrix ends is no
+// node: it lies inside an arc, between two pieces. Boundary arcs run with the face on their left.
+
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "model/cad_face.hpp"
+
+namespace quadrille {
+
+/// Part of a curve, followed from t0 to t1 (t0 > t1: backwards).
+struct ArcPiece {
+  int curve = 0;
+  double t0 = 0, t1 = 0;
+};
+
+enum class NodeKind { irregular, corner, boundary, crossing, cut };
+
+struct GraphNode {
+  Vec2 position;
+  NodeKind kind = NodeKind::crossing;
+  int valence = 4;  ///< interior: quads at the node; on the boundary: quads in its sector (2 = regular)
+  int curve = -1;   ///< on the boundary: a CAD curve through it (the outgoing one at a joint); -1 inside
+  double t = 0;     ///< its parameter there
+};
+
+struct GraphArc {
+  int from = 0, to = 0;  ///< nodes
+  bool is_boundary = false;
+  int length = 0;  ///< prescribed integer length; 0 = free
+  std::vector<ArcPiece> pieces;
+};
+
+struct ArcGraph {
+  CadFace face;
+  std::vector<Nurbs> splines;
+  std::vector<GraphNode> nodes;
+  std::vector<GraphArc> arcs;
+
+  const Nurbs& curve(int id) const {
+    return id < face.num_curves() ? face.curves[id] : splines[id - face.num_curves()];
+  }
+};
+
+/// sum (4 - V) over inner nodes and sum (2 - V) over those on the boundary.
+inline long long index_sum_of(const ArcGraph& graph) {
+  long long sum = 0;
+  for (const GraphNode& node : graph.nodes) sum += (node.curve < 0 ? 4LL : 2LL) - node.valence;
+  return sum;
+}
+
+}  // namespace quadrille
