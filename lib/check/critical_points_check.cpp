@@ -177,11 +177,8 @@ void certificate_is_sound(const CriticalPoints& points, Findings& findings) {
   if (c.elements < 0 || c.greatest_depth < 0 || c.cells_examined < 0 || c.cells_excluded < 0 || c.cells_isolated < 0 ||
       c.cells_left_to_corners < 0)
     findings.add("certificate: a count is negative");
-  for (std::size_t i = 0; i < c.cells.size(); ++i) {
+  for (std::size_t i = 0; i < c.cells.size(); ++i)
     if (c.cells[i].elem < 0) findings.add("certificate: the element of cell {} is negative", i);
-    if (c.cells[i].verdict != "zero" && c.cells[i].verdict != "open")
-      findings.add("certificate: the verdict '{}' of cell {} must be zero or open", c.cells[i].verdict, i);
-  }
   if (c.disc_centres.size() != c.disc_radii.size())
     findings.add("certificate: {} disc_centres, but {} disc_radii", c.disc_centres.size(), c.disc_radii.size());
   if (std::any_of(c.disc_radii.begin(), c.disc_radii.end(), [](double r) { return r < 0; }))

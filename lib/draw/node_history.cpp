@@ -114,7 +114,7 @@ void draw_certificate(Picture& picture, const Certificate& certificate, const Ca
   else
     picture.open_group("certificate");
   for (const CertificateCell& cell : certificate.cells) {
-    const bool is_open = cell.verdict == "open";
+    const bool is_open = cell.verdict == CellVerdict::open;
     (is_open ? has_open : has_zero) = true;
     picture.add(cell_path(
         is_open ? "cell-open" : "cell-zero", outline(picture, cell),

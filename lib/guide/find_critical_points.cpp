@@ -48,7 +48,7 @@ std::vector<zeros::FoundZero> those(const std::vector<zeros::FoundZero>& zeros, 
   return result;
 }
 
-CertificateCell certificate_cell(int elem, const std::array<Vec2, 3>& p, const char* verdict) {
+CertificateCell certificate_cell(int elem, const std::array<Vec2, 3>& p, CellVerdict verdict) {
   return {elem, {p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y}, verdict};
 }
 
@@ -62,9 +62,9 @@ Certificate certificate_of(const zeros::ZeroSearch& search, const std::vector<ze
   c.cells_isolated = static_cast<double>(counts.isolated);
   c.cells_left_to_corners = static_cast<double>(counts.ignored);
   c.greatest_depth = counts.greatest_depth;
-  for (const zeros::FoundZero& zero : zeros) c.cells.push_back(certificate_cell(zero.elem, zero.cell, "zero"));
+  for (const zeros::FoundZero& zero : zeros) c.cells.push_back(certificate_cell(zero.elem, zero.cell, CellVerdict::zero));
   for (const zeros::OpenCell& cell : search.open_cells())
-    c.cells.push_back(certificate_cell(cell.elem, cell.cell, "open"));
+    c.cells.push_back(certificate_cell(cell.elem, cell.cell, CellVerdict::open));
   for (const zeros::Disc& disc : discs) {
     c.disc_centres.push_back(disc.centre);
     c.disc_radii.push_back(disc.radius);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 
 namespace quadrille::io {
@@ -93,6 +94,20 @@ class Archive {
     values.resize(flat.size() / N);
     for (std::size_t i = 0; i < flat.size(); ++i) values[i / N][i % N] = flat[i];
   }
+  /// An enum by the name of its value. Reading any other text is refused with the names that are allowed and `rule`,
+  /// the numbered rule that says so, where there is one.
+  template <NamedEnum Enum>
+  void field(const char* name, Enum& value, Doc doc = {}, const std::string& rule = {}) {
+    const std::string given = enum_field(name, value, doc);
+    if (enum_value<Enum>(given)) return;
+    fail(name, "must be " + alternatives(all_enum_names<Enum>()) + ", not '" + given + "'" +
+                   (rule.empty() ? "" : " (" + rule + ")"));
+  }
+  /// The same for enums to which later minor versions may add: an unknown name is read as `unknown`.
+  template <NamedEnum Enum>
+  void extensible_field(const char* name, Enum& value, Enum unknown, Doc doc = {}) {
+    if (!enum_value<Enum>(enum_field(name, value, doc))) value = unknown;
+  }
   /// describe(Archive&, Record&) for each record.
   template <typename Record, typename Describe>
   void field(const char* name, std::vector<Record>& values, const Describe& describe) {
@@ -100,6 +115,16 @@ class Archive {
     records(
         name, values.size(), [&](std::size_t count) { values.resize(count); },
         [&](Archive& archive, std::size_t i) { describe(archive, i == declared ? empty : values[i]); });
+  }
+
+ private:
+  /// Writes the value's name, or reads the value where the name is known; returns the text.
+  template <NamedEnum Enum>
+  std::string enum_field(const char* name, Enum& value, Doc doc) {
+    std::string text_of_value = is_reading() ? std::string() : enum_name(value);
+    text(name, text_of_value, doc);
+    value = enum_value<Enum>(text_of_value).value_or(value);
+    return text_of_value;
   }
 };
 

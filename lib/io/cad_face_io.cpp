@@ -35,27 +35,10 @@ void describe_face(Archive& archive, CadFace& face) {
   });
 }
 
-namespace {
-
-constexpr const char* kind_names[] = {"irregular", "corner", "boundary", "crossing", "cut"};
-
-void describe_kind(Archive& archive, NodeKind& kind) {
-  std::string name = kind_names[static_cast<int>(kind)];
-  archive.field("kind", name, {"", "irregular, corner, boundary, crossing or cut"});
-  for (int k = 0; k < 5; ++k) {
-    if (name != kind_names[k]) continue;
-    kind = static_cast<NodeKind>(k);
-    return;
-  }
-  archive.fail("kind", "must be irregular, corner, boundary, crossing or cut");
-}
-
-}  // namespace
-
 void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs) {
   archive.field("nodes", nodes, [](Archive& a, GraphNode& node) {
     a.field("position", node.position, {"length", "relative to face.origin"});
-    describe_kind(a, node.kind);
+    a.field("kind", node.kind, {"", "irregular, corner, boundary, crossing or cut"});
     a.field("valence", node.valence, {"", "quads at the node, or in its sector on the boundary"});
     a.field("curve", node.curve, {"", "CAD curve through a boundary node, else -1"});
     a.field("t", node.t, {"1", "parameter on that curve"});

@@ -84,7 +84,7 @@ void describe_certificate(Archive& a, Certificate& certificate) {
   a.field("cells", certificate.cells, [](Archive& inner, CertificateCell& cell) {
     inner.field("elem", cell.elem);
     inner.field("vertices", cell.vertices);
-    inner.field("verdict", cell.verdict);
+    inner.field("verdict", cell.verdict, {}, "CRT-R15");
   });
   a.field("disc_centres", certificate.disc_centres);
   a.field("disc_radii", certificate.disc_radii);

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 #include "model/cad_face.hpp"
 
@@ -20,6 +21,13 @@ struct ArcPiece {
 };
 
 enum class NodeKind { irregular, corner, boundary, crossing, cut };
+constexpr auto enum_names(NodeKind) {
+  return std::to_array<EnumName<NodeKind>>({{NodeKind::irregular, "irregular"},
+                                            {NodeKind::corner, "corner"},
+                                            {NodeKind::boundary, "boundary"},
+                                            {NodeKind::crossing, "crossing"},
+                                            {NodeKind::cut, "cut"}});
+}
 
 struct GraphNode {
   Vec2 position;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/provenance.hpp"
@@ -72,11 +73,17 @@ struct Cluster {
   std::vector<int> member_indices;  ///< empty where they cannot be told apart
 };
 
+/// What the search could prove of a cell: it holds exactly one zero, or nothing (it is part of a cluster).
+enum class CellVerdict { zero, open };
+constexpr auto enum_names(CellVerdict) {
+  return std::to_array<EnumName<CellVerdict>>({{CellVerdict::zero, "zero"}, {CellVerdict::open, "open"}});
+}
+
 /// A cell (triangle in the plane, vertices counter-clockwise) in which the search ended.
 struct CertificateCell {
   int elem = 0;
   std::array<double, 6> vertices{};  ///< x0, y0, x1, y1, x2, y2
-  std::string verdict;               ///< "zero": holds exactly one; "open": could not be decided (part of a cluster)
+  CellVerdict verdict = CellVerdict::zero;
 };
 
 /// That no zero is missing: what the search for them did (zeros/zero_search).

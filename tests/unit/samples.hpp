@@ -116,9 +116,9 @@ inline CriticalPoints resolved_points() {
   c.certificate.cells_isolated = 1;
   c.certificate.cells_left_to_corners = 1;
   c.certificate.greatest_depth = 2;
-  c.certificate.cells = {{1, {0.75, 0.25, 1, 0.5, 0.75, 0.75}, "zero"},
-                         {3, {0.25, 0.25, 0.375, 0.5, 0.125, 0.5}, "open"},
-                         {3, {0.25, 0.75, 0.125, 0.5, 0.375, 0.5}, "open"}};
+  c.certificate.cells = {{1, {0.75, 0.25, 1, 0.5, 0.75, 0.75}, CellVerdict::zero},
+                         {3, {0.25, 0.25, 0.375, 0.5, 0.125, 0.5}, CellVerdict::open},
+                         {3, {0.25, 0.75, 0.125, 0.5, 0.375, 0.5}, CellVerdict::open}};
   c.certificate.disc_centres = {{0, 0}};
   c.certificate.disc_radii = {0.0625};
   return c;

@@ -159,7 +159,6 @@ TEST(CriticalPointsCheck, CrtR15WhatTheSearchFoundIsSound) {
   EXPECT_EQ(broken_resolved([](auto& c) { c.clusters[0].member_indices = {1, 1}; }), Rules{"CRT-R15"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.clusters[0].member_indices = {1}; }), Rules{"CRT-R15"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells_excluded = -1; }), Rules{"CRT-R15"});
-  EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells[0].verdict = "maybe"; }), Rules{"CRT-R15"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.cells[0].elem = -1; }), Rules{"CRT-R15"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.disc_radii.pop_back(); }), Rules{"CRT-R15"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.certificate.disc_radii[0] = -1; }), Rules{"CRT-R15"});

@@ -250,7 +250,7 @@ TEST(FindCriticalPoints, the_certificate_holds_what_the_search_did) {
   EXPECT_GE(c.cells_examined, c.cells_excluded + c.cells_isolated);
   ASSERT_EQ(c.cells.size(), 2u);
   for (const CertificateCell& cell : c.cells) {
-    EXPECT_EQ(cell.verdict, "zero");
+    EXPECT_EQ(cell.verdict, CellVerdict::zero);
     const auto& v = cell.vertices;
     const Vec2 p0{v[0], v[1]}, p1{v[2], v[3]}, p2{v[4], v[5]};
     EXPECT_GT(cross(p1 - p0, p2 - p0), 0);

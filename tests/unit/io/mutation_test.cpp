@@ -234,6 +234,8 @@ TEST_F(Damaged, MistypedOptionalMembersOfCriticalPointsAreNamed) {
   EXPECT_EQ(with("\"error\": ", "\"error\": true, \"was\": "), "file: 'critical_points[0].error' must be a number");
   EXPECT_EQ(with("\"twist_offsets\": [", "\"twist_offsets\": [0.5"), "file: 'twist_offsets' must be an integer");
   EXPECT_EQ(with("\"value\": 4", "\"value\": 4.5"), "file: 'index_sum.value' must be an integer");
+  EXPECT_EQ(with("\"verdict\": \"zero\"", "\"verdict\": \"maybe\""),
+            "file: 'certificate.cells[0].verdict' must be zero or open, not 'maybe' (CRT-R15)");
   EXPECT_EQ(with("\"certificate\": {", "\"certificate\": 1, \"was\": {"), "file: 'certificate' must be an object");
 }
 

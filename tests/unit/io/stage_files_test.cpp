@@ -74,7 +74,7 @@ TEST_F(StageFiles, ResolvedPointsSurviveTheRoundTrip) {
   EXPECT_EQ(points.changes[1].before[1].valence, 5);
   EXPECT_EQ(points.clusters[0].members.size(), 1u);
   EXPECT_EQ(points.zeros[2].index, -1);
-  EXPECT_EQ(points.certificate.cells[2].verdict, "open");
+  EXPECT_EQ(points.certificate.cells[2].verdict, CellVerdict::open);
   EXPECT_EQ(points.certificate.disc_radii, (std::vector<double>{0.0625}));
 }
 
