@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     }
     block::name_blocks(blocks.layout, rules);
     blocks.layout.provenance = s.provenance(graph.provenance, inputs);
-    s.say(block::layout_in_words(blocks.layout, blocks.measures));
+    s.info(block::layout_in_words(blocks.layout, blocks.measures));
     s.begin_phase("write");
     io::write_block_layout(output, blocks.layout);
     s.end_phase();

@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     TriMesh mesh = triangulate::triangulate(face, options, s.report());
     s.end_phase();
     mesh.provenance = s.provenance({}, inputs);
-    s.say(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
+    s.info(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
                       mesh.curved_elems.size()));
     io::write_tri_mesh(output, mesh);
   };

@@ -133,9 +133,9 @@ int main(int argc, char** argv) {
     s.report().set("critical_points", points.critical_points.size());
     s.report().set("form", points.form);
     s.report().set("changes", points.changes.size());
-    s.say(fmt::format("{} irregular nodes, {} corners, index sum {}, {} changes, form {}",
-                      points.critical_points.size() + points.boundary_nodes.size(), points.corners.size(),
-                      points.index_sum, points.changes.size(), points.form));
+    s.info(fmt::format("{} irregular nodes, {} corners, index sum {}, {} changes, form {}",
+                       points.critical_points.size() + points.boundary_nodes.size(), points.corners.size(),
+                       points.index_sum, points.changes.size(), points.form));
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
     io::write_critical_points(output, points);
   };

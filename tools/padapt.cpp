@@ -71,8 +71,8 @@ int main(int argc, char** argv) {
     field.provenance = s.provenance(start.provenance, {file.digest("field")});
     s.report().set("adapt.num_elements_by_order", Report::Value(order_histogram(field)));
     for (const AdaptStep& step : field.adapt_steps) {
-      s.say(fmt::format("orders {}..{}, {} unknowns, sensor up to {:.1e}: {} raised, {} lowered", step.min_order,
-                        step.max_order, step.num_unknowns, step.max_sensor, step.num_raised, step.num_lowered));
+      s.info(fmt::format("orders {}..{}, {} unknowns, sensor up to {:.1e}: {} raised, {} lowered", step.min_order,
+                         step.max_order, step.num_unknowns, step.max_sensor, step.num_raised, step.num_lowered));
     }
     io::write_field(output, field);
   };

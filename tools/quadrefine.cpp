@@ -113,8 +113,8 @@ int main(int argc, char** argv) {
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);
-    s.say(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
-    for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.say(refine::describe(worst, mesh));
+    s.info(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
+    for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.info(refine::describe(worst, mesh));
     s.begin_phase("write");
     io::write_quad_mesh(output, mesh);
     s.end_phase();

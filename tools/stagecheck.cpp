@@ -50,7 +50,7 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
     const std::vector<check::Violation> violations = violations_of(file, format, session);
     for (const check::Violation& violation : violations)
       fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
-    session.say(fmt::format("{}: {}, {}", file.name, format,
+    session.info(fmt::format("{}: {}, {}", file.name, format,
                             violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
     return violations.size();
   } catch (const FormatError& e) {

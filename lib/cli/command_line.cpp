@@ -1,4 +1,4 @@
-#include "cli/options.hpp"
+#include "cli/command_line.hpp"
 
 #include <fmt/format.h>
 
@@ -50,60 +50,30 @@ std::string interval(T low, T high) {
   return fmt::format("{} to {}", low, high);
 }
 
-/// `text` broken at blanks into lines of at most `width` bytes, each but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
-  std::string out;
-  std::size_t column = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = text.find_first_of(" \n", begin);
-    if (end == std::string::npos) end = text.size();
-    const std::string word = text.substr(begin, end - begin);
-    if (column != 0 && column + 1 + word.size() > width) {
-      out += '\n' + std::string(indent, ' ');
-      column = 0;
-    } else if (column != 0) {
-      out += ' ';
-      ++column;
-    }
-    out += word;
-    column += word.size();
-    if (end < text.size() && text[end] == '\n') {
-      out += '\n' + std::string(indent, ' ');
-      column = 0;
-    }
-    begin = end + 1;
+/// Each argument that is an old name, or an old name with =VALUE, by the present name. What follows -- stays.
+std::vector<std::string> with_present_names(int argc, char** argv,
+                                            const std::map<std::string, std::string>& old_names) {
+  std::vector<std::string> arguments(argv, argv + argc);
+  for (std::string& argument : arguments) {
+    if (argument == "--") break;
+    const std::size_t end = argument.find('=');
+    const auto found = old_names.find(argument.substr(0, end));
+    if (found != old_names.end())
+      argument = found->second + (end == std::string::npos ? std::string() : argument.substr(end));
   }
-  return out;
-}
-
-struct Row {
-  std::string left, right;
-};
-
-std::string table(const std::vector<Row>& rows) {
-  constexpr std::size_t indent = 28;
-  std::string out;
-  for (const Row& row : rows) {
-    out += "  " + row.left;
-    if (row.left.size() + 4 > indent)
-      out += '\n' + std::string(indent, ' ');
-    else
-      out += std::string(indent - 2 - row.left.size(), ' ');
-    out += wrapped(row.right, indent, 100 - indent) + '\n';
-  }
-  return out;
+  return arguments;
 }
 
 }  // namespace
 
 struct CommandLine::Impl {
-  explicit Impl(const Tool& t) : tool(t), app(t.summary, t.name) {
+  explicit Impl(HelpPage help) : page(std::move(help)), app(page.summary, page.name) {
     app.set_help_flag("-h,--help");
     app.set_version_flag("--version", "");
   }
 
   CLI::Option* add(const std::string& flag, const std::string& placeholder, CLI::callback_t set, std::string help) {
-    rows.push_back({flag + ' ' + placeholder, std::move(help)});
+    page.options.push_back({flag + ' ' + placeholder, std::move(help)});
     CLI::Option* const option = app.add_option(flag, std::move(set));
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
@@ -112,36 +82,35 @@ struct CommandLine::Impl {
   }
   void record(const std::string& flag, std::function<std::string()> json) { recorded[key(flag)] = std::move(json); }
 
-  const Tool& tool;
+  HelpPage page;
   CLI::App app;
-  std::vector<Row> inputs, rows, common_rows;
-  std::string synopsis;
   std::map<std::string, std::function<std::string()>> recorded;
+  std::map<std::string, std::string> old_names;  ///< old flag -> present flag
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
 };
 
-CommandLine::CommandLine(const Tool& tool) : impl_(std::make_unique<Impl>(tool)) {}
+CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
 CommandLine::~CommandLine() = default;
 
 void CommandLine::input(const std::string& name, std::string& path, const std::string& help, bool required) {
   if (path.empty() && !required) path = "-";
-  impl_->inputs.push_back({name, required ? help : help + " (default: -, standard input)"});
-  impl_->synopsis += required ? ' ' + name : " [" + name + ']';
+  impl_->page.inputs.push_back({name, required ? help : help + " (default: -, standard input)"});
+  impl_->page.synopsis += required ? ' ' + name : " [" + name + ']';
   impl_->app.add_option(name, path)->required(required);
 }
 
 void CommandLine::inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) {
   if (paths.empty()) paths = {"-"};
-  impl_->inputs.push_back({name + "...", help + " (default: -, standard input)"});
-  impl_->synopsis += " [" + name + "...]";
+  impl_->page.inputs.push_back({name + "...", help + " (default: -, standard input)"});
+  impl_->page.synopsis += " [" + name + "...]";
   impl_->app.add_option(name, paths);
 }
 
 void CommandLine::output(std::string& path, const std::string& help) {
   if (path.empty()) path = "-";
-  impl_->rows.push_back({"-o, --output FILE", help + " (default: -, standard output)"});
+  impl_->page.options.push_back({"-o, --output FILE", help + " (default: -, standard output)"});
   impl_->app.add_option("-o,--output", path)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
@@ -176,17 +145,18 @@ void CommandLine::integer(const std::string& flag, int& value, int low, int high
   impl_->record(flag, [&value] { return std::to_string(value); });
 }
 
-void CommandLine::choice(const std::string& flag, std::string& value, const std::vector<std::string>& values,
+void CommandLine::one_of(const std::string& flag, const std::vector<std::string>& words,
+                         const std::function<std::string()>& get, const std::function<void(const std::string&)>& set,
                          const std::string& help) {
-  const std::string list = fmt::format("{}", fmt::join(values, "|"));
-  const auto set = [=, &value](const CLI::results_t& texts) {
-    if (std::find(values.begin(), values.end(), texts.back()) == values.end())
+  const std::string list = fmt::format("{}", fmt::join(words, "|"));
+  const auto set_known = [=](const CLI::results_t& texts) {
+    if (std::find(words.begin(), words.end(), texts.back()) == words.end())
       throw UsageError(fmt::format("{}: '{}' is not one of {}", flag, texts.back(), list));
-    value = texts.back();
+    set(texts.back());
     return true;
   };
-  impl_->add(flag, list, set, fmt::format("{} (default: {})", help, value));
-  impl_->record(flag, [&value] { return json_text(value); });
+  impl_->add(flag, list, set_known, fmt::format("{} (default: {})", help, get()));
+  impl_->record(flag, [get] { return json_text(get()); });
 }
 
 void CommandLine::text(const std::string& flag, std::string& value, const std::string& placeholder,
@@ -215,15 +185,17 @@ void CommandLine::texts(const std::string& flag, std::vector<std::string>& value
 }
 
 void CommandLine::flag(const std::string& flag, bool& value, const std::string& help) {
-  impl_->rows.push_back({flag, help});
+  impl_->page.options.push_back({flag, help});
   impl_->app.add_flag(flag, value);
   impl_->record(flag, [&value] { return value ? "true" : "false"; });
 }
 
+void CommandLine::formerly(const std::string& old_flag, const std::string& flag) { impl_->old_names[old_flag] = flag; }
+
 void CommandLine::add_common(CommonOptions& common) {
   impl_->common = &common;
-  std::vector<Row> own;
-  own.swap(impl_->rows);
+  std::vector<HelpRow> own;
+  own.swap(impl_->page.options);
   text("--report", common.report, "FILE",
        "write counts, timings, residuals and warnings as JSON, also after a failure (-: standard output)", false);
   choice("--progress", common.progress, {"auto", "always", "never"},
@@ -233,24 +205,28 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->recorded.erase("threads");
   impl_->app.add_flag("-v,--verbose", impl_->verbose);
   impl_->app.add_flag("-q,--quiet", impl_->quiet);
-  impl_->rows.push_back({"-v, --verbose", "say what is done; twice: say more"});
-  impl_->rows.push_back({"-q, --quiet", "print errors only, no warnings"});
-  impl_->rows.push_back({"-h, --help", "print this help and exit"});
-  impl_->rows.push_back({"--version", "print the version and exit"});
-  impl_->common_rows.swap(impl_->rows);
-  impl_->rows.swap(own);
+  const std::vector<HelpRow> flags{{"-v, --verbose", "report what is done; given twice: also the time of each phase"},
+                                   {"-q, --quiet", "print errors only, no warnings"},
+                                   {"-h, --help", "print this help and exit"},
+                                   {"--version", "print the version and exit"}};
+  impl_->page.options.insert(impl_->page.options.end(), flags.begin(), flags.end());
+  impl_->page.common_options.swap(impl_->page.options);
+  impl_->page.options.swap(own);
 }
 
 Request CommandLine::parse(int argc, char** argv) {
+  const std::vector<std::string> arguments = with_present_names(argc, argv, impl_->old_names);
+  std::vector<const char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
   try {
-    impl_->app.parse(argc, argv);
+    impl_->app.parse(argc, pointers.data());
   } catch (const CLI::CallForHelp&) {
     return Request::show_help;
   } catch (const CLI::CallForVersion&) {
     return Request::show_version;
   } catch (const CLI::ExtrasError&) {
     const std::vector<std::string> extras = impl_->app.remaining();
-    throw UsageError(fmt::format("unknown option or superfluous argument '{}'", extras.empty() ? "" : extras.front()));
+    throw UsageError(fmt::format("unknown option or surplus argument '{}'", extras.empty() ? "" : extras.front()));
   } catch (const CLI::ParseError& e) {
     std::string message = e.what();
     for (char& c : message) c = c == '\n' ? ' ' : c;
@@ -260,25 +236,7 @@ Request CommandLine::parse(int argc, char** argv) {
   return Request::run;
 }
 
-std::string CommandLine::help_text() const {
-  const Tool& tool = impl_->tool;
-  std::string out = fmt::format("Usage: {} [OPTIONS]{}\n\n{} {}.\n", tool.name, impl_->synopsis, tool.name,
-                                wrapped(tool.summary, 0, 80));
-  if (!tool.description.empty()) out += '\n' + wrapped(tool.description, 0, 100) + '\n';
-  if (!impl_->inputs.empty()) out += "\nINPUTS\n" + table(impl_->inputs);
-  if (!impl_->rows.empty()) out += "\nOPTIONS\n" + table(impl_->rows);
-  out += "\nOPTIONS OF EVERY COMMAND\n" + table(impl_->common_rows);
-  out += "\nEXIT CODES\n" + table({{"0", "done"},
-                                   {"1", "well-formed input that has no valid result; the message says why and where"},
-                                   {"2", "mistake on the command line"},
-                                   {"3", "anything wrong with an input file"},
-                                   {"4", "the output could not be written"},
-                                   {"70", "a defect of ours"},
-                                   {"128 + n", "ended by signal n"}});
-  out += "\nEXAMPLES\n";
-  for (const std::string& example : tool.examples) out += "  " + example + '\n';
-  return out;
-}
+const HelpPage& CommandLine::page() const { return impl_->page; }
 
 std::string CommandLine::options_json() const {
   std::string out = "{";

@@ -1,54 +1,56 @@
 #pragma once
-// Options over CLI11: parsing, the help text and the JSON record for the provenance. Private to the folder cli.
+// The options of a command, as the command declares them. cli/command_line implements it over CLI11.
 
-#include <memory>
+#include <functional>
 #include <string>
+#include <vector>
 
-#include "cli/tool_main.hpp"
+#include "base/enum_names.hpp"
 
 namespace quadrille::cli {
 
-/// The options that every command has.
-struct CommonOptions {
-  int verbosity = 0;  ///< -1 quiet, 0, 1, 2
-  std::string report;
-  std::string progress = "auto";
-  int threads = 1;
-};
-
-/// What the command line asks for.
-enum class Request { run, show_help, show_version };
-
-class CommandLine : public Options {
+/// Declares options. Variables hold their defaults on entry. Numbers outside [low, high] are usage errors; --help
+/// states unit, default and interval. Every option declared here is recorded in the provenance unless `recorded` is
+/// switched off for it (-o, -v, --threads, --report and the like are never recorded).
+class Options {
  public:
-  explicit CommandLine(const Tool& tool);
-  ~CommandLine() override;
+  virtual ~Options() = default;
+  virtual void input(const std::string& name, std::string& path, const std::string& help, bool required = false) = 0;
+  /// All remaining positional arguments; without any, "-" (standard input) is read.
+  virtual void inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) = 0;
+  virtual void output(std::string& path, const std::string& help) = 0;  ///< -o, --output
+  virtual void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
+                      const std::string& help) = 0;
+  virtual void integer(const std::string& flag, int& value, int low, int high, const std::string& help) = 0;
+  virtual void text(const std::string& flag, std::string& value, const std::string& placeholder,
+                    const std::string& help, bool recorded = true) = 0;
+  /// May be given several times; the values keep their order.
+  virtual void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
+                     const std::string& help) = 0;
+  virtual void flag(const std::string& flag, bool& value, const std::string& help) = 0;
 
-  void input(const std::string& name, std::string& path, const std::string& help, bool required) override;
-  void inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) override;
-  void output(std::string& path, const std::string& help) override;
-  void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
-              const std::string& help) override;
-  void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
-  void choice(const std::string& flag, std::string& value, const std::vector<std::string>& values,
-              const std::string& help) override;
-  void text(const std::string& flag, std::string& value, const std::string& placeholder, const std::string& help,
-            bool recorded) override;
-  void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
-             const std::string& help) override;
-  void flag(const std::string& flag, bool& value, const std::string& help) override;
+  /// One of the names of an enum.
+  template <NamedEnum Enum>
+  void choice(const std::string& flag, Enum& value, const std::string& help) {
+    one_of(
+        flag, all_enum_names<Enum>(), [&value] { return enum_name(value); },
+        [&value](const std::string& name) { value = *enum_value<Enum>(name); }, help);
+  }
+  /// One of several words.
+  void choice(const std::string& flag, std::string& value, const std::vector<std::string>& words,
+              const std::string& help) {
+    one_of(
+        flag, words, [&value] { return value; }, [&value](const std::string& word) { value = word; }, help);
+  }
 
-  /// Adds the options of every command; called after the tool has declared its own.
-  void add_common(CommonOptions& common);
-  /// Fills the declared variables. Throws UsageError.
-  Request parse(int argc, char** argv);
-  std::string help_text() const;
-  /// The recorded options after defaults, as a JSON object with sorted keys.
-  std::string options_json() const;
+  /// Accepts `old_flag` ("--max-turn") in place of `flag`, an option declared before. --help does not show it.
+  virtual void formerly(const std::string& old_flag, const std::string& flag) = 0;
 
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+ protected:
+  /// A choice between `words`: `get` returns the present one, `set` is called with one of them.
+  virtual void one_of(const std::string& flag, const std::vector<std::string>& words,
+                      const std::function<std::string()>& get, const std::function<void(const std::string&)>& set,
+                      const std::string& help) = 0;
 };
 
 }  // namespace quadrille::cli

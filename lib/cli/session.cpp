@@ -1,10 +1,12 @@
+#include "cli/session.hpp"
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cstdio>
 #include <ctime>
 
-#include "cli/tool_main.hpp"
+#include "cli/version.hpp"
 
 namespace quadrille::cli {
 
@@ -36,8 +38,8 @@ Session::Session(std::string tool, std::string options_json, int verbosity, int 
       threads_(threads),
       start_(wall_seconds()) {}
 
-void Session::say(const std::string& text) const {
-  if (verbosity_ >= 1) fmt::print(stderr, "{}: {}\n", tool_, text);
+void Session::info(const std::string& text, int level) const {
+  if (verbosity_ >= level) fmt::print(stderr, "{}: {}\n", tool_, text);
 }
 
 Provenance Session::provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const {
@@ -48,10 +50,8 @@ Provenance Session::provenance(const Provenance& before, const std::vector<Input
 
 void Session::begin_phase(const std::string& name) {
   end_phase();
-  phase_ = name;
-  phase_cpu_ = cpu_seconds();
-  phase_wall_ = wall_seconds();
-  if (phase_wall_ - start_ >= progress_after_) fmt::print(stderr, "{}: {} ...\n", tool_, phase_);
+  phase_ = {name, cpu_seconds(), wall_seconds()};
+  if (phase_.wall - start_ >= progress_after_) fmt::print(stderr, "{}: {} ...\n", tool_, phase_.name);
 }
 
 void Session::finish() {
@@ -61,13 +61,13 @@ void Session::finish() {
 }
 
 void Session::end_phase() {
-  if (phase_.empty()) return;
-  const double cpu = cpu_seconds() - phase_cpu_;
-  const double wall = wall_seconds() - phase_wall_;
-  report_.set("timings." + phase_ + ".cpu_seconds", cpu);
-  report_.set("timings." + phase_ + ".wall_seconds", wall);
-  if (verbosity_ >= 2) fmt::print(stderr, "{}: {}: {:.1f} ms\n", tool_, phase_, 1e3 * wall);
-  phase_.clear();
+  if (phase_.name.empty()) return;
+  const double cpu = cpu_seconds() - phase_.cpu;
+  const double wall = wall_seconds() - phase_.wall;
+  report_.set("timings." + phase_.name + ".cpu_seconds", cpu);
+  report_.set("timings." + phase_.name + ".wall_seconds", wall);
+  info(fmt::format("{}: {:.1f} ms", phase_.name, 1e3 * wall), 2);
+  phase_.name.clear();
 }
 
 }  // namespace quadrille::cli

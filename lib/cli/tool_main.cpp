@@ -9,12 +9,11 @@
 
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
-#include "cli/options.hpp"
+#include "cli/command_line.hpp"
 #include "cli/signals.hpp"
+#include "cli/version.hpp"
 
 namespace quadrille::cli {
-
-const char* const version = QUADRILLE_VERSION;
 
 namespace {
 
@@ -23,6 +22,10 @@ struct Outcome {
   std::string message;
 };
 
+std::string internal_error(const std::string& what) {
+  return fmt::format("internal error, please report it: {}", what);
+}
+
 /// Runs `work` and maps whatever it throws.
 template <typename Work>
 Outcome outcome_of(const Work& work) {
@@ -30,19 +33,19 @@ Outcome outcome_of(const Work& work) {
     work();
     return {};
   } catch (const Defect& e) {
-    return {ExitCode::defect, fmt::format("a defect of ours: {}", e.what())};
+    return {ExitCode::defect, internal_error(e.what())};
   } catch (const Error& e) {
     return {e.code(), e.what()};
   } catch (const std::bad_alloc&) {
     return {ExitCode::defect, "out of memory"};
   } catch (const std::exception& e) {
-    return {ExitCode::defect, fmt::format("a defect of ours: {}", e.what())};
+    return {ExitCode::defect, internal_error(e.what())};
   } catch (...) {
-    return {ExitCode::defect, "a defect of ours: unknown exception"};
+    return {ExitCode::defect, internal_error("unknown exception")};
   }
 }
 
-void complain(const Tool& tool, const Outcome& outcome) {
+void print_error(const Tool& tool, const Outcome& outcome) {
   fmt::print(stderr, "{}: {}\n", tool.name, outcome.message);
   if (outcome.code == ExitCode::usage) fmt::print(stderr, "try '{} --help'\n", tool.name);
 }
@@ -62,8 +65,8 @@ void write_report_of(const Tool& tool, Session& session, const Outcome& outcome,
 /// After how many seconds phases are announced: never, at once, or on a terminal when the work takes a while.
 double progress_delay(const CommonOptions& common) {
   if (common.progress == "always") return 0;
-  const bool is_wanted = common.progress == "auto" && common.verbosity >= 0 && isatty(STDERR_FILENO);
-  return is_wanted ? 1 : std::numeric_limits<double>::infinity();
+  const bool is_shown = common.progress == "auto" && common.verbosity >= 0 && isatty(STDERR_FILENO);
+  return is_shown ? 1 : std::numeric_limits<double>::infinity();
 }
 
 /// Runs the tool; the report is written whatever happened.
@@ -76,7 +79,7 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
       fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
   const Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
   if (outcome.code == ExitCode::done) return reporting;
-  if (reporting.code != ExitCode::done) complain(tool, reporting);
+  if (reporting.code != ExitCode::done) print_error(tool, reporting);
   return outcome;
 }
 
@@ -86,13 +89,13 @@ int tool_main(int argc, char** argv, const Tool& tool) {
   install_signal_handlers();
   const Outcome outcome = [&]() -> Outcome {
     CommonOptions common;
-    CommandLine line(tool);
+    CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
     Request request = Request::run;
     const Outcome parsing = outcome_of([&] {
       if (tool.options) tool.options(line);
       line.add_common(common);
       request = line.parse(argc, argv);
-      if (request == Request::show_help) print_to_stdout(line.help_text());
+      if (request == Request::show_help) print_to_stdout(help_text(line.page()));
       if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
@@ -100,7 +103,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
     session.show_progress_after(progress_delay(common));
     return run_session(tool, session, common);
   }();
-  if (outcome.code != ExitCode::done) complain(tool, outcome);
+  if (outcome.code != ExitCode::done) print_error(tool, outcome);
   return static_cast<int>(outcome.code);
 }
 

@@ -139,7 +139,7 @@ TEST(ToolMain, EveryFailureHasItsCode) {
   EXPECT_EQ(code([] { throw 1; }).code, 70);
   EXPECT_EQ(code([] { throw ComputeError("too bad"); }).err, "sample: too bad\n");
   EXPECT_EQ(code([] { throw std::bad_alloc(); }).err, "sample: out of memory\n");
-  EXPECT_EQ(code([] { throw std::out_of_range("at"); }).err, "sample: a defect of ours: at\n");
+  EXPECT_EQ(code([] { throw std::out_of_range("at"); }).err, "sample: internal error, please report it: at\n");
 }
 
 TEST(ToolMain, ProvenanceHoldsOptionsAfterDefaultsWithSortedKeys) {
@@ -164,12 +164,15 @@ TEST(ToolMain, WarningsArePrintedUnlessQuiet) {
   EXPECT_EQ(run(tool, {"-q"}).err, "");
 }
 
-TEST(ToolMain, SaysMoreWithV) {
+TEST(ToolMain, InformsWithV) {
   Sample s;
-  const Tool tool = s.tool([](Session& session) { session.say("hello"); });
+  const Tool tool = s.tool([](Session& session) { session.info("hello"); });
   EXPECT_EQ(run(tool, {}).err, "");
   EXPECT_EQ(run(tool, {"-v"}).err, "sample: hello\n");
   EXPECT_EQ(run(tool, {"-vq"}).err, "");
+  const Tool detailed = s.tool([](Session& session) { session.info("more", 2); });
+  EXPECT_EQ(run(detailed, {"-v"}).err, "");
+  EXPECT_EQ(run(detailed, {"-vv"}).err, "sample: more\n");
 }
 
 TEST(ToolMain, AnnouncesPhasesOnlyWhenAsked) {

@@ -1,0 +1,43 @@
+#pragma once
+// What a running command may use besides its inputs: the report, messages, timings, the provenance of its output.
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/report.hpp"
+#include "model/provenance.hpp"
+
+namespace quadrille::cli {
+
+class Session {
+ public:
+  Session(std::string tool, std::string options_json, int verbosity, int threads = 1);
+  Report& report() { return report_; }
+  /// Prints "tool: text" on standard error if the verbosity is at least `level` (-v: 1, -v -v: 2).
+  void info(const std::string& text, int level = 1) const;
+  int threads() const { return threads_; }  ///< how many may be used; results do not depend on it
+  /// The chain `before` with the step of this run appended.
+  Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
+  /// Announces phases that begin later than `seconds` after the start (--progress).
+  void show_progress_after(double seconds) { progress_after_ = seconds; }
+  /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.
+  void begin_phase(const std::string& name);
+  void end_phase();
+  /// Ends the last phase and sets timings.total: all CPU time of the process and its children, wall time of the run.
+  void finish();
+
+ private:
+  struct Phase {
+    std::string name;          ///< empty: none is running
+    double cpu = 0, wall = 0;  ///< seconds at its start
+  };
+  std::string tool_, options_json_;
+  int verbosity_ = 0, threads_ = 1;
+  double start_ = 0;  ///< of the run, seconds
+  double progress_after_ = std::numeric_limits<double>::infinity();
+  Phase phase_;
+  Report report_;
+};
+
+}  // namespace quadrille::cli

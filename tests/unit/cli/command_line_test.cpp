@@ -1,0 +1,98 @@
+#include "cli/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace quadrille::cli {
+namespace {
+
+enum class Speed { slow, fast };
+constexpr auto enum_names(Speed) {
+  return std::to_array<EnumName<Speed>>({{Speed::slow, "slow"}, {Speed::fast, "very-fast"}});
+}
+
+/// A command line with an option by enum and a number that had another name before.
+class CommandLineTest : public testing::Test {
+ protected:
+  CommandLineTest() {
+    line.choice("--speed", speed, "how fast");
+    line.number("--max-deviation", deviation, 0, 45, "degrees", "the greatest deviation");
+    line.flag("--loud", is_loud, "be loud");
+    line.formerly("--max-turn", "--max-deviation");
+    line.formerly("--noisy", "--loud");
+    line.input("IN", input, "what is read", false);
+    line.add_common(common);
+  }
+  void parse(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "sample");
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    EXPECT_EQ(line.parse(static_cast<int>(argv.size()), argv.data()), Request::run);
+  }
+  std::string error_of(const std::vector<std::string>& arguments) {
+    try {
+      parse(arguments);
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  Speed speed = Speed::slow;
+  double deviation = 40;
+  bool is_loud = false;
+  std::string input;
+  CommonOptions common;
+  CommandLine line{HelpPage{"sample", "does nothing", "", "", {}, {}, {}, {}}};
+};
+
+TEST_F(CommandLineTest, AnEnumIsChosenByName) {
+  parse({"--speed", "very-fast"});
+  EXPECT_EQ(speed, Speed::fast);
+  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":40,"speed":"very-fast"})");
+}
+
+TEST_F(CommandLineTest, AnEnumIsRecordedWithItsDefault) {
+  parse({});
+  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":40,"speed":"slow"})");
+  const std::string help = help_text(line.page());
+  EXPECT_NE(help.find("--speed slow|very-fast "), std::string::npos) << help;
+  EXPECT_NE(help.find("how fast (default: slow)"), std::string::npos) << help;
+}
+
+TEST_F(CommandLineTest, AnotherNameIsRefusedWithThoseThatAreAllowed) {
+  EXPECT_EQ(error_of({"--speed", "fast"}), "--speed: 'fast' is not one of slow|very-fast");
+  EXPECT_EQ(speed, Speed::slow);
+}
+
+TEST_F(CommandLineTest, AnOldNameIsAcceptedInEveryForm) {
+  parse({"--max-turn", "10"});
+  EXPECT_EQ(deviation, 10);
+  parse({"--max-turn=20", "--noisy"});
+  EXPECT_EQ(deviation, 20);
+  EXPECT_TRUE(is_loud);
+}
+
+TEST_F(CommandLineTest, OfOldAndPresentNameTheLastCounts) {
+  parse({"--max-deviation", "10", "--max-turn=20"});
+  EXPECT_EQ(deviation, 20);
+  parse({"--max-turn", "20", "--max-deviation=10"});
+  EXPECT_EQ(deviation, 10);
+}
+
+TEST_F(CommandLineTest, AnOldNameIsRecordedAndRefusedByItsPresentOneAndNotInTheHelp) {
+  parse({"--max-turn", "10"});
+  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":10,"speed":"slow"})");
+  EXPECT_EQ(error_of({"--max-turn=50"}), "--max-deviation: 50 is outside its interval (0 to 45)");
+  EXPECT_EQ(help_text(line.page()).find("max-turn"), std::string::npos);
+}
+
+TEST_F(CommandLineTest, WhatOnlyBeginsLikeAnOldNameOrFollowsDashesIsNoOldName) {
+  EXPECT_NE(error_of({"--max-turns", "10"}), "");
+  parse({"--", "--max-turn"});
+  EXPECT_EQ(input, "--max-turn");
+}
+
+}  // namespace
+}  // namespace quadrille::cli
