@@ -5,7 +5,7 @@
 #include "block/tell_layout.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
-#include "io/name_rules.hpp"
+#include "io/name_rules_io.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 

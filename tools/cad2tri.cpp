@@ -11,7 +11,7 @@
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
-#include "io/name_rules.hpp"
+#include "io/name_rules_io.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "triangulate/triangulate.hpp"

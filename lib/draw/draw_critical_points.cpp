@@ -17,8 +17,8 @@ constexpr double node_radius = 10;  // pixels
 /// A triangle needs more room for its number.
 double mark_radius(int valence) { return valence == 3 ? 1.3 * node_radius : node_radius; }
 
-Box box_of(const CriticalPoints& points) {
-  Box box = empty_box();
+PictureBox box_of(const CriticalPoints& points) {
+  PictureBox box = empty_box();
   for (const CriticalPoint& p : points.critical_points) box.include(p.position);
   for (const CriticalPoint& p : points.zeros) box.include(p.position);
   for (const Corner& c : points.corners) box.include(c.position);

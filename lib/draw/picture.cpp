@@ -58,18 +58,18 @@ path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
 
 }  // namespace
 
-void Box::include(Vec2 x) {
+void PictureBox::include(Vec2 x) {
   lower = {std::min(lower.x, x.x), std::min(lower.y, x.y)};
   upper = {std::max(upper.x, x.x), std::max(upper.y, x.y)};
 }
 
-Box empty_box() {
+PictureBox empty_box() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return {{infinity, infinity}, {-infinity, -infinity}};
 }
 
-Box bounding_box(const CadFace& face) {
-  Box box = empty_box();
+PictureBox bounding_box(const CadFace& face) {
+  PictureBox box = empty_box();
   for (const Nurbs& curve : face.curves)
     for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
       for (int i = 0; i <= 32 && curve.knots[k] < curve.knots[k + 1]; ++i)
@@ -82,7 +82,8 @@ double text_width(const std::string& text, double font_size) {
   return 0.56 * font_size * static_cast<double>(std::count_if(text.begin(), text.end(), is_first_byte));
 }
 
-Picture::Picture(const Box& box, const DrawOptions& options, const std::string& title, const std::string& caption)
+Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
+                 const std::string& caption)
     : width_(options.width), title_(title), caption_(caption) {
   const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
   const double free_width = std::max(1.0, width_ - 2 * margin);

@@ -6,27 +6,27 @@
 #include <string>
 #include <vector>
 
-#include "draw/bezier.hpp"
 #include "draw/colour.hpp"
 #include "draw/draw.hpp"
+#include "draw/pixel_curve.hpp"
 #include "draw/svg.hpp"
 
 namespace quadrille::draw {
 
-struct Box {
+struct PictureBox {
   Vec2 lower, upper;
   void include(Vec2 x);
   bool empty() const { return !(lower.x <= upper.x); }
 };
 
 /// A box that holds nothing yet.
-Box empty_box();
+PictureBox empty_box();
 /// The box of the face's boundary curves, by dense sampling.
-Box bounding_box(const CadFace& face);
+PictureBox bounding_box(const CadFace& face);
 
 class Picture {
  public:
-  Picture(const Box& box, const DrawOptions& options, const std::string& title, const std::string& caption);
+  Picture(const PictureBox& box, const DrawOptions& options, const std::string& title, const std::string& caption);
 
   /// Pixels of a point, y up.
   Vec2 at(Vec2 x) const { return scale_ * (x - lower_); }

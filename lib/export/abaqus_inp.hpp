@@ -2,7 +2,9 @@
 // Abaqus .inp in HOHQMesh's flavour (Trixi.jl's P4estMesh and T8codeMesh): straight quads in Abaqus' own words, which
 // p4est reads, then curved sides at Chebyshev-Lobatto points and names of sides in comments. Any order.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

@@ -3,7 +3,9 @@
 // with one graded section for each cell, boundaries as patches, regions as cell zones. The mesh may have any order;
 // cells have straight sides.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

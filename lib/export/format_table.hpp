@@ -1,29 +1,14 @@
 #pragma once
-// The solver formats: one row each, and what a writer hands back. One file per format implements its writer.
+// The solver formats, one row each. One source file per format implements its writer.
 
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "export/exported.hpp"
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
-
-/// A file that a format needs beside the main one, such as a table of names.
-struct SideFile {
-  std::string ending;  ///< takes the place of the main file's own ending: ".names.json"
-  std::string bytes;
-  bool is_binary = false;
-};
-
-struct Exported {
-  std::string bytes;
-  bool is_binary = false;
-  std::vector<SideFile> side_files;
-  /// What the format cannot hold of this mesh: a sentence each, with the size of the loss.
-  std::vector<std::string> losses;
-};
 
 struct ExportFormat {
   std::string_view name;     ///< for --format

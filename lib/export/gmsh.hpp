@@ -1,7 +1,9 @@
 #pragma once
 // Gmsh MSH (ASCII), versions 4.1 and 2.2: physical groups for boundaries and blocks, orders 1-10, equispaced nodes.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

@@ -2,7 +2,9 @@
 // HOHQMesh ISM-V2 (Trixi.jl's UnstructuredMesh2D, SELF): corners, edges with their elements, curved sides at
 // Chebyshev-Lobatto points, names of sides. Any order.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

@@ -2,7 +2,9 @@
 // MFEM mesh v1.0 and v1.3 (named attribute sets): any order, our own nodes (H1, Gauss-Lobatto), regions and boundaries
 // as attributes counted from 1 each.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

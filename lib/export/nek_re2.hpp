@@ -2,7 +2,9 @@
 // Nek5000 .re2: corners, quadratic sides, numbers of boundaries; beside it the geometry of full order as a field file
 // NAME0.f00000 to start from (.par: startFrom = "NAME0.f00000 X") and the table of names. Any order.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

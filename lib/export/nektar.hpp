@@ -2,7 +2,9 @@
 // Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not say it all, curved faces; composites
 // with names for boundaries and regions; a default expansion. Any order; the nodes are our own (GaussLobattoLegendre).
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

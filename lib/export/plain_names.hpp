@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
 #include "export/groups.hpp"
 
 namespace quadrille::exports {

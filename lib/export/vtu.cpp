@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "export/bezier.hpp"
+#include "export/bezier_points.hpp"
 #include "export/equispaced.hpp"
 #include "export/groups.hpp"
 #include "export/skeleton.hpp"

@@ -2,7 +2,9 @@
 // VTK's XML for ParaView, VisIt and PyVista: Lagrange or Bezier cells of orders 1-10, with the blocks, the names and
 // the quality of the elements; curves of the boundary and of the interfaces in a side file.
 
-#include "export/format_table.hpp"
+#include "export/exported.hpp"
+#include "export/frame.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "check/check.hpp"
-#include "io/name_rules.hpp"
+#include "io/name_rules_io.hpp"
 #include "io/stage_files.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "export/bezier.hpp"
+#include "export/bezier_points.hpp"
 
 #include "export/renode.hpp"
 #include "spectral/quadrature.hpp"

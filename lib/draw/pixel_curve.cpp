@@ -1,4 +1,4 @@
-#include "draw/bezier.hpp"
+#include "draw/pixel_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

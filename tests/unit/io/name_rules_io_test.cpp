@@ -1,4 +1,4 @@
-#include "io/name_rules.hpp"
+#include "io/name_rules_io.hpp"
 
 #include <gtest/gtest.h>
 
