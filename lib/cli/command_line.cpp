@@ -64,12 +64,17 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   return arguments;
 }
 
+/// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
+struct CallForOptionList {};
+
 }  // namespace
 
 struct CommandLine::Impl {
   explicit Impl(HelpPage help) : page(std::move(help)), app(page.summary, page.name) {
     app.set_help_flag("-h,--help");
     app.set_version_flag("--version", "");
+    app.add_flag_callback("--list-options", [] { throw CallForOptionList(); });
+    num_built_in = app.get_options().size();
   }
 
   CLI::Option* add(const std::string& flag, const std::string& placeholder, CLI::callback_t set, std::string help) {
@@ -89,6 +94,7 @@ struct CommandLine::Impl {
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
+  std::size_t num_built_in = 0, num_declared = 0;  ///< CLI11's options before the tool's own, and with them
 };
 
 CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
@@ -194,6 +200,7 @@ void CommandLine::formerly(const std::string& old_flag, const std::string& flag)
 
 void CommandLine::add_common(CommonOptions& common) {
   impl_->common = &common;
+  impl_->num_declared = impl_->app.get_options().size();
   std::vector<HelpRow> own;
   own.swap(impl_->page.options);
   text("--report", common.report, "FILE",
@@ -224,6 +231,8 @@ Request CommandLine::parse(int argc, char** argv) {
     return Request::show_help;
   } catch (const CLI::CallForVersion&) {
     return Request::show_version;
+  } catch (const CallForOptionList&) {
+    return Request::list_options;
   } catch (const CLI::ExtrasError&) {
     const std::vector<std::string> extras = impl_->app.remaining();
     throw UsageError(fmt::format("unknown option or surplus argument '{}'", extras.empty() ? "" : extras.front()));
@@ -237,6 +246,19 @@ Request CommandLine::parse(int argc, char** argv) {
 }
 
 const HelpPage& CommandLine::page() const { return impl_->page; }
+
+std::string CommandLine::option_list() const {
+  const auto line = [&](const std::string& flag, const CLI::Option* option) {
+    return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
+  };
+  const std::vector<CLI::Option*> options = impl_->app.get_options();
+  std::string out;
+  for (std::size_t i = impl_->num_built_in; i < impl_->num_declared; ++i)
+    for (const std::string& name : options[i]->get_lnames())
+      if (name != "output") out += line("--" + name, options[i]);
+  for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
+  return out;
+}
 
 std::string CommandLine::options_json() const {
   std::string out = "{";

@@ -20,7 +20,7 @@ struct CommonOptions {
 };
 
 /// What the command line requests.
-enum class Request { run, show_help, show_version };
+enum class Request { run, show_help, show_version, list_options };
 
 class CommandLine : public Options {
  public:
@@ -46,6 +46,9 @@ class CommandLine : public Options {
   /// Fills the declared variables. Throws UsageError.
   Request parse(int argc, char** argv);
   const HelpPage& page() const;
+  /// The tool's own options without --output, old names included, for programs: a line "TOOL --OPTION value" or
+  /// "TOOL --OPTION flag" each.
+  std::string option_list() const;
   /// The recorded options after defaults, as a JSON object with sorted keys.
   std::string options_json() const;
 

@@ -96,6 +96,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       line.add_common(common);
       request = line.parse(argc, argv);
       if (request == Request::show_help) print_to_stdout(help_text(line.page()));
+      if (request == Request::list_options) print_to_stdout(line.option_list());
       if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;

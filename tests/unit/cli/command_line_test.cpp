@@ -66,6 +66,12 @@ TEST_F(CommandLineTest, AnotherNameIsRefusedWithThoseThatAreAllowed) {
   EXPECT_EQ(speed, Speed::slow);
 }
 
+TEST_F(CommandLineTest, ProgramsGetAListOfOptionsWithTheirOldNames) {
+  EXPECT_EQ(line.option_list(),
+            "sample --speed value\nsample --max-deviation value\nsample --loud flag\nsample --max-turn value\n"
+            "sample --noisy flag\n");
+}
+
 TEST_F(CommandLineTest, AnOldNameIsAcceptedInEveryForm) {
   parse({"--max-turn", "10"});
   EXPECT_EQ(deviation, 10);

@@ -124,6 +124,23 @@ TEST(ToolMain, HelpStatesUnitDefaultAndInterval) {
   EXPECT_NE(r.out.find("EXAMPLES\n  sample -o x\n"), std::string::npos);
 }
 
+TEST(ToolMain, ListsTheToolsOwnOptionsForPrograms) {
+  Sample s;
+  std::string required;
+  Tool tool = s.tool();
+  tool.options = [&, sample_options = tool.options](Options& o) {
+    sample_options(o);
+    o.input("MORE", required, "not needed for the list", true);
+  };
+  const Result r = run(tool, {"--list-options"});
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(
+      r.out,
+      "sample --size value\nsample --order value\nsample --mode value\nsample --name value\nsample --loud flag\n");
+  EXPECT_EQ(run(tool, {"--help"}).out.find("--list-options"), std::string::npos);
+}
+
 TEST(ToolMain, EveryFailureHasItsCode) {
   const auto code = [](const std::function<void()>& fail) {
     Sample s;
