@@ -19,6 +19,13 @@ setup() {
   run -0 env PATH=/usr/bin:/bin "$usr/bin/quadmesh" --version
 }
 
+@test "the folder may be moved, and a link to a command is the command" {
+  cp -r "$usr" moved
+  ln -s moved/bin/quadmesh mesh
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin ./mesh "$DATA/square.step" -o out.msh
+  assert_output --regexp '^1 block, .*'
+}
+
 @test "every command has a manual page that renders without a warning and ends with its examples" {
   command -v groff || skip "no groff"
   assert_equal "$(ls "$usr/share/man/man1" | sed 's/\.1$//')" "$(ls "$usr/bin")"

@@ -167,6 +167,7 @@ moving_critpoints() {
   rm fake/critpoints
   cat >fake/critpoints <<END
 #!/bin/sh
+[ "\$1" != --list-options ] || exec "$BIN/critpoints" "\$1"
 case " \$* " in *" -o "*) ;; *) exit 3 ;; esac # only asked whether its options are right
 echo "\$@" >arguments
 field=\$1
@@ -196,6 +197,52 @@ END
 --place-weight 0 --max-valence 5 -o "
   run -2 "$quadmesh" "$DATA/half_disc.step" --feature-size
   assert_line "quadmesh: --feature-size needs a value"
+}
+
+@test "an option goes to every stage that lists it, whatever its name, and its value arrives as it is" {
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/critpoints fake/separatrix
+  cat >fake/critpoints <<END
+#!/bin/sh
+[ "\$1" != --list-options ] || { printf 'critpoints --%s\n' 'shared flag' 'own value' 'old-own value'; exit; }
+case " \$* " in *" -o "*) printf '<%s>' "\$@" >critpoints.words ;; *) exit 3 ;; esac
+field=\$1
+while [ "\$1" != -o ]; do shift; done
+exec "$BIN/critpoints" "\$field" "\$@"
+END
+  cat >fake/separatrix <<END
+#!/bin/sh
+[ "\$1" != --list-options ] || { echo 'separatrix --shared flag'; exit; }
+printf '<%s>' "\$@" >separatrix.words
+exit 3
+END
+  chmod +x fake/critpoints fake/separatrix
+  export QUADRILLE_BIN=$PWD/fake
+  run -3 "$quadmesh" "$DATA/square.step" -o out.msh --own $'a  *\nb ' --shared --own= --old-own='c=d' --size 0.5
+  [[ $(cat critpoints.words) == $'<'*$'.field.h5><--own><a  *\nb ><--shared><--own><><--old-own><c=d><-o>'* ]] ||
+    fail "$(cat critpoints.words)"
+  [[ $(cat separatrix.words) == *'.crit.json><--shared><-o>'* ]] || fail "$(cat separatrix.words)"
+  run -2 "$quadmesh" "$DATA/square.step" -o out.msh --max-valence 5
+  assert_line "quadmesh: unknown option --max-valence"
+  run -2 "$quadmesh" "$DATA/square.step" -o out.msh --own
+  assert_line "quadmesh: --own needs a value"
+}
+
+@test "--help has the options of the stages, as their own help has them" {
+  "$quadmesh" --help >help
+  for tool in critpoints separatrix blocksplit quadrefine quadexport; do
+    sed -n "/^OPTIONS OF ${tool^^}\$/,/^\$/p" help | sed '1d;$d' >shown
+    "$tool" --help | sed -n '/^OPTIONS$/,/^$/p' | sed '1d;$d' | sed '/^  -o,/,/^  --/{/^  --/!d}' | diff - shown
+    [ -s shown ]
+  done
+  # It needs no tools, and says more with them.
+  cp "$quadmesh" . && cp -r "$(dirname "$quadmesh")/lib" .
+  QUADRILLE_BIN='' PATH=/usr/bin:/bin run -0 --separate-stderr ./quadmesh --help
+  assert_equal "$stderr" ""
+  assert_line --partial "--workdir DIR"
+  QUADRILLE_BIN='' PATH=/usr/bin:/bin run -1 ./quadmesh shape.step --size 1
+  assert_output "quadmesh: no cad2tri on PATH; pipelines/quickstart builds it"
 }
 
 @test "a signal ends it with 128 + n and leaves nothing" {

@@ -1,0 +1,33 @@
+# What quadmesh reports of a run, from the reports of its stages (files NUMBER.STAGE.json, the inputs of jq).
+
+# report($start; $nodes): the report of the whole run, begun $start seconds after 1970; $nodes is the file x.crit.json.
+def report($start; $nodes):
+  [inputs | . + {stage: (input_filename | split(".")[-2])}] as $runs | ($runs | map({(.tool): .}) | add) as $of |
+  { tool: "quadmesh", version: $runs[0].version,
+    form: ($nodes.form // "harmonic"),
+    critical_points: ($nodes.critical_points | length),
+    irregular_nodes: $of.quadrefine.irregular_nodes,
+    blocks: $of.quadrefine.blocks,
+    certificate: $of.separatrix.certificate,
+    quads: $of.quadrefine.quads,
+    least_jacobian_bound: $of.quadrefine.least_jacobian_bound,
+    valid: $of.quadrefine.valid,
+    least_scaled_jacobian: $of.quadrefine.least_scaled_jacobian,
+    cpu_seconds: ($runs | map(.timings.total.cpu_seconds) | add),
+    wall_seconds: (now - $start),
+    stages: ($runs | map({(.stage): .timings.total}) | add),
+    warnings: ($runs | map(.tool as $tool | .warnings[] | {tool: $tool} + .)) };
+
+def count(n; noun): "\(n) \(noun)" + (if n == 1 then "" else "s" end);
+def places(n): . * pow(10; n) | round / pow(10; n) | tostring;
+
+# A line for each stage with its time and its share.
+def times:
+  .cpu_seconds as $all |
+  (.stages | to_entries[] | "\(.key + "                " | .[:16]) \(.value.cpu_seconds | places(3)) s CPU, " +
+    "\(.value.cpu_seconds / $all * 100 | round) %"),
+  "all stages       \($all | places(3)) s CPU, \(.wall_seconds | places(3)) s";
+
+def summary:
+  "\(count(.blocks; "block")), \(count(.irregular_nodes; "irregular node")), \(count(.quads; "quad")), " +
+    "worst scaled Jacobian \(.least_scaled_jacobian | places(2))";

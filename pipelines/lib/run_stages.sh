@@ -1,0 +1,89 @@
+# shellcheck shell=sh
+# Runs stages one after another, each with the options chosen for it (stage_options.sh). A stage that fails ends the
+# pipeline with its exit code; a signal ends the running stage, then the pipeline. The pipeline sets $quiet, $stem, the
+# name of its files without the ending, and $field, the name of the present field.
+number=10       # counts stages, for the names of their reports: $scratch/NUMBER.STAGE.json
+last=''         # the file of the last stage that succeeded
+child=''        # the process of the running stage
+scratch='' dir='' # the folders of temporary files and of stage files
+part=''         # a file that is being written
+trap 'stop INT' INT
+trap 'stop TERM' TERM
+trap 'stop HUP' HUP
+
+# stop SIGNAL: the running stage removes what it began.
+stop() {
+  trap '' INT TERM HUP
+  [ -z "$child" ] || { kill "$child" && wait "$child"; } 2>/dev/null
+  rm -rf "$scratch"
+  rm -f "$part"
+  trap - "$1"
+  kill -s "$1" $$
+}
+
+# add_tools_to_path FOLDER...: from the first folder that has them.
+add_tools_to_path() {
+  for folder in "$@"; do
+    if [ -x "$folder/cad2tri" ]; then PATH=$(cd "$folder" && pwd):$PATH && return; fi
+  done
+}
+require_tools() {
+  command -v cad2tri >/dev/null || { echo "${0##*/}: no cad2tri on PATH; pipelines/quickstart builds it" >&2; exit 1; }
+}
+
+cannot_write() { echo "${0##*/}: $1 cannot be written: ${2##*: }" >&2; }
+
+# make_folders [DIR]: stage files are kept in DIR; without DIR they are temporary.
+make_folders() {
+  scratch=$(mktemp -d 2>&1) || { cannot_write "the temporary folder in ${TMPDIR:-/tmp}" "$scratch"; exit 4; }
+  dir=${1:-$scratch}
+  message=$(mkdir -p "$dir" 2>&1) || { cannot_write "$dir" "$message"; rm -rf "$scratch"; exit 4; }
+  if (exec 3<&0) 2>/dev/null; then exec 3<&0; else exec 3</dev/null; fi
+}
+
+# stage TOOL OUTPUT ARGUMENT...
+stage() {
+  tool=$1 result=$2 name=$1 number=$((number + 1))
+  case $result in "$stem".phase.*) name=phase_$tool ;; esac
+  shift 2
+  with_options "$tool" start_tool "$@"
+  wait "$child"
+  code=$?
+  child=''
+  [ "$code" -eq 0 ] || fail "$code" "$tool"
+  last=$result
+}
+
+# In the background, since a shell that waits for a process in the foreground handles signals only after it.
+start_tool() {
+  "$tool" "$@" -o "$result" ${quiet:+-q} --report "$scratch/$number.$name.json" <&3 &
+  child=$!
+}
+
+# fail CODE TOOL: ends the pipeline. The stage files are kept, with a picture of the last one, if the shape may be the
+# cause: after 1 (no valid result) and 70 (internal error).
+fail() {
+  picture=$stem.before-$2.svg beside=''
+  case $last in *.crit.json) beside=$field ;; esac
+  if [ -n "$last" ] && { [ "$1" -eq 1 ] || [ "$1" -eq 70 ]; } &&
+    stageview "$last" ${beside:+--field "$beside"} -o "$picture" 2>/dev/null; then
+    echo "${0##*/}: the files of the stages before $2 are kept in $dir; look at the last one with" >&2
+    echo "  xdg-open '$picture'" >&2
+    [ "$dir" != "$scratch" ] || scratch=''
+  fi
+  [ -z "$scratch" ] || rm -rf "$scratch"
+  exit "$1"
+}
+
+# write_file SOURCE TARGET: all or nothing, with 4 and a message if it fails; straight into a pipe or a device.
+write_file() {
+  if [ "$2" = - ]; then
+    cat "$1" || fail 4 "${0##*/}"
+    return
+  elif [ -e "$2" ] && [ ! -f "$2" ]; then
+    message=$({ cat "$1" >"$2"; } 2>&1)
+  else
+    part=$2.part
+    message=$({ cp "$1" "$part" && mv "$part" "$2"; } 2>&1)
+  fi || { cannot_write "$2" "$message"; rm -f "$part"; fail 4 "${0##*/}"; }
+}
