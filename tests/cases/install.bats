@@ -24,6 +24,11 @@ setup() {
   ln -s moved/bin/quadmesh mesh
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin ./mesh "$DATA/square.step" -o out.msh
   assert_output --regexp '^1 block, .*'
+  printf '0 0\n1 0\n0 1\n' >points
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/points2step points -o triangle.step
+  "$ROOT/pipelines/points2step" points | cmp - triangle.step
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/place -q "$DATA/square.step" -o placed.msh
+  cmp placed.msh out.msh
 }
 
 @test "every command has a manual page that renders without a warning and ends with its examples" {

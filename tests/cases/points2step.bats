@@ -180,25 +180,26 @@ names() { jq -c .names fit.json; }
   }
   refused 'there are no points' </dev/null
   printf '\n# nothing\n' | refused 'there are no points'
+  printf 'title\n' | refused 'there are no points'
   printf '0 0\n1 0\n' | refused 'line 1: a loop needs three different points, this one has 2'
   printf '0 0\n1 0\n0 0\n' | refused 'line 1: a loop needs three different points, this one has 2'
   printf '0 0\n1 0\n1 nan\n' | refused "line 3: '1 nan' is not finite"
   printf '0 0\n1 inf\n1 1\n' | refused "line 2: '1 inf' is not finite"
   printf '0 0\n1 0\n1 1 3\n' | refused "line 3: expected x and y, found '1 1 3'"
   printf '0 0\n1 0\n1 one\n' | refused "line 3: expected x and y, found '1 one'"
-  printf '0 0\n1 0\n1 0\n1 1\n' | refused 'line 3: the point of line 2 again'
+  printf '0 0\n1 0\n1 0\n1 1\n' | refused 'line 3: repeats the point of line 2'
   printf '0 0\n2 0\n1 0\n1 1\n' | refused 'line 2: the loop turns back on itself'
   printf '0 0\n1 0\n2 0\n' | refused 'line 3: the loop turns back on itself'
-  printf '0 0\n2 0\n0 2\n2 2\n' | refused 'line 4: the loop crosses or touches itself: behind this point and behind that of line 2'
+  printf '0 0\n2 0\n0 2\n2 2\n' | refused 'line 4: the loop crosses or touches itself: the segment from here meets the segment from line 2'
   printf '0 0\n4 0\n2 2\n4 4\n0 4\n2 2\n' |
-    refused 'line 5: the loop crosses or touches itself: behind this point and behind that of line 2'
-  printf '0 0\n4 0\n4 4\n0 4\n\n3 1\n5 1\n5 2\n' | refused 'line 6: two loops cross or touch: behind this point and behind that of line 2'
-  printf '0 0\n4 0\n4 4\n0 4\n\n5 1\n6 1\n6 2\n' | refused 'line 6: this loop is neither the largest nor inside it'
+    refused 'line 5: the loop crosses or touches itself: the segment from here meets the segment from line 2'
+  printf '0 0\n4 0\n4 4\n0 4\n\n3 1\n5 1\n5 2\n' | refused 'line 6: two loops cross or touch: the segment from here meets the segment from line 2'
+  printf '0 0\n4 0\n4 4\n0 4\n\n5 1\n6 1\n6 2\n' | refused 'line 6: this loop is not inside the largest one'
   { printf '0 0\n9 0\n9 9\n0 9\n\n'; circle 8 3 4 4; echo; circle 8 1 4 4; } |
     refused 'line 15: this loop lies inside the hole that begins in line 6'
-  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: 3 + 3 points announced, 5 given'
+  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: expected 3 + 3 points, found 5'
   printf 'title\n0 0\n1 1\n2 0\n' | refused 'line 2: expected the numbers of points of the upper and lower side' --format lednicer
-  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose stands at the end: a side has no points'
+  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose is the first or the last point: one side has no points'
   run -3 "$points2step" nowhere.txt
   assert_output "points2step: nowhere.txt cannot be read: No such file or directory"
   assert_nothing_left points

@@ -1,0 +1,155 @@
+"""What the Python commands share: options, exit codes, signals, and files that are written whole or not at all."""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+
+SHORT = {"-o": "--output", "-v": "--verbose", "-q": "--quiet", "-h": "--help"}
+USAGE, BAD_INPUT, NOT_WRITTEN, INTERNAL = 2, 3, 4, 70  # exit codes
+
+
+class Failure(Exception):
+    """Ends the command with an exit code. Without a message: a stage has printed it."""
+
+    def __init__(self, code, message=""):
+        super().__init__(message)
+        self.code = code
+
+
+class Stopped(BaseException):
+    """A signal arrived; its number is the argument."""
+
+
+def mistake(message):
+    return Failure(USAGE, message)
+
+
+def option_pairs(words, kind_of):
+    """Splits a command line: yields (option, value), (flag, None), and (None, word) for a word that is no option.
+    `kind_of(option)` is "value", "flag" or None for an unknown option; the name is the long one."""
+    words = list(words)
+    while words:
+        word = words.pop(0)
+        if word.startswith("--") and "=" in word:
+            word, value = word.split("=", 1)
+            words.insert(0, value)
+        word = SHORT.get(word, word)
+        if not word.startswith("-") or word == "-":
+            yield None, word
+            continue
+        kind = kind_of(word)
+        if kind is None:
+            raise mistake(f"unknown option {word}")
+        if kind == "value" and not words:
+            raise mistake(f"{word} needs a value")
+        yield word, words.pop(0) if kind == "value" else None
+
+
+def number(option, text, low, high, kind=float, is_open=False):
+    """The value of a numeric option, between `low` (excluded if `is_open`) and `high`."""
+    try:
+        value = kind(text)
+    except ValueError:
+        raise mistake(f"{option}: '{text}' is not {'an integer' if kind is int else 'a number'}") from None
+    if not (low < value if is_open else low <= value) or not value <= high:
+        raise mistake(f"{option}: {text} is outside its interval, see --help")
+    return value
+
+
+def add_tools_to_path(script):
+    """Puts the folder of the tools first on PATH: $QUADRILLE_BIN, the build beside the sources, or the script's own.
+    Without any of them PATH has to contain it."""
+    here = pathlib.Path(script).resolve().parent
+    for folder in (os.environ.get("QUADRILLE_BIN"), here.parent / "build" / "bin", here):
+        if folder and os.access(pathlib.Path(folder) / "cad2tri", os.X_OK):
+            os.environ["PATH"] = f"{pathlib.Path(folder).resolve()}{os.pathsep}{os.environ.get('PATH', '')}"
+            return
+    if not shutil.which("cad2tri"):
+        raise Failure(1, "no cad2tri on PATH; pipelines/quickstart builds it")
+
+
+def version_text(command):
+    """The version of the tools, which is that of all commands."""
+    printed = subprocess.run(["quadexport", "--version"], capture_output=True, text=True, check=True).stdout
+    return printed.replace("quadexport", command)
+
+
+_part = None  # the file that is being written
+
+
+def write_file(path, content):
+    """Writes UTF-8 text to a file, all or nothing; to standard output for -; straight into a pipe or a device."""
+    try:
+        if path == "-":
+            sys.stdout.write(content)
+            sys.stdout.flush()
+        elif os.path.exists(path) and not os.path.isfile(path):
+            pathlib.Path(path).write_text(content, encoding="utf-8")
+        else:
+            _replace(path, content)
+    except OSError as error:
+        _remove_part()
+        name = "standard output" if path == "-" else path
+        raise Failure(NOT_WRITTEN, f"{name} cannot be written: {error.strerror}") from None
+
+
+def _replace(path, content):
+    global _part
+    _part = pathlib.Path(f"{path}.part")
+    _part.write_text(content, encoding="utf-8")
+    _part.replace(path)
+    _part = None
+
+
+def _remove_part():
+    if _part is not None:
+        _part.unlink(missing_ok=True)
+
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def _set_handlers(handler):
+    for signum in SIGNALS:
+        signal.signal(signum, handler)
+
+
+def _stop(signum, _):
+    _set_handlers(signal.SIG_IGN)  # the first signal ends the command
+    raise Stopped(signum)
+
+
+def _failure_of(error):
+    """Any exception as a failure."""
+    if isinstance(error, Failure):
+        return error
+    if isinstance(error, OSError):
+        return Failure(NOT_WRITTEN, f"{error.filename or 'output'} cannot be written: {error.strerror}")
+    return Failure(INTERNAL, f"internal error, please report it: {error!r}")
+
+
+def _print_failure(name, failure):
+    if str(failure):
+        hint = f"\ntry '{name} --help'" if failure.code == USAGE else ""
+        print(f"{name}: {failure}{hint}", file=sys.stderr)
+
+
+def run_command(name, work):
+    """Runs work() and ends the process: with 0, with the code of a failure after its message, or by the signal that
+    interrupted it."""
+    _set_handlers(_stop)
+    code = 0
+    try:
+        work()
+        sys.stdout.flush()
+    except Stopped as stopped:
+        _remove_part()
+        signal.signal(stopped.args[0], signal.SIG_DFL)
+        os.kill(os.getpid(), stopped.args[0])
+    except Exception as error:
+        failure = _failure_of(error)
+        _print_failure(name, failure)
+        code = failure.code
+    os._exit(code)  # the interpreter would flush standard output once more, and fail on a full disk

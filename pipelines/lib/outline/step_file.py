@@ -1,0 +1,155 @@
+"""Writes a planar face as a STEP file (ISO 10303-21, AP214). The same edges give the same bytes."""
+import math
+import re
+
+from outline.edges import Arc, Line
+
+# SI prefixes of the metre, or name and metres of units of their own.
+UNITS = {"m": "$", "cm": ".CENTI.", "mm": ".MILLI.", "um": ".MICRO.", "in": ("INCH", 0.0254), "ft": ("FOOT", 0.3048)}
+
+
+def real(x):
+    mantissa, _, exponent = repr(float(x) + 0.0).partition("e")
+    return mantissa + ("" if "." in mantissa else ".") + (f"E{exponent}" if exponent else "")
+
+
+def text(words):
+    """A string; characters other than ASCII by their numbers."""
+    coded = []
+    for part in re.findall(r"[ -~]+|[^ -~]", words):
+        if " " <= part[0] <= "~":
+            coded.append(part.replace("\\", "\\\\").replace("'", "''"))
+        else:
+            coded.append(f"\\X2\\{ord(part):04X}\\X0\\" if ord(part) < 0x10000 else f"\\X4\\{ord(part):08X}\\X0\\")
+    return "'" + "".join(coded) + "'"
+
+
+def listed(items):
+    return "(" + ",".join(items) + ")"
+
+
+class Statements:
+    """The statements of a file; each is numbered when it is added, and referred to as #NUMBER."""
+
+    def __init__(self):
+        self.texts, self.vertices = [], {}
+
+    def add(self, statement):
+        self.texts.append(statement)
+        return f"#{len(self.texts)}"
+
+    def vertex(self, z):
+        if z not in self.vertices:
+            self.vertices[z] = self.add(f"VERTEX_POINT('',{point(self, z)})")
+        return self.vertices[z]
+
+    def body(self):
+        return "".join(f"#{number} = {statement};\n" for number, statement in enumerate(self.texts, 1))
+
+
+# ---- geometry
+
+
+def point(step, z):
+    return step.add(f"CARTESIAN_POINT('',({real(z.real)},{real(z.imag)},0.))")
+
+
+def placement(step, centre):
+    axis, reference = step.add("DIRECTION('',(0.,0.,1.))"), step.add("DIRECTION('',(1.,0.,0.))")
+    return step.add(f"AXIS2_PLACEMENT_3D('',{point(step, centre)},{axis},{reference})")
+
+
+def line(step, edge):
+    along = (edge.end - edge.start) / abs(edge.end - edge.start)
+    direction = step.add(f"DIRECTION('',({real(along.real)},{real(along.imag)},0.))")
+    vector = step.add(f"VECTOR('',{direction},1.)")
+    return step.add(f"LINE('',{point(step, edge.start)},{vector})")
+
+
+def circle(step, edge):
+    return step.add(f"CIRCLE('',{placement(step, edge.centre)},{real(edge.radius)})")
+
+
+def spline(step, edge):
+    multiplicities = listed(["4"] + ["1"] * (len(edge.knots) - 2) + ["4"])
+    is_closed = ".T." if edge.start == edge.end else ".F."
+    poles = listed([point(step, z) for z in edge.poles])
+    return step.add(f"B_SPLINE_CURVE_WITH_KNOTS('',3,{poles},.UNSPECIFIED.,{is_closed},.F.,{multiplicities},"
+                    f"{listed(map(real, edge.knots))},.UNSPECIFIED.)")
+
+
+def curve(step, edge):
+    write = line if isinstance(edge, Line) else circle if isinstance(edge, Arc) else spline
+    return write(step, edge)
+
+
+# ---- topology
+
+
+def oriented_edge(step, edge):
+    geometry = curve(step, edge)
+    start, end = step.vertex(edge.start), step.vertex(edge.end)
+    edge_curve = step.add(f"EDGE_CURVE({text(edge.name)},{start},{end},{geometry},.T.)")
+    return step.add(f"ORIENTED_EDGE('',*,*,{edge_curve},.T.)")
+
+
+def bound(step, edges, kind):
+    loop = step.add(f"EDGE_LOOP('',{listed([oriented_edge(step, edge) for edge in edges])})")
+    return step.add(f"{kind}('',{loop},.T.)")
+
+
+def face(step, loops, name):
+    bounds = [bound(step, edges, "FACE_BOUND" if k else "FACE_OUTER_BOUND") for k, edges in enumerate(loops)]
+    plane = step.add(f"PLANE('',{placement(step, 0j)})")
+    return step.add(f"ADVANCED_FACE({text(name)},{listed(bounds)},{plane},.T.)")
+
+
+# ---- units and product
+
+
+def length_unit(step, unit):
+    if isinstance(UNITS[unit], str):
+        return step.add(f"( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT({UNITS[unit]},.METRE.) )")
+    name, metres = UNITS[unit]
+    metre = step.add("( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) )")
+    exponents = step.add("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)")
+    factor = step.add(f"LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE({real(metres)}),{metre})")
+    return step.add(f"( CONVERSION_BASED_UNIT('{name}',{factor}) LENGTH_UNIT() NAMED_UNIT({exponents}) )")
+
+
+def context(step, unit, tolerance):
+    length = length_unit(step, unit)
+    angle = step.add("( NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.) )")
+    solid = step.add("( NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT() )")
+    accuracy = step.add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({real(tolerance)}),{length},"
+                        "'distance_accuracy_value','')")
+    return step.add("( GEOMETRIC_REPRESENTATION_CONTEXT(3) "
+                    f"GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({accuracy})) "
+                    f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid})) REPRESENTATION_CONTEXT('','3D') )")
+
+
+def product(step, title, face_number, context_number):
+    shell = step.add(f"OPEN_SHELL('',({face_number}))")
+    model = step.add(f"SHELL_BASED_SURFACE_MODEL('',({shell}))")
+    shape = step.add(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({placement(step, 0j)},{model}),{context_number})")
+    application = step.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')")
+    step.add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
+    field = step.add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
+    item = step.add(f"PRODUCT({text(title)},{text(title)},'',({field}))")
+    formation = step.add(f"PRODUCT_DEFINITION_FORMATION('','',{item})")
+    stage = step.add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")
+    definition = step.add(f"PRODUCT_DEFINITION('design','',{formation},{stage})")
+    whole = step.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
+    step.add(f"SHAPE_DEFINITION_REPRESENTATION({whole},{shape})")
+
+
+def step_file(title, loops, face_name, unit, size):
+    """The text of the file. `loops` of edges: the outline first and counter-clockwise, holes clockwise; `unit` is a key
+    of UNITS; the accuracy is given as a ten millionth of `size`, rounded down to a power of ten."""
+    step = Statements()
+    face_number = face(step, loops, face_name)
+    product(step, title, face_number, context(step, unit, 10.0 ** math.floor(math.log10(1e-7 * size))))
+    return ("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+            f"FILE_NAME({text(title)},'2000-01-01T00:00:00',(''),(''),'points2step','','');\n"
+            "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\n"
+            f"DATA;\n{step.body()}ENDSEC;\nEND-ISO-10303-21;\n")

@@ -1,0 +1,31 @@
+# The Python modules of pipelines/lib: their unit tests, tests/unit/pipelines/MODULE_test.py for MODULE.
+load common
+
+# passes MODULE...: the tests of these modules pass, and there are some.
+passes() {
+  for module in "$@"; do
+    PYTHONPATH=$ROOT/pipelines/lib run -0 /usr/bin/python3 -B -m unittest discover -s "$ROOT/tests/unit/pipelines" \
+      -p "${module}_test.py"
+    assert_line --regexp '^Ran [1-9][0-9]* tests? in '
+  done
+}
+
+@test "the frame of the Python commands" {
+  passes command_frame
+}
+
+@test "outlines: reading points, loops, corners" {
+  passes point_files polygons loops corners
+}
+
+@test "outlines: splines, edges, STEP files, and all together" {
+  passes splines edges step_file build
+}
+
+@test "every module has a test, and the tests of all modules are run above" {
+  for file in "$ROOT"/pipelines/lib/*.py "$ROOT"/pipelines/lib/*/[a-z]*.py; do
+    module=$(basename "$file" .py)
+    assert_file_exists "$ROOT/tests/unit/pipelines/${module}_test.py"
+    grep -q "^  passes .*\b$module\b" "$BATS_TEST_FILENAME" || fail "$module is not run"
+  done
+}

@@ -1,0 +1,49 @@
+import re
+import unittest
+
+from outline import step_file
+from outline.edges import Arc, Line, Spline
+
+TRIANGLE = [Line(0, 1, "floor"), Line(1, 1j, ""), Line(1j, 0, "")]
+
+
+def written(*loops, name="", unit="m", size=1.0):
+    return step_file.step_file("title", loops or [TRIANGLE], name, unit, size)
+
+
+class StepFileTest(unittest.TestCase):
+    def test_reals_have_a_point_and_a_capital_exponent(self):
+        self.assertEqual([step_file.real(x) for x in (1, -0.0, 0.1, 1e-30, 2.5e22)], ["1.0", "0.0", "0.1", "1.E-30", "2.5E+22"])
+
+    def test_strings_are_ascii_with_doubled_quotes_and_coded_letters(self):
+        self.assertEqual(step_file.text("a'b\\"), "'a''b\\\\'")
+        self.assertEqual(step_file.text("ü"), "'\\X2\\00FC\\X0\\'")
+        self.assertEqual(step_file.text("\U0001f600"), "'\\X4\\0001F600\\X0\\'")
+
+    def test_statements_refer_to_earlier_ones_only(self):
+        numbers = []
+        for line in written().splitlines():
+            if match := re.match(r"#(\d+) = (.*);$", line):
+                numbers.append(int(match[1]))
+                self.assertTrue(all(int(k) < numbers[-1] for k in re.findall(r"#(\d+)", match[2])), line)
+        self.assertEqual(numbers, list(range(1, len(numbers) + 1)))
+
+    def test_edges_that_meet_share_a_vertex(self):
+        self.assertEqual(written().count("VERTEX_POINT("), 3)
+        self.assertEqual(written().count("EDGE_CURVE('floor'"), 1)
+
+    def test_the_first_loop_is_the_outer_bound(self):
+        hole = [Arc(0.3 + 0.3j, 0.1, 0.4 + 0.3j, 0.4 + 0.3j, "hole")]
+        found = written(TRIANGLE, hole, name="plate")
+        self.assertEqual((found.count("FACE_OUTER_BOUND("), found.count("FACE_BOUND("), found.count("CIRCLE(")), (1, 1, 1))
+        self.assertIn("ADVANCED_FACE('plate',", found)
+
+    def test_a_spline_has_clamped_ends_and_simple_inner_knots(self):
+        found = written([Spline([0, 1, 1 + 1j, 1j, 0], [0.0, 1.0, 2.0], "")])
+        self.assertIn(".UNSPECIFIED.,.T.,.F.,(4,1,4),(0.0,1.0,2.0),.UNSPECIFIED.)", found)
+
+    def test_units_and_accuracy(self):
+        self.assertIn("SI_UNIT(.MILLI.,.METRE.)", written(unit="mm"))
+        self.assertIn("CONVERSION_BASED_UNIT('INCH',", written(unit="in"))
+        self.assertIn("LENGTH_MEASURE(1.E-07)", written(size=1.0))
+        self.assertIn("LENGTH_MEASURE(1.E-06)", written(size=99.0))
