@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../support/test_data.hpp"
 #include "../triangulate/faces.hpp"
 #include "adapt/adapt_loop.hpp"
 #include "cad/load_face.hpp"
@@ -22,7 +23,7 @@ using Complex = std::complex<double>;
 
 CadFace loaded(const std::string& shape) {
   std::ostringstream bytes;
-  bytes << std::ifstream(std::string(TEST_DATA) + "/" + shape, std::ios::binary).rdbuf();
+  bytes << std::ifstream(test_data() + "/" + shape, std::ios::binary).rdbuf();
   Report report;
   return cad::load_face(bytes.str(), shape, {}, report);
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "../support/test_data.hpp"
 #include "adapt/adapt_loop.hpp"
 #include "cad/load_face.hpp"
 #include "field/evaluate.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 std::string read(const std::string& name) {
   std::ostringstream bytes;
-  bytes << std::ifstream(std::string(TEST_DATA) + "/" + name, std::ios::binary).rdbuf();
+  bytes << std::ifstream(test_data() + "/" + name, std::ios::binary).rdbuf();
   return bytes.str();
 }
 

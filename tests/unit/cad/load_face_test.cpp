@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../support/test_data.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
@@ -16,7 +17,7 @@ namespace quadrille::cad {
 namespace {
 
 std::string bytes_of(const std::string& file) {
-  std::ifstream stream(TEST_DATA "/" + file, std::ios::binary);
+  std::ifstream stream(test_data() + "/" + file, std::ios::binary);
   if (!stream) throw std::runtime_error("no " + file);
   std::ostringstream bytes;
   bytes << stream.rdbuf();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../support/test_data.hpp"
 #include "cad/load_face.hpp"
 
 namespace quadrille::cad {
@@ -15,7 +16,7 @@ namespace {
 
 /// Rotations and mirrored isometries.
 std::pair<int, int> order_of(const std::string& file) {
-  std::ifstream stream(TEST_DATA "/" + file, std::ios::binary);
+  std::ifstream stream(test_data() + "/" + file, std::ios::binary);
   if (!stream) throw std::runtime_error("no " + file);
   std::ostringstream bytes;
   bytes << stream.rdbuf();

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "../support/test_data.hpp"
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
@@ -42,7 +43,7 @@ inline QuadMesh two_quads_of_the_pages() {
 
 /// A page of formats/export.
 inline std::string page(const std::string& name) {
-  std::ifstream file(std::string(TEST_DATA) + "/../../formats/export/" + name);
+  std::ifstream file(test_data() + "/../../formats/export/" + name);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

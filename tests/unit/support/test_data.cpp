@@ -1,0 +1,7 @@
+#include "test_data.hpp"
+
+namespace quadrille {
+
+std::string test_data() { return TEST_DATA; }
+
+}  // namespace quadrille
