@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
     s.end_phase();
     mesh.provenance = s.provenance({}, inputs);
     s.info(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
-                      mesh.curved_elems.size()));
+                       mesh.curved_elems.size()));
     io::write_tri_mesh(output, mesh);
   };
   tool.report_writer = io::write_report;

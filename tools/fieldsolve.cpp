@@ -42,10 +42,10 @@ void say_phase(const PhaseForm& phase, cli::Session& s) {
   for (const PhaseNode& node : phase.nodes.nodes) nodes.push_back(node.valence);
   for (const CornerValence& corner : phase.nodes.corners) corners.push_back(corner.valence);
   s.info(fmt::format("{} nodes of valence {}; corners of valence {}", nodes.size(), fmt::join(nodes, " "),
-                    fmt::join(corners, " ")));
+                     fmt::join(corners, " ")));
   for (std::size_t j = 0; j < phase.twists.size(); ++j)
     s.info(fmt::format("hole {}: twist {}, best {:.6f}, period of lambda {:.3e}", j + 1, phase.twists[j],
-                      phase.best_twists[j], phase.periods[j]));
+                       phase.best_twists[j], phase.periods[j]));
   if (!phase.twists.empty()) s.info(fmt::format("energy of whole twists above real ones: {:.3e}", phase.twist_energy));
 }
 
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
     s.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
     field.provenance = s.provenance(mesh.provenance, inputs);
     s.info(fmt::format("{} elements of order {}..{}, {} liftings", mesh.num_elems(), *lowest, *highest,
-                      nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size()));
+                       nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size()));
     io::write_field(output, field);
   };
   tool.report_writer = io::write_report;

@@ -51,7 +51,7 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
     for (const check::Violation& violation : violations)
       fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
     session.info(fmt::format("{}: {}, {}", file.name, format,
-                            violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
+                             violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
     return violations.size();
   } catch (const FormatError& e) {
     fmt::print("{}\n", e.what());  // names the file itself

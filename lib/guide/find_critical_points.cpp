@@ -62,7 +62,8 @@ Certificate certificate_of(const zeros::ZeroSearch& search, const std::vector<ze
   c.cells_isolated = static_cast<double>(counts.isolated);
   c.cells_left_to_corners = static_cast<double>(counts.ignored);
   c.greatest_depth = counts.greatest_depth;
-  for (const zeros::FoundZero& zero : zeros) c.cells.push_back(certificate_cell(zero.elem, zero.cell, CellVerdict::zero));
+  for (const zeros::FoundZero& zero : zeros)
+    c.cells.push_back(certificate_cell(zero.elem, zero.cell, CellVerdict::zero));
   for (const zeros::OpenCell& cell : search.open_cells())
     c.cells.push_back(certificate_cell(cell.elem, cell.cell, CellVerdict::open));
   for (const zeros::Disc& disc : discs) {
