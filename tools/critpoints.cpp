@@ -71,7 +71,7 @@ void place(const Field& field, const NodeOptions& options, int num_threads, Crit
   std::vector<bool> is_free = guide::nodes_without_place(field.mesh.face, points);
   if (options.place == "energy") is_free.assign(is_free.size(), true);
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
-  const auto energy = galerkin::phase_energy_function(field, {points.twist_offsets}, num_threads);
+  const auto energy = galerkin::phase_energy_function(field, {points.hole_winding_offsets}, num_threads);
   const auto of_points = [&](const CriticalPoints& at) {
     galerkin::PhaseEnergy e = energy(phase_nodes_of(at));
     return placement::NodeEnergy{e.value, std::move(e.gradient)};

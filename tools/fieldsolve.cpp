@@ -39,14 +39,15 @@ CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
 
 void say_phase(const PhaseForm& phase, cli::Session& s) {
   std::vector<int> nodes, corners;
-  for (const PhaseNode& node : phase.nodes.nodes) nodes.push_back(node.valence);
-  for (const CornerValence& corner : phase.nodes.corners) corners.push_back(corner.valence);
+  for (const PhaseNode& node : phase.prescribed.nodes) nodes.push_back(node.valence);
+  for (const CornerValence& corner : phase.prescribed.corners) corners.push_back(corner.valence);
   s.info(fmt::format("{} nodes of valence {}; corners of valence {}", nodes.size(), fmt::join(nodes, " "),
                      fmt::join(corners, " ")));
-  for (std::size_t j = 0; j < phase.twists.size(); ++j)
-    s.info(fmt::format("hole {}: twist {}, best {:.6f}, period of lambda {:.3e}", j + 1, phase.twists[j],
-                       phase.best_twists[j], phase.periods[j]));
-  if (!phase.twists.empty()) s.info(fmt::format("energy of whole twists above real ones: {:.3e}", phase.twist_energy));
+  for (std::size_t j = 0; j < phase.hole_winding.size(); ++j)
+    s.info(fmt::format("hole {}: winding {}, best {:.6f}, period of lambda {:.3e}", j + 1, phase.hole_winding[j],
+                       phase.best_hole_winding[j], phase.hole_periods[j]));
+  if (!phase.hole_winding.empty())
+    s.info(fmt::format("energy of integer winding above real winding: {:.3e}", phase.hole_winding_energy));
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ int main(int argc, char** argv) {
       inputs.push_back(nodes_file.digest("critical-points"));
       s.begin_phase("solve");
       galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
-      field = solver.solve(phase_nodes_of(points), {points.twist_offsets}, s.report());
+      field = solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, s.report());
       say_phase(field.phase, s);
     }
     s.begin_phase("estimate");

@@ -28,10 +28,10 @@ struct Solver {
 Solver solver_of(const Field& start, int num_threads) {
   if (start.kind == "phase") {
     const auto solver = std::make_shared<galerkin::PhaseSolver>(start.mesh, start.elem_order, num_threads);
-    const galerkin::PhaseOptions options{start.phase.twist_offsets};
+    const galerkin::PhaseOptions options{start.phase.hole_winding_offsets};
     return {[=, &start](const std::vector<int>& orders, Report& report) {
               solver->set_orders(orders);
-              return solver->solve(start.phase.nodes, options, report);
+              return solver->solve(start.phase.prescribed, options, report);
             },
             [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
   }

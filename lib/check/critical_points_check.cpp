@@ -9,7 +9,7 @@ namespace quadrille::check {
 
 namespace {
 
-constexpr int max_twist = 1000000;  // of whole turns; more would eat the digits of the phase
+constexpr int max_winding = 1000000;  // whole turns; more would use up the digits of the phase
 
 bool is_sound(const CriticalPoint& p) {
   return is_finite(p.position) && is_finite(p.xi) && is_finite(p.error) &&
@@ -134,8 +134,8 @@ void errors_are_sound(const CriticalPoints& points, Findings& findings) {
 void forms_are_known(const CriticalPoints& points, Findings& findings) {
   if (points.form != "harmonic" && points.form != "phase")
     findings.add("form '{}' is not known; it must be harmonic or phase", points.form);
-  if (points.form == "harmonic" && (!points.boundary_nodes.empty() || !points.twist_offsets.empty()))
-    findings.add("boundary_nodes and twist_offsets are for the form phase; a harmonic field has none");
+  if (points.form == "harmonic" && (!points.boundary_nodes.empty() || !points.hole_winding_offsets.empty()))
+    findings.add("boundary_nodes and hole_winding_offsets are for the form phase; a harmonic field has none");
 }
 
 void boundary_nodes_are_sound(const CriticalPoints& points, Findings& findings) {
@@ -148,9 +148,9 @@ void boundary_nodes_are_sound(const CriticalPoints& points, Findings& findings) 
       if (list[i].curve == list[j].curve && list[i].t == list[j].t)
         findings.add("boundary nodes {} and {} are at one place", j, i);
   }
-  for (const int offset : points.twist_offsets)
-    if (std::abs(static_cast<double>(offset)) > max_twist)
-      findings.add("twist offset {} is not between -{} and {}", offset, max_twist, max_twist);
+  for (const int offset : points.hole_winding_offsets)
+    if (std::abs(static_cast<double>(offset)) > max_winding)
+      findings.add("hole_winding_offsets: {} is not between -{} and {}", offset, max_winding, max_winding);
 }
 
 void zeros_are_sound(const CriticalPoints& points, Findings& findings) {
@@ -278,9 +278,9 @@ void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings)
       findings.add("boundary node {}: curve {} is at ({}, {}) there, less the origin", i, b.curve, on_curve.x,
                    on_curve.y);
   }
-  const std::size_t num_offsets = pair.points.twist_offsets.size();
+  const std::size_t num_offsets = pair.points.hole_winding_offsets.size();
   if (num_offsets != 0 && num_offsets + 1 != static_cast<std::size_t>(face.num_loops()))
-    findings.add("twist_offsets has {} entries for {} holes", num_offsets, face.num_loops() - 1);
+    findings.add("hole_winding_offsets has {} entries for {} holes", num_offsets, face.num_loops() - 1);
 }
 
 constexpr Rule<PointsOfField> rules_with_field[] = {

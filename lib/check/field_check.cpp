@@ -92,7 +92,7 @@ void errors_are_sound(const Field& field, Findings& findings) {
     if (field.elem_error[e] < 0) findings.add("element {}: its error is negative", e);
 }
 
-constexpr int max_turns = 1000000;  // whole turns of a term or twist; more would eat the digits of the phase
+constexpr int max_turns = 1000000;  // of a term or round a hole; more would use up the digits of the phase
 
 bool is_bounded(int turns) { return turns >= -max_turns && turns <= max_turns; }
 
@@ -108,10 +108,10 @@ void hole_arrays_agree(const CadFace& face, const PhaseForm& phase, Findings& fi
     if (size != num_holes) findings.add("{} has {} entries for {} holes", name, size, num_holes);
   };
   require(phase.terms.holes.size(), "terms/holes");
-  require(phase.twists.size(), "twists");
-  require(phase.best_twists.size(), "best_twists");
-  require(phase.periods.size(), "periods");
-  if (!phase.twist_offsets.empty()) require(phase.twist_offsets.size(), "twist_offsets");
+  require(phase.hole_winding.size(), "hole_winding");
+  require(phase.best_hole_winding.size(), "best_hole_winding");
+  require(phase.hole_periods.size(), "hole_periods");
+  if (!phase.hole_winding_offsets.empty()) require(phase.hole_winding_offsets.size(), "hole_winding_offsets");
 }
 
 /// All that an evaluator adds up is there, finite and of a size that keeps the digits of the phase.
@@ -128,16 +128,16 @@ void phase_is_sound(const Field& field, Findings& findings) {
       findings.add("corner angle {} is not finite, or its pole is its apex", i);
   }
   hole_arrays_agree(field.mesh.face, phase, findings);
-  if (!are_finite(phase.best_twists) || !are_finite(phase.periods) || !is_finite(phase.twist_energy))
-    findings.add("best_twists, periods or twist_energy is not finite");
-  if (!std::all_of(phase.twists.begin(), phase.twists.end(), is_bounded) ||
-      !std::all_of(phase.twist_offsets.begin(), phase.twist_offsets.end(), is_bounded))
-    findings.add("a twist or offset is not between -{} and {}", max_turns, max_turns);
+  if (!are_finite(phase.best_hole_winding) || !are_finite(phase.hole_periods) || !is_finite(phase.hole_winding_energy))
+    findings.add("best_hole_winding, hole_periods or hole_winding_energy is not finite");
+  if (!std::all_of(phase.hole_winding.begin(), phase.hole_winding.end(), is_bounded) ||
+      !std::all_of(phase.hole_winding_offsets.begin(), phase.hole_winding_offsets.end(), is_bounded))
+    findings.add("hole_winding or hole_winding_offsets: an entry is not between -{} and {}", max_turns, max_turns);
 }
 
-void corners_asked_exist(const CadFace& face, const PhaseNodes& asked, Findings& findings) {
+void prescribed_corners_exist(const CadFace& face, const PhaseNodes& prescribed, Findings& findings) {
   std::set<int> joints;
-  for (const CornerValence& corner : asked.corners) {
+  for (const CornerValence& corner : prescribed.corners) {
     if (!is_index(corner.joint, face.joints.size())) findings.add("joint {} does not exist", corner.joint);
     if (!joints.insert(corner.joint).second) findings.add("joint {} is listed twice", corner.joint);
     if (corner.valence < 0 || corner.valence > 4)
@@ -145,9 +145,9 @@ void corners_asked_exist(const CadFace& face, const PhaseNodes& asked, Findings&
   }
 }
 
-void boundary_nodes_asked_exist(const CadFace& face, const PhaseNodes& asked, Findings& findings) {
-  for (std::size_t i = 0; i < asked.boundary_nodes.size(); ++i) {
-    const BoundaryNode& node = asked.boundary_nodes[i];
+void prescribed_boundary_nodes_exist(const CadFace& face, const PhaseNodes& prescribed, Findings& findings) {
+  for (std::size_t i = 0; i < prescribed.boundary_nodes.size(); ++i) {
+    const BoundaryNode& node = prescribed.boundary_nodes[i];
     if (!is_index(node.curve, face.curves.size()))
       findings.add("boundary node {}: curve {} does not exist", i, node.curve);
     else if (!(node.t >= face.curves[node.curve].begin() && node.t <= face.curves[node.curve].end()))
@@ -157,35 +157,35 @@ void boundary_nodes_asked_exist(const CadFace& face, const PhaseNodes& asked, Fi
   }
 }
 
-void nodes_are_those_asked(const PhaseForm& phase, Findings& findings) {
-  const auto& asked = phase.nodes.nodes;
+void nodes_are_prescribed(const PhaseForm& phase, Findings& findings) {
+  const auto& prescribed = phase.prescribed.nodes;
   const auto& terms = phase.terms.nodes;
-  if (terms.size() != asked.size())
-    return findings.add("terms has {} nodes, {} were asked for", terms.size(), asked.size());
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    if (asked[k].valence < 0 || asked[k].valence > 64 || asked[k].valence == 4)
-      findings.add("node {}: valence {} must be 0 to 64 and not 4", k, asked[k].valence);
-    if (terms[k].turns != 4LL - asked[k].valence || terms[k].position != asked[k].position)
-      findings.add("node {} of the terms is not the one asked for", k);
+  if (terms.size() != prescribed.size())
+    return findings.add("terms has {} nodes, {} are prescribed", terms.size(), prescribed.size());
+  for (std::size_t k = 0; k < prescribed.size(); ++k) {
+    if (prescribed[k].valence < 0 || prescribed[k].valence > 64 || prescribed[k].valence == 4)
+      findings.add("node {}: valence {} must be 0 to 64 and not 4", k, prescribed[k].valence);
+    if (terms[k].turns != 4LL - prescribed[k].valence || terms[k].position != prescribed[k].position)
+      findings.add("node {} of the terms is not the prescribed one", k);
   }
 }
 
-void index_sum_of_asked_holds(const CadFace& face, const PhaseNodes& asked, Findings& findings) {
+void prescribed_index_sum_holds(const CadFace& face, const PhaseNodes& prescribed, Findings& findings) {
   long long sum = 0;
-  for (const PhaseNode& node : asked.nodes) sum += 4LL - node.valence;
-  for (const CornerValence& corner : asked.corners) sum += 2LL - corner.valence;
-  for (const BoundaryNode& node : asked.boundary_nodes) sum += 2LL - node.valence;
+  for (const PhaseNode& node : prescribed.nodes) sum += 4LL - node.valence;
+  for (const CornerValence& corner : prescribed.corners) sum += 2LL - corner.valence;
+  for (const BoundaryNode& node : prescribed.boundary_nodes) sum += 2LL - node.valence;
   const int expected = 4 * (2 - face.num_loops());
-  if (sum != expected) findings.add("the index sum of what was asked for is {}, not {}", sum, expected);
+  if (sum != expected) findings.add("the prescribed nodes have the index sum {}, not {}", sum, expected);
 }
 
-void terms_are_those_asked(const Field& field, Findings& findings) {
+void terms_are_prescribed(const Field& field, Findings& findings) {
   if (field.kind != "phase") return;
   const CadFace& face = field.mesh.face;
-  corners_asked_exist(face, field.phase.nodes, findings);
-  boundary_nodes_asked_exist(face, field.phase.nodes, findings);
-  nodes_are_those_asked(field.phase, findings);
-  index_sum_of_asked_holds(face, field.phase.nodes, findings);
+  prescribed_corners_exist(face, field.phase.prescribed, findings);
+  prescribed_boundary_nodes_exist(face, field.phase.prescribed, findings);
+  nodes_are_prescribed(field.phase, findings);
+  prescribed_index_sum_holds(face, field.phase.prescribed, findings);
 }
 
 constexpr Rule<Field> rules[] = {
@@ -193,7 +193,7 @@ constexpr Rule<Field> rules[] = {
     {"FLD-R03", RuleKind::structure, joints_exist},      {"FLD-R04", RuleKind::structure, numbers_are_finite},
     {"FLD-R05", RuleKind::quick, kinds_are_known},       {"FLD-R06", RuleKind::quick, liftings_fit},
     {"FLD-R07", RuleKind::quick, adapt_steps_are_sound}, {"FLD-R08", RuleKind::quick, errors_are_sound},
-    {"FLD-R09", RuleKind::quick, phase_is_sound},        {"FLD-R10", RuleKind::quick, terms_are_those_asked},
+    {"FLD-R09", RuleKind::quick, phase_is_sound},        {"FLD-R10", RuleKind::quick, terms_are_prescribed},
 };
 
 }  // namespace

@@ -61,7 +61,7 @@ void valences_are_arcs(const SeparatrixGraph& graph, Findings& findings) {
 
 /// With F four-sided faces, and three sides where a corner is degenerate, 4 F = 2 inner + boundary arcs + degenerate
 /// corners, and nodes - arcs + F is the Euler characteristic.
-void census_holds(const SeparatrixGraph& graph, Findings& findings) {
+void four_sided_count_holds(const SeparatrixGraph& graph, Findings& findings) {
   if (!graph.t_junctions.empty()) return;  // their faces have sides of several arcs
   const int num_arcs = static_cast<int>(graph.arcs.size());
   const auto num_outer = static_cast<int>(
@@ -77,22 +77,23 @@ void census_holds(const SeparatrixGraph& graph, Findings& findings) {
 
 void certificate_is_sound(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
-  constexpr std::array<const char*, 4> ways{"", "traced", "quantized", "t-mesh"};
-  if (std::find(ways.begin(), ways.end(), c.way) == ways.end())
-    findings.add("the certificate's way is \"{}\", not traced, quantized or t-mesh", c.way);
+  constexpr std::array<const char*, 4> methods{"", "traced", "quantized", "t-mesh"};
+  if (std::find(methods.begin(), methods.end(), c.method) == methods.end())
+    findings.add("the certificate's method is \"{}\", not traced, quantized or t-mesh", c.method);
   if (c.t_junctions < 0 || c.merged_lines < 0 || c.collapsed_chords < 0 || c.shortened_spirals < 0)
     findings.add("a count of the certificate is negative");
   if (!(c.largest_deviation_degrees >= 0 && c.largest_deviation_degrees < 180))
-    findings.add("the certificate's largest turn, {:.6g} degrees, is outside 0 to 180", c.largest_deviation_degrees);
+    findings.add("the certificate's largest deviation, {:.6g} degrees, is outside 0 to 180",
+                 c.largest_deviation_degrees);
   for (std::size_t i = 0; i < c.face_valence_histogram.size(); ++i)
     if (c.face_valence_histogram[i].faces < 1 ||
         (i > 0 && c.face_valence_histogram[i].corners <= c.face_valence_histogram[i - 1].corners))
-      return findings.add("the certificate's census does not count faces by rising corners");
+      return findings.add("the certificate's face_valence_histogram does not count faces by rising corners");
 }
 
 void certified_index_sum_holds(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
-  if (c.way.empty()) return;
+  if (c.method.empty()) return;
   if (c.index_sum != index_sum_of(graph) || c.index_sum != 4 * graph.face.euler_characteristic())
     findings.add("the certificate's index sum is {}, that of the nodes {}, that of the face {}", c.index_sum,
                  index_sum_of(graph), 4 * graph.face.euler_characteristic());
@@ -100,9 +101,9 @@ void certified_index_sum_holds(const SeparatrixGraph& graph, Findings& findings)
 
 /// Faces and their corners, counted without walking round them: a connected graph has chi - nodes + arcs faces, and the
 /// sectors at a node of valence V, V quarter turns together, have 2 corners each less V.
-void certified_census_holds(const SeparatrixGraph& graph, Findings& findings) {
+void certified_face_count_holds(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
-  if (c.way.empty()) return;
+  if (c.method.empty()) return;
   long long faces = 0, corners = 0, expected_corners = 0;
   for (const FaceCount& count : c.face_valence_histogram) {
     faces += count.faces;
@@ -124,11 +125,11 @@ void certified_census_holds(const SeparatrixGraph& graph, Findings& findings) {
 /// What a layout is: nothing but faces of four corners. A degenerate corner counts for two.
 void certified_layout_conforms(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
-  if (c.way.empty() || c.way == "t-mesh") return;
+  if (c.method.empty() || c.method == "t-mesh") return;
   const bool is_four_sided = std::all_of(c.face_valence_histogram.begin(), c.face_valence_histogram.end(),
                                          [](const auto& n) { return n.corners == 4; });
   if (!is_four_sided || c.t_junctions != 0)
-    findings.add("a {} layout has faces without four corners or T-junctions", c.way);
+    findings.add("a {} layout has faces without four corners or T-junctions", c.method);
 }
 
 constexpr Rule<SeparatrixGraph> rules[] = {
@@ -141,10 +142,10 @@ constexpr Rule<SeparatrixGraph> rules[] = {
     {"SEP-R07", RuleKind::quick, [](const auto& g, Findings& f) { node_kinds_fit(view(g), f); }},
     {"SEP-R08", RuleKind::quick, lines_are_chains},
     {"SEP-R09", RuleKind::full, valences_are_arcs},
-    {"SEP-R10", RuleKind::full, census_holds},
+    {"SEP-R10", RuleKind::full, four_sided_count_holds},
     {"SEP-R11", RuleKind::quick, certificate_is_sound},
     {"SEP-R12", RuleKind::full, certified_index_sum_holds},
-    {"SEP-R13", RuleKind::full, certified_census_holds},
+    {"SEP-R13", RuleKind::full, certified_face_count_holds},
     {"SEP-R14", RuleKind::full, certified_layout_conforms},
 };
 

@@ -31,11 +31,11 @@ std::string title(const Field& field, const std::string& show) {
 
 /// "4 nodes asked for, 8 corner valences".
 std::string asked_text(const PhaseForm& phase) {
-  std::string text = counted(static_cast<int>(phase.nodes.nodes.size()), "node") + " asked for";
-  if (!phase.nodes.boundary_nodes.empty())
-    text += ", " + counted(static_cast<int>(phase.nodes.boundary_nodes.size()), "boundary node");
-  if (!phase.nodes.corners.empty())
-    text += ", " + counted(static_cast<int>(phase.nodes.corners.size()), "corner valence");
+  std::string text = counted(static_cast<int>(phase.prescribed.nodes.size()), "node") + " asked for";
+  if (!phase.prescribed.boundary_nodes.empty())
+    text += ", " + counted(static_cast<int>(phase.prescribed.boundary_nodes.size()), "boundary node");
+  if (!phase.prescribed.corners.empty())
+    text += ", " + counted(static_cast<int>(phase.prescribed.corners.size()), "corner valence");
   return text;
 }
 
@@ -112,21 +112,21 @@ void draw_orders(Picture& picture, const Field& field) {
 /// The nodes that a phase was asked for.
 void draw_nodes_asked(Picture& picture, const Field& field) {
   std::vector<int> valences;
-  for (const PhaseNode& node : field.phase.nodes.nodes) {
+  for (const PhaseNode& node : field.phase.prescribed.nodes) {
     valences.push_back(node.valence);
     picture.add(valence_mark(picture.at(node.position), node.valence, 9,
                              fmt::format("node of valence {} asked for at {}", node.valence,
                                          place_text(node.position, field.mesh.face.origin))));
   }
-  for (const BoundaryNode& node : field.phase.nodes.boundary_nodes) {
+  for (const BoundaryNode& node : field.phase.prescribed.boundary_nodes) {
     const Nurbs& curve = field.mesh.face.curves[node.curve];
     picture.add(
         boundary_mark(picture.at(curve::point(curve, node.t)), node.valence, 9,
                       fmt::format("boundary node of valence {} asked for on curve {}", node.valence, node.curve)));
   }
   legend_valences(picture, valences);
-  if (!field.phase.nodes.boundary_nodes.empty())
-    picture.legend_mark(boundary_mark({0, 0}, field.phase.nodes.boundary_nodes.front().valence, 8),
+  if (!field.phase.prescribed.boundary_nodes.empty())
+    picture.legend_mark(boundary_mark({0, 0}, field.phase.prescribed.boundary_nodes.front().valence, 8),
                         "node on the boundary");
 }
 

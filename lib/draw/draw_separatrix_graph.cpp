@@ -74,7 +74,7 @@ void draw_node(Picture& picture, const SeparatrixGraph& graph, int id) {
 
 /// "traced: 4 faces of 4 corners, index sum 4, turned by 2.3° at most".
 std::string certificate_text(const LayoutCertificate& certificate) {
-  std::string text = certificate.way + ": ";
+  std::string text = certificate.method + ": ";
   for (const FaceCount& count : certificate.face_valence_histogram)
     text += fmt::format("{} of {} corners, ", counted(count.faces, "face"), count.corners);
   text += fmt::format("index sum {}", certificate.index_sum);
@@ -91,7 +91,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
                                     counted(static_cast<int>(graph.nodes.size()), "node"),
                                     counted(static_cast<int>(graph.arcs.size()), "arc"));
-  if (!graph.certificate.way.empty()) caption += "; " + certificate_text(graph.certificate);
+  if (!graph.certificate.method.empty()) caption += "; " + certificate_text(graph.certificate);
   Picture picture(bounding_box(graph.face), options, "Separatrices", caption);
   draw_face_area(picture, graph.face);
   draw_loose_arcs(picture, graph);

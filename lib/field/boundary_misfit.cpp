@@ -49,7 +49,8 @@ double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const 
   map.evaluate(at.xi, x_h, dx_dxi);
   const double value = spectral::orthogonal_sum(field.elem_order[edge.elem], s, s, at.xi, ds_dxi).x;
   const int loop = face.loop_of(edge.curve);
-  const double data = boundary.remainder(edge.curve, at.t) + (loop > 0 ? 2 * pi * field.phase.twists[loop - 1] : 0);
+  const double data =
+      boundary.remainder(edge.curve, at.t) + (loop > 0 ? 2 * pi * field.phase.hole_winding[loop - 1] : 0);
   const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
   const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field.phase.terms, x_h);
   const Nurbs& curve = face.curves[edge.curve];
@@ -67,7 +68,7 @@ std::vector<double> boundary_misfit(const Field& field) {
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
   std::unique_ptr<PhaseBoundary> phase;
-  if (field.kind == "phase") phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.nodes);
+  if (field.kind == "phase") phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.prescribed);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const curve::ArcLength& length = lengths[edge.curve];

@@ -9,8 +9,8 @@
 
 namespace quadrille::field {
 
-/// phi_0 of node `node` of a field of kind "phase" (field.phase.nodes.nodes), radians, modulo 2 pi. Throws FormatError
-/// where the node lies outside the mesh. Linear in the number of terms.
+/// phi_0 of node `node` of a field of kind "phase" (field.phase.prescribed.nodes), radians, modulo 2 pi. Throws
+/// FormatError where the node lies outside the mesh. Linear in the number of terms.
 double node_phase(const FieldEvaluator& evaluator, int node);
 
 }  // namespace quadrille::field

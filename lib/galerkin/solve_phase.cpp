@@ -100,8 +100,9 @@ void PhaseSolver::measure_holes() {
 PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOptions& options) {
   const TriMesh& mesh = *parts_->context.mesh;
   const std::size_t num_holes = mesh.face.num_loops() - 1;
-  if (!options.twist_offsets.empty() && options.twist_offsets.size() != num_holes)
-    throw UsageError(fmt::format("{} twist offsets for {} holes", options.twist_offsets.size(), num_holes));
+  if (!options.hole_winding_offsets.empty() && options.hole_winding_offsets.size() != num_holes)
+    throw UsageError(fmt::format("hole_winding_offsets has {} entries for {} holes",
+                                 options.hole_winding_offsets.size(), num_holes));
   const field::PhaseBoundary boundary(mesh.face, asked);
   factor();
   DirichletData data(parts_->points, [&](int curve, double t) { return boundary.remainder(curve, t); });
@@ -115,22 +116,23 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   state.remainder_energy = given.col(0).dot(reaction) / 2;
 
   PhaseForm& form = state.form;
-  form.nodes = asked;
+  form.prescribed = asked;
   form.terms = boundary.terms();
   state.interior_angles = boundary.interior_angles();
-  form.twist_offsets = options.twist_offsets;
+  form.hole_winding_offsets = options.hole_winding_offsets;
   if (num_holes == 0) return state;
   const Eigen::MatrixXd& k = parts_->k;
   const Eigen::VectorXd r = parts_->given_measures.transpose() * reaction;
   const Eigen::VectorXd best = -k.ldlt().solve(r) / (2 * pi);
-  if (!best.allFinite()) throw ComputeError("the twists of the holes are not finite: some element has a folded shape");
-  form.twists = nearest_twists(k, best);
-  for (std::size_t j = 0; j < options.twist_offsets.size(); ++j) form.twists[j] += options.twist_offsets[j];
-  const Eigen::VectorXd m = as_vector(form.twists);
+  if (!best.allFinite()) throw ComputeError("the winding of the holes is not finite: some element has a folded shape");
+  form.hole_winding = nearest_twists(k, best);
+  for (std::size_t j = 0; j < options.hole_winding_offsets.size(); ++j)
+    form.hole_winding[j] += options.hole_winding_offsets[j];
+  const Eigen::VectorXd m = as_vector(form.hole_winding);
   const Eigen::VectorXd periods = (r + 2 * pi * k * m) / 4;
-  form.best_twists.assign(best.begin(), best.end());
-  form.periods.assign(periods.begin(), periods.end());
-  form.twist_energy = 2 * pi * pi * (m - best).dot(k * (m - best));
+  form.best_hole_winding.assign(best.begin(), best.end());
+  form.hole_periods.assign(periods.begin(), periods.end());
+  form.hole_winding_energy = 2 * pi * pi * (m - best).dot(k * (m - best));
   state.dofs += 2 * pi * (parts_->measures * m);
   state.remainder_energy += 2 * pi * m.dot(r) + 2 * pi * pi * m.dot(k * m);
   return state;
@@ -162,16 +164,21 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   report.set("solve.num_unknowns", parts_->system.map().num_unknowns);
   report.set("solve.residual", state.residual);
   std::vector<double> node_valences, corner_valences;
-  for (const PhaseNode& node : form.nodes.nodes) node_valences.push_back(node.valence);
-  for (const CornerValence& corner : form.nodes.corners) corner_valences.push_back(corner.valence);
+  for (const PhaseNode& node : form.prescribed.nodes) node_valences.push_back(node.valence);
+  for (const CornerValence& corner : form.prescribed.corners) corner_valences.push_back(corner.valence);
   report.set("phase.num_nodes", form.terms.nodes.size());
   report.set("phase.node_valences", node_valences);
   report.set("phase.corner_valences", corner_valences);
   report.set("phase.num_corner_angles", form.terms.corner_angles.size());
-  report.set("phase.twists", std::vector<double>(form.twists.begin(), form.twists.end()));
-  report.set("phase.best_twists", form.best_twists);
-  report.set("phase.periods", form.periods);
-  report.set("phase.twist_energy", form.twist_energy);
+  const std::vector<double> hole_winding(form.hole_winding.begin(), form.hole_winding.end());
+  report.set("phase.twists", hole_winding);  // the names before field 2.0
+  report.set("phase.best_twists", form.best_hole_winding);
+  report.set("phase.periods", form.hole_periods);
+  report.set("phase.twist_energy", form.hole_winding_energy);
+  report.set("phase.hole_winding", hole_winding);
+  report.set("phase.best_hole_winding", form.best_hole_winding);
+  report.set("phase.hole_periods", form.hole_periods);
+  report.set("phase.hole_winding_energy", form.hole_winding_energy);
   return field;
 }
 

@@ -13,7 +13,7 @@ namespace quadrille::galerkin {
 struct PhaseOptions {
   /// Added to the twists of least energy, one for each hole (loops 1, 2, ...); empty: none. Lines wind round a hole for
   /// ever where it is not 0.
-  std::vector<int> twist_offsets;
+  std::vector<int> hole_winding_offsets;
 };
 
 /// W and its gradient for each node (galerkin/phase_energy.hpp).

@@ -5,7 +5,8 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion critical_points_version{"critical-points", 1, 2};
+constexpr RenamedKey renamed[] = {{"hole_winding_offsets", "twist_offsets"}};
+constexpr FormatVersion critical_points_version{"critical-points", 2, 0, renamed};
 
 /// `id` is for people: its place in the list when the file was written. Edited lists need not keep it.
 void describe_id(Archive& archive, std::size_t place) {
@@ -107,7 +108,7 @@ void describe_critical_points(Archive& archive, CriticalPoints& points) {
                 [&](Archive& a, CriticalPoint& point) { describe_critical_point(a, point, next++); });
   archive.field("corners", points.corners, describe_corner);
   if (archive.has("boundary_nodes")) archive.field("boundary_nodes", points.boundary_nodes, describe_boundary_node);
-  if (archive.has("twist_offsets")) archive.field("twist_offsets", points.twist_offsets);
+  if (archive.has("hole_winding_offsets")) archive.field("hole_winding_offsets", points.hole_winding_offsets);
   describe_index_sum(archive, points);
   if (archive.has("changes")) archive.field("changes", points.changes, describe_change);
   if (archive.has("clusters")) archive.field("clusters", points.clusters, describe_cluster);

@@ -6,7 +6,15 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion field_version{"field", 1, 2};
+constexpr RenamedKey renamed[] = {
+    {"phase.prescribed", "asked"},
+    {"phase.hole_winding_offsets", "twist_offsets"},
+    {"phase.best_hole_winding", "best_twists"},
+    {"phase.hole_winding", "twists"},
+    {"phase.hole_periods", "periods"},
+    {"phase.hole_winding_energy", "twist_energy"},
+};
+constexpr FormatVersion field_version{"field", 2, 0, renamed};
 
 void describe_turn(Archive& a, PhaseTurn& turn) {
   a.field("position", turn.position);
@@ -41,14 +49,14 @@ void describe_phase_terms(Archive& archive, PhaseTerms& terms) {
 }
 
 void describe_phase_form(Archive& archive, PhaseForm& phase) {
-  archive.object("asked", [&](Archive& a) { describe_phase_nodes(a, phase.nodes); });
+  archive.object("prescribed", [&](Archive& a) { describe_phase_nodes(a, phase.prescribed); });
   archive.object("terms", [&](Archive& a) { describe_phase_terms(a, phase.terms); });
   archive.field("s", phase.s, {"radian", "coefficients of s in the orthonormal Dubiner basis"});
-  archive.field("twist_offsets", phase.twist_offsets, {"", "asked for, one for each hole or none"});
-  archive.field("best_twists", phase.best_twists, {"1", "real twists of least energy"});
-  archive.field("twists", phase.twists, {"", "m_j, whole"});
-  archive.field("periods", phase.periods, {"radian", "of lambda round each hole"});
-  archive.field("twist_energy", phase.twist_energy, {"1", "energy above that of best_twists"});
+  archive.field("hole_winding_offsets", phase.hole_winding_offsets, {"", "prescribed, one for each hole or none"});
+  archive.field("best_hole_winding", phase.best_hole_winding, {"1", "real winding of least energy, for each hole"});
+  archive.field("hole_winding", phase.hole_winding, {"", "m_j, integers"});
+  archive.field("hole_periods", phase.hole_periods, {"radian", "of lambda round each hole"});
+  archive.field("hole_winding_energy", phase.hole_winding_energy, {"1", "energy above that of best_hole_winding"});
 }
 
 void describe_field(Archive& archive, Field& field) {

@@ -6,26 +6,32 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 1, 1};
+constexpr RenamedKey renamed[] = {
+    {"certificate.method", "way"},
+    {"certificate.face_valence_histogram", "census"},
+    {"certificate.shortened_spirals", "laps_cut"},
+    {"certificate.largest_deviation_degrees", "largest_turn_degrees"},
+};
+constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 0, renamed};
 
 void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
-  archive.field("way", certificate.way);
+  archive.field("method", certificate.method);
   archive.field("reason", certificate.reason);
   archive.field("index_sum", certificate.index_sum);
-  archive.field("census", certificate.face_valence_histogram, [](Archive& a, FaceCount& count) {
+  archive.field("face_valence_histogram", certificate.face_valence_histogram, [](Archive& a, FaceCount& count) {
     a.field("corners", count.corners);
     a.field("faces", count.faces);
   });
   archive.field("t_junctions", certificate.t_junctions);
   archive.field("merged_lines", certificate.merged_lines);
   archive.field("collapsed_chords", certificate.collapsed_chords);
-  archive.field("laps_cut", certificate.shortened_spirals);
-  archive.field("largest_turn_degrees", certificate.largest_deviation_degrees);
+  archive.field("shortened_spirals", certificate.shortened_spirals);
+  archive.field("largest_deviation_degrees", certificate.largest_deviation_degrees);
 }
 
 void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {
   LayoutCertificate& certificate = graph.certificate;
-  if (archive.is_reading() ? archive.has("certificate") : !certificate.way.empty())
+  if (archive.is_reading() ? archive.has("certificate") : !certificate.method.empty())
     archive.object("certificate", [&](Archive& a) { describe_certificate(a, certificate); });
   describe_graph(archive, graph.nodes, graph.arcs);
   archive.field("lines", graph.lines, [](Archive& a, SeparatrixLine& line) {

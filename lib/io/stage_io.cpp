@@ -69,7 +69,7 @@ Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, 
     const Hdf5Header header = read_header(reader.root(), file.name);
     require_version(file.name, version, header.format, header.version);
     provenance = parse_provenance(reader.root().text_attribute("provenance"), file.name);
-    describe(*hdf5_archive(reader.root()));
+    describe_version(*hdf5_archive(reader.root()), version, header.version, describe);
   });
   return provenance;
 }
@@ -90,7 +90,7 @@ void write_json_stage(const std::string& path, const FormatVersion& version, con
 
 Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
   if (looks_like_hdf5(file.bytes))
-    throw FormatError(fmt::format("{}: a {} file (JSON) is wanted, this is an HDF5 file", file.name, version.format));
+    throw FormatError(fmt::format("{}: expected a {} file (JSON), found an HDF5 file", file.name, version.format));
   JsonReader reader(file.bytes, file.name);
   std::string format;
   std::vector<int> numbers;
@@ -99,7 +99,7 @@ Provenance read_json_stage(const InputFile& file, const FormatVersion& version, 
   require_version(file.name, version, format, numbers);
   Provenance provenance;
   describe_provenance(reader.root(), provenance);
-  describe(reader.root());
+  describe_version(reader.root(), version, numbers, describe);
   return provenance;
 }
 

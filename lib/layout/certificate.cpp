@@ -15,7 +15,8 @@ namespace {
 constexpr int samples_of_arc = 8;
 
 void tell(const LayoutCertificate& certificate, Report& report) {
-  report.set("certificate.way", certificate.way);
+  report.set("certificate.way", certificate.method);
+  report.set("certificate.method", certificate.method);
   report.set("certificate.index_sum", certificate.index_sum);
   for (const FaceCount& count : certificate.face_valence_histogram)
     report.set(fmt::format("certificate.faces_of_{}_corners", count.corners), count.faces);
@@ -32,7 +33,7 @@ void tell(const LayoutCertificate& certificate, Report& report) {
 
 void certify(const field::FieldEvaluator& evaluator, const std::string& way, SeparatrixGraph& graph, Report& report) {
   LayoutCertificate& certificate = graph.certificate;
-  certificate.way = way;
+  certificate.method = way;
   certificate.index_sum = static_cast<int>(index_sum_of(graph));
   certificate.face_valence_histogram = graph::face_census(graph);
   certificate.t_junctions = static_cast<int>(graph.t_junctions.size());

@@ -105,10 +105,10 @@ struct CriticalPoints {
   std::vector<CriticalPoint> critical_points;
   std::vector<Corner> corners;  ///< every joint with is_corner, in the sequence of the joints
   std::vector<IrregularBoundaryPoint> boundary_nodes;
-  std::vector<int> twist_offsets;  ///< added to the twists of least energy, one for each hole; empty: none
-  int index_sum = 0;               ///< sum (4 - V) + sum (2 - V)
-  int index_sum_expected = 0;      ///< 4 chi
-  Vec2 origin;                     ///< positions are relative to it (formats/cad-face.md)
+  std::vector<int> hole_winding_offsets;  ///< added to the winding of least energy, one for each hole; empty: none
+  int index_sum = 0;                      ///< sum (4 - V) + sum (2 - V)
+  int index_sum_expected = 0;             ///< 4 chi
+  Vec2 origin;                            ///< positions are relative to it (formats/cad-face.md)
 
   std::vector<CriticalPoint> zeros;  ///< of the field as found, where critical_points differ from them; else empty
   std::vector<Cluster> clusters;

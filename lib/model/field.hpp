@@ -42,16 +42,18 @@ struct AdaptStep {
 
 /// What a field of kind "phase" has instead of u, v and liftings.
 struct PhaseForm {
-  PhaseNodes nodes;  ///< as asked for
+  PhaseNodes prescribed;
   PhaseTerms terms;
-  std::vector<double> s;           ///< coefficients, as u and v
-  std::vector<int> twist_offsets;  ///< as asked for, one for each hole or none
-  /// For each hole, counted from the data's own branch (field/phase_boundary.hpp), so only differences have a meaning:
-  std::vector<double> best_twists;  ///< m* = -K^-1 r / (2 pi), real
-  std::vector<int> twists;          ///< m
-  /// Of lambda round each hole, (r + 2 pi K m)_j / 4: where it is not 0 the conformal map is only local (point 10).
-  std::vector<double> periods;
-  double twist_energy = 0;  ///< 2 pi^2 (m - m*)^T K (m - m*): what whole twists cost above real ones
+  std::vector<double> s;                  ///< coefficients, as u and v
+  std::vector<int> hole_winding_offsets;  ///< as prescribed, one for each hole or none
+  /// The boundary data of hole j are free up to 2 pi m_j. The m_j count from the data's own branch
+  /// (field/phase_boundary.hpp), so only differences have a meaning: the real ones m* = -K^-1 r / (2 pi) of least
+  /// energy and the integers that were taken.
+  std::vector<double> best_hole_winding;
+  std::vector<int> hole_winding;
+  /// Of lambda round each hole, (r + 2 pi K m)_j / 4: where it is not 0 the conformal map is only local.
+  std::vector<double> hole_periods;
+  double hole_winding_energy = 0;  ///< 2 pi^2 (m - m*)^T K (m - m*): energy of integer turns above real ones
 };
 
 struct Field {

@@ -24,17 +24,17 @@ struct FaceCount {
   int faces = 0;
 };
 
-/// What can be said for a graph: the way it was made, and what was counted on it.
+/// What was counted on a graph, and the method that made it.
 struct LayoutCertificate {
-  std::string way;     ///< "traced", "quantized" or "t-mesh"; empty: the graph comes without a certificate
+  std::string method;  ///< "traced", "quantized" or "t-mesh"; empty: the graph comes without a certificate
   std::string reason;  ///< a sentence for people: why not "traced", where that was tried first; else empty
   int index_sum = 0;   ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
   std::vector<FaceCount> face_valence_histogram;  ///< by rising corners
   int t_junctions = 0;                            ///< 0: conforming
   int merged_lines = 0;                           ///< pairs of separatrices that met and became one
   int collapsed_chords = 0;                       ///< thin chords of blocks that were collapsed
-  int shortened_spirals = 0;             ///< lines that now end at a node beside them, which they reached a turn later
-  double largest_deviation_degrees = 0;  ///< of any line from the field
+  int shortened_spirals = 0;             ///< lines that end at a node which they pass, instead of one turn later
+  double largest_deviation_degrees = 0;  ///< largest angle between a line and the field
 };
 
 struct SeparatrixGraph : ArcGraph {

@@ -67,7 +67,8 @@ bool is_closed(const std::vector<NodeSymmetry>& group) {
 }
 
 bool has_twists(const CriticalPoints& points) {
-  return std::any_of(points.twist_offsets.begin(), points.twist_offsets.end(), [](int m) { return m != 0; });
+  return std::any_of(points.hole_winding_offsets.begin(), points.hole_winding_offsets.end(),
+                     [](int m) { return m != 0; });
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ int asked_valence(const PhaseNodes& asked, int joint) {
 // The place of the first node that the phase doesn't have as `points` say; empty where all agree.
 std::string first_difference(const Field& field, const CriticalPoints& points) {
   const CadFace& face = field.mesh.face;
-  const PhaseNodes& asked = field.phase.nodes;
+  const PhaseNodes& asked = field.phase.prescribed;
   const double tol = asked_share * face.diameter;
   for (size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
@@ -85,15 +85,15 @@ void require_asked(const Field& field, const CriticalPoints& points) {
   const std::string difference = first_difference(field, points);
   if (!difference.empty())
     throw FormatError(difference + " is not what the field was solved for: run fieldsolve --nodes");
-  if (points.critical_points.size() != field.phase.nodes.nodes.size() ||
-      points.boundary_nodes.size() != field.phase.nodes.boundary_nodes.size())
+  if (points.critical_points.size() != field.phase.prescribed.nodes.size() ||
+      points.boundary_nodes.size() != field.phase.prescribed.boundary_nodes.size())
     throw FormatError(
         fmt::format("the field was solved for {} irregular nodes and {} on the boundary, the file has {} and {}: run "
                     "fieldsolve --nodes",
-                    field.phase.nodes.nodes.size(), field.phase.nodes.boundary_nodes.size(),
+                    field.phase.prescribed.nodes.size(), field.phase.prescribed.boundary_nodes.size(),
                     points.critical_points.size(), points.boundary_nodes.size()));
-  if (!are_twists_equal(points.twist_offsets, field.phase.twist_offsets, field.mesh.face.num_loops() - 1))
-    throw FormatError("the field was solved with other twist_offsets: run fieldsolve --nodes");
+  if (!are_twists_equal(points.hole_winding_offsets, field.phase.hole_winding_offsets, field.mesh.face.num_loops() - 1))
+    throw FormatError("the field was solved with other hole_winding_offsets: run fieldsolve --nodes");
 }
 
 }  // namespace

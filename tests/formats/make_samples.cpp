@@ -40,7 +40,7 @@ void write_samples(const char* format, const std::string& extension, Write<Stage
   write(target(folder, "passed", "square" + extension), stage);
   write_broken(folder, extension, write, stage, rule, damage);
   const bool is_json = extension.ends_with(".json");
-  for (const int major : {0, 2}) {
+  for (const int major : {0, 9}) {
     const std::string name = std::string("version-") + (major == 0 ? "older" : "newer") + extension;
     const auto write_empty = is_json ? io::write_json_stage : io::write_hdf5_stage;
     write_empty(target(folder, "failed", name), {format, major, 0}, stage.provenance, [](io::Archive&) {});
@@ -66,7 +66,7 @@ void write_wrong_certificates() {
     write_broken("separatrix_graph", ".sep.json", io::write_separatrix_graph, samples::separatrix_graph(), rule,
                  damage);
   };
-  broken("SEP-R11", [](SeparatrixGraph& g) { g.certificate.way = "guessed"; });
+  broken("SEP-R11", [](SeparatrixGraph& g) { g.certificate.merged_lines = -1; });
   broken("SEP-R12", [](SeparatrixGraph& g) { g.certificate.index_sum = 3; });
   broken("SEP-R13", [](SeparatrixGraph& g) { g.certificate.face_valence_histogram = {{4, 3}}; });
   broken("SEP-R14", [](SeparatrixGraph& g) { g.certificate.face_valence_histogram = {{3, 1}, {5, 1}}; });
@@ -88,9 +88,9 @@ void write_marked_mesh() {
 void write_phase_field() {
   const Field field = samples::phase_field();
   io::write_field(target("field", "passed", "phase.field.h5"), field);
-  write_broken("field", ".field.h5", io::write_field, field, "FLD-R09", [](Field& f) { f.phase.twists = {1}; });
+  write_broken("field", ".field.h5", io::write_field, field, "FLD-R09", [](Field& f) { f.phase.hole_winding = {1}; });
   write_broken("field", ".field.h5", io::write_field, field, "FLD-R10",
-               [](Field& f) { f.phase.nodes.nodes[0].position.x += 0.125; });
+               [](Field& f) { f.phase.prescribed.nodes[0].position.x += 0.125; });
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ nodes_of() {
   assert_success
   assert_output ''
   stagecheck a.phase.h5
-  run -0 jq -c '[.phase.num_nodes, .phase.node_valences, .phase.corner_valences, .phase.twists, .phase.periods]' report.json
+  run -0 jq -c '[.phase.num_nodes, .phase.node_valences, .phase.corner_valences, .phase.hole_winding, .phase.hole_periods]' report.json
   assert_output '[2,[3,3],[1,1],[],[]]'
   run -0 --separate-stderr fieldsolve -v --nodes nodes.json half_disc.tri.h5 -o b.phase.h5
   assert_regex "$stderr" '2 nodes of valence 3 3; corners of valence 1 1'
@@ -168,21 +168,22 @@ nodes_of() {
   h5diff a.field.h5 b.phase.h5 /phase/s
 }
 
-@test "--nodes: twists and periods of holes are reported, offsets obeyed" {
+@test "--nodes: winding and periods of holes are reported, offsets obeyed" {
   cad2tri "$DATA/annulus.step" -o r.tri.h5
   fieldsolve r.tri.h5 | padapt | critpoints - -o r.crit.json
   for offset in 0 1; do
-    jq ".form = \"phase\" | .twist_offsets = [$offset]" r.crit.json > nodes.json
+    jq ".form = \"phase\" | .hole_winding_offsets = [$offset]" r.crit.json > nodes.json
     fieldsolve --nodes nodes.json r.tri.h5 -o $offset.phase.h5 --report $offset.json
   done
-  run -0 jq -n --slurpfile a 0.json --slurpfile b 1.json '$b[0].phase.twists[0] - $a[0].phase.twists[0]'
+  run -0 jq -n --slurpfile a 0.json --slurpfile b 1.json '$b[0].phase.hole_winding[0] - $a[0].phase.hole_winding[0]'
   assert_output 1
-  run -0 jq -e '.phase.twist_energy < 1e-9 and (.phase.periods[0] | fabs) < 1e-6' 0.json
-  run -0 jq -e '.phase.twist_energy > 1' 1.json
-  jq '.form = "phase" | .twist_offsets = [0, 0]' r.crit.json > nodes.json
+  run -0 jq -e '.phase.hole_winding_energy < 1e-9 and (.phase.hole_periods[0] | fabs) < 1e-6 and
+    .phase.twists == .phase.hole_winding' 0.json
+  run -0 jq -e '.phase.hole_winding_energy > 1 and .phase.twist_energy == .phase.hole_winding_energy' 1.json
+  jq '.form = "phase" | .hole_winding_offsets = [0, 0]' r.crit.json > nodes.json
   run --separate-stderr fieldsolve --nodes nodes.json r.tri.h5 -o c.phase.h5
   assert_equal "$status" 3
-  assert_regex "$stderr" '^fieldsolve: nodes.json: CRT-R14: twist_offsets has 2 entries for 1 holes'
+  assert_regex "$stderr" '^fieldsolve: nodes.json: CRT-R14: hole_winding_offsets has 2 entries for 1 holes'
   assert_file_not_exists c.phase.h5
 }
 

@@ -208,21 +208,21 @@ move_node() {
 }
 
 # certificate FILE: what programs read first.
-certificate() { jq -c '.certificate | [.way, .index_sum, [.census[] | [.corners, .faces]], .t_junctions]' "$1"; }
+certificate() { jq -c '.certificate | [.method, .index_sum, [.face_valence_histogram[] | [.corners, .faces]], .t_junctions]' "$1"; }
 
 @test "a graph carries its certificate, and the report repeats it" {
   separatrix "$field" "$crit" -o a.sep.json --report a.json
   run -0 certificate a.sep.json
   assert_output '["traced",4,[[4,4]],0]'
-  run -0 jq -sc '.[0].certificate as $c | .[1].certificate | [.way == $c.way, .index_sum == $c.index_sum,
-    .faces_of_4_corners == $c.census[0].faces, .merged_lines == 1, $c.merged_lines == 1,
-    .largest_turn_degrees == $c.largest_turn_degrees, $c.largest_turn_degrees < 1e-6]' a.sep.json a.json
+  run -0 jq -sc '.[0].certificate as $c | .[1].certificate | [.way == $c.method, .index_sum == $c.index_sum,
+    .faces_of_4_corners == $c.face_valence_histogram[0].faces, .merged_lines == 1, $c.merged_lines == 1,
+    .largest_turn_degrees == $c.largest_deviation_degrees, $c.largest_deviation_degrees < 1e-6]' a.sep.json a.json
   assert_output '[true,true,true,true,true,true,true]'
   separatrix "$field" "$crit" --layout quantized -o q.sep.json
   run -0 certificate q.sep.json
   assert_output '["quantized",4,[[4,4]],0]'
   run -0 separatrix -q "$field" "$crit" --max-lines 3 -o r.sep.json
-  run -0 jq -r '.certificate | .way, .reason' r.sep.json
+  run -0 jq -r '.certificate | .method, .reason' r.sep.json
   assert_output $'quantized\n5 separatrices cut each other into 5 arcs, more than the 3 allowed'
 }
 
@@ -230,10 +230,10 @@ certificate() { jq -c '.certificate | [.way, .index_sum, [.census[] | [.corners,
   stage_chain ellipse
   separatrix ellipse.field.h5 ellipse.crit.json --layout t-mesh -o t.sep.json
   run -0 stagecheck t.sep.json
-  run -0 jq -c '.certificate | [.way, .t_junctions > 0, .index_sum, (.census | map(.corners))]' t.sep.json
+  run -0 jq -c '.certificate | [.method, .t_junctions > 0, .index_sum, (.face_valence_histogram | map(.corners))]' t.sep.json
   assert_output '["t-mesh",true,4,[4]]'
   separatrix ellipse.field.h5 ellipse.crit.json --layout quantized -o q.sep.json
-  run -0 jq -c '.certificate.largest_turn_degrees | . > 0 and . <= 90' q.sep.json
+  run -0 jq -c '.certificate.largest_deviation_degrees | . > 0 and . <= 90' q.sep.json
   assert_output true
   jq --slurpfile t t.sep.json '.certificate = $t[0].certificate' q.sep.json > wrong.sep.json
   run -3 stagecheck wrong.sep.json

@@ -133,8 +133,8 @@ inline Field phase_field() {
   f.elem_sensor.clear();
   f.elem_error.clear();
   f.adapt_steps.clear();
-  f.phase.nodes.nodes = {{{0.5, 0.375}, 3}};
-  for (int k = 0; k < 4; ++k) f.phase.nodes.corners.push_back({k, k == 0 ? 2 : 1});
+  f.phase.prescribed.nodes = {{{0.5, 0.375}, 3}};
+  for (int k = 0; k < 4; ++k) f.phase.prescribed.corners.push_back({k, k == 0 ? 2 : 1});
   f.phase.terms.nodes = {{{0.5, 0.375}, 1}};
   f.phase.terms.images = {{{0.5, -0.375}, 1}};
   f.phase.terms.corner_angles = {{{0, 0}, {-1, -1}, -4}};
@@ -156,7 +156,7 @@ inline SeparatrixGraph separatrix_graph() {
             {2, 5, true, 0, {{2, 0, 0.5}}}, {5, 3, true, 0, {{2, 0.5, 1}}}, {3, 0, true, 0, {{3, 0, 1}}},
             {4, 5, false, 0, {{4, 0, 1}}}};
   g.lines = {{4, 5, "cut", {6}}};
-  g.certificate.way = "traced";
+  g.certificate.method = "traced";
   g.certificate.index_sum = 4;
   g.certificate.face_valence_histogram = {{4, 2}};
   return g;

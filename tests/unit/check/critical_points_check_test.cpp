@@ -127,13 +127,13 @@ TEST(CriticalPointsCheck, CrtR05IndexSumCountsBoundaryNodes) {
 }
 TEST(CriticalPointsCheck, CrtR12FormsAreKnown) {
   EXPECT_EQ(broken([](auto& c) { c.form = "magic"; }), Rules{"CRT-R12"});
-  EXPECT_EQ(broken([](auto& c) { c.twist_offsets = {1}; }), Rules{"CRT-R12"});
+  EXPECT_EQ(broken([](auto& c) { c.hole_winding_offsets = {1}; }), Rules{"CRT-R12"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.form = "harmonic"; }), Rules{"CRT-R12"});
 }
 TEST(CriticalPointsCheck, CrtR13BoundaryNodesAndTwistsAreSound) {
   EXPECT_EQ(broken_resolved([](auto& c) { c.boundary_nodes[0].curve = -1; }), Rules{"CRT-R13"});
-  EXPECT_EQ(broken_resolved([](auto& c) { c.twist_offsets = {2000000}; }), Rules{"CRT-R13"});
-  EXPECT_EQ(broken_resolved([](auto& c) { c.twist_offsets = {least}; }), Rules{"CRT-R13"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.hole_winding_offsets = {2000000}; }), Rules{"CRT-R13"});
+  EXPECT_EQ(broken_resolved([](auto& c) { c.hole_winding_offsets = {least}; }), Rules{"CRT-R13"});
   for (const int regular_or_worse : {-1, 0, 2, 5, least}) {
     const Rules rules = broken_resolved([&](auto& c) { c.boundary_nodes[0].valence = regular_or_worse; });
     EXPECT_EQ(rules, (Rules{"CRT-R05", "CRT-R13"})) << regular_or_worse;
@@ -149,7 +149,7 @@ TEST(CriticalPointsCheck, CrtR14BoundaryNodesLieOnTheirCurves) {
   EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.boundary_nodes[0].curve = 4; }), Rules{"CRT-R14"});
   EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.boundary_nodes[0].t = 1.5; }), Rules{"CRT-R14"});
   EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.boundary_nodes[0].t = 0.25; }), Rules{"CRT-R14"});
-  EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.twist_offsets = {0}; }), Rules{"CRT-R14"})
+  EXPECT_EQ(broken_resolved_beside_field([](auto& c) { c.hole_winding_offsets = {0}; }), Rules{"CRT-R14"})
       << "the square has no hole";
 }
 TEST(CriticalPointsCheck, CrtR15WhatTheSearchFoundIsSound) {

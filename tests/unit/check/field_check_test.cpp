@@ -91,26 +91,26 @@ TEST(FieldCheck, FldR09PhaseIsSound) {
             }),
             Rules{"FLD-R09"})
       << "the square has no hole";
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.twists = {0}; }), Rules{"FLD-R09"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.twist_offsets = {0}; }), Rules{"FLD-R09"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.best_twists = {0.5}; }), Rules{"FLD-R09"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.periods = {0.5}; }), Rules{"FLD-R09"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.twist_energy = not_a_number; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.hole_winding = {0}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.hole_winding_offsets = {0}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.best_hole_winding = {0.5}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.hole_periods = {0.5}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.hole_winding_energy = not_a_number; }), Rules{"FLD-R09"});
 }
 TEST(FieldCheck, FldR10TermsAreThoseAskedFor) {
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.nodes[0].turns = -1; }), Rules{"FLD-R10"});
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.nodes[0].position.x += 1e-9; }), Rules{"FLD-R10"});
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.nodes.clear(); }), Rules{"FLD-R10"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.nodes[0].valence = least; }), Rules{"FLD-R10"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[0].joint = 4; }), Rules{"FLD-R10"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[1].joint = 0; }), Rules{"FLD-R10"}) << "twice";
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[0].valence = 1; }), Rules{"FLD-R10"}) << "index sum";
-  EXPECT_EQ(broken_phase([](Field& f) { f.phase.nodes.corners[0].valence = least; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.prescribed.nodes[0].valence = least; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.prescribed.corners[0].joint = 4; }), Rules{"FLD-R10"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.prescribed.corners[1].joint = 0; }), Rules{"FLD-R10"}) << "twice";
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.prescribed.corners[0].valence = 1; }), Rules{"FLD-R10"}) << "index sum";
+  EXPECT_EQ(broken_phase([](Field& f) { f.phase.prescribed.corners[0].valence = least; }), Rules{"FLD-R10"});
   // A boundary node of valence 3 takes what a corner of valence 1 instead of 2 gives.
   const auto with_boundary_node = [](int curve, double t, int valence) {
     return broken_phase([&](Field& f) {
-      f.phase.nodes.corners[0].valence = 1;
-      f.phase.nodes.boundary_nodes = {{curve, t, valence}};
+      f.phase.prescribed.corners[0].valence = 1;
+      f.phase.prescribed.boundary_nodes = {{curve, t, valence}};
     });
   };
   EXPECT_EQ(with_boundary_node(1, 0.5, 3), Rules{});

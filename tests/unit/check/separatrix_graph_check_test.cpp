@@ -72,7 +72,7 @@ TEST(SeparatrixGraphCheck, SepR10Census) {
 }
 
 TEST(SeparatrixGraphCheck, SepR11CertificateIsSound) {
-  EXPECT_EQ(broken([](auto& g) { g.certificate.way = "guessed"; }), Rules{"SEP-R11"});
+  EXPECT_EQ(broken([](auto& g) { g.certificate.method = "guessed"; }), Rules{"SEP-R11"});
   EXPECT_EQ(broken([](auto& g) { g.certificate.merged_lines = -1; }), Rules{"SEP-R11"});
   EXPECT_EQ(broken([](auto& g) { g.certificate.largest_deviation_degrees = 200; }), Rules{"SEP-R11"});
   EXPECT_EQ(broken([](auto& g) { g.certificate.face_valence_histogram = {{4, 1}, {4, 1}}; }), Rules{"SEP-R11"});
@@ -84,12 +84,12 @@ TEST(SeparatrixGraphCheck, SepR13CensusIsThatOfTheGraph) {
   EXPECT_EQ(broken([](auto& g) { g.certificate.face_valence_histogram = {{4, 3}}; }), Rules{"SEP-R13"});
   EXPECT_EQ(broken([](auto& g) {
               g.certificate.face_valence_histogram = {{3, 1}, {4, 1}};
-              g.certificate.way = "t-mesh";
+              g.certificate.method = "t-mesh";
             }),
             Rules{"SEP-R13"});
   EXPECT_EQ(broken([](auto& g) {
               g.certificate.t_junctions = 1;
-              g.certificate.way = "t-mesh";
+              g.certificate.method = "t-mesh";
             }),
             Rules{"SEP-R13"});
 }
@@ -97,7 +97,7 @@ TEST(SeparatrixGraphCheck, SepR14LayoutsConform) {
   const auto unequal = [](const char* way) {
     return broken([way](auto& g) {
       g.certificate.face_valence_histogram = {{3, 1}, {5, 1}};  // together as many as there are
-      g.certificate.way = way;
+      g.certificate.method = way;
     });
   };
   EXPECT_EQ(unequal("quantized"), Rules{"SEP-R14"});

@@ -259,9 +259,9 @@ Field phase_field() {
   field.phase.s.assign(field.u.size(), 0.0);
   field.u.clear();
   field.v.clear();
-  field.phase.nodes.nodes = {{{0.5, 0.5}, 3}};
-  field.phase.nodes.corners = {{0, 2}};
-  field.phase.nodes.boundary_nodes = {{1, 0.25, 3}};
+  field.phase.prescribed.nodes = {{{0.5, 0.5}, 3}};
+  field.phase.prescribed.corners = {{0, 2}};
+  field.phase.prescribed.boundary_nodes = {{1, 0.25, 3}};
   return field;
 }
 
@@ -309,7 +309,7 @@ TEST(Draw, SeparatricesShowLinesAndNodes) {
 TEST(Draw, SeparatricesTellTheirCertificate) {
   SeparatrixGraph graph = halved_square();
   EXPECT_EQ(count(draw_separatrix_graph(graph, {}), "index sum"), 0);
-  graph.certificate.way = "traced";
+  graph.certificate.method = "traced";
   graph.certificate.index_sum = 4;
   graph.certificate.face_valence_histogram = {{4, 2}};
   graph.certificate.largest_deviation_degrees = 2.34;

@@ -142,11 +142,11 @@ TEST_F(Damaged, OtherMajorVersionsGetTwoDifferentSentences) {
     const std::string bytes = sample(format);
     const auto with_version = [&](const std::string& version) {
       std::string changed = bytes;
-      return refusal(format, changed.replace(changed.find("[1, "), 6, version));
+      return refusal(format, changed.replace(changed.find("[2, "), 6, version));
     };
-    EXPECT_NE(with_version("[2, 0]").find("is newer than this program"), std::string::npos);
+    EXPECT_NE(with_version("[3, 0]").find("is newer than this program"), std::string::npos);
     EXPECT_NE(with_version("[0, 9]").find("is from an older program"), std::string::npos);
-    EXPECT_EQ(with_version("[1, 7]"), "");
+    EXPECT_EQ(with_version("[2, 7]"), "");
     EXPECT_NE(with_version("[1]").find("'version' must be [major, minor]"), std::string::npos);
     EXPECT_NE(with_version("\"1.0\"").find("'version' must be an array"), std::string::npos);
   }
@@ -159,8 +159,7 @@ TEST_F(Damaged, AnotherFormatIsNamed) {
       const std::string message = refusal(wanted, sample(written));
       EXPECT_NE(message, "");
       if (written.is_hdf5 != wanted.is_hdf5) continue;
-      EXPECT_EQ(message,
-                std::string("file: a ") + wanted.name + " file is wanted, this is a " + written.name + " file");
+      EXPECT_EQ(message, std::string("file: expected a ") + wanted.name + " file, found a " + written.name + " file");
     }
 }
 
@@ -207,8 +206,9 @@ TEST_F(Damaged, RequiredMembersOfCriticalPointsAreMissed) {
   EXPECT_EQ(without("radius"), "file: 'clusters[0].radius' is missing");
   EXPECT_EQ(without("disc_radii"), "file: 'certificate.disc_radii' is missing");
   EXPECT_EQ(without("verdict"), "file: 'certificate.cells[0].verdict' is missing");
-  for (const char* optional : {"form", "id", "index", "elem", "xi", "jacobian", "error", "source", "boundary_nodes",
-                               "twist_offsets", "value", "changes", "clusters", "zeros", "certificate", "degenerate"})
+  for (const char* optional :
+       {"form", "id", "index", "elem", "xi", "jacobian", "error", "source", "boundary_nodes", "hole_winding_offsets",
+        "value", "changes", "clusters", "zeros", "certificate", "degenerate"})
     EXPECT_EQ(without(optional), "") << optional;
 }
 
@@ -232,7 +232,8 @@ TEST_F(Damaged, MistypedOptionalMembersOfCriticalPointsAreNamed) {
             "file: 'critical_points[0].jacobian' must be an array of 4 numbers");
   EXPECT_EQ(with("\"error\": ", "\"error\": -"), "") << "of the right type, but CRT-R11 refuses it";
   EXPECT_EQ(with("\"error\": ", "\"error\": true, \"was\": "), "file: 'critical_points[0].error' must be a number");
-  EXPECT_EQ(with("\"twist_offsets\": [", "\"twist_offsets\": [0.5"), "file: 'twist_offsets' must be an integer");
+  EXPECT_EQ(with("\"hole_winding_offsets\": [", "\"hole_winding_offsets\": [0.5"),
+            "file: 'hole_winding_offsets' must be an integer");
   EXPECT_EQ(with("\"value\": 4", "\"value\": 4.5"), "file: 'index_sum.value' must be an integer");
   EXPECT_EQ(with("\"verdict\": \"zero\"", "\"verdict\": \"maybe\""),
             "file: 'certificate.cells[0].verdict' must be zero or open, not 'maybe' (CRT-R15)");

@@ -59,7 +59,7 @@ TEST_F(StageFiles, PhaseFieldSurvivesTheRoundTrip) {
   EXPECT_EQ(field.kind, "phase");
   EXPECT_TRUE(field.u.empty());
   EXPECT_EQ(field.phase.s, samples::phase_field().phase.s);
-  EXPECT_EQ(field.phase.nodes.corners[0].valence, 2);
+  EXPECT_EQ(field.phase.prescribed.corners[0].valence, 2);
   EXPECT_EQ(field.phase.terms.images[0].position, (Vec2{0.5, -0.375}));
   EXPECT_EQ(field.phase.terms.corner_angles[0].beta, -4);
 }
@@ -80,7 +80,7 @@ TEST_F(StageFiles, ResolvedPointsSurviveTheRoundTrip) {
 
 TEST_F(StageFiles, NodesAddedByHandNeedPlaceAndValenceOnly) {
   const std::string text =
-      R"({"format": "critical-points", "version": [1, 2], "producer": "an editor", "provenance": [],
+      R"({"format": "critical-points", "version": [2, 0], "producer": "an editor", "provenance": [],
     "origin": [0, 0], "form": "phase", "critical_points": [{"position": [0.5, 0.5], "valence": 6}],
     "corners": [{"joint": 0, "position": [0, 0], "angle_degrees": 90, "valence": 1, "curves": [3, 0]}],
     "index_sum": {"expected": 4}})";
@@ -95,7 +95,7 @@ TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
   const SeparatrixGraph graph = read_separatrix_graph(read_input(path("second")));
   EXPECT_EQ(graph.nodes[4].kind, NodeKind::boundary);
   EXPECT_EQ(graph.arcs[6].pieces[0].curve, 4);
-  EXPECT_EQ(graph.certificate.way, "traced");
+  EXPECT_EQ(graph.certificate.method, "traced");
   EXPECT_EQ(graph.certificate.face_valence_histogram.at(0).faces, 2);
   EXPECT_EQ(stage_format(read_input(path("first"))), "separatrix-graph");
 }
@@ -104,7 +104,7 @@ TEST_F(StageFiles, ASeparatrixGraphMayComeWithoutACertificate) {
   SeparatrixGraph graph = samples::separatrix_graph();
   graph.certificate = {};
   expect_same_bytes(graph, read_separatrix_graph, write_separatrix_graph);
-  EXPECT_TRUE(read_separatrix_graph(read_input(path("second"))).certificate.way.empty());
+  EXPECT_TRUE(read_separatrix_graph(read_input(path("second"))).certificate.method.empty());
   EXPECT_EQ(bytes_of("second").find("certificate"), std::string::npos);
 }
 

@@ -52,7 +52,7 @@ TEST(NodeSymmetries, keep_valences_and_freedom_and_the_boundary) {
   EXPECT_EQ(num_symmetries(points), 1u);
   points.corners[1].valence = 2;
   EXPECT_EQ(num_symmetries(points), 2u);
-  points.twist_offsets = {1};
+  points.hole_winding_offsets = {1};
   EXPECT_EQ(num_symmetries(points), 1u);
 }
 

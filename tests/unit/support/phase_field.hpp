@@ -12,7 +12,7 @@ inline Field closed_phase(TriMesh mesh, PhaseTerms terms, double constant) {
   field.phase.s = std::move(field.u);
   field.u.clear(), field.v.clear();
   for (const PhaseTurn& node : field.phase.terms.nodes)
-    field.phase.nodes.nodes.push_back({node.position, 4 - node.turns});
+    field.phase.prescribed.nodes.push_back({node.position, 4 - node.turns});
   return field;
 }
 

@@ -21,7 +21,7 @@ const std::vector<Vec2> scattered{{0.3, 0.2}, {-0.4, 0.35}, {-0.25, -0.5}, {0.45
 CriticalPoints points_of(const Field& field) {
   CriticalPoints points;
   points.form = "phase";
-  for (const PhaseNode& node : field.phase.nodes.nodes)
+  for (const PhaseNode& node : field.phase.prescribed.nodes)
     points.critical_points.push_back({node.position, 4 - node.valence, node.valence, 0, {}, {}});
   return points;
 }

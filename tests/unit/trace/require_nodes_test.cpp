@@ -80,8 +80,8 @@ struct AskedPhase : testing::Test {
 
   static Field make_field() {
     Field made = closed_phase(square_mesh({-1, -1}, 2, 3), {{{{0.25, 0.125}, 1}}, {}, {}, {}}, 0);
-    for (int j = 0; j < 4; ++j) made.phase.nodes.corners.push_back({j, 1});
-    made.phase.nodes.boundary_nodes.push_back({0, 1, 3});
+    for (int j = 0; j < 4; ++j) made.phase.prescribed.corners.push_back({j, 1});
+    made.phase.prescribed.boundary_nodes.push_back({0, 1, 3});
     return made;
   }
   CriticalPoints points() const {
@@ -132,7 +132,7 @@ TEST_F(AskedPhase, RefusesOtherValencesAndNumbers) {
 }
 
 TEST_F(AskedPhase, NoTwistsAreTwistsOfZero) {
-  field.phase.twist_offsets = {0};
+  field.phase.hole_winding_offsets = {0};
   EXPECT_EQ(message_of(evaluator, points()), "");
 }
 
