@@ -146,7 +146,8 @@ CriticalPoints resolved_points() {
                     {"place", "hardly moved", {{{0.7, 0.301}, 5}}, {{{0.7, 0.3}, 5}}},
                     {"line", "by rule", {}, {{{1, 0}, 0, "corner"}}}};
   points.certificate.cells_examined = 321;
-  points.certificate.cells = {{1, {0.7, 0.2, 0.8, 0.3, 0.6, 0.3}, "zero"}, {0, {0.3, 0.4, 0.4, 0.5, 0.2, 0.5}, "open"}};
+  points.certificate.cells = {{1, {0.7, 0.2, 0.8, 0.3, 0.6, 0.3}, CellVerdict::zero},
+                              {0, {0.3, 0.4, 0.4, 0.5, 0.2, 0.5}, CellVerdict::open}};
   points.certificate.disc_centres = {{0, 0}};
   points.certificate.disc_radii = {0.0625};
   return points;
