@@ -1,6 +1,7 @@
 """What the Python commands share: options, exit codes, signals, and files that are written whole or not at all."""
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -59,21 +60,41 @@ def number(option, text, low, high, kind=float, is_open=False):
 
 
 def add_tools_to_path(script):
-    """Puts the folder of the tools first on PATH: $QUADRILLE_BIN, the build beside the sources, or the script's own.
-    Without any of them PATH has to contain it."""
+    """Puts the folder of the tools first on PATH: $QUADRILLE_BIN, the build beside the sources, or the script's own."""
     here = pathlib.Path(script).resolve().parent
     for folder in (os.environ.get("QUADRILLE_BIN"), here.parent / "build" / "bin", here):
         if folder and os.access(pathlib.Path(folder) / "cad2tri", os.X_OK):
             os.environ["PATH"] = f"{pathlib.Path(folder).resolve()}{os.pathsep}{os.environ.get('PATH', '')}"
             return
+
+
+def require_tools():
     if not shutil.which("cad2tri"):
         raise Failure(1, "no cad2tri on PATH; pipelines/quickstart builds it")
 
 
+def output_of(*words):
+    return subprocess.run(words, capture_output=True, text=True, check=True).stdout
+
+
 def version_text(command):
     """The version of the tools, which is that of all commands."""
-    printed = subprocess.run(["quadexport", "--version"], capture_output=True, text=True, check=True).stdout
-    return printed.replace("quadexport", command)
+    require_tools()
+    return output_of("quadexport", "--version").replace("quadexport", command)
+
+
+def listed_options(tool):
+    """The options of a tool: "value" or "flag" for each."""
+    require_tools()
+    return dict(line.split()[1:] for line in output_of(tool, "--list-options").splitlines())
+
+
+def options_help(tool):
+    """The options of a tool as its --help describes them, without --output; empty without the tool."""
+    if not shutil.which(tool):
+        return ""
+    rows = re.split(r"\n(?=  -)", re.search(r"\nOPTIONS(\n.*?)\n\n", output_of(tool, "--help"), re.DOTALL)[1])
+    return f"\nOPTIONS OF {tool.upper()}" + "".join(f"\n{row}" for row in rows[1:] if not row.startswith("  -o,")) + "\n"
 
 
 _part = None  # the file that is being written

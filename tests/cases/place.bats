@@ -57,6 +57,18 @@ here() { TMPDIR=$PWD "$@"; }
   done
 }
 
+@test "the options of critpoints are passed on to it, and listed by --help" {
+  run -2 --separate-stderr here "$place" "$DATA/square.step" -o out.msh --max-valence=3
+  [[ ${stderr_lines[0]} == "critpoints: --max-valence: "* ]] || fail "$stderr"
+  run -0 "$place" -q "$DATA/half_disc.step" -o out.msh --rounds 0 --place energy --nodes energy.crit.json
+  jq -e '.form == "phase"' energy.crit.json
+  run -2 "$place" "$DATA/square.step" --max-valence
+  assert_line "place: --max-valence needs a value"
+  "$place" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' >shown
+  "$ROOT/pipelines/quadmesh" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' | diff - shown
+  assert [ -s shown ]
+}
+
 @test "what a stage has against its input, and what cannot be written, comes through with its exit code" {
   run -3 --separate-stderr here "$place" missing.step -o out.msh
   [[ $stderr == "cad2tri: "* ]] || fail "$stderr"

@@ -22,6 +22,10 @@ passes() {
   passes splines edges step_file build
 }
 
+@test "search for node positions" {
+  passes boundary symmetries layouts compass_search
+}
+
 @test "every module has a test, and the tests of all modules are run above" {
   for file in "$ROOT"/pipelines/lib/*.py "$ROOT"/pipelines/lib/*/[a-z]*.py; do
     module=$(basename "$file" .py)

@@ -1,0 +1,64 @@
+"""Runs the stages for given irregular nodes and measures the blocks."""
+import json
+import pathlib
+import subprocess
+from dataclasses import dataclass
+
+from command_frame import Failure, Stopped
+
+
+def run_stage(*words, is_trial=False):
+    """Runs one tool, and fails with its exit code. Its messages are shown, except in trials, many of which fail."""
+    process = subprocess.Popen([str(word) for word in words], stderr=subprocess.DEVNULL if is_trial else None)
+    try:
+        code = process.wait()
+    except Stopped:
+        process.terminate()
+        process.wait()
+        raise
+    if code:
+        raise Failure(code if code > 0 else 128 - code)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The nodes (the content of x.crit.json), the folder of their files and the least scaled Jacobian of the blocks."""
+
+    nodes: dict
+    folder: pathlib.Path
+    quality: float
+
+
+def make_layout(nodes, folder, first, is_trial):
+    """The layout with these nodes, in a new folder. `first` is the folder of the triangle mesh and of its field."""
+    folder.mkdir(exist_ok=True)
+    crit, sep, blocks = folder / "crit.json", folder / "sep.json", folder / "blocks.h5"
+    crit.write_text(json.dumps(nodes, indent=1))
+    is_phase = nodes.get("form") == "phase"
+    field = make_phase(folder, first, is_trial) if is_phase else first / "field.h5"
+    run_stage("separatrix", "-q", field, crit, "-o", sep, is_trial=is_trial)
+    run_stage("blocksplit", "-q", sep, "-o", blocks, is_trial=is_trial)
+    return Layout(nodes, folder, least_scaled_jacobian(folder))
+
+
+def make_phase(folder, first, is_trial):
+    """A field with the nodes of folder/crit.json."""
+    solve, phase = folder / "solve.h5", folder / "phase.h5"
+    known = "--nodes", folder / "crit.json", "--orders", first / "field.h5"
+    run_stage("fieldsolve", "-q", *known, first / "tri.h5", "-o", solve, is_trial=is_trial)
+    run_stage("padapt", "-q", solve, "-o", phase, is_trial=is_trial)
+    solve.unlink()
+    return phase
+
+
+def least_scaled_jacobian(folder):
+    """Of the blocks as one quad of order 8 each; 0 where one of them is not valid."""
+    report = folder / "report.json"
+    coarse = "--size", 1e300, "--order", 8, "--geometry-tol", 1, "--report", report
+    try:
+        run_stage("quadrefine", "-q", *coarse, folder / "blocks.h5", "-o", folder / "coarse.h5", is_trial=True)
+    except Failure as failure:
+        if failure.code == 1:
+            return 0.0
+        raise
+    return json.loads(report.read_text())["least_scaled_jacobian"]
