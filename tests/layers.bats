@@ -1,8 +1,8 @@
-# Who may include whom (README, "Map of the source"), read from the #include lines.
+# Who may include whom (lib/README.md, "Layers"), read from the #include lines.
 load tools/common
 
-# "folder: what it may include besides itself", from the map in README.md. Tools are judged by their link lines.
-layers=$(sed -nE 's/^    ([a-z]+) +→ ([a-z]+(, [a-z]+)*)?  .*/\1: \2/p' "$ROOT/README.md" | tr -d ,)
+# "folder: what it may include besides itself", from the table in lib/README.md. Tools are judged by their link lines.
+layers=$(sed -nE 's/^    ([a-z]+) +→ ([a-z]+(, [a-z]+)*)?  .*/\1: \2/p' "$ROOT/lib/README.md" | tr -d ,)
 
 # Own includes of the files under $1: "folder-of-file included-folder file".
 own_includes() {
@@ -106,7 +106,7 @@ only_in() {
   done
 }
 
-@test "the link lines of lib/CMakeLists.txt are those of the map" {
+@test "the link lines of lib/CMakeLists.txt are those of the table" {
   run -0 diff <(sed -E 's/: ?/ /; s/ $//' <<<"$layers" | sort) \
     <(sed -nE 's/^quadrille_library\(([a-z]+)( USES ([a-z ]*[a-z]))?( Eigen3::Eigen)?( PRIVATE.*)?\)$/\1 \3/p' \
       "$ROOT/lib/CMakeLists.txt" | sed 's/ $//' | sort)
