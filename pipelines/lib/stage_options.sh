@@ -25,11 +25,11 @@ choose_option() {
 
 # with_options TOOL COMMAND...: runs the command with the options behind it that were chosen for the tool.
 with_options() {
-  wanted=$1
+  receiver=$1
   shift
   set -f && IFS=$separator
   for word in $chosen; do
-    case $word in "$wanted "*) set -- "$@" "${word#* }" ;; esac
+    case $word in "$receiver "*) set -- "$@" "${word#* }" ;; esac
   done
   set +f && unset IFS
   "$@"
