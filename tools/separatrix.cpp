@@ -5,7 +5,7 @@
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "layout/lay_out.hpp"
-#include "trace/require_nodes.hpp"
+#include "trace/check_nodes_match_field.hpp"
 
 using namespace quadrille;
 
@@ -58,9 +58,9 @@ int main(int argc, char** argv) {
     check::require_valid(check::check_critical_points_of(points, field), points_file.name);
     const field::FieldEvaluator evaluator(field);
     // A phase that was made for other nodes has not seen this file either: what to do about it is said first.
-    if (field.kind == "phase") trace::require_nodes_of_field(evaluator, points);
+    if (field.kind == "phase") trace::check_nodes_match_field(evaluator, points);
     io::require_same_origin(field_file, field.provenance, points_file, points.provenance);
-    if (field.kind != "phase") trace::require_nodes_of_field(evaluator, points);
+    if (field.kind != "phase") trace::check_nodes_match_field(evaluator, points);
     s.begin_phase("trace");
     SeparatrixGraph graph = layout::lay_out(evaluator, points, options, s.report());
     graph.provenance =

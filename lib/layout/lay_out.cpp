@@ -14,7 +14,9 @@
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh.hpp"
+#include "quantize/t_mesh_faces.hpp"
 #include "simplify/chord_judge.hpp"
+#include "trace/fixed_nodes.hpp"
 #include "trace/launch_all.hpp"
 
 namespace quadrille::layout {
@@ -59,7 +61,7 @@ SeparatrixGraph quantized_layout(const field::FieldEvaluator& evaluator, const C
     const int num_arcs = static_cast<int>(t_mesh.arcs.size());
     const std::vector<int> zero = quantize::vanishing_arcs(faces, num_arcs);
     if (zero.empty()) fail_to_quantize(t_mesh, zero);
-    if (!tracer.give_up_merge(t_mesh, quantize::winding_rails(faces, num_arcs, zero.front())))
+    if (!tracer.reject_merge(t_mesh, quantize::winding_rails(faces, num_arcs, zero.front())))
       fail_to_quantize(t_mesh, zero);
   }
   report.set("quantize.merges_given_up", given_up);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/separatrix_graph.hpp"
-#include "quantize/t_mesh.hpp"
+#include "quantize/t_mesh_faces.hpp"
 
 namespace quadrille::quantize {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "model/arc_graph.hpp"
-#include "quantize/t_mesh.hpp"
+#include "quantize/t_mesh_faces.hpp"
 
 namespace quadrille::quantize {
 

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "quantize/t_mesh.hpp"
+#include "quantize/t_mesh_faces.hpp"
 
 namespace quadrille::quantize {
 

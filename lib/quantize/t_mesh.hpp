@@ -1,40 +1,57 @@
 #pragma once
-// The T-mesh of a guiding field: separatrices, each as long as the first line that was laid across its way before
-// (motorcycle.hpp). It is finite for every field, spirals and limit cycles included, and all its faces are four-sided:
-// corners of one quarter turn at crossings and line ends, T-junctions on the sides.
+// The T-mesh of a guiding field: separatrices, each as long as the first line that crosses it and was there before
+// (quantize/motorcycle_graph.hpp). It is finite for every field, spirals and limit cycles included, and all its faces
+// have four corners: one quarter turn of the cross each, at crossings and line ends; T-junctions lie on their sides.
 
-#include <memory>
 #include <vector>
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
 #include "model/separatrix_graph.hpp"
-#include "quantize/t_mesh_faces.hpp"
-#include "trace/trace_options.hpp"
+#include "quantize/clip_lines.hpp"
+#include "quantize/cuts.hpp"
+#include "trace/line_tracer.hpp"
+#include "trace/merged_lines.hpp"
 
 namespace quadrille::quantize {
 
-/// Separatrices that meet head on are merged as in trace_separatrices, then all race. A hole that no line reaches is
-/// tied to the rest by a cut, and so is a limit cycle that crosses nobody. Lines are followed no farther than needed:
-/// the bound doubles from two diameters for those that nothing has stopped.
+/// Head-on separatrices are merged as in layout/trace_separatrices, then all fronts start together. Cuts are added
+/// where a hole or a limit cycle meets no line (quantize/cuts.hpp). Lines are followed no farther than needed: the
+/// bound of those that nothing has stopped doubles from two diameters.
 class TMeshTracer {
  public:
-  /// `evaluator` must outlive the tracer. Throws ComputeError as launch_all.
+  /// `evaluator` must outlive the tracer. Throws ComputeError as trace::launch_all and trace::advance.
   TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const trace::TraceOptions& options);
-  ~TMeshTracer();
+  TMeshTracer(const TMeshTracer&) = delete;  // its members refer to each other
+  TMeshTracer& operator=(const TMeshTracer&) = delete;
 
-  /// Throws ComputeError where a line cannot be followed.
+  /// The T-mesh, with merged_lines and the largest deviation of its certificate. Reports t_mesh.*. Throws ComputeError
+  /// where a line cannot be followed, or where 100 cuts are not enough.
   SeparatrixGraph trace(Report& report);
 
-  /// Gives up the merge that turns most of those that have one of these arcs of the graph traced last, within 1e-6
-  /// alike; where none has, of all. Two merges may contradict each other: the one says that two nodes lie on one line
-  /// of the grid, the other that they do not. False where none is left.
-  bool give_up_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs);
+  /// Rejects, among the merges of lines with one of these arcs of the graph traced last, those with the largest
+  /// deviation, within 1e-6 alike; where there are none, among all merges. Two merges may contradict each other: the
+  /// one puts two nodes on one line of the integer grid, the other does not. False where no merge is left to reject.
+  bool reject_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs);
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  bool follow_unstopped_lines(const std::vector<CoveredPart>& covered);
+  bool connect_loops(const SeparatrixGraph& graph);
+  void add_cut(const BoundaryPoint& start, double head_start);
+
+  struct Cuts {
+    std::vector<double> head_starts;  ///< of all streamlines, lengths; 0 but for cuts across limit cycles
+    std::vector<int> num_of_loop;
+    int num = 0;
+  };
+  const field::FieldEvaluator& evaluator_;
+  std::vector<graph::FixedNode> fixed_;
+  std::vector<Vec2> nodes_;  // their positions
+  trace::LineTracer tracer_;
+  trace::MergedLines lines_;
+  Cuts cuts_;
+  std::vector<int> piece2line_;  // of the graph traced last
 };
 
 }  // namespace quadrille::quantize

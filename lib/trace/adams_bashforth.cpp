@@ -12,16 +12,16 @@
 namespace quadrille::trace {
 namespace {
 
-// x + share h (...): the cubic with positions and directions of both ends.
+// x + fraction h (...): the cubic with positions and directions of both ends.
 StreamStep hermite(Vec2 x, Vec2 direction, Vec2 end, Vec2 end_direction, double s, double h) {
   const Vec2 rise = end - x, bend = h * direction - rise;
   return {in_the_plane, s, h, h, {x, rise, bend, rise - h * end_direction - bend, {}}};
 }
 
-class Walker {
+class FixedStepIntegrator {
  public:
-  Walker(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes, const AdvanceOptions& options,
-         Streamline& line)
+  FixedStepIntegrator(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes,
+                      const AdvanceOptions& options, Streamline& line)
       : evaluator_(evaluator),
         nodes_(nodes),
         options_(options),
@@ -30,7 +30,7 @@ class Walker {
         x_(line.launch.x),
         angle_(line.launch.angle_there) {}
 
-  void walk() {
+  void run() {
     const double h = options_.max_step;
     Vec2 f[4];
     if (!direction(x_, f[0])) fail();
@@ -40,7 +40,7 @@ class Walker {
       const bool is_inside = count < 3 ? runge_kutta(f[0], h, next) : true;
       if (count >= 3) next = x_ + (h / 24) * (55.0 * f[0] - 59.0 * f[1] + 37.0 * f[2] - 9.0 * f[3]);
       Vec2 there;
-      if (!is_inside || !direction(next, there)) return leave(before, f[0], h);
+      if (!is_inside || !direction(next, there)) return approach_boundary(before, f[0], h);
       line_.steps.push_back(hermite(x_, f[0], next, there, line_.length(), h));
       x_ = next;
       for (int i = 3; i > 0; --i) f[i] = f[i - 1];
@@ -52,15 +52,15 @@ class Walker {
 
  private:
   bool locate(Vec2 x) {
-    mesh::Location at = walk_to(x);
+    mesh::Location at = locate_from_last(x);
     if (at.elem < 0) at = evaluator_.locator().find(x);
     if (at.elem >= 0) at_ = at;
     return at.elem >= 0;
   }
 
-  mesh::Location walk_to(Vec2 x) const { return mesh::walk(evaluator_.topology(), evaluator_.maps(), x, at_); }
+  mesh::Location locate_from_last(Vec2 x) const { return mesh::walk(evaluator_.topology(), evaluator_.maps(), x, at_); }
 
-  // False outside the mesh. Turns angle_.
+  // False outside the mesh. Updates angle_.
   bool direction(Vec2 x, Vec2& f) {
     if (!locate(x)) return false;
     Vec2 position;
@@ -80,21 +80,21 @@ class Walker {
     return true;
   }
 
-  // The boundary lies within the next step: halving Euler's step with the direction's own turn is as good as the rest.
-  void leave(mesh::Location before, Vec2 f, double h) {
+  // The boundary lies within the next step: Runge-Kutta steps of halved length until what remains is round-off.
+  void approach_boundary(mesh::Location before, Vec2 f, double h) {
     at_ = before;
     const double angle = angle_of(f);
     angle_ = angle + std::remainder(angle_ - angle, 2 * pi);
-    double share = 0.5;
+    double fraction = 0.5;
     while (h > 1e-13 * evaluator_.field().mesh.face.diameter) {
       const mesh::Location here = at_;
       const double angle_here = angle_;
       Vec2 next, there;
-      if (runge_kutta(f, share * h, next) && direction(next, there)) {
-        line_.steps.push_back(hermite(x_, f, next, there, line_.length(), share * h));
-        x_ = next, f = there, h *= 1 - share;
+      if (runge_kutta(f, fraction * h, next) && direction(next, there)) {
+        line_.steps.push_back(hermite(x_, f, next, there, line_.length(), fraction * h));
+        x_ = next, f = there, h *= 1 - fraction;
       } else {
-        at_ = here, angle_ = angle_here, h *= share;
+        at_ = here, angle_ = angle_here, h *= fraction;
       }
     }
     finish_on_boundary();
@@ -135,8 +135,11 @@ class Walker {
   }
 
   [[noreturn]] void fail() const {
-    const Vec2 place = x_ + evaluator_.field().mesh.face.origin;
-    throw ComputeError(fmt::format("a line cannot be followed beyond ({:.6g}, {:.6g})", place.x, place.y));
+    const Vec2 at = x_ + evaluator_.field().mesh.face.origin;
+    throw ComputeError(
+        fmt::format("a separatrix cannot be followed beyond ({:.6g}, {:.6g}): the field has no direction there, or a "
+                    "step jumps over the boundary",
+                    at.x, at.y));
   }
 
   const field::FieldEvaluator& evaluator_;
@@ -154,7 +157,7 @@ Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const
                                    const std::vector<Vec2>& nodes, const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
-  Walker(evaluator, nodes, options, line).walk();
+  FixedStepIntegrator(evaluator, nodes, options, line).run();
   return line;
 }
 

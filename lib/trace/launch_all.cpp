@@ -1,7 +1,5 @@
 #include "trace/launch_all.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,18 +8,20 @@
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "field/node_phase.hpp"
+#include "trace/fixed_nodes.hpp"
+#include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {
 namespace {
 
-// A line's first point lies this far from its node, as a share of the distance to the nearest feature: near enough that
-// the quadratic launch misses the separatrix by less than round-off counts, far enough that the field has a direction.
-constexpr double launch_share = 1e-4;
+// Distance of a line's first point from its node, relative to the distance to the nearest feature: near enough that the
+// quadratic launch misses the separatrix by less than round-off, far enough that the field has a direction.
+constexpr double relative_radius = 1e-4;
+// The field of a corner near a tie (4 omega near pi modulo 2 pi) turns across its line the faster the nearer the
+// corner. Starting farther away costs no accuracy there: neighbouring lines converge to such a line.
+constexpr double stiff_turn_rate = 50;        // radians of the direction per radian of the bearing
+constexpr double max_relative_radius = 0.05;  // relative to the distance to the nearest feature
 constexpr int num_cuts = 4;
-// A corner near a tie has a field that turns ever faster across its line the nearer the corner. Starting farther off is
-// then no loss: such a line draws its neighbours in.
-constexpr double stiff_turn = 50;         // of the direction, radians per radian of the bearing
-constexpr double farthest_launch = 0.05;  // share of the distance to the nearest feature
 
 // Distance to the nearest other node or joint, at most `limit`.
 double feature_distance(const CadFace& face, const std::vector<graph::FixedNode>& nodes, Vec2 x, double limit) {
@@ -34,7 +34,7 @@ double feature_distance(const CadFace& face, const std::vector<graph::FixedNode>
   return feature;
 }
 
-// Elements follow the field's scale, but for the fans of corners, which are much smaller.
+// Elements have the scale of the field, except in the fans at corners, where they are much smaller.
 double element_size(const field::FieldEvaluator& evaluator, int elem) {
   Vec2 position;
   Mat2 dx_dxi;
@@ -60,9 +60,9 @@ double turn_rate(const field::FieldEvaluator& evaluator, const Launch& launch) {
   return std::abs(rate) * launch.radius;
 }
 
-/// What a corner or boundary node sees of the domain.
+/// The sector of the domain at a corner or boundary node.
 struct Sector {
-  double tangent_out = 0;  ///< angle of the boundary as it leaves the node
+  double tangent_out = 0;  ///< angle of the outgoing boundary tangent
   double interior_angle = pi;
 };
 
@@ -78,57 +78,14 @@ std::vector<double> directions_in(const field::FieldEvaluator& evaluator, const 
 
 Launch launch_from_sector(const field::FieldEvaluator& evaluator, int node, Vec2 apex, const Sector& sector,
                           double angle, double feature) {
-  double share = launch_share;
-  for (;;) {
+  for (double radius = relative_radius;; radius = std::min(4 * radius, max_relative_radius)) {
     const Launch launch =
-        launch_line(evaluator, node, apex, sector.tangent_out + angle, share * feature, pi / sector.interior_angle);
-    if (share >= farthest_launch || turn_rate(evaluator, launch) < stiff_turn) return launch;
-    share = std::min(4 * share, farthest_launch);
+        launch_line(evaluator, node, apex, sector.tangent_out + angle, radius * feature, pi / sector.interior_angle);
+    if (radius >= max_relative_radius || turn_rate(evaluator, launch) < stiff_turn_rate) return launch;
   }
-}
-
-graph::FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
-  const Nurbs& curve = face.curves[b.curve];
-  const double tol = 1e-12 * (curve.end() - curve.begin());
-  graph::FixedNode node{curve::point(curve, b.t), NodeKind::boundary, b.valence, -1, b.curve, b.t};
-  if (b.t <= curve.begin() + tol) node.joint = b.curve;
-  if (b.t >= curve.end() - tol) node.joint = face.next_in_loop(b.curve);
-  if (node.joint >= 0) node.position = face.joints[node.joint].position;
-  if (b.valence >= 3) return node;
-  const Vec2 place = node.position + face.origin;
-  throw ComputeError(
-      fmt::format("a node of valence {} on the smooth boundary at ({:.6g}, {:.6g}) makes a block whose "
-                  "sides go straight on there: no valid element has such a corner",
-                  b.valence, place.x, place.y));
 }
 
 }  // namespace
-
-std::vector<graph::FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points) {
-  std::vector<graph::FixedNode> nodes;
-  for (const CriticalPoint& p : points.critical_points) {
-    const Vec2 place = p.position + face.origin;
-    if (p.valence <= 2)
-      throw ComputeError(
-          fmt::format("the zero of the field at ({:.6g}, {:.6g}) has index {:+d}: it has to be split into "
-                      "nodes of valence 3, which critpoints does",
-                      place.x, place.y, p.index));
-    nodes.push_back({p.position, NodeKind::irregular, p.valence, -1});
-  }
-  for (const Corner& c : points.corners) {
-    const Vec2 place = c.position + face.origin;
-    if (c.valence <= 0)
-      throw ComputeError(fmt::format(
-          "the corner of {:.1f} degrees at ({:.6g}, {:.6g}) has valence 0 and leaves a block of three sides: "
-          "{}",
-          c.angle_degrees, place.x, place.y,
-          c.angle_degrees < 15 ? "below 15 degrees there is no good block"
-                               : "critpoints --degenerate divide makes three of four sides of it"));
-    nodes.push_back({face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint});
-  }
-  for (const IrregularBoundaryPoint& b : points.boundary_nodes) nodes.push_back(boundary_node(face, b));
-  return nodes;
-}
 
 std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
@@ -141,7 +98,7 @@ std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const Cri
     if (at.elem < 0) throw FormatError("an irregular node lies outside the field's mesh");
     const double feature = feature_distance(face, nodes, x, 4 * element_size(evaluator, at.elem));
     for (const double angle : directions_at(evaluator, n, points.critical_points[n], at, feature))
-      launches.push_back(launch_line(evaluator, n, x, angle, launch_share * feature, 1));
+      launches.push_back(launch_line(evaluator, n, x, angle, relative_radius * feature, 1));
   }
   for (int n = num_inner; n < num; ++n) {
     const Sector sector = sector_at(face, nodes[n]);

@@ -1,50 +1,66 @@
 #pragma once
-// Which pairs of lines are merged, with second thoughts: merges that bend a line across its neighbour are given up, and
-// lines that would go on for ever are merged whatever that turns.
+// Which pairs of lines are merged, with corrections: merges that bend a line across its neighbour are rejected, and
+// lines that would never end are merged whatever their deviation.
 
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
-#include "trace/merge.hpp"
+#include "trace/merge_candidates.hpp"
 
 namespace quadrille::trace {
 
 class MergePlan {
  public:
   /// `evaluator`, `lines` and `nodes` must outlive the plan. `reach` (a length): lines that have no end yet have been
-  /// followed so far, and could be farther; 0: all are as long as they will be.
+  /// followed so far, and could be followed farther; 0: all are as long as they will be.
   MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
             const std::vector<Vec2>& nodes, const MergeOptions& options, double reach = 0);
 
-  /// Candidates chosen, by the rules of merge.hpp among those not given up. Then every endless line (spiral, limit
-  /// cycle) that has no partner takes the first free one that comes its way within greatest_merge_angle; where all are
-  /// taken, the merge of two lines that end is given up for it.
-  std::vector<int> choose();
+  /// Numbers of the candidates chosen by the rules (trace/merge_candidates.hpp, trace/choose_merges.hpp) among those
+  /// not rejected.
+  std::vector<int> choose_by_rules() const;
 
-  /// Gives up the candidates that turn most of these, within 1e-6 alike: a symmetry orbit together.
-  /// False where none of them turns anything by more than `least_turn` (radians): nothing is given up then.
-  bool give_up_worst(const std::vector<int>& candidates, double least_turn);
+  /// choose_by_rules, then every endless line (spiral, limit cycle) without a partner is merged with the first free one
+  /// that comes towards it within max_endless_merge_angle; where none is free, the merge of two lines that end is
+  /// rejected for it. Nothing where lines that are followed farther might make another choice.
+  std::optional<std::vector<int>> choose();
 
-  /// Whether a choice would have needed longer lines: it is then not what the whole lines give.
-  bool is_cut_short() const { return is_cut_short_; }
+  /// Rejects the candidates with the largest deviation of these, within 1e-6 alike: a symmetry orbit together.
+  /// False where the largest is below `least_deviation` (radians): nothing is rejected then.
+  bool reject_worst(const std::vector<int>& candidates, double least_deviation);
+
+  /// Rejects all candidates of each pair of lines of which one is rejected.
+  void reject_whole_pairs();
+
+  /// Looks for candidates again, after lines were added or followed farther; rejects all of rejected pairs.
+  void renew();
 
   const MergeCandidate& candidate(int i) const { return candidates_[i]; }
+  /// The candidate among `chosen` of each line, or -1.
+  std::vector<int> merge_of_lines(const std::vector<int>& chosen) const;
 
  private:
+  using LinePairs = std::set<std::pair<int, int>>;
+
+  void reject(const LinePairs& pairs);
+  LinePairs rejected_pairs() const;
   void add_candidates(const MergeOptions& options);
-  bool is_endless(int line) const;
   bool needs_longer_lines(const std::vector<int>& chosen) const;
-  std::vector<int> lost_lines(const std::vector<int>& chosen) const;
-  std::vector<int> choose_once();
-  bool give_up_for(const std::vector<int>& lost, const std::vector<int>& chosen);
+  std::vector<int> endless_without_partner(const std::vector<int>& chosen) const;
+  std::optional<std::vector<int>> choose_once();
+  void add_last_resorts(const std::vector<int>& endless, std::vector<int>& chosen);
+  bool reject_for(int endless, const std::vector<int>& merge_of);
 
   const field::FieldEvaluator& evaluator_;
   const std::vector<Streamline>& lines_;
   const std::vector<Vec2>& nodes_;
+  MergeOptions options_;
   std::vector<MergeCandidate> candidates_;  // by the rules, then the last resorts of endless lines
-  std::vector<bool> given_up_;
-  size_t num_regular_ = 0;
+  std::vector<bool> is_rejected_;
+  size_t num_regular_ = 0;  // candidates by the rules
   double reach_;
-  bool is_cut_short_ = false;
 };
 
 }  // namespace quadrille::trace

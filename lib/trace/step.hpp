@@ -22,7 +22,7 @@ struct StreamStep {
   double length = 0;  ///< of the part that is used, <= h
   std::array<Vec2, 5> dense{};
 
-  /// Reference coordinates at share theta of h.
+  /// Reference coordinates at fraction theta of h.
   Vec2 xi(double theta) const;
   /// d xi / d theta.
   Vec2 slope(double theta) const;
@@ -36,11 +36,11 @@ struct StreamState {
   Vec2 rate;         ///< d xi / d s
 };
 
-/// Fills in angle and rate at (elem, xi), guided by `direction`.
+/// The state at (elem, xi) with the direction of the cross nearest to `direction` (radians).
 StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction);
 
 /// Tries a step of length h from `state`. `step.dense` and `end` hold the result; `error` is the estimated error's
-/// length in the plane, infinite when the direction turns by more than 0.6 rad within the step or the field vanishes.
+/// length in the plane, infinite where the direction turns by more than 0.6 rad within the step or the field vanishes.
 void try_step(const field::FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step,
               StreamState& end, double& error);
 

@@ -5,9 +5,10 @@
 namespace quadrille::trace {
 
 void TraceOptions::validate() const {
-  if (!(tolerance > 0)) throw UsageError("the tolerance must be positive");
-  if (step < 0 || merge_distance < 0 || merge_angle < 0) throw UsageError("lengths and angles must not be negative");
-  if (!(max_length > 0)) throw UsageError("the bounds must be positive");
+  if (!(tolerance > 0)) throw UsageError("the tolerance of the integrator must be positive");
+  if (step < 0 || merge_distance < 0 || merge_angle < 0)
+    throw UsageError("step, merge distance and merge angle must not be negative");
+  if (!(max_length > 0)) throw UsageError("the greatest length of a line must be positive");
 }
 
 }  // namespace quadrille::trace

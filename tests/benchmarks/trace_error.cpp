@@ -21,6 +21,7 @@
 #include "io/input_file.hpp"
 #include "io/stage_files.hpp"
 #include "trace/adams_bashforth.hpp"
+#include "trace/fixed_nodes.hpp"
 #include "trace/launch_all.hpp"
 
 using namespace quadrille;

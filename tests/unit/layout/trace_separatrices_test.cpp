@@ -5,7 +5,9 @@
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
 #include "graph/planar_faces.hpp"
+#include "trace/fixed_nodes.hpp"
 #include "trace/launch_all.hpp"
+#include "trace/launch_directions.hpp"
 
 namespace quadrille::layout {
 namespace {

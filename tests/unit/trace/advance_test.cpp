@@ -7,6 +7,7 @@
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
+#include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {
 namespace {

@@ -5,6 +5,8 @@
 #include <complex>
 
 #include "../support/square_field.hpp"
+#include "trace/advance.hpp"
+#include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {
 namespace {
@@ -36,33 +38,33 @@ struct Passing : testing::Test {
 
 TEST_F(Passing, LinesWithAnEndFollowTheRules) {
   const auto lines = traced(10);
-  EXPECT_TRUE(MergePlan(evaluator, lines, nodes, {radians(0.1), 0}).choose().empty());
-  EXPECT_EQ(MergePlan(evaluator, lines, nodes, {radians(20), 0}).choose().size(), 1u);
+  EXPECT_TRUE(MergePlan(evaluator, lines, nodes, {radians(0.1), 0}).choose()->empty());
+  EXPECT_EQ(MergePlan(evaluator, lines, nodes, {radians(20), 0}).choose()->size(), 1u);
 }
 
-TEST_F(Passing, EndlessLinesAreMergedWhateverThatTurns) {
+TEST_F(Passing, EndlessLinesAreMergedWhateverTheirDeviation) {
   // So short a bound that the two lines that pass each other have no end, while the others reach the boundary.
   const auto lines = traced(1.2);
   int endless = 0;
   for (const Streamline& line : lines) endless += line.end == Streamline::End::length;
   ASSERT_EQ(endless, 2);
   MergePlan plan(evaluator, lines, nodes, {radians(0.1), 0});
-  const std::vector<int> chosen = plan.choose();
+  const std::vector<int> chosen = plan.choose().value();
   ASSERT_EQ(chosen.size(), 1u);
   EXPECT_EQ(lines[plan.candidate(chosen[0]).a].end, Streamline::End::length);
   EXPECT_EQ(lines[plan.candidate(chosen[0]).b].end, Streamline::End::length);
 }
 
-TEST_F(Passing, WhatIsGivenUpIsNotChosenAgain) {
+TEST_F(Passing, RejectedMergesAreNotChosenAgain) {
   const auto lines = traced(10);
   MergePlan plan(evaluator, lines, nodes, {radians(20), 0});
-  const std::vector<int> chosen = plan.choose();
+  const std::vector<int> chosen = plan.choose().value();
   ASSERT_EQ(chosen.size(), 1u);
-  EXPECT_FALSE(plan.give_up_worst(chosen, 2 * plan.candidate(chosen[0]).turn));
+  EXPECT_FALSE(plan.reject_worst(chosen, 2 * plan.candidate(chosen[0]).deviation));
   EXPECT_EQ(plan.choose(), chosen);
-  EXPECT_TRUE(plan.give_up_worst(chosen, 0));
-  EXPECT_TRUE(plan.choose().empty());
-  EXPECT_FALSE(plan.give_up_worst({}, 0));
+  EXPECT_TRUE(plan.reject_worst(chosen, 0));
+  EXPECT_TRUE(plan.choose()->empty());
+  EXPECT_FALSE(plan.reject_worst({}, 0));
 }
 
 }  // namespace

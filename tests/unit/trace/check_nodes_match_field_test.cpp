@@ -1,4 +1,4 @@
-#include "trace/require_nodes.hpp"
+#include "trace/check_nodes_match_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,37 +26,37 @@ struct OneZero : testing::Test {
   }
 };
 
-TEST_F(OneZero, AcceptsTheFieldsOwnZeros) { EXPECT_NO_THROW(require_nodes_of_field(evaluator, points())); }
+TEST_F(OneZero, AcceptsTheFieldsOwnZeros) { EXPECT_NO_THROW(check_nodes_match_field(evaluator, points())); }
 
 TEST_F(OneZero, AcceptsAnErrorBelowAMillionthOfTheDiameter) {
   CriticalPoints p = points();
   p.critical_points[0].position.x += 0.9e-6 * field.mesh.face.diameter;
-  EXPECT_NO_THROW(require_nodes_of_field(evaluator, p));
+  EXPECT_NO_THROW(check_nodes_match_field(evaluator, p));
   p.critical_points[0].position.x += 0.2e-6 * field.mesh.face.diameter;
-  EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
+  EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
 }
 
 TEST_F(OneZero, RefusesAnotherIndexOrPlace) {
   CriticalPoints p = points();
   p.critical_points[0].index = -1, p.critical_points[0].valence = 5;
-  EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
+  EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
   p = points();
   p.critical_points[0].position = {3, 3};
-  EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
+  EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
 }
 
 TEST_F(OneZero, RefusesAWrongIndexSum) {
   CriticalPoints p = points();
   p.critical_points.clear();
-  EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
+  EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
   p = points();
   p.corners[1].valence = 2;
-  EXPECT_THROW(require_nodes_of_field(evaluator, p), FormatError);
+  EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
 }
 
 std::string message_of(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   try {
-    require_nodes_of_field(evaluator, points);
+    check_nodes_match_field(evaluator, points);
   } catch (const FormatError& error) {
     return error.what();
   }

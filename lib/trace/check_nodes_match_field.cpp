@@ -1,4 +1,4 @@
-#include "trace/require_nodes.hpp"
+#include "trace/check_nodes_match_field.hpp"
 
 #include <fmt/format.h>
 
@@ -11,28 +11,29 @@
 namespace quadrille::trace {
 namespace {
 
-constexpr double node_share = 1e-6;   // of the diameter: how far a node may lie from its zero
-constexpr double asked_share = 1e-9;  // and from the place that the phase was asked for
+// Relative to the diameter: how far a node may lie from its zero, and from the node that the phase was solved for.
+constexpr double relative_zero_tol = 1e-6;
+constexpr double relative_node_tol = 1e-9;
 
-// A zero of the index that the file says.
+// Whether the field has a zero of that index there.
 bool is_zero(const field::FieldEvaluator& evaluator, const CriticalPoint& p) {
   if (p.valence != 4 - p.index) return false;
   const double diameter = evaluator.field().mesh.face.diameter;
   const mesh::Location at = evaluator.locator().find(p.position);
   if (at.elem < 0) return false;
   const field::FieldSample sample = evaluator.sample(at.elem, at.xi);
-  // A multiple zero has no slope to tell its distance by, but the field is small about it.
+  // The field has no slope at a multiple zero that its distance could follow from, but it is small around it.
   if (std::abs(p.index) != 1) return norm(sample.value) <= 1e-4;
   if ((det(sample.dv_dx) > 0) != (p.index > 0)) return false;
   const Vec2 off = inverse(sample.dv_dx) * sample.value;
-  return norm(off) <= node_share * diameter;
+  return norm(off) <= relative_zero_tol * diameter;
 }
 
-std::string place_of(const CadFace& face, Vec2 x) {
+std::string position_text(const CadFace& face, Vec2 x) {
   return fmt::format("({:.6g}, {:.6g})", x.x + face.origin.x, x.y + face.origin.y);
 }
 
-void require_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
+void check_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
   if (points.form == "phase")
     throw FormatError(
@@ -40,48 +41,49 @@ void require_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints&
         "fieldsolve --nodes with them");
   for (const CriticalPoint& p : points.critical_points)
     if (!is_zero(evaluator, p))
-      throw FormatError(
-          fmt::format("the node at {} is no zero of the field: run fieldsolve --nodes", place_of(face, p.position)));
+      throw FormatError(fmt::format("the node at {} is not a zero of the field: run fieldsolve --nodes",
+                                    position_text(face, p.position)));
   if (!points.boundary_nodes.empty())
     throw FormatError(fmt::format("a harmonic field has no node on the boundary, as at {}: run fieldsolve --nodes",
-                                  place_of(face, points.boundary_nodes.front().position)));
+                                  position_text(face, points.boundary_nodes.front().position)));
 }
 
-int asked_valence(const PhaseNodes& asked, int joint) {
-  const auto at = std::find_if(asked.corners.begin(), asked.corners.end(),
+int solved_valence(const PhaseNodes& solved, int joint) {
+  const auto at = std::find_if(solved.corners.begin(), solved.corners.end(),
                                [&](const CornerValence& corner) { return corner.joint == joint; });
-  return at == asked.corners.end() ? 2 : at->valence;
+  return at == solved.corners.end() ? 2 : at->valence;
 }
 
-// The place of the first node that the phase doesn't have as `points` say; empty where all agree.
+// Names the first node of `points` that the phase was not solved for; empty where all agree.
 std::string first_difference(const Field& field, const CriticalPoints& points) {
   const CadFace& face = field.mesh.face;
-  const PhaseNodes& asked = field.phase.prescribed;
-  const double tol = asked_share * face.diameter;
+  const PhaseNodes& solved = field.phase.prescribed;
+  const double tol = relative_node_tol * face.diameter;
   for (size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
-    if (i >= asked.nodes.size() || p.valence != asked.nodes[i].valence ||
-        !(distance(p.position, asked.nodes[i].position) <= tol))
-      return "the node at " + place_of(face, p.position);
+    if (i >= solved.nodes.size() || p.valence != solved.nodes[i].valence ||
+        !(distance(p.position, solved.nodes[i].position) <= tol))
+      return "the node at " + position_text(face, p.position);
   }
   for (const Corner& c : points.corners)
-    if (c.valence != asked_valence(asked, c.joint)) return "the corner at " + place_of(face, c.position);
+    if (c.valence != solved_valence(solved, c.joint)) return "the corner at " + position_text(face, c.position);
   const auto position = [&](int curve, double t) { return curve::point(face.curves[curve], t); };
   for (size_t i = 0; i < points.boundary_nodes.size(); ++i) {
     const IrregularBoundaryPoint& b = points.boundary_nodes[i];
-    if (i >= asked.boundary_nodes.size() || b.valence != asked.boundary_nodes[i].valence ||
-        !(distance(position(b.curve, b.t), position(asked.boundary_nodes[i].curve, asked.boundary_nodes[i].t)) <= tol))
-      return "the boundary node at " + place_of(face, b.position);
+    if (i >= solved.boundary_nodes.size() || b.valence != solved.boundary_nodes[i].valence ||
+        !(distance(position(b.curve, b.t), position(solved.boundary_nodes[i].curve, solved.boundary_nodes[i].t)) <=
+          tol))
+      return "the boundary node at " + position_text(face, b.position);
   }
   return "";
 }
 
-bool are_twists_equal(std::vector<int> a, std::vector<int> b, int num_holes) {
+bool are_windings_equal(std::vector<int> a, std::vector<int> b, int num_holes) {
   a.resize(num_holes, 0), b.resize(num_holes, 0);
   return a == b;
 }
 
-void require_asked(const Field& field, const CriticalPoints& points) {
+void check_phase_nodes(const Field& field, const CriticalPoints& points) {
   const std::string difference = first_difference(field, points);
   if (!difference.empty())
     throw FormatError(difference + " is not what the field was solved for: run fieldsolve --nodes");
@@ -92,25 +94,26 @@ void require_asked(const Field& field, const CriticalPoints& points) {
                     "fieldsolve --nodes",
                     field.phase.prescribed.nodes.size(), field.phase.prescribed.boundary_nodes.size(),
                     points.critical_points.size(), points.boundary_nodes.size()));
-  if (!are_twists_equal(points.hole_winding_offsets, field.phase.hole_winding_offsets, field.mesh.face.num_loops() - 1))
+  if (!are_windings_equal(points.hole_winding_offsets, field.phase.hole_winding_offsets,
+                          field.mesh.face.num_loops() - 1))
     throw FormatError("the field was solved with other hole_winding_offsets: run fieldsolve --nodes");
 }
 
 }  // namespace
 
-void require_nodes_of_field(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
+void check_nodes_match_field(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const Field& field = evaluator.field();
   const CadFace& face = field.mesh.face;
   for (const Corner& c : points.corners)
     if (c.joint < 0 || c.joint >= face.num_curves() || !face.joints[c.joint].is_corner)
-      throw FormatError(fmt::format("joint {} of the critical points is no corner of the field's face", c.joint));
+      throw FormatError(fmt::format("joint {} of the critical points is not a corner of the field's face", c.joint));
   if (field.kind == "phase")
-    require_asked(field, points);
+    check_phase_nodes(field, points);
   else
-    require_zeros(evaluator, points);
+    check_zeros(evaluator, points);
   const int sum = index_sum_of(points), expected = 4 * face.euler_characteristic();
   if (sum != expected)
-    throw FormatError(fmt::format("the index sum of nodes and corners is {} where the domain needs {}", sum, expected));
+    throw FormatError(fmt::format("the index sum of nodes and corners is {}, the domain requires {}", sum, expected));
 }
 
 }  // namespace quadrille::trace

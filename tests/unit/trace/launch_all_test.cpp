@@ -1,4 +1,6 @@
 // Launching from phases with closed forms (lib/method.md §8.7).
+#include "trace/launch_all.hpp"
+
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -7,7 +9,8 @@
 #include "base/error.hpp"
 #include "field/node_phase.hpp"
 #include "field/phase_terms.hpp"
-#include "trace/launch_all.hpp"
+#include "trace/fixed_nodes.hpp"
+#include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {
 namespace {
@@ -37,18 +40,6 @@ TEST(NodePhase, IsTheClosedFormWithoutTheNodesOwnTurn) {
       product *= (j == k ? 1.0 : a - b) * (1.0 - std::conj(b) * a);
     }
     EXPECT_NEAR(wrap_pi(field::node_phase(evaluator, k) - std::arg(product)), 0, 1e-13);
-  }
-}
-
-TEST(PhaseLaunch, LinesLeaveAtEqualAnglesAlongTheCross) {
-  for (const int valence : {3, 5, 6, 8}) {
-    const double phi_0 = 0.7;
-    const std::vector<double> rays = phase_launch_directions(phi_0, valence);
-    ASSERT_EQ(static_cast<int>(rays.size()), valence);
-    for (int k = 0; k < valence; ++k) {
-      EXPECT_NEAR(rays[k] - rays[0], 2 * pi * k / valence, 1e-14);
-      EXPECT_NEAR(wrap_pi(4 * rays[k] - phi_0 - (4 - valence) * rays[k]), 0, 1e-13);
-    }
   }
 }
 

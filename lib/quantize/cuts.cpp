@@ -1,0 +1,60 @@
+#include "quantize/cuts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+
+namespace quadrille::quantize {
+namespace {
+
+// The component of each node under the graph's arcs.
+std::vector<int> components(const SeparatrixGraph& graph) {
+  std::vector<int> root(graph.nodes.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int n) {
+    while (root[n] != n) n = root[n] = root[root[n]];
+    return n;
+  };
+  for (const GraphArc& arc : graph.arcs) root[find(arc.from)] = find(arc.to);
+  for (size_t n = 0; n < root.size(); ++n) root[n] = find(static_cast<int>(n));
+  return root;
+}
+
+}  // namespace
+
+BoundaryPoint cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
+                                     const trace::Streamline& line) {
+  for (const double turn : {half_pi, -half_pi}) {
+    const trace::Streamline half = tracer.follow_from(line.end_position, line.end_angle + turn);
+    if (half.end == trace::Streamline::End::boundary) return {half.curve, half.t};
+  }
+  const Vec2 at = line.end_position + evaluator.field().mesh.face.origin;
+  throw ComputeError(fmt::format("no line leads from the limit cycle at ({:.6g}, {:.6g}) to the boundary", at.x, at.y));
+}
+
+std::vector<int> unconnected_loops(const SeparatrixGraph& graph) {
+  const std::vector<int> component = components(graph);
+  std::vector<int> component_of_loop(graph.face.num_loops(), -1);
+  for (size_t n = 0; n < graph.nodes.size(); ++n)
+    if (graph.nodes[n].curve >= 0) component_of_loop[graph.face.loop_of(graph.nodes[n].curve)] = component[n];
+  std::vector<int> loops;
+  for (int loop = 1; loop < graph.face.num_loops(); ++loop)
+    if (component_of_loop[loop] != component_of_loop[0]) loops.push_back(loop);
+  return loops;
+}
+
+BoundaryPoint cut_from_loop(const CadFace& face, int loop, int k) {
+  const int first = face.loop_offsets[loop], num = face.loop_offsets[loop + 1] - first;
+  double fraction = 0, digit = 0.5;
+  for (; k > 0; k /= 2, digit /= 2) fraction += k % 2 * digit;
+  const double along = fraction * num + 0.5, whole = std::floor(along);
+  const int curve = first + static_cast<int>(whole) % num;
+  const Nurbs& c = face.curves[curve];
+  return {curve, c.begin() + (along - whole) * (c.end() - c.begin())};
+}
+
+}  // namespace quadrille::quantize

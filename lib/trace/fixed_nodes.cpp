@@ -1,0 +1,62 @@
+#include "trace/fixed_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille::trace {
+namespace {
+
+graph::FixedNode irregular_node(const CadFace& face, const CriticalPoint& p) {
+  if (p.valence > 2) return {p.position, NodeKind::irregular, p.valence, -1};
+  const Vec2 x = p.position + face.origin;
+  throw ComputeError(
+      fmt::format("the zero of the field at ({:.6g}, {:.6g}) has index {:+d}: it has to be split into "
+                  "nodes of valence 3, which critpoints does",
+                  x.x, x.y, p.index));
+}
+
+graph::FixedNode corner_node(const CadFace& face, const Corner& c) {
+  if (c.valence > 0) return {face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint};
+  const Vec2 x = c.position + face.origin;
+  throw ComputeError(fmt::format(
+      "the corner of {:.1f} degrees at ({:.6g}, {:.6g}) has valence 0 and leaves a block of three sides: {}",
+      c.angle_degrees, x.x, x.y,
+      c.angle_degrees < 15 ? "below 15 degrees there is no good block"
+                           : "critpoints --degenerate divide makes three of four sides of it"));
+}
+
+graph::FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
+  const Nurbs& curve = face.curves[b.curve];
+  const double tol = 1e-12 * (curve.end() - curve.begin());
+  graph::FixedNode node{curve::point(curve, b.t), NodeKind::boundary, b.valence, -1, b.curve, b.t};
+  if (b.t <= curve.begin() + tol) node.joint = b.curve;
+  if (b.t >= curve.end() - tol) node.joint = face.next_in_loop(b.curve);
+  if (node.joint >= 0) node.position = face.joints[node.joint].position;
+  if (b.valence >= 3) return node;
+  const Vec2 x = node.position + face.origin;
+  throw ComputeError(
+      fmt::format("a node of valence {} on the smooth boundary at ({:.6g}, {:.6g}) makes a block whose "
+                  "sides form a straight angle there: no valid element has such a corner",
+                  b.valence, x.x, x.y));
+}
+
+}  // namespace
+
+std::vector<graph::FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points) {
+  std::vector<graph::FixedNode> nodes;
+  for (const CriticalPoint& p : points.critical_points) nodes.push_back(irregular_node(face, p));
+  for (const Corner& c : points.corners) nodes.push_back(corner_node(face, c));
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) nodes.push_back(boundary_node(face, b));
+  return nodes;
+}
+
+std::vector<Vec2> positions(const std::vector<graph::FixedNode>& nodes) {
+  std::vector<Vec2> positions;
+  positions.reserve(nodes.size());
+  for (const graph::FixedNode& node : nodes) positions.push_back(node.position);
+  return positions;
+}
+
+}  // namespace quadrille::trace

@@ -1,0 +1,42 @@
+#include "trace/line_fitter.hpp"
+
+namespace quadrille::trace {
+namespace {
+
+// The length distinguishes a line from itself before it was followed farther, its sign a join from a merged pair.
+graph::CurveKey key_of(int line, double length) { return {static_cast<double>(line), -1.0, length}; }
+graph::CurveKey key_of(const MergeCandidate& c) {
+  return {static_cast<double>(c.a), static_cast<double>(c.b), c.is_join ? -c.length() : c.length()};
+}
+
+graph::LineEnd start_of(const Launch& launch) {
+  if (launch.node < 0) return {-1, launch.curve, launch.t};
+  return {launch.node, -1, 0};
+}
+
+}  // namespace
+
+MergedLine LineFitter::single(int line) {
+  const Streamline& l = lines_[line];
+  const auto along = [&](double s, Vec2& direction) { return l.at(evaluator_, s, direction); };
+  const graph::CurveKey key = key_of(line, l.length());
+  const bool is_cut = l.launch.node < 0;
+  const Nurbs& spline = fitted(key, along, l.length());
+  return {
+      {start_of(l.launch), {l.end_node, l.curve, l.t}, spline, is_cut ? "cut" : "traced"}, l.length(), -1, line, key};
+}
+
+MergedLine LineFitter::pair(const MergeCandidate& candidate, int merge) {
+  const Streamline &a = lines_[candidate.a], &b = lines_[candidate.b];
+  const graph::CurveKey key = key_of(candidate);
+  const Nurbs& spline = fitted(key, merged_curve(evaluator_, a, b, candidate), candidate.length());
+  return {{start_of(a.launch), start_of(b.launch), spline, "merged"}, candidate.length(), merge, candidate.a, key};
+}
+
+const Nurbs& LineFitter::fitted(const graph::CurveKey& key, const curve::CurveFunction& curve, double length) {
+  const auto known = fitted_.find(key);
+  if (known != fitted_.end()) return known->second;
+  return fitted_[key] = curve::fit_line(curve, length, relative_fit_tol * evaluator_.field().mesh.face.diameter);
+}
+
+}  // namespace quadrille::trace

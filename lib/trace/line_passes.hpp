@@ -1,0 +1,39 @@
+#pragma once
+// Where a streamline passes points: the local minima of its distance to them.
+
+#include <vector>
+
+#include "trace/streamline.hpp"
+
+namespace quadrille::trace {
+
+/// A part of a line, between two arc lengths, on which it comes nearest to a point.
+struct LinePass {
+  double low = 0, high = 0;
+  double foot = -1;  ///< arc length of the nearest point; -1: not yet computed (LinePasses::foot)
+};
+
+class LinePasses {
+ public:
+  /// Samples the line at the ends and middles of its steps: they bracket every minimum. `evaluator` and `line` must
+  /// outlive it.
+  LinePasses(const field::FieldEvaluator& evaluator, const Streamline& line);
+
+  /// The passes of a node, ascending, whose distance is at most max(slope s, max_distance), s the arc length, but for
+  /// the sampling. A line that ends before it has passed the node counts where it ends in it, or nearly abreast of it
+  /// (a corner): otherwise a hole may lie between.
+  std::vector<LinePass> passes_of(Vec2 node, double slope, double max_distance) const;
+
+  /// Arc length of the nearest point of a pass; computed once.
+  double foot(Vec2 node, LinePass& pass) const;
+
+ private:
+  bool ends_beside(Vec2 node) const;
+
+  const field::FieldEvaluator& evaluator_;
+  const Streamline& line_;
+  std::vector<double> s_;
+  std::vector<Vec2> x_;
+};
+
+}  // namespace quadrille::trace

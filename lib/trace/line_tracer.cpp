@@ -1,0 +1,58 @@
+#include "trace/line_tracer.hpp"
+
+#include <algorithm>
+
+#include "trace/adams_bashforth.hpp"
+#include "trace/launch_all.hpp"
+
+namespace quadrille::trace {
+namespace {
+
+// Relative to the diameter.
+constexpr double relative_hit_distance = 1e-7;  // a line this near to a node ends in it
+constexpr double relative_max_step = 0.05;      // unless the options prescribe another
+constexpr double relative_fixed_step = 0.002;
+constexpr double relative_launch_radius = 1e-6;  // of a line from a point that is no node
+
+}  // namespace
+
+LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                       const std::vector<Vec2>& nodes, const TraceOptions& options)
+    : evaluator_(evaluator), nodes_(nodes), options_(options) {
+  const CadFace& face = evaluator.field().mesh.face;
+  max_length_ = options.max_length * face.diameter;
+  launches_ = launch_all(evaluator, points);
+  if (launches_.empty() && face.num_loops() == 2) launches_ = launch_cuts(evaluator);
+}
+
+AdvanceOptions LineTracer::bounds(double length) const {
+  const double d = evaluator_.field().mesh.face.diameter;
+  const bool is_fixed = options_.integrator == "ab4";
+  const double step = options_.step > 0 ? options_.step : (is_fixed ? relative_fixed_step : relative_max_step) * d;
+  return {options_.tolerance * d, step, std::min(length, max_length_), relative_hit_distance * d};
+}
+
+void LineTracer::follow_all_to(double length) {
+  const bool is_fixed = options_.integrator == "ab4";
+  reach_ = is_fixed ? max_length_ : std::min(length, max_length_);
+  const AdvanceOptions options = bounds(reach_);
+  if (!is_fixed)
+    for (Streamline& line : lines_) follow(evaluator_, line, nodes_, options);
+  for (const Launch& launch : launches_)
+    lines_.push_back(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options)
+                              : advance(evaluator_, launch, nodes_, options));
+  launches_.clear();
+}
+
+void LineTracer::follow_to(int line, double length) { follow(evaluator_, lines_[line], nodes_, bounds(length)); }
+
+void LineTracer::add_cut(int curve, double t, double length) {
+  lines_.push_back(advance(evaluator_, launch_from_boundary(evaluator_, curve, t), nodes_, bounds(length)));
+}
+
+Streamline LineTracer::follow_from(Vec2 x, double angle) const {
+  const double radius = relative_launch_radius * evaluator_.field().mesh.face.diameter;
+  return advance(evaluator_, launch_line(evaluator_, -1, x, angle, radius, 1), nodes_, bounds(max_length_));
+}
+
+}  // namespace quadrille::trace

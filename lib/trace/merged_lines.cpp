@@ -1,0 +1,113 @@
+#include "trace/merged_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "graph/family_order.hpp"
+
+namespace quadrille::trace {
+namespace {
+
+[[noreturn]] void fail_endless(const CadFace& face, const Streamline& line) {
+  const Vec2 from = line.launch.origin + face.origin, to = line.end_position + face.origin;
+  const size_t count = line.steps.size();
+  const std::string steps = count < max_stream_steps ? "" : fmt::format(" and {} steps, the most allowed", count);
+  throw ComputeError(fmt::format(
+      "the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees has reached neither boundary "
+      "nor node after {:.3g} diameters{}, near ({:.6g}, {:.6g})",
+      from.x, from.y, degrees(wrap_pi(line.launch.angle)), line.length() / face.diameter, steps, to.x, to.y));
+}
+
+}  // namespace
+
+MergedLines::MergedLines(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+                         const std::vector<Vec2>& nodes, double merge_angle, double merge_distance, LineEnds ends,
+                         double reach)
+    : evaluator_(evaluator),
+      lines_(lines),
+      ends_(ends),
+      plan_(evaluator, lines, nodes, {std::max(merge_angle, same_line_angle), merge_distance}, reach),
+      fitter_(evaluator, lines) {}
+
+bool MergedLines::merge() {
+  do {
+    if (ends_ == LineEnds::optional) {
+      chosen_ = plan_.choose_by_rules();
+    } else {
+      const std::optional<std::vector<int>> chosen = plan_.choose();
+      if (!chosen) return false;
+      chosen_ = *chosen;
+    }
+    arrange();
+  } while (reject_worst(merges_across_their_family(), 0));
+  require_family_order();
+  return true;
+}
+
+bool MergedLines::reject_worst(const std::vector<int>& merges, double least_deviation) {
+  if (!plan_.reject_worst(merges, least_deviation)) return false;
+  // Lines that stop at others may be lengthened after that: no pass of such a pair is to be merged again.
+  if (ends_ == LineEnds::optional) plan_.reject_whole_pairs();
+  return true;
+}
+
+void MergedLines::arrange() {
+  const std::vector<int> merge_of = plan_.merge_of_lines(chosen_);
+  arrangement_.lines.clear();
+  for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+    const int c = merge_of[i];
+    if (c >= 0 && plan_.candidate(c).b == i) continue;
+    if (c < 0 && ends_ == LineEnds::required && lines_[i].is_endless())
+      fail_endless(evaluator_.field().mesh.face, lines_[i]);
+    arrangement_.lines.push_back(c >= 0 ? fitter_.pair(plan_.candidate(c), c) : fitter_.single(i));
+  }
+  std::vector<graph::CurveKey> keys;
+  std::vector<Nurbs> splines;
+  for (const MergedLine& m : arrangement_.lines) {
+    keys.push_back(m.key);
+    splines.push_back(m.line.spline);
+  }
+  const CadFace& face = evaluator_.field().mesh.face;
+  arrangement_.crossings = cache_.find(keys, splines, relative_snap_tol * face.diameter, face.origin);
+  arrangement_.inner_crossings.clear();
+  for (const graph::Crossing& c : arrangement_.crossings)
+    if (!is_common_end(c)) arrangement_.inner_crossings.push_back(c);
+}
+
+bool MergedLines::is_common_end(const graph::Crossing& crossing) const {
+  const double near = 2 * (relative_snap_tol * evaluator_.field().mesh.face.diameter);
+  const auto ends_there = [&](int i) {
+    const Nurbs& spline = arrangement_.lines[i].line.spline;
+    return distance(spline.poles.front(), crossing.position) <= near ||
+           distance(spline.poles.back(), crossing.position) <= near;
+  };
+  return ends_there(crossing.a) && ends_there(crossing.b);
+}
+
+std::vector<int> MergedLines::merges_across_their_family() const {
+  std::vector<int> merges;
+  for (const graph::Crossing& c : arrangement_.inner_crossings)
+    for (const int i : {c.a, c.b})
+      if (graph::is_of_one_family(c) && arrangement_.lines[i].merge >= 0) merges.push_back(arrangement_.lines[i].merge);
+  return merges;
+}
+
+void MergedLines::require_family_order() const {
+  std::vector<bool> is_exempt;  // cuts that stop at each other may come from two sides and be one line
+  for (const MergedLine& m : arrangement_.lines)
+    is_exempt.push_back(m.merge >= 0 || (ends_ == LineEnds::optional && m.line.kind == "cut"));
+  graph::require_family_order(arrangement_.inner_crossings, is_exempt, evaluator_.field().mesh.face.origin);
+}
+
+double MergedLines::largest_deviation() const {
+  double deviation = 0;
+  for (const int c : chosen_) deviation = std::max(deviation, plan_.candidate(c).deviation);
+  return deviation;
+}
+
+}  // namespace quadrille::trace

@@ -1,0 +1,73 @@
+#pragma once
+// Traced lines with their merge decisions, curves and crossings: what the graph of whole lines and the motorcycle graph
+// are both made of.
+
+#include <vector>
+
+#include "graph/known_crossings.hpp"
+#include "trace/line_fitter.hpp"
+#include "trace/merge_plan.hpp"
+
+namespace quadrille::trace {
+
+/// Nodes nearer to each other than this are one, relative to the diameter.
+inline constexpr double relative_snap_tol = 1e-9;
+
+/// Lines that meet head on within this angle (radians) are one, whatever the options say.
+inline constexpr double same_line_angle = 1e-4;
+
+/// The lines as they are merged now, in the order of their streamlines, and where they cross.
+struct LineArrangement {
+  std::vector<MergedLine> lines;
+  std::vector<graph::Crossing> crossings;
+  std::vector<graph::Crossing> inner_crossings;  ///< without those at a common end of two lines
+};
+
+enum class LineEnds {
+  required,  ///< a line that reaches neither boundary nor node is merged whatever its deviation, else it is an error
+  optional   ///< such a line stays as it is, to be stopped by another (motorcycle graph)
+};
+
+class MergedLines {
+ public:
+  /// `evaluator`, `lines` and `nodes` (the positions of the nodes that lines start at) must outlive it. `merge_angle`
+  /// in radians, `merge_distance` a length. `reach`: as for MergePlan.
+  MergedLines(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+              const std::vector<Vec2>& nodes, double merge_angle, double merge_distance, LineEnds ends,
+              double reach = 0);
+
+  /// Chooses merges, computes curves and crossings, and rejects merges that have bent a line across its own family
+  /// until there are none. False where lines have to be followed farther to decide. Throws ComputeError where a line
+  /// has no end but requires one, where lines of one family cross (graph::require_family_order), and as
+  /// graph::find_crossings.
+  bool merge();
+
+  /// Of these merges (numbers as in chosen()), rejects those with the largest deviation, within 1e-6 alike. False where
+  /// the largest is below `least_deviation` (radians). merge() has to follow.
+  bool reject_worst(const std::vector<int>& merges, double least_deviation);
+
+  /// Looks for candidates again, after lines were added or followed farther. Rejected pairs of lines stay rejected.
+  void renew() { plan_.renew(); }
+
+  /// Results of the last merge().
+  const LineArrangement& arrangement() const { return arrangement_; }
+  const std::vector<int>& chosen() const { return chosen_; }
+  double largest_deviation() const;  ///< of the chosen merges, radians
+
+ private:
+  void arrange();
+  bool is_common_end(const graph::Crossing& crossing) const;
+  std::vector<int> merges_across_their_family() const;
+  void require_family_order() const;
+
+  const field::FieldEvaluator& evaluator_;
+  const std::vector<Streamline>& lines_;
+  LineEnds ends_;
+  MergePlan plan_;
+  LineFitter fitter_;
+  graph::KnownCrossings cache_;
+  std::vector<int> chosen_;
+  LineArrangement arrangement_;
+};
+
+}  // namespace quadrille::trace

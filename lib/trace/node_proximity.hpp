@@ -1,0 +1,35 @@
+#pragma once
+// Which node a line comes near, and how long its steps may be there.
+
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace quadrille::trace {
+
+class NodeProximity {
+ public:
+  /// `nodes` must outlive it. `origin`: where the line starts; equal to one of the nodes where that is its own.
+  /// `is_at_origin`: the line has not left its own node yet.
+  NodeProximity(const std::vector<Vec2>& nodes, Vec2 origin, bool is_at_origin)
+      : nodes_(nodes), origin_(origin), is_at_origin_(is_at_origin) {}
+
+  /// Moves to x. The nearest node; -1: there is none. The line's own node counts once the line has left it.
+  int move_to(Vec2 x);
+
+  /// As move_to, but -1 where the nearest node is farther than `hit_distance`. A line has left its own node where it is
+  /// ten times as far from it.
+  int node_hit_at(Vec2 x, double hit_distance);
+
+  /// Half the distance from the last x to the nearest node that is not the line's own. The field is singular there:
+  /// the estimated error of a longer step may miss it.
+  double longest_step() const { return longest_step_; }
+
+ private:
+  const std::vector<Vec2>& nodes_;
+  Vec2 origin_;
+  bool is_at_origin_;
+  double longest_step_ = 0;
+};
+
+}  // namespace quadrille::trace

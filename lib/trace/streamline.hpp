@@ -1,0 +1,52 @@
+#pragma once
+// A streamline of the guided cross angle: its launch, the steps of its integration, and how it ended.
+
+#include <unordered_map>
+#include <vector>
+
+#include "field/evaluate.hpp"
+#include "trace/launch.hpp"
+#include "trace/step.hpp"
+
+namespace quadrille::trace {
+
+inline constexpr int max_stream_steps = 100000;  ///< of one line
+
+class Streamline {
+ public:
+  enum class End { boundary, node, length };
+
+  Launch launch;
+  std::vector<StreamStep> steps;
+  End end = End::length;
+  int end_node = -1;  ///< End::node
+  int curve = -1;     ///< End::boundary: the CAD curve and the parameter on it
+  double t = 0;
+  Vec2 end_position;  ///< on the curve or the node, exactly
+  double end_angle = 0;
+  StreamState front;  ///< End::length: the state that integration continues from, and the step it tries first
+  double next_step = 0;
+  /// End::length: the line has returned to a point of an element's edge where it was a lap before, within the hit
+  /// distance and in the same direction: further laps repeat this one.
+  bool is_limit_cycle = false;
+  struct Pass {
+    StreamState state;
+    double s = 0;
+  };
+  std::unordered_map<int, Pass> passes;  ///< where it last crossed each element edge, by 3 elem + edge
+
+  double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
+  /// Whether it has reached neither boundary nor node: it was too long, or it is a limit cycle.
+  bool is_endless() const { return end == End::length; }
+  /// Position at arc length s in [0, length()].
+  Vec2 at(const field::FieldEvaluator& evaluator, double s) const;
+  /// Position and unit direction.
+  Vec2 at(const field::FieldEvaluator& evaluator, double s, Vec2& direction) const;
+  /// Arc lengths at which steps begin, and the end.
+  std::vector<double> step_ends() const;
+
+ private:
+  Vec2 lead_in(double s, Vec2& direction) const;
+};
+
+}  // namespace quadrille::trace
