@@ -3,7 +3,7 @@
 //
 //   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the share of the length of either,
 //
-// as where separatrices are merged (trace/merge.hpp): the weights are flat at both ends, so M leaves along A and
+// as where separatrices are merged (trace/merged_curve.hpp): the weights are flat at both ends, so M leaves along A and
 // arrives along B.
 
 #include <optional>
