@@ -1,0 +1,30 @@
+#pragma once
+// A mesh that is relaxed: which of its vertices move, how the other nodes follow them, and what is to become small.
+
+#include <vector>
+
+#include "refine/boundary_slide.hpp"
+#include "refine/node_follow.hpp"
+#include "refine/shape_energy.hpp"
+
+namespace quadrille::refine {
+
+/// Everything that does not change during the relaxation.
+struct RelaxProblem {
+  /// `frozen_elems` by element: keeps all nodes; empty: none does.
+  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems);
+  RelaxProblem(const RelaxProblem&) = delete;
+  RelaxProblem& operator=(const RelaxProblem&) = delete;
+
+  const QuadMesh start;  ///< the mesh before; the others refer to it
+  const BoundarySlide boundary;
+  const NodeFollow follow;
+  const ShapeEnergy energy;
+  std::vector<bool> is_fixed;  ///< by vertex
+
+  int num_vertices() const { return follow.num_vertices(); }
+  /// Sum over all elements, for these nodes; infinite where det J is not positive.
+  double total_energy(const std::vector<Vec2>& nodes) const;
+};
+
+}  // namespace quadrille::refine
