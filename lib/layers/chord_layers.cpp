@@ -54,22 +54,22 @@ struct Reach {
 class ChordPlanner {
  public:
   explicit ChordPlanner(const ChordLayersInput& input) : in_(input), growth_(chord_growth(in_.chord, in_.wishes)) {
-    place_.assign(in_.layout.arcs.size(), -1);
+    place_.assign(in_.measured.num_arcs(), -1);
     for (int i = 0; i < num_arcs(); ++i) place_[in_.chord.arcs[i]] = i;
     for (const int end : {0, 1}) reach_[end] = reaches(end);
   }
 
-  std::vector<std::vector<double>> ends() const {
+  std::vector<sizing::ArcDivision> divisions() const {
     const int count = least_count();
-    std::vector<std::vector<double>> result;
-    for (int i = 0; i < num_arcs(); ++i) result.push_back(ends_of(i, count));
-    draw_together(result);
+    std::vector<sizing::ArcDivision> result;
+    for (int i = 0; i < num_arcs(); ++i) result.push_back({ends_of(i, count)});
+    align_divisions(result);
     return result;
   }
 
  private:
   int num_arcs() const { return static_cast<int>(in_.chord.arcs.size()); }
-  double length(int i) const { return in_.chains[in_.chord.arcs[i]].length(); }
+  double length(int i) const { return in_.measured.length(in_.chord.arcs[i]); }
   double size(int i) const { return in_.arc_sizes[in_.chord.arcs[i]]; }
   const std::array<ArcEndWish, 2>& wishes(int i) const { return in_.wishes[in_.chord.arcs[i]]; }
   /// The arc's own end at the chord's beginning (0) or end (1).
@@ -107,7 +107,7 @@ class ChordPlanner {
       if (any_layers ? wish(i, chord_end).layers() > 0 : !wish(i, chord_end).is_empty()) reach[i] = {0, i};
     for (bool changed = true; changed;) {
       changed = false;
-      for (const std::array<HalfEdge, 4>& sides : in_.layout.block2arcs)
+      for (const std::array<HalfEdge, 4>& sides : in_.measured.blocks().block2arcs)
         for (int k = 0; k < 2; ++k) {
           const int a = place_[sides[k].arc], b = place_[sides[k + 2].arc];
           if (a < 0 || b < 0 || a == b) continue;
@@ -132,23 +132,23 @@ class ChordPlanner {
 
   /// Mean length of the sides that lead from one arc to the other.
   double way_across(const std::array<HalfEdge, 4>& sides, int k) const {
-    return (in_.chains[sides[k + 1].arc].length() + in_.chains[sides[(k + 3) % 4].arc].length()) / 2;
+    return (in_.measured.length(sides[k + 1].arc) + in_.measured.length(sides[(k + 3) % 4].arc)) / 2;
   }
 
-  void draw_together(std::vector<std::vector<double>>& ends) const {
-    const int count = static_cast<int>(ends.front().size());
+  void align_divisions(std::vector<sizing::ArcDivision>& divisions) const {
+    const int count = static_cast<int>(divisions.front().ends.size());
     Eigen::MatrixXd wanted(num_arcs(), count);
     for (int i = 0; i < num_arcs(); ++i) {
-      const auto [low, high] = free_part(i, ends[i]);
+      const auto [low, high] = free_part(i, divisions[i].ends);
       for (int k = 0; k < count; ++k)
-        wanted(i, k) = (chord_parameter(i, ends[i][own_step(i, k, count)]) - low) / (high - low);
+        wanted(i, k) = (chord_parameter(i, divisions[i].ends[own_step(i, k, count)]) - low) / (high - low);
     }
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(pulls());
     const Eigen::MatrixXd drawn = solver.solve(wanted);
     for (int i = 0; i < num_arcs(); ++i) {
-      const auto [low, high] = free_part(i, ends[i]);
+      const auto [low, high] = free_part(i, divisions[i].ends);
       for (int k = wish(i, 0).layers() + 1; k + 1 < count - wish(i, 1).layers(); ++k)
-        ends[i][own_step(i, k, count)] = arc_fraction(i, low + drawn(i, k) * (high - low));
+        divisions[i].ends[own_step(i, k, count)] = arc_fraction(i, low + drawn(i, k) * (high - low));
     }
   }
 
@@ -164,7 +164,7 @@ class ChordPlanner {
   Eigen::SparseMatrix<double> pulls() const {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < num_arcs(); ++i) entries.emplace_back(i, i, 1.0);
-    for (const std::array<HalfEdge, 4>& sides : in_.layout.block2arcs)
+    for (const std::array<HalfEdge, 4>& sides : in_.measured.blocks().block2arcs)
       for (int k = 0; k < 2; ++k) {
         const int a = place_[sides[k].arc], b = place_[sides[k + 2].arc];
         if (a < 0 || b < 0 || a == b) continue;
@@ -183,15 +183,10 @@ class ChordPlanner {
     return matrix;
   }
 
-  bool is_aligned(int i) const { return !in_.parameters[in_.chord.arcs[i]].is_identity(); }
+  bool is_aligned(int i) const { return !in_.measured.parameter(in_.chord.arcs[i]).is_identity(); }
   int own_step(int i, int k, int count) const { return in_.chord.backwards[i] ? count - 1 - k : k; }
-  double chord_parameter(int i, double fraction) const {
-    const double own = in_.parameters[in_.chord.arcs[i]].parameter(fraction);
-    return in_.chord.backwards[i] ? 1 - own : own;
-  }
-  double arc_fraction(int i, double u) const {
-    return in_.parameters[in_.chord.arcs[i]].fraction(in_.chord.backwards[i] ? 1 - u : u);
-  }
+  double chord_parameter(int i, double fraction) const { return in_.measured.chord_parameter(in_.chord, i, fraction); }
+  double arc_fraction(int i, double u) const { return in_.measured.arc_fraction(in_.chord, i, u); }
 
   /// What would stand before the first interval of an arc that begins like this one.
   double start_size(int i, int chord_end) const {
@@ -246,6 +241,8 @@ double chord_growth(const mesh::Chord& chord, const ArcWishes& wishes) {
   return least;
 }
 
-std::vector<std::vector<double>> layered_ends(const ChordLayersInput& input) { return ChordPlanner(input).ends(); }
+std::vector<sizing::ArcDivision> layered_divisions(const ChordLayersInput& input) {
+  return ChordPlanner(input).divisions();
+}
 
 }  // namespace quadrille::layers

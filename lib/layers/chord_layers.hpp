@@ -20,11 +20,9 @@
 #include <array>
 #include <vector>
 
-#include "curve/chain.hpp"
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
-#include "sizing/arc_parameter.hpp"
+#include "sizing/arc_division.hpp"
 #include "sizing/graded_intervals.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::layers {
 
@@ -53,18 +51,16 @@ struct InnerLine {
 InnerLine rest_of_arc(const std::array<ArcEndWish, 2>& wishes, double length, double size);
 
 struct ChordLayersInput {
-  const BlockLayout& layout;
+  const sizing::MeasuredLayout& measured;
   const mesh::Chord& chord;
-  const std::vector<curve::Chain>& chains;
-  const std::vector<sizing::ArcParameter>& parameters;
   const ArcWishes& wishes;               ///< of all arcs
   const std::vector<double>& arc_sizes;  ///< wanted interval on each arc
   std::vector<InnerLine> lines;          ///< more lines that the count must suit
   int least_count = 1;
 };
 
-/// For each arc of the chord the ends of its intervals as fractions of its length in its own direction.
-std::vector<std::vector<double>> layered_ends(const ChordLayersInput& input);
+/// The division of each arc of the chord.
+std::vector<sizing::ArcDivision> layered_divisions(const ChordLayersInput& input);
 
 /// The least growth that a wish of the chord names; 0 without any.
 double chord_growth(const mesh::Chord& chord, const ArcWishes& wishes);

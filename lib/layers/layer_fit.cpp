@@ -23,8 +23,9 @@ constexpr double least_growth = 1.1;
 constexpr int max_intervals = 10000;
 
 std::array<const curve::Chain*, 4> side_chains(const std::array<HalfEdge, 4>& sides,
-                                               const std::vector<curve::Chain>& chains) {
-  return {&chains[sides[0].arc], &chains[sides[1].arc], &chains[sides[2].arc], &chains[sides[3].arc]};
+                                               const sizing::MeasuredLayout& measured) {
+  return {&measured.chain(sides[0].arc), &measured.chain(sides[1].arc), &measured.chain(sides[2].arc),
+          &measured.chain(sides[3].arc)};
 }
 
 /// A point of the block in the frame of its side k: x along that side, y away from it.
@@ -43,9 +44,8 @@ Vec2 in_frame(const mesh::TransfiniteMap& map, int k, double x, double y) {
 
 class Prober {
  public:
-  Prober(const BlockLayout& layout, const std::vector<curve::Chain>& chains, const std::vector<int>& arc_chord,
-         const WallSides& walls, const std::vector<double>& arc_sizes)
-      : layout_(layout), chains_(chains), arc_chord_(arc_chord), walls_(walls), arc_sizes_(arc_sizes) {}
+  Prober(const sizing::MeasuredLayout& measured, const WallSides& walls, const std::vector<double>& arc_sizes)
+      : measured_(measured), walls_(walls), arc_sizes_(arc_sizes) {}
 
   std::vector<ColumnProbe> probe() {
     for (const WallSide& wall : walls_.sides) {
@@ -58,12 +58,12 @@ class Prober {
 
  private:
   void add(const WallSide& wall, int far, double x) {
-    const std::array<HalfEdge, 4>& sides = layout_.block2arcs[wall.block];
-    const mesh::TransfiniteMap map(side_chains(sides, chains_), {sides[0].is_backwards, sides[1].is_backwards,
-                                                                 sides[2].is_backwards, sides[3].is_backwards});
+    const std::array<HalfEdge, 4>& sides = measured_.blocks().block2arcs[wall.block];
+    const mesh::TransfiniteMap map(side_chains(sides, measured_), {sides[0].is_backwards, sides[1].is_backwards,
+                                                                   sides[2].is_backwards, sides[3].is_backwards});
     const int begin = sides[(wall.side + 3) % 4].arc, end = sides[(wall.side + 1) % 4].arc;
     ColumnProbe probe;
-    probe.chord = arc_chord_[begin];
+    probe.chord = measured_.chord_of(begin);
     probe.front = wall.spec;
     probe.back = far < 0 ? -1 : walls_.sides[far].spec;
     probe.size = (1 - x) * arc_sizes_[begin] + x * arc_sizes_[end];
@@ -82,8 +82,8 @@ class Prober {
 
   /// Heights of the points of a line that leaves the wall at the share x of its side.
   std::vector<double> heights(const WallSide& wall, const std::vector<Vec2>& line, double x) const {
-    const HalfEdge directed = layout_.block2arcs[wall.block][wall.side];
-    const curve::ChainPoint start = chains_[directed.arc].at(directed.is_backwards ? 1 - x : x);
+    const HalfEdge directed = measured_.blocks().block2arcs[wall.block][wall.side];
+    const curve::ChainPoint start = measured_.chain(directed.arc).at(directed.is_backwards ? 1 - x : x);
     const int count = wall.end.piece - wall.begin.piece;
     WallFoot foot{wall.begin.piece + (directed.is_backwards ? count - start.piece : start.piece), start.t};
     std::vector<double> result;
@@ -91,9 +91,7 @@ class Prober {
     return result;
   }
 
-  const BlockLayout& layout_;
-  const std::vector<curve::Chain>& chains_;
-  const std::vector<int>& arc_chord_;
+  const sizing::MeasuredLayout& measured_;
   const WallSides& walls_;
   const std::vector<double>& arc_sizes_;
   std::vector<ColumnProbe> probes_;
@@ -221,10 +219,9 @@ class Fitter {
 
 }  // namespace
 
-std::vector<ColumnProbe> probe_columns(const BlockLayout& layout, const std::vector<curve::Chain>& chains,
-                                       const std::vector<int>& arc_chord, const WallSides& walls,
+std::vector<ColumnProbe> probe_columns(const sizing::MeasuredLayout& measured, const WallSides& walls,
                                        const std::vector<double>& arc_sizes) {
-  return Prober(layout, chains, arc_chord, walls, arc_sizes).probe();
+  return Prober(measured, walls, arc_sizes).probe();
 }
 
 InnerLine rest_of_probe(const ColumnProbe& probe, const std::vector<std::vector<double>>& spec_heights) {

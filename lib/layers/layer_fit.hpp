@@ -8,11 +8,9 @@
 
 #include <vector>
 
-#include "curve/chain.hpp"
 #include "layers/chord_layers.hpp"
 #include "layers/wall_sides.hpp"
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::layers {
 
@@ -25,8 +23,7 @@ struct ColumnProbe {
   Vec2 far_end;
 };
 
-std::vector<ColumnProbe> probe_columns(const BlockLayout& layout, const std::vector<curve::Chain>& chains,
-                                       const std::vector<int>& arc_chord, const WallSides& walls,
+std::vector<ColumnProbe> probe_columns(const sizing::MeasuredLayout& measured, const WallSides& walls,
                                        const std::vector<double>& arc_sizes);
 
 /// The number of layers of each spec. Throws ComputeError with the largest numbers that fit and the place where those

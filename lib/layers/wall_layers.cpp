@@ -14,6 +14,7 @@
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
 #include "sizing/interval_error.hpp"
+#include "sizing/name_joints.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {
@@ -28,21 +29,17 @@ constexpr double shrink = 0.8;
 constexpr double equal_tol = 1e-6;
 constexpr double same_fraction = 1e-9;
 
-using ArcEnds = std::vector<std::vector<double>>;
-
 class WallPlanner {
  public:
-  WallPlanner(const WallInput& input, ArcEnds& arc_ends)
-      : in_(input), arc_ends_(arc_ends), arc_chord_(input.layout.arcs.size(), -1), wishes_(arc_chord_.size()) {
-    for (std::size_t c = 0; c < in_.chords.size(); ++c)
-      for (const int arc : in_.chords[c].arcs) arc_chord_[arc] = static_cast<int>(c);
-    for (const curve::Chain& chain : in_.chains) arc_sizes_.push_back(mean_size(chain));
+  WallPlanner(const WallInput& input, sizing::ArcDivisions& divisions)
+      : in_(input), divisions_(divisions), wishes_(input.measured.num_arcs()) {
+    for (int arc = 0; arc < in_.measured.num_arcs(); ++arc) arc_sizes_.push_back(mean_size(in_.measured.chain(arc)));
   }
 
   WallPlan plan() {
-    plan_.walls = find_wall_sides(in_.layout, in_.table, curve_walls(in_.specs, in_.layout.face), in_.specs);
-    probes_ = probe_columns(in_.layout, in_.chains, arc_chord_, plan_.walls, arc_sizes_);
-    for (const int count : fitting_layers(in_.specs, probes_, in_.layout.face.origin))
+    plan_.walls = find_wall_sides(layout(), in_.measured.curves(), curve_walls(in_.specs, layout().face), in_.specs);
+    probes_ = probe_columns(in_.measured, plan_.walls, arc_sizes_);
+    for (const int count : fitting_layers(in_.specs, probes_, layout().face.origin))
       plan_.heights.push_back(layer_heights(in_.specs[plan_.heights.size()], count));
     wish_for_layers();
     grade();
@@ -52,6 +49,9 @@ class WallPlanner {
   }
 
  private:
+  const BlockLayout& layout() const { return in_.measured.blocks(); }
+  int chord_of(int arc) const { return in_.measured.chord_of(arc); }
+
   /// The harmonic mean of the wanted sizes along an arc: that which fits most of them in.
   double mean_size(const curve::Chain& chain) const {
     if (in_.sizes.is_uniform()) return in_.sizes.greatest();
@@ -60,23 +60,23 @@ class WallPlanner {
     return size_samples / sum;
   }
 
-  double length(int arc) const { return in_.chains[arc].length(); }
+  double length(int arc) const { return in_.measured.length(arc); }
 
   ColumnCurve from_end(int arc, int end) const {
-    const curve::Chain& chain = in_.chains[arc];
+    const curve::Chain& chain = in_.measured.chain(arc);
     return [&chain, end](double u) { return chain.at(end == 0 ? u : 1 - u).position; };
   }
 
   /// Shares of the arc's length from its end at which its nodes in the layers lie.
   std::vector<double> layer_nodes(int arc, int end) const {
     const WallSide& wall = plan_.walls.sides[plan_.walls.at_arc_end[arc][end]];
-    const HalfEdge before = in_.layout.block2arcs[wall.block][(wall.side + 3) % 4];
+    const HalfEdge before = layout().block2arcs[wall.block][(wall.side + 3) % 4];
     const bool at_begin = before.arc == arc && 1 - beginning_of(before) == end;
     const std::vector<double> heights = node_heights(plan_.heights[wall.spec], in_.order);
     std::vector<double> nodes =
         parameters_at_heights(from_end(arc, end), wall.line, at_begin ? wall.begin : wall.end, heights);
     if (nodes.size() < heights.size()) {
-      const Vec2 place = from_end(arc, end)(0) + in_.layout.face.origin;
+      const Vec2 place = from_end(arc, end)(0) + layout().face.origin;
       throw ComputeError(
           fmt::format("the line between blocks that leaves the wall at ({:.6g}, {:.6g}) turns back "
                       "before the layers end",
@@ -97,14 +97,14 @@ class WallPlanner {
         const double below = wish.cuts.size() > 1 ? wish.cuts[wish.cuts.size() - 2] : 0;
         wish.before = (wish.cuts.back() - below) * length(static_cast<int>(arc));
         wish.growth = growth_beyond(in_.specs[plan_.walls.sides[wall].spec]);
-        dirty_.insert(arc_chord_[arc]);
+        dirty_.insert(chord_of(static_cast<int>(arc)));
       }
   }
 
   /// Divides the chords that have wishes, and those that have to go on from them.
   void grade() {
     size_scale_.assign(wishes_.size(), 1);
-    const std::vector<ArcNeighbours> neighbours = arc_neighbours(in_.layout);
+    const std::vector<ArcNeighbours> neighbours = arc_neighbours(layout());
     std::set<int> graded;
     for (int sweep = 0; sweep < max_sweeps && !dirty_.empty(); ++sweep) {
       for (const int chord : dirty_) divide(chord);
@@ -116,25 +116,25 @@ class WallPlanner {
       }
     }
     plan_.chords.assign(graded.begin(), graded.end());
-    for (const int chord : arc_chord_) plan_.is_graded.push_back(graded.count(chord) > 0);
+    for (int arc = 0; arc < in_.measured.num_arcs(); ++arc) plan_.is_graded.push_back(graded.count(chord_of(arc)) > 0);
   }
 
   double interval_at(ArcEnd e) const {
-    const std::vector<double>& ends = arc_ends_[e.arc];
+    const std::vector<double>& ends = divisions_[e.arc].ends;
     return (e.end == 0 ? ends[1] : 1 - ends[ends.size() - 2]) * length(e.arc);
   }
 
   /// Asks for intervals at `to` that go on from those at `from`, where these are far finer.
   void pass_on(ArcEnd from, ArcEnd to, const std::set<int>& graded) {
-    const int chord = arc_chord_[from.arc];
+    const int chord = chord_of(from.arc);
     if (!graded.count(chord)) return;
-    const double growth = chord_growth(in_.chords[chord], wishes_), size = interval_at(from);
+    const double growth = chord_growth(in_.measured.chords()[chord], wishes_), size = interval_at(from);
     ArcEndWish& wish = wishes_[to.arc][to.end];
     if (interval_at(to) <= std::max(growth, greatest_jump) * size || !wish.cuts.empty()) return;
     if (!wish.is_empty() && wish.before <= size * (1 + equal_tol)) return;
     wish.before = size;
     wish.growth = wish.growth > 0 ? std::min(wish.growth, growth) : growth;
-    dirty_.insert(arc_chord_[to.arc]);
+    dirty_.insert(chord_of(to.arc));
   }
 
   /// New intervals for all arcs of a chord, such that the boundary stays within the tolerance.
@@ -142,14 +142,13 @@ class WallPlanner {
     for (int round = 0; round < max_tolerance_rounds; ++round) {
       std::vector<double> sizes = arc_sizes_;
       for (std::size_t arc = 0; arc < sizes.size(); ++arc) sizes[arc] *= size_scale_[arc];
-      const ChordLayersInput input{in_.layout, in_.chords[chord], in_.chains, in_.parameters, wishes_,
-                                   sizes,      lines_of(chord),   3};
-      ArcEnds ends = layered_ends(input);
+      const ChordLayersInput input{in_.measured, in_.measured.chords()[chord], wishes_, sizes, lines_of(chord), 3};
+      std::vector<sizing::ArcDivision> divided = layered_divisions(input);
       bool meets = true;
-      for (std::size_t i = 0; i < ends.size(); ++i) {
-        const int arc = in_.chords[chord].arcs[i];
-        arc_ends_[arc] = std::move(ends[i]);
-        if (!in_.layout.arcs[arc].is_boundary || meets_tolerance(arc)) continue;
+      for (std::size_t i = 0; i < divided.size(); ++i) {
+        const int arc = in_.measured.chords()[chord].arcs[i];
+        divisions_[arc] = std::move(divided[i]);
+        if (!layout().arcs[arc].is_boundary || meets_tolerance(arc)) continue;
         move_onto_breaks(arc);
         if (meets_tolerance(arc)) continue;
         size_scale_[arc] *= shrink;
@@ -160,35 +159,29 @@ class WallPlanner {
   }
 
   double error(int arc, std::size_t interval) const {
-    const std::vector<double>& ends = arc_ends_[arc];
+    const std::vector<double>& ends = divisions_[arc].ends;
     if (parts_names(arc, ends[interval], ends[interval + 1])) return std::numeric_limits<double>::infinity();
-    return sizing::interval_error(in_.table, in_.chains[arc], ends[interval], ends[interval + 1], in_.order);
+    return sizing::interval_error(in_.measured.curves(), in_.measured.chain(arc), ends[interval], ends[interval + 1],
+                                  in_.order);
   }
 
   /// Whether a curve of a given name ends inside the interval, as in refine/divide_arcs: no edge may belong to both.
   bool parts_names(int arc, double low, double high) const {
-    const curve::Chain& chain = in_.chains[arc];
-    const std::vector<double> joints = chain.joint_fractions();
-    const std::vector<std::string>& names = in_.layout.face.curve_names;
-    const auto is_given = [&](int curve) { return names[curve] != fmt::format("curve_{}", curve); };
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const int before = chain.pieces()[i].curve, after = chain.pieces()[i + 1].curve;
-      const bool is_inside = joints[i] > low + same_fraction && joints[i] < high - same_fraction;
-      if (is_inside && names[before] != names[after] && (is_given(before) || is_given(after))) return true;
-    }
-    return false;
+    const std::vector<double> joints = sizing::name_joints(in_.measured.chain(arc), layout().face);
+    return std::any_of(joints.begin(), joints.end(),
+                       [&](double joint) { return joint > low + same_fraction && joint < high - same_fraction; });
   }
 
   bool meets_tolerance(int arc) const {
-    for (std::size_t k = 0; k + 1 < arc_ends_[arc].size(); ++k)
+    for (std::size_t k = 0; k + 1 < divisions_[arc].ends.size(); ++k)
       if (error(arc, k) > in_.tolerance) return false;
     return true;
   }
 
   /// Moves the nearest end of each interval that misses the tolerance onto the break inside it.
   void move_onto_breaks(int arc) {
-    std::vector<double>& ends = arc_ends_[arc];
-    for (const double f : in_.chains[arc].break_fractions()) {
+    std::vector<double>& ends = divisions_[arc].ends;
+    for (const double f : in_.measured.chain(arc).break_fractions()) {
       const std::size_t k = std::upper_bound(ends.begin(), ends.end(), f) - ends.begin() - 1;
       if (k + 1 >= ends.size() || error(arc, k) <= in_.tolerance) continue;
       const bool take_low = k > 0 && (f - ends[k] < ends[k + 1] - f || k + 2 == ends.size());
@@ -209,7 +202,7 @@ class WallPlanner {
     plan_.arc_nodes.resize(wishes_.size());
     for (std::size_t arc = 0; arc < wishes_.size(); ++arc) {
       if (node_shares_[arc][0].empty() && node_shares_[arc][1].empty()) continue;
-      std::vector<double> nodes = interval_nodes(arc_ends_[arc]);
+      std::vector<double> nodes = interval_nodes(divisions_[arc].ends);
       if (!keeps_cuts(static_cast<int>(arc))) continue;
       const std::vector<double>&low = node_shares_[arc][0], &high = node_shares_[arc][1];
       for (std::size_t k = 0; k < low.size(); ++k) nodes[k + 1] = low[k];
@@ -220,7 +213,7 @@ class WallPlanner {
 
   /// False where a cut had to move onto a break.
   bool keeps_cuts(int arc) const {
-    const std::vector<double>& ends = arc_ends_[arc];
+    const std::vector<double>& ends = divisions_[arc].ends;
     const std::vector<double>&low = wishes_[arc][0].cuts, &high = wishes_[arc][1].cuts;
     for (std::size_t k = 0; k < low.size(); ++k)
       if (ends[k + 1] != low[k]) return false;
@@ -239,10 +232,10 @@ class WallPlanner {
   }
 
   void find_shared() {
-    std::vector<std::set<int>> specs(in_.chords.size());
+    std::vector<std::set<int>> specs(in_.measured.chords().size());
     for (std::size_t arc = 0; arc < wishes_.size(); ++arc)
       for (const int wall : plan_.walls.at_arc_end[arc])
-        if (wall >= 0) specs[arc_chord_[arc]].insert(plan_.walls.sides[wall].spec);
+        if (wall >= 0) specs[chord_of(static_cast<int>(arc))].insert(plan_.walls.sides[wall].spec);
     std::set<std::array<int, 2>> pairs;
     for (const std::set<int>& s : specs)
       for (auto a = s.begin(); a != s.end(); ++a)
@@ -251,8 +244,7 @@ class WallPlanner {
   }
 
   const WallInput& in_;
-  ArcEnds& arc_ends_;
-  std::vector<int> arc_chord_;
+  sizing::ArcDivisions& divisions_;
   std::vector<double> arc_sizes_;  ///< wanted interval on each arc
   WallPlan plan_;
   std::vector<ColumnProbe> probes_;
@@ -269,15 +261,17 @@ bool WallPlan::has_wall(int block) const {
   return std::any_of(sides.begin(), sides.end(), [](int wall) { return wall >= 0; });
 }
 
-WallPlan plan_walls(const WallInput& input, ArcEnds& arc_ends) { return WallPlanner(input, arc_ends).plan(); }
+WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
+  return WallPlanner(input, divisions).plan();
+}
 
-LayeredBlock layered_block(const WallPlan& plan, const BlockLayout& layout, const std::vector<curve::Chain>& chains,
-                           int block, std::array<std::vector<double>, 4> fractions) {
+LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
+                           std::array<std::vector<double>, 4> fractions) {
   LayeredBlock result;
   for (int side = 0; side < 4; ++side) {
-    const HalfEdge directed = layout.block2arcs[block][side];
+    const HalfEdge directed = measured.blocks().block2arcs[block][side];
     const int number = plan.walls.of_block[block][side];
-    const curve::Chain& chain = chains[directed.arc];
+    const curve::Chain& chain = measured.chain(directed.arc);
     result.lengths[side] = chain.length();
     result.tables[side] = SideTable(chain, directed.is_backwards != (side >= 2));
     if (number < 0) continue;

@@ -10,13 +10,11 @@
 #include <vector>
 
 #include "base/report.hpp"
-#include "curve/chain.hpp"
 #include "layers/layer_columns.hpp"
 #include "layers/wall_sides.hpp"
 #include "layers/wall_spec.hpp"
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
-#include "sizing/arc_parameter.hpp"
+#include "sizing/arc_division.hpp"
+#include "sizing/measured_layout.hpp"
 #include "sizing/size_field.hpp"
 
 namespace quadrille::layers {
@@ -34,25 +32,21 @@ struct WallPlan {
 };
 
 struct WallInput {
-  const BlockLayout& layout;
-  const std::vector<mesh::Chord>& chords;
-  const curve::CurveTable& table;
-  const std::vector<curve::Chain>& chains;
-  const std::vector<sizing::ArcParameter>& parameters;  ///< one per arc (refine/align_chords)
+  const sizing::MeasuredLayout& measured;
   const std::vector<WallSpec>& specs;
   const sizing::SizeField& sizes;
   int order = 4;
   double tolerance = 0;  ///< as in DivideOptions
 };
 
-/// Replaces the intervals of the chords concerned in `arc_ends` (refine/divide_arcs). Throws UsageError for unknown
+/// Replaces the intervals of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
 /// names, ComputeError where layers do not fit, with the largest numbers that do and the place.
-WallPlan plan_walls(const WallInput& input, std::vector<std::vector<double>>& arc_ends);
+WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 
 /// What layered_positions needs to know of a block; `fractions` of the nodes on its sides by rising s
 /// or t.
-LayeredBlock layered_block(const WallPlan& plan, const BlockLayout& layout, const std::vector<curve::Chain>& chains,
-                           int block, std::array<std::vector<double>, 4> fractions);
+LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
+                           std::array<std::vector<double>, 4> fractions);
 
 /// Keys walls.<number>.names, .layers, .first, .thickness; warnings where walls share.
 void tell_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);

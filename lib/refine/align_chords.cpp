@@ -76,8 +76,8 @@ double misalignment(const std::vector<Rung>& rungs, std::size_t k) {
 
 class Aligner {
  public:
-  Aligner(const mesh::Chord& chord, const std::vector<curve::Chain>& chains, const AlignOptions& options)
-      : chord_(chord), chains_(chains), options_(options) {}
+  Aligner(const sizing::MeasuredLayout& measured, const mesh::Chord& chord, const AlignOptions& options)
+      : measured_(measured), chord_(chord), options_(options) {}
 
   /// Whether equal fractions skew the chord's lines.
   bool is_misaligned() {
@@ -92,9 +92,9 @@ class Aligner {
     Fractions g = equal_fractions(chord_.arcs.size(), fine_samples);
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
       const Eigen::VectorXd step = newton_step(g);
-      const double share = admissible_share(g, step);
-      move(g, step, share);
-      if (share * step.lpNorm<Eigen::Infinity>() < 1e-4) break;
+      const double fraction = admissible_fraction(g, step);
+      move(g, step, fraction);
+      if (fraction * step.lpNorm<Eigen::Infinity>() < 1e-4) break;
     }
     return worst(g) < worst(equal_fractions(chord_.arcs.size(), fine_samples)) ? g : Fractions();
   }
@@ -103,7 +103,7 @@ class Aligner {
   void tabulate(int samples) {
     tables_.clear();
     for (std::size_t i = 0; i < chord_.arcs.size(); ++i)
-      tables_.emplace_back(chains_[chord_.arcs[i]], chord_.backwards[i], samples);
+      tables_.emplace_back(measured_.chain(chord_.arcs[i]), chord_.backwards[i], samples);
   }
 
   double worst(const Fractions& g) const {
@@ -169,25 +169,25 @@ class Aligner {
     return u < 0 ? 0 : step[u];
   }
 
-  /// The greatest share of the step, at most 1, that leaves every slope at its least or more.
-  double admissible_share(const Fractions& g, const Eigen::VectorXd& step) const {
+  /// The greatest fraction of the step, at most 1, that leaves every slope at its least or more.
+  double admissible_fraction(const Fractions& g, const Eigen::VectorXd& step) const {
     const double least = options_.least_slope / fine_samples;
-    double share = 1;
+    double fraction = 1;
     for (int i = 0; i < static_cast<int>(g.size()); ++i)
       for (int k = 1; k <= fine_samples; ++k) {
         const double rise = g[i][k] - g[i][k - 1], change = step_at(step, i, k) - step_at(step, i, k - 1);
-        if (rise + change < least) share = std::min(share, std::max(0.0, (rise - least) / -change));
+        if (rise + change < least) fraction = std::min(fraction, std::max(0.0, (rise - least) / -change));
       }
-    return share;
+    return fraction;
   }
 
-  void move(Fractions& g, const Eigen::VectorXd& step, double share) const {
+  void move(Fractions& g, const Eigen::VectorXd& step, double fraction) const {
     for (int i = 0; i < static_cast<int>(g.size()); ++i)
-      for (int k = 1; k < fine_samples; ++k) g[i][k] += share * step_at(step, i, k);
+      for (int k = 1; k < fine_samples; ++k) g[i][k] += fraction * step_at(step, i, k);
   }
 
+  const sizing::MeasuredLayout& measured_;
   const mesh::Chord& chord_;
-  const std::vector<curve::Chain>& chains_;
   const AlignOptions& options_;
   std::vector<ArcTable> tables_;
   std::vector<Eigen::Triplet<double>> entries_;
@@ -196,11 +196,10 @@ class Aligner {
 
 }  // namespace
 
-std::vector<sizing::ArcParameter> align_chords(const std::vector<mesh::Chord>& chords,
-                                               const std::vector<curve::Chain>& chains, const AlignOptions& options) {
-  std::vector<sizing::ArcParameter> parameters(chains.size());
-  for (const mesh::Chord& chord : chords) {
-    Aligner aligner(chord, chains, options);
+std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& measured, const AlignOptions& options) {
+  std::vector<sizing::ArcParameter> parameters(measured.num_arcs());
+  for (const mesh::Chord& chord : measured.chords()) {
+    Aligner aligner(measured, chord, options);
     if (!aligner.is_misaligned()) continue;
     const Fractions g = aligner.align();
     for (std::size_t i = 0; i < g.size(); ++i) {

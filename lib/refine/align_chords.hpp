@@ -13,9 +13,7 @@
 
 #include <vector>
 
-#include "curve/chain.hpp"
-#include "mesh/chords.hpp"
-#include "sizing/arc_parameter.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 
@@ -25,10 +23,8 @@ struct AlignOptions {
   double least_slope = 0.25;  ///< g' >= least_slope everywhere
 };
 
-/// One parameter for each arc; `chains` one per arc. Linear in the number of arcs but for a sparse factorisation in
-/// each misaligned chord.
-std::vector<sizing::ArcParameter> align_chords(const std::vector<mesh::Chord>& chords,
-                                               const std::vector<curve::Chain>& chains,
+/// One parameter for each arc. Linear in the number of arcs but for a sparse factorisation in each misaligned chord.
+std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& measured,
                                                const AlignOptions& options = {});
 
 }  // namespace quadrille::refine

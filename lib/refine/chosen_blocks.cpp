@@ -28,20 +28,11 @@ std::set<int> blocks_called(const std::string& word, const std::vector<std::stri
   throw UsageError(fmt::format("--blocks: there is no block '{}'; they are numbered 0 to {}", word, names.size() - 1));
 }
 
-std::vector<int> chord_of_arcs(const BlockLayout& layout, const std::vector<mesh::Chord>& chords) {
-  std::vector<int> chord(layout.arcs.size(), -1);
-  for (std::size_t c = 0; c < chords.size(); ++c)
-    for (const int arc : chords[c].arcs) chord[arc] = static_cast<int>(c);
-  return chord;
-}
-
-/// Whether each chord passes one of the blocks.
-std::vector<bool> passes(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
-                         const std::set<int>& blocks) {
-  const std::vector<int> chord = chord_of_arcs(layout, chords);
-  std::vector<bool> does_pass(chords.size(), false);
+/// By chord: whether it passes one of the blocks.
+std::vector<bool> passes(const sizing::MeasuredLayout& measured, const std::set<int>& blocks) {
+  std::vector<bool> does_pass(measured.chords().size(), false);
   for (const int block : blocks)
-    for (const HalfEdge side : layout.block2arcs[block]) does_pass[chord[side.arc]] = true;
+    for (const HalfEdge side : measured.blocks().block2arcs[block]) does_pass[measured.chord_of(side.arc)] = true;
   return does_pass;
 }
 
@@ -57,24 +48,23 @@ std::vector<int> parse_blocks(const std::string& list, const std::vector<std::st
   return {blocks.begin(), blocks.end()};
 }
 
-std::vector<sizing::ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
-                                              const std::vector<int>& chosen,
+std::vector<sizing::ChordCount> coarse_counts(const sizing::MeasuredLayout& measured, const std::vector<int>& chosen,
                                               const std::vector<sizing::ChordCount>& prescribed) {
-  std::vector<bool> is_free = passes(layout, chords, {chosen.begin(), chosen.end()});
+  std::vector<bool> is_free = passes(measured, {chosen.begin(), chosen.end()});
   for (const sizing::ChordCount& p : prescribed)
-    if (p.chord >= 0 && p.chord < static_cast<int>(chords.size())) is_free[p.chord] = true;
+    if (p.chord >= 0 && p.chord < static_cast<int>(is_free.size())) is_free[p.chord] = true;
   std::vector<sizing::ChordCount> coarse;
-  for (std::size_t c = 0; c < chords.size(); ++c)
+  for (std::size_t c = 0; c < is_free.size(); ++c)
     if (!is_free[c]) coarse.push_back({static_cast<int>(c), 1});
   return coarse;
 }
 
-bool raise_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords, const QuadMesh& mesh,
+bool raise_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
                   std::vector<sizing::ChordCount>& coarse) {
   std::set<int> blocks;
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     if (!(mesh.elem_jacobian_bound[elem] > 0)) blocks.insert(mesh.elem_block[elem]);
-  const std::vector<bool> is_concerned = passes(layout, chords, blocks);
+  const std::vector<bool> is_concerned = passes(measured, blocks);
   bool is_any = false;
   for (sizing::ChordCount& c : coarse)
     if (is_concerned[c.chord] && c.count < max_coarse_count) c.count *= 2, is_any = true;

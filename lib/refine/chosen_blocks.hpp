@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
 #include "sizing/grade_chords.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 
@@ -18,13 +17,12 @@ namespace quadrille::refine {
 std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names);
 
 /// A count of 1 for every chord that passes no block of `chosen` and has none in `prescribed`.
-std::vector<sizing::ChordCount> coarse_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
-                                              const std::vector<int>& chosen,
+std::vector<sizing::ChordCount> coarse_counts(const sizing::MeasuredLayout& measured, const std::vector<int>& chosen,
                                               const std::vector<sizing::ChordCount>& prescribed);
 
 /// Doubles the counts of those chords of `coarse` that pass a block with an element that is not proved valid; false
 /// when there are none.
-bool raise_counts(const BlockLayout& layout, const std::vector<mesh::Chord>& chords, const QuadMesh& mesh,
+bool raise_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
                   std::vector<sizing::ChordCount>& coarse);
 
 }  // namespace quadrille::refine

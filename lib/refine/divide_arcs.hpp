@@ -3,35 +3,25 @@
 //
 // A chord's count starts from its plan (sizing/grade_chords), with elements that are equal by its grading. Then every
 // boundary arc is tried: the order-N polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length)
-// must stay within `tolerance` of the curve. Where it does not and the interval straddles a break of the curve (a joint
-// inside the side, a jump of curvature), an end of an interval moves onto the break; else that segment of the chord
-// gets more intervals. All arcs of the chord share the segments; a break that faces another (refine/anchors) costs no
-// element of its own. Where a curve of a given name ends, an interval ends in any case.
+// must stay within `tolerance` of the curve. Where it does not, elements end at the breaks of the curve (joints inside
+// the side, jumps of curvature), or become shorter (refine/correct_misses has the rules). All arcs of the chord share
+// the segments between breaks; a break opposite another (refine/anchors) costs no element of its own. Elements always
+// end where a curve of a given name ends.
 
 #include <vector>
 
-#include "curve/chain.hpp"
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
-#include "sizing/arc_parameter.hpp"
+#include "refine/divide_options.hpp"
+#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 
-struct DivideOptions {
-  int order = 4;         ///< N
-  double tolerance = 0;  ///< greatest distance between an interval's polynomial and its curve, > 0, a length
-};
-
-/// For each arc the ends of its intervals as fractions of its length, ascending from 0 to 1; arcs of one chord get the
-/// same number, between breaks equal by the chord's grading and their `parameters` (refine/align_chords). Where breaks
-/// leave segments that do not divide well, intervals may be longer by a quarter than the plan's; counts that were
-/// prescribed rise only where the breaks and the tolerance cannot be had otherwise. `chains`, `parameters`: one per
-/// arc; `plans`: one per chord. Throws ComputeError when a chord would need more than 10000 intervals, with its place.
-std::vector<std::vector<double>> divide_arcs(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
-                                             const std::vector<sizing::ChordPlan>& plans,
-                                             const curve::CurveTable& table, const std::vector<curve::Chain>& chains,
-                                             const std::vector<sizing::ArcParameter>& parameters,
-                                             const DivideOptions& options);
+/// The divisions of all arcs; arcs of one chord get the same number of intervals, between breaks equal by the chord's
+/// grading and the parameters of the arcs. Where breaks leave segments that do not divide well, intervals may be longer
+/// by a quarter than planned; prescribed counts rise only where breaks and tolerance cannot be met otherwise. `plans`:
+/// one per chord. Throws ComputeError, with the place, when a chord would need more than 10000 intervals.
+sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
+                                 const DivideOptions& options);
 
 }  // namespace quadrille::refine

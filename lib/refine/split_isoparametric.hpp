@@ -1,21 +1,18 @@
 #pragma once
 // The elements of all blocks, sampled from the exact block maps.
 
-#include <vector>
-
-#include "curve/chain.hpp"
 #include "layers/wall_layers.hpp"
-#include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
+#include "sizing/arc_division.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 
-/// Nodes, elements, blocks and boundary edges of the mesh of order N whose elements end at `arc_ends` (fractions of
-/// each arc's length, refine/divide_arcs). Nodes on arcs are made once and shared by the blocks on both sides; those of
-/// the layout's nodes come first. Element (i, j) of a block lies i along side 0, j along side 1, i fastest. Proofs are
-/// not filled in. Where there are walls, the nodes of the blocks along them lie in layers (layers/layer_columns).
-QuadMesh split_isoparametric(const BlockLayout& layout, const std::vector<curve::Chain>& chains,
-                             const std::vector<std::vector<double>>& arc_ends, int order,
+/// Nodes, elements, blocks and boundary edges of the mesh of order N whose elements end where `divisions` (one per arc)
+/// says. Nodes on arcs are made once and shared by the blocks on both sides; those of the layout's nodes come first.
+/// Element (i, j) of a block lies i along side 0, j along side 1, i fastest. Jacobian bounds and qualities are not
+/// filled in. With `walls`, nodes of the blocks along them lie in layers (layers/layer_columns).
+QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
                              const layers::WallPlan* walls = nullptr);
 
 }  // namespace quadrille::refine

@@ -14,7 +14,7 @@
 namespace quadrille::refine {
 namespace {
 
-constexpr int num_told = 8;
+constexpr int num_reported = 8;
 constexpr double ratio_tolerance = 1e-4;
 constexpr double same_quality = 1e-6;
 
@@ -114,7 +114,7 @@ void require_valid_elements(const QuadMesh& mesh) {
       mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
 }
 
-void tell_validity(const QuadMesh& mesh, Report& report) {
+void report_validity(const QuadMesh& mesh, Report& report) {
   report.set("valid", mesh.is_valid);
   report.set("unproved_elements", mesh.num_unproved());
   report.set("least_jacobian_bound", mesh.least_jacobian_bound);
@@ -124,7 +124,7 @@ void tell_validity(const QuadMesh& mesh, Report& report) {
       "mean_scaled_jacobian",
       std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems());
   report.set("least_jacobian_ratio", least_jacobian_ratio(mesh));
-  const std::vector<WorstElement> worst = worst_elements(mesh, num_told);
+  const std::vector<WorstElement> worst = worst_elements(mesh, num_reported);
   for (std::size_t i = 0; i < worst.size(); ++i) {
     const std::string key = fmt::format("worst.{}.", i + 1);
     report.set(key + "element", worst[i].elem);

@@ -41,6 +41,6 @@ void require_valid_elements(const QuadMesh& mesh);
 
 /// The least bound, scaled Jacobian and ratio, how many elements are not proved valid, and the worst elements
 /// (worst.1.*, ...).
-void tell_validity(const QuadMesh& mesh, Report& report);
+void report_validity(const QuadMesh& mesh, Report& report);
 
 }  // namespace quadrille::refine

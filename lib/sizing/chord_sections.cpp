@@ -31,24 +31,24 @@ struct Sum {
 
 }  // namespace
 
-std::vector<std::vector<ChordBlock>> chord_blocks(const BlockLayout& layout, const std::vector<int>& arc_chord) {
-  std::vector<std::vector<ChordBlock>> blocks(
-      arc_chord.empty() ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
+std::vector<std::vector<ChordBlock>> chord_blocks(const MeasuredLayout& measured) {
+  const BlockLayout& layout = measured.blocks();
+  std::vector<std::vector<ChordBlock>> blocks(measured.chords().size());
   for (int block = 0; block < layout.num_blocks(); ++block)
-    for (const int side : {0, 1}) blocks[arc_chord[layout.block2arcs[block][side].arc]].push_back({block, side});
+    for (const int side : {0, 1})
+      blocks[measured.chord_of(layout.block2arcs[block][side].arc)].push_back({block, side});
   return blocks;
 }
 
-ChordSections::ChordSections(const BlockLayout& layout, const mesh::Chord& chord, const std::vector<ChordBlock>& blocks,
-                             const std::vector<curve::Chain>& chains, const std::vector<ArcParameter>& parameters,
-                             const SizeField& sizes)
-    : chord_(chord), chains_(chains), parameters_(parameters), sizes_(sizes) {
-  std::unordered_map<int, int> arc2place;
-  for (std::size_t i = 0; i < chord.arcs.size(); ++i) arc2place[chord.arcs[i]] = static_cast<int>(i);
+ChordSections::ChordSections(const MeasuredLayout& measured, const mesh::Chord& chord,
+                             const std::vector<ChordBlock>& blocks, const SizeField& sizes)
+    : measured_(measured), chord_(chord), sizes_(sizes) {
+  std::unordered_map<int, int> arc2position;
+  for (std::size_t i = 0; i < chord.arcs.size(); ++i) arc2position[chord.arcs[i]] = static_cast<int>(i);
   for (const ChordBlock& b : blocks) {
-    std::array<HalfEdge, 4> sides = layout.block2arcs[b.block];
+    std::array<HalfEdge, 4> sides = measured.blocks().block2arcs[b.block];
     std::rotate(sides.begin(), sides.begin() + b.side, sides.end());
-    add_block(sides, {arc2place.at(sides[0].arc), arc2place.at(sides[2].arc)});
+    add_block(sides, {arc2position.at(sides[0].arc), arc2position.at(sides[2].arc)});
   }
 }
 
@@ -57,9 +57,10 @@ void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::a
   block.a = ends[0], block.b = ends[1];
   block.is_against = chord_.backwards[block.a] != sides[0].is_backwards;
   if (!sizes_.is_uniform()) {
-    for (int k = 0; k < 4; ++k) block.corners[k] = chains_[sides[k].arc].at(sides[k].is_backwards ? 1.0 : 0.0).position;
+    for (int k = 0; k < 4; ++k)
+      block.corners[k] = measured_.chain(sides[k].arc).at(sides[k].is_backwards ? 1.0 : 0.0).position;
     add_lines(block, sides, trial_lines);
-    const double width = std::max(chains_[sides[1].arc].length(), chains_[sides[3].arc].length());
+    const double width = std::max(measured_.chain(sides[1].arc).length(), measured_.chain(sides[3].arc).length());
     const double wanted = width * sizes_.slope() / (line_resolution * least_size(block));
     add_lines(block, sides, static_cast<int>(std::min<double>(max_lines, std::ceil(wanted) - 1)));
   }
@@ -68,7 +69,7 @@ void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::a
 
 void ChordSections::add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const {
   const auto on_side = [&](HalfEdge directed, double t) {
-    return chains_[directed.arc].at(directed.is_backwards ? 1 - t : t).position;
+    return measured_.chain(directed.arc).at(directed.is_backwards ? 1 - t : t).position;
   };
   block.left.clear(), block.right.clear();
   for (int k = 1; k <= lines; ++k) {
@@ -92,9 +93,8 @@ double ChordSections::least_size(const Block& block) const {
 std::vector<ChordSections::Place> ChordSections::places(double u) const {
   std::vector<Place> result;
   for (std::size_t i = 0; i < chord_.arcs.size(); ++i) {
-    const bool backwards = chord_.backwards[i];
-    const double fraction = parameters_[chord_.arcs[i]].fraction(backwards ? 1 - u : u);
-    result.push_back({chains_[chord_.arcs[i]].at(fraction).position, backwards ? 1 - fraction : fraction});
+    const double fraction = measured_.arc_fraction(chord_, static_cast<int>(i), u);
+    result.push_back({chain(static_cast<int>(i)).at(fraction).position, chord_.backwards[i] ? 1 - fraction : fraction});
   }
   return result;
 }

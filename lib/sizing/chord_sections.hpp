@@ -15,10 +15,7 @@
 #include <array>
 #include <vector>
 
-#include "curve/chain.hpp"
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
-#include "sizing/arc_parameter.hpp"
+#include "sizing/measured_layout.hpp"
 #include "sizing/size_field.hpp"
 
 namespace quadrille::sizing {
@@ -33,14 +30,13 @@ struct ChordBlock {
   int block = 0, side = 0;
 };
 
-/// The blocks of each chord; `arc_chord` as in BlockLayout.
-std::vector<std::vector<ChordBlock>> chord_blocks(const BlockLayout& layout, const std::vector<int>& arc_chord);
+/// The blocks of each chord.
+std::vector<std::vector<ChordBlock>> chord_blocks(const MeasuredLayout& measured);
 
 class ChordSections {
  public:
-  /// Everything must outlive the sections. `parameters`, `chains`: one per arc of the layout.
-  ChordSections(const BlockLayout& layout, const mesh::Chord& chord, const std::vector<ChordBlock>& blocks,
-                const std::vector<curve::Chain>& chains, const std::vector<ArcParameter>& parameters,
+  /// Everything must outlive the sections.
+  ChordSections(const MeasuredLayout& measured, const mesh::Chord& chord, const std::vector<ChordBlock>& blocks,
                 const SizeField& sizes);
 
   WantedDensity at(double u) const;
@@ -59,16 +55,15 @@ class ChordSections {
     std::array<Vec2, 4> corners;
     std::vector<Vec2> left, right;  ///< points on the sides s = 0 and s = 1, one for each line
   };
-  const curve::Chain& chain(int place) const { return chains_[chord_.arcs[place]]; }
+  const curve::Chain& chain(int arc) const { return measured_.chain(chord_.arcs[arc]); }
   void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends);
   void add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const;
   double least_size(const Block& block) const;
   std::vector<Place> places(double u) const;
   Vec2 position(const Block& block, const std::vector<Place>& places, std::size_t line) const;
 
+  const MeasuredLayout& measured_;
   const mesh::Chord& chord_;
-  const std::vector<curve::Chain>& chains_;
-  const std::vector<ArcParameter>& parameters_;
   const SizeField& sizes_;
   std::vector<Block> blocks_;
 };

@@ -13,22 +13,22 @@ namespace {
 
 /// Counts that differ by less, relatively, count as equal.
 constexpr double equal_tol = 1e-6;
-/// The wanted size may change by this share between two looks at it.
-constexpr double look_resolution = 0.25;
-constexpr int first_looks = 8;
+/// The prescribed size may change by this fraction between two samples.
+constexpr double sample_resolution = 0.25;
+constexpr int first_samples = 8;
 constexpr double least_step = 1e-6;
 
-/// The wanted element length in u along one chord, looked at as often as it changes.
-class ChordLook {
+/// Samples of the prescribed element length in u along one chord, as many as its changes need.
+class LengthSamples {
  public:
-  ChordLook(const ChordSections& sections, const SizeField& sizes, SizeRule rule)
+  LengthSamples(const ChordSections& sections, const SizeField& sizes, SizeRule rule)
       : sections_(sections), slope_(sizes.slope()), rule_(rule) {
     WantedDensity low = sections.at(0);
     add(0, low);
-    for (int k = 1; k <= first_looks && !sizes.is_uniform(); ++k) {
-      const double u0 = (k - 1.0) / first_looks, u1 = static_cast<double>(k) / first_looks;
+    for (int k = 1; k <= first_samples && !sizes.is_uniform(); ++k) {
+      const double u0 = (k - 1.0) / first_samples, u1 = static_cast<double>(k) / first_samples;
       const WantedDensity high = sections.at(u1);
-      look_between(u0, low, u1, high);
+      sample_between(u0, low, u1, high);
       add(u1, high);
       low = high;
     }
@@ -45,15 +45,15 @@ class ChordLook {
     eta_.push_back(1 / (rule_ == SizeRule::at_most ? density.greatest : density.nearest));
   }
 
-  void look_between(double u0, const WantedDensity& low, double u1, const WantedDensity& high) {
+  void sample_between(double u0, const WantedDensity& low, double u1, const WantedDensity& high) {
     // Where a section's density is rho, its size changes by the share slope rho step over a step.
     const double change = slope_ * std::max(low.greatest, high.greatest) * (u1 - u0);
-    if (change <= look_resolution || u1 - u0 <= least_step) return;
+    if (change <= sample_resolution || u1 - u0 <= least_step) return;
     const double u = (u0 + u1) / 2;
     const WantedDensity middle = sections_.at(u);
-    look_between(u0, low, u, middle);
+    sample_between(u0, low, u, middle);
     add(u, middle);
-    look_between(u, middle, u1, high);
+    sample_between(u, middle, u1, high);
   }
 
   const ChordSections& sections_;
@@ -81,16 +81,13 @@ double whole_count(double wanted, SizeRule rule) {
   return std::max(1.0, wanted >= (1 - equal_tol) * std::sqrt(n * (n + 1)) ? n + 1 : n);
 }
 
-std::vector<ChordPlan> grade_chords(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
-                                    const std::vector<curve::Chain>& chains,
-                                    const std::vector<ArcParameter>& parameters, const SizeField& sizes, SizeRule rule,
+std::vector<ChordPlan> grade_chords(const MeasuredLayout& measured, const SizeField& sizes, SizeRule rule,
                                     const std::vector<ChordCount>& prescribed) {
-  const std::vector<std::vector<ChordBlock>> blocks =
-      chord_blocks(layout, mesh::arc_chords(layout.block2arcs, static_cast<int>(chains.size())));
+  const std::vector<std::vector<ChordBlock>> blocks = chord_blocks(measured);
   std::vector<ChordPlan> plans;
-  for (std::size_t c = 0; c < chords.size(); ++c) {
-    const ChordSections sections(layout, chords[c], blocks[c], chains, parameters, sizes);
-    ChordPlan plan{ChordLook(sections, sizes, rule).grading(), 1, sizes.slope(), rule == SizeRule::at_most};
+  for (std::size_t c = 0; c < blocks.size(); ++c) {
+    const ChordSections sections(measured, measured.chords()[c], blocks[c], sizes);
+    ChordPlan plan{LengthSamples(sections, sizes, rule).grading(), 1, sizes.slope(), rule == SizeRule::at_most};
     plan.count = static_cast<int>(std::min(1e9, whole_count(plan.grading.count(), rule)));
     plans.push_back(std::move(plan));
   }

@@ -1,14 +1,10 @@
 #pragma once
 // One count and one grading for each chord, from the wanted sizes.
 
-#include <string>
 #include <vector>
 
-#include "curve/chain.hpp"
-#include "mesh/chords.hpp"
-#include "model/block_layout.hpp"
-#include "sizing/arc_parameter.hpp"
 #include "sizing/grading.hpp"
+#include "sizing/measured_layout.hpp"
 #include "sizing/size_field.hpp"
 
 namespace quadrille::sizing {
@@ -35,9 +31,7 @@ struct ChordPlan {
 /// One plan per chord. Counts go to the whole number whose deviation, by the logarithm, is least (at_most: upwards); of
 /// two equally good ones (within 1e-6) the greater, so that mirror images agree. Throws UsageError for a prescribed
 /// chord that is not there.
-std::vector<ChordPlan> grade_chords(const BlockLayout& layout, const std::vector<mesh::Chord>& chords,
-                                    const std::vector<curve::Chain>& chains,
-                                    const std::vector<ArcParameter>& parameters, const SizeField& sizes, SizeRule rule,
+std::vector<ChordPlan> grade_chords(const MeasuredLayout& measured, const SizeField& sizes, SizeRule rule,
                                     const std::vector<ChordCount>& prescribed);
 
 /// The whole number for a real one > 0, at least 1.

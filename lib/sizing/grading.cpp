@@ -45,7 +45,7 @@ double Grading::parameter(double v) const {
   return std::clamp(u_[k - 1] + width_of(eta_[k - 1], rise, n - n_[k - 1]), u_[k - 1], u_[k]);
 }
 
-double Grading::share(double u) const {
+double Grading::cumulative(double u) const {
   if (is_identity() || u <= 0 || u >= 1) return std::clamp(u, 0.0, 1.0);
   const std::size_t k = std::clamp<std::ptrdiff_t>(std::upper_bound(u_.begin(), u_.end(), u) - u_.begin(), 1,
                                                    static_cast<std::ptrdiff_t>(u_.size()) - 1);
@@ -53,7 +53,7 @@ double Grading::share(double u) const {
   return std::min(1.0, (n_[k - 1] + elements_in(eta_[k - 1], rise, u - u_[k - 1])) / count_);
 }
 
-double Grading::eta(double u) const {
+double Grading::element_length(double u) const {
   if (is_identity()) return 1 / count_;
   const std::size_t k = std::clamp<std::ptrdiff_t>(std::upper_bound(u_.begin(), u_.end(), u) - u_.begin(), 1,
                                                    static_cast<std::ptrdiff_t>(u_.size()) - 1);
@@ -61,26 +61,35 @@ double Grading::eta(double u) const {
   return (1 - x) * eta_[k - 1] + x * eta_[k];
 }
 
-Grading Grading::shortened(double count, const std::vector<LengthDemand>& demands, double slope) const {
+namespace {
+
+/// Where the refined lengths are sampled: at the samples of the grading, and around each constraint at distances that
+/// double, as lengths can grow from it.
+std::vector<double> refined_samples(const Grading& grading, const std::vector<MaxLengthConstraint>& constraints) {
   std::vector<double> u{0.0, 1.0};
-  u.insert(u.end(), u_.begin(), u_.end());
-  for (const LengthDemand& d : demands)
-    // At distances that double lengths can grow from here as fast as they may.
-    for (double away = 0, step = d.eta; away < 1; away += step, step *= 2) {
-      if (d.low - away > 0) u.push_back(d.low - away);
-      if (d.high + away < 1) u.push_back(d.high + away);
+  u.insert(u.end(), grading.samples().begin(), grading.samples().end());
+  for (const MaxLengthConstraint& c : constraints)
+    for (double away = 0, step = c.max_length; away < 1; away += step, step *= 2) {
+      if (c.low - away > 0) u.push_back(c.low - away);
+      if (c.high + away < 1) u.push_back(c.high + away);
     }
   std::sort(u.begin(), u.end());
   u.erase(std::unique(u.begin(), u.end(), [](double a, double b) { return b - a < same_place; }), u.end());
   u.back() = 1;
+  return u;
+}
 
-  std::vector<double> before;
-  for (const double at : u) before.push_back(eta(at) * count_ / count);
+}  // namespace
+
+Grading refine_grading(const Grading& grading, double count, const std::vector<MaxLengthConstraint>& constraints,
+                       double slope) {
+  std::vector<double> u = refined_samples(grading, constraints), before;
+  for (const double at : u) before.push_back(grading.element_length(at) * grading.count() / count);
   std::vector<double> lengths = before;
-  for (const LengthDemand& d : demands)
-    for (auto k = std::lower_bound(u.begin(), u.end(), d.low - same_place) - u.begin();
-         k < std::ssize(u) && u[k] <= d.high + same_place; ++k)
-      lengths[k] = std::min({lengths[k], d.eta, before[k] / d.excess});
+  for (const MaxLengthConstraint& c : constraints)
+    for (auto k = std::lower_bound(u.begin(), u.end(), c.low - same_place) - u.begin();
+         k < std::ssize(u) && u[k] <= c.high + same_place; ++k)
+      lengths[k] = std::min({lengths[k], c.max_length, before[k] / c.reduction});
   lengths = limited(u, std::move(lengths), slope);
   return {std::move(u), std::move(lengths)};
 }

@@ -19,14 +19,12 @@ struct Aligned {
   explicit Aligned(const SeparatrixGraph& graph) {
     Report report;
     layout = block::extract_blocks(graph, report);
-    const curve::CurveTable table(layout.face, layout.splines);
-    std::vector<curve::Chain> chains;
-    for (const GraphArc& arc : layout.arcs) chains.emplace_back(table, arc.pieces);
-    parameters = align_chords(mesh::directed_chords(layout.block2arcs, layout.arc_chord), chains);
+    const sizing::MeasuredLayout measured(layout);
+    parameters = align_chords(measured);
     for (int k = 1; k < 100; ++k) {
       const double u = k / 100.0;
-      const curve::ChainPoint a = chains[0].at(parameters[0].fraction(u));
-      const curve::ChainPoint b = chains[2].at(parameters[2].fraction(1 - u));
+      const curve::ChainPoint a = measured.chain(0).at(parameters[0].fraction(u));
+      const curve::ChainPoint b = measured.chain(2).at(parameters[2].fraction(1 - u));
       worst_slope = std::max(worst_slope, std::abs(dot(a.tangent, normalized(b.position - a.position))));
     }
   }

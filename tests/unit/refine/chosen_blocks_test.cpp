@@ -58,10 +58,10 @@ TEST(ChosenBlocks, ACountThatWasAskedForStays) {
   RefineOptions options{0.25, 1, 5e-7};
   options.blocks = {0};
   const int before = refined(layout, options).num_elems();
-  const std::vector<mesh::Chord> chords = mesh::directed_chords(layout.block2arcs, layout.arc_chord);
-  const std::vector<sizing::ChordCount> coarse = coarse_counts(layout, chords, {0}, {});
+  const sizing::MeasuredLayout measured(layout);
+  const std::vector<sizing::ChordCount> coarse = coarse_counts(measured, {0}, {});
   ASSERT_FALSE(coarse.empty());
-  EXPECT_TRUE(coarse_counts(layout, chords, {0}, {{coarse[0].chord, 3}}).size() == coarse.size() - 1);
+  EXPECT_TRUE(coarse_counts(measured, {0}, {{coarse[0].chord, 3}}).size() == coarse.size() - 1);
   options.counts = {{coarse[0].chord, 3}};
   EXPECT_GT(refined(layout, options).num_elems(), before);
 }
@@ -80,15 +80,15 @@ TEST(ChosenBlocks, ToleranceAndTopologyAskForMore) {
 
 TEST(ChosenBlocks, CountsRiseWhereElementsAreNotProved) {
   const BlockLayout layout = layout_of(hand_made::l_shape());
-  const std::vector<mesh::Chord> chords = mesh::directed_chords(layout.block2arcs, layout.arc_chord);
+  const sizing::MeasuredLayout measured(layout);
   QuadMesh mesh = refined(layout, {1, 1, 5e-7});
-  std::vector<sizing::ChordCount> coarse = coarse_counts(layout, chords, {0}, {});
-  EXPECT_FALSE(raise_counts(layout, chords, mesh, coarse)) << "all elements are proved";
+  std::vector<sizing::ChordCount> coarse = coarse_counts(measured, {0}, {});
+  EXPECT_FALSE(raise_counts(measured, mesh, coarse)) << "all elements are proved";
   for (double& bound : mesh.elem_jacobian_bound) bound = -1;
-  EXPECT_TRUE(raise_counts(layout, chords, mesh, coarse));
+  EXPECT_TRUE(raise_counts(measured, mesh, coarse));
   for (const sizing::ChordCount& c : coarse) EXPECT_EQ(c.count, 2);
   int rounds = 0;
-  while (raise_counts(layout, chords, mesh, coarse)) ++rounds;
+  while (raise_counts(measured, mesh, coarse)) ++rounds;
   EXPECT_LT(rounds, 20) << "it ends";
 }
 

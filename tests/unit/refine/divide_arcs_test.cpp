@@ -31,21 +31,18 @@ struct Options {
 Divided divided(const SeparatrixGraph& graph, const Options& options) {
   Report report;
   Divided d{block::extract_blocks(graph, report), {}, {}, {}};
-  const curve::CurveTable table(d.layout.face, d.layout.splines);
-  std::vector<curve::Chain> chains;
-  for (const GraphArc& arc : d.layout.arcs) chains.emplace_back(table, arc.pieces);
-  const std::vector<mesh::Chord> chords = mesh::directed_chords(d.layout.block2arcs, d.layout.arc_chord);
-  const std::vector<sizing::ArcParameter> parameters(chains.size());
-  const std::vector<sizing::ChordPlan> plans = sizing::grade_chords(
-      d.layout, chords, chains, parameters, sizing::SizeField(options.size), sizing::SizeRule::at_most, {});
-  d.ends = divide_arcs(d.layout, chords, plans, table, chains, parameters, {options.order, options.tolerance});
-  for (std::size_t a = 0; a < chains.size(); ++a) {
-    d.breaks.push_back(chains[a].break_fractions());
-    d.lengths.push_back(chains[a].length());
+  const sizing::MeasuredLayout measured(d.layout);
+  const std::vector<sizing::ChordPlan> plans =
+      sizing::grade_chords(measured, sizing::SizeField(options.size), sizing::SizeRule::at_most, {});
+  for (sizing::ArcDivision& division : divide_arcs(measured, plans, {options.order, options.tolerance}))
+    d.ends.push_back(std::move(division.ends));
+  for (int a = 0; a < measured.num_arcs(); ++a) {
+    d.breaks.push_back(measured.chain(a).break_fractions());
+    d.lengths.push_back(measured.length(a));
     if (!d.layout.arcs[a].is_boundary) continue;
     for (std::size_t k = 1; k < d.ends[a].size(); ++k)
-      d.worst =
-          std::max(d.worst, sizing::interval_error(table, chains[a], d.ends[a][k - 1], d.ends[a][k], options.order));
+      d.worst = std::max(d.worst, sizing::interval_error(measured.curves(), measured.chain(a), d.ends[a][k - 1],
+                                                         d.ends[a][k], options.order));
   }
   return d;
 }
@@ -144,32 +141,6 @@ TEST(DivideArcs, ClosedAndParallelArcsGetEnoughElements) {
 TEST(DivideArcs, ImpossibleWishesEndWithAPlace) {
   EXPECT_THROW(divided(hand_made::quarter_annulus(), {0.1, 1, 1e-14}), ComputeError);
   EXPECT_THROW(divided(hand_made::unit_square(), {1e-9, 1, 1e-6}), ComputeError);
-}
-
-TEST(IntervalError, FallsWithTheOrderAsTheoryHasIt) {
-  const SeparatrixGraph g = hand_made::quarter_annulus();
-  const curve::CurveTable table(g.face, g.splines);
-  const curve::Chain arc(table, {{1, 0, half_pi}});
-  // Along a circle the normal error of an even order gains one power by symmetry.
-  for (const int order : {1, 2, 3, 4, 5, 6}) {
-    const double ratio =
-        sizing::interval_error(table, arc, 0, 0.4, order) / sizing::interval_error(table, arc, 0, 0.2, order);
-    EXPECT_NEAR(std::log2(ratio), order % 2 == 0 ? order + 2 : order + 1, 0.15) << order;
-  }
-  EXPECT_LE(sizing::interval_error(table, curve::Chain(table, {{0, 0, 1}}), 0, 1, 3), 1e-15);
-}
-
-TEST(IntervalError, SeesABendThatIsShortAgainstTheInterval) {
-  // A line cuts the corner between two sides off: what is farthest is the corner, though at equal fractions of the
-  // length both are near each other's tangents.
-  const CadFace face = hand_made::face(
-      {{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {1, 2}), curve::segment({1, 2}, {0, 0})}}, 2);
-  const std::vector<Nurbs> no_splines;
-  const curve::CurveTable table(face, no_splines);
-  const curve::Chain chain(table, {{0, 0, 1}, {1, 0, 2}});
-  EXPECT_NEAR(sizing::interval_error(table, chain, 0, 1, 1), 2 / std::sqrt(5), 1e-12);
-  // Interpolation through the corner itself leaves less, and no break inside means that nothing is cut off.
-  EXPECT_LT(sizing::interval_error(table, curve::Chain(table, {{1, 0, 2}}), 0, 1, 1), 1e-15);
 }
 
 }  // namespace

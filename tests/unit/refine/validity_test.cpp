@@ -102,7 +102,7 @@ TEST(Validity, ElementsThatAreNotProvedAreWorseThanAllOthersAndSayWhere) {
 
 TEST(Validity, ReportHoldsTheLeastAndTheWorst) {
   Report report;
-  tell_validity(refined(hand_made::elbow(), {0.5, 3, 5e-7}), report);
+  report_validity(refined(hand_made::elbow(), {0.5, 3, 5e-7}), report);
   const auto value = [&](const std::string& key) {
     const auto& all = report.entries();
     const auto at = std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == key; });

@@ -15,11 +15,7 @@ std::vector<ChordPlan> plans(const SeparatrixGraph& graph, const SizeField& size
                              const std::vector<ChordCount>& counts = {}) {
   Report report;
   const BlockLayout layout = block::extract_blocks(graph, report);
-  const curve::CurveTable table(layout.face, layout.splines);
-  std::vector<curve::Chain> chains;
-  for (const GraphArc& arc : layout.arcs) chains.emplace_back(table, arc.pieces);
-  return grade_chords(layout, mesh::directed_chords(layout.block2arcs, layout.arc_chord), chains,
-                      std::vector<ArcParameter>(chains.size()), sizes, rule, counts);
+  return grade_chords(MeasuredLayout(layout), sizes, rule, counts);
 }
 
 TEST(GradeChords, WholeCountsAreNearestByTheLogarithm) {

@@ -32,12 +32,12 @@ TEST(Grading, ShareAndParameterAreInverse) {
   for (int k = 0; k <= 200; ++k) {
     const double v = k / 200.0, u = grading.parameter(v);
     EXPECT_GT(u, before);
-    EXPECT_NEAR(grading.share(u), v, 1e-13);
+    EXPECT_NEAR(grading.cumulative(u), v, 1e-13);
     before = u;
   }
   EXPECT_EQ(grading.parameter(0), 0);
   EXPECT_EQ(grading.parameter(1), 1);
-  EXPECT_EQ(grading.share(1), 1);
+  EXPECT_EQ(grading.cumulative(1), 1);
 }
 
 TEST(Grading, MirroredLengthsGiveMirroredEnds) {
@@ -52,17 +52,19 @@ TEST(Grading, LimitedLengthsFallOnlyAndKeepTheSlope) {
   for (std::size_t k = 0; k < u.size(); ++k) EXPECT_NEAR(result[k], expected[k], 1e-15) << k;
 }
 
-TEST(Grading, ShortenedElementsKeepTheDemandsAndFallEveryTime) {
+TEST(Grading, RefinedElementsMeetTheConstraintsAndShrinkEveryTime) {
   const Grading grading({0, 1}, {0.05, 0.25});
   const double count = std::ceil(grading.count());
-  const Grading once = grading.shortened(count, {{0.8, 0.9, 0.02, 1.5}}, 0.2);
+  const Grading once = refine_grading(grading, count, {{0.8, 0.9, 0.02, 1.5}}, 0.2);
   EXPECT_GT(once.count(), count);
-  const auto length_at = [](const Grading& g, double u) { return 1e-6 / (g.share(u + 1e-6) - g.share(u)) / g.count(); };
+  const auto length_at = [](const Grading& g, double u) {
+    return 1e-6 / (g.cumulative(u + 1e-6) - g.cumulative(u)) / g.count();
+  };
   for (const double u : {0.81, 0.85, 0.89}) EXPECT_NEAR(length_at(once, u), 0.02, 1e-5);
   EXPECT_NEAR(length_at(once, 0.75), 0.03, 1e-3);
   EXPECT_NEAR(length_at(once, 0.1), length_at(grading, 0.1) * grading.count() / count, 1e-5);
-  // A demand that is longer than what there is still shortens it.
-  const Grading twice = once.shortened(once.count(), {{0.8, 0.9, 0.5, 1.5}}, 0.2);
+  // A constraint that is longer than the present elements still shortens them.
+  const Grading twice = refine_grading(once, once.count(), {{0.8, 0.9, 0.5, 1.5}}, 0.2);
   EXPECT_NEAR(length_at(twice, 0.85), 0.02 / 1.5, 1e-5);
 }
 

@@ -1,4 +1,4 @@
-#include "sizing/tell_sizes.hpp"
+#include "sizing/report_sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -42,15 +42,15 @@ struct Sums {
   }
 };
 
-Sums sums_of(const mesh::Chord& chord, const std::vector<curve::Chain>& chains,
-             const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes) {
+Sums sums_of(const mesh::Chord& chord, const MeasuredLayout& measured, const ArcDivisions& divisions,
+             const SizeField& sizes) {
   Sums sums;
   for (const int arc : chord.arcs) {
-    const std::vector<double>& ends = arc_ends[arc];
-    for (std::size_t k = 1; k < ends.size(); ++k) {
-      const double achieved = (ends[k] - ends[k - 1]) * chains[arc].length();
-      const double wanted =
-          sizes.is_uniform() ? sizes.greatest() : sizes.at(chains[arc].at((ends[k - 1] + ends[k]) / 2).position);
+    const ArcDivision& division = divisions[arc];
+    const curve::Chain& chain = measured.chain(arc);
+    for (int k = 0; k < division.num_intervals(); ++k) {
+      const double achieved = (division.high(k) - division.low(k)) * chain.length();
+      const double wanted = sizes.is_uniform() ? sizes.greatest() : sizes.at(chain.at(division.middle(k)).position);
       sums.add_edge(achieved, wanted);
     }
   }
@@ -59,12 +59,12 @@ Sums sums_of(const mesh::Chord& chord, const std::vector<curve::Chain>& chains,
 
 }  // namespace
 
-std::vector<EdgeSizes> edge_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve::Chain>& chains,
-                                  const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes) {
+std::vector<EdgeSizes> edge_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
+                                  const SizeField& sizes) {
   std::vector<EdgeSizes> result;
   Sums all;
-  for (const mesh::Chord& chord : chords) {
-    const Sums sums = sums_of(chord, chains, arc_ends, sizes);
+  for (const mesh::Chord& chord : measured.chords()) {
+    const Sums sums = sums_of(chord, measured, divisions, sizes);
     result.push_back(sums.means());
     all.add(sums);
   }
@@ -72,10 +72,10 @@ std::vector<EdgeSizes> edge_sizes(const std::vector<mesh::Chord>& chords, const 
   return result;
 }
 
-void tell_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve::Chain>& chains,
-                const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes,
-                const std::vector<ChordCount>& prescribed, Report& report) {
-  const std::vector<EdgeSizes> edges = edge_sizes(chords, chains, arc_ends, sizes);
+void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions, const SizeField& sizes,
+                  const std::vector<ChordCount>& prescribed, Report& report) {
+  const std::vector<mesh::Chord>& chords = measured.chords();
+  const std::vector<EdgeSizes> edges = edge_sizes(measured, divisions, sizes);
   const EdgeSizes& all = edges.back();
   report.set("sizes.wanted", all.wanted);
   report.set("sizes.mean_ratio", std::exp(all.mean_log));
@@ -88,7 +88,7 @@ void tell_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve:
   std::vector<double> id, count, wanted, ratio, deviation, least, greatest;
   for (std::size_t c = 0; c < chords.size(); ++c) {
     id.push_back(static_cast<double>(c));
-    count.push_back(static_cast<double>(arc_ends[chords[c].arcs[0]].size() - 1));
+    count.push_back(divisions[chords[c].arcs[0]].num_intervals());
     wanted.push_back(edges[c].wanted);
     ratio.push_back(std::exp(edges[c].mean_log));
     deviation.push_back(edges[c].deviation);

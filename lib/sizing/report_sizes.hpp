@@ -1,12 +1,12 @@
 #pragma once
-// What became of the wanted sizes: achieved edge lengths against wanted ones, for the report.
+// Achieved against prescribed edge lengths, for the report.
 
 #include <vector>
 
 #include "base/report.hpp"
-#include "curve/chain.hpp"
-#include "mesh/chords.hpp"
+#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
+#include "sizing/measured_layout.hpp"
 #include "sizing/size_field.hpp"
 
 namespace quadrille::sizing {
@@ -21,13 +21,12 @@ struct EdgeSizes {
   double least_ratio = 0, greatest_ratio = 0;  ///< of achieved / wanted
 };
 
-/// One for each chord, then that of all. `arc_ends`: fractions of each arc's length (refine/divide_arcs).
-std::vector<EdgeSizes> edge_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve::Chain>& chains,
-                                  const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes);
+/// One for each chord, then that of all.
+std::vector<EdgeSizes> edge_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
+                                  const SizeField& sizes);
 
 /// Sets sizes.* (the chords as columns, sizes.chord.*) and warns of prescribed counts that had to rise.
-void tell_sizes(const std::vector<mesh::Chord>& chords, const std::vector<curve::Chain>& chains,
-                const std::vector<std::vector<double>>& arc_ends, const SizeField& sizes,
-                const std::vector<ChordCount>& prescribed, Report& report);
+void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions, const SizeField& sizes,
+                  const std::vector<ChordCount>& prescribed, Report& report);
 
 }  // namespace quadrille::sizing

@@ -1,4 +1,4 @@
-#include "sizing/tell_sizes.hpp"
+#include "sizing/report_sizes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace quadrille::sizing {
 namespace {
 
-Report told(const SeparatrixGraph& graph, const refine::RefineOptions& options) {
+Report report_of(const SeparatrixGraph& graph, const refine::RefineOptions& options) {
   Report report;
   const BlockLayout layout = block::extract_blocks(graph, report);
   Report result;
@@ -32,10 +32,10 @@ double of_chord(const Report& report, const std::string& key, std::size_t chord)
   return std::get<std::vector<double>>(value(report, "sizes.chord." + key)).at(chord);
 }
 
-TEST(TellSizes, EqualEdgesDeviateByTheirRatio) {
+TEST(ReportSizes, EqualEdgesDeviateByTheirRatio) {
   refine::RefineOptions options;
   options.size = 0.3;  // three edges to a side
-  const Report report = told(hand_made::unit_square(), options);
+  const Report report = report_of(hand_made::unit_square(), options);
   for (const char* key : {"sizes.mean_ratio", "sizes.least_ratio", "sizes.greatest_ratio"})
     EXPECT_NEAR(number(report, key), 1 / 0.9, 1e-12) << key;
   EXPECT_NEAR(number(report, "sizes.deviation"), -std::log(0.9), 1e-12);
@@ -44,12 +44,12 @@ TEST(TellSizes, EqualEdgesDeviateByTheirRatio) {
   EXPECT_NEAR(of_chord(report, "least_edge", 0), 1.0 / 3, 1e-15);
 }
 
-TEST(TellSizes, ChordsAreToldOneByOne) {
+TEST(ReportSizes, ChordsAreReportedOneByOne) {
   // Arcs of length pi and pi / 2 share ten elements: 0.314 and 0.157 where 0.2 is wanted; the straight sides have five.
   refine::RefineOptions options;
   options.size = 0.2;
   options.counts = {{1, 10}};
-  const Report report = told(hand_made::quarter_annulus(), options);
+  const Report report = report_of(hand_made::quarter_annulus(), options);
   EXPECT_EQ(of_chord(report, "id", 1), 1);
   EXPECT_NEAR(of_chord(report, "deviation", 0), 0, 1e-12);
   const double outer = std::log(pi / 2), inner = std::log(pi / 4);
@@ -59,16 +59,16 @@ TEST(TellSizes, ChordsAreToldOneByOne) {
   EXPECT_NEAR(of_chord(report, "greatest_edge", 1), pi / 10, 1e-10);
 }
 
-TEST(TellSizes, CountsThatHadToRiseAreWarnedOf) {
+TEST(ReportSizes, CountsThatHadToRiseAreWarnedOf) {
   refine::RefineOptions options;
   options.counts = {{1, 1}};
   options.geometry_tol = 1e-9;
-  const Report report = told(hand_made::quarter_annulus(), options);
+  const Report report = report_of(hand_made::quarter_annulus(), options);
   EXPECT_GT(of_chord(report, "count", 1), 1);
   ASSERT_EQ(report.warnings().size(), 1u);
   EXPECT_EQ(report.warnings()[0].code, "W-QUA-002");
   options.geometry_tol = 1;
-  EXPECT_TRUE(told(hand_made::quarter_annulus(), options).warnings().empty());
+  EXPECT_TRUE(report_of(hand_made::quarter_annulus(), options).warnings().empty());
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#pragma once
+// The segments of a chord between those of its anchors at which an element must end.
+
+#include <functional>
+#include <vector>
+
+#include "refine/anchors.hpp"
+#include "refine/spacing.hpp"
+
+namespace quadrille::refine {
+
+struct AnchoredSegments {
+  std::vector<Anchor> anchors;  ///< ascending
+  std::vector<int> required;    ///< numbers of anchors, ascending: the inner ends of the segments
+  Segments segments;            ///< positions v in [0, 1]: the part of the chord's elements that lies before
+};
+
+/// Makes an anchor an end of segments; nothing changes if it is one already. Both parts of the segment that it cuts
+/// begin with one element again: the segment may have needed its count only because it contained the break.
+void require_anchor(AnchoredSegments& anchored, int anchor);
+
+/// Moves all breaks, their anchors and the ends of the segments to the positions that `position` returns.
+void move_breaks(AnchoredSegments& anchored, const std::function<double(const Break&)>& position);
+
+}  // namespace quadrille::refine

@@ -1,0 +1,34 @@
+#pragma once
+// What happens where the intervals of a boundary arc miss the tolerance.
+//
+//   the interval that misses it                                              correction
+//   contains breaks: at most two, or all in less than half of its length     elements end at these breaks
+//   else, in a chord of equal elements                                       its segment gets more elements
+//   else, in a graded chord                                                  this interval alone becomes shorter
+//
+// An interval over which many breaks are spread is too long to be cured at the breaks: it must become shorter first. In
+// a graded chord other intervals may be far shorter already. The error of a smooth interval falls with its length to
+// the power N + 1, which tells how much shorter it has to be; no step asks for more than four intervals in place of
+// one.
+
+#include <vector>
+
+#include "refine/chord_division.hpp"
+
+namespace quadrille::refine {
+
+/// What one arc asks for.
+struct Corrections {
+  std::vector<int> anchors;                              ///< where elements must end
+  std::vector<double> worst_errors;                      ///< by segment: greatest of those that a higher count cures
+  std::vector<sizing::MaxLengthConstraint> constraints;  ///< on intervals of a graded chord
+  bool is_needed = false;                                ///< some interval misses the tolerance
+};
+
+Corrections find_corrections(const ChordTask& task, const ChordDivision& division, int i);
+
+/// Changes what the next counts are settled from, by the corrections of all boundary arcs. False if all of them meet
+/// the tolerance.
+bool correct_misses(const ChordTask& task, ChordDivision& division);
+
+}  // namespace quadrille::refine

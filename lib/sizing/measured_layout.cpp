@@ -1,0 +1,39 @@
+#include "sizing/measured_layout.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace quadrille::sizing {
+
+MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
+    : blocks(&layout),
+      curves(layout.face, layout.splines),
+      arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()))),
+      chords(mesh::directed_chords(layout.block2arcs, arc_chord)) {
+  for (const GraphArc& arc : layout.arcs) chains.emplace_back(curves, arc.pieces);
+}
+
+MeasuredLayout::MeasuredLayout(const BlockLayout& layout)
+    : geometry_(std::make_shared<Geometry>(layout)), parameters_(layout.arcs.size()) {}
+
+MeasuredLayout MeasuredLayout::with_parameters(std::vector<ArcParameter> parameters) const {
+  MeasuredLayout other = *this;
+  other.parameters_ = std::move(parameters);
+  return other;
+}
+
+bool MeasuredLayout::has_equal_parameters() const {
+  return std::all_of(parameters_.begin(), parameters_.end(), std::mem_fn(&ArcParameter::is_identity));
+}
+
+double MeasuredLayout::arc_fraction(const mesh::Chord& chord, int i, double u) const {
+  return parameters_[chord.arcs[i]].fraction(chord.backwards[i] ? 1 - u : u);
+}
+
+double MeasuredLayout::chord_parameter(const mesh::Chord& chord, int i, double fraction) const {
+  const double own = parameters_[chord.arcs[i]].parameter(fraction);
+  return chord.backwards[i] ? 1 - own : own;
+}
+
+}  // namespace quadrille::sizing
