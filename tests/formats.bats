@@ -151,7 +151,7 @@ PYTHON
   validates critical-points "$crit"
   validates critical-points "${crit%/*}/resolved.crit.json"
   validates separatrix-graph "$sep"
-  for edit in 'del(.corners)' '.version = [2, 0]' '.format = "field"' '.critical_points[0].index = 0' \
+  for edit in 'del(.corners)' '.version = [1, 2]' '.format = "field"' '.critical_points[0].index = 0' \
     '.critical_points[0].position = [1]' '.corners[0].valence = 1.5' '.index_sum.expected = 3' '.form = "nice"' \
     'del(.critical_points[0].valence)' '.certificate.cells = 1' '.boundary_nodes = [{"curve": 0}]' \
     '.changes = [{"kind": "place", "reason": 1, "before": [], "after": []}]'; do

@@ -17,19 +17,18 @@ int main(int argc, char** argv) {
   tool.name = "blocksplit";
   tool.summary = "turns a separatrix graph into four-sided blocks";
   tool.description =
-      "Walks the faces of the planar graph in SEP. Each must have four sides, else the exit code is 1 and the message "
-      "names the place. A block is its four exact sides and their transfinite blend: no order is chosen here. A block "
-      "whose blend cannot be proved valid, or has a scaled Jacobian below 0.1, is cut through its long sides, with all "
-      "blocks of its strip, where that helps; every other "
-      "layout is taken as it is. -v tells the worst and the smallest block, and what forces that one. Blocks are "
-      "called "
-      "as the CAD face is, so that they are one region, and block_N where it has no name.";
+      "Reads a separatrix graph and makes a block of each of its faces. Each face must have four sides; otherwise the "
+      "exit code is 1 and the message names the position. A block is its four exact sides and their transfinite blend: "
+      "no order is chosen here. A block whose blend cannot be proved valid, or whose scaled Jacobian is below 0.1, is "
+      "split across its long sides, together with all blocks of its chord, if that improves it. -v reports the worst "
+      "and the smallest block, and which boundary features force the smallest one. Blocks have the name of the CAD "
+      "face, so that they are one region; if it has none, they are called block_N.";
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5",
                    "echo '{\"*\": \"fluid\"}' | blocksplit half_disc.sep.json --block-names - -o half_disc.blocks.h5"};
   tool.options = [&](cli::Options& o) {
-    o.input("SEP", input, "graph of separatrices (x.sep.json)");
-    o.output(output, "block layout (x.blocks.h5)");
+    o.input("SEP", input, "separatrix graph (x.sep.json)");
+    o.output(output, "block layout to write (x.blocks.h5)");
     o.text("--block-names", names, "FILE",
            "names of blocks, JSON: \"name of all\", {\"number\": \"name\", \"*\": \"name of the rest\"} or "
            "[{\"at\": [x, y], \"name\": \"fluid\"}] (see formats/block-names.md)",

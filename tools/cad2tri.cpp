@@ -45,11 +45,12 @@ int main(int argc, char** argv) {
   tool.name = "cad2tri";
   tool.summary = "turns a planar CAD face into a curved triangle mesh";
   tool.description =
-      "Reads SHAPE (STEP, IGES or BREP), which must hold exactly one planar face, with any number of holes, and writes "
-      "the triangle mesh on which fieldsolve works, with the exact boundary curves as NURBS. The mesh is coarse: its "
-      "elements follow the curves with polynomials of a high order, are small only where the boundary bends or comes "
-      "near itself, and are graded geometrically towards corners at which the field is singular. Every element is "
-      "proved valid. Lengths are the numbers of the file, in the file's own unit.";
+      "Reads SHAPE (STEP, IGES or BREP), which must contain exactly one planar face, with any number of holes, and "
+      "writes the triangle mesh on which fieldsolve solves, with the exact boundary curves as NURBS. The mesh is "
+      "coarse: "
+      "its elements follow the curves with polynomials of a high order, are small only where the boundary is strongly "
+      "curved or two of its parts are close to each other, and are graded geometrically towards corners at which the "
+      "field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own unit.";
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
@@ -58,16 +59,19 @@ int main(int argc, char** argv) {
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
     o.output(output, "triangle mesh to write (x.tri.h5)");
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
-    o.number("--corner-angle", corner_angle, 0, 90, "degrees", "tangent jumps above this are corners of the layout");
-    o.number("--size", options.size, 0, unlimited, "file units", "greatest size of an element; 0: diameter / 4");
-    o.number("--growth", options.growth, 0.05, 2, "size per distance", "growth of the element size away from details");
+    o.number("--corner-angle", corner_angle, 0, 90, "degrees",
+             "tangent discontinuities greater than this are corners of the layout");
+    o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
+    o.number("--growth", options.growth, 0.05, 2, "size per distance",
+             "growth of the element size with the distance from small features");
     o.integer("--fan-layers", options.fan_layers, -1, 40,
-              "layers of the fans at singular corners; -1: as many as each corner's exponent asks for");
+              "layers of the triangle fans at singular corners; -1: chosen for each corner from its exponent");
     o.text("--boundary-names", names, "FILE",
            "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the rest\"} or "
            "[{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
            false);
-    o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio", "radius of a layer by that of the next one");
+    o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
+             "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
     const io::InputFile file = io::read_input(input);

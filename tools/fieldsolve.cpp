@@ -20,8 +20,8 @@ using namespace quadrille;
 
 namespace {
 
-// The irregular nodes of the file, if they can be had on this mesh's face. They need not be of a field on this mesh:
-// nodes moved, or made for another mesh, have elements that say nothing.
+// Reads the irregular nodes and checks that a field on this mesh can have them. They may come from a field on another
+// mesh, or have been moved: then the elements that the file names have no meaning.
 CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
   CriticalPoints points = io::read_critical_points(file);
   check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
@@ -32,12 +32,13 @@ CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
   std::erase_if(violations, [](const check::Violation& violation) { return violation.rule == "CRT-R09"; });
   check::require_valid(violations, file.name);
   if (points.origin != mesh.face.origin)
-    throw FormatError(fmt::format("{}: its origin is not that of the mesh: it belongs to another face", file.name));
+    throw FormatError(
+        fmt::format("{}: its origin differs from that of the mesh: it belongs to another face", file.name));
   galerkin::require_possible(mesh.face, phase_nodes_of(points), file.name);
   return points;
 }
 
-void say_phase(const PhaseForm& phase, cli::Session& s) {
+void report_phase(const PhaseForm& phase, cli::Session& s) {
   std::vector<int> nodes, corners;
   for (const PhaseNode& node : phase.prescribed.nodes) nodes.push_back(node.valence);
   for (const CornerValence& corner : phase.prescribed.corners) corners.push_back(corner.valence);
@@ -62,14 +63,14 @@ int main(int argc, char** argv) {
   tool.summary = "solves for the guiding field on a triangle mesh";
   tool.description =
       "Reads the triangle mesh TRI and writes the guiding field v = (u, v): harmonic inside, the cross (cos 4 theta, "
-      "sin 4 theta) of the tangent angle theta on the boundary. Galerkin's method with elements that are continuous "
+      "sin 4 theta) of the tangent angle theta on the boundary. The elements of the Galerkin method are continuous "
       "(cg) "
-      "or coupled by traces on their edges (dg, hybridised), interior modes condensed, one sparse factorisation for "
-      "both components. Boundary data come from the exact curves; every tangent jump is carried by an exact harmonic "
-      "function, so corners cost no accuracy. --corners dg leaves the jumps in the data, as the paper does, for "
-      "comparison; only dg can follow them. With --nodes the field is not harmonic but a unit field with exactly the "
-      "irregular nodes and corner valences of CRIT (the phase form, x.phase.h5): whatever critpoints has made of the "
-      "harmonic field's zeros, or you by hand.";
+      "or discontinuous (dg, hybridised); interior modes are condensed, and one sparse factorisation serves both "
+      "components. Boundary data come from the exact curves; every tangent discontinuity is represented by an exact "
+      "harmonic function, so that corners do not reduce the accuracy. --corners dg leaves the discontinuities in the "
+      "data, as the paper does, for comparison; only --method dg can represent them. With --nodes the field is a unit "
+      "field with exactly the irregular nodes and corner valences of CRIT (the phase form, x.phase.h5), as critpoints "
+      "or an editor prescribed them.";
   tool.examples = {"fieldsolve half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --field-order 12 half_disc.tri.h5 -o half_disc.solve.h5",
                    "fieldsolve --method dg half_disc.tri.h5 -o half_disc.solve.h5",
@@ -81,20 +82,20 @@ int main(int argc, char** argv) {
     o.output(output, "field to write (x.solve.h5)");
     o.integer("--field-order", order, 1, 20, "polynomial order of the field on every element (dg: at most 12)");
     o.text("--orders", orders_path, "FILE",
-           "an order for each element, from an order map (JSON) or a field; replaces "
-           "--field-order",
-           false);
+           "the order of each element, from an order map (JSON) or a field; replaces --field-order", false);
     o.text("--nodes", nodes_path, "CRIT",
-           "critical points (x.crit.json) whose nodes and corner valences the field shall have; cg only", false);
+           "critical points (x.crit.json) that prescribe the irregular nodes and corner valences of the field; cg only",
+           false);
     o.choice("--method", options.method, {"cg", "dg"}, "continuous or discontinuous (hybridised) elements");
-    o.choice("--corners", options.corners, {"lift", "dg"}, "tangent jumps: lifted exactly, or left in the data");
+    o.choice("--corners", options.corners, {"lift", "dg"},
+             "tangent discontinuities: lifted exactly, or left in the data");
   };
   tool.run = [&](cli::Session& s) {
     options.num_threads = s.threads();
     options.validate();
     const int max_order = galerkin::max_field_order(options.method == "dg");
     if (!nodes_path.empty() && (options.method != "cg" || options.corners != "lift"))
-      throw UsageError("--nodes goes with --method cg and --corners lift alone");
+      throw UsageError("--nodes needs --method cg and --corners lift");
     if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));
     const io::InputFile file = io::read_input(input);
     TriMesh mesh = io::read_tri_mesh(file);
@@ -117,7 +118,7 @@ int main(int argc, char** argv) {
       s.begin_phase("solve");
       galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
       field = solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, s.report());
-      say_phase(field.phase, s);
+      report_phase(field.phase, s);
     }
     s.begin_phase("estimate");
     field.elem_error = field::error_estimate(field);

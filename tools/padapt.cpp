@@ -32,32 +32,35 @@ int main(int argc, char** argv) {
   tool.name = "padapt";
   tool.summary = "adapts the polynomial order of a field, element by element";
   tool.description =
-      "Reads the field SOLVE and repeats: compare the solution with itself one order lower on each element (the "
-      "sensor), raise the order by one where the sensor exceeds --raise-above, lower it by one where it is below "
-      "--lower-below, solve again; until no order changes. An order once raised is not lowered again. The sensor is a "
-      "squared ratio: 1e-20 is a relative tail of 1e-10. A field that was adapted before is adapted on, with its "
-      "history, so that --max-steps 1 goes one step at a time. A field for given nodes (x.phase.h5) is solved for them "
-      "again; "
-      "its sensor sees its one unknown, the phase in radians, whatever --sensor says.";
+      "Reads the field SOLVE and repeats: estimate the error of each element by comparing its solution with the same "
+      "solution one order lower (the sensor), raise the order by one if the sensor exceeds --raise-above, lower it by "
+      "one if it is below --lower-below, and solve again, until no order changes. An order that was raised is not "
+      "lowered again. The sensor is a squared ratio: 1e-20 is a relative tail of 1e-10. A field that was adapted "
+      "before "
+      "is adapted further and keeps its history, so that --max-steps 1 performs one step at a time. A field for "
+      "prescribed nodes (x.phase.h5) is solved for them again; its sensor uses its only unknown, the phase in radians, "
+      "and ignores --sensor.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
                    "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
                    "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
   tool.options = [&](cli::Options& o) {
-    o.input("SOLVE", input, "field (x.solve.h5, x.phase.h5)");
+    o.input("SOLVE", input, "field to adapt (x.solve.h5, x.phase.h5)");
     o.output(output, "adapted field to write (x.field.h5)");
     o.number("--raise-above", options.raise_above, 0, 1, "squared ratio",
-             "raise the order where the sensor exceeds it");
-    o.number("--lower-below", options.lower_below, 0, 1, "squared ratio", "lower the order where the sensor is below");
-    o.integer("--min-order", options.min_order, 1, 20, "lowest order to go down to");
-    o.integer("--max-order", options.max_order, 1, 20, "highest order to go up to (dg: at most 12)");
+             "raise the order of elements whose sensor exceeds this");
+    o.number("--lower-below", options.lower_below, 0, 1, "squared ratio",
+             "lower the order of elements whose sensor is below this");
+    o.integer("--min-order", options.min_order, 1, 20, "lowest order");
+    o.integer("--max-order", options.max_order, 1, 20, "highest order (dg: at most 12)");
     o.integer("--max-steps", options.max_steps, 0, 100,
-              "bound on the number of new solutions; reaching it is a warning");
-    o.number("--target-error", options.target_error, 0, 1, "size of the field",
-             "estimated error that elements at the highest order should reach; missing it is a warning");
-    o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor sees");
-    o.choice("--sensor-scale", options.scale, {"absolute", "relative"},
-             "what the sensor is relative to: the size of the field on the boundary, or the sensed components on the "
-             "element (as in the paper)");
+              "greatest number of new solutions; a warning is given if it is reached");
+    o.number("--target-error", options.target_error, 0, 1, "magnitude of the field",
+             "estimated error that elements at the highest order should reach; a warning is given if they do not");
+    o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor uses");
+    o.choice(
+        "--sensor-scale", options.scale, {"absolute", "relative"},
+        "reference of the sensor: the magnitude of the field on the boundary, or that of the components on the element "
+        "(as in the paper)");
   };
   tool.run = [&](cli::Session& s) {
     options.num_threads = s.threads();

@@ -39,19 +39,19 @@ std::string format_of(const std::string& output, const std::string& wish) {
     if (!format.ending.empty() && endings.find(format.ending) == std::string::npos)
       endings += fmt::format(" {}", format.ending);
   throw UsageError(
-      fmt::format("cannot tell the format from the name {}: end it in one of {} or give --format", output, endings));
+      fmt::format("the name {} does not determine the format: end it in one of {} or give --format", output, endings));
 }
 
 /// The program that is linked to the CAD kernel, beside our own: bin/../libexec.
 std::string step_helper() {
   std::array<char, PATH_MAX> path{};
   const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
-  if (length < 0) throw Defect("cannot find my own program file");
+  if (length < 0) throw Defect("cannot find the program file of this process");
   const std::string self(path.data(), static_cast<std::size_t>(length));
   return self.substr(0, self.rfind('/')) + "/../libexec/quadexport-step";
 }
 
-/// What the helper says until it ends.
+/// The output of the helper until it ends.
 std::string read_all(int fd) {
   std::string said;
   std::array<char, 4096> buffer{};
@@ -107,11 +107,11 @@ bool takes_one_file(const std::string& output) {
   return output == "-" || (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there));
 }
 
-/// A mesh that is marked as not valid goes no further unless that is asked for.
-void admit(const QuadMesh& mesh, bool allow_invalid, cli::Session& s) {
+/// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.
+void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, cli::Session& s) {
   const std::string doubt = check::doubt_about(mesh);
   if (doubt.empty()) return;
-  if (!allow_invalid) throw ComputeError(doubt + " (--allow-invalid exports it all the same)");
+  if (!allow_invalid) throw ComputeError(doubt + ": give --allow-invalid to export it");
   s.report().warn("W-QUA-001", doubt);
 }
 
@@ -121,7 +121,7 @@ void write_mesh(const std::string& input, const std::string& output, const std::
   const io::InputFile file = io::read_input(input);
   const QuadMesh mesh = io::read_quad_mesh(file);
   check::require_valid(check::check_quad_mesh(mesh, check::CheckDepth::quick), file.name);
-  admit(mesh, allow_invalid, s);
+  require_valid_mesh(mesh, allow_invalid, s);
   s.begin_phase("write");
   const exports::Exported exported = exports::export_mesh(mesh, *exports::find_export_format(format_name), in_space);
   s.report().set("format", format_name);
@@ -159,10 +159,12 @@ int main(int argc, char** argv) {
   tool.name = "quadexport";
   tool.summary = "writes a mesh or its blocks for other programs";
   tool.description =
-      "A quad mesh becomes a file of a solver's format, with the names of boundaries and blocks; the nodes are those "
-      "that the format means. What it cannot hold is said on standard error. A block layout becomes a STEP model of "
-      "faces that share their edges. The format follows from the output's ending, or --format; standard output is MSH "
-      "by default. Formats: " +
+      "Writes a quad mesh in the format of a solver, with the names of boundaries and blocks and with the nodes that "
+      "the "
+      "format defines. What the format cannot represent is reported on standard error, with the magnitude of the loss. "
+      "A block layout is written as a STEP model of faces that share their edges. The format follows from the ending "
+      "of "
+      "the output, or from --format; standard output is MSH by default. Formats: " +
       format_list() + ".";
   tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
                    "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
@@ -170,8 +172,9 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& o) {
     o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
     o.output(output, "file to write");
-    o.choice("--format", format, formats, "auto: by the ending of the output");
-    o.choice("--frame", frame, {"2d", "3d"}, "3d: coordinates of the CAD model's own space");
+    o.choice("--format", format, formats, "auto: from the ending of the output");
+    o.choice("--frame", frame, {"2d", "3d"},
+             "2d: coordinates in the plane of the face; 3d: coordinates of the CAD model");
     o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
   };
   tool.run = [&](cli::Session& s) {

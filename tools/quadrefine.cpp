@@ -17,7 +17,7 @@ using namespace quadrille;
 
 namespace {
 
-/// The wanted sizes, as the command line has them.
+/// The prescribed sizes, as the command line states them.
 struct SizeArguments {
   sizing::SizeOptions options;
   std::vector<std::string> near, counts;
@@ -25,21 +25,23 @@ struct SizeArguments {
 };
 
 void declare(cli::Options& o, SizeArguments& sizes) {
-  o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "wanted edge length");
-  o.texts("--size-near", sizes.near, "NAME=H", "wanted edge length H along the boundary NAME, growing away from it");
-  o.text("--size-field", sizes.file, "FILE", "points and boxes with wanted edge lengths (JSON, formats/size-field.md)",
-         false);
+  o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
+  o.texts("--size-near", sizes.near, "NAME=H",
+          "edge length H along the boundary NAME, growing with the distance from it");
+  o.text("--size-field", sizes.file, "FILE",
+         "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
   o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",
-           "wanted edge lengths by the boundary's curvature; 0: it asks for none");
+           "edge lengths from the curvature of the boundary; 0: none");
   o.number("--growth", sizes.options.growth, 0, 100, "1",
-           "greatest ratio of neighbouring edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
+           "greatest ratio of adjacent edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
   o.choice("--size-rule", sizes.rule, {"nearest", "at-most"},
-           "a chord's count when its arcs want different ones: nearest deviates least, on the mean, from the wanted "
-           "lengths; at-most makes no edge longer than wanted");
-  o.texts(
-      "--count", sizes.counts, "CHORD=N",
-      "N elements across a chord, in place of what sizes ask for; the pictures of stageview BLOCKS and arc_chord in "
-      "BLOCKS have the chords' numbers");
+           "the number of elements of a chord whose arcs prescribe different ones: nearest deviates least from the "
+           "prescribed "
+           "lengths in the mean; at-most makes no edge longer than prescribed");
+  o.texts("--count", sizes.counts, "CHORD=N",
+          "N elements across a chord, instead of the number from the sizes; the pictures of stageview BLOCKS and "
+          "arc_chord in "
+          "BLOCKS show the numbers of the chords");
 }
 
 void take_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
@@ -68,38 +70,41 @@ int main(int argc, char** argv) {
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
   tool.description =
-      "One count of elements for each chord of blocks (blocks that are linked through opposite sides share it), so "
-      "that "
-      "the logarithms of edge lengths deviate least from those of the wanted ones, by their mean square over the "
-      "length "
-      "of the chord's arcs. Sizes wanted in one place weigh more the finer they are (by the sixth power), so that they "
-      "are met there; sizes grow from there to --size at the rate --growth. More elements where the boundary would "
-      "miss "
-      "--geometry-tol, with element corners moved onto joints inside a side. --report tells for each chord what was "
-      "wanted and what achieved. Each element is sampled from the exact map of its block and proved valid by a lower "
-      "bound of det J, else the exit code is 1 and the message names the place, unless --allow-invalid asks for the "
-      "mesh "
-      "as it is. --report and -v tell the worst elements and where they lie.";
+      "Reads a block layout and chooses one number of elements for each chord (blocks that are linked through opposite "
+      "sides), so that the logarithms of the edge lengths deviate least from those of the prescribed ones, in the mean "
+      "square over the length of the chord's arcs. Where several sizes are prescribed at one place, finer ones are "
+      "weighted more (by the sixth power) and so determine the result; sizes grow from there to --size at the rate "
+      "--growth. More elements are used where the boundary would deviate by more than --geometry-tol, and element "
+      "corners are moved onto joints inside a side. --report lists the prescribed and the achieved sizes of each "
+      "chord. "
+      "Each element is sampled from the exact map of its block and proved valid by a lower bound of det J; otherwise "
+      "the "
+      "exit code is 1 and the message names the position, unless --allow-invalid is given. --report and -v list the "
+      "worst elements and their positions.";
   tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
                    "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
                    "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
                    "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
   tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
-    o.output(output, "quad mesh (x.quad.h5)");
+    o.output(output, "quad mesh to write (x.quad.h5)");
     declare(o, sizes);
     o.integer("--order", options.order, 1, 20, "shape order of the elements");
-    o.number("--geometry-tol", options.geometry_tol, 0, 1, "diameters",
-             "greatest distance between the mesh's boundary and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
-             "else 5e-7");
-    o.texts("--wall", walls, "NAME:first=H,growth=R,layers=N",
-            "layers along the boundary NAME (or NAME,NAME): H the height of the first, in units of the file, R the "
-            "greatest growth (default: 1.2), N their number or 'fit'; thickness=T in place of layers; "
-            "law=uniform|geometric|tanh|gll (default: geometric)");
+    o.number(
+        "--geometry-tol", options.geometry_tol, 0, 1, "diameters",
+        "greatest distance between the boundary of the mesh and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
+        "else 5e-7");
+    o.texts(
+        "--wall", walls, "NAME:first=H,growth=R,layers=N",
+        "layers along the boundary NAME (or NAME,NAME): H is the height of the first one in file units, R the greatest "
+        "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
+        "law=uniform|geometric|tanh|gll (default: geometric)");
     o.text("--blocks", blocks, "ID,...",
-           "numbers or names of blocks: refines the chords through them only; others get as few elements as they can");
-    o.integer("--relax", options.relax, 0, 1000, "sweeps that move vertices to where elements have better shapes");
-    o.flag("--allow-invalid", options.allow_invalid, "write a mesh that is not proved valid, marked as such");
+           "numbers or names of blocks: only the chords through them are refined, all others get as few elements as "
+           "possible");
+    o.integer("--relax", options.relax, 0, 1000,
+              "relaxation sweeps, which move vertices to improve the shapes of elements");
+    o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
     for (const std::string& wall : walls) options.walls.push_back(layers::parse_wall_spec(wall));

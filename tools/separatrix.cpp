@@ -1,4 +1,4 @@
-// Traces the separatrices of a guiding field and makes the planar graph of separatrices and boundary.
+// Traces the separatrices of a guiding field and writes the planar graph of separatrices and boundary.
 
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
@@ -16,37 +16,45 @@ int main(int argc, char** argv) {
   tool.name = "separatrix";
   tool.summary = "traces the separatrices of a guiding field";
   tool.description =
-      "Launches a line in each direction of the cross at the irregular nodes and corners of CRIT, follows it through "
-      "FIELD to the boundary, merges lines that meet head on and makes the planar graph of separatrices and boundary. "
-      "Where the nodes of CRIT are not the zeros of the field, FIELD is a phase that fieldsolve --nodes made for them. "
-      "Every face of it must have four corners, else the exit code is 1 and the message names the place.";
+      "Starts a separatrix in each direction of the cross at the irregular nodes and corners of CRIT, traces it "
+      "through "
+      "FIELD to the boundary, merges separatrices that meet head-on and writes the planar graph of separatrices and "
+      "boundary. If the nodes of CRIT are not the zeros of the field, FIELD must be the phase that fieldsolve --nodes "
+      "solved for them. Every face of the graph must have four corners; otherwise the exit code is 1 and the message "
+      "names the position.";
   tool.examples = {
       "separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json",
       "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5"};
   tool.options = [&](cli::Options& o) {
     o.input("FIELD", field_path, "guiding field (x.field.h5, x.phase.h5 or x.solve.h5)", true);
     o.input("CRIT", points_path, "its critical points (x.crit.json)");
-    o.output(output, "graph of separatrices (x.sep.json)");
-    o.number("--tolerance", options.trace.tolerance, 1e-14, 1e-3, "diameters", "error allowed in one step of a line");
-    o.choice("--integrator", options.trace.integrator, {"rk", "ab4"},
-             "how lines are followed: Runge-Kutta in reference space with error control, or, to compare with, the "
-             "paper's Adams-Bashforth in physical space with a fixed step");
+    o.output(output, "separatrix graph to write (x.sep.json)");
+    o.number("--tolerance", options.trace.tolerance, 1e-14, 1e-3, "diameters",
+             "greatest error of one integration step");
+    o.choice(
+        "--integrator", options.trace.integrator, {"rk", "ab4"},
+        "integrator of the separatrices: Runge-Kutta in reference space with error control, or, for comparison, the "
+        "paper's Adams-Bashforth in physical space with a fixed step");
     o.number("--step", options.trace.step, 0, 1e300, "file units",
-             "greatest step along a line, 0 a 20th of the diameter; with ab4 every step, 0 a 500th");
-    o.number("--merge-angle", options.trace.merge_angle, 0, 40, "degrees", "merge lines that this turns by less");
+             "greatest step, 0: diameter / 20; with ab4 the fixed step, 0: diameter / 500");
+    o.number("--merge-angle", options.trace.merge_angle, 0, 40, "degrees",
+             "merge head-on separatrices if their direction changes by less than this");
     o.number("--merge-distance", options.trace.merge_distance, 0, 1e300, "file units",
-             "and lines that pass each other within this distance");
+             "also merge separatrices that pass within this distance");
     o.choice(
         "--simplify", options.simplify, {"none", "normal", "coarsest"},
-        "thin strips of blocks are taken out: normal, where that saves more than it costs in shape; coarsest, where "
-        "blocks stay in fair shape and lines within 45 degrees of the field");
-    o.number("--max-turn", options.max_turn, 0, 45, "degrees", "how far that may turn a line from the field");
-    o.choice("--layout", options.layout, {"traced", "quantized", "auto", "t-mesh"},
-             "traced: lines are followed to their ends; quantized: each stops at the first that crosses its way, and "
-             "whole numbers say where it goes on; auto: quantized where traced fails or makes more blocks; t-mesh: a "
-             "look at the stopped lines, no layout");
-    o.integer("--max-lines", options.max_lines, 1, 1000000, "most arcs of separatrices that the graph may have");
-    o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "longest line that is followed");
+        "collapse thin chords: normal, if fewer blocks outweigh the loss of block quality; coarsest, if block quality "
+        "stays acceptable and no separatrix deviates from the field by more than 45 degrees");
+    o.number("--max-deviation", options.max_turn, 0, 45, "degrees",
+             "greatest deviation of a simplified line from the field");
+    o.formerly("--max-turn", "--max-deviation");
+    o.choice(
+        "--layout", options.layout, {"traced", "quantized", "auto", "t-mesh"},
+        "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses "
+        "it (motorcycle graph), and an integer program decides how they continue; auto: quantized if traced fails "
+        "or needs more blocks; t-mesh: only the stopped separatrices, no layout");
+    o.integer("--max-lines", options.max_lines, 1, 1000000, "greatest number of arcs of separatrices in the graph");
+    o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
@@ -57,7 +65,8 @@ int main(int argc, char** argv) {
     check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), points_file.name);
     check::require_valid(check::check_critical_points_of(points, field), points_file.name);
     const field::FieldEvaluator evaluator(field);
-    // A phase that was made for other nodes has not seen this file either: what to do about it is said first.
+    // A phase that was solved for other nodes does not have this file in its provenance either: the message that says
+    // what to do about it comes first.
     if (field.kind == "phase") trace::check_nodes_match_field(evaluator, points);
     io::require_same_origin(field_file, field.provenance, points_file, points.provenance);
     if (field.kind != "phase") trace::check_nodes_match_field(evaluator, points);

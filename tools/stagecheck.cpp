@@ -16,7 +16,7 @@ using namespace quadrille;
 
 namespace {
 
-/// A mesh may be what its page says and yet not be valid: then it says so itself.
+/// A mesh may keep all rules and yet not be valid: then it is marked as such.
 std::vector<check::Violation> violations_of_quads(const io::InputFile& file, cli::Session& session) {
   const QuadMesh mesh = io::read_quad_mesh(file);
   std::vector<check::Violation> violations = check::check_quad_mesh(mesh, check::CheckDepth::full);
@@ -42,7 +42,7 @@ std::vector<check::Violation> violations_of(const io::InputFile& file, const std
   return violations_of_quads(file, session);
 }
 
-/// Prints what is wrong with one file and returns how much that is.
+/// Prints the violations of one file and returns their number.
 std::size_t check_file(const std::string& path, cli::Session& session) {
   try {
     const io::InputFile file = io::read_input(path);
@@ -68,8 +68,8 @@ int main(int argc, char** argv) {
   tool.summary = "checks stage files against the numbered rules of their formats";
   tool.description =
       "Reads each FILE (tri-mesh, field, critical-points, separatrix-graph, block-layout or quad-mesh), checks every "
-      "rule of its format page in formats/, proofs of positive Jacobians included, and prints one line for each "
-      "violation: FILE: RULE: text. Silent when all rules hold; -v says what was checked.";
+      "rule of its format page in formats/, including proofs of positive Jacobians, and prints one line for each "
+      "violation: FILE: RULE: text. Nothing is printed if all rules hold; -v reports what was checked.";
   tool.examples = {"stagecheck half_disc.tri.h5", "stagecheck -v half_disc.crit.json half_disc.quad.h5"};
   tool.options = [&](cli::Options& options) { options.inputs("FILE", paths, "stage files to check"); };
   tool.run = [&](cli::Session& session) {

@@ -35,7 +35,7 @@ std::string draw_stage(const Settings& settings, cli::Session& session) {
   const io::InputFile file = io::read_input(settings.input);
   const std::string format = io::stage_format(file);
   if (!settings.field.empty() && format != "critical-points")
-    throw UsageError("--field is only of use beside critical points; " + file.name + " is a " + format + " file");
+    throw UsageError("--field needs a critical-points file, but " + file.name + " is a " + format + " file");
   const auto drawn = [&](auto model, auto check, auto draw) {
     require_valid(check(model, check::CheckDepth::quick), file.name);
     return draw(model, settings.draw);
@@ -66,18 +66,20 @@ int main(int argc, char** argv) {
   tool.name = "stageview";
   tool.summary = "draws a picture (SVG) of any stage file";
   tool.description =
-      "The kind of FILE is recognised by its content: triangle mesh, guiding field, critical points, separatrices, "
-      "blocks or quads. Critical points are drawn over their field when it is given by --field, with error bars, "
-      "clusters, what was changed and the cells of the certificate. Elements, blocks and points show their numbers and "
-      "figures, changes their reasons, when the pointer rests on them in a browser.";
+      "The format of FILE is detected from its content: triangle mesh, guiding field, critical points, separatrices, "
+      "blocks or quads. Critical points are drawn over the field that --field names, with error bars, clusters, "
+      "changes "
+      "and the cells of the certificate. In a browser, elements, blocks and points show their numbers and figures, and "
+      "changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg"};
   tool.options = [&](cli::Options& o) {
     o.input("FILE", settings.input, "a stage file");
-    o.output(settings.output, "the picture");
-    o.text("--field", settings.field, "FILE", "the field to draw under critical points", false);
-    o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"}, "what to show of a field");
+    o.output(settings.output, "picture to write (SVG)");
+    o.text("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
+             "quantity of a field to show: cross angle, a component or the polynomial order");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
   tool.run = [&](cli::Session& s) { io::write_output(settings.output, draw_stage(settings, s), false); };

@@ -45,7 +45,7 @@ shape() { jq '.simplify.least_scaled_jacobian * 1000 | floor' "$1.json"; }
 
 @test "without any turn nothing goes that is not straight" {
   layouts chamfered_plate_hole
-  separatrix -q a.field.h5 a.crit.json --max-turn 0 -o still.sep.json --report still.json
+  separatrix -q a.field.h5 a.crit.json --max-deviation 0 -o still.sep.json --report still.json
   assert_equal "$(blocks still)" "$(blocks none)"
   assert [ "$(blocks normal)" -lt "$(blocks none)" ]
 }

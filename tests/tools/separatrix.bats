@@ -257,3 +257,13 @@ certificate() { jq -c '.certificate | [.method, .index_sum, [.face_valence_histo
     (.[1].simplify.least_scaled_jacobian >= .[0].simplify.least_scaled_jacobian)]' traced.json auto.json
   assert_output '[true,true]'
 }
+
+@test "--max-turn, the former name of --max-deviation, is accepted and gives the same bytes" {
+  separatrix "$field" "$crit" --max-turn 20 -o old.sep.json
+  separatrix "$field" "$crit" --max-deviation=20 -o new.sep.json
+  cmp old.sep.json new.sep.json
+  run -0 jq -r '.provenance[-1].options | ."max-deviation", ."max-turn"' old.sep.json
+  assert_output $'20\nnull'
+  run -0 separatrix --help
+  refute_output --partial --max-turn
+}
