@@ -15,6 +15,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "export/format_table.hpp"
@@ -112,7 +113,7 @@ void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, cli::Session& 
   const std::string doubt = check::doubt_about(mesh);
   if (doubt.empty()) return;
   if (!allow_invalid) throw ComputeError(doubt + ": give --allow-invalid to export it");
-  s.report().warn("W-QUA-001", doubt);
+  s.report().warn(warning::mesh_not_valid, doubt);
 }
 
 void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,
@@ -127,11 +128,11 @@ void write_mesh(const std::string& input, const std::string& output, const std::
   s.report().set("format", format_name);
   s.report().set("quads", mesh.num_elems());
   s.report().set("nodes", mesh.nodes.size());
-  for (const std::string& loss : exported.losses) s.report().warn("W-EXP-001", loss);
+  for (const std::string& loss : exported.losses) s.report().warn(warning::format_loss, loss);
   for (const exports::SideFile& side : exported.side_files) {
     if (takes_one_file(output))
-      s.report().warn("W-EXP-002", fmt::format("*{} is not written: {} takes one file", side.ending,
-                                               output == "-" ? "standard output" : output));
+      s.report().warn(warning::side_file_not_written, fmt::format("*{} is not written: {} takes one file", side.ending,
+                                                                  output == "-" ? "standard output" : output));
     else
       io::write_output(beside(output, side.ending), side.bytes, side.is_binary);
   }

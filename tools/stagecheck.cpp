@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
@@ -21,7 +22,7 @@ std::vector<check::Violation> violations_of_quads(const io::InputFile& file, cli
   const QuadMesh mesh = io::read_quad_mesh(file);
   std::vector<check::Violation> violations = check::check_quad_mesh(mesh, check::CheckDepth::full);
   if (violations.empty() && !mesh.is_valid)
-    session.report().warn("W-QUA-001", fmt::format("{}: {}", file.name, check::doubt_about(mesh)));
+    session.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file.name, check::doubt_about(mesh)));
   return violations;
 }
 

@@ -11,6 +11,7 @@
 #include "adapt/order_policy.hpp"
 #include "adapt/sensor.hpp"
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "galerkin/solve_phase.hpp"
@@ -117,7 +118,7 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
   const std::vector<Vec2>& x = field.mesh.vertices;
   const Vec2 place = (x[a] + x[b] + x[c]) / 3 + field.mesh.face.origin;
   report.warn(
-      "W-ADAPT-002",
+      warning::target_error_missed,
       fmt::format("the estimated error of the field is up to {:.1e}, above the target {:.1e}, although the order "
                   "is at its highest, {}: {} {}, the worst near ({:.6g}, {:.6g})",
                   greatest, options.target_error, options.max_order, num_missing,
@@ -152,8 +153,8 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
     field.elem_sensor = std::move(sensors);
     if (orders == field.elem_order) break;
     if (round == options.max_steps) {
-      report.warn("W-ADAPT-001", fmt::format("orders still change after {} {}", options.max_steps,
-                                             options.max_steps == 1 ? "step" : "steps"));
+      report.warn(warning::orders_still_change, fmt::format("orders still change after {} {}", options.max_steps,
+                                                            options.max_steps == 1 ? "step" : "steps"));
       break;
     }
     const std::clock_t begin = std::clock();

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/warning_codes.hpp"
 #include "block/extract_blocks.hpp"
 #include "block/split_chord.hpp"
 #include "block/tell_layout.hpp"
@@ -61,7 +62,7 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
     const BlockMeasure& m = blocks.measures[b];
     if (is_proved(m)) continue;
     const Vec2 place = m.scaled_jacobian_place + blocks.layout.face.origin;
-    report.warn("W-BLK-001",
+    report.warn(warning::block_not_proved_valid,
                 fmt::format("{} cannot be proved valid near ({:.6g}, {:.6g}): its exact map folds there, or nearly so",
                             blocks.layout.block_names[b], place.x, place.y));
   }

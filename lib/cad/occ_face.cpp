@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "cad/occ_curves.hpp"
 #include "curve/nurbs.hpp"
 
@@ -97,7 +98,7 @@ class FaceReader {
       if (i.Value().ShapeType() == TopAbs_WIRE)
         read_wire(TopoDS::Wire(i.Value()));
       else
-        report_.warn("W-CAD-004", raw_.file + ": ignored a point inside the face");
+        report_.warn(warning::inner_point_ignored, raw_.file + ": ignored a point inside the face");
     }
     if (model_.num_face_edges >= 0 && model_.num_face_edges != num_edges_)
       throw FormatError(fmt::format("{}: the file names {} edges of the face, of which {} can be built", raw_.file,
@@ -140,8 +141,9 @@ class FaceReader {
       throw FormatError(
           fmt::format("{}: edge {} leaves the plane of the face by {:.3g}", raw_.file, num_edges_, plane.height));
     if (plane.error > raw_.tolerance / 10)
-      report_.warn("W-CAD-003", fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}",
-                                            raw_.file, num_edges_, plane.error));
+      report_.warn(warning::edge_approximated,
+                   fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}", raw_.file,
+                               num_edges_, plane.error));
     const bool backwards = edge.Orientation() == TopAbs_REVERSED;
     result.curve = backwards ? curve::reversed(plane.curve) : plane.curve;
     result.start = vertex(TopExp::FirstVertex(edge, true), result.curve.poles.front());
@@ -192,8 +194,8 @@ void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, co
     if (count > 0)
       report.warn(code, fmt::format("{}: ignored {} {}{} beside the face", file, count, what, count == 1 ? "" : "s"));
   };
-  warn("W-CAD-001", curves, "curve");
-  warn("W-CAD-002", points, "point");
+  warn(warning::curves_ignored, curves, "curve");
+  warn(warning::points_ignored, points, "point");
 }
 
 }  // namespace

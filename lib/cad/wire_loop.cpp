@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::cad {
@@ -102,8 +103,9 @@ Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol,
     if (polygon_length(edge.curve) > tol)
       edges.push_back(&edge);
     else
-      report.warn("W-CAD-005", fmt::format("{}: ignored edge {} at {}: shorter than the tolerance {:.3g}", raw.file,
-                                           edge.cad_edge, place(edge.start), tol));
+      report.warn(warning::short_edge_ignored,
+                  fmt::format("{}: ignored edge {} at {}: shorter than the tolerance {:.3g}", raw.file, edge.cad_edge,
+                              place(edge.start), tol));
   }
   if (edges.empty())
     throw FormatError(

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "field/boundary_values.hpp"
 #include "field/corner_lifting.hpp"
 #include "galerkin/continuous.hpp"
@@ -26,7 +27,7 @@ std::unique_ptr<Discretization> make_discretization(const std::string& method, c
 // Nothing is wrong with the solution, but its zeros say nothing about a layout.
 void warn_of_line_field(const CadFace& face, Report& report) {
   if (!field::is_line_field(face)) return;
-  report.warn("W-SOLVE-001",
+  report.warn(warning::field_vanishes_on_curves,
               "all sides are straight and at multiples of 45 degrees to each other, of both parities: the harmonic "
               "field vanishes on curves instead of at points; critpoints will choose corner valences by rule, for "
               "fieldsolve --nodes");

@@ -7,6 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "mesh/quality.hpp"
 #include "triangulate/corner_fans.hpp"
 #include "triangulate/curve_elements.hpp"
@@ -132,8 +133,9 @@ void write_report(const Result& result, const EdgeFit& fit, double curve_tol, Re
   report.set("mesh.curve_error", error / mesh.face.diameter);
   report.set("mesh.proof_rounds", result.rounds);
   if (error > curve_tol) {
-    report.warn("W-TRI-001", fmt::format("element edges of order {} leave the curves by up to {:.1e} of the diameter",
-                                         mesh.order, error / mesh.face.diameter));
+    report.warn(warning::curve_tolerance_missed,
+                fmt::format("element edges of order {} leave the curves by up to {:.1e} of the diameter", mesh.order,
+                            error / mesh.face.diameter));
   }
 }
 

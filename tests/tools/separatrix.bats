@@ -250,7 +250,7 @@ certificate() { jq -c '.certificate | [.method, .index_sum, [.face_valence_histo
     assert_output ""
     run -0 stagecheck $layout.sep.json
   done
-  run -0 jq -r '.certificate | .way, .reason' auto.sep.json
+  run -0 jq -r '.certificate | .method, .reason' auto.sep.json
   assert_output --regexp '^quantized
 [0-9]+ separatrices that are followed to their ends make [0-9]+ blocks, [0-9]+ will do$'
   run -0 jq -sc '[(.[1].certificate.faces_of_4_corners < .[0].certificate.faces_of_4_corners),

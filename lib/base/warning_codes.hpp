@@ -1,0 +1,38 @@
+#pragma once
+// The codes of all warnings (Report::warn), which programs rely on; formats/report.md explains them. A code keeps its
+// meaning for ever: one that is no longer used leaves a gap.
+
+namespace quadrille::warning {
+
+// cad2tri
+inline constexpr const char* curves_ignored = "W-CAD-001";       ///< curves beside the face
+inline constexpr const char* points_ignored = "W-CAD-002";       ///< points beside the face
+inline constexpr const char* edge_approximated = "W-CAD-003";    ///< an edge without an exact rational form
+inline constexpr const char* inner_point_ignored = "W-CAD-004";  ///< a point inside the face
+inline constexpr const char* short_edge_ignored = "W-CAD-005";   ///< an edge shorter than the tolerance
+inline constexpr const char* curve_tolerance_missed = "W-TRI-001";
+
+// fieldsolve, padapt
+inline constexpr const char* field_vanishes_on_curves = "W-SOLVE-001";
+inline constexpr const char* orders_still_change = "W-ADAPT-001";
+inline constexpr const char* target_error_missed = "W-ADAPT-002";
+
+// critpoints
+inline constexpr const char* least_energy_not_found = "W-PLACE-001";
+inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
+
+// separatrix, blocksplit
+inline constexpr const char* quantized_instead_of_traced = "W-SEP-001";
+inline constexpr const char* block_not_proved_valid = "W-BLK-001";
+
+// quadrefine and what reads its meshes
+inline constexpr const char* mesh_not_valid = "W-QUA-001";
+inline constexpr const char* chord_count_missed = "W-QUA-002";
+inline constexpr const char* walls_share_a_chord = "W-WAL-001";  ///< each has heights of its own
+inline constexpr const char* walls_disagree = "W-WAL-002";       ///< walls that continue each other
+
+// quadexport
+inline constexpr const char* format_loss = "W-EXP-001";
+inline constexpr const char* side_file_not_written = "W-EXP-002";
+
+}  // namespace quadrille::warning
