@@ -110,10 +110,10 @@ bool takes_one_file(const std::string& output) {
 
 /// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.
 void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, cli::Session& s) {
-  const std::string doubt = check::doubt_about(mesh);
-  if (doubt.empty()) return;
-  if (!allow_invalid) throw ComputeError(doubt + ": give --allow-invalid to export it");
-  s.report().warn(warning::mesh_not_valid, doubt);
+  const std::string warning_text = check::validity_warning(mesh);
+  if (warning_text.empty()) return;
+  if (!allow_invalid) throw ComputeError(warning_text + ": give --allow-invalid to export it");
+  s.report().warn(warning::mesh_not_valid, warning_text);
 }
 
 void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,

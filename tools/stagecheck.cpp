@@ -22,7 +22,7 @@ std::vector<check::Violation> violations_of_quads(const io::InputFile& file, cli
   const QuadMesh mesh = io::read_quad_mesh(file);
   std::vector<check::Violation> violations = check::check_quad_mesh(mesh, check::CheckDepth::full);
   if (violations.empty() && !mesh.is_valid)
-    session.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file.name, check::doubt_about(mesh)));
+    session.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file.name, check::validity_warning(mesh)));
   return violations;
 }
 

@@ -51,7 +51,7 @@ std::string draw_stage(const Settings& settings, cli::Session& session) {
   if (format == "quad-mesh")
     return drawn(io::read_quad_mesh(file), check::check_quad_mesh,
                  [&](const QuadMesh& mesh, const draw::DrawOptions& options) {
-                   if (!mesh.is_valid) session.report().warn(warning::mesh_not_valid, check::doubt_about(mesh));
+                   if (!mesh.is_valid) session.report().warn(warning::mesh_not_valid, check::validity_warning(mesh));
                    return draw::draw_quad_mesh(mesh, options);
                  });
   throw FormatError(file.name + ": there is no picture for the format " + format);

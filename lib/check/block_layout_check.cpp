@@ -16,7 +16,8 @@ void arrays_agree(const BlockLayout& layout, Findings& findings) {
     findings.add("block2nodes, block2arcs, block_jacobian_bound and block_names must have one entry for each block");
   if (layout.arc_chord.size() != layout.arcs.size())
     findings.add("arc_chord has {} entries for {} arcs", layout.arc_chord.size(), layout.arcs.size());
-  if (!are_finite(layout.block_jacobian_bound)) findings.add("block_jacobian_bound holds a number that is not finite");
+  if (!are_finite(layout.block_jacobian_bound))
+    findings.add("block_jacobian_bound contains a number that is not finite");
   for (const auto& [name, values] : {std::pair{"block_scaled_jacobian", &layout.block_scaled_jacobian},
                                      std::pair{"block_boundary_distance", &layout.block_boundary_distance}})
     if (!values->empty() && (values->size() != n || !are_finite(*values)))

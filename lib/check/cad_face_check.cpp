@@ -43,7 +43,7 @@ void numbers_are_finite(const CadFace& face, Findings& findings) {
     const Joint& joint = face.joints[i];
     if (!is_finite(joint.position) || !is_finite(joint.tangent_in) || !is_finite(joint.tangent_out) ||
         !is_finite(joint.interior_angle))
-      findings.add("joint {} holds a number that is not finite", i);
+      findings.add("joint {} contains a number that is not finite", i);
   }
   if (!is_finite(face.origin)) findings.add("origin is not finite");
   if (!(face.diameter > 0) || !is_finite(face.diameter)) findings.add("diameter must be a positive number");

@@ -31,9 +31,9 @@ std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, Chec
 std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth);
 std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth);
 
-/// What to warn of (W-QUA-001) where a mesh is used that was written although it is not valid: a sentence with the
-/// worst element's place; empty for a valid mesh.
-std::string doubt_about(const QuadMesh& mesh);
+/// The warning (warning::mesh_not_valid) for a mesh that was written although it is not valid: a sentence with the
+/// position of the worst element; empty for a valid mesh.
+std::string validity_warning(const QuadMesh& mesh);
 
 /// Throws FormatError with the first violation; `name` is the file's name for the message.
 void require_valid(const std::vector<Violation>& violations, const std::string& name);

@@ -34,7 +34,7 @@ bool is_sound(const Certificate& c) {
 template <typename Entry, typename IsSound>
 void each_is_finite(const std::vector<Entry>& list, const char* name, const IsSound& sound, Findings& findings) {
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (!sound(list[i])) findings.add("{} {} holds a number that is not finite", name, i);
+    if (!sound(list[i])) findings.add("{} {} contains a number that is not finite", name, i);
 }
 
 void numbers_are_finite(const CriticalPoints& points, Findings& findings) {
@@ -53,7 +53,7 @@ void numbers_are_finite(const CriticalPoints& points, Findings& findings) {
       [](const Cluster& c) { return is_finite(c.centre) && is_finite(c.radius) && are_finite(c.members); }, findings);
   each_is_finite(
       points.changes, "change", [](const NodeChange& c) { return is_sound(c); }, findings);
-  if (!is_sound(points.certificate)) findings.add("the certificate holds a number that is not finite");
+  if (!is_sound(points.certificate)) findings.add("the certificate contains a number that is not finite");
 }
 
 void valences_fit_indices(const CriticalPoints& points, Findings& findings) {
@@ -123,7 +123,7 @@ void points_differ(const CriticalPoints& points, Findings& findings) {
   for (std::size_t i = 0; i < list.size(); ++i)
     for (std::size_t j = i + 1; j < list.size(); ++j)
       if (distance(list[i].position, list[j].position) <= 1e-10 * extent)
-        findings.add("critical points {} and {} are at one place", i, j);
+        findings.add("critical points {} and {} coincide", i, j);
 }
 
 void errors_are_sound(const CriticalPoints& points, Findings& findings) {
@@ -146,7 +146,7 @@ void boundary_nodes_are_sound(const CriticalPoints& points, Findings& findings) 
       findings.add("boundary node {}: valence {} must be 1, 3 or 4", i, list[i].valence);
     for (std::size_t j = 0; j < i; ++j)
       if (list[i].curve == list[j].curve && list[i].t == list[j].t)
-        findings.add("boundary nodes {} and {} are at one place", j, i);
+        findings.add("boundary nodes {} and {} coincide", j, i);
   }
   for (const int offset : points.hole_winding_offsets)
     if (std::abs(static_cast<double>(offset)) > max_winding)
@@ -250,7 +250,7 @@ void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
   for (int j = 0; j < face.num_curves(); ++j) {
     if (!face.joints[j].is_corner) continue;
     if (next == corners.size() || corners[next].joint != j)
-      return findings.add("the corner at {} (joint {}) is not listed in its place",
+      return findings.add("the corner at {} (joint {}) is missing or out of order",
                           place(face, face.joints[j].position), j);
     const Corner& c = corners[next++];
     if (c.curves[0] != face.previous_in_loop(j) || c.curves[1] != j)
@@ -259,7 +259,7 @@ void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
         std::abs(c.angle_degrees - degrees(face.joints[j].interior_angle)) > 1e-6)
       findings.add("corner {}: position or angle differs from that of joint {}", next - 1, j);
   }
-  if (next != corners.size()) findings.add("corner {}: joint {} is no corner", next, corners[next].joint);
+  if (next != corners.size()) findings.add("corner {}: joint {} is not a corner", next, corners[next].joint);
 }
 
 void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings) {
@@ -275,8 +275,9 @@ void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings)
       findings.add("boundary node {}: curve {} has no parameter {}, only {} to {}", i, b.curve, b.t, curve.begin(),
                    curve.end());
     else if (const Vec2 on_curve = curve_point(curve, b.t); distance(on_curve, b.position) > 1e-9 * face.diameter)
-      findings.add("boundary node {}: curve {} is at ({}, {}) there, less the origin", i, b.curve, on_curve.x,
-                   on_curve.y);
+      findings.add(
+          "boundary node {}: its position is not that of curve {} there, which is ({}, {}) relative to the origin", i,
+          b.curve, on_curve.x, on_curve.y);
   }
   const std::size_t num_offsets = pair.points.hole_winding_offsets.size();
   if (num_offsets != 0 && num_offsets + 1 != static_cast<std::size_t>(face.num_loops()))

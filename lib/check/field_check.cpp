@@ -45,14 +45,14 @@ void joints_exist(const Field& field, Findings& findings) {
 }
 
 void numbers_are_finite(const Field& field, Findings& findings) {
-  if (!are_finite(field.u) || !are_finite(field.v)) findings.add("u or v holds a number that is not finite");
-  if (!are_finite(field.phase.s)) findings.add("s holds a number that is not finite");
-  if (!are_finite(field.elem_sensor)) findings.add("elem_sensor holds a number that is not finite");
-  if (!are_finite(field.elem_error)) findings.add("elem_error holds a number that is not finite");
+  if (!are_finite(field.u) || !are_finite(field.v)) findings.add("u or v contains a number that is not finite");
+  if (!are_finite(field.phase.s)) findings.add("s contains a number that is not finite");
+  if (!are_finite(field.elem_sensor)) findings.add("elem_sensor contains a number that is not finite");
+  if (!are_finite(field.elem_error)) findings.add("elem_error contains a number that is not finite");
   for (std::size_t i = 0; i < field.liftings.size(); ++i) {
     const Lifting& lifting = field.liftings[i];
     if (!is_finite(lifting.apex) || !is_finite(lifting.pole) || !is_finite(lifting.jump))
-      findings.add("lifting {} holds a number that is not finite", i);
+      findings.add("lifting {} contains a number that is not finite", i);
   }
 }
 

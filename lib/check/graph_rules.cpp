@@ -34,7 +34,7 @@ void graph_indices_exist(const GraphView& graph, Findings& findings) {
 void pieces_are_sound(const GraphView& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)
     if (!is_finite(graph.nodes[i].position) || !is_finite(graph.nodes[i].t))
-      findings.add("node {} holds a number that is not finite", i);
+      findings.add("node {} contains a number that is not finite", i);
   for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
     const GraphArc& arc = graph.arcs[i];
     if (arc.pieces.empty()) findings.add("arc {} has no pieces", i);
@@ -44,7 +44,8 @@ void pieces_are_sound(const GraphView& graph, Findings& findings) {
       const double tol = 1e-12 * (curve.end() - curve.begin());
       const auto is_inside = [&](double t) { return t >= curve.begin() - tol && t <= curve.end() + tol; };
       if (!is_inside(piece.t0) || !is_inside(piece.t1) || piece.t0 == piece.t1)
-        findings.add("arc {}: parameters {:.9g} to {:.9g} are no part of curve {}", i, piece.t0, piece.t1, piece.curve);
+        findings.add("arc {}: parameters {:.9g} to {:.9g} are not a part of curve {}", i, piece.t0, piece.t1,
+                     piece.curve);
       if (arc.is_boundary != (piece.curve < graph.face.num_curves()))
         findings.add("arc {}: boundary arcs follow CAD curves, inner arcs splines", i);
     }

@@ -44,9 +44,9 @@ void indices_exist(const QuadMesh& mesh, Findings& findings) {
 }
 
 void numbers_are_finite(const QuadMesh& mesh, Findings& findings) {
-  if (!are_finite(mesh.nodes)) findings.add("nodes hold a number that is not finite");
+  if (!are_finite(mesh.nodes)) findings.add("nodes contain a number that is not finite");
   if (!are_finite(mesh.elem_jacobian_bound) || !are_finite(mesh.elem_scaled_jacobian))
-    findings.add("elem_jacobian_bound or elem_scaled_jacobian holds a number that is not finite");
+    findings.add("elem_jacobian_bound or elem_scaled_jacobian contains a number that is not finite");
 }
 
 void stored_bounds_are_positive(const QuadMesh& mesh, Findings& findings) {
@@ -198,7 +198,7 @@ constexpr Rule<QuadMesh> rules[] = {
 
 }  // namespace
 
-std::string doubt_about(const QuadMesh& mesh) {
+std::string validity_warning(const QuadMesh& mesh) {
   if (mesh.is_valid) return "";
   const auto worst = std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
   const int elem = static_cast<int>(worst - mesh.elem_jacobian_bound.begin());

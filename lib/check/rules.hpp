@@ -12,7 +12,7 @@
 
 namespace quadrille::check {
 
-/// What a rule finds; the first few places say enough.
+/// The violations of one rule: the first five places, and the number of the others.
 class Findings {
  public:
   explicit Findings(const char* rule) : rule_(rule) {}
@@ -32,8 +32,8 @@ class Findings {
   std::vector<Violation> list_;
 };
 
-/// structure: later rules would read out of bounds, so checking ends there; quick: every stage asks for it;
-/// full: stagecheck asks for it.
+/// structure: later rules would read out of bounds, so checking ends there; quick: checked by every stage;
+/// full: checked by stagecheck only.
 enum class RuleKind { structure, quick, full };
 
 template <typename Stage>

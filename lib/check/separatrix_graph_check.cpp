@@ -54,7 +54,7 @@ void valences_are_arcs(const SeparatrixGraph& graph, Findings& findings) {
     // On the boundary V quads lie between V + 1 arcs; a degenerate corner (V = 0) has its two sides all the same.
     const int expected = node.curve < 0 ? node.valence : std::max(node.valence, 1) + 1;
     if (count[i] != expected)
-      findings.add("node {} has {} arcs, not the {} that valence {} asks for, at {}", i, count[i], expected,
+      findings.add("node {} has {} arcs, not the {} that valence {} requires, at {}", i, count[i], expected,
                    node.valence, place(graph.face, node.position));
   }
 }

@@ -38,7 +38,7 @@ void curved_elems_exist(const TriMesh& mesh, Findings& findings) {
   for (std::size_t i = 0; i < mesh.curved_elems.size(); ++i)
     if (!is_index(mesh.curved_elems[i], mesh.elem2vertices.size()) ||
         (i > 0 && mesh.curved_elems[i] <= mesh.curved_elems[i - 1]))
-      return findings.add("curved_elems must be elements in ascending sequence; entry {} is not", i);
+      return findings.add("curved_elems must be elements in ascending order; entry {} is not", i);
 }
 
 void boundary_edges_exist(const TriMesh& mesh, Findings& findings) {
@@ -51,8 +51,8 @@ void boundary_edges_exist(const TriMesh& mesh, Findings& findings) {
 }
 
 void numbers_are_finite(const TriMesh& mesh, Findings& findings) {
-  if (!are_finite(mesh.vertices)) findings.add("vertices hold a number that is not finite");
-  if (!are_finite(mesh.curved_nodes)) findings.add("curved_nodes hold a number that is not finite");
+  if (!are_finite(mesh.vertices)) findings.add("vertices contain a number that is not finite");
+  if (!are_finite(mesh.curved_nodes)) findings.add("curved_nodes contain a number that is not finite");
   for (const BoundaryEdge& edge : mesh.boundary_edges)
     if (!is_finite(edge.t0) || !is_finite(edge.t1)) return findings.add("a boundary edge's parameter is not finite");
 }

@@ -19,7 +19,7 @@ struct PictureBox {
   bool empty() const { return !(lower.x <= upper.x); }
 };
 
-/// A box that holds nothing yet.
+/// The empty box.
 PictureBox empty_box();
 /// The box of the face's boundary curves, by dense sampling.
 PictureBox bounding_box(const CadFace& face);
@@ -33,7 +33,7 @@ class Picture {
   double scale() const { return scale_; }  ///< pixels per unit of length
   Vec2 size() const { return size_; }      ///< of the drawing, pixels
 
-  /// Markup inside the flipped group, in sequence. Groups give a common class to many elements.
+  /// Markup inside the flipped group, in the order of the calls. Groups give a common class to many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
   void open_group(const std::string& css_class);
   /// A group of which only what lies in `outline` (path data, rule evenodd) is shown.

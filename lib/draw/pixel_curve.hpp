@@ -1,5 +1,5 @@
 #pragma once
-// Smooth curves as cubic Bezier segments: Hermite interpolation, halved until it is exact to a share of a pixel.
+// Smooth curves as cubic Bezier segments: Hermite interpolation, halved until it is exact to a fraction of a pixel.
 
 #include <functional>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The same element polynomials by Bernstein control points, as VTK's Bezier cells want them.
+// The same element polynomials by Bernstein control points, as VTK's Bezier cells define them.
 
 #include <vector>
 

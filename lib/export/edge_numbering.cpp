@@ -87,8 +87,8 @@ void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numb
   const auto place = [&](int vertex) { return mesh.nodes[numbering.vertices[vertex]] + mesh.face.origin; };
   const Vec2 a = place((*twice)[0]), b = place((*twice)[1]);
   throw ComputeError(fmt::format(
-      "two edges join ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}), and {} tells edges by their ends: refine further", a.x,
-      a.y, b.x, b.y, reader));
+      "two edges join ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}), and {} identifies edges by their ends: refine the mesh",
+      a.x, a.y, b.x, b.y, reader));
 }
 
 }  // namespace quadrille::exports

@@ -1,5 +1,5 @@
 #pragma once
-// Vertices and edges of a quad mesh, numbered as formats with edge tables want them: in the sequence in which a loop
+// Vertices and edges of a quad mesh, numbered as formats with edge tables require: in the order in which a loop
 // over the elements meets them, corner by corner and side by side; an edge runs from its vertex of lower number to the
 // other.
 //
@@ -33,7 +33,8 @@ EdgeNumbering number_edges(const QuadMesh& mesh);
 /// Mesh nodes of an edge in its own direction, both ends included.
 std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 
-/// Throws ComputeError, with the place, where two edges join the same two vertices: `reader` could not tell them apart.
+/// Throws ComputeError, with the place, where two edges join the same two vertices: `reader` could not distinguish
+/// them.
 void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
 
 }  // namespace quadrille::exports

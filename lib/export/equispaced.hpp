@@ -1,5 +1,5 @@
 #pragma once
-// The same element polynomials through equispaced nodes, as Gmsh, VTK, CGNS and others want them.
+// The same element polynomials through equispaced nodes, as Gmsh, VTK, CGNS and others define them.
 
 #include <vector>
 

@@ -50,12 +50,11 @@ const ExportFormat* export_format_of(std::string_view file_name) {
 Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space) {
   if (mesh.order > format.max_order)
     throw ComputeError(
-        fmt::format("the format {} holds quads up to order {}, this mesh has order {}; refine with a "
+        fmt::format("the format {} supports quads up to order {}, this mesh has order {}: refine with a "
                     "lower --order",
                     format.name, format.max_order, mesh.order));
   if (in_space && !format.holds_space)
-    throw UsageError(
-        fmt::format("the format {} holds coordinates of the plane only: leave out --frame 3d", format.name));
+    throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
   return format.write(mesh, in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
 }
 

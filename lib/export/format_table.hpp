@@ -19,7 +19,7 @@ struct ExportFormat {
   Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
 };
 
-/// All formats of a quad mesh, in the sequence in which the help lists them.
+/// All formats of a quad mesh, in the order of the help.
 const std::vector<ExportFormat>& export_formats();
 
 /// The row of that name; nullptr where there is none.
@@ -28,8 +28,8 @@ const ExportFormat* find_export_format(std::string_view name);
 /// The first row whose ending the file name has; nullptr where there is none.
 const ExportFormat* export_format_of(std::string_view file_name);
 
-/// Writes the mesh. Throws ComputeError for an order that the format cannot hold, UsageError for a frame in space that
-/// it cannot.
+/// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space
+/// that it cannot.
 Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space);
 
 }  // namespace quadrille::exports

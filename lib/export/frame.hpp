@@ -11,13 +11,13 @@ namespace quadrille::exports {
 struct Frame {
   std::array<double, 3> origin{0, 0, 0}, x_axis{1, 0, 0}, y_axis{0, 1, 0};
 
-  /// A position relative to face.origin, as all stage files hold them.
+  /// A position relative to face.origin, as all stage files store them.
   std::array<double, 3> at(Vec2 x) const {
     return {origin[0] + x.x * x_axis[0] + x.y * y_axis[0], origin[1] + x.x * x_axis[1] + x.y * y_axis[1],
             origin[2] + x.x * x_axis[2] + x.y * y_axis[2]};
   }
 
-  /// All of it has z = 0 and counter-clockwise stays counter-clockwise, so that two coordinates say it all.
+  /// All of it has z = 0 and counter-clockwise stays counter-clockwise, so that two coordinates suffice.
   bool is_plane() const {
     return origin[2] == 0 && x_axis[2] == 0 && y_axis[2] == 0 && x_axis[0] * y_axis[1] > x_axis[1] * y_axis[0];
   }

@@ -1,9 +1,9 @@
 #pragma once
-// What both versions of Gmsh's MSH have in common: entities, numbers, types and sequences of nodes. Private to gmsh*.
+// What both versions of Gmsh's MSH have in common: entities, numbers, types and orders of nodes. Private to gmsh*.
 //
-// Points, curves and surfaces are those of the skeleton; a node belongs to the entity of lowest dimension that holds
+// Points, curves and surfaces are those of the skeleton; a node belongs to the entity of lowest dimension that contains
 // it. Every tag is positive: entity e has tag e + 1, and physical groups count through both dimensions (some readers
-// want them unique), the boundaries first.
+// require them to be unique), the boundaries first.
 
 #include <array>
 #include <string>
@@ -22,7 +22,7 @@ struct GmshModel {
   std::array<std::vector<std::vector<int>>, 3> entity_nodes;  ///< mesh nodes by dimension and entity
   std::vector<int> node_tags;                                 ///< by mesh node: its place in entity_nodes, from 1
   std::vector<std::vector<int>> block_elems;                  ///< elements of each block
-  std::vector<int> quad_sequence;                             ///< Gmsh's sequence of the local nodes of a quad
+  std::vector<int> quad_sequence;                             ///< Gmsh's order of the local nodes of a quad
   int line_type = 0, quad_type = 0;
 
   int boundary_group(int cad_curve) const { return 1 + groups.curve2boundary[cad_curve]; }
@@ -35,7 +35,7 @@ GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame);
 /// The section $PhysicalNames; double quotes in a name become single ones.
 std::string gmsh_names(const Groups& groups);
 
-/// Tags of the nodes of an edge, or of a quad, in Gmsh's sequence, each after a blank; then the end of the line.
+/// Tags of the nodes of an edge, or of a quad, in Gmsh's order, each after a blank; then the end of the line.
 void append_gmsh_line(const GmshModel& model, const QuadMesh& mesh, const SkeletonEdge& edge, std::string& text);
 void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, std::string& text);
 

@@ -10,9 +10,9 @@
 namespace quadrille::exports {
 
 struct Groups {
-  std::vector<std::string> boundary_names;  ///< in the sequence of their first curves
+  std::vector<std::string> boundary_names;  ///< in the order of their first curves
   std::vector<int> curve2boundary;          ///< by CAD curve
-  std::vector<std::string> region_names;    ///< in the sequence of their first blocks
+  std::vector<std::string> region_names;    ///< in the order of their first blocks
   std::vector<int> block2region;            ///< by block
 
   int num_boundaries() const { return static_cast<int>(boundary_names.size()); }

@@ -161,7 +161,7 @@ class Divider {
     if (d.grid.num_i == 1 && d.grid.num_j == 1 && is_buildable(d)) {
       const Vec2 corner = mesh_.nodes[d.vertices[0]] + mesh_.face.origin;
       throw ComputeError(fmt::format(
-          "blockMesh tells sides apart by their ends, and two sides of quads near ({:.6g}, {:.6g}) have the same; "
+          "blockMesh identifies sides by their ends, and two sides of quads near ({:.6g}, {:.6g}) have the same; "
           "refine the mesh",
           corner.x, corner.y));
     }

@@ -65,10 +65,10 @@ void name_boundaries(const Groups& groups, HohqmeshModel& model) {
 void tell_losses(const QuadMesh& mesh, const Groups& groups, HohqmeshModel& model) {
   const TransfiniteLoss loss = transfinite_loss(mesh, RebuiltFrom::sides, "a reader of this format");
   if (loss.interior > 1e-12 * mesh.face.diameter)
-    model.losses.push_back(
-        fmt::format("nodes inside elements are not held; a reader rebuilds them from the sides, which moves them by up "
-                    "to {}",
-                    length_text(loss.interior, mesh.face.diameter)));
+    model.losses.push_back(fmt::format(
+        "nodes inside elements are not stored; a reader rebuilds them from the sides, which moves them by up "
+        "to {}",
+        length_text(loss.interior, mesh.face.diameter)));
   if (const std::string regions = region_loss(groups); !regions.empty()) model.losses.push_back(regions);
 }
 

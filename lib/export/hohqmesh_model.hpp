@@ -21,13 +21,13 @@ struct HohqmeshEdge {
 };
 
 struct HohqmeshModel {
-  std::vector<int> corners;                      ///< mesh node of each corner, in the sequence of the elements
+  std::vector<int> corners;                      ///< mesh node of each corner, in the order of the elements
   std::vector<std::array<int, 4>> elem_corners;  ///< from 1
   std::vector<std::array<bool, 4>> is_curved;    ///< by element and side, the same for both elements of an edge
   std::vector<std::array<int, 4>> boundary;      ///< by element and side: index into names; -1 inside
   std::vector<std::string> names;                ///< of boundaries, single words
   std::vector<HohqmeshEdge> edges;
-  /// By mesh node: what sits at Gauss-Lobatto-Legendre points of a side here stands at its Chebyshev-Lobatto points.
+  /// By mesh node: what sits at Gauss-Lobatto-Legendre points of a side, here moved to its Chebyshev-Lobatto points.
   std::vector<std::array<double, 3>> points;
   std::vector<std::string> losses;
   std::vector<SideFile> side_files;

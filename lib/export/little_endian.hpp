@@ -1,5 +1,5 @@
 #pragma once
-// Binary output of numbers in the sequence of bytes that today's machines have.
+// Binary output of numbers in little-endian byte order.
 
 #include <bit>
 #include <cstdint>

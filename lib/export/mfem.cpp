@@ -118,13 +118,14 @@ class Writer {
 
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
   const Groups groups = mesh_groups(mesh);
-  return {Writer(mesh, frame, false).text(),
-          false,
-          {names_table(groups)},
-          {fmt::format(
-              "MFEM v1.0 knows {} boundaries and {} regions by number only, their names are in a table beside the mesh "
-              "(--format mfem13 keeps them, for MFEM 4.7 and later)",
-              groups.num_boundaries(), groups.num_regions())}};
+  return {
+      Writer(mesh, frame, false).text(),
+      false,
+      {names_table(groups)},
+      {fmt::format(
+          "MFEM v1.0 stores {} boundaries and {} regions by number only; their names are in a table beside the mesh "
+          "(--format mfem13 keeps them, for MFEM 4.7 and later)",
+          groups.num_boundaries(), groups.num_regions())}};
 }
 
 Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) {

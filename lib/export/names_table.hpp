@@ -13,13 +13,13 @@ namespace quadrille::exports {
 struct NamedGroup {
   int id = 0;        ///< the group's number in the main file
   std::string name;  ///< its name in the CAD model or from the user, UTF-8
-  std::string tag;   ///< what the main file calls it; empty where it has no names or takes this one as it is
+  std::string tag;   ///< what the main file calls it; empty if it has no names or uses this one unchanged
 };
 
 /// The table as a side file with the ending .names.json.
 SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions);
 
-/// The same with the groups' own sequence as numbers: boundaries count from `first_boundary`, regions from
+/// The same, numbered in the order of the groups: boundaries count from `first_boundary`, regions from
 /// `first_region`.
 SideFile names_table(const Groups& groups, int first_boundary = 1, int first_region = 1);
 

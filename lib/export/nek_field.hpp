@@ -1,6 +1,6 @@
 #pragma once
-// A Nek5000 field file (0.f00000) that holds nothing but the geometry, in double precision, at Gauss-Lobatto-Legendre
-// points: Nek5000 takes it for the positions of its own points.
+// A Nek5000 field file (0.f00000) that contains nothing but the geometry, in double precision, at
+// Gauss-Lobatto-Legendre points: Nek5000 uses them as the positions of its own points.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace quadrille::exports {
 
-/// The file's bytes, little-endian. Elements in the mesh's sequence.
+/// The file's bytes, little-endian. Elements in the order of the mesh.
 std::string nek_geometry_field(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille::exports

@@ -9,7 +9,7 @@
 namespace quadrille::exports {
 
 /// The format_table's writer. Throws ComputeError where an element would be folded once its interior is rebuilt from
-/// its sides, and where two edges join the same two vertices, which Nek5000 cannot tell apart.
+/// its sides, and where two edges join the same two vertices, which Nek5000 cannot distinguish.
 Exported nek_re2(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille::exports

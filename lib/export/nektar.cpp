@@ -200,7 +200,7 @@ std::vector<std::string> losses_of(const Groups& groups) {
     count += std::count_if(names->begin(), names->end(),
                            [](const std::string& name) { return std::any_of(name.begin(), name.end(), is_control); });
   if (count == 0) return {};
-  return {fmt::format("XML cannot hold control characters: those of {} names became underlines", count)};
+  return {fmt::format("XML cannot represent control characters: those of {} names are replaced by underscores", count)};
 }
 
 }  // namespace

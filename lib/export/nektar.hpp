@@ -1,6 +1,7 @@
 #pragma once
-// Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not say it all, curved faces; composites
-// with names for boundaries and regions; a default expansion. Any order; the nodes are our own (GaussLobattoLegendre).
+// Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not determine the element, curved faces;
+// composites with names for boundaries and regions; a default expansion. Any order; the nodes are our own
+// (GaussLobattoLegendre).
 
 #include "export/exported.hpp"
 #include "export/frame.hpp"
@@ -8,8 +9,8 @@
 
 namespace quadrille::exports {
 
-/// The format_table's writer. Lossless but for control characters in names, which XML cannot hold. SPACE="3" where the
-/// frame leaves the plane z = 0.
+/// The format_table's writer. Lossless but for control characters in names, which XML cannot represent. SPACE="3" where
+/// the frame leaves the plane z = 0.
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille::exports

@@ -71,7 +71,7 @@ std::string region_loss(const Groups& groups) {
   for (int r = 0; r < groups.num_regions(); ++r)
     if (groups.region_names[r] != fmt::format("block_{}", r)) ++count;
   if (count == 0 || groups.num_regions() == 1) return {};
-  return fmt::format("{} not held", count == 1 ? "1 region name is" : fmt::format("{} region names are", count));
+  return fmt::format("{} not stored", count == 1 ? "1 region name is" : fmt::format("{} region names are", count));
 }
 
 }  // namespace quadrille::exports

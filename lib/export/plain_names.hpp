@@ -9,7 +9,7 @@
 
 namespace quadrille::exports {
 
-/// Each name by ASCII letters, digits and _ . - alone, the first one a letter or _ ; what else it holds becomes _ .
+/// Each name by ASCII letters, digits and _ . - alone, the first one a letter or _ ; any other character becomes _ .
 /// Names that would fall together, also with one of `taken`, are numbered (_2, _3, ...). Names that are such words
 /// already stay as they are.
 std::vector<std::string> plain_names(const std::vector<std::string>& names, const std::vector<std::string>& taken = {});
@@ -17,13 +17,13 @@ std::vector<std::string> plain_names(const std::vector<std::string>& names, cons
 /// "1 name is written in plain letters: \"outer wall\" as outer_wall" and so on for the first few; empty where none is.
 std::string renamed_loss(const std::vector<std::string>& names, const std::vector<std::string>& plain);
 
-/// The table beside the mesh: number in the mesh's own sequence from 1, name, and the word in its place where there is
+/// The table beside the mesh: number in the order of the mesh from 1, name, and the word in its place where there is
 /// one. Regions are left out where `zones` is empty.
 SideFile plain_names_table(const Groups& groups, const std::vector<std::string>& boundaries,
                            const std::vector<std::string>& zones = {});
 
-/// "3 region names are not held". Empty where nothing is lost: one name for all, or only the names block_<number> that
-/// nobody gave.
+/// "3 region names are not stored". Empty where nothing is lost: one name for all, or only the names block_<number>
+/// that nobody gave.
 std::string region_loss(const Groups& groups);
 
 }  // namespace quadrille::exports

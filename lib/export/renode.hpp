@@ -9,7 +9,7 @@
 namespace quadrille::exports {
 
 /// One position for each of mesh.nodes: what sits at Gauss-Lobatto-Legendre point (i, j) of an element becomes the
-/// new format's node (i, j). `from_gll` [N+1, N+1] takes the nodes of an edge to the new ones; it keeps the ends, and
+/// new format's node (i, j). `from_gll` [N+1, N+1] maps the nodes of an edge to the new ones; it keeps the ends, and
 /// reads the same from both ends. Vertices stay bit for bit; an edge's nodes are computed once and shared.
 std::vector<Vec2> renoded(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll);
 

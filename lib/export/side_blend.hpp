@@ -1,5 +1,5 @@
 #pragma once
-// How far elements are from what their sides alone say, and sides from what their ends say: what a format may leave
+// How far elements are from the blend of their sides, and sides from the segment of their ends: what a format may leave
 // out.
 //
 // The part of a transfinite blend between two values of xi and two of eta is the blend of its own sides, so elements

@@ -1,5 +1,5 @@
 #pragma once
-// Points, curves and surfaces of a quad mesh, as solver formats want to see them: surfaces are the blocks, curves are
+// Points, curves and surfaces of a quad mesh, as solver formats define them: surfaces are the blocks, curves are
 // the pieces of the boundary and of the interfaces between blocks, points are where curves meet.
 //
 // Rebuilt from the elements alone. A boundary curve lies on one CAD curve and bounds one block; it is walked with the
@@ -20,7 +20,7 @@ struct SkeletonCurve {
   int cad_curve = -1;                 ///< -1: an interface
   int from = 0, to = 0;               ///< points (index into Skeleton::points)
   std::array<int, 2> blocks{-1, -1};  ///< on the left and on the right of the curve; -1 outside
-  std::vector<SkeletonEdge> edges;    ///< in the sequence and direction of walking, as sides of elements on the left
+  std::vector<SkeletonEdge> edges;    ///< in the order and direction of the curve, as sides of elements on the left
 };
 
 struct Skeleton {

@@ -16,7 +16,7 @@
 
 namespace quadrille::io {
 
-/// What a dataset's attributes tell: `units` ("length", "radian", "1", ...) and `long_name`.
+/// The attributes of a dataset: `units` ("length", "radian", "1", ...) and `long_name`.
 struct Doc {
   const char* units = "";
   const char* long_name = "";

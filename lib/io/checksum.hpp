@@ -1,5 +1,5 @@
 #pragma once
-// Sixteen bytes behind an HDF5 image that tell damage from data. libhdf5 ignores what follows its end of file, and
+// Sixteen bytes behind an HDF5 image that reveal damage. libhdf5 ignores what follows its end of file, and
 // cuts it off when another program edits the file: so a wrong checksum means damage, a missing one a foreign writer.
 // Private to io.
 
@@ -11,7 +11,7 @@ namespace quadrille::io {
 enum class Checksum { missing, right, wrong };
 
 void append_checksum(std::string& image);
-/// Also tells the image without the checksum.
+/// Also returns the image without the checksum.
 Checksum verify_checksum(const std::string& bytes, std::string_view& image);
 
 }  // namespace quadrille::io

@@ -103,7 +103,7 @@ class Reader : public Archive {
  private:
   template <typename T>
   void copy_fixed(const char* name, const std::vector<T>& from, T* to, std::size_t count) const {
-    if (from.size() != count) fail(name, fmt::format("must hold {} values", count));
+    if (from.size() != count) fail(name, fmt::format("must have {} values", count));
     std::copy(from.begin(), from.end(), to);
   }
 

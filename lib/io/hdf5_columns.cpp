@@ -147,7 +147,7 @@ class ColumnReader : public Archive {
   void flag(const char* name, bool& value, Doc doc) override {
     int number = 0;
     integers(name, &number, 1, doc);
-    if (number != 0 && number != 1) fail(name, "must hold 0 or 1");
+    if (number != 0 && number != 1) fail(name, "must be 0 or 1");
     value = number == 1;
   }
   void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc) override {
@@ -209,7 +209,7 @@ class ColumnReader : public Archive {
     bool is_sound = offsets.size() == count_ + 1 && offsets.front() == 0;
     for (std::size_t i = 0; is_sound && i + 1 < offsets.size(); ++i) is_sound = offsets[i] <= offsets[i + 1];
     if (!is_sound || static_cast<std::size_t>(offsets.back()) != rows)
-      group_.fail(offsets_name, fmt::format("must climb from 0 to {} with {} entries", rows, count_ + 1));
+      group_.fail(offsets_name, fmt::format("must increase from 0 to {} in {} entries", rows, count_ + 1));
     return offsets;
   }
   Nested& nested(const char* name) {

@@ -44,7 +44,7 @@ Dataset open_dataset(const Hdf5GroupReader& reader, hid_t group, const std::stri
   const hsize_t stored = H5Dget_storage_size(data.id.get());
   const hsize_t size = H5Tget_size(data.type.get());
   if (sizes[0] > 0 && (size == 0 || sizes[0] > best_compression * stored / size + 1))
-    reader.fail(name, "claims more data than the file holds");
+    reader.fail(name, "is larger than the file");
   data.count = sizes[0] * sizes[1];
   return data;
 }
@@ -55,7 +55,7 @@ std::vector<T> read_numbers(const Hdf5GroupReader& reader, hid_t group, const st
   const Dataset data = open_dataset(reader, group, name, width);
   const H5T_class_t kind = H5Tget_class(data.type.get());
   if (kind != H5T_INTEGER && (are_integers || kind != H5T_FLOAT))
-    reader.fail(name, are_integers ? "must hold integers" : "must hold numbers");
+    reader.fail(name, are_integers ? "must contain integers" : "must contain numbers");
   std::vector<T> values(data.count);
   if (data.count > 0 && H5Dread(data.id.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     reader.fail(name, "cannot be read: damaged");
@@ -105,7 +105,7 @@ std::vector<double> Hdf5GroupReader::reals(const std::string& name, std::size_t 
 
 std::vector<std::string> Hdf5GroupReader::texts(const std::string& name, std::size_t width) const {
   const Dataset data = open_dataset(*this, group_.get(), name, width);
-  if (H5Tget_class(data.type.get()) != H5T_STRING) fail(name, "must hold strings");
+  if (H5Tget_class(data.type.get()) != H5T_STRING) fail(name, "must contain strings");
   const auto read = [&](void* to) {
     return H5Dread(data.id.get(), data.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, to) >= 0;
   };
@@ -155,7 +155,7 @@ std::vector<int> Hdf5GroupReader::integer_attribute(const std::string& name) con
   const Hdf5Id space = opened(id ? H5Aget_space(id.get()) : -1, H5Sclose);
   const hssize_t count = space ? H5Sget_simple_extent_npoints(space.get()) : -1;
   if (!type || H5Tget_class(type.get()) != H5T_INTEGER || count < 0 || count > 16)
-    fail(name, "must hold integers (an attribute)");
+    fail(name, "must contain integers (an attribute)");
   std::vector<int> values(static_cast<std::size_t>(count));
   if (count > 0 && H5Aread(id.get(), H5T_NATIVE_INT, values.data()) < 0) fail(name, "cannot be read: damaged");
   return values;

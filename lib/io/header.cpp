@@ -39,7 +39,7 @@ void require_version(const std::string& file_name, const FormatVersion& expected
   if (version[0] < oldest_major(expected))
     throw FormatError(
         fmt::format("{}: {} version {}.{} is from an older program and no longer read (this one reads {}); "
-                    "make the file anew",
+                    "create the file again",
                     file_name, format, version[0], version[1], readable_majors(expected)));
 }
 

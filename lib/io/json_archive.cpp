@@ -67,7 +67,7 @@ class Writer : public Archive {
   }
   void require_finite(const char* name, const double* values, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i)
-      if (!std::isfinite(values[i])) fail(name, "holds a number that is not finite");
+      if (!std::isfinite(values[i])) fail(name, "contains a number that is not finite");
   }
 
   Json& object_;

@@ -27,7 +27,7 @@ Json parsed(const InputFile& file) {
   std::set<std::string> keys;
   const auto refuse_twins = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth == 1 && event == Json::parse_event_t::key && !keys.insert(value.get<std::string>()).second)
-      throw FormatError(fmt::format("{}: the key \"{}\" stands twice", file.name, value.get<std::string>()));
+      throw FormatError(fmt::format("{}: the key \"{}\" occurs twice", file.name, value.get<std::string>()));
     return true;
   };
   try {
@@ -58,7 +58,7 @@ NameRule rule_of_key(const std::string& key, const Dialect& dialect, const std::
 NameRule rule_of_id(const Json& id, const std::string& where) {
   NameRule rule;
   if (id == "*") return rule;
-  if (!id.is_number_integer()) throw FormatError(where + ": \"id\" must be a whole number, or \"*\" for all others");
+  if (!id.is_number_integer()) throw FormatError(where + ": \"id\" must be an integer, or \"*\" for all others");
   rule.kind = NameRule::Kind::number;
   rule.number = id.is_number_unsigned() && id.get<std::uint64_t>() <= 0x7FFFFFFF ? id.get<int>() : -1;
   return rule;

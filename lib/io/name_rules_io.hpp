@@ -10,7 +10,7 @@ namespace quadrille::io {
 
 /// Three forms: "name for all"; {"old name or number": "new name", "*": "name of the rest"}; or a list of
 /// {"id": N or "*", "name": ...}, {"old_name": ..., "name": ...} and {"near": [x, y] or [x, y, z], "name": ...}.
-/// Throws FormatError, with the entry, for anything else, for a key that stands twice and for an empty name.
+/// Throws FormatError, with the entry, for anything else, for a key that occurs twice and for an empty name.
 std::vector<NameRule> read_boundary_names(const InputFile& file);
 
 /// The same with "at" for "near", and without old names.

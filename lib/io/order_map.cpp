@@ -32,15 +32,15 @@ std::vector<int> parsed(const InputFile& file) {
     throw FormatError(fmt::format("{}: neither a field nor JSON (byte {})", file.name, e.byte));
   }
   if (!json.is_object() || json.value("format", nlohmann::json()) != "order-map")
-    throw FormatError(fmt::format("{}: not an order map: the key \"format\" must say \"order-map\"", file.name));
+    throw FormatError(fmt::format("{}: not an order map: the key \"format\" must be \"order-map\"", file.name));
   require_version(file.name, order_map_version, order_map_version.format, version_of(json));
   const auto orders = json.find("elem_order");
   if (orders == json.end() || !orders->is_array())
-    throw FormatError(fmt::format("{}: the key \"elem_order\" must hold an array of integers", file.name));
+    throw FormatError(fmt::format("{}: the key \"elem_order\" must be an array of integers", file.name));
   std::vector<int> elem_order;
   for (const auto& order : *orders) {
     if (!order.is_number_integer() || order < 0 || order > 1000)
-      throw FormatError(fmt::format("{}: elem_order[{}] is no order", file.name, elem_order.size()));
+      throw FormatError(fmt::format("{}: elem_order[{}] is not an order", file.name, elem_order.size()));
     elem_order.push_back(order.get<int>());
   }
   return elem_order;

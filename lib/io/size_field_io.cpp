@@ -22,7 +22,7 @@ void require_header(Archive& root, const std::string& file_name) {
   std::string format;
   if (root.has("format")) root.field("format", format);
   if (format != size_field_version.format)
-    throw FormatError(fmt::format("{}: not a size field: the key \"format\" must say \"size-field\"", file_name));
+    throw FormatError(fmt::format("{}: not a size field: the key \"format\" must be \"size-field\"", file_name));
   std::vector<int> version;
   root.field("version", version);
   require_version(file_name, size_field_version, format, version);

@@ -24,7 +24,7 @@ struct Hdf5Header {
 Hdf5Header read_header(const Hdf5GroupReader& root, const std::string& file_name) {
   if (!root.has_attribute("format"))
     throw FormatError(
-        fmt::format("{}: an HDF5 file, but no stage file: the root has no attribute 'format'", file_name));
+        fmt::format("{}: an HDF5 file, but not a stage file: the root has no attribute 'format'", file_name));
   return {root.text_attribute("format"), root.integer_attribute("version")};
 }
 
@@ -36,7 +36,7 @@ void read_safely(const InputFile& file, const Read& read) {
   std::string_view image;
   const Checksum checksum = verify_checksum(file.bytes, image);
   if (checksum == Checksum::wrong)
-    throw FormatError(fmt::format("{}: damaged: its checksum does not fit its data", file.name));
+    throw FormatError(fmt::format("{}: damaged: its checksum does not match its data", file.name));
   const auto read_image = [&] { read(Hdf5Reader(image, file.name)); };
   if (checksum == Checksum::missing) {
     const auto probe = [&] {

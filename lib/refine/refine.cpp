@@ -154,7 +154,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   if (split.walls) layers::tell_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
-  if (!split.mesh.is_valid) report.warn("W-QUA-001", check::doubt_about(split.mesh));
+  if (!split.mesh.is_valid) report.warn("W-QUA-001", check::validity_warning(split.mesh));
   return std::move(split.mesh);
 }
 

@@ -86,13 +86,13 @@ exports() {
 @test "Nek5000's quadratic sides: the warning has their distance, the field beside it the true ones" {
   quadrefine -q --order 3 "$blocks/half_disc.blocks.h5" -o a.quad.h5
   run quadexport a.quad.h5 -o a.re2
-  assert_output --partial "sides are held as parabolas, which moves them by up to"
-  assert_output --partial "0.f00000 holds the geometry of order 3"
+  assert_output --partial "sides are stored as parabolas, which moves them by up to"
+  assert_output --partial "0.f00000 contains the geometry of order 3"
   assert_nothing_left a.quad.h5 a.re2 a0.f00000 a.names.json
   run -0 "$compare" re2 a.re2 a.quad.h5
   quadrefine -q --order 1 --geometry-tol 1e-2 "$blocks/half_disc.blocks.h5" -o b.quad.h5
   run quadexport b.quad.h5 -o b.re2
-  assert_output "quadexport: warning W-EXP-001: names are held as numbers; .names.json says which"
+  assert_output "quadexport: warning W-EXP-001: names are stored as numbers, which .names.json lists"
   assert_nothing_left a.quad.h5 a.re2 a0.f00000 a.names.json b.quad.h5 b.re2 b.names.json
 }
 

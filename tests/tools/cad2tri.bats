@@ -166,7 +166,7 @@ curve_names() {
   refused '[{"near": [2, 0], "name": "x"}]' 'entry 0: (2, 0) is equally near to the curves 0 "Zufluß" and 1 "outlet"'
   refused '[{"near": [20, 0], "name": "x"}]' 'entry 0: (20, 0) lies 18 away from the boundary'
   refused '[{"id": 1, "name": "x"}, {"near": [1.9, 0.5], "name": "y"}]' 'entry 1 names curve 1, as names.json: entry 0 does'
-  refused '{"1": "x", "1": "y"}' 'the key "1" stands twice'
+  refused '{"1": "x", "1": "y"}' 'the key "1" occurs twice'
   refused '[{"id": 1}]' 'entry 0: must be an object'
   refused 'x' 'not JSON'
   assert_nothing_left names.json

@@ -44,7 +44,7 @@ setup() {
   printf '\xfe' | dd of=a.quad.h5 bs=1 seek=5001 conv=notrunc status=none
   run stagecheck a.quad.h5
   assert_equal "$status" 3
-  assert_output --partial "damaged: its checksum does not fit its data"
+  assert_output --partial "damaged: its checksum does not match its data"
 }
 
 @test "each format with a newer and an older major version, and each with one broken rule" {

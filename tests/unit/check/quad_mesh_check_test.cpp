@@ -82,10 +82,10 @@ TEST(QuadMeshCheck, AMeshThatSaysItIsNotValidKeepsTheRules) {
 
 TEST(QuadMeshCheck, DoubtNamesTheWorstElement) {
   QuadMesh mesh = samples::quad_mesh();
-  EXPECT_EQ(doubt_about(mesh), "");
+  EXPECT_EQ(validity_warning(mesh), "");
   mesh.is_valid = false;
   mesh.elem_jacobian_bound[1] = -0.5;
-  EXPECT_EQ(doubt_about(mesh),
+  EXPECT_EQ(validity_warning(mesh),
             "the mesh is not valid: 1 of 2 elements are not proved, the worst is element 1 of block-1 at (0.5, 0)");
 }
 

@@ -19,7 +19,7 @@ TEST(HohqmeshIsm, TwoQuadsWordByWord) {
             "2 5 6 3\n0 0 1 0\n2 2 0\n3 2.5 0\n4 2 0\nwall in___out wall ---\n");
   ASSERT_EQ(exported.losses.size(), 2u);
   EXPECT_EQ(exported.losses[0], "1 name is written in plain letters: \"in & out\" as in___out");
-  EXPECT_EQ(exported.losses[1], "2 region names are not held");
+  EXPECT_EQ(exported.losses[1], "2 region names are not stored");
   ASSERT_EQ(exported.side_files.size(), 1u);
   EXPECT_NE(exported.side_files[0].bytes.find("\"tag\": \"in___out\""), std::string::npos);
 }

@@ -36,7 +36,7 @@ TEST(PlainNames, RegionsAreLostWhereSomebodyNamedThem) {
   groups.region_names = {"block_0", "block_1"};
   EXPECT_EQ(region_loss(groups), "");
   groups.region_names = {"copper", "block_1", "air"};
-  EXPECT_EQ(region_loss(groups), "2 region names are not held");
+  EXPECT_EQ(region_loss(groups), "2 region names are not stored");
   groups.region_names = {"plate"};
   EXPECT_EQ(region_loss(groups), "");
 }

@@ -73,7 +73,7 @@ TEST(NameRules, BlocksHaveNumbersAndPlaces) {
 }
 
 TEST(NameRules, WhatIsNoRuleIsRefusedWithItsEntry) {
-  EXPECT_EQ(refusal(R"({"a": "x", "a": "y"})"), "names.json: the key \"a\" stands twice");
+  EXPECT_EQ(refusal(R"({"a": "x", "a": "y"})"), "names.json: the key \"a\" occurs twice");
   EXPECT_EQ(refusal(R"({"a": " "})"), "names.json: \"a\": the new name must be a text that is not empty");
   for (const char* entry :
        {R"({"id": 0})", R"({"name": "x"})", R"({"id": 0, "near": [0, 0], "name": "x"})", "3",
