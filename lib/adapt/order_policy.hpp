@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "adapt/adapt_loop.hpp"
+#include "adapt/adapt_options.hpp"
 
 namespace quadrille::adapt {
 

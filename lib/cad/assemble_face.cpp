@@ -73,7 +73,7 @@ void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double t
     throw FormatError(fmt::format("{}: {} crosses or touches {}: {} at {}", raw.file, loop_name(c->loop_b),
                                   loop_name(c->loop_a), edges, place(c->position)));
   }
-  std::vector<Box> boxes;
+  std::vector<PoleBox> boxes;
   for (const auto& loop : curves) boxes.push_back(pole_box(loop));
   for (size_t hole = 1; hole < loops.size(); ++hole) {
     const Vec2 x = curves[hole].front().poles.front();
@@ -87,7 +87,7 @@ void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double t
 }
 
 // (0, 0), unless the shape is so far from it that coordinates lose their digits; then its centre, to a few digits.
-Vec2 chosen_origin(const Box& box, double diameter) {
+Vec2 chosen_origin(const PoleBox& box, double diameter) {
   const Vec2 centre = box.centre();
   if (norm(centre) <= 10 * diameter) return {0, 0};
   const double unit = std::pow(10, std::floor(std::log10(diameter)));

@@ -119,8 +119,8 @@ double diameter(const std::vector<Nurbs>& loop) {
   return best;
 }
 
-Box pole_box(const std::vector<Nurbs>& curves) {
-  Box box{curves.front().poles.front(), curves.front().poles.front()};
+PoleBox pole_box(const std::vector<Nurbs>& curves) {
+  PoleBox box{curves.front().poles.front(), curves.front().poles.front()};
   for (const Nurbs& curve : curves)
     for (const Vec2 p : curve.poles) {
       box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};

@@ -14,7 +14,7 @@ double signed_area(const std::vector<Nurbs>& loop);
 /// does not change when the shape is turned.
 double diameter(const std::vector<Nurbs>& loop);
 
-struct Box {
+struct PoleBox {
   Vec2 low, high;
   Vec2 centre() const { return 0.5 * (low + high); }
   double diagonal() const { return distance(low, high); }
@@ -22,6 +22,6 @@ struct Box {
 };
 
 /// The box of the poles, which holds the curves.
-Box pole_box(const std::vector<Nurbs>& curves);
+PoleBox pole_box(const std::vector<Nurbs>& curves);
 
 }  // namespace quadrille::cad

@@ -56,11 +56,6 @@ OccModel read(CadFormat format, const std::string& bytes, const std::string& nam
 
 }  // namespace
 
-ShapeLabel OccModel::label_of(const TopoDS_Shape& wanted) const {
-  const auto found = labels.find(wanted.TShape().get());
-  return found == labels.end() ? ShapeLabel() : found->second.second;
-}
-
 OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name) {
   quiet_kernel();
   try {

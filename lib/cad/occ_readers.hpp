@@ -1,7 +1,9 @@
 #pragma once
 // The readers behind occ_load, one file each.
 
-#include "cad/occ_load.hpp"
+#include <string>
+
+#include "cad/occ_model.hpp"
 
 namespace quadrille::cad {
 

@@ -8,9 +8,9 @@
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
-#include "field/corner_lifting.hpp"
+#include "field/lifting.hpp"
 #include "field/phase_boundary.hpp"
-#include "field/phase_terms.hpp"
+#include "field/phase_value.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "curve/nurbs.hpp"
-#include "field/corner_lifting.hpp"
+#include "field/lifting.hpp"
 
 namespace quadrille::field {
 

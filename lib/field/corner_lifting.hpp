@@ -12,13 +12,6 @@
 
 namespace quadrille::field {
 
-/// theta_c at x; x must not be c.
-double lifting_angle(const Lifting& lifting, Vec2 x);
-/// Its gradient.
-Vec2 lifting_gradient(const Lifting& lifting, Vec2 x);
-/// The limit of theta_c when x -> c along the unit direction d, which points into the closed domain.
-double lifting_angle_at_apex(const Lifting& lifting, Vec2 d);
-
 /// The point half the way from `start`, on the boundary, along the unit `direction` out of the domain to whatever
 /// boundary the ray meets first, and no farther than the diameter.
 Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "field/corner_lifting.hpp"
-#include "field/phase_terms.hpp"
+#include "field/lifting.hpp"
+#include "field/phase_value.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 

@@ -1,7 +1,7 @@
 #include "field/node_phase.hpp"
 
 #include "base/error.hpp"
-#include "field/phase_terms.hpp"
+#include "field/phase_value.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::field {

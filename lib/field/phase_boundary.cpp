@@ -12,7 +12,7 @@
 #include "field/hole_foci.hpp"
 #include "field/hole_points.hpp"
 #include "field/mirror_images.hpp"
-#include "field/phase_terms.hpp"
+#include "field/phase_value.hpp"
 
 namespace quadrille::field {
 

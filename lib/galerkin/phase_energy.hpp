@@ -10,11 +10,8 @@
 // they change, its gradient is not.
 
 #include <functional>
-#include <vector>
 
 #include "galerkin/solve_phase.hpp"
-#include "mesh/locate.hpp"
-#include "spectral/tri_map.hpp"
 
 namespace quadrille::galerkin {
 
@@ -23,14 +20,5 @@ namespace quadrille::galerkin {
 std::function<PhaseEnergy(const PhaseNodes&)> phase_energy_function(const Field& field,
                                                                     const PhaseOptions& options = {},
                                                                     int num_threads = 1);
-
-/// dW / da_k from the gradient of s at a_k.
-Vec2 phase_energy_gradient(const PhaseTerms& terms, int k, Vec2 remainder_slope);
-
-/// Gradient of s in the plane, coefficients in the orthogonal basis.
-Vec2 remainder_gradient(const spectral::TriMap& map, Vec2 xi, int order, const double* coefs);
-
-/// Throws ComputeError where the node is not inside the mesh.
-mesh::Location locate_node(const mesh::Locator& locator, const TriMesh& mesh, Vec2 node);
 
 }  // namespace quadrille::galerkin

@@ -10,7 +10,7 @@
 #include "field/phase_boundary.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/explicit_energy.hpp"
-#include "galerkin/phase_energy.hpp"
+#include "galerkin/phase_gradient.hpp"
 #include "galerkin/twists.hpp"
 #include "mesh/locate.hpp"
 #include "spectral/modified_basis.hpp"

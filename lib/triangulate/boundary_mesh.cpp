@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "triangulate/clearance.hpp"
-#include "triangulate/size_field.hpp"
+#include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -24,31 +23,11 @@ constexpr double least_length = 1e-9;
 /// Curves that touch would need infinitely many segments, and those a millionth apart some thousands.
 constexpr std::size_t max_segments = 10000;
 
-bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
-  return c_side * d_side < 0 && a_side * b_side < 0;
-}
-
-double polygon_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  if (crosses(a, b, c, d)) return 0;
-  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
-                   distance_to_segment(d, a, b)});
-}
-
 bool touch(const Segment& a, const Segment& b) {
   return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
 }
 
 }  // namespace
-
-double segment_distance(const Segment& a, const Segment& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      least = std::min(least, polygon_distance(a.samples[i], a.samples[i + 1], b.samples[j], b.samples[j + 1]));
-  return least;
-}
 
 BoundaryMesh::BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft)
     : fit_(&fit), draft_(&draft) {
@@ -77,7 +56,7 @@ void BoundaryMesh::append(Segment segment) {
     for (int k = 1; k < 4; ++k) segment.samples[k] = from + (k / 4.0) * (to - from);
   } else {
     const Nurbs& curve = fit_->outline().face().curves[segment.curve];
-    const Stretch stretch(curve, segment.t0, segment.t1);
+    const ArcLengthTable stretch(curve, segment.t0, segment.t1);
     for (int k = 1; k < 4; ++k) segment.samples[k] = curve::point(curve, stretch.parameter(k / 4.0));
   }
   segment.centre = (from + to) / 2;
@@ -135,7 +114,7 @@ int BoundaryMesh::split(int i) {
   if (first.is_rim()) throw Defect("the rim of a fan is not split");
   const Outline& outline = fit_->outline();
   const double s = (first.s0 + first.s1) / 2;
-  const double t = Stretch(outline.face().curves[first.curve], first.t0, first.t1).parameter(0.5);
+  const double t = ArcLengthTable(outline.face().curves[first.curve], first.t0, first.t1).parameter(0.5);
   const Vec2 middle = outline.at(first.curve, t);
   if (first.length() < least_length * outline.face().diameter) refuse_contact();
   first.to = second.from = draft_->add_vertex(middle);

@@ -2,25 +2,12 @@
 // The boundary of what is left to triangulate when the fans are cut out: closed loops of segments, each a stretch of
 // curve that is halved (by arc length) where needed, or a rim edge of a fan, which stays as it is.
 
-#include <array>
 #include <vector>
 
+#include "triangulate/boundary_segment.hpp"
 #include "triangulate/corner_fans.hpp"
 
 namespace quadrille::triangulate {
-
-struct Segment {
-  int from = 0, to = 0;  ///< vertices of the draft; the face on the left
-  int curve = -1;        ///< -1: rim of a fan
-  double t0 = 0, t1 = 0;
-  double s0 = 0, s1 = 0;        ///< arc length on the curve
-  std::array<Vec2, 5> samples;  ///< on the curve at quarters of the arc length, ends included
-  Vec2 centre;                  ///< of a circle that holds the samples
-  double radius = 0;
-
-  bool is_rim() const { return curve < 0; }
-  double length() const { return s1 - s0; }
-};
 
 class BoundaryMesh {
  public:
@@ -51,8 +38,5 @@ class BoundaryMesh {
   Draft* draft_;
   std::vector<Segment> segments_;
 };
-
-/// Least distance between two segments as polygons through their samples.
-double segment_distance(const Segment& a, const Segment& b);
 
 }  // namespace quadrille::triangulate

@@ -11,7 +11,7 @@
 
 #include "triangulate/draft.hpp"
 #include "triangulate/edge_fit.hpp"
-#include "triangulate/triangulate.hpp"
+#include "triangulate/triangulate_options.hpp"
 
 namespace quadrille::triangulate {
 

@@ -25,10 +25,10 @@ EdgeFit::EdgeFit(const Outline& outline, int order) : outline_(&outline), order_
 
 std::vector<Vec2> EdgeFit::inner_nodes(int curve, double t0, double t1) const {
   const Nurbs& nurbs = outline_->face().curves[curve];
-  return inner_nodes(nurbs, Stretch(nurbs, t0, t1));
+  return inner_nodes(nurbs, ArcLengthTable(nurbs, t0, t1));
 }
 
-std::vector<Vec2> EdgeFit::inner_nodes(const Nurbs& curve, const Stretch& stretch) const {
+std::vector<Vec2> EdgeFit::inner_nodes(const Nurbs& curve, const ArcLengthTable& stretch) const {
   std::vector<Vec2> nodes;
   for (int j = 1; j < order_; ++j) nodes.push_back(curve::point(curve, stretch.parameter(fractions_[j])));
   return nodes;
@@ -36,7 +36,7 @@ std::vector<Vec2> EdgeFit::inner_nodes(const Nurbs& curve, const Stretch& stretc
 
 double EdgeFit::error(int curve, double t0, double t1) const {
   const Nurbs& nurbs = outline_->face().curves[curve];
-  const Stretch stretch(nurbs, t0, t1);
+  const ArcLengthTable stretch(nurbs, t0, t1);
   std::vector<Vec2> nodes = inner_nodes(nurbs, stretch);
   nodes.insert(nodes.begin(), curve::point(nurbs, t0));
   nodes.push_back(curve::point(nurbs, t1));

@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "triangulate/arc_length_table.hpp"
 #include "triangulate/outline.hpp"
-#include "triangulate/stretch.hpp"
 
 namespace quadrille::triangulate {
 
@@ -25,7 +25,7 @@ class EdgeFit {
   double turn(int curve, double t0, double t1) const;
 
  private:
-  std::vector<Vec2> inner_nodes(const Nurbs& curve, const Stretch& stretch) const;
+  std::vector<Vec2> inner_nodes(const Nurbs& curve, const ArcLengthTable& stretch) const;
 
   const Outline* outline_;
   int order_;

@@ -8,7 +8,7 @@
 
 #include "triangulate/boundary_mesh.hpp"
 #include "triangulate/delaunay.hpp"
-#include "triangulate/size_field.hpp"
+#include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {
 

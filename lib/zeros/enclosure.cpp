@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/angle.hpp"
-#include "field/corner_lifting.hpp"
+#include "field/lifting.hpp"
 #include "spectral/tri_bernstein.hpp"
 
 namespace quadrille::zeros {

@@ -8,6 +8,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
+#include "field/lifting.hpp"
 
 namespace quadrille::field {
 namespace {

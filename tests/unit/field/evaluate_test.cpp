@@ -4,7 +4,7 @@
 
 #include "../hand_made.hpp"
 #include "../support/square_field.hpp"
-#include "field/corner_lifting.hpp"
+#include "field/lifting.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::field {

@@ -6,7 +6,7 @@
 
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
-#include "field/corner_lifting.hpp"
+#include "field/lifting.hpp"
 
 namespace quadrille::guide {
 namespace {

@@ -8,7 +8,7 @@
 #include "../support/phase_field.hpp"
 #include "base/error.hpp"
 #include "field/node_phase.hpp"
-#include "field/phase_terms.hpp"
+#include "field/phase_value.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/launch_directions.hpp"
 

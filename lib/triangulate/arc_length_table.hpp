@@ -1,7 +1,7 @@
 #pragma once
-// A stretch of a curve by the fraction of its arc length, from one short table: s(t) as the integral of an interpolant
-// of the speed at Chebyshev points. What ArcLength gives for a whole curve, twenty times faster for many points of one
-// element edge.
+// A piece of a curve parametrised by the fraction of its arc length: s(t) is the integral of an interpolant of the
+// speed at Chebyshev points. curve::ArcLength does the same for a whole curve; this table is twenty times faster for
+// many points of one element edge.
 
 #include <array>
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace quadrille::triangulate {
 
-class Stretch {
+class ArcLengthTable {
  public:
   /// t0 < t1. Divides at knots and where the interpolant does not reach round-off.
-  Stretch(const Nurbs& curve, double t0, double t1);
+  ArcLengthTable(const Nurbs& curve, double t0, double t1);
 
   double length() const { return spans_.back().end; }
   /// The parameter at `fraction` in [0, 1] of the length.
@@ -23,7 +23,7 @@ class Stretch {
   static constexpr int degree = 16;
   struct Span {
     double t0 = 0, t1 = 0;
-    double begin = 0, end = 0;                ///< arc length from the beginning of the stretch
+    double begin = 0, end = 0;                ///< arc length from the beginning of the piece
     std::array<double, degree + 2> length{};  ///< Chebyshev coefficients of s on the span, 0 at t0
   };
   void add_span(const Nurbs& curve, double t0, double t1, double noise, int depth);

@@ -1,9 +1,9 @@
-#include "field/phase_terms.hpp"
+#include "field/phase_value.hpp"
 
 #include <cmath>
 #include <cstdlib>
 
-#include "field/corner_lifting.hpp"
+#include "field/lifting.hpp"
 
 namespace quadrille::field {
 

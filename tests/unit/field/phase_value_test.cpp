@@ -1,4 +1,4 @@
-#include "field/phase_terms.hpp"
+#include "field/phase_value.hpp"
 
 #include <gtest/gtest.h>
 

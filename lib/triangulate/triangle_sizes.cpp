@@ -1,4 +1,4 @@
-#include "triangulate/size_field.hpp"
+#include "triangulate/triangle_sizes.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "triangulate/boundary_mesh.hpp"
+#include "triangulate/boundary_segment.hpp"
 
 namespace quadrille::triangulate {
 

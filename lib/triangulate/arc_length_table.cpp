@@ -1,4 +1,4 @@
-#include "triangulate/stretch.hpp"
+#include "triangulate/arc_length_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ double speed_noise(const Nurbs& curve, double t0, double t1) {
 
 }  // namespace
 
-Stretch::Stretch(const Nurbs& curve, double t0, double t1) {
+ArcLengthTable::ArcLengthTable(const Nurbs& curve, double t0, double t1) {
   double begin = t0;
   const double negligible = 1e-12 * (t1 - t0);
   for (const double knot : curve.knots) {
@@ -56,7 +56,7 @@ Stretch::Stretch(const Nurbs& curve, double t0, double t1) {
   add_span(curve, begin, t1, speed_noise(curve, begin, t1), 0);
 }
 
-void Stretch::add_span(const Nurbs& curve, double t0, double t1, double noise, int depth) {
+void ArcLengthTable::add_span(const Nurbs& curve, double t0, double t1, double noise, int depth) {
   constexpr int n = degree;
   const auto& cosine = cosines<n>();
   const double middle = (t0 + t1) / 2, half = (t1 - t0) / 2;
@@ -87,7 +87,7 @@ void Stretch::add_span(const Nurbs& curve, double t0, double t1, double noise, i
   spans_.push_back(span);
 }
 
-double Stretch::parameter(double fraction) const {
+double ArcLengthTable::parameter(double fraction) const {
   const double target = fraction * length();
   const auto found = std::find_if(spans_.begin(), spans_.end(), [&](const Span& span) { return target <= span.end; });
   const Span& span = found == spans_.end() ? spans_.back() : *found;

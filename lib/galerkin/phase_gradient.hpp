@@ -1,0 +1,20 @@
+#pragma once
+// The gradient of the energy W with respect to the positions of irregular nodes (galerkin/phase_energy.hpp).
+
+#include "mesh/locate.hpp"
+#include "model/phase_terms.hpp"
+#include "model/tri_mesh.hpp"
+#include "spectral/tri_map.hpp"
+
+namespace quadrille::galerkin {
+
+/// dW / da_k from the gradient of s at a_k.
+Vec2 phase_energy_gradient(const PhaseTerms& terms, int k, Vec2 remainder_slope);
+
+/// Gradient of s in the plane, coefficients in the orthogonal basis.
+Vec2 remainder_gradient(const spectral::TriMap& map, Vec2 xi, int order, const double* coefs);
+
+/// Throws ComputeError where the node is not inside the mesh.
+mesh::Location locate_node(const mesh::Locator& locator, const TriMesh& mesh, Vec2 node);
+
+}  // namespace quadrille::galerkin
