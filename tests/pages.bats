@@ -15,6 +15,10 @@ check() {
   check citations
 }
 
+@test "every option that a page names is one of a command" {
+  check options
+}
+
 @test "every folder of lib has a short page that names what comes in, what goes out and a header to start with" {
   check folders
 }
