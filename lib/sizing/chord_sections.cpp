@@ -106,7 +106,7 @@ Vec2 ChordSections::position(const Block& block, const std::vector<Place>& place
   return mesh::blend_sides({a.position, block.right[line], b.position, block.left[line]}, block.corners, s, t);
 }
 
-WantedDensity ChordSections::at(double u) const {
+ElementDensity ChordSections::at(double u) const {
   const double greatest = sizes_.greatest();
   Sum sum;
   const std::vector<Place> at = sizes_.is_uniform() ? std::vector<Place>(chord_.arcs.size()) : places(u);

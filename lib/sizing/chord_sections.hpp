@@ -20,7 +20,7 @@
 
 namespace quadrille::sizing {
 
-struct WantedDensity {
+struct ElementDensity {
   double nearest = 0;   ///< rho that deviates least, elements per unit of u
   double greatest = 0;  ///< rho that no section exceeds: all edges at most as long as wanted
 };
@@ -39,7 +39,7 @@ class ChordSections {
   ChordSections(const MeasuredLayout& measured, const mesh::Chord& chord, const std::vector<ChordBlock>& blocks,
                 const SizeField& sizes);
 
-  WantedDensity at(double u) const;
+  ElementDensity at(double u) const;
 
  private:
   /// A chord's arc at one parameter.

@@ -23,11 +23,11 @@ class LengthSamples {
  public:
   LengthSamples(const ChordSections& sections, const SizeField& sizes, SizeRule rule)
       : sections_(sections), slope_(sizes.slope()), rule_(rule) {
-    WantedDensity low = sections.at(0);
+    ElementDensity low = sections.at(0);
     add(0, low);
     for (int k = 1; k <= first_samples && !sizes.is_uniform(); ++k) {
       const double u0 = (k - 1.0) / first_samples, u1 = static_cast<double>(k) / first_samples;
-      const WantedDensity high = sections.at(u1);
+      const ElementDensity high = sections.at(u1);
       sample_between(u0, low, u1, high);
       add(u1, high);
       low = high;
@@ -40,17 +40,17 @@ class LengthSamples {
   }
 
  private:
-  void add(double u, const WantedDensity& density) {
+  void add(double u, const ElementDensity& density) {
     u_.push_back(u);
     eta_.push_back(1 / (rule_ == SizeRule::at_most ? density.greatest : density.nearest));
   }
 
-  void sample_between(double u0, const WantedDensity& low, double u1, const WantedDensity& high) {
+  void sample_between(double u0, const ElementDensity& low, double u1, const ElementDensity& high) {
     // Where a section's density is rho, its size changes by the share slope rho step over a step.
     const double change = slope_ * std::max(low.greatest, high.greatest) * (u1 - u0);
     if (change <= sample_resolution || u1 - u0 <= least_step) return;
     const double u = (u0 + u1) / 2;
-    const WantedDensity middle = sections_.at(u);
+    const ElementDensity middle = sections_.at(u);
     sample_between(u0, low, u, middle);
     add(u, middle);
     sample_between(u, middle, u1, high);

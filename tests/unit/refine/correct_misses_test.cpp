@@ -1,0 +1,90 @@
+#include "refine/correct_misses.hpp"
+
+#include <gtest/gtest.h>
+
+#include "chord_samples.hpp"
+#include "refine/settle_counts.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+ChordDivision settled(const ChordSample& sample) {
+  ChordDivision division = begin_division(sample.task);
+  settle_counts(sample.task, division);
+  return division;
+}
+
+TEST(CorrectMisses, NothingIsCorrectedWithinTheTolerance) {
+  const ChordSample sample(hand_made::elbow(), 0, 3, {4, 10});
+  ChordDivision division = settled(sample);
+  EXPECT_FALSE(find_corrections(sample.task, division, 0).is_needed);
+  EXPECT_FALSE(correct_misses(sample.task, division));
+  EXPECT_TRUE(division.anchored.required.empty());
+}
+
+TEST(CorrectMisses, AnIntervalWithABreakEndsThere) {
+  const ChordSample sample(hand_made::elbow(), 0, 1, {4, 1e-5});
+  ChordDivision division = settled(sample);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.is_needed);
+  EXPECT_EQ(corrections.anchors.size(), 1u);
+  EXPECT_EQ(corrections.worst_errors, (std::vector<double>{0})) << "the break is tried before a higher count";
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  EXPECT_FALSE(division.anchored.required.empty());
+}
+
+TEST(CorrectMisses, ASmoothIntervalOfEqualElementsRaisesTheCountOfItsSegment) {
+  const ChordSample sample(hand_made::quarter_annulus(), 1, 2, {2, 1e-5});
+  ChordDivision division = settled(sample);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.anchors.empty());
+  EXPECT_TRUE(corrections.constraints.empty());
+  ASSERT_EQ(corrections.worst_errors.size(), 1u);
+  EXPECT_GT(corrections.worst_errors[0], sample.options.tolerance);
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  EXPECT_GT(division.anchored.segments.least_counts[0], 2);
+  EXPECT_LE(division.anchored.segments.least_counts[0], 8) << "at most four in place of one";
+}
+
+TEST(CorrectMisses, AnIntervalOfAGradedChordAloneBecomesShorter) {
+  ChordSample sample(hand_made::quarter_annulus(), 1, 4, {2, 1e-5});
+  sample.plan.grading = sizing::Grading({0, 1}, {0.02, 0.6});
+  sample.plan.slope = 1;
+  ChordDivision division = settled(sample);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.anchors.empty());
+  for (const double error : corrections.worst_errors) EXPECT_EQ(error, 0);
+  ASSERT_FALSE(corrections.constraints.empty());
+  for (const sizing::MaxLengthConstraint& c : corrections.constraints) {
+    EXPECT_GE(c.reduction, 1.05);
+    EXPECT_NEAR(c.max_length, (c.high - c.low) / c.reduction, 1e-12);
+  }
+  const double first = division.grading.parameter(0.25), before = division.planned_count;
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  EXPECT_GT(division.planned_count, before);
+  EXPECT_GT(division.least_count, division.count() - 1);
+  EXPECT_LE(division.grading.parameter(0.25), first * 4) << "the short elements stay short";
+}
+
+TEST(CorrectMisses, ManyBreaksThatAreSpreadAreNoEndsBeforeTheIntervalIsShort) {
+  std::vector<double> parameters;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 20; ++k) {
+    const double x = k / 20.0;
+    parameters.push_back(x);
+    points.push_back({x, 0.05 * std::sin(2 * pi * x)});
+  }
+  const Vec2 slope{1, 0.1 * pi};
+  const std::vector<Nurbs> loop{curve::cubic_spline(parameters, points, slope, slope), curve::segment({1, 0}, {1, 1}),
+                                curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
+  const ChordSample sample(hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}}), 0, 1,
+                           {2, 1e-4});
+  const ChordDivision division = settled(sample);
+  ASSERT_GT(division.anchored.anchors.size(), 2u);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.anchors.empty());
+  EXPECT_GT(corrections.worst_errors[0], 0);
+}
+
+}  // namespace
+}  // namespace quadrille::refine

@@ -1,0 +1,79 @@
+#include "sizing/make_size_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+CadFace square() { return hand_made::unit_square().face; }
+
+TEST(MakeSizeField, WithoutOptionsIsATwentiethOfTheDiameter) {
+  const SizeField sizes = make_size_field(square(), {});
+  EXPECT_TRUE(sizes.is_uniform());
+  EXPECT_NEAR(sizes.greatest(), std::sqrt(2.0) / 20, 1e-15);
+}
+
+TEST(MakeSizeField, SizesGrowAwayFromANamedBoundary) {
+  SizeOptions options;
+  options.size = 0.2;
+  options.near = {{"side_0", 0.01}};
+  options.growth = 1.5;
+  const SizeField sizes = make_size_field(square(), options);
+  EXPECT_NEAR(sizes.at({0.3, 0}), 0.01, 1e-12);
+  EXPECT_NEAR(sizes.at({0.3, 0.1}), 0.01 + 0.1 * std::log(1.5), 1e-12);
+  EXPECT_EQ(sizes.at({0.3, 1}), 0.2);
+}
+
+TEST(MakeSizeField, TheGrowthOfTheOptionGoesBeforeThatOfTheFile) {
+  SizeOptions options;
+  options.sources = {{{{0.5, 0.5}, 0.01, 0}}, {}, 1.4};
+  EXPECT_NEAR(make_size_field(square(), options).slope(), std::log(1.4), 1e-15);
+  options.growth = 1.1;
+  EXPECT_NEAR(make_size_field(square(), options).slope(), std::log(1.1), 1e-15);
+  options.growth = options.sources.growth = 0;
+  EXPECT_NEAR(make_size_field(square(), options).slope(), std::log(SizeField::default_growth), 1e-15);
+}
+
+TEST(MakeSizeField, CurvaturePrescribesElementsPerTurn) {
+  const CadFace face = hand_made::quarter_annulus().face;
+  SizeOptions options;
+  options.size = 1;
+  options.curvature = 40;
+  const SizeField sizes = make_size_field(face, options);
+  EXPECT_NEAR(sizes.at(unit(0.5)), 2 * pi / 40, 1e-4) << "on the circle of radius 1";
+}
+
+TEST(MakeSizeField, RefusesWhatIsNoSize) {
+  SizeOptions options;
+  options.near = {{"no such boundary", 0.1}};
+  EXPECT_THROW(make_size_field(square(), options), UsageError);
+  for (const auto& change : {+[](SizeOptions& o) { o.size = -1; }, +[](SizeOptions& o) { o.growth = 1; },
+                             +[](SizeOptions& o) { o.curvature = -1; }}) {
+    SizeOptions wrong;
+    change(wrong);
+    EXPECT_THROW(make_size_field(square(), wrong), UsageError);
+  }
+}
+
+TEST(MakeSizeField, ParsesSizesNearABoundary) {
+  EXPECT_EQ(parse_near_size("hole=0.5").boundary, "hole");
+  EXPECT_EQ(parse_near_size("hole=0.5").size, 0.5);
+  EXPECT_EQ(parse_near_size("a=b=1e-3").boundary, "a=b") << "the last = counts";
+  for (const char* wrong : {"hole", "=1", "hole=", "hole=0", "hole=-1", "hole=x", "hole=inf"})
+    EXPECT_THROW(parse_near_size(wrong), UsageError) << wrong;
+}
+
+TEST(MakeSizeField, ParsesCountsOfChords) {
+  EXPECT_EQ(parse_chord_count("3=12").chord, 3);
+  EXPECT_EQ(parse_chord_count("3=12").count, 12);
+  for (const char* wrong : {"3", "=4", "3=", "3=0", "3=1.5", "x=1", "3=-2"})
+    EXPECT_THROW(parse_chord_count(wrong), UsageError) << wrong;
+}
+
+}  // namespace
+}  // namespace quadrille::sizing

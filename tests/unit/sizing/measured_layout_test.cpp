@@ -1,0 +1,69 @@
+#include "sizing/measured_layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "../hand_made.hpp"
+#include "block/extract_blocks.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+BlockLayout layout_of(const SeparatrixGraph& graph) {
+  Report report;
+  return block::extract_blocks(graph, report);
+}
+
+TEST(MeasuredLayout, MeasuresEveryArcOfTheLayout) {
+  const BlockLayout layout = layout_of(hand_made::quarter_annulus());
+  const MeasuredLayout measured(layout);
+  ASSERT_EQ(measured.num_arcs(), 4);
+  EXPECT_NEAR(measured.length(0), 1, 1e-12);
+  EXPECT_NEAR(measured.length(1), pi, 1e-10);
+  EXPECT_NEAR(measured.length(3), half_pi, 1e-10);
+  EXPECT_EQ(&measured.blocks(), &layout);
+}
+
+TEST(MeasuredLayout, NumbersChordsAsTheLayoutDoes) {
+  for (const SeparatrixGraph& graph : {hand_made::unit_square(), hand_made::l_shape(), hand_made::cut_annulus(3)}) {
+    const BlockLayout layout = layout_of(graph);
+    const MeasuredLayout measured(layout);
+    for (int arc = 0; arc < measured.num_arcs(); ++arc) EXPECT_EQ(measured.chord_of(arc), layout.arc_chord[arc]);
+    std::size_t num_arcs = 0;
+    for (const mesh::Chord& chord : measured.chords()) num_arcs += chord.arcs.size();
+    EXPECT_EQ(num_arcs, layout.arcs.size());
+  }
+}
+
+TEST(MeasuredLayout, ParametersRunAlongTheChordAndFractionsAlongTheArc) {
+  const BlockLayout layout = layout_of(hand_made::unit_square());
+  const MeasuredLayout equal(layout);
+  EXPECT_TRUE(equal.has_equal_parameters());
+  std::vector<ArcParameter> parameters(4);
+  parameters[0] = parameters[2] = ArcParameter({0, 0.2, 0.3, 0.8, 1});
+  const MeasuredLayout measured = equal.with_parameters(parameters);
+  EXPECT_FALSE(measured.has_equal_parameters());
+  EXPECT_TRUE(measured.with_equal_parameters().has_equal_parameters());
+  const mesh::Chord& chord = measured.chords()[measured.chord_of(0)];
+  ASSERT_EQ(chord.arcs, (std::vector<int>{0, 2}));
+  ASSERT_TRUE(chord.backwards[1]) << "opposite sides of a block run against each other";
+  EXPECT_NEAR(measured.arc_fraction(chord, 0, 0.25), 0.2, 1e-12);
+  EXPECT_NEAR(measured.arc_fraction(chord, 1, 0.25), 0.8, 1e-12);
+  for (const int i : {0, 1})
+    for (const double u : {0.0, 0.1, 0.6, 1.0})
+      EXPECT_NEAR(measured.chord_parameter(chord, i, measured.arc_fraction(chord, i, u)), u, 1e-12);
+}
+
+TEST(MeasuredLayout, CopiesShareTheCurvesAndOutliveTheOriginal) {
+  const BlockLayout layout = layout_of(hand_made::quarter_annulus());
+  std::optional<MeasuredLayout> original(layout);
+  const curve::CurveTable* curves = &original->curves();
+  const MeasuredLayout copy = original->with_equal_parameters();
+  original.reset();
+  EXPECT_EQ(&copy.curves(), curves);
+  EXPECT_NEAR(norm(copy.chain(1).at(0.5).position), 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace quadrille::sizing
