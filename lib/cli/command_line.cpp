@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/error.hpp"
 
@@ -74,7 +75,6 @@ struct CommandLine::Impl {
     app.set_help_flag("-h,--help");
     app.set_version_flag("--version", "");
     app.add_flag_callback("--list-options", [] { throw CallForOptionList(); });
-    num_built_in = app.get_options().size();
   }
 
   CLI::Option* add(const std::string& flag, const std::string& placeholder, CLI::callback_t set, std::string help) {
@@ -94,7 +94,7 @@ struct CommandLine::Impl {
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
-  std::size_t num_built_in = 0, num_declared = 0;  ///< CLI11's options before the tool's own, and with them
+  std::vector<CLI::Option*> declared;  ///< before those of every command
 };
 
 CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
@@ -200,7 +200,7 @@ void CommandLine::formerly(const std::string& old_flag, const std::string& flag)
 
 void CommandLine::add_common(CommonOptions& common) {
   impl_->common = &common;
-  impl_->num_declared = impl_->app.get_options().size();
+  impl_->declared = impl_->app.get_options();
   std::vector<HelpRow> own;
   own.swap(impl_->page.options);
   text("--report", common.report, "FILE",
@@ -251,11 +251,11 @@ std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {
     return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
   };
-  const std::vector<CLI::Option*> options = impl_->app.get_options();
+  const std::set<std::string> common{"help", "version", "list-options", "output"};
   std::string out;
-  for (std::size_t i = impl_->num_built_in; i < impl_->num_declared; ++i)
-    for (const std::string& name : options[i]->get_lnames())
-      if (name != "output") out += line("--" + name, options[i]);
+  for (const CLI::Option* option : impl_->declared)
+    for (const std::string& name : option->get_lnames())
+      if (!common.contains(name)) out += line("--" + name, option);
   for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
   return out;
 }
