@@ -1,0 +1,51 @@
+#include "export/format_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "base/error.hpp"
+#include "two_quads.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+TEST(FormatTable, NamesAndEndingsAreUnique) {
+  std::set<std::string_view> names, endings;
+  for (const ExportFormat& format : export_formats()) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name;
+    if (!format.ending.empty()) EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    EXPECT_FALSE(format.summary.empty());
+    EXPECT_NE(format.write, nullptr);
+  }
+}
+
+TEST(FormatTable, AFormatIsFoundByNameAndByEnding) {
+  EXPECT_EQ(find_export_format("vtu-bezier")->name, "vtu-bezier");
+  EXPECT_EQ(find_export_format("word"), nullptr);
+  EXPECT_EQ(export_format_of("folder/a.msh")->name, "msh");
+  EXPECT_EQ(export_format_of("case/system/blockMeshDict")->name, "blockmesh");
+  EXPECT_EQ(export_format_of("a.txt"), nullptr);
+}
+
+TEST(FormatTable, EveryFormatWritesAMeshThatItSupports) {
+  for (const ExportFormat& format : export_formats())
+    EXPECT_FALSE(export_mesh(two_straight_quads(), format, false).bytes.empty()) << format.name;
+}
+
+TEST(FormatTable, AnOrderOrFrameThatAFormatDoesNotSupportIsRefused) {
+  QuadMesh mesh = two_quads();
+  mesh.order = 11;
+  try {
+    export_mesh(mesh, *find_export_format("msh"), false);
+    FAIL();
+  } catch (const ComputeError& e) {
+    EXPECT_STREQ(e.what(),
+                 "the format msh supports quads up to order 10, this mesh has order 11: refine with a lower --order");
+  }
+  EXPECT_THROW(export_mesh(two_straight_quads(), *find_export_format("re2"), true), UsageError);
+  EXPECT_NO_THROW(export_mesh(two_straight_quads(), *find_export_format("msh"), true));
+}
+
+}  // namespace
+}  // namespace quadrille::exports

@@ -1,0 +1,24 @@
+#include "export/groups.hpp"
+
+#include <gtest/gtest.h>
+
+#include "two_quads.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+TEST(Groups, CurvesOfOneNameAreOneBoundaryAndThoseWithoutANameGetOne) {
+  const Groups groups = mesh_groups(two_quads());
+  EXPECT_EQ(groups.boundary_names, (std::vector<std::string>{"wall", "in & out", "curve_3"}));
+  EXPECT_EQ(groups.curve2boundary, (std::vector<int>{0, 1, 0, 2}));
+}
+
+TEST(Groups, BlocksOfOneNameAreOneRegion) {
+  EXPECT_EQ(mesh_groups(two_quads()).block2region, (std::vector<int>{0, 1}));
+  const Groups groups = mesh_groups(two_quads_of_the_pages());
+  EXPECT_EQ(groups.region_names, std::vector<std::string>{"fluid"});
+  EXPECT_EQ(groups.block2region, (std::vector<int>{0, 0}));
+}
+
+}  // namespace
+}  // namespace quadrille::exports

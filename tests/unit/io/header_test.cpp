@@ -1,0 +1,71 @@
+#include "io/header.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace quadrille::io {
+namespace {
+
+std::string refusal(const FormatVersion& present, const std::string& format, const std::vector<int>& version) {
+  try {
+    require_version("file", present, format, version);
+  } catch (const FormatError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Header, ThePresentMajorVersionAndTheOneBeforeAreReadWithAnyMinor) {
+  const FormatVersion third{"thing", 3, 1};
+  EXPECT_EQ(refusal(third, "thing", {3, 0}), "");
+  EXPECT_EQ(refusal(third, "thing", {3, 99}), "");
+  EXPECT_EQ(refusal(third, "thing", {2, 7}), "");
+  EXPECT_NE(refusal(third, "thing", {1, 9}), "");
+  EXPECT_NE(refusal(third, "thing", {4, 0}), "");
+}
+
+TEST(Header, NoVersionIsBeforeTheFirst) {
+  const FormatVersion first{"thing", 1, 1};
+  EXPECT_EQ(refusal(first, "thing", {1, 0}), "");
+  EXPECT_NE(refusal(first, "thing", {0, 9}), "");
+}
+
+TEST(Header, OlderAndNewerVersionsGetSentencesOfTheirOwn) {
+  EXPECT_EQ(refusal({"thing", 3, 1}, "thing", {1, 2}),
+            "file: thing version 1.2 is from an older program and no longer read (this one reads versions 2 and 3); "
+            "create the file again");
+  EXPECT_EQ(refusal({"thing", 1, 0}, "thing", {2, 0}),
+            "file: thing version 2.0 is newer than this program, which reads version 1; update it");
+}
+
+TEST(Header, AnotherFormatAndAMistypedVersionAreNamed) {
+  EXPECT_EQ(refusal({"thing", 1, 0}, "sonnet", {1, 0}), "file: expected a thing file, found a sonnet file");
+  EXPECT_EQ(refusal({"thing", 1, 0}, "", {1, 0}), "file: expected a thing file, found a file without a format");
+  for (const std::vector<int>& version : std::vector<std::vector<int>>{{}, {1}, {1, 0, 0}, {-1, 0}, {1, -1}})
+    EXPECT_EQ(refusal({"thing", 1, 0}, "thing", version), "file: 'version' must be [major, minor]");
+}
+
+TEST(Header, ProvenanceSurvivesItsText) {
+  const Provenance chain{{"cad2tri", "0.1.0", {{"step", "abc"}}, R"({"order":8})"}, {"fieldsolve", "0.2.0", {}, "{}"}};
+  const std::string text = provenance_text(chain);
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  const Provenance read = parse_provenance(text, "file");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].inputs[0].sha256, "abc");
+  EXPECT_EQ(read[0].options, R"({"order":8})");
+  EXPECT_EQ(producer_of(read), "fieldsolve 0.2.0");
+  EXPECT_EQ(producer_of({}), "Quadrille");
+}
+
+TEST(Header, DamagedProvenanceIsRefusedWithItsPlace) {
+  try {
+    parse_provenance(R"({"provenance": [{"tool": 3}]})", "file");
+    FAIL();
+  } catch (const FormatError& e) {
+    EXPECT_STREQ(e.what(), "file: attribute 'provenance': 'provenance[0].tool' must be a string");
+  }
+}
+
+}  // namespace
+}  // namespace quadrille::io
