@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
     const io::InputFile file = io::read_input(input);
     Field field = io::read_field(file);
     check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
-    if (field.kind != "harmonic")
+    if (field.kind != FieldKind::harmonic)
       throw FormatError(file.name + ": the field was made for the nodes that it has; critpoints reads harmonic ones");
     if (field.elem_error.empty()) field.elem_error = field::error_estimate(field);
     s.begin_phase("search");

@@ -86,15 +86,13 @@ int main(int argc, char** argv) {
     o.text("--nodes", nodes_path, "CRIT",
            "critical points (x.crit.json) that prescribe the irregular nodes and corner valences of the field; cg only",
            false);
-    o.choice("--method", options.method, {"cg", "dg"}, "continuous or discontinuous (hybridised) elements");
-    o.choice("--corners", options.corners, {"lift", "dg"},
-             "tangent discontinuities: lifted exactly, or left in the data");
+    o.choice("--method", options.method, "continuous or discontinuous (hybridised) elements");
+    o.choice("--corners", options.corners, "tangent discontinuities: lifted exactly, or left in the data");
   };
   tool.run = [&](cli::Session& s) {
     options.num_threads = s.threads();
-    options.validate();
-    const int max_order = galerkin::max_field_order(options.method == "dg");
-    if (!nodes_path.empty() && (options.method != "cg" || options.corners != "lift"))
+    const int max_order = galerkin::max_field_order(options.method);
+    if (!nodes_path.empty() && (options.method != FieldMethod::cg || options.corners != galerkin::CornerData::lift))
       throw UsageError("--nodes needs --method cg and --corners lift");
     if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));
     const io::InputFile file = io::read_input(input);

@@ -56,9 +56,9 @@ int main(int argc, char** argv) {
               "greatest number of new solutions; a warning is given if it is reached");
     o.number("--target-error", options.target_error, 0, 1, "magnitude of the field",
              "estimated error that elements at the highest order should reach; a warning is given if they do not");
-    o.choice("--sensor", options.sensor, {"vector", "u", "v"}, "components that the sensor uses");
+    o.choice("--sensor", options.sensor, "components that the sensor uses");
     o.choice(
-        "--sensor-scale", options.scale, {"absolute", "relative"},
+        "--sensor-scale", options.scale,
         "reference of the sensor: the magnitude of the field on the boundary, or that of the components on the element "
         "(as in the paper)");
   };

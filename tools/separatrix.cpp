@@ -67,9 +67,9 @@ int main(int argc, char** argv) {
     const field::FieldEvaluator evaluator(field);
     // A phase that was solved for other nodes does not have this file in its provenance either: the message that says
     // what to do about it comes first.
-    if (field.kind == "phase") trace::check_nodes_match_field(evaluator, points);
+    if (field.kind == FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
     io::require_same_origin(field_file, field.provenance, points_file, points.provenance);
-    if (field.kind != "phase") trace::check_nodes_match_field(evaluator, points);
+    if (field.kind != FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
     s.begin_phase("trace");
     SeparatrixGraph graph = layout::lay_out(evaluator, points, options, s.report());
     graph.provenance =

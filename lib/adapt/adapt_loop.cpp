@@ -27,7 +27,7 @@ struct Solver {
 };
 
 Solver solver_of(const Field& start, int num_threads) {
-  if (start.kind == "phase") {
+  if (start.kind == FieldKind::phase) {
     const auto solver = std::make_shared<galerkin::PhaseSolver>(start.mesh, start.elem_order, num_threads);
     const galerkin::PhaseOptions options{start.phase.hole_winding_offsets};
     return {[=, &start](const std::vector<int>& orders, Report& report) {
@@ -134,10 +134,8 @@ void AdaptOptions::validate() const {
 
 Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& report) {
   AdaptOptions options = requested;
-  options.max_order = std::min(options.max_order, galerkin::max_field_order(start.method == "dg"));
+  options.max_order = std::min(options.max_order, galerkin::max_field_order(start.method));
   options.validate();
-  const SensorKind kind = sensor_kind(options.sensor);
-  const SensorScale scale = sensor_scale(options.scale);
   const Solver solver = solver_of(start, options.num_threads);
   Field field = start;
   std::vector<int> orders = start.elem_order;
@@ -145,7 +143,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   std::vector<AdaptStep> steps = history_of(start, was_raised);
   std::vector<double> seconds;  // of each new solution
   for (int round = 0;; ++round) {
-    std::vector<double> sensors = sense(field, kind, scale);
+    std::vector<double> sensors = sense(field, options.sensor, options.scale);
     steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));
     steps.back().num_unknowns = solver.num_unknowns(field.elem_order);
     steps.back().elem_order = field.elem_order;

@@ -1,7 +1,7 @@
 #pragma once
 // What steers the adaptation of orders.
 
-#include <string>
+#include "adapt/sensor.hpp"
 
 namespace quadrille::adapt {
 
@@ -9,12 +9,12 @@ struct AdaptOptions {
   double raise_above = 1e-18;         ///< epsilon_u on the squared sensor S_e
   double lower_below = 1e-24;         ///< epsilon_l, below raise_above
   int num_threads = 1;                ///< the result does not depend on it
-  int min_order = 2, max_order = 20;  ///< a "dg" field goes up to max_field_order at most
+  int min_order = 2, max_order = 20;  ///< at most max_field_order of the field's method
   int max_steps = 20;                 ///< bound on new solutions; reaching it is a warning
   double target_error = 1e-8;         ///< |v - v_h| that elements at max_order should reach; missing it is a warning
-  std::string sensor = "vector";      ///< "vector", "u" or "v"
-  std::string scale = "absolute";     ///< of the sensor: "absolute" or "relative"
-  void validate() const;              ///< throws UsageError
+  SensorKind sensor = SensorKind::vector;
+  SensorScale scale = SensorScale::absolute;
+  void validate() const;  ///< throws UsageError
 };
 
 }  // namespace quadrille::adapt

@@ -33,19 +33,6 @@ double area(const TriMesh& mesh, int elem) {
 
 }  // namespace
 
-SensorKind sensor_kind(const std::string& name) {
-  if (name == "vector") return SensorKind::vector;
-  if (name == "u") return SensorKind::u;
-  if (name == "v") return SensorKind::v;
-  throw UsageError("the sensor is vector, u or v, not " + name);
-}
-
-SensorScale sensor_scale(const std::string& name) {
-  if (name == "absolute") return SensorScale::absolute;
-  if (name == "relative") return SensorScale::relative;
-  throw UsageError("the sensor's scale is absolute or relative, not " + name);
-}
-
 std::vector<double> fan_weights(const TriMesh& mesh) {
   std::vector<double> weights(mesh.num_elems(), 1.0);
   double greatest = 0;
@@ -58,7 +45,7 @@ std::vector<double> fan_weights(const TriMesh& mesh) {
 
 std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale) {
   const bool is_absolute = scale == SensorScale::absolute;
-  const bool is_phase = field.kind == "phase";
+  const bool is_phase = field.kind == FieldKind::phase;
   const double least_norm = is_absolute ? 2 : std::numeric_limits<double>::min();  // 2: |1|^2, reference triangle
   std::vector<double> sensors =
       is_absolute ? fan_weights(field.mesh) : std::vector<double>(field.mesh.num_elems(), 1.0);

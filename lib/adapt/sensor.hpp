@@ -7,18 +7,20 @@
 // part: liftings are exact. A field of kind "phase" has one component, s, whatever is asked for; its scale is 1 radian,
 // because |v - v_h| is |s - s_h|.
 
-#include <string>
+#include <array>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "model/field.hpp"
 
 namespace quadrille::adapt {
 
 /// Which components are sensed.
 enum class SensorKind { vector, u, v };
-
-/// "vector", "u" or "v"; throws UsageError for anything else.
-SensorKind sensor_kind(const std::string& name);
+constexpr auto enum_names(SensorKind) {
+  return std::to_array<EnumName<SensorKind>>(
+      {{SensorKind::vector, "vector"}, {SensorKind::u, "u"}, {SensorKind::v, "v"}});
+}
 
 /// What the tail is compared with.
 enum class SensorScale {
@@ -27,8 +29,10 @@ enum class SensorScale {
   relative   ///< the paper's own: the sensed components' norm on the element alone, no weights; 0/0 counts as 0
 };
 
-/// "absolute" or "relative"; throws UsageError for anything else.
-SensorScale sensor_scale(const std::string& name);
+constexpr auto enum_names(SensorScale) {
+  return std::to_array<EnumName<SensorScale>>(
+      {{SensorScale::absolute, "absolute"}, {SensorScale::relative, "relative"}});
+}
 
 /// S_e of every element.
 std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale = SensorScale::absolute);

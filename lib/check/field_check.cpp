@@ -31,7 +31,7 @@ void coefficients_fit(const Field& field, Findings& findings) {
       return findings.add("element {} of order {} must own {} coefficients", e, order, (order + 1) * (order + 2) / 2);
   }
   const auto end = static_cast<std::size_t>(offsets.back());
-  const bool is_phase = field.kind == "phase";
+  const bool is_phase = field.kind == FieldKind::phase;
   if (is_phase && (field.phase.s.size() != end || !field.u.empty() || !field.v.empty()))
     findings.add("s must have {} coefficients, u and v none", offsets.back());
   if (!is_phase && (field.u.size() != end || field.v.size() != end))
@@ -57,9 +57,9 @@ void numbers_are_finite(const Field& field, Findings& findings) {
 }
 
 void kinds_are_known(const Field& field, Findings& findings) {
-  if (field.kind != "harmonic" && field.kind != "phase")
-    findings.add("kind '{}' is not known; it must be harmonic or phase", field.kind);
-  if (field.method != "cg" && field.method != "dg") findings.add("method '{}' is not cg or dg", field.method);
+  if (field.kind != FieldKind::harmonic && field.kind != FieldKind::phase)
+    findings.add("kind is not known; it must be harmonic or phase");
+  if (field.method != FieldMethod::cg && field.method != FieldMethod::dg) findings.add("method is not cg or dg");
 }
 
 void liftings_fit(const Field& field, Findings& findings) {
@@ -116,7 +116,7 @@ void hole_arrays_agree(const CadFace& face, const PhaseForm& phase, Findings& fi
 
 /// All that an evaluator adds up is there, finite and of a size that keeps the digits of the phase.
 void phase_is_sound(const Field& field, Findings& findings) {
-  if (field.kind != "phase") return;
+  if (field.kind != FieldKind::phase) return;
   const PhaseForm& phase = field.phase;
   if (!field.liftings.empty()) findings.add("a field of kind phase has no liftings");
   turns_are_sound(phase.terms.nodes, "nodes", findings);
@@ -180,7 +180,7 @@ void prescribed_index_sum_holds(const CadFace& face, const PhaseNodes& prescribe
 }
 
 void terms_are_prescribed(const Field& field, Findings& findings) {
-  if (field.kind != "phase") return;
+  if (field.kind != FieldKind::phase) return;
   const CadFace& face = field.mesh.face;
   prescribed_corners_exist(face, field.phase.prescribed, findings);
   prescribed_boundary_nodes_exist(face, field.phase.prescribed, findings);

@@ -36,7 +36,7 @@ void draw_quiet_field(Picture& picture, const Field& field) {
   picture.open_group("quiet");
   draw_crosses(picture, evaluator, 26);
   picture.close_group();
-  if (field.kind != "phase") draw_zero_contours(picture, evaluator);  // a unit field has no zeros
+  if (field.kind != FieldKind::phase) draw_zero_contours(picture, evaluator);  // a unit field has no zeros
   draw_boundary(picture, field.mesh.face);
 }
 

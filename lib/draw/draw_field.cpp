@@ -20,7 +20,7 @@ namespace {
 /// Few enough colours to share paths, enough to look smooth.
 double stepped(double value, double steps) { return std::round(value * steps) / steps; }
 
-bool is_phase(const Field& field) { return field.kind == "phase"; }
+bool is_phase(const Field& field) { return field.kind == FieldKind::phase; }
 
 std::string title(const Field& field, const std::string& show) {
   const std::string what = show == "psi"     ? "cross angle ψ"

@@ -68,7 +68,7 @@ std::vector<double> boundary_misfit(const Field& field) {
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
   std::unique_ptr<PhaseBoundary> phase;
-  if (field.kind == "phase") phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.prescribed);
+  if (field.kind == FieldKind::phase) phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.prescribed);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const curve::ArcLength& length = lengths[edge.curve];

@@ -16,7 +16,7 @@ constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 
 FieldEvaluator::FieldEvaluator(const Field& field)
     : field_(&field),
-      is_phase_(field.kind == "phase"),
+      is_phase_(field.kind == FieldKind::phase),
       maps_(mesh::tri_maps(field.mesh)),
       topology_(mesh::tri_topology(field.mesh)),
       locator_(field.mesh, maps_) {}

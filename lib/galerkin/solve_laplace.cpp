@@ -18,9 +18,9 @@ namespace quadrille::galerkin {
 
 namespace {
 
-std::unique_ptr<Discretization> make_discretization(const std::string& method, const MeshContext& context,
-                                                    BoundaryData data, int num_threads) {
-  if (method == "dg") return std::make_unique<HybridisedGalerkin>(context, std::move(data), num_threads);
+std::unique_ptr<Discretization> make_discretization(FieldMethod method, const MeshContext& context, BoundaryData data,
+                                                    int num_threads) {
+  if (method == FieldMethod::dg) return std::make_unique<HybridisedGalerkin>(context, std::move(data), num_threads);
   return std::make_unique<ContinuousGalerkin>(context, std::move(data), num_threads);
 }
 
@@ -45,12 +45,7 @@ void require_no_jump(const CadFace& face, const std::vector<Lifting>& jumps) {
 
 }  // namespace
 
-void LaplaceOptions::validate() const {
-  if (method != "cg" && method != "dg") throw UsageError("the method is cg or dg, not " + method);
-  if (corners != "lift" && corners != "dg") throw UsageError("corners are lift or dg, not " + corners);
-}
-
-LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data, const std::string& method)
+LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data, FieldMethod method)
     : context_(std::make_unique<MeshContext>(mesh)),
       method_(method),
       discretization_(make_discretization(method, *context_, std::move(data), 1)) {}
@@ -59,9 +54,8 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
     : context_(std::make_unique<MeshContext>(mesh)),
       method_(options.method),
       liftings_(field::corner_liftings(mesh.face)) {
-  options.validate();
-  if (options.corners == "dg") {
-    if (options.method == "cg") require_no_jump(mesh.face, liftings_);
+  if (options.corners == CornerData::dg) {
+    if (options.method == FieldMethod::cg) require_no_jump(mesh.face, liftings_);
     liftings_.clear();
   }
   const auto data = [&face = mesh.face, liftings = liftings_](int curve, double t) {
@@ -90,7 +84,7 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
     field.v.insert(field.v.end(), coefs.col(1).begin(), coefs.col(1).end());
     field.coef_offsets.push_back(static_cast<int>(field.u.size()));
   }
-  report.set("solve.method", method_);
+  report.set("solve.method", enum_name(method_));
   report.set("solve.num_elements", mesh.num_elems());
   report.set("solve.num_unknowns", solution.num_unknowns);
   report.set("solve.num_liftings", liftings_.size());
@@ -115,7 +109,7 @@ Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Rep
 LaplaceOptions options_of(const Field& field) {
   LaplaceOptions options;
   options.method = field.method;
-  if (field.liftings.empty() && !field::corner_liftings(field.mesh.face).empty()) options.corners = "dg";
+  if (field.liftings.empty() && !field::corner_liftings(field.mesh.face).empty()) options.corners = CornerData::dg;
   return options;
 }
 

@@ -3,7 +3,6 @@
 // triangles, interior modes condensed, one sparse Cholesky factorisation for u and v.
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "base/report.hpp"
@@ -13,14 +12,23 @@
 
 namespace quadrille::galerkin {
 
+/// What is done with the jumps of the boundary data at corners.
+enum class CornerData {
+  lift,  ///< represented by exact harmonic liftings (field/corner_lifting.hpp)
+  dg     ///< left in the data, as in the paper; discontinuous elements only
+};
+constexpr auto enum_names(CornerData) {
+  return std::to_array<EnumName<CornerData>>({{CornerData::lift, "lift"}, {CornerData::dg, "dg"}});
+}
+
 struct LaplaceOptions {
-  std::string method = "cg";     ///< "cg": continuous, orders 1..20; "dg": hybridised discontinuous, orders 1..12
-  std::string corners = "lift";  ///< "lift": exact harmonic liftings; "dg": jumps left in the data (paper), needs "dg"
-  int num_threads = 1;           ///< the result does not depend on it
-  void validate() const;         ///< throws UsageError
+  FieldMethod method = FieldMethod::cg;  ///< orders 1 to max_field_order(method)
+  CornerData corners = CornerData::lift;
+  int num_threads = 1;  ///< the result does not depend on it
 };
 
-constexpr int max_field_order(bool is_dg) { return is_dg ? 12 : 20; }
+/// The greatest polynomial order of a field.
+constexpr int max_field_order(FieldMethod method) { return method == FieldMethod::dg ? 12 : 20; }
 
 /// Solves on `mesh` with order elem_order[e] on element e, data and liftings from mesh.face. Linear in the number of
 /// elements but for the sparse factorisation. Warns (W-SOLVE-001) of a line field (field/boundary_values.hpp), whose
@@ -35,15 +43,15 @@ class LaplaceSolver {
  public:
   /// The guiding field's own data. `mesh` must outlive the solver.
   explicit LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options = {});
-  /// Any data; continuous for the method "cg".
-  LaplaceSolver(const TriMesh& mesh, BoundaryData data, const std::string& method = "cg");
+  /// Any data; continuous for the method cg.
+  LaplaceSolver(const TriMesh& mesh, BoundaryData data, FieldMethod method = FieldMethod::cg);
   Field solve(const std::vector<int>& elem_order, Report& report);
   /// Size of the condensed system for this order map.
   int num_unknowns(const std::vector<int>& elem_order) const { return discretization_->num_unknowns(elem_order); }
 
  private:
   std::unique_ptr<MeshContext> context_;
-  std::string method_;
+  FieldMethod method_;
   std::vector<Lifting> liftings_;
   std::unique_ptr<Discretization> discretization_;
 };

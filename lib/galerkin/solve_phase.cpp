@@ -145,7 +145,7 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   Field field;
   field.provenance = mesh.provenance;
   field.mesh = mesh;
-  field.kind = "phase";
+  field.kind = FieldKind::phase;
   field.elem_order = parts_->elem_order;
   field.phase = std::move(state.form);
   field.coef_offsets.push_back(0);
@@ -159,7 +159,7 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   parts_->watch.lap("coefficients");
 
   const PhaseForm& form = field.phase;
-  report.set("solve.method", field.method);
+  report.set("solve.method", enum_name(field.method));
   report.set("solve.num_elements", mesh.num_elems());
   report.set("solve.num_unknowns", parts_->system.map().num_unknowns);
   report.set("solve.residual", state.residual);

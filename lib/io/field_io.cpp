@@ -60,8 +60,8 @@ void describe_phase_form(Archive& archive, PhaseForm& phase) {
 }
 
 void describe_field(Archive& archive, Field& field) {
-  archive.field("kind", field.kind, {"", "harmonic or phase"});
-  archive.field("method", field.method, {"", "discretisation"});
+  archive.field("kind", field.kind, {"", "harmonic or phase"}, "FLD-R05");
+  archive.field("method", field.method, {"", "discretisation"}, "FLD-R05");
   archive.object("mesh", [&](Archive& a) { describe_tri_mesh(a, field.mesh); });
   archive.field("elem_order", field.elem_order, {"", "polynomial order of the field on each element"});
   archive.field("coef_offsets", field.coef_offsets, {"", "coefficients of element e: coef_offsets[e] to [e+1]-1"});
@@ -73,7 +73,7 @@ void describe_field(Archive& archive, Field& field) {
     a.field("pole", lifting.pole, {"length", "a point outside the domain"});
     a.field("jump", lifting.jump, {"1/radian", "field value per radian"});
   });
-  if (field.kind == "phase") archive.object("phase", [&](Archive& a) { describe_phase_form(a, field.phase); });
+  if (field.kind == FieldKind::phase) archive.object("phase", [&](Archive& a) { describe_phase_form(a, field.phase); });
   archive.field("elem_sensor", field.elem_sensor, {"1", "last sensor of each element; empty before padapt"});
   if (archive.has("elem_error"))
     archive.field("elem_error", field.elem_error, {"1", "estimated error of the field on each element; empty: none"});

@@ -11,9 +11,10 @@
 //
 //   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_terms.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
 
-#include <string>
+#include <array>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/phase_terms.hpp"
@@ -56,11 +57,23 @@ struct PhaseForm {
   double hole_winding_energy = 0;  ///< 2 pi^2 (m - m*)^T K (m - m*): energy of integer turns above real ones
 };
 
+/// What the coefficients mean: u and v of a harmonic field, or s of the phase of a unit field.
+enum class FieldKind { harmonic, phase };
+constexpr auto enum_names(FieldKind) {
+  return std::to_array<EnumName<FieldKind>>({{FieldKind::harmonic, "harmonic"}, {FieldKind::phase, "phase"}});
+}
+
+/// How the field was discretised: continuous Galerkin, or hybridised discontinuous Galerkin.
+enum class FieldMethod { cg, dg };
+constexpr auto enum_names(FieldMethod) {
+  return std::to_array<EnumName<FieldMethod>>({{FieldMethod::cg, "cg"}, {FieldMethod::dg, "dg"}});
+}
+
 struct Field {
   Provenance provenance;
   TriMesh mesh;
-  std::string kind = "harmonic";  ///< "harmonic" or "phase"
-  std::string method = "cg";
+  FieldKind kind = FieldKind::harmonic;
+  FieldMethod method = FieldMethod::cg;
   std::vector<int> elem_order;    ///< P_e
   std::vector<int> coef_offsets;  ///< element e owns coefficients [coef_offsets[e], coef_offsets[e+1])
   std::vector<double> u, v;       ///< coefficients c_n of both components

@@ -107,7 +107,7 @@ void check_nodes_match_field(const field::FieldEvaluator& evaluator, const Criti
   for (const Corner& c : points.corners)
     if (c.joint < 0 || c.joint >= face.num_curves() || !face.joints[c.joint].is_corner)
       throw FormatError(fmt::format("joint {} of the critical points is not a corner of the field's face", c.joint));
-  if (field.kind == "phase")
+  if (field.kind == FieldKind::phase)
     check_phase_nodes(field, points);
   else
     check_zeros(evaluator, points);

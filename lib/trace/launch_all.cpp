@@ -42,7 +42,7 @@ double element_size(const field::FieldEvaluator& evaluator, int elem) {
   return std::sqrt(std::abs(det(dx_dxi)));
 }
 
-bool is_phase(const field::FieldEvaluator& evaluator) { return evaluator.field().kind == "phase"; }
+bool is_phase(const field::FieldEvaluator& evaluator) { return evaluator.field().kind == FieldKind::phase; }
 
 std::vector<double> directions_at(const field::FieldEvaluator& evaluator, int node, const CriticalPoint& p,
                                   const mesh::Location& at, double feature) {

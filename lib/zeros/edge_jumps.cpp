@@ -40,7 +40,7 @@ double jump(const field::FieldEvaluator& evaluator, int elem, int edge) {
 std::vector<Jumps> edge_jumps(const field::FieldEvaluator& evaluator) {
   const TriMesh& mesh = evaluator.field().mesh;
   const mesh::TriTopology& topology = evaluator.topology();
-  if (evaluator.field().method == "cg") return {};
+  if (evaluator.field().method == FieldMethod::cg) return {};
   std::vector<double> by_edge(topology.edge2elems.size(), 0.0), by_vertex(mesh.vertices.size(), 0.0);
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int k = 0; k < 3; ++k) {

@@ -92,8 +92,8 @@ int main(int argc, char** argv) {
         "{{\"points\": {}, \"max_error\": {:.4g}, \"rms_error\": {:.4g}, \"elements\": {}, \"condensed\": {}, "
         "\"unknowns\": {}, \"coefficients\": {}, \"max_order\": {}}}\n",
         errors.num_points, errors.greatest, std::sqrt(errors.sum_of_squares / std::max(1, errors.num_points)),
-        field.mesh.num_elems(), num_unknowns, num_unknowns + (field.method == "cg" ? num_interior : 0), field.u.size(),
-        *std::max_element(field.elem_order.begin(), field.elem_order.end()));
+        field.mesh.num_elems(), num_unknowns, num_unknowns + (field.method == FieldMethod::cg ? num_interior : 0),
+        field.u.size(), *std::max_element(field.elem_order.begin(), field.elem_order.end()));
   } catch (const std::exception& error) {
     fmt::print(stderr, "field_error: {}\n", error.what());
     return 1;

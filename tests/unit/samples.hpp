@@ -127,7 +127,7 @@ inline CriticalPoints resolved_points() {
 /// The square with one node of valence 3 in the middle and a corner of valence 2 (s is invented: 0).
 inline Field phase_field() {
   Field f = field();
-  f.kind = "phase";
+  f.kind = FieldKind::phase;
   f.u.clear();
   f.v.clear();
   f.elem_sensor.clear();

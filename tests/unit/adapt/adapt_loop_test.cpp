@@ -116,10 +116,11 @@ TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
 TEST(AdaptLoop, KeepsADiscontinuousFieldWithinItsOrders) {
   const TriMesh mesh = half_disc();
   Report report;
-  const Field start = galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 11), {.method = "dg"}, report);
+  const Field start =
+      galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 11), {.method = FieldMethod::dg}, report);
   const Field field = adapt_loop(start, {.raise_above = 1e-24, .lower_below = 1e-30, .max_order = 20}, report);
   EXPECT_EQ(*std::max_element(field.elem_order.begin(), field.elem_order.end()), 12);
-  EXPECT_EQ(field.method, "dg");
+  EXPECT_EQ(field.method, FieldMethod::dg);
 }
 
 TEST(AdaptLoop, SaysWhenItStopsEarly) {

@@ -72,16 +72,14 @@ TEST(Sensor, RelativeToTheElementAloneIsThePapers) {
 }
 
 TEST(Sensor, ScalesHaveNames) {
-  EXPECT_EQ(sensor_scale("absolute"), SensorScale::absolute);
-  EXPECT_EQ(sensor_scale("relative"), SensorScale::relative);
-  EXPECT_THROW(sensor_scale("own"), UsageError);
+  EXPECT_EQ(enum_name(SensorScale::absolute), "absolute");
+  EXPECT_EQ(enum_name(SensorScale::relative), "relative");
 }
 
 TEST(Sensor, KindsHaveNames) {
-  EXPECT_EQ(sensor_kind("vector"), SensorKind::vector);
-  EXPECT_EQ(sensor_kind("u"), SensorKind::u);
-  EXPECT_EQ(sensor_kind("v"), SensorKind::v);
-  EXPECT_THROW(sensor_kind("w"), UsageError);
+  EXPECT_EQ(enum_name(SensorKind::vector), "vector");
+  EXPECT_EQ(enum_name(SensorKind::u), "u");
+  EXPECT_EQ(enum_name(SensorKind::v), "v");
 }
 
 }  // namespace

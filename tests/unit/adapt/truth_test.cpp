@@ -56,7 +56,7 @@ TEST_P(Truth, FieldAndZerosAreMetWithDefaultSettings) { expect_truth(GetParam(),
 // Their orders end at 12: coarser meshes than those of the paper's shapes would need more, and padapt says so.
 TEST(TruthOfDg, IsMetByLiftedDiscontinuousElementsOnThePapersShapes) {
   for (const char* shape : {"half_disc", "geometry_1"})
-    expect_truth(shape, adapted(shape, {.method = "dg"}), 1e-6, 1e-8);
+    expect_truth(shape, adapted(shape, {.method = FieldMethod::dg}), 1e-6, 1e-8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Truth,

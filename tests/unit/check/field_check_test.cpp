@@ -43,8 +43,8 @@ TEST(FieldCheck, FldR04NumbersAreFinite) {
             Rules{"FLD-R04"});
 }
 TEST(FieldCheck, FldR05KindsAreKnown) {
-  EXPECT_EQ(broken([](Field& f) { f.kind = "magic"; }), Rules{"FLD-R05"});
-  EXPECT_EQ(broken([](Field& f) { f.method = "fd"; }), Rules{"FLD-R05"});
+  EXPECT_EQ(broken([](Field& f) { f.kind = static_cast<FieldKind>(7); }), Rules{"FLD-R05"});
+  EXPECT_EQ(broken([](Field& f) { f.method = static_cast<FieldMethod>(7); }), Rules{"FLD-R05"});
 }
 TEST(FieldCheck, FldR06LiftingsFitTheirJoints) {
   EXPECT_EQ(broken([](Field& f) { f.liftings[0].joint = 1; }), Rules{"FLD-R06"});
@@ -74,7 +74,7 @@ TEST(FieldCheck, ThePhaseSampleIsValid) {
 TEST(FieldCheck, FldR02CoefficientsOfAPhaseFit) {
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.s.pop_back(); }), Rules{"FLD-R02"});
   EXPECT_EQ(broken_phase([](Field& f) { f.u.assign(15, 0.0); }), Rules{"FLD-R02"});
-  EXPECT_EQ(broken_phase([](Field& f) { f.kind = "harmonic"; }), Rules{"FLD-R02"});
+  EXPECT_EQ(broken_phase([](Field& f) { f.kind = FieldKind::harmonic; }), Rules{"FLD-R02"});
 }
 TEST(FieldCheck, FldR04CoefficientsOfAPhaseAreFinite) {
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.s[3] = std::numeric_limits<double>::infinity(); }), Rules{"FLD-R04"});

@@ -256,7 +256,7 @@ TEST(Draw, OnePointAloneHasRoomAroundIt) {
 /// Half a turn of the square's cross field: phi = 0, one node of valence 3 asked for (its terms are not drawn).
 Field phase_field() {
   Field field = linear_field();
-  field.kind = "phase";
+  field.kind = FieldKind::phase;
   field.phase.s.assign(field.u.size(), 0.0);
   field.u.clear();
   field.v.clear();

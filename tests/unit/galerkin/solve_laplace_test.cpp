@@ -18,7 +18,7 @@ Vec2 power(Vec2 x, int n) {
   return {z.real(), z.imag()};
 }
 
-Field solve_power(const TriMesh& mesh, const std::vector<int>& orders, int n, const std::string& method = "cg") {
+Field solve_power(const TriMesh& mesh, const std::vector<int>& orders, int n, FieldMethod method = FieldMethod::cg) {
   Report report;
   return LaplaceSolver(
              mesh, [&](int curve, double t) { return power(curve::point(mesh.face.curves[curve], t), n); }, method)
@@ -71,7 +71,7 @@ TEST_P(HybridisedPolynomial, IsReproducedOnStraightElements) {
   const int n = GetParam();
   const TriMesh mesh = parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, 3);
   for (const int order : {n, n + 1, n + 3}) {
-    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), n, "dg");
+    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), n, FieldMethod::dg);
     EXPECT_LT(error_of_power(field, n), 1e-12) << order;
   }
 }
@@ -79,7 +79,7 @@ TEST_P(HybridisedPolynomial, IsReproducedOnStraightElements) {
 TEST_P(HybridisedPolynomial, IsReproducedWithAnyOrderMap) {
   const int n = GetParam();
   const TriMesh mesh = parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, 4);
-  const Field field = solve_power(mesh, scattered_orders(mesh.num_elems(), n, 12 - n), n, "dg");
+  const Field field = solve_power(mesh, scattered_orders(mesh.num_elems(), n, 12 - n), n, FieldMethod::dg);
   EXPECT_LT(error_of_power(field, n), 1e-12);
 }
 
@@ -90,7 +90,7 @@ TEST(Hybridised, JumpsAcrossEdgesFallWithTheOrder) {
   const TriMesh mesh = parallelogram_mesh({-1, -1}, {2, 0.3}, {0.2, 2}, 3);
   double last = 1e9;
   for (const int order : {3, 5, 7}) {
-    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), 9, "dg");
+    const Field field = solve_power(mesh, std::vector<int>(mesh.num_elems(), order), 9, FieldMethod::dg);
     const double error = error_of_power(field, 9);
     EXPECT_LT(error, last / 4);
     last = error;
@@ -102,12 +102,12 @@ TEST(Hybridised, MeetsDataThatJumpInTheMeanOnly) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 6);
   const std::vector<int> orders(mesh.num_elems(), 10);
   Report report;
-  const Field lifted = solve_laplace(mesh, orders, {"dg", "lift"}, report);
-  const Field direct = solve_laplace(mesh, orders, {"dg", "dg"}, report);
+  const Field lifted = solve_laplace(mesh, orders, {FieldMethod::dg, CornerData::lift}, report);
+  const Field direct = solve_laplace(mesh, orders, {FieldMethod::dg, CornerData::dg}, report);
   EXPECT_EQ(lifted.liftings.size(), 4u);
   EXPECT_TRUE(direct.liftings.empty());
-  EXPECT_EQ(options_of(direct).corners, "dg");
-  EXPECT_EQ(options_of(lifted).corners, "lift");
+  EXPECT_EQ(options_of(direct).corners, CornerData::dg);
+  EXPECT_EQ(options_of(lifted).corners, CornerData::lift);
   const field::FieldEvaluator exact(lifted), rough(direct);
   Vec2 a, b;
   ASSERT_TRUE(exact.value_at({1.25, 0.5}, a));
@@ -119,17 +119,19 @@ TEST(Hybridised, MeetsDataThatJumpInTheMeanOnly) {
 TEST(SolveLaplace, ContinuousElementsRefuseDataThatJump) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 2);
   Report report;
-  EXPECT_THROW(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 4), {"cg", "dg"}, report), ComputeError);
+  EXPECT_THROW(solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 4), {FieldMethod::cg, CornerData::dg}, report),
+               ComputeError);
   const TriMesh square = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 2);
-  EXPECT_NO_THROW(solve_laplace(square, std::vector<int>(square.num_elems(), 4), {"cg", "dg"}, report));
+  EXPECT_NO_THROW(
+      solve_laplace(square, std::vector<int>(square.num_elems(), 4), {FieldMethod::cg, CornerData::dg}, report));
 }
 
 TEST(SolveLaplace, MethodsAgreeOnALiftedField) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1}, 6);
   const std::vector<int> orders(mesh.num_elems(), 12);
   Report report;
-  const Field cg = solve_laplace(mesh, orders, {"cg", "lift"}, report),
-              dg = solve_laplace(mesh, orders, {"dg", "lift"}, report);
+  const Field cg = solve_laplace(mesh, orders, {FieldMethod::cg, CornerData::lift}, report),
+              dg = solve_laplace(mesh, orders, {FieldMethod::dg, CornerData::lift}, report);
   const field::FieldEvaluator a(cg), b(dg);
   for (int e = 0; e < mesh.num_elems(); ++e)
     EXPECT_LT(distance(a.sample(e, {-0.3, -0.4}).value, b.sample(e, {-0.3, -0.4}).value), 1e-6) << e;
@@ -188,11 +190,11 @@ TEST(Hybridised, CurvedElementsReachTheAccuracyOfTheirGeometry) {
   double last = 1;
   for (const int order : {4, 6, 8, 10}) {
     const std::vector<int> orders(mesh.num_elems(), order);
-    const double error = error_of_power(solve_power(mesh, orders, 6, "dg"), 6);
+    const double error = error_of_power(solve_power(mesh, orders, 6, FieldMethod::dg), 6);
     EXPECT_LT(error, 0.1 * last) << order;
     last = error;
   }
-  EXPECT_LT(error_of_power(solve_power(mesh, scattered_orders(mesh.num_elems(), 10, 2), 4, "dg"), 4), 1e-9);
+  EXPECT_LT(error_of_power(solve_power(mesh, scattered_orders(mesh.num_elems(), 10, 2), 4, FieldMethod::dg), 4), 1e-9);
 }
 
 TEST(SolveLaplace, ASolverReusedGivesTheSameBits) {

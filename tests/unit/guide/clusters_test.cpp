@@ -84,7 +84,7 @@ TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
 TEST(EdgeJumps, bound_what_is_between_neighbours) {
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 1), 2, [](Vec2 x) { return Vec2{x.x, x.y}; });
   EXPECT_TRUE(zeros::edge_jumps(field::FieldEvaluator(field)).empty());
-  field.method = "dg";
+  field.method = FieldMethod::dg;
   field.u[field.coef_offsets[1]] += std::sqrt(2.0) * 1e-6;  // a constant 1e-6
   const auto jumps = zeros::edge_jumps(field::FieldEvaluator(field));
   ASSERT_EQ(jumps.size(), 2u);

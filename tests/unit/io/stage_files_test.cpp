@@ -56,7 +56,7 @@ TEST_F(StageFiles, CriticalPointsSurviveTheRoundTrip) {
 TEST_F(StageFiles, PhaseFieldSurvivesTheRoundTrip) {
   expect_same_bytes(samples::phase_field(), read_field, write_field);
   const Field field = read_field(read_input(path("second")));
-  EXPECT_EQ(field.kind, "phase");
+  EXPECT_EQ(field.kind, FieldKind::phase);
   EXPECT_TRUE(field.u.empty());
   EXPECT_EQ(field.phase.s, samples::phase_field().phase.s);
   EXPECT_EQ(field.phase.prescribed.corners[0].valence, 2);

@@ -7,7 +7,7 @@ namespace quadrille {
 
 inline Field closed_phase(TriMesh mesh, PhaseTerms terms, double constant) {
   Field field = interpolated_field(std::move(mesh), 1, [&](Vec2) { return Vec2{constant, 0}; });
-  field.kind = "phase";
+  field.kind = FieldKind::phase;
   field.phase.terms = std::move(terms);
   field.phase.s = std::move(field.u);
   field.u.clear(), field.v.clear();

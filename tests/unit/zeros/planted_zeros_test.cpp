@@ -253,7 +253,7 @@ std::optional<PlantedField> Planter::attempt() {
   }
 
   Field& field = planted.field;
-  field.method = has_jumps ? "dg" : "cg";
+  field.method = has_jumps ? FieldMethod::dg : FieldMethod::cg;
   field.coef_offsets = {0};
   for (int e = 0; e < base.num_elems(); ++e) {
     const int order = f.degree * base.order + integer(0, 3);
