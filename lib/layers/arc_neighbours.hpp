@@ -1,23 +1,19 @@
 #pragma once
-// Ends of arcs that go on from each other: beside a common node, on both sides of a third arc.
+// Ends of arcs that continue each other: at one node, on both sides of a third arc between two blocks.
 
 #include <vector>
 
+#include "layers/block_sides.hpp"
 #include "model/block_layout.hpp"
 
 namespace quadrille::layers {
 
-struct ArcEnd {
-  int arc = 0;
-  int end = 0;  ///< 0: from, 1: to
-};
-
-/// The intervals at `a` and `b` are neighbours across an arc between two blocks.
+/// The first intervals at `a` and `b` are neighbours.
 struct ArcNeighbours {
   ArcEnd a, b;
 };
 
-/// Both ends of every arc between two blocks, in the sequence of arcs. A block that meets itself is left out.
+/// Both ends of every arc between two blocks, ordered by arc. A block that meets itself has no neighbour there.
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout);
 
 }  // namespace quadrille::layers

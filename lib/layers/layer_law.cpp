@@ -1,14 +1,15 @@
 #include "layers/layer_law.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/error.hpp"
+#include "layers/layer_rules.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {
 namespace {
-
-constexpr int max_layers = 1000;
 
 std::vector<double> geometric_heights(double first, double growth, int layers) {
   std::vector<double> heights;
@@ -17,8 +18,8 @@ std::vector<double> geometric_heights(double first, double growth, int layers) {
   return heights;
 }
 
-double tanh_height(double thickness, double d, double share) {
-  return thickness * (1 - std::tanh(d * (1 - share)) / std::tanh(d));
+double tanh_height(double thickness, double d, double fraction) {
+  return thickness * (1 - std::tanh(d * (1 - fraction)) / std::tanh(d));
 }
 
 std::vector<double> tanh_heights(double first, double thickness, int layers) {
@@ -47,16 +48,17 @@ std::vector<double> layer_heights(const WallSpec& spec, int layers) {
       geometric_heights(spec.first, spec.law == LayerLaw::uniform ? 1 : spec.growth, layers);
   if (layers <= 1) return geometric;
   if (spec.law == LayerLaw::gll) return gll_heights(spec.first, layers);
-  // Without growth there is nothing for the law to distribute.
+  // Without growth all layers are equal: tanh has no solution.
   const bool grows = geometric.back() > (1 + 1e-6) * layers * spec.first;
   return spec.law == LayerLaw::tanh && grows ? tanh_heights(spec.first, geometric.back(), layers) : geometric;
 }
 
-int asked_layers(const WallSpec& spec) {
+int requested_layers(const WallSpec& spec) {
   if (spec.layers > 0) return spec.layers;
-  for (int layers = 1; layers <= max_layers; ++layers)
+  for (int layers = 1; layers <= layer_constants.max_layers; ++layers)
     if (layer_heights(spec, layers).back() >= (1 - 1e-6) * spec.thickness) return layers;
-  throw UsageError("--wall: the thickness asks for more than 1000 layers");
+  throw UsageError(fmt::format("--wall {}: a thickness of {:g} needs more than {} layers: raise first or growth",
+                               fmt::join(spec.names, ","), spec.thickness, layer_constants.max_layers));
 }
 
 }  // namespace quadrille::layers

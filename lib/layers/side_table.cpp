@@ -34,9 +34,9 @@ Vec2 interpolated(const Vec2* points, double xi) {
   double total = 0;
   for (int i = 0; i <= degree; ++i) {
     if (xi == x[i]) return points[i];
-    const double share = w[i] / (xi - x[i]);
-    sum += share * points[i];
-    total += share;
+    const double weight = w[i] / (xi - x[i]);
+    sum += weight * points[i];
+    total += weight;
   }
   return sum / total;
 }

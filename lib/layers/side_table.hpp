@@ -1,6 +1,7 @@
 #pragma once
-// A chain's points by polynomials, for the many looks that a column takes at the sides of its block: some twenty times
-// as fast as the chain itself, whose arc length has to be inverted each time.
+// The points of a block's side as piecewise polynomials of the arc-length fraction. Placing the nodes of a layered
+// block evaluates its sides very often; the table is some twenty times as fast as the chain, which inverts its arc
+// length for each point.
 
 #include <vector>
 

@@ -1,54 +1,42 @@
 #pragma once
-// Layers along walls: how many, on which chords, and where they are cut.
+// Layers along walls: how many, on which chords, and where they are cut. layer_rules has the objective, the rules and
+// the constants.
 //
-// The chords across the blocks along a wall get the layers at that end; each column of nodes is cut by its distance
-// from the wall, so that layers have the same height everywhere, however wide the block is. Beyond, and on the chords
-// that go on from them, intervals grow by at most the wall's growth until the wanted size. The first row of blocks
-// holds all layers: at its far side lie irregular nodes, around which cuts cannot follow the wall.
+// The chords across the blocks along a wall get the layers at that end (request_layers). Every wall-normal line is
+// divided by its distance from the wall, so that a layer has one height everywhere, however wide its block is
+// (layered_block). Above the layers, and on the chords that continue them (propagate_spacing), intervals grow by at
+// most the wall's growth until the prescribed size.
 
-#include <string>
+#include <array>
 #include <vector>
 
 #include "base/report.hpp"
-#include "layers/layer_columns.hpp"
+#include "layers/layered_block.hpp"
+#include "layers/wall_input.hpp"
 #include "layers/wall_sides.hpp"
-#include "layers/wall_spec.hpp"
-#include "sizing/arc_division.hpp"
-#include "sizing/measured_layout.hpp"
-#include "sizing/size_field.hpp"
 
 namespace quadrille::layers {
 
 struct WallPlan {
   WallSides walls;
   std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
-  std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: as its intervals say
-  std::vector<int> chords;                     ///< on which intervals are graded, ascending
-  std::vector<std::array<int, 2>> shared;      ///< pairs of specs that ask for one chord, ascending
-
-  std::vector<bool> is_graded;  ///< by arc: its chord is among them
+  std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: they follow from its ends
+  std::vector<int> chords;                     ///< those divided for layers, ascending
+  std::vector<bool> is_graded;                 ///< by arc: its chord is among them
+  std::vector<std::array<int, 2>> sharing_a_chord;  ///< ascending pairs of specs with layers on one chord
 
   bool has_wall(int block) const;
 };
 
-struct WallInput {
-  const sizing::MeasuredLayout& measured;
-  const std::vector<WallSpec>& specs;
-  const sizing::SizeField& sizes;
-  int order = 4;
-  double tolerance = 0;  ///< as in DivideOptions
-};
-
-/// Replaces the intervals of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
-/// names, ComputeError where layers do not fit, with the largest numbers that do and the place.
+/// Replaces the divisions of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
+/// names, ComputeError where layers do not fit, with the greatest number that fits and the place.
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 
-/// What layered_positions needs to know of a block; `fractions` of the nodes on its sides by rising s
-/// or t.
+/// What layered_positions needs of a block; `fractions` of the nodes on its sides by rising s or t.
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
                            std::array<std::vector<double>, 4> fractions);
 
-/// Keys walls.<number>.names, .layers, .first, .thickness; warnings where walls share.
-void tell_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);
+/// Keys walls.<number>.names, .layers, .first, .thickness; warnings W-WAL-001 and -002 where walls meet.
+void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);
 
 }  // namespace quadrille::layers

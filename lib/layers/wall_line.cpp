@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "curve/nurbs.hpp"
+#include "layers/layer_rules.hpp"
 
 namespace quadrille::layers {
 namespace {
 
 constexpr int max_steps = 40;
-/// The sine of an angle at which a joint is a bend.
-constexpr double least_bend = 1e-3;
 
 Vec2 direction(const curve::CurveTable& table, const ArcPiece& piece, bool at_end) {
   const bool forwards = piece.t0 <= piece.t1;
@@ -25,20 +24,20 @@ WallLine::WallLine(const curve::CurveTable& table, std::vector<ArcPiece> pieces)
     : table_(&table), pieces_(std::move(pieces)) {
   for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
     bends_.push_back(std::abs(cross(direction(table, pieces_[i], true), direction(table, pieces_[i + 1], false))) >
-                     least_bend);
+                     layer_constants.least_bend);
   bends_.push_back(false);
 }
 
-WallFoot WallLine::entry(const WallFoot& foot, int step) const {
+WallPoint WallLine::entry(const WallPoint& foot, int step) const {
   const int piece = foot.piece + step;
   return {piece, step > 0 ? pieces_[piece].t0 : pieces_[piece].t1};
 }
 
-double WallLine::distance_at(Vec2 x, const WallFoot& foot) const {
+double WallLine::distance_at(Vec2 x, const WallPoint& foot) const {
   return quadrille::distance(x, curve::point(table_->curve(pieces_[foot.piece].curve), foot.t));
 }
 
-int WallLine::settle(Vec2 x, WallFoot& foot) const {
+int WallLine::move_foot(Vec2 x, WallPoint& foot) const {
   const ArcPiece& piece = pieces_[foot.piece];
   const Nurbs& curve = table_->curve(piece.curve);
   const double low = std::min(piece.t0, piece.t1), high = std::max(piece.t0, piece.t1);
@@ -48,6 +47,7 @@ int WallLine::settle(Vec2 x, WallFoot& foot) const {
     slope = dot(d[0] - x, d[1]);
     const double speed2 = norm2(d[1]), bend = speed2 + dot(d[0] - x, d[2]);
     if (speed2 == 0) break;
+    // Newton where the squared distance is convex, else Gauss-Newton.
     const double next = std::clamp(foot.t - slope / (bend > 0.1 * speed2 ? bend : speed2), low, high);
     const double move = std::abs(next - foot.t);
     foot.t = next;
@@ -59,24 +59,29 @@ int WallLine::settle(Vec2 x, WallFoot& foot) const {
   return 0;
 }
 
-double WallLine::distance(Vec2 x, WallFoot& foot) const {
-  int beyond = settle(x, foot);
+double WallLine::follow_pieces(Vec2 x, WallPoint& foot) const {
+  int beyond = move_foot(x, foot);
   double nearest = distance_at(x, foot);
   while (beyond != 0) {
     if (!has_piece(foot.piece + beyond)) break;
-    WallFoot next = entry(foot, beyond);
-    const int further = settle(x, next);
+    WallPoint next = entry(foot, beyond);
+    const int further = move_foot(x, next);
     const double d = distance_at(x, next);
     if (d >= nearest) break;
     nearest = d, foot = next;
     if (further == -beyond) break;
     beyond = further;
   }
-  for (const int step : {-1, 1}) {  // in a corner of less than 180 degrees both walls have a nearest point
+  return nearest;
+}
+
+double WallLine::distance(Vec2 x, WallPoint& foot) const {
+  double nearest = follow_pieces(x, foot);
+  for (const int step : {-1, 1}) {  // in a corner of less than 180 degrees both parts have a nearest point
     const int piece = foot.piece + step;
     if (!has_piece(piece) || !bends_[std::min(piece, foot.piece)]) continue;
-    WallFoot other = entry(foot, step);
-    settle(x, other);
+    WallPoint other = entry(foot, step);
+    move_foot(x, other);
     const double d = distance_at(x, other);
     if (d < nearest) nearest = d, foot = other;
   }

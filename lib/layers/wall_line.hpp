@@ -1,5 +1,5 @@
 #pragma once
-// A stretch of a wall, and how far points near it are from it.
+// The boundary along a wall as one line of curve pieces, and distances of nearby points from it.
 
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace quadrille::layers {
 
-/// A point of the stretch.
-struct WallFoot {
+/// A point of a wall line.
+struct WallPoint {
   int piece = 0;
-  double t = 0;
+  double t = 0;  ///< parameter on the piece's curve
 };
 
 class WallLine {
@@ -19,19 +19,21 @@ class WallLine {
   /// Pieces follow each other. `table` must outlive the line.
   WallLine(const curve::CurveTable& table, std::vector<ArcPiece> pieces);
 
-  /// Distance from x to the stretch, its ends included, and its foot: the nearest point that is reached from `foot`
-  /// without leaving the neighbourhood, or beyond a bend of the wall next to it. Meant for points that move away from
-  /// the wall, with the foot of the last one.
-  double distance(Vec2 x, WallFoot& foot) const;
+  /// Distance from x to the line, its ends included. On entry `foot` is a start, on return the nearest point that is
+  /// reached from it continuously, or the nearest one beyond a bend next to it. Meant for points that move away from
+  /// the wall, each with the foot of the last one. Newton's method, to round-off.
+  double distance(Vec2 x, WallPoint& foot) const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
  private:
-  /// The nearest point of the piece, from t by Newton steps; -1, +1 where it lies at the piece's start or end and
-  /// beyond would be nearer.
-  int settle(Vec2 x, WallFoot& foot) const;
-  double distance_at(Vec2 x, const WallFoot& foot) const;
-  /// Where the piece before (-1) or after (+1) the foot's own is entered.
-  WallFoot entry(const WallFoot& foot, int step) const;
+  /// Moves the foot to the nearest point of its piece, by Newton steps. Returns -1 or +1 where this is the piece's
+  /// start or end and points beyond it would be nearer, else 0.
+  int move_foot(Vec2 x, WallPoint& foot) const;
+  double distance_at(Vec2 x, const WallPoint& foot) const;
+  /// The point where the piece before (-1) or after (+1) the foot's own begins, seen from there.
+  WallPoint entry(const WallPoint& foot, int step) const;
+  /// Follows the line from piece to piece as long as that comes nearer; returns the distance.
+  double follow_pieces(Vec2 x, WallPoint& foot) const;
   bool has_piece(int piece) const { return piece >= 0 && piece < static_cast<int>(pieces_.size()); }
 
   const curve::CurveTable* table_ = nullptr;

@@ -1,8 +1,5 @@
 #pragma once
-// Which sides of blocks lie on walls, and which ends of arcs leave them.
-//
-// Wall sides that share the arc between them (on straight boundary, V = 2) make a run: one wall as far as its layers
-// are concerned. Where the parts of a run are asked for different layers, the finest ones win.
+// Which sides of blocks lie on walls, with which layers, and which arcs start there (rules 1 to 6 of layer_rules).
 
 #include <array>
 #include <vector>
@@ -17,23 +14,24 @@ namespace quadrille::layers {
 struct WallSide {
   int block = 0, side = 0;
   int spec = 0;
-  WallLine line;   ///< the side with the boundary that runs straight on from it, walked as the side is
-  WallFoot begin;  ///< the side's first point on that line
-  WallFoot end;    ///< its last
+  WallLine line;    ///< the side between those that continue it along the boundary, walked as the side is
+  WallPoint begin;  ///< the side's first point on that line
+  WallPoint end;    ///< its last
 };
 
 struct WallSides {
   std::vector<WallSide> sides;
-  std::vector<std::array<int, 4>> of_block;    ///< by block and side: index into sides or -1
-  std::vector<std::array<int, 2>> at_arc_end;  ///< by arc and end (0: from, 1: to): a wall that it leaves there or -1
-  std::vector<std::array<int, 2>> overruled;   ///< {spec that lost, spec that won} in a run
+  std::vector<std::array<int, 4>> of_block;  ///< by block and side: number in `sides` or -1
+  std::vector<std::array<int, 2>>
+      at_arc_end;  ///< by arc and end (0: from, 1: to): the wall side at which it starts or -1
+  std::vector<std::array<int, 2>> overruled;  ///< ascending pairs {spec, the finer one that is used in its place}
 };
 
-/// `curve_spec` as from curve_walls. A side that only partly lies on a wall counts as a whole.
+/// `curve_spec` as from curve_walls.
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
                           const std::vector<WallSpec>& specs);
 
-/// The end (0: from, 1: to) of the arc of a half-edge at which it begins.
-int beginning_of(HalfEdge directed);
+/// The point of the wall line at a point of the side's arc; `backwards`: the side is walked against its arc.
+WallPoint wall_point(const WallSide& wall, const curve::ChainPoint& on_arc, bool backwards);
 
 }  // namespace quadrille::layers

@@ -8,12 +8,11 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "layers/layer_rules.hpp"
 #include "sizing/boundary_sizes.hpp"
 
 namespace quadrille::layers {
 namespace {
-
-constexpr int max_layers = 1000;
 
 std::vector<std::string> split(std::string_view text) {
   std::vector<std::string> parts;
@@ -35,7 +34,7 @@ class Parser {
     spec_.names = split(std::string_view(text_).substr(0, colon));
     for (const std::string& pair : split(std::string_view(text_).substr(colon + 1))) {
       const std::size_t equals = pair.find('=');
-      if (equals == std::string::npos) fail(fmt::format("'{}' is no key=value", pair));
+      if (equals == std::string::npos) fail(fmt::format("'{}' is not key=value", pair));
       const std::string key = pair.substr(0, equals);
       if (!seen_.insert(key).second) fail(fmt::format("{} is given twice", key));
       set(key, pair.substr(equals + 1));
@@ -57,13 +56,13 @@ class Parser {
     else if (key == "law")
       set_law(value);
     else
-      fail(fmt::format("'{}' is none of first, growth, layers, thickness, law", key));
+      fail(fmt::format("unknown key '{}': expected first, growth, layers, thickness or law", key));
   }
 
   void set_layers(const std::string& value) {
-    spec_.many_as_fit = value == "fit";
-    if (spec_.many_as_fit) return;
-    const double layers = number("layers", value, 1, max_layers);
+    spec_.as_many_as_fit = value == "fit";
+    if (spec_.as_many_as_fit) return;
+    const double layers = number("layers", value, 1, layer_constants.max_layers);
     spec_.layers = static_cast<int>(layers);
     if (spec_.layers != layers) fail("layers must be a whole number or 'fit'");
   }
@@ -78,14 +77,14 @@ class Parser {
     else if (value == "gll")
       spec_.law = LayerLaw::gll;
     else
-      fail(fmt::format("law '{}' is none of uniform, geometric, tanh, gll", value));
+      fail(fmt::format("unknown law '{}': expected uniform, geometric, tanh or gll", value));
   }
 
   double number(const std::string& key, const std::string& value, double low, double high) const {
     double result = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
     if (error != std::errc() || end != value.data() + value.size())
-      fail(fmt::format("{}: '{}' is no number", key, value));
+      fail(fmt::format("{}: '{}' is not a number", key, value));
     if (!(result >= low && result <= high)) fail(fmt::format("{} must lie in {:g}..{:g}", key, low, high));
     return result;
   }
@@ -112,7 +111,9 @@ std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& 
   for (std::size_t i = 0; i < specs.size(); ++i)
     for (const std::string& name : specs[i].names)
       for (const int curve : sizing::named_curves(face, name)) {
-        if (walls[curve] >= 0) throw UsageError(fmt::format("--wall names the boundary '{}' twice", name));
+        if (walls[curve] >= 0)
+          throw UsageError(
+              fmt::format("--wall: the boundary '{}' is named twice: a boundary has one set of layers", name));
         walls[curve] = static_cast<int>(i);
       }
   return walls;

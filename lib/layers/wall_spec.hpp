@@ -1,5 +1,5 @@
 #pragma once
-// What a user asks of the layers along one wall: --wall NAME:first=H,growth=R,layers=N.
+// The layers that a user prescribes along one wall: --wall NAME:first=H,growth=R,layers=N.
 
 #include <string>
 #include <vector>
@@ -13,19 +13,19 @@ enum class LayerLaw { uniform, geometric, tanh, gll };
 struct WallSpec {
   std::vector<std::string> names;  ///< of boundary curves; all curves of these names make one wall
   double first = 0;                ///< height of the layer at the wall, > 0, file units
-  double growth = 1.2;       ///< of one layer against the one below it, in 1..2; beyond the layers the greatest growth
-  int layers = 0;            ///< 1..1000; 0: as many as reach `thickness`
-  double thickness = 0;      ///< file units; used where layers == 0
-  bool many_as_fit = false;  ///< as many layers as fit into the first row of blocks
+  double growth = 1.2;   ///< of one layer against the one below it, in 1..2; beyond the layers the greatest growth
+  int layers = 0;        ///< 1..1000; 0: as many as reach `thickness`
+  double thickness = 0;  ///< file units; used where layers == 0
+  bool as_many_as_fit = false;  ///< layers=fit: the greatest number that fits into the first row of blocks
   LayerLaw law = LayerLaw::geometric;
 };
 
 /// From "NAME[,NAME...]:key=value,..." with the keys first, growth, layers (a number or "fit"), thickness, law.
-/// Throws UsageError, naming the text.
+/// Throws UsageError with the text.
 WallSpec parse_wall_spec(const std::string& text);
 
 /// The spec number of each curve of the face, -1 where it is no wall. Names as in sizing/boundary_sizes. Throws
-/// UsageError for a name that no curve has, listing those there are, and for a curve that is named twice.
+/// UsageError for a name that no curve has, with the names that exist, and for a curve that is named twice.
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face);
 
 }  // namespace quadrille::layers

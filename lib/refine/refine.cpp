@@ -151,7 +151,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
     relax_and_report(split.mesh, {options.relax, request.division.tolerance, elements_in_layered_blocks(split)},
                      report);
   report_mesh(split.mesh, measured.chords().size(), report);
-  if (split.walls) layers::tell_walls(*split.walls, options.walls, report);
+  if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
   if (!split.mesh.is_valid) report.warn("W-QUA-001", check::validity_warning(split.mesh));

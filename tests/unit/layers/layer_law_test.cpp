@@ -53,10 +53,10 @@ TEST(LayerLaw, ThicknessAsksForTheLeastNumberThatReachesIt) {
   WallSpec spec = spec_of(LayerLaw::geometric, 1, 2);
   for (const auto& [thickness, layers] : {std::pair{0.1, 1}, {1.0, 1}, {1.01, 2}, {3.0, 2}, {3.1, 3}}) {
     spec.thickness = thickness;
-    EXPECT_EQ(asked_layers(spec), layers) << thickness;
+    EXPECT_EQ(requested_layers(spec), layers) << thickness;
   }
   spec.growth = 1, spec.thickness = 1e9;
-  EXPECT_THROW(asked_layers(spec), UsageError);
+  EXPECT_THROW(requested_layers(spec), UsageError);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "../hand_made.hpp"
-#include "layers/column.hpp"
+#include "layers/normal_line.hpp"
 #include "layers/side_table.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -17,7 +17,7 @@ TEST(WallLine, TellsDistancesAcrossJoints) {
   const std::vector<Nurbs> none;
   const curve::CurveTable table(face, none);
   const WallLine wall(table, {{2, 0, 1}, {3, 0, 1}});  // (2,1) to (1,1) to (1,2)
-  WallFoot foot{0, 0.1};
+  WallPoint foot{0, 0.1};
   EXPECT_NEAR(wall.distance({1.5, 0.7}, foot), 0.3, 1e-14);
   EXPECT_NEAR(wall.distance({0.7, 0.6}, foot), 0.5, 1e-14);  // of the reflex corner
   EXPECT_NEAR(wall.distance({0.8, 1.7}, foot), 0.2, 1e-14);
@@ -31,7 +31,7 @@ TEST(WallLine, InAConvexCornerTheNearerWallCounts) {
   const std::vector<Nurbs> none;
   const curve::CurveTable table(face, none);
   const WallLine wall(table, {{0, 0, 1}, {1, 0, 1}});  // (0,0) to (1,0) to (1,1)
-  WallFoot foot{0, 0.9};
+  WallPoint foot{0, 0.9};
   EXPECT_NEAR(wall.distance({0.9, 0.02}, foot), 0.02, 1e-14);
   EXPECT_NEAR(wall.distance({0.9, 0.3}, foot), 0.1, 1e-14);
   EXPECT_EQ(foot.piece, 1);
@@ -43,18 +43,18 @@ TEST(WallLine, WalksPiecesBackwards) {
   const std::vector<Nurbs> none;
   const curve::CurveTable table(face, none);
   const WallLine wall(table, {{3, 1, 0}, {2, 1, 0}});
-  WallFoot foot{0, 1};
+  WallPoint foot{0, 1};
   EXPECT_NEAR(wall.distance({1.5, 0.7}, foot), 0.3, 1e-14);
   EXPECT_EQ(foot.piece, 1);
 }
 
-TEST(Column, FindsHeightsAboveACircleAlongASlantedLine) {
+TEST(NormalLine, FindsHeightsAboveACircleAlongASlantedLine) {
   const CadFace face = hand_made::cut_annulus(1).face;  // curve 0: radius 1
   const std::vector<Nurbs> none;
   const curve::CurveTable table(face, none);
   const Nurbs& circle = face.curves[0];
   const WallLine wall(table, {{0, circle.begin(), circle.end()}});
-  const ColumnCurve line = [](double u) { return Vec2{1 - 0.8 * u, 0.3 * u}; };
+  const NormalLine line = [](double u) { return Vec2{1 - 0.8 * u, 0.3 * u}; };
   const std::vector<double> heights = node_heights({1e-6, 1e-3, 0.1}, 4);
   EXPECT_EQ(heights.size(), 12u);
   EXPECT_EQ(heights[3], 1e-6);
@@ -64,12 +64,12 @@ TEST(Column, FindsHeightsAboveACircleAlongASlantedLine) {
   for (std::size_t k = 0; k < u.size(); ++k) EXPECT_NEAR(1 - norm(line(u[k])), heights[k], 1e-10 * heights[k] + 1e-15);
 }
 
-TEST(Column, EndsWhereTheLineTurnsBack) {
+TEST(NormalLine, EndsWhereTheLineTurnsBack) {
   const CadFace face = hand_made::unit_square().face;
   const std::vector<Nurbs> none;
   const curve::CurveTable table(face, none);
   const WallLine wall(table, {{0, 0, 1}});
-  const ColumnCurve line = [](double u) { return Vec2{0.5 + 0.2 * u, 4 * u * (1 - u) * 0.3}; };
+  const NormalLine line = [](double u) { return Vec2{0.5 + 0.2 * u, 4 * u * (1 - u) * 0.3}; };
   EXPECT_EQ(parameters_at_heights(line, wall, {0, 0.5}, {0.1, 0.2, 0.29, 0.31, 0.4}).size(), 3u);
 }
 

@@ -17,7 +17,7 @@ TEST(WallSpec, ReadsNamesAndKeysInAnySequence) {
   EXPECT_EQ(spec.growth, 1.3);
   EXPECT_EQ(spec.layers, 7);
   EXPECT_EQ(spec.law, LayerLaw::tanh);
-  EXPECT_FALSE(spec.many_as_fit);
+  EXPECT_FALSE(spec.as_many_as_fit);
 }
 
 TEST(WallSpec, GrowsByAFifthGeometricallyUnlessTold) {
@@ -28,7 +28,7 @@ TEST(WallSpec, GrowsByAFifthGeometricallyUnlessTold) {
   EXPECT_EQ(spec.layers, 0);
 }
 
-TEST(WallSpec, TakesAsManyLayersAsFit) { EXPECT_TRUE(parse_wall_spec("a:first=1,layers=fit").many_as_fit); }
+TEST(WallSpec, TakesAsManyLayersAsFit) { EXPECT_TRUE(parse_wall_spec("a:first=1,layers=fit").as_many_as_fit); }
 
 TEST(WallSpec, KeepsColonsOfNames) {
   EXPECT_EQ(parse_wall_spec("wing:upper:first=1,layers=2").names, std::vector<std::string>{"wing:upper"});

@@ -1,4 +1,4 @@
-#include "layers/column.hpp"
+#include "layers/normal_line.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,48 +9,47 @@ namespace quadrille::layers {
 namespace {
 
 constexpr int max_steps = 60;
-/// Heights are met to this share of themselves.
+/// Relative accuracy of the heights.
 constexpr double height_tol = 1e-11;
 
-/// A parameter and the height there.
-struct Mark {
+/// A parameter of the line and the height there.
+struct LineSample {
   double u = 0, height = 0;
 };
 
 class HeightSearch {
  public:
-  HeightSearch(const ColumnCurve& curve, const WallLine& wall, WallFoot foot)
-      : curve_(curve), wall_(wall), foot_(foot) {}
+  HeightSearch(const NormalLine& line, const WallLine& wall, WallPoint foot) : line_(line), wall_(wall), foot_(foot) {}
 
-  /// The next parameter, from that of the last height; -1 where there is none.
+  /// The first parameter beyond that of the last height at which this one is reached; -1 where there is none.
   double next(double height) {
-    Mark low = last_, high;
+    LineSample low = last_, high;
     double step = last_.u > 0 ? 1.1 * (height - last_.height) * rate_ : first_step(height);
     for (;; step *= 1.5) {
-      high = mark(std::min(1.0, low.u + step));
+      high = sample(std::min(1.0, low.u + step));
       if (high.height >= height) break;
       if (high.u >= 1 || high.height < low.height) return -1;
       low = high;
     }
-    const Mark found = between(low, high, height);
+    const LineSample found = between(low, high, height);
     rate_ = (found.u - last_.u) / (found.height - last_.height);
     return (last_ = found).u;
   }
 
  private:
-  Mark mark(double u) { return {u, wall_.distance(curve_(u), foot_)}; }
+  LineSample sample(double u) { return {u, wall_.distance(line_(u), foot_)}; }
 
   double first_step(double height) const {
-    const double probe = 1e-4, speed = distance(curve_(probe), curve_(0)) / probe;
+    const double probe = 1e-4, speed = distance(line_(probe), line_(0)) / probe;
     return speed > 0 ? std::min(1.0, 1.1 * height / speed) : probe;
   }
 
-  /// Regula falsi, with the weight of an end that stays halved (Illinois).
-  Mark between(Mark low, Mark high, double height) {
+  /// The Illinois algorithm: regula falsi that halves the weight of an end that stays.
+  LineSample between(LineSample low, LineSample high, double height) {
     double a = low.height - height, b = high.height - height;
-    Mark best = high;
+    LineSample best = high;
     for (int step = 0; step < max_steps && std::abs(best.height - height) > height_tol * height; ++step) {
-      const Mark trial = mark(high.u - b * (high.u - low.u) / (b - a));
+      const LineSample trial = sample(high.u - b * (high.u - low.u) / (b - a));
       const double miss = trial.height - height;
       if (miss < 0) {
         low = trial, a = miss;
@@ -65,10 +64,10 @@ class HeightSearch {
     return best;
   }
 
-  const ColumnCurve& curve_;
+  const NormalLine& line_;
   const WallLine& wall_;
-  WallFoot foot_;
-  Mark last_;
+  WallPoint foot_;
+  LineSample last_;
   double rate_ = 0;  ///< of u by the height, at the last one
 };
 
@@ -85,9 +84,9 @@ std::vector<double> node_heights(const std::vector<double>& layer_heights, int o
   return heights;
 }
 
-std::vector<double> parameters_at_heights(const ColumnCurve& curve, const WallLine& wall, WallFoot foot,
+std::vector<double> parameters_at_heights(const NormalLine& line, const WallLine& wall, WallPoint foot,
                                           const std::vector<double>& heights) {
-  HeightSearch search(curve, wall, foot);
+  HeightSearch search(line, wall, foot);
   std::vector<double> parameters;
   for (const double height : heights) {
     const double u = search.next(height);

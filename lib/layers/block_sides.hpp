@@ -1,0 +1,35 @@
+#pragma once
+// Sides of blocks: which lie on an arc, and which continue each other along the boundary.
+
+#include <vector>
+
+#include "model/block_layout.hpp"
+
+namespace quadrille::layers {
+
+/// Side `side` (0 to 3, counter-clockwise) of a block; block -1: none.
+struct BlockSide {
+  int block = -1, side = 0;
+};
+
+/// The half-edge of a block's side; `side` is taken modulo 4.
+HalfEdge half_edge(const BlockLayout& layout, int block, int side);
+
+/// By arc: the sides that lie on it, by block and side.
+using ArcSides = std::vector<std::vector<BlockSide>>;
+ArcSides sides_of_arcs(const BlockLayout& layout);
+
+/// The boundary side that continues this one across the arc between their blocks (step +1: at its end, -1: at its
+/// beginning); none at corners with a valence other than 2.
+BlockSide next_along_boundary(const BlockLayout& layout, const ArcSides& arc_sides, const BlockSide& side, int step);
+
+/// One end of an arc.
+struct ArcEnd {
+  int arc = 0;
+  int end = 0;  ///< 0: from, 1: to
+};
+
+ArcEnd beginning(HalfEdge half_edge);
+ArcEnd ending(HalfEdge half_edge);
+
+}  // namespace quadrille::layers

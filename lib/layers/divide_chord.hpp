@@ -1,0 +1,19 @@
+#pragma once
+// The division of a chord with prescribed ends, within the geometric tolerance of the boundary (rules 17 and 18 of
+// layer_rules).
+
+#include <vector>
+
+#include "layers/arc_sizes.hpp"
+#include "layers/end_spacing.hpp"
+#include "layers/wall_input.hpp"
+
+namespace quadrille::layers {
+
+/// Replaces the divisions of all arcs of the chord in `divisions` by layered_divisions. Where a boundary arc misses the
+/// tolerance, ends of intervals move onto its breaks, then its scale in `sizes` falls, until it meets it; at most
+/// LayerConstants::max_tolerance_rounds times. `spacings`: by arc; `lines`: more lines that the count must suit.
+void divide_chord(const WallInput& input, int chord, const std::vector<ArcSpacing>& spacings,
+                  const std::vector<FreePart>& lines, ArcSizes& sizes, sizing::ArcDivisions& divisions);
+
+}  // namespace quadrille::layers

@@ -1,0 +1,41 @@
+#pragma once
+// The nodes of one line across a block between two opposite sides, of which one or both are walls.
+//
+// In the layers nodes lie at their heights above the wall. Between them, intervals are those of the two arcs beside the
+// line, blended across the block, times e^(c w_i): w_i rises with the distance from the layers, and c is the one factor
+// with which they fill the line.
+
+#include <cstddef>
+#include <vector>
+
+#include "layers/normal_line.hpp"
+
+namespace quadrille::layers {
+
+/// Layers along one side of a block.
+struct SideLayers {
+  const WallLine* wall = nullptr;  ///< nullptr: no wall
+  std::vector<double> heights;     ///< of the layers' upper ends
+  std::vector<WallPoint> feet;     ///< on the wall: the side's nodes by rising s or t
+};
+
+/// All lines between two opposite sides of a block.
+struct LineFamily {
+  const SideLayers& low;            ///< at u = 0
+  const SideLayers& high;           ///< at u = 1
+  std::vector<double> left, right;  ///< lengths of the elements on the arcs beside the lines, by rising u
+  int order = 1;
+  std::vector<double> low_heights = {};  ///< of all nodes in the layers (node_heights)
+  std::vector<double> high_heights = {};
+};
+
+LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vector<double> left,
+                       std::vector<double> right, int order);
+
+/// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `blend`: 0 at the left,
+/// 1 at the right. Throws ComputeError, with the place plus `origin`, where the line turns back before its layers end
+/// or the layers of both ends overlap.
+std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
+                                       Vec2 origin);
+
+}  // namespace quadrille::layers

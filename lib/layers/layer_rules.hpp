@@ -1,0 +1,138 @@
+#pragma once
+// The rules of the wall layers, and their tuned constants.
+//
+// Objective. Along every wall the nodes of the layers lie at prescribed distances from the wall (layer_law), on all
+// lines of nodes that start at it; above the layers, and on chords that continue them, neighbouring intervals differ by
+// at most the wall's growth until the prescribed size is reached.
+//
+// Invariants, whatever the rules below decide:
+//   - all arcs of a chord have one number of intervals, and their divisions rise from 0 to 1;
+//   - a layer has one height on all normal lines of its wall, to round-off; except at an arc of the boundary on which a
+//     cut had to move onto a break of the curve (rule 17);
+//   - layers lie in the first row of blocks: irregular nodes lie at its far side, and cuts cannot follow the wall
+//   there;
+//   - a face with a mirror symmetry gets a mesh with it.
+//
+// Decisions. "Side" is a block's side on the boundary, "normal line" a line of nodes that starts at a wall, "end" the
+// end of an arc. WallRules in tests/unit/layers/wall_rules_test.cpp has a test for each, and for rules that meet.
+//
+//   which layers a side gets                                                                    wall_spec, wall_sides
+//    1 a curve named twice, or a name without a curve     UsageError
+//    2 a side that only partly follows a wall             has the layers in full
+//    3 sides with different specs that continue each      the finest first height along all of them (of equal ones the
+//      other (a node with V = 2 between them), or one     spec given first); W-WAL-002
+//      side along curves of different specs
+//    4 walls that meet in a corner (V = 1, 3, 4)          each keeps its own spec
+//    5 a closed wall                                      layers all around; no end, no first side
+//
+//   distances                                                                            wall_line, layered_block
+//    6 which boundary heights are measured from           the side with its neighbours along the boundary as far as
+//                                                         V = 2, walls or not; at its ends distance to the end point
+//    7 a corner below 180 degrees inside that boundary    distance to the nearer of both parts
+//    8 a block with walls on adjacent sides (V = 1)       the lines along one wall are placed first; those of the other
+//                                                         run along them. Each wall's boundary arc carries the cuts of
+//                                                         the other wall's layers
+//    9 a line that turns back before its layers end       ComputeError with the place
+//
+//   how many layers                                                                                        layer_fit
+//   10 layers=N or thickness=T without clearance          ComputeError with the greatest number that fits, and the
+//   place 11 layers=fit                                         the greatest number that fits; ComputeError if that is
+//   0 12 walls at both ends of a line without clearance     both lose layers, one each at a time 13 a chord whose
+//   narrow blocks become crowded         counts as not fitting; unless no number of layers of some wall
+//      by the count of its wide ones                      avoids it: then only the clearance counts, for all walls
+//
+//   divisions of chords                                    end_spacing, layered_divisions, align_divisions,
+//   divide_chord 14 walls with different specs on one chord            each keeps its heights at its end; the count
+//   suits both;
+//                                                         W-WAL-001
+//   15 several growths on one chord                       the least; each at least `least_growth`
+//   16 an arc of the chord beyond the end of the wall     starts like the nearest layered arc (of equally near ones the
+//                                                         finest), and returns to its own division with the distance
+//   17 an interval of the boundary off its curve          its nearer end moves onto a break inside it; if that does not
+//                                                         suffice, the chord gets smaller intervals. A cut of a layer
+//                                                         that moved takes the exact heights of its arc with it
+//   18 a given name that ends inside an interval          as 17: no edge belongs to two names
+//
+//   what continues the layers                                                                      propagate_spacing
+//   19 an arc beyond the layers' block that starts far    its chord is divided again, starting from the fine interval;
+//      coarser than its neighbour ends                    and so on from chord to chord
+//   20 that arc has layers of its own at this end         nothing: layers are never changed by a neighbour
+//   21 an arc too short for such fine first intervals     they are limited (greatest_crowding); those next to layers
+//                                                         are not
+//   22 a block that meets itself                          no neighbour of itself
+
+namespace quadrille::layers {
+
+/// Lengths are relative to other lengths and slopes are tangents: no constant has a unit.
+struct LayerConstants {
+  // Clearance (layer_fit).
+  /// Normal lines looked at in each block along a wall, its two sides among them. Fewer miss the narrowest place of a
+  /// bulging block.
+  int lines_per_block = 9;
+  /// Samples on each, denser at both ends (Chebyshev points), where layers are thin. Heights between are interpolated.
+  int samples_per_line = 64;
+  /// Intervals above the layers may change by this factor in the narrowest place, if the wall's growth is less: the
+  /// number of layers must not hang on a narrow place. A little above the default growth of 1.2.
+  double greatest_change = 1.25;
+  /// Growth beyond the layers is at least this: with less, nearly uniform layers reach the prescribed size only after
+  /// dozens of intervals.
+  double least_growth = 1.1;
+  /// No wall has more layers. A limit against mistyped heights.
+  int max_layers = 1000;
+
+  // Counts (layered_divisions, divide_chord).
+  /// The least count of a chord with layers: a boundary that is one arc needs three intervals for its edges to differ.
+  int least_count = 3;
+  /// The greatest. A limit against mistyped sizes, as in refine/divide_arcs.
+  int max_intervals = 10000;
+  /// Intervals of arcs without prescribed ends may exceed the prescribed size by this factor, so that a chord does not
+  /// get another interval for a slight excess.
+  double size_slack = 1.25;
+  /// Samples of the prescribed size along an arc, for its harmonic mean.
+  int size_samples = 32;
+
+  // Beyond the end of a wall (layered_divisions).
+  /// Slope, against the wall, at which lines may run from the layers' divisions to free ones. Less carries needles far
+  /// into the domain; more skews the elements beside the wall's end.
+  double greatest_slope = 0.2;
+  /// An arc that is crowded begins with at most this multiple of its mean interval: the shortest interval is then about
+  /// a fifth of the mean.
+  double greatest_crowding = 2.5;
+
+  // Alignment of the divisions of opposite arcs (align_divisions).
+  /// Weight = (length / (2 distance))^alignment_power. The fourth power keeps lines upright across narrow blocks, and
+  /// leaves blocks as wide as long nearly free.
+  double alignment_power = 4;
+  /// Arcs with layers are aligned as if they were this many times as far apart: their own growth matters more.
+  double layered_distance_factor = 2;
+  /// The greatest weight; beyond it two arcs are as good as one, and the linear system would lose digits.
+  double greatest_weight = 1e6;
+
+  // Continuation into neighbouring chords (propagate_spacing).
+  /// Neighbouring intervals across a node may differ by this factor, if the chord's growth is less: a little above the
+  /// default growth, so that chords are not divided again for small differences.
+  double greatest_jump = 1.3;
+  /// Passes over all chords. Every pass carries fine intervals one block further; they grow by the growth in each.
+  int max_sweeps = 12;
+
+  // The boundary's accuracy (divide_chord).
+  /// An arc that misses the geometric tolerance gets its prescribed size multiplied by this, ...
+  double shrink = 0.8;
+  /// ... so often at most: in all by 0.8^30, about 1/800.
+  int max_tolerance_rounds = 30;
+
+  // Geometry of walls (wall_line).
+  /// The sine of the angle at which a joint of a wall is a bend. Well above what CAD programs leave between tangent
+  /// curves, well below any intended corner.
+  double least_bend = 1e-3;
+
+  // Comparisons.
+  /// Lengths and heights that differ by less, relative to themselves, are equal: mirror images must decide alike.
+  double equal_tol = 1e-6;
+  /// Fractions of an arc that differ by less are the same point.
+  double same_fraction = 1e-9;
+};
+
+inline constexpr LayerConstants layer_constants;
+
+}  // namespace quadrille::layers

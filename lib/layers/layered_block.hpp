@@ -1,0 +1,30 @@
+#pragma once
+// The nodes inside a block that has walls among its sides, or whose chords continue layers.
+//
+// Each line of nodes runs along the image of the straight line between its ends on both sides of the block and is
+// divided anew (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
+// placed first, and those of the other run along them (rule 8 of layer_rules).
+
+#include <array>
+#include <vector>
+
+#include "layers/divide_normal_line.hpp"
+#include "layers/side_table.hpp"
+
+namespace quadrille::layers {
+
+struct LayeredBlock {
+  std::array<SideTable, 4> tables;  ///< of the sides, by rising s (sides 0, 2) or t (1, 3)
+  std::array<SideLayers, 4> sides;
+  /// Fractions of the nodes on each side, by rising s or t, and the sides' lengths.
+  std::array<std::vector<double>, 4> fractions;
+  std::array<double, 4> lengths{};
+};
+
+/// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Without a wall nodes lie where
+/// the straight lines between their ends cross in the block's (s, t): the blend of the ends themselves, which
+/// refine/split_isoparametric uses, leaves the block where the divisions of opposite sides differ much. Throws
+/// ComputeError, with the place plus `origin`, where a line turns back before its layers end.
+std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin);
+
+}  // namespace quadrille::layers

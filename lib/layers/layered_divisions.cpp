@@ -1,0 +1,116 @@
+#include "layers/layered_divisions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "layers/align_divisions.hpp"
+#include "layers/layer_rules.hpp"
+
+namespace quadrille::layers {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double equal_tol = layer_constants.equal_tol;
+
+/// The arc nearest along the chord's blocks whose prescribed end an arc has to follow.
+struct Source {
+  double distance = infinity;
+  int arc = -1;  ///< position in the chord; -1: none
+};
+
+/// The least count that no free part of an arc or line exceeds its size and growth with.
+int least_suitable_count(const LayeredChord& chord, const std::vector<FreePart>& lines, int least_count) {
+  int count = least_count;
+  const auto suit = [&](const FreePart& part) {
+    count = std::max(count, part.layers + sizing::least_graded_count(part.ends, part.length, part.size, chord.growth(),
+                                                                     layer_constants.max_intervals));
+  };
+  for (const FreePart& line : lines) suit(line);
+  for (int i = 0; i < chord.num_arcs(); ++i) {
+    const double length = chord.length(i), size = chord.size(i);
+    const FreePart part = free_part(chord.spacing(i), length, size);
+    if (part.ends.are_free())
+      count = std::max(count, static_cast<int>(std::ceil(length / (layer_constants.size_slack * size) - equal_tol)));
+    else
+      suit(part);
+  }
+  return std::min(count, layer_constants.max_intervals);
+}
+
+/// The interval that would lie before the first one of an arc which begins like arc i.
+double start_size(const LayeredChord& chord, int i, int chord_end) {
+  const EndSpacing& end = chord.at_end(i, chord_end);
+  return end.layer_ends.empty() ? end.before : end.layer_ends.front() * chord.length(i) / end.growth;
+}
+
+/// Replaces a source by that of an opposite arc if this is nearer, or as near and finer. Returns whether it did.
+bool update_source(const LayeredChord& chord, int chord_end, const Source& from, double distance, Source& to) {
+  if (from.arc < 0) return false;
+  const double longer = from.distance + distance;
+  if (longer > to.distance * (1 + equal_tol)) return false;
+  const bool is_nearer = longer < to.distance * (1 - equal_tol);
+  if (!is_nearer && start_size(chord, from.arc, chord_end) >= (1 - equal_tol) * start_size(chord, to.arc, chord_end))
+    return false;
+  to = {longer, from.arc};
+  return true;
+}
+
+/// By arc: the nearest one that has layers at this end of the chord; if none has, the nearest with a prescribed end.
+std::vector<Source> nearest_sources(const LayeredChord& chord, int chord_end) {
+  std::vector<Source> sources(chord.num_arcs());
+  bool any_layers = false;
+  for (int i = 0; i < chord.num_arcs(); ++i) any_layers |= chord.at_end(i, chord_end).layers() > 0;
+  for (int i = 0; i < chord.num_arcs(); ++i) {
+    const EndSpacing& end = chord.at_end(i, chord_end);
+    if (any_layers ? end.layers() > 0 : !end.is_free()) sources[i] = {0, i};
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const OppositeArcs& pair : chord.opposite_arcs()) {
+      changed |= update_source(chord, chord_end, sources[pair.a], pair.distance, sources[pair.b]);
+      changed |= update_source(chord, chord_end, sources[pair.b], pair.distance, sources[pair.a]);
+    }
+  }
+  return sources;
+}
+
+/// Rule 16: the arc's own division, drawn towards the one that starts like the layers as far as the slope demands.
+std::vector<double> ends_of_arc(const LayeredChord& chord, const std::array<std::vector<Source>, 2>& sources, int i,
+                                int count) {
+  ArcSpacing like_source = chord.spacing(i);
+  double distance = infinity;
+  for (const int chord_end : {0, 1}) {
+    const Source& source = sources[chord_end][i];
+    if (source.arc < 0 || source.arc == i) continue;
+    EndSpacing& own = like_source[chord.own_end(i, chord_end)];
+    const double start = start_size(chord, source.arc, chord_end);
+    own.before = own.is_free() ? start : std::min(own.before, start);
+    own.growth = chord.growth();
+    distance = std::min(distance, source.distance);
+  }
+  const double length = chord.length(i), size = chord.size(i);
+  std::vector<double> ends = spaced_ends(chord.spacing(i), length, size, count);
+  if (!std::isfinite(distance)) return ends;
+  const std::vector<double> kept = spaced_ends(like_source, length, size, count);
+  double shift = 0;
+  for (std::size_t k = 0; k < ends.size(); ++k) shift = std::max(shift, std::abs(ends[k] - kept[k]) * length);
+  const double weight = shift > 0 ? std::min(1.0, layer_constants.greatest_slope * distance / shift) : 1;
+  for (std::size_t k = 1; k + 1 < ends.size(); ++k) ends[k] = weight * ends[k] + (1 - weight) * kept[k];
+  return ends;
+}
+
+}  // namespace
+
+std::vector<sizing::ArcDivision> layered_divisions(const LayeredChord& chord, const std::vector<FreePart>& lines,
+                                                   int least_count) {
+  const std::array<std::vector<Source>, 2> sources{nearest_sources(chord, 0), nearest_sources(chord, 1)};
+  const int count = least_suitable_count(chord, lines, least_count);
+  std::vector<sizing::ArcDivision> divisions;
+  for (int i = 0; i < chord.num_arcs(); ++i) divisions.push_back({ends_of_arc(chord, sources, i, count)});
+  align_divisions(chord, divisions);
+  return divisions;
+}
+
+}  // namespace quadrille::layers

@@ -1,0 +1,32 @@
+#pragma once
+// Sampled normal lines across the blocks along walls: how much clearance there is for layers.
+
+#include <vector>
+
+#include "layers/end_spacing.hpp"
+#include "layers/wall_sides.hpp"
+#include "sizing/measured_layout.hpp"
+
+namespace quadrille::layers {
+
+/// A line from a wall to the far side of its block, with its heights above the walls at sampled points.
+struct NormalLineSample {
+  int chord = 0;
+  int front = -1, back = -1;          ///< specs of the walls at its beginning and its end; -1: none
+  double size = 0;                    ///< prescribed beyond the layers
+  std::vector<double> lengths;        ///< by sample: along the line from its beginning
+  std::vector<double> front_heights;  ///< by sample: distance from the front wall
+  std::vector<double> back_heights;   ///< by sample, counted from the end: distance from the back wall
+  Vec2 far_end;
+};
+
+/// LayerConstants::lines_per_block lines across every block with walls, its sides among them; a block between two walls
+/// is crossed once. `arc_sizes`: by arc, the prescribed interval.
+std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& measured, const WallSides& walls,
+                                                  const std::vector<double>& arc_sizes);
+
+/// What lies between the layers of a line, given the layers' heights by spec; its length is negative where they have no
+/// clearance.
+FreePart part_between_layers(const NormalLineSample& line, const std::vector<std::vector<double>>& spec_heights);
+
+}  // namespace quadrille::layers
