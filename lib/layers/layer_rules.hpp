@@ -14,7 +14,7 @@
 //   - a face with a mirror symmetry gets a mesh with it.
 //
 // Decisions. "Side" is a block's side on the boundary, "normal line" a line of nodes that starts at a wall, "end" the
-// end of an arc. WallRules in tests/unit/layers/wall_rules_test.cpp has a test for each, and for rules that meet.
+// end of an arc. tests/unit/layers/layer_rules_test.cpp has a test for each, and for rules that meet.
 //
 //   which layers a side gets                                                                    wall_spec, wall_sides
 //    1 a curve named twice, or a name without a curve     UsageError

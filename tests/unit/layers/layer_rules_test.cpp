@@ -1,0 +1,410 @@
+// One test for each rule of layers/layer_rules.hpp, by its number, and for pairs of rules that meet.
+#include "layers/layer_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "layers/arc_neighbours.hpp"
+#include "layers/layer_fit.hpp"
+#include "layers/layer_law.hpp"
+#include "layers/propagate_spacing.hpp"
+#include "sizing/interval_error.hpp"
+#include "wall_samples.hpp"
+
+namespace quadrille::layers {
+namespace {
+
+using namespace wall_samples;
+using Names = std::vector<std::string>;
+
+template <typename Error>
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+double thickness(const PlannedWalls& p, int spec) { return p.plan.heights[spec].back(); }
+
+// ---- Which layers a side gets
+
+TEST(LayerRules, R1_ACurveNamedTwiceOrAnUnknownNameIsAUsageError) {
+  const SeparatrixGraph square = hand_made::unit_square();
+  for (const Names& walls : {Names{"side_0:first=0.1,layers=1", "side_0:first=0.2,layers=1"},
+                             Names{"side_0,side_0:first=0.1,layers=1"}, Names{"roof:first=0.1,layers=1"}})
+    EXPECT_THROW(PlannedWalls(square, 0.2, walls), UsageError) << walls.front();
+}
+
+TEST(LayerRules, R2_ASideThatPartlyFollowsAWallHasTheLayersInFull) {
+  // Curve 0 is the first third of the elbow's outer side.
+  const PlannedWalls p(hand_made::elbow(), 0.3, {"0:first=0.01,layers=4"});
+  ASSERT_EQ(p.plan.walls.sides.size(), 1u);
+  EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
+  EXPECT_NEAR(p.first_step({3, 2}, {2, 2}), 0.01, 1e-9);
+}
+
+struct FinestCase {
+  double first0, first1;
+  int used;
+};
+
+TEST(LayerRules, R3_SidesThatContinueEachOtherHaveTheFinestLayers) {
+  for (const auto& [first0, first1, used] :
+       {FinestCase{0.01, 0.02, 0}, {0.02, 0.01, 1}, {0.01, 0.01 * (1 - 1e-8), 0}}) {
+    const Names walls{"side_0:first=" + std::to_string(first0) + ",layers=3",
+                      "side_1:first=" + std::to_string(first1) + ",layers=4"};
+    const PlannedWalls p(row({1, 1}), 0.2, walls);
+    EXPECT_EQ(p.spec_at(0, 0), used);
+    EXPECT_EQ(p.spec_at(1, 0), used);
+    EXPECT_EQ(p.plan.walls.overruled, (std::vector<std::array<int, 2>>{{1 - used, used}}));
+    EXPECT_EQ(p.warnings(), Names{"W-WAL-002"});
+    EXPECT_NEAR(p.first_step({2, 0}, {2, 1}), std::min(first0, first1), 1e-9);
+  }
+}
+
+TEST(LayerRules, R3_OneSideAlongTwoSpecsHasTheFinest) {
+  for (const int finer : {0, 1}) {
+    Names walls{"0:first=0.02,layers=3", "1:first=0.02,layers=3"};
+    walls[finer].replace(walls[finer].find("0.02"), 4, "0.01");
+    const PlannedWalls p(hand_made::elbow(), 0.3, walls);
+    ASSERT_EQ(p.plan.walls.sides.size(), 1u);
+    EXPECT_EQ(p.plan.walls.sides[0].spec, finer);
+    EXPECT_EQ(p.warnings(), Names{"W-WAL-002"});
+  }
+}
+
+TEST(LayerRules, R3WithR10_AnOverruledSpecNeedsNoClearance) {
+  // 60 layers of 0.02 are thicker than the row; they are overruled by the finer ones.
+  const PlannedWalls p(row({1, 1}), 0.2, {"side_0:first=0.02,law=uniform,layers=60", "side_1:first=0.01,layers=3"});
+  EXPECT_EQ(p.plan.heights[1].size(), 3u);
+  EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
+}
+
+TEST(LayerRules, R4_WallsThatMeetInACornerKeepTheirOwnLayers) {
+  const PlannedWalls convex(hand_made::unit_square(), 0.2,
+                            {"side_0:first=0.01,layers=3", "side_1:first=0.02,layers=4"});
+  EXPECT_EQ(convex.spec_at(0, 0), 0);
+  EXPECT_EQ(convex.spec_at(0, 1), 1);
+  EXPECT_TRUE(convex.warnings().empty());
+  const PlannedWalls reflex(hand_made::l_shape(), 0.3, {"side_2:first=0.01,layers=3", "side_3:first=0.02,layers=4"});
+  ASSERT_EQ(reflex.plan.walls.sides.size(), 2u);
+  EXPECT_NE(reflex.plan.walls.sides[0].spec, reflex.plan.walls.sides[1].spec);
+  EXPECT_TRUE(reflex.plan.walls.overruled.empty());
+}
+
+TEST(LayerRules, R5_ClosedWallsHaveLayersAllAround) {
+  for (const int cuts : {1, 2, 4}) {
+    const PlannedWalls p(hand_made::cut_annulus(cuts), 0.2, {"side_1:first=0.01,layers=5"});
+    EXPECT_EQ(p.plan.walls.sides.size(), static_cast<std::size_t>(cuts));
+    for (int k = 0; k < cuts; ++k) {
+      const Vec2 d = unit(2 * pi * k / cuts);
+      EXPECT_NEAR(p.first_step(0.5 * d, d), 0.01, 1e-9);
+    }
+  }
+}
+
+TEST(LayerRules, R5WithR3_AClosedWallOfTwoSpecsHasTheFinest) {
+  for (const int finer : {0, 1}) {
+    Names walls{"side_1:first=0.02,layers=3", "side_2:first=0.02,layers=3"};
+    walls[finer].replace(walls[finer].find("0.02"), 4, "0.01");
+    const PlannedWalls p(annulus_of_half_circles(), 0.2, walls);
+    ASSERT_EQ(p.plan.walls.sides.size(), 2u);
+    for (const WallSide& side : p.plan.walls.sides) EXPECT_EQ(side.spec, finer);
+    EXPECT_EQ(p.warnings(), Names{"W-WAL-002"});
+  }
+}
+
+// ---- Distances (rule 7: wall_line_test; rule 9: divide_normal_line_test)
+
+TEST(LayerRules, R6_HeightsAreMeasuredFromTheContinuingBoundaryToo) {
+  const PlannedWalls p(row({1, 1, 1}), 0.3, {"side_1:first=0.01,layers=3"});
+  ASSERT_EQ(p.plan.walls.sides.size(), 1u);
+  const WallSide& wall = p.plan.walls.sides[0];
+  EXPECT_EQ(wall.line.pieces().size(), 3u);
+  EXPECT_EQ(wall.begin.piece, 1);
+  EXPECT_EQ(wall.end.piece, 1);
+  // At a corner with V = 1 the wall ends.
+  const PlannedWalls corner(row({1, 1}), 0.3, {"side_0:first=0.01,layers=3"});
+  EXPECT_EQ(corner.plan.walls.sides[0].line.pieces().size(), 2u);
+  EXPECT_EQ(corner.plan.walls.sides[0].begin.piece, 0);
+}
+
+TEST(LayerRules, R8_EachWallOfACornerCarriesTheCutsOfTheOther) {
+  const PlannedWalls p(hand_made::unit_square(), 0.2, {"side_0:first=0.01,layers=3", "side_1:first=0.02,layers=4"});
+  EXPECT_NEAR(p.first_step({1, 0}, {1, 1}), 0.01, 1e-12);
+  EXPECT_NEAR(p.first_step({1, 0}, {0, 0}), 0.02, 1e-12);
+  EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
+}
+
+TEST(LayerRules, R8WithR14_WallsOnAllSidesOfABlock) {
+  const PlannedWalls p(hand_made::unit_square(), 0.2,
+                       {"side_0:first=0.01,layers=3", "side_1:first=0.02,layers=4", "side_2:first=0.03,layers=2",
+                        "side_3:first=0.04,layers=2"});
+  EXPECT_NEAR(p.first_step({0, 0}, {1, 0}), 0.04, 1e-12);
+  EXPECT_NEAR(p.first_step({1, 0}, {1, 1}), 0.01, 1e-12);
+  EXPECT_NEAR(p.first_step({1, 1}, {0, 1}), 0.02, 1e-12);
+  EXPECT_NEAR(p.first_step({0, 1}, {0, 0}), 0.03, 1e-12);
+  EXPECT_EQ(p.plan.sharing_a_chord, (std::vector<std::array<int, 2>>{{0, 2}, {1, 3}}));
+  EXPECT_EQ(p.warnings(), (Names{"W-WAL-001", "W-WAL-001"}));
+}
+
+// ---- How many layers
+
+/// A straight line at right angles to its walls.
+NormalLineSample straight(int chord, double length, int front, int back = -1, double size = 0.1) {
+  NormalLineSample line{chord, front, back, size, {}, {}, {}, {1, 2}};
+  for (int i = 0; i <= 64; ++i) line.lengths.push_back(length * i / 64);
+  line.front_heights = line.lengths;
+  if (back >= 0) line.back_heights = line.lengths;
+  return line;
+}
+
+int fitting(const std::string& wall, const std::vector<NormalLineSample>& lines) {
+  return fitting_layers(parse({wall}), lines, {0, 0}).front();
+}
+
+TEST(LayerRules, R10_LayersWithoutClearanceAreRefusedWithNumberAndPlace) {
+  for (const std::string count : {"layers=11", "thickness=1.05"}) {
+    const std::string message = message_of<ComputeError>([&] {
+      fitting_layers(parse({"a:first=0.1,law=uniform," + count}), {straight(0, 1, 0)}, {10, 20});
+    });
+    EXPECT_TRUE(contains(message, "(11, 22)")) << message;
+    EXPECT_TRUE(contains(message, "at most 9 fit, with a thickness of 0.9")) << message;
+  }
+  EXPECT_EQ(fitting("a:first=0.1,law=uniform,layers=9", {straight(0, 1, 0)}), 9);
+}
+
+TEST(LayerRules, R11_FitIsTheGreatestNumberAndMustNotBeZero) {
+  EXPECT_EQ(fitting("a:first=0.1,law=uniform,layers=fit", {straight(0, 1, 0)}), 9);
+  const std::string message = message_of<ComputeError>([] { fitting("a:first=2,layers=fit", {straight(0, 1, 0)}); });
+  EXPECT_TRUE(contains(message, "not even one fits")) << message;
+}
+
+TEST(LayerRules, R12_FacingWallsBothLoseLayers) {
+  const std::vector<NormalLineSample> line{straight(0, 1, 0, 1)};
+  const std::vector<int> fit = fitting_layers(
+      parse({"a:first=0.05,law=uniform,layers=fit", "b:first=0.05,law=uniform,layers=fit"}), line, {0, 0});
+  EXPECT_EQ(fit[0], fit[1]);
+  EXPECT_EQ(fit[0] + fit[1], 18);
+  // A prescribed number opposite to layers=fit does not come first.
+  EXPECT_THROW(fitting_layers(parse({"a:first=0.05,law=uniform,layers=12", "b:first=0.05,law=uniform,layers=fit"}),
+                              line, {0, 0}),
+               ComputeError);
+}
+
+TEST(LayerRules, R12WithR5_BothCirclesOfARing) {
+  const PlannedWalls p(hand_made::cut_annulus(3), 0.2, {"side_0,side_1:first=0.01,layers=fit"});
+  EXPECT_LT(2 * thickness(p, 0), 0.5);
+  EXPECT_GT(2 * thickness(p, 0), 0.25);
+}
+
+TEST(LayerRules, R13_WideBlocksTakeLayersFromNarrowOnesOfTheirChord) {
+  const std::string wall = "a:first=0.01,layers=fit";
+  const int alone = fitting(wall, {straight(0, 0.3, 0)});
+  const int beside_wide = fitting(wall, {straight(0, 0.3, 0), straight(0, 3, 0)});
+  EXPECT_LT(beside_wide, alone);
+  EXPECT_EQ(fitting(wall, {straight(0, 0.3, 0), straight(1, 3, 0)}), alone) << "another chord";
+}
+
+TEST(LayerRules, R13_WhereNoNumberAvoidsCrowdingOnlyTheClearanceCounts) {
+  const std::vector<NormalLineSample> narrow_and_wide{straight(0, 0.3, 0), straight(0, 30, 0), straight(1, 0.3, 1),
+                                                      straight(1, 3, 1)};
+  const std::string thick = "a:first=0.16,layers=fit", thin = "b:first=0.01,layers=fit";
+  const int thin_alone = fitting(thin, {straight(0, 0.3, 0)});
+  // For all walls alike: the thin layers are not reduced for their own wide block either.
+  EXPECT_EQ(fitting_layers(parse({thick, thin}), narrow_and_wide, {0, 0}), (std::vector<int>{1, thin_alone}));
+  const std::string thinner = "a:first=0.02,layers=fit";
+  EXPECT_LT(fitting_layers(parse({thinner, thin}), narrow_and_wide, {0, 0})[1], thin_alone);
+}
+
+// ---- Divisions of chords
+
+TEST(LayerRules, R14_FacingWallsKeepTheirHeightsAndShareTheCount) {
+  const PlannedWalls p(hand_made::unit_square(), 0.2, {"side_0:first=0.01,layers=3", "side_2:first=0.03,layers=2"});
+  EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
+  EXPECT_NEAR(p.first_step({0, 1}, {0, 0}), 0.03, 1e-12);
+  EXPECT_EQ(p.steps({0, 0}, {0, 1}).size(), p.steps({1, 0}, {1, 1}).size());
+  EXPECT_EQ(p.plan.sharing_a_chord, (std::vector<std::array<int, 2>>{{0, 1}}));
+  EXPECT_EQ(p.warnings(), Names{"W-WAL-001"});
+}
+
+TEST(LayerRules, R14_AlsoAtOneEndOfTheChordInDifferentBlocks) {
+  const PlannedWalls p(row({1, 1, 1}), 0.3, {"side_0:first=0.01,layers=3", "side_2:first=0.02,layers=4"});
+  EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
+  EXPECT_NEAR(p.first_step({3, 0}, {3, 1}), 0.02, 1e-12);
+  EXPECT_EQ(p.steps({0, 0}, {0, 1}).size(), p.steps({3, 0}, {3, 1}).size());
+  EXPECT_EQ(p.warnings(), Names{"W-WAL-001"});
+}
+
+TEST(LayerRules, R15_TheLeastGrowthOfAChordCounts) {
+  WallSpec spec;
+  for (const auto& [growth, beyond] : {std::pair{1.0, 1.1}, {1.1, 1.1}, {1.5, 1.5}}) {
+    spec.growth = growth;
+    EXPECT_EQ(growth_beyond(spec), beyond);
+  }
+  const mesh::Chord chord{{0, 1, 2}, {false, false, false}, {}};
+  std::vector<ArcSpacing> spacings(3);
+  EXPECT_EQ(least_growth(chord, spacings), 0);
+  spacings[0][1] = {{}, 0.1, 1.4}, spacings[2][0] = {{}, 0.2, 1.15};
+  EXPECT_EQ(least_growth(chord, spacings), 1.15);
+}
+
+TEST(LayerRules, R15WithR14_SlowGrowthAtOneEndHoldsAtTheOther) {
+  const PlannedWalls p(hand_made::unit_square(), 0.2,
+                       {"side_0:first=0.01,growth=1.5,layers=2", "side_2:first=0.01,growth=1.1,layers=2"});
+  const std::vector<double> y = p.steps({0, 0}, {0, 1});
+  for (std::size_t k = 3; k + 3 < y.size(); ++k) EXPECT_LE((y[k] - y[k - 1]) / (y[k - 1] - y[k - 2]), 1.1 * (1 + 1e-5));
+}
+
+TEST(LayerRules, R16_BeyondTheWallsEndAnArcReturnsToItsOwnDivisionWithTheDistance) {
+  double last = 0.01;
+  for (const double width : {0.05, 0.3, 1.0, 2.0}) {
+    const PlannedWalls p(row({1, width}), 0.2, {"side_0:first=0.01,layers=5"});
+    const double first = p.first_step({1 + width, 0}, {1 + width, 1});
+    EXPECT_GT(first, last) << width;
+    last = first;
+  }
+  const PlannedWalls far(row({1, 8}), 0.2, {"side_0:first=0.01,layers=5"});
+  const std::vector<double> y = far.steps({9, 0}, {9, 1});
+  EXPECT_NEAR(y.front(), 1.0 / static_cast<double>(y.size()), 1e-9);
+}
+
+TEST(LayerRules, R16_OfEquallyNearWallsTheFinestCounts) {
+  const auto middle = [](const std::string& left, const std::string& right) {
+    return PlannedWalls(row({1, 1, 1, 1}), 0.3, {"side_0:layers=4,first=" + left, "side_3:layers=4,first=" + right})
+        .steps({2, 0}, {2, 1});
+  };
+  const std::vector<double> fine_left = middle("0.005", "0.02"), fine_right = middle("0.02", "0.005");
+  ASSERT_EQ(fine_left.size(), fine_right.size());
+  for (std::size_t k = 0; k < fine_left.size(); ++k) EXPECT_NEAR(fine_left[k], fine_right[k], 1e-9);
+}
+
+/// The unit square whose left side is two curves, "up" and "low", which meet at this height.
+SeparatrixGraph split_square(double joint) {
+  CadFace face =
+      hand_made::face({{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {1, 1}), curve::segment({1, 1}, {0, 1}),
+                        curve::segment({0, 1}, {0, joint}), curve::segment({0, joint}, {0, 0})}},
+                      std::sqrt(2.0));
+  face.curve_names[3] = "up", face.curve_names[4] = "low";
+  return hand_made::one_block(std::move(face), {{0}, {1}, {2}, {3, 4}});
+}
+
+TEST(LayerRules, R18_AnIntervalEndsWhereAGivenNameEnds) {
+  const PlannedWalls p(split_square(0.5), 0.2, {"side_0:first=0.01,layers=3"});
+  const std::vector<double> y = p.steps({0, 0}, {0, 1});
+  EXPECT_EQ(std::count_if(y.begin(), y.end(), [](double v) { return std::abs(v - 0.5) < 1e-12; }), 1);
+}
+
+TEST(LayerRules, R18WithR17_ALayerCutThatMovesTakesItsArcsExactHeightsWithIt) {
+  const PlannedWalls p(split_square(0.024), 0.2, {"side_0:first=0.01,law=uniform,layers=5"});
+  const std::vector<double> left = p.steps({0, 0}, {0, 1}), right = p.steps({1, 0}, {1, 1});
+  EXPECT_NEAR(left[0], 0.01, 1e-12);
+  EXPECT_NEAR(left[1], 0.024, 1e-12);
+  EXPECT_NEAR(right[1], 0.02, 1e-12);
+  EXPECT_EQ(left.size(), right.size());
+  EXPECT_TRUE(p.plan.arc_nodes[p.arc_between({0, 0}, {0, 1})].empty());
+  EXPECT_FALSE(p.plan.arc_nodes[p.arc_between({1, 0}, {1, 1})].empty());
+}
+
+TEST(LayerRules, R17_IntervalsOffTheBoundaryBecomeSmaller) {
+  // Walls at both ends of a quarter ring: their chord runs along the arcs.
+  const Names walls{"side_0:first=0.05,layers=2", "side_2:first=0.05,layers=2"};
+  const auto count = [&](double tolerance) {
+    const PlannedWalls p(hand_made::quarter_annulus(), 2, walls, 2, tolerance);
+    const int arc = p.arc_between({2, 0}, {0, 2});
+    const std::vector<double>& ends = p.divisions[arc].ends;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      EXPECT_LE(sizing::interval_error(p.measured.curves(), p.measured.chain(arc), ends[k], ends[k + 1], 2), tolerance);
+    return ends.size();
+  };
+  EXPECT_GT(count(1e-7), count(1e-2));
+}
+
+// ---- What continues the layers
+
+TEST(LayerRules, R19_ACoarserArcBeyondTheBlockContinuesFromTheFineInterval) {
+  const PlannedWalls fine(row({0.2, 2}), 0.4, {"side_4:first=0.01,layers=4"});  // side_4: the left side
+  EXPECT_EQ(fine.plan.chords.size(), 2u);
+  const std::vector<double> before = fine.steps({0.2, 0}, {0, 0});
+  EXPECT_LE(fine.first_step({0.2, 0}, {2.2, 0}), 1.3 * before.front());
+  // Nothing to continue where the block is wide enough to reach the prescribed size.
+  const PlannedWalls coarse(row({2, 2}), 0.2, {"side_4:first=0.01,layers=4"});
+  EXPECT_EQ(coarse.plan.chords.size(), 1u);
+}
+
+TEST(LayerRules, R19_ContinuesFromChordToChord) {
+  const PlannedWalls p(row({0.1, 0.1, 0.1, 2}), 0.4, {"side_6:first=0.01,growth=1.1,layers=2"});
+  EXPECT_EQ(p.plan.chords.size(), 4u);
+  double last = 0.01;
+  for (const double x : {0.1, 0.2, 0.3}) {
+    const double next = p.first_step({x, 0}, {x > 0.25 ? 2.3 : x + 0.1, 0});
+    EXPECT_GE(next, last * (1 - 1e-6)) << x;
+    last = next;
+  }
+}
+
+TEST(LayerRules, R19WithR16_TheContinuationOfAWallThatEndsAtACorner) {
+  // Block 1 has layers on neither chord; its vertical chord is block 0's.
+  const PlannedWalls p(row({0.2, 2}), 0.4, {"side_0:first=0.01,layers=4", "side_4:first=0.01,layers=4"});
+  EXPECT_LE(p.first_step({0.2, 0}, {2.2, 0}), 1.3 * p.first_step({0.2, 0}, {0, 0}));
+  EXPECT_NEAR(p.first_step({0.2, 0}, {0.2, 1}), 0.01, 1e-12);
+  EXPECT_GT(p.first_step({2.2, 0}, {2.2, 1}), 0.01);
+}
+
+struct ContinueCase {
+  const char* what;
+  EndSpacing end;
+  double neighbour, own, growth;
+  bool changes;
+  double before_then, growth_then;
+};
+
+TEST(LayerRules, R19WithR20_WhenAnEndContinuesItsNeighbour) {
+  const EndSpacing free, layered{{0.01}, 0.01, 1.2}, prescribed{{}, 0.02, 1.5};
+  for (const ContinueCase& c : {ContinueCase{"far coarser", free, 0.01, 0.1, 1.2, true, 0.01, 1.2},
+                                {"within the greatest jump", free, 0.01, 0.0129, 1.1, false, 0, 0},
+                                {"just beyond it", free, 0.01, 0.0131, 1.1, true, 0.01, 1.1},
+                                {"within the chord's growth", free, 0.01, 0.0149, 1.5, false, 0, 0},
+                                {"has layers (20)", layered, 0.001, 0.01, 1.2, false, 0.01, 1.2},
+                                {"follows a finer neighbour already", prescribed, 0.03, 0.1, 1.2, false, 0.02, 1.5},
+                                {"follows a coarser one", prescribed, 0.01, 0.1, 1.2, true, 0.01, 1.2},
+                                {"keeps the least growth", prescribed, 0.01, 0.1, 1.9, true, 0.01, 1.5}}) {
+    EndSpacing end = c.end;
+    EXPECT_EQ(continue_spacing(c.neighbour, c.own, c.growth, end), c.changes) << c.what;
+    EXPECT_EQ(end.before, c.before_then) << c.what;
+    EXPECT_EQ(end.growth, c.growth_then) << c.what;
+    EXPECT_EQ(end.layer_ends, c.end.layer_ends) << c.what;
+  }
+}
+
+TEST(LayerRules, R21_FirstIntervalsOfCrowdedArcsAreLimitedButNotNextToLayers) {
+  // Ten intervals on a length of 1: the first is at most 2.5 times their mean.
+  EXPECT_EQ(spaced_ends({{{{}, 0.9, 1.2}, {}}}, 1, 0.1, 10), spaced_ends({{{{}, 0.25, 1.2}, {}}}, 1, 0.1, 10));
+  EXPECT_NE(spaced_ends({{{{}, 0.2, 1.2}, {}}}, 1, 0.1, 10), spaced_ends({{{{}, 0.25, 1.2}, {}}}, 1, 0.1, 10));
+  const auto beside_layer = [](double before) { return spaced_ends({{{{0.5}, before, 1.2}, {}}}, 1, 0.1, 10); };
+  EXPECT_NE(beside_layer(0.5), beside_layer(0.25));
+}
+
+TEST(LayerRules, R22_ABlockThatMeetsItselfIsNotItsOwnNeighbour) {
+  const auto neighbours = [](int cuts) {
+    Report report;
+    return arc_neighbours(block::extract_blocks(hand_made::cut_annulus(cuts), report)).size();
+  };
+  EXPECT_EQ(neighbours(1), 0u);
+  EXPECT_EQ(neighbours(2), 4u);
+  EXPECT_EQ(neighbours(3), 6u);
+}
+
+}  // namespace
+}  // namespace quadrille::layers
