@@ -1,0 +1,58 @@
+#include "layers/block_sides.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wall_samples.hpp"
+
+namespace quadrille::layers {
+namespace {
+
+BlockLayout blocks(const SeparatrixGraph& graph) {
+  Report report;
+  return block::extract_blocks(graph, report);
+}
+
+/// The boundary side on this CAD curve.
+BlockSide side_on(const BlockLayout& layout, int curve) {
+  for (int block = 0; block < layout.num_blocks(); ++block)
+    for (int side = 0; side < 4; ++side) {
+      const GraphArc& arc = layout.arcs[half_edge(layout, block, side).arc];
+      if (arc.is_boundary && arc.pieces[0].curve == curve) return {block, side};
+    }
+  return {};
+}
+
+TEST(BlockSides, ContinueEachOtherAtValenceTwoOnly) {
+  const BlockLayout row = blocks(wall_samples::row({1, 1, 1}));
+  const ArcSides sides = sides_of_arcs(row);
+  const BlockSide middle = side_on(row, 1), left = side_on(row, 0), right = side_on(row, 2);
+  EXPECT_EQ(next_along_boundary(row, sides, middle, 1).block, right.block);
+  EXPECT_EQ(next_along_boundary(row, sides, middle, 1).side, right.side);
+  EXPECT_EQ(next_along_boundary(row, sides, middle, -1).block, left.block);
+  EXPECT_EQ(next_along_boundary(row, sides, left, -1).block, -1) << "V = 1";
+  const BlockLayout reflex = blocks(hand_made::l_shape());
+  EXPECT_EQ(next_along_boundary(reflex, sides_of_arcs(reflex), side_on(reflex, 2), 1).block, -1) << "V = 3";
+}
+
+TEST(BlockSides, OfARingOfOneBlockContinueThemselves) {
+  const BlockLayout ring = blocks(hand_made::cut_annulus(1));
+  const ArcSides sides = sides_of_arcs(ring);
+  for (const int curve : {0, 1})
+    for (const int step : {-1, 1}) {
+      const BlockSide side = side_on(ring, curve), next = next_along_boundary(ring, sides, side, step);
+      EXPECT_EQ(next.block, side.block);
+      EXPECT_EQ(next.side, side.side);
+    }
+}
+
+TEST(BlockSides, HalfEdgesBeginWhereTheOppositeOnesEnd) {
+  const ArcEnd from = beginning({3, false}), to = ending({3, false});
+  EXPECT_EQ(from.arc, 3);
+  EXPECT_EQ(from.end, 0);
+  EXPECT_EQ(to.end, 1);
+  EXPECT_EQ(beginning({3, true}).end, to.end);
+  EXPECT_EQ(ending({3, true}).end, from.end);
+}
+
+}  // namespace
+}  // namespace quadrille::layers
