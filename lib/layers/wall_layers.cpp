@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/warning_codes.hpp"
 #include "layers/arc_sizes.hpp"
 #include "layers/block_sides.hpp"
 #include "layers/layer_fit.hpp"
@@ -101,12 +102,12 @@ void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Repo
     report.set(key + "thickness", plan.heights[i].back());
   }
   for (const auto& [a, b] : plan.sharing_a_chord)
-    report.warn("W-WAL-001",
+    report.warn(warning::walls_share_a_chord,
                 fmt::format("walls {} and {} have layers on one chord: each keeps its own heights, and both "
                             "share the chord's number of elements",
                             names(a), names(b)));
   for (const auto& [overruled, used] : plan.walls.overruled)
-    report.warn("W-WAL-002",
+    report.warn(warning::walls_disagree,
                 fmt::format("walls {} and {} are one smooth wall: the finer layers of {} are used along both",
                             names(overruled), names(used), names(used)));
 }

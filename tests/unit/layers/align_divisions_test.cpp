@@ -44,6 +44,28 @@ TEST(AlignDivisions, DrawsNarrowBlocksTogetherAndLeavesWideOnes) {
   }
 }
 
+// Two opposite arcs a length apart: the gap between their divisions falls by 1 / (1 + 2 w).
+TEST(AlignDivisions, WeighsLayeredArcsAsIfTwiceAsFarApart) {
+  const auto gap = [](bool is_layered) {
+    UprightChord upright({0.5});
+    const mesh::Chord& arcs = upright.planned.measured.chords()[upright.number()];
+    for (int i = 0; i < 2; ++i)
+      if (is_layered) upright.spacings[arcs.arcs[i]][arcs.backwards[i] ? 1 : 0] = {{0.2}, 0.2, 1.2};
+    const LayeredChord chord = upright.chord();
+    sizing::ArcDivisions ends = divisions({{0, 0.2, 0.5, 1}, {0, 0.2, 0.7, 1}});
+    for (const int i : {0, 1})
+      if (arcs.backwards[i]) {
+        for (double& f : ends[i].ends) f = 1 - f;
+        std::reverse(ends[i].ends.begin(), ends[i].ends.end());
+      }
+    align_divisions(chord, ends);
+    const auto at = [&](int i) { return chord.parameter(i, ends[i].ends[chord.own_step(i, 2, 4)]); };
+    return at(1) - at(0);
+  };
+  EXPECT_NEAR(gap(false), 0.2 / (1 + 2 * 1.0), 1e-12);
+  EXPECT_NEAR(gap(true), 0.2 / (1 + 2 / 16.0), 1e-12);
+}
+
 TEST(AlignDivisions, KeepsEqualDivisionsAndEnds) {
   const UprightChord upright({0.3, 0.2});
   const LayeredChord chord = upright.chord();

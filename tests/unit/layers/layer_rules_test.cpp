@@ -185,6 +185,12 @@ TEST(LayerRules, R10_LayersWithoutClearanceAreRefusedWithNumberAndPlace) {
   EXPECT_EQ(fitting("a:first=0.1,law=uniform,layers=9", {straight(0, 1, 0)}), 9);
 }
 
+TEST(LayerRules, R10_AboveTheLayersAnIntervalAFifthShorterMustFit) {
+  const std::string wall = "a:first=0.1,law=uniform,layers=fit";
+  EXPECT_EQ(fitting(wall, {straight(0, 0.981, 0)}), 9);
+  EXPECT_EQ(fitting(wall, {straight(0, 0.979, 0)}), 8);
+}
+
 TEST(LayerRules, R11_FitIsTheGreatestNumberAndMustNotBeZero) {
   EXPECT_EQ(fitting("a:first=0.1,law=uniform,layers=fit", {straight(0, 1, 0)}), 9);
   const std::string message = message_of<ComputeError>([] { fitting("a:first=2,layers=fit", {straight(0, 1, 0)}); });

@@ -57,5 +57,26 @@ TEST(LayeredDivisions, WithoutLayersThePrescribedEndsAreSources) {
   }
 }
 
+// Rule 16 of layer_rules: the arc beyond the layers keeps their division but for a slope of 0.2.
+TEST(LayeredDivisions, ReturnToTheFreeDivisionWithTheSlope) {
+  UprightChord chord({1, 0.5}, 0.2);
+  for (const double x : {0.0, 1.0}) chord.at({x, 0}) = {{0.005, 0.01}, 0.005, 1.2};
+  const int number = chord.planned.measured.chord_of(chord.planned.arc_between({0, 0}, {0, 1}));
+  const LayeredChord layered{chord.planned.input, number, chord.spacings, arc_sizes(chord.planned.input)};
+  const std::vector<sizing::ArcDivision> divisions = layered_divisions(layered, {}, 1);
+  const int count = divisions[0].num_intervals();
+  const std::vector<double> kept = spaced_ends({{{{}, 0.005 / 1.2, 1.2}, {}}}, 1, 0.2, count);
+  const int beyond = chord.planned.arc_between({1.5, 0}, {1.5, 1});
+  const mesh::Chord& arcs = chord.planned.measured.chords()[number];
+  const auto i = std::find(arcs.arcs.begin(), arcs.arcs.end(), beyond) - arcs.arcs.begin();
+  const bool is_upwards = chord.planned.layout.nodes[chord.planned.layout.arcs[beyond].from].position.y < 0.5;
+  double greatest = 0;
+  for (int k = 0; k <= count; ++k) {
+    const double y = is_upwards ? divisions[i].ends[k] : 1 - divisions[i].ends[count - k];
+    greatest = std::max(greatest, std::abs(y - kept[k]));
+  }
+  EXPECT_NEAR(greatest, 0.2 * 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace quadrille::layers
