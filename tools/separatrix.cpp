@@ -4,7 +4,7 @@
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
-#include "layout/lay_out.hpp"
+#include "layout/compute_layout.hpp"
 #include "trace/check_nodes_match_field.hpp"
 
 using namespace quadrille;
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     io::require_same_origin(field_file, field.provenance, points_file, points.provenance);
     if (field.kind != FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
     s.begin_phase("trace");
-    SeparatrixGraph graph = layout::lay_out(evaluator, points, options, s.report());
+    SeparatrixGraph graph = layout::compute_layout(evaluator, points, options, s.report());
     graph.provenance =
         s.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
     s.begin_phase("write");

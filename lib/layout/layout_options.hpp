@@ -13,7 +13,7 @@ struct LayoutOptions {
   std::string simplify = "normal";  ///< collapse of chords: "none", "normal", "coarsest"
   double max_turn = 40;             ///< degrees: of a line from the field, by that; `coarsest` allows 45 at least
   int max_lines = 2000;             ///< more arcs of separatrices than this is an error
-  /// "traced", "quantized", "auto" or "t-mesh" (layout/lay_out.hpp).
+  /// "traced", "quantized", "auto" or "t-mesh" (layout/compute_layout.hpp).
   std::string layout = "auto";
   void validate() const;  ///< throws UsageError
 };

@@ -1,11 +1,8 @@
 #pragma once
-// From a T-mesh with integer lengths to a conforming graph: every line that stops at a T-junction goes on through the
-// integer grids of the faces, until it meets a T-junction from the other side, whose line it then is, or the boundary.
-// These lines and those of the T-mesh are all lines that irregular nodes launch through the integer grid: what they cut
-// are its largest four-sided blocks (base complex).
-//
-// Inside a face the grid lines are images of straight lines of the unit square under the face's transfinite map
-// (mesh/transfinite.hpp): lines of one direction never cross.
+// From a T-mesh with integer lengths to a conforming graph (lib/method.md §9.7): every line that stops at a T-junction
+// continues through the integer grids of the faces, until it meets a T-junction from the other side, whose line it then
+// is, or the boundary. These lines and those of the T-mesh are all lines that irregular nodes launch through the
+// integer grid: what they cut are its largest four-sided blocks (base complex).
 
 #include <vector>
 
@@ -14,7 +11,7 @@
 
 namespace quadrille::quantize {
 
-/// `lengths` (1 or more for each arc, opposite sides of the faces equal) = quantize(). Nodes of the T-mesh keep their
+/// `lengths` (1 or more for each arc, opposite sides of the faces equal): of quantize(). Nodes of the T-mesh keep their
 /// numbers. Throws ComputeError where the result has a face without four corners.
 SeparatrixGraph extend_lines(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
                              const std::vector<int>& lengths);

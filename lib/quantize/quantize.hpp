@@ -18,13 +18,13 @@ namespace quadrille::quantize {
 /// `arc_lengths` and `unit`: lengths. Integer lengths of the arcs, 1 or more; empty where there are none.
 std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit);
 
-/// Arcs that are zero in every solution with lengths >= 0: strips of faces that wind onto themselves. Where there are
-/// none quantize() succeeds.
-std::vector<int> vanishing_arcs(const std::vector<TFace>& faces, int num_arcs);
+/// Arcs that are zero in every solution with lengths >= 0: they cross strips of faces that wind onto themselves. Where
+/// there are none quantize() succeeds.
+std::vector<int> forced_zero_arcs(const std::vector<TFace>& faces, int num_arcs);
 
-/// Why an arc vanishes: multipliers y of the equations whose sum has no negative coefficient and a positive one at this
-/// arc, of the least sum |y| (Farkas). The faces with y != 0 are the strip that winds onto itself; returned are the
-/// arcs along it, ascending: if the lines that they belong to did not run as they do, it might not.
-std::vector<int> winding_rails(const std::vector<TFace>& faces, int num_arcs, int vanishing_arc);
+/// Why an arc is zero in every solution: multipliers y of the equations whose sum has no negative coefficient and a
+/// positive one at this arc, with the least sum |y| (Farkas' lemma). The faces with y != 0 are the strip that winds
+/// onto itself; returned are the arcs along it, ascending: on another course of their lines it might not.
+std::vector<int> infeasibility_certificate(const std::vector<TFace>& faces, int num_arcs, int zero_arc);
 
 }  // namespace quadrille::quantize

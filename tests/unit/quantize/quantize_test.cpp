@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quantize/integer_programme.hpp"
+#include "quantize/integer_program.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -24,22 +24,22 @@ TFace face(const std::array<std::vector<int>, 4>& sides) {
 // Arcs 0, 1, 2 across a strip of two faces that closes on itself: 0 = 1 and 1 = 0 + 2. Arcs 3 to 6 run along it.
 const std::vector<TFace> spiral{face({{{0}, {3}, {1}, {4}}}), face({{{-2}, {5}, {-1, 2}, {6}}})};
 
-TEST(IntegerProgramme, FindsWholeNumbersWhereTheRealOptimumHasNone) {
+TEST(IntegerProgram, FindsWholeNumbersWhereTheRealOptimumHasNone) {
   // Maximise x + y with 2 x + 2 y + slack = 5.
-  IntegerProgramme programme;
-  const int x = programme.add_variable(0, 10, -1, true), y = programme.add_variable(0, 10, -1, true);
-  const int slack = programme.add_variable(0, 10, 0, false);
-  programme.add_equation({{x, 2}, {y, 2}, {slack, 1}}, 5);
-  const std::vector<double> solution = programme.solve();
+  IntegerProgram program;
+  const int x = program.add_variable(0, 10, -1, true), y = program.add_variable(0, 10, -1, true);
+  const int slack = program.add_variable(0, 10, 0, false);
+  program.add_equation({{x, 2}, {y, 2}, {slack, 1}}, 5);
+  const std::vector<double> solution = program.solve();
   ASSERT_EQ(solution.size(), 3u);
   EXPECT_EQ(solution[x] + solution[y], 2);
 }
 
-TEST(IntegerProgramme, SaysWhereThereIsNoSolution) {
-  IntegerProgramme programme;
-  const int x = programme.add_variable(0, 10, 1, true);
-  programme.add_equation({{x, 2}}, 5);
-  EXPECT_TRUE(programme.solve().empty());
+TEST(IntegerProgram, ReturnsNothingWhereThereIsNoSolution) {
+  IntegerProgram program;
+  const int x = program.add_variable(0, 10, 1, true);
+  program.add_equation({{x, 2}}, 5);
+  EXPECT_TRUE(program.solve().empty());
 }
 
 TEST(Quantize, OppositeSidesAreEqualAndNearTheirTargets) {
@@ -69,18 +69,18 @@ TEST(Quantize, EqualArcsThatCannotBeEqualAreNot) {
 
 TEST(Quantize, AStripThatWindsOntoItselfHasNoLengths) {
   EXPECT_TRUE(quantize(spiral, {1, 1, 0.1, 1, 1, 1, 1}, 1).empty());
-  EXPECT_EQ(vanishing_arcs(spiral, 7), std::vector<int>{2});
+  EXPECT_EQ(forced_zero_arcs(spiral, 7), std::vector<int>{2});
 }
 
-TEST(Quantize, NothingVanishesWhereLengthsExist) {
-  EXPECT_TRUE(vanishing_arcs({face({{{0, 1, 2}, {3}, {4}, {5}}})}, 6).empty());
+TEST(Quantize, NoArcIsForcedToZeroWhereLengthsExist) {
+  EXPECT_TRUE(forced_zero_arcs({face({{{0, 1, 2}, {3}, {4}, {5}}})}, 6).empty());
 }
 
-TEST(Quantize, TheRailsOfTheStripAreNamed) {
+TEST(Quantize, TheCertificateNamesTheArcsAlongTheStrip) {
   // A third face beside the strip has no part in it.
   std::vector<TFace> faces = spiral;
   faces.push_back(face({{{-4}, {7}, {8}, {9}}}));
-  EXPECT_EQ(winding_rails(faces, 10, 2), (std::vector<int>{3, 4, 5, 6}));
+  EXPECT_EQ(infeasibility_certificate(faces, 10, 2), (std::vector<int>{3, 4, 5, 6}));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #pragma once
-// Linear programmes with integer variables, for the branch-and-cut solver CBC of COIN-OR.
+// Linear programs with integer variables, for the branch-and-cut solver CBC of COIN-OR.
 
 #include <vector>
 
 namespace quadrille::quantize {
 
 /// Minimises cost . x with low <= x <= high and rows of the form sum coefficient x = right side.
-class IntegerProgramme {
+class IntegerProgram {
  public:
   struct Term {
     int variable = 0;
@@ -17,7 +17,7 @@ class IntegerProgramme {
   void add_equation(const std::vector<Term>& terms, double right_side);
 
   /// The values of the variables, integer ones rounded; empty where there is no solution. The search is bounded by a
-  /// number of nodes and not by time, so that one input has one answer; the best solution until then is returned.
+  /// number of nodes and not by time, so that one input has one answer; the best solution found is returned.
   std::vector<double> solve() const;
 
  private:

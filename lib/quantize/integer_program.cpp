@@ -1,4 +1,4 @@
-#include "quantize/integer_programme.hpp"
+#include "quantize/integer_program.hpp"
 
 #include <Cbc_C_Interface.h>
 #include <dlfcn.h>
@@ -14,10 +14,10 @@ namespace quadrille::quantize {
 namespace {
 
 constexpr int max_nodes = 2000;
-constexpr double gap_share = 1e-3;  // a solution this near to the bound is good enough
+constexpr double relative_gap = 1e-3;  // between the solution and its bound
 
-// The solver, loaded when it is asked for: few layouts need it, and it comes with ten libraries that would cost every
-// run of a chain as much time to start as small layouts to trace.
+// The solver, loaded on first use: few layouts need it, and it comes with ten libraries whose start-up costs every run
+// as much time as the tracing of a small layout.
 class Cbc {
  public:
   static const Cbc& get() {
@@ -34,18 +34,18 @@ class Cbc {
     }
   };
 
-  // Where it was when this was built, else where the system keeps its libraries.
+  // From the path of the build, else from the system's folders.
   static void* load() {
     const std::string path = QUADRILLE_CBC_LIBRARY;
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) library = dlopen(path.substr(path.rfind('/') + 1).c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) throw Defect(fmt::format("the solver of integer programmes is not there: {}", dlerror()));
+    if (library == nullptr) throw Defect(fmt::format("the solver of integer programs cannot be loaded: {}", dlerror()));
     return library;
   }
 
   Symbol symbol(const char* name) const {
     const Symbol found{dlsym(library_, name)};
-    if (found.address == nullptr) throw Defect(fmt::format("the solver of integer programmes lacks {}", name));
+    if (found.address == nullptr) throw Defect(fmt::format("the solver of integer programs lacks {}", name));
     return found;
   }
 
@@ -69,15 +69,46 @@ struct Deleter {
   void operator()(Cbc_Model* model) const { Cbc::get().delete_model(model); }
 };
 
+using Model = std::unique_ptr<Cbc_Model, Deleter>;
+
+// Column-wise sparse matrix.
+struct Matrix {
+  std::vector<int> starts{0}, rows;
+  std::vector<double> values;
+};
+
+Matrix matrix_of(const std::vector<std::vector<IntegerProgram::Term>>& columns) {
+  Matrix matrix;
+  for (const std::vector<IntegerProgram::Term>& column : columns) {
+    for (const IntegerProgram::Term& entry : column) {
+      matrix.rows.push_back(entry.variable);
+      matrix.values.push_back(entry.coefficient);
+    }
+    matrix.starts.push_back(static_cast<int>(matrix.rows.size()));
+  }
+  return matrix;
+}
+
+// The best solution found, or null.
+const double* best_solution(const Cbc& cbc, const Model& model) {
+  cbc.set_log_level(model.get(), 0);
+  cbc.set_maximum_nodes(model.get(), max_nodes);
+  cbc.set_allowable_fraction_gap(model.get(), relative_gap);
+  cbc.solve(model.get());
+  const double* best = cbc.best_solution(model.get());
+  if (best == nullptr && cbc.is_proven_optimal(model.get()) != 0) best = cbc.get_col_solution(model.get());
+  return best;
+}
+
 }  // namespace
 
-int IntegerProgramme::add_variable(double low, double high, double cost, bool is_integer) {
+int IntegerProgram::add_variable(double low, double high, double cost, bool is_integer) {
   low_.push_back(low), high_.push_back(high), cost_.push_back(cost), is_integer_.push_back(is_integer);
   column_.emplace_back();
   return static_cast<int>(column_.size()) - 1;
 }
 
-void IntegerProgramme::add_equation(const std::vector<Term>& terms, double right_side) {
+void IntegerProgram::add_equation(const std::vector<Term>& terms, double right_side) {
   const int row = static_cast<int>(right_side_.size());
   for (const Term& term : terms) {
     std::vector<Term>& column = column_[term.variable];
@@ -89,26 +120,17 @@ void IntegerProgramme::add_equation(const std::vector<Term>& terms, double right
   right_side_.push_back(right_side);
 }
 
-std::vector<double> IntegerProgramme::solve() const {
-  std::vector<int> starts{0}, rows;
-  std::vector<double> values;
-  for (const std::vector<Term>& column : column_) {
-    for (const Term& entry : column) rows.push_back(entry.variable), values.push_back(entry.coefficient);
-    starts.push_back(static_cast<int>(rows.size()));
-  }
+std::vector<double> IntegerProgram::solve() const {
   const Cbc& cbc = Cbc::get();
-  const std::unique_ptr<Cbc_Model, Deleter> model(cbc.new_model());
+  const Model model(cbc.new_model());
+  const Matrix matrix = matrix_of(column_);
   const int num = static_cast<int>(column_.size());
-  cbc.load_problem(model.get(), num, static_cast<int>(right_side_.size()), starts.data(), rows.data(), values.data(),
-                   low_.data(), high_.data(), cost_.data(), right_side_.data(), right_side_.data());
+  cbc.load_problem(model.get(), num, static_cast<int>(right_side_.size()), matrix.starts.data(), matrix.rows.data(),
+                   matrix.values.data(), low_.data(), high_.data(), cost_.data(), right_side_.data(),
+                   right_side_.data());
   for (int i = 0; i < num; ++i)
     if (is_integer_[i]) cbc.set_integer(model.get(), i);
-  cbc.set_log_level(model.get(), 0);
-  cbc.set_maximum_nodes(model.get(), max_nodes);
-  cbc.set_allowable_fraction_gap(model.get(), gap_share);
-  cbc.solve(model.get());
-  const double* best = cbc.best_solution(model.get());
-  if (best == nullptr && cbc.is_proven_optimal(model.get()) != 0) best = cbc.get_col_solution(model.get());
+  const double* best = best_solution(cbc, model);
   if (best == nullptr) return {};
   std::vector<double> solution(best, best + num);
   for (int i = 0; i < num; ++i)

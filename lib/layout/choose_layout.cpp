@@ -1,0 +1,96 @@
+#include "layout/choose_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <utility>
+
+#include "base/error.hpp"
+#include "graph/planar_faces.hpp"
+#include "simplify/chord_judge.hpp"
+
+namespace quadrille::layout {
+namespace {
+
+// Whole lines cut each other into a number of blocks that grows with the square of their number.
+constexpr int max_traced_lines = 500;
+
+// Lines that stop at each other make one block each, and as many more as the domain's Euler characteristic. Whole lines
+// that make this many times as many probably cut each other more often than they need to.
+constexpr double many_blocks = 1.2;
+
+constexpr double equal_scaled_jacobian = 1e-6;
+
+int num_blocks(const SeparatrixGraph& graph) { return static_cast<int>(graph::planar_faces(graph).cycles.size()); }
+
+void report_choice(const std::string& method, const std::string& reason, Report& report) {
+  report.set("layout.way", method);
+  report.set("layout.method", method);
+  if (!reason.empty()) report.set("layout.reason", reason);
+}
+
+// The quantized layout where it is preferable to `traced`.
+std::optional<SeparatrixGraph> preferable_layout(const SeparatrixGraph& traced, const LayoutComputation& quantized,
+                                                 Report& report) {
+  Report attempt_report;
+  LayoutAttempt attempt = quantized(attempt_report);
+  if (!attempt.graph || num_blocks(*attempt.graph) >= num_blocks(traced)) return std::nullopt;
+  const LayoutQuality before = quality_of(traced), after = quality_of(*attempt.graph);
+  if (!is_preferable(after, before)) return std::nullopt;
+  for (const auto& [key, value] : attempt_report.entries()) report.set(key, value);
+  attempt.graph->certificate.reason =
+      fmt::format("{} separatrices that are followed to their ends make {} blocks, {} will do", traced.lines.size(),
+                  before.num_blocks, after.num_blocks);
+  return std::move(attempt.graph);
+}
+
+ChosenLayout traced_or_preferable(SeparatrixGraph traced, const LayoutComputation& quantized, Report& report) {
+  ChosenLayout chosen{std::move(traced), "traced", ""};
+  const auto num_lines = static_cast<int>(chosen.graph.lines.size());
+  if (has_many_blocks(num_blocks(chosen.graph), num_lines, chosen.graph.face.euler_characteristic()))
+    if (std::optional<SeparatrixGraph> other = preferable_layout(chosen.graph, quantized, report))
+      chosen = {std::move(*other), "quantized", ""};
+  report_choice(chosen.method, chosen.graph.certificate.reason, report);
+  return chosen;
+}
+
+ChosenLayout quantized_instead(const std::string& reason, const LayoutComputation& quantized, Report& report) {
+  report_choice("quantized", reason, report);
+  LayoutAttempt attempt = quantized(report);
+  if (!attempt.graph) throw ComputeError(reason + "; stopped where they meet: " + attempt.reason);
+  attempt.graph->certificate.reason = reason;
+  return {
+      std::move(*attempt.graph), "quantized",
+      reason + ": each separatrix was stopped at the first line that crosses it, and continued by an integer program"};
+}
+
+}  // namespace
+
+ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
+                           Report& report) {
+  if (num_separatrices > max_traced_lines)
+    return quantized_instead(fmt::format("{} separatrices are too many to be followed to their ends", num_separatrices),
+                             quantized, report);
+  LayoutAttempt attempt = traced(report);
+  if (!attempt.graph) return quantized_instead(attempt.reason, quantized, report);
+  return traced_or_preferable(std::move(*attempt.graph), quantized, report);
+}
+
+bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic) {
+  return num_blocks > many_blocks * (static_cast<double>(num_lines) + euler_characteristic);
+}
+
+LayoutQuality quality_of(const SeparatrixGraph& graph) {
+  const graph::PlanarFaces faces = graph::planar_faces(graph);
+  std::vector<int> all(faces.cycles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const simplify::BlockShape shape = simplify::worst_shape(graph, faces, all);
+  return {static_cast<int>(all.size()), shape.is_valid, shape.least_scaled_jacobian};
+}
+
+bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced) {
+  return quantized.num_blocks < traced.num_blocks && quantized.is_valid &&
+         quantized.least_scaled_jacobian >= traced.least_scaled_jacobian - equal_scaled_jacobian;
+}
+
+}  // namespace quadrille::layout

@@ -1,0 +1,56 @@
+#pragma once
+// Which layout `--layout auto` takes (lib/method.md §9.8).
+//
+//   separatrices   traced layout   quantized layout           taken
+//   more than 500  not computed    exists                     quantized, with a warning
+//   more than 500  not computed    none                       none: error
+//   at most 500    none            exists                     quantized, with a warning
+//   at most 500    none            none                       none: error
+//   at most 500    few blocks      not computed               traced
+//   at most 500    many blocks     fewer blocks, none worse   quantized
+//   at most 500    many blocks     any other, or none         traced
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "base/report.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille::layout {
+
+/// A layout, or the reason why there is none.
+struct LayoutAttempt {
+  std::optional<SeparatrixGraph> graph;
+  std::string reason;
+};
+
+/// Computes a layout and reports its counts.
+using LayoutComputation = std::function<LayoutAttempt(Report&)>;
+
+struct ChosenLayout {
+  SeparatrixGraph graph;  ///< certificate.reason: why not the traced one
+  std::string method;     ///< "traced" or "quantized"
+  std::string warning;    ///< empty where there is none
+};
+
+/// By the table above; computes only what it needs. Reports layout.way, layout.method and layout.reason. Throws
+/// ComputeError with both reasons where there is no layout.
+ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
+                           Report& report);
+
+/// Whether a layout has more than 1.2 times as many blocks as lines that stop at each other would make.
+bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic);
+
+/// What two layouts are compared by.
+struct LayoutQuality {
+  int num_blocks = 0;
+  bool is_valid = true;  ///< all Jacobians proved positive
+  double least_scaled_jacobian = 1;
+};
+LayoutQuality quality_of(const SeparatrixGraph& graph);
+
+/// Fewer blocks, all valid and none worse (within 1e-6) than the worst of `traced`.
+bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced);
+
+}  // namespace quadrille::layout

@@ -1,0 +1,83 @@
+#include "layout/quantized_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "curve/chain.hpp"
+#include "curve/nurbs.hpp"
+#include "graph/planar_faces.hpp"
+#include "quantize/extend_lines.hpp"
+#include "quantize/quantize.hpp"
+#include "quantize/t_mesh.hpp"
+#include "quantize/t_mesh_faces.hpp"
+#include "simplify/simplify.hpp"
+
+namespace quadrille::layout {
+namespace {
+
+constexpr double relative_unit = 0.1;  // an arc of this length, relative to the diameter, has integer length one
+
+std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
+  const curve::CurveTable table(graph.face, graph.splines);
+  std::vector<double> lengths;
+  for (const GraphArc& arc : graph.arcs) {
+    // The parameter of a line is its arc length; that of a merged line nearly so.
+    const ArcPiece& piece = arc.pieces.front();
+    lengths.push_back(arc.is_boundary ? curve::Chain(table, arc.pieces).length() : std::abs(piece.t1 - piece.t0));
+  }
+  return lengths;
+}
+
+[[noreturn]] void fail_to_quantize(const SeparatrixGraph& t_mesh, const std::vector<int>& zero_arcs) {
+  if (zero_arcs.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
+  const ArcPiece& piece = t_mesh.arcs[zero_arcs.front()].pieces.front();
+  const Vec2 at = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
+  throw ComputeError(fmt::format(
+      "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the "
+      "T-mesh can have no length but zero, the first at ({:.6g}, {:.6g})",
+      zero_arcs.size(), at.x, at.y));
+}
+
+struct QuantizedTMesh {
+  SeparatrixGraph t_mesh;
+  std::vector<quantize::TFace> faces;
+  std::vector<int> lengths;  // of the arcs
+};
+
+QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
+  for (int num_rejected = 0;; ++num_rejected) {
+    QuantizedTMesh q;
+    q.t_mesh = tracer.trace(report);
+    q.faces = quantize::t_mesh_faces(q.t_mesh);
+    q.lengths = quantize::quantize(q.faces, arc_lengths(q.t_mesh), relative_unit * q.t_mesh.face.diameter);
+    if (!q.lengths.empty()) {
+      report.set("quantize.merges_given_up", num_rejected);
+      report.set("quantize.longest_arc", *std::max_element(q.lengths.begin(), q.lengths.end()));
+      return q;
+    }
+    const int num_arcs = static_cast<int>(q.t_mesh.arcs.size());
+    const std::vector<int> zero_arcs = quantize::forced_zero_arcs(q.faces, num_arcs);
+    if (zero_arcs.empty()) fail_to_quantize(q.t_mesh, zero_arcs);
+    if (!tracer.reject_merge(q.t_mesh, quantize::infeasibility_certificate(q.faces, num_arcs, zero_arcs.front())))
+      fail_to_quantize(q.t_mesh, zero_arcs);
+  }
+}
+
+}  // namespace
+
+SeparatrixGraph quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                 const LayoutOptions& options, Report& report) {
+  quantize::TMeshTracer tracer(evaluator, points, options.trace);
+  const QuantizedTMesh q = quantized_t_mesh(tracer, report);
+  SeparatrixGraph graph = quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
+  report.set("quantize.faces", graph::planar_faces(graph).cycles.size());
+  if (options.simplify != "none")
+    graph = simplify::simplify(evaluator, std::move(graph), simplify_options(options), report);
+  return graph;
+}
+
+}  // namespace quadrille::layout

@@ -1,0 +1,20 @@
+#pragma once
+// The layout of separatrices that stop at each other and are continued by an integer program.
+
+#include "base/report.hpp"
+#include "field/evaluate.hpp"
+#include "layout/layout_options.hpp"
+#include "model/critical_points.hpp"
+#include "model/separatrix_graph.hpp"
+
+namespace quadrille::layout {
+
+/// The T-mesh of stopped lines (quantize/t_mesh.hpp), integer lengths for its arcs (quantize/quantize.hpp), its lines
+/// continued through the integer grids of its faces (quantize/extend_lines.hpp), and chord collapse
+/// (simplify/simplify.hpp). Where no positive lengths exist, merges along the strip that forbids them are rejected, one
+/// set after another. Reports t_mesh.*, quantize.* and simplify.*. Throws ComputeError with a position where there is
+/// no layout.
+SeparatrixGraph quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                 const LayoutOptions& options, Report& report);
+
+}  // namespace quadrille::layout

@@ -1,0 +1,92 @@
+#include "quantize/quantized_parametrization.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadrille::quantize {
+namespace {
+
+constexpr int num_rounds = 50;
+constexpr double least_distance = 0.25;  // of neighbours on an arc, relative to their even distance
+
+// In order, each within the interval that the others leave free.
+void keep_apart(std::map<int, double>& fractions, int length) {
+  const double gap = least_distance / length;
+  int last = 0;
+  double low = 0;
+  for (auto& [number, fraction] : fractions) {
+    fraction = std::max(fraction, low + gap * (number - last));
+    low = fraction, last = number;
+  }
+  last = length;
+  double high = 1;
+  for (auto crossing = fractions.rbegin(); crossing != fractions.rend(); ++crossing) {
+    crossing->second = std::min(crossing->second, high - gap * (last - crossing->first));
+    high = crossing->second, last = crossing->first;
+  }
+}
+
+}  // namespace
+
+QuantizedParametrization::QuantizedParametrization(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
+                                                   const std::vector<int>& lengths, std::vector<double> arc_lengths)
+    : sides_(faces, lengths),
+      lines_(iso_lines(t_mesh, sides_)),
+      arc_lengths_(std::move(arc_lengths)),
+      fractions_(arc_lengths_.size()) {
+  for (size_t a = 0; a < fractions_.size(); ++a)
+    for (const int number : lines_.crossings[a]) fractions_[a][number] = static_cast<double>(number) / lengths[a];
+  for (int round = 0; round < num_rounds; ++round) straighten();
+}
+
+// All arcs at once: none is preferred.
+void QuantizedParametrization::straighten() {
+  CrossingFractions next = fractions_;
+  for (int a = 0; a < static_cast<int>(next.size()); ++a) {
+    for (auto& [number, fraction] : next[a]) fraction = (fraction + straightened(a, number)) / 2;
+    keep_apart(next[a], sides_.arc(a));
+  }
+  fractions_ = std::move(next);
+}
+
+// The mean of the fractions opposite to a crossing in the faces on both sides of its arc.
+double QuantizedParametrization::straightened(int arc, int number) const {
+  double sum = 0;
+  int count = 0;
+  for (const HalfEdge h : {HalfEdge{arc}, HalfEdge{arc, true}}) {
+    const SidePosition& at = sides_.position_of(h);
+    if (at.face < 0) continue;
+    const int position = at.offset + (!h.is_backwards ? number : sides_.arc(arc) - number);
+    const int across = (at.side + 2) % 4, total = sides_.total(at.face, across);
+    sum += arc_fraction(h, 1 - side_fraction(at.face, across, total - position));
+    ++count;
+  }
+  return sum / count;
+}
+
+// Fraction of the half-edge's arc at a fraction of its side; outside 0 ... 1 beyond the half-edge.
+double QuantizedParametrization::arc_fraction(HalfEdge h, double fraction_of_side) const {
+  const SidePosition& at = sides_.position_of(h);
+  double before = 0, total = 0;
+  for (const HalfEdge other : sides_.faces()[at.face][at.side]) {
+    if (other == h) before = total;
+    total += arc_lengths_[other.arc];
+  }
+  const double along = (fraction_of_side * total - before) / arc_lengths_[h.arc];
+  return !h.is_backwards ? along : 1 - along;
+}
+
+double QuantizedParametrization::side_fraction(int face, int side, int position) const {
+  const auto [last, number] = sides_.half_edge_at(face, side, position);
+  const int arc = last.arc, length = sides_.arc(arc);
+  double before = 0, total = 0;
+  for (const HalfEdge h : sides_.faces()[face][side]) {
+    if (h == last) before = total;
+    total += arc_lengths_[h.arc];
+  }
+  if (number == length) return (before + arc_lengths_[arc]) / total;
+  const double along = !last.is_backwards ? fractions_[arc].at(number) : 1 - fractions_[arc].at(length - number);
+  return (before + along * arc_lengths_[arc]) / total;
+}
+
+}  // namespace quadrille::quantize

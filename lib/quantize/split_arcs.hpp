@@ -1,0 +1,23 @@
+#pragma once
+// The arcs of a T-mesh, split where iso-lines cross them.
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "curve/chain.hpp"
+#include "quantize/quantized_parametrization.hpp"
+
+namespace quadrille::quantize {
+
+struct SplitArcs {
+  std::vector<std::vector<int>> parts;  ///< of each arc of the T-mesh: arcs of the graph, in its direction
+  std::map<std::pair<int, int>, int> node_of_crossing;  ///< by arc of the T-mesh and number of the point
+};
+
+/// Appends the parts of all arcs, and a node for each crossing, to `graph`, whose nodes and curves are those of the
+/// T-mesh. `chains`: of the arcs.
+SplitArcs split_arcs(const SeparatrixGraph& t_mesh, const std::vector<curve::Chain>& chains,
+                     const CrossingFractions& fractions, SeparatrixGraph& graph);
+
+}  // namespace quadrille::quantize

@@ -1,0 +1,125 @@
+#include "layout/choose_layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+
+namespace quadrille::layout {
+namespace {
+
+/// Computations with known results, and how often they were called.
+struct Computations {
+  LayoutAttempt traced, quantized;
+  int num_traced = 0, num_quantized = 0;
+  Report report = {};
+
+  ChosenLayout choose(int num_separatrices = 10) {
+    return choose_layout(
+        num_separatrices,
+        [this](Report&) {
+          ++num_traced;
+          return traced;
+        },
+        [this](Report& r) {
+          ++num_quantized;
+          r.set("quantize.faces", 7);
+          return quantized;
+        },
+        report);
+  }
+  bool has(const std::string& key) const {
+    for (const auto& [name, value] : report.entries())
+      if (name == key) return true;
+    return false;
+  }
+};
+
+LayoutAttempt none(const std::string& reason) { return {std::nullopt, reason}; }
+
+// Blocks between two circles. With as many lines as blocks there are few.
+LayoutAttempt annulus(int num_blocks, int num_lines) {
+  SeparatrixGraph graph = hand_made::cut_annulus(num_blocks);
+  graph.lines.resize(num_lines);
+  return {graph, ""};
+}
+
+TEST(ChooseLayout, ATracedLayoutOfFewBlocksIsTakenAtOnce) {
+  Computations c{annulus(6, 6), annulus(4, 4)};
+  const ChosenLayout chosen = c.choose();
+  EXPECT_EQ(chosen.method, "traced");
+  EXPECT_EQ(chosen.warning, "");
+  EXPECT_EQ(chosen.graph.certificate.reason, "");
+  EXPECT_EQ(c.num_quantized, 0);
+  EXPECT_FALSE(c.has("layout.reason"));
+}
+
+TEST(ChooseLayout, AQuantizedLayoutOfFewerBlocksIsPreferredToManyTracedOnes) {
+  Computations c{annulus(6, 4), annulus(4, 4)};
+  const ChosenLayout chosen = c.choose();
+  EXPECT_EQ(chosen.method, "quantized");
+  EXPECT_EQ(chosen.warning, "");
+  EXPECT_EQ(chosen.graph.certificate.reason, "4 separatrices that are followed to their ends make 6 blocks, 4 will do");
+  EXPECT_TRUE(c.has("quantize.faces"));
+  EXPECT_TRUE(c.has("layout.reason"));
+}
+
+TEST(ChooseLayout, ATracedLayoutOfManyBlocksStaysWhereTheOtherHasNoFewer) {
+  for (const LayoutAttempt& quantized : {annulus(6, 4), annulus(7, 4), none("no lengths")}) {
+    Computations c{annulus(6, 4), quantized};
+    EXPECT_EQ(c.choose().method, "traced");
+    EXPECT_EQ(c.num_quantized, 1);
+    EXPECT_FALSE(c.has("quantize.faces"));  // of a layout that was not taken
+  }
+}
+
+TEST(ChooseLayout, WithoutATracedLayoutTheQuantizedOneIsTakenWithAWarning) {
+  Computations c{none("a spiral"), annulus(4, 4)};
+  const ChosenLayout chosen = c.choose();
+  EXPECT_EQ(chosen.method, "quantized");
+  EXPECT_EQ(chosen.graph.certificate.reason, "a spiral");
+  EXPECT_EQ(chosen.warning.find("a spiral: "), 0u);
+}
+
+TEST(ChooseLayout, TooManySeparatricesAreNotTraced) {
+  Computations c{annulus(6, 6), annulus(4, 4)};
+  const ChosenLayout chosen = c.choose(501);
+  EXPECT_EQ(c.num_traced, 0);
+  EXPECT_EQ(chosen.graph.certificate.reason, "501 separatrices are too many to be followed to their ends");
+  Computations fewer{annulus(6, 6), annulus(4, 4)};
+  fewer.choose(500);
+  EXPECT_EQ(fewer.num_traced, 1);
+}
+
+TEST(ChooseLayout, WithoutAnyLayoutBothReasonsAreNamed) {
+  for (const int num_separatrices : {10, 501}) {
+    Computations c{none("a spiral"), none("no lengths")};
+    try {
+      c.choose(num_separatrices);
+      FAIL();
+    } catch (const ComputeError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find(num_separatrices == 10 ? "a spiral" : "501 separatrices"), std::string::npos) << message;
+      EXPECT_NE(message.find("no lengths"), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(ChooseLayout, ManyBlocksAreMoreThanAFifthAboveTheLeast) {
+  EXPECT_FALSE(has_many_blocks(12, 9, 1));
+  EXPECT_TRUE(has_many_blocks(13, 9, 1));
+}
+
+TEST(ChooseLayout, AWorseOrInvalidLayoutIsNotPreferable) {
+  const LayoutQuality traced{10, true, 0.8};
+  EXPECT_TRUE(is_preferable({9, true, 0.8}, traced));
+  EXPECT_TRUE(is_preferable({9, true, 0.8 - 0.9e-6}, traced));
+  EXPECT_FALSE(is_preferable({9, true, 0.8 - 1.1e-6}, traced));
+  EXPECT_FALSE(is_preferable({9, false, 0.9}, traced));
+  EXPECT_FALSE(is_preferable({10, true, 0.9}, traced));
+}
+
+}  // namespace
+}  // namespace quadrille::layout

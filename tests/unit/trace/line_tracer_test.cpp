@@ -1,0 +1,67 @@
+#include "trace/line_tracer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/square_field.hpp"
+#include "base/angle.hpp"
+#include "trace/fixed_nodes.hpp"
+
+namespace quadrille::trace {
+namespace {
+
+// v = conj z: five straight rays from the centre of a square.
+struct FiveRays : testing::Test {
+  FiveRays() {
+    points.critical_points.push_back({{0, 0}, -1, 5, 0, {}, {}});
+    options.max_length = 5;
+  }
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 5), 1, [](Vec2 p) { return Vec2{p.x, -p.y}; });
+  field::FieldEvaluator evaluator{field};
+  CriticalPoints points;
+  const std::vector<Vec2> nodes{{0, 0}};
+  TraceOptions options;
+};
+
+TEST_F(FiveRays, LinesAreFollowedInRounds) {
+  LineTracer tracer(evaluator, points, nodes, options);
+  tracer.follow_all_to(0.3);
+  ASSERT_EQ(tracer.lines().size(), 5u);
+  EXPECT_NEAR(tracer.reach(), 0.3, 1e-15);
+  for (const Streamline& line : tracer.lines()) EXPECT_TRUE(line.is_endless());
+  tracer.follow_to(2, 10);
+  EXPECT_FALSE(tracer.lines()[2].is_endless());
+  EXPECT_TRUE(tracer.lines()[1].is_endless());
+  tracer.follow_all_to(1e9);
+  EXPECT_EQ(tracer.reach(), 0);
+  for (const Streamline& line : tracer.lines()) EXPECT_EQ(line.end, Streamline::End::boundary);
+}
+
+TEST_F(FiveRays, TheFixedStepIntegratorFollowsLinesToTheirEndsAtOnce) {
+  options.integrator = "ab4";
+  LineTracer tracer(evaluator, points, nodes, options);
+  tracer.follow_all_to(0.3);
+  EXPECT_EQ(tracer.reach(), 0);
+  for (const Streamline& line : tracer.lines()) {
+    EXPECT_EQ(line.end, Streamline::End::boundary);
+    EXPECT_EQ(line.steps.front().elem, in_the_plane);
+  }
+}
+
+TEST_F(FiveRays, ACutStartsOnTheBoundary) {
+  LineTracer tracer(evaluator, points, nodes, options);
+  tracer.follow_all_to(10);
+  tracer.add_cut(0, 0.3, 10);
+  ASSERT_EQ(tracer.lines().size(), 6u);
+  EXPECT_EQ(tracer.lines()[5].launch.node, -1);
+  EXPECT_EQ(tracer.lines()[5].launch.curve, 0);
+}
+
+TEST_F(FiveRays, ALineFromAPointIsNotAmongTheLines) {
+  LineTracer tracer(evaluator, points, nodes, options);
+  tracer.follow_all_to(10);
+  EXPECT_EQ(tracer.follow_from({0.5, 0}, 0).end, Streamline::End::boundary);
+  EXPECT_EQ(tracer.lines().size(), 5u);
+}
+
+}  // namespace
+}  // namespace quadrille::trace
