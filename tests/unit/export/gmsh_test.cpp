@@ -11,6 +11,7 @@
 #include "../hand_made.hpp"
 #include "base/error.hpp"
 #include "block/extract_blocks.hpp"
+#include "export/format_table.hpp"
 #include "refine/refine.hpp"
 
 namespace quadrille::exports {
