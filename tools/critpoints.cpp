@@ -131,11 +131,11 @@ int main(int argc, char** argv) {
     s.begin_phase("write");
     guide::complete_nodes(evaluator, points);
     s.report().set("critical_points", points.critical_points.size());
-    s.report().set("form", points.form);
+    s.report().set("form", enum_name(points.form));
     s.report().set("changes", points.changes.size());
     s.info(fmt::format("{} irregular nodes, {} corners, index sum {}, {} changes, form {}",
                        points.critical_points.size() + points.boundary_nodes.size(), points.corners.size(),
-                       points.index_sum, points.changes.size(), points.form));
+                       points.index_sum, points.changes.size(), enum_name(points.form)));
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
     io::write_critical_points(output, points);
   };

@@ -55,7 +55,7 @@ std::string caption(const CriticalPoints& points) {
   const auto count = [](const auto& list, const std::string& noun) {
     return counted(static_cast<int>(list.size()), noun);
   };
-  const bool is_phase = points.form == "phase";
+  const bool is_phase = points.form == NodeForm::phase;
   std::string text = fmt::format("{}, {}", count(points.critical_points, is_phase ? "node" : "critical point"),
                                  count(points.corners, "corner"));
   if (!points.boundary_nodes.empty()) text += ", " + count(points.boundary_nodes, "boundary node");
@@ -67,22 +67,22 @@ std::string caption(const CriticalPoints& points) {
 }
 
 /// ", source: cluster" and the like for what was not simply found or measured.
-std::string source_text(const std::string& source, const std::string& ordinary) {
-  return source == ordinary ? "" : ", source: " + source;
+std::string source_text(NodeSource source, NodeSource ordinary) {
+  return source == ordinary ? "" : ", source: " + enum_name(source);
 }
 
 void draw_corner_valences(Picture& picture, const CriticalPoints& points, const CadFace* face) {
   bool has_taker = false;
   for (const Corner& corner : points.corners) {
     const Vec2 at = picture.at(corner.position);
-    const bool is_taker = corner.source == "absorb";
+    const bool is_taker = corner.source == NodeSource::absorb;
     has_taker = has_taker || is_taker;
     if (is_taker) picture.add(circle_mark("taker", at, 8));
-    picture.add(
-        circle_mark("corner", at, 4.5,
-                    fmt::format("corner at {}, {:.4g} degrees, valence {}{}{}",
-                                place_text(corner.position, points.origin), corner.angle_degrees, corner.valence,
-                                corner.valence == 0 ? ", degenerate" : "", source_text(corner.source, "angle"))));
+    picture.add(circle_mark(
+        "corner", at, 4.5,
+        fmt::format("corner at {}, {:.4g} degrees, valence {}{}{}", place_text(corner.position, points.origin),
+                    corner.angle_degrees, corner.valence, corner.valence == 0 ? ", degenerate" : "",
+                    source_text(corner.source, NodeSource::angle))));
     picture.text(at + 17 * outwards(picture, face, corner), "label", std::to_string(corner.valence));
   }
   if (!points.corners.empty()) picture.legend_mark(circle_mark("corner", {0, 0}, 4.5), "corner and its valence");
@@ -94,9 +94,10 @@ void draw_corner_valences(Picture& picture, const CriticalPoints& points, const 
 void draw_boundary_nodes(Picture& picture, const CriticalPoints& points) {
   for (const IrregularBoundaryPoint& node : points.boundary_nodes) {
     const Vec2 at = picture.at(node.position);
-    picture.add(boundary_mark(at, node.valence, node_radius,
-                              fmt::format("boundary node of valence {} at {}{}", node.valence,
-                                          place_text(node.position, points.origin), source_text(node.source, "hand"))));
+    picture.add(boundary_mark(
+        at, node.valence, node_radius,
+        fmt::format("boundary node of valence {} at {}{}", node.valence, place_text(node.position, points.origin),
+                    source_text(node.source, NodeSource::hand))));
     picture.text(at, "inner", std::to_string(node.valence));
   }
   if (!points.boundary_nodes.empty())
@@ -122,8 +123,8 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
     const std::string error = p.error > 0 ? fmt::format(" ± {:.2g}", p.error) : "";
     picture.add(valence_mark(
         at, p.valence, mark_radius(p.valence),
-        fmt::format("{} of valence {} at {}{}{}", p.source == "zero" ? "critical point" : "irregular node", p.valence,
-                    place_text(p.position, points.origin), error, source_text(p.source, "zero"))));
+        fmt::format("{} of valence {} at {}{}{}", p.source == NodeSource::zero ? "critical point" : "irregular node",
+                    p.valence, place_text(p.position, points.origin), error, source_text(p.source, NodeSource::zero))));
     picture.text(at, "inner", std::to_string(p.valence));
     has_error_bar = draw_error_bar(picture, p) || has_error_bar;
   }
@@ -135,7 +136,7 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
 
 std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options) {
   const CadFace* face = field ? &field->mesh.face : nullptr;
-  const bool is_phase = points.form == "phase";
+  const bool is_phase = points.form == NodeForm::phase;
   Picture picture(face ? bounding_box(*face) : box_of(points), options,
                   is_phase ? "Irregular nodes and corners (phase form)" : "Critical points and corners",
                   caption(points));

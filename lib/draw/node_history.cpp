@@ -35,9 +35,9 @@ struct Spot {
 };
 
 Spot spot(const Picture& picture, const NodeMark& mark, double inside_radius) {
-  return {picture.at(mark.position), mark.where == "inside"     ? inside_radius
-                                     : mark.where == "boundary" ? node_radius
-                                                                : corner_radius};
+  return {picture.at(mark.position), mark.location == NodeLocation::inside     ? inside_radius
+                                     : mark.location == NodeLocation::boundary ? node_radius
+                                                                               : corner_radius};
 }
 
 const Spot& nearest(const std::vector<Spot>& spots, Vec2 x) {
@@ -96,7 +96,7 @@ std::string change_marks(const Picture& picture, const NodeChange& change) {
   const std::vector<Spot> after = spots(picture, change.after, node_radius);
   std::string all;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const bool was_node = change.before[i].where == "inside" && !is_at_one_of(after, before[i].at);
+    const bool was_node = change.before[i].location == NodeLocation::inside && !is_at_one_of(after, before[i].at);
     if (was_node) all += valence_outline(before[i].at, change.before[i].valence, ghost_radius);
     if (after.empty()) all += cross_mark(before[i].at);
   }
@@ -147,8 +147,8 @@ void draw_clusters(Picture& picture, const std::vector<Cluster>& clusters, Vec2 
 void draw_changes(Picture& picture, const std::vector<NodeChange>& changes) {
   bool has_ghost = false, has_cross = false;
   for (const NodeChange& change : changes) {
-    picture.add(svg_element("g", {}, change.kind + ": " + change.reason, change_marks(picture, change)));
-    for (const NodeMark& mark : change.before) has_ghost = has_ghost || mark.where == "inside";
+    picture.add(svg_element("g", {}, enum_name(change.kind) + ": " + change.reason, change_marks(picture, change)));
+    for (const NodeMark& mark : change.before) has_ghost = has_ghost || mark.location == NodeLocation::inside;
     has_cross = has_cross || (change.after.empty() && !change.before.empty());
   }
   if (has_ghost) picture.legend_mark(valence_outline({0, 0}, 5, ghost_radius), "node before a change");

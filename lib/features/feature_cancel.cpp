@@ -71,7 +71,7 @@ FeatureNode middle_of(const std::vector<FeatureNode>& members, const Walls& wall
   middle.position = sum / static_cast<double>(members.size());
   middle.valence = 4 - index;
   middle.hole = -1;
-  middle.changed_by = "cancel";
+  middle.changed_by = ChangeKind::cancel;
   return std::abs(index) == 1 && walls.sees(members.front().position, middle.position) ? middle : FeatureNode{};
 }
 
@@ -88,7 +88,7 @@ bool resolve(FeatureNodes& state, const Walls& walls, const std::vector<int>& se
     if (after.front().valence == 4) return false;
   }
   const std::string outcome = index == 0 ? "cancel" : fmt::format("become one of valence {}", 4 - index);
-  record(state, "cancel", before, after,
+  record(state, ChangeKind::cancel, before, after,
          fmt::format("nodes of opposite index {:.4g} apart, nearer than {:.4g} (feature size {:.4g}), {}", nearest,
                      below, state.size, outcome));
   for (const int i : set) {

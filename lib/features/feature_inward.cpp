@@ -113,9 +113,9 @@ void move_inward(FeatureNodes& state, const Walls& walls, const std::vector<Inwa
     FeatureNode& node = state.nodes[moves[i].node];
     const FeatureNode before = node;
     node.position = places[i];
-    node.changed_by = "feature";
+    node.changed_by = ChangeKind::feature;
     record(
-        state, "feature", {before}, {node},
+        state, ChangeKind::feature, {before}, {node},
         fmt::format("a convex fillet of radius {:.4g} is below the feature size {:.4g}: its node of valence 3 moves "
                     "inward, from {:.4g} to {:.4g} off the walls",
                     moves[i].radius, state.size, walls.distance_to(before.position), walls.distance_to(node.position)));

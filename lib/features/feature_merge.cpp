@@ -74,8 +74,8 @@ void merge(FeatureNodes& state, const BoundaryPair& pair) {
   merged.curve = pair.middle.curve;
   merged.t = pair.middle.t;
   merged.valence = 4;
-  merged.changed_by = "feature";
-  record(state, "feature", {a, b}, {merged},
+  merged.changed_by = ChangeKind::feature;
+  record(state, ChangeKind::feature, {a, b}, {merged},
          fmt::format("two nodes on the boundary {:.4g} apart, nearer than half the feature size, {:.4g}, become one",
                      pair.distance, state.size / 2));
   state.nodes[pair.a] = merged;

@@ -7,10 +7,10 @@ void drop_regular(FeatureNodes& state) {
 }
 
 NodeMark mark(const FeatureNode& node) {
-  return {node.position, node.valence, node.is_inside() ? "inside" : "boundary"};
+  return {node.position, node.valence, node.is_inside() ? NodeLocation::inside : NodeLocation::boundary};
 }
 
-void record(FeatureNodes& state, const std::string& kind, const std::vector<FeatureNode>& before,
+void record(FeatureNodes& state, ChangeKind kind, const std::vector<FeatureNode>& before,
             const std::vector<FeatureNode>& after, const std::string& reason) {
   NodeChange change;
   change.kind = kind;

@@ -1,6 +1,7 @@
 #pragma once
 // What the steps of resolve_features pass on to each other: the nodes, free of what belongs to the field.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,14 @@ namespace quadrille::features {
 struct FeatureNode {
   Vec2 position;
   int valence = 4;
-  int curve = -1;          ///< -1: inside, else on the boundary
-  double t = 0;            ///< parameter on the curve
-  int source = -1;         ///< index into critical_points or boundary_nodes that it stands for
-  int hole = -1;           ///< small hole that it was put onto
-  std::string changed_by;  ///< kind of the last NodeChange, empty: none
+  int curve = -1;                        ///< -1: inside, else on the boundary
+  double t = 0;                          ///< parameter on the curve
+  int source = -1;                       ///< index into critical_points or boundary_nodes that it stands for
+  int hole = -1;                         ///< small hole that it was put onto
+  std::optional<ChangeKind> changed_by;  ///< the last NodeChange
 
   bool is_inside() const { return curve < 0; }
-  bool is_changed() const { return !changed_by.empty(); }
+  bool is_changed() const { return changed_by.has_value(); }
   int index() const { return (is_inside() ? 4 : 2) - valence; }
 };
 
@@ -35,8 +36,8 @@ void drop_regular(FeatureNodes& state);
 
 NodeMark mark(const FeatureNode& node);
 
-/// "feature" or "cancel".
-void record(FeatureNodes& state, const std::string& kind, const std::vector<FeatureNode>& before,
+/// Adds a change of the kind `feature` or `cancel`.
+void record(FeatureNodes& state, ChangeKind kind, const std::vector<FeatureNode>& before,
             const std::vector<FeatureNode>& after, const std::string& reason);
 
 }  // namespace quadrille::features

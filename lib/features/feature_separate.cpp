@@ -61,7 +61,7 @@ void apply(const Push& push, const Walls& walls, FeatureNodes& state) {
     if (length == 0) continue;
     const double step = std::min(0.5 * length, 0.5 * walls.distance_to(state.nodes[i].position));
     state.nodes[i].position += step / length * push.moves[i];
-    state.nodes[i].changed_by = "feature";
+    state.nodes[i].changed_by = ChangeKind::feature;
   }
 }
 
@@ -69,7 +69,7 @@ void record_moves(FeatureNodes& state, const std::vector<FeatureNode>& before, d
   for (size_t i = 0; i < before.size(); ++i) {
     const double moved = distance(before[i].position, state.nodes[i].position);
     if (moved > 0)
-      record(state, "feature", {before[i]}, {state.nodes[i]},
+      record(state, ChangeKind::feature, {before[i]}, {state.nodes[i]},
              fmt::format("pushed by {:.4g}, to be half the feature size, {:.4g}, away from nodes and walls", moved,
                          apart));
   }
@@ -82,7 +82,7 @@ void record_left(FeatureNodes& state, double apart) {
       const double d = distance(nodes[i].position, nodes[j].position);
       const bool is_one_hole = nodes[i].hole >= 0 && nodes[i].hole == nodes[j].hole;
       if (d >= apart * (1 - 1e-9) || (is_one_hole && is_fixed_pair(nodes[i], nodes[j]))) continue;
-      record(state, "feature", {nodes[i], nodes[j]}, {nodes[i], nodes[j]},
+      record(state, ChangeKind::feature, {nodes[i], nodes[j]}, {nodes[i], nodes[j]},
              fmt::format("left {:.4g} apart, nearer than half the feature size, {:.4g}: there is no room", d, apart));
     }
   }
@@ -96,7 +96,7 @@ void record_near_walls(FeatureNodes& state, const Walls& walls, double apart) {
     for (const WallFoot& foot : walls.feet(node.position, nearest))
       if (!foot.is_reflex) nearest = std::min(nearest, foot.distance);
     if (nearest < apart * (1 - 1e-9))
-      record(state, "feature", {node}, {node},
+      record(state, ChangeKind::feature, {node}, {node},
              fmt::format("left {:.4g} off a wall, nearer than half the feature size, {:.4g}: there is no room", nearest,
                          apart));
   }

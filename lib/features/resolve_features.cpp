@@ -162,11 +162,11 @@ void put_into_corner(FeatureNodes& state, int joint, int k, const std::string& w
   if (corner == state.corners.end() || corner->valence >= 4 ||
       corner->angle_degrees < least_block_angle * (corner->valence + 1))
     return;
-  const NodeMark before{corner->position, corner->valence, "corner"};
+  const NodeMark before{corner->position, corner->valence, NodeLocation::corner};
   corner->valence += 1;
-  corner->source = "feature";
-  const NodeMark after{corner->position, corner->valence, "corner"};
-  state.changes.push_back({"feature", why, {mark(state.nodes[k]), before}, {after}});
+  corner->source = NodeSource::feature;
+  const NodeMark after{corner->position, corner->valence, NodeLocation::corner};
+  state.changes.push_back({ChangeKind::feature, why, {mark(state.nodes[k]), before}, {after}});
   state.nodes[k].valence = 4;
 }
 
@@ -188,8 +188,8 @@ void put_onto(const CadFace& face, FeatureNodes& state, const SmallFeature& feat
       continue;
     }
     const FeatureNode before = node;
-    node = {place.position, 3, place.curve, place.t, before.source, hole, "feature"};
-    record(state, "feature", {before}, {node}, why);
+    node = {place.position, 3, place.curve, place.t, before.source, hole, ChangeKind::feature};
+    record(state, ChangeKind::feature, {before}, {node}, why);
   }
 }
 
@@ -227,7 +227,7 @@ CriticalPoint inner_point(const CriticalPoints& points, const FeatureNode& node)
   point.index = 4 - node.valence;
   point.jacobian = {};
   point.error = 0;
-  point.source = node.changed_by;
+  point.source = source_of(*node.changed_by);
   return point;
 }
 
@@ -238,7 +238,7 @@ void write_back(const FeatureNodes& state, CriticalPoints& points) {
     if (node.is_inside())
       inside.push_back(inner_point(points, node));
     else if (node.is_changed())
-      boundary.push_back({node.curve, node.t, node.position, node.valence, node.changed_by});
+      boundary.push_back({node.curve, node.t, node.position, node.valence, source_of(*node.changed_by)});
     else
       boundary.push_back(points.boundary_nodes[node.source]);
   }
@@ -246,8 +246,8 @@ void write_back(const FeatureNodes& state, CriticalPoints& points) {
                    [](const auto& a, const auto& b) { return a.curve != b.curve ? a.curve < b.curve : a.t < b.t; });
   const bool is_changed = std::any_of(state.nodes.begin(), state.nodes.end(), std::mem_fn(&FeatureNode::is_changed)) ||
                           state.nodes.size() < points.critical_points.size() + points.boundary_nodes.size();
-  if (is_changed && points.form == "harmonic") points.zeros = points.critical_points;
-  if (is_changed) points.form = "phase";
+  if (is_changed && points.form == NodeForm::harmonic) points.zeros = points.critical_points;
+  if (is_changed) points.form = NodeForm::phase;
   points.critical_points = std::move(inside);
   points.boundary_nodes = std::move(boundary);
   points.corners = state.corners;

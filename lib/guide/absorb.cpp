@@ -31,16 +31,16 @@ int nearest_corner(const std::vector<Corner>& corners, Vec2 x, double reach, dou
   return is_tie ? -1 : nearest;
 }
 
-NodeMark mark(const Corner& corner) { return {corner.position, corner.valence, "corner"}; }
+NodeMark mark(const Corner& corner) { return {corner.position, corner.valence, NodeLocation::corner}; }
 
 NodeChange change_for(const zeros::FoundZero& zero, const Corner& before, int valence, double d, double length) {
   NodeChange change;
-  change.kind = "absorb";
+  change.kind = ChangeKind::absorb;
   change.reason = fmt::format(
       "a node of valence {} stands {:.3g} from the corner of {:.6g} degrees, nearer than corner-absorb, {:.3g}",
       4 - zero.index, d, before.angle_degrees, length);
-  change.before = {mark(before), {zero.x, 4 - zero.index, "inside"}};
-  change.after = {{before.position, valence, "corner"}};
+  change.before = {mark(before), {zero.x, 4 - zero.index, NodeLocation::inside}};
+  change.after = {{before.position, valence, NodeLocation::corner}};
   return change;
 }
 
@@ -75,11 +75,12 @@ std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
         NodeChange change = change_for(zeros[first->zero], corners[c], valence, first->distance, length);
         for (auto other = first; other != last; ++other) {
           is_absorbed[other->zero] = true;
-          if (other != first) change.before.push_back({zeros[other->zero].x, 4 - zeros[other->zero].index, "inside"});
+          if (other != first)
+            change.before.push_back({zeros[other->zero].x, 4 - zeros[other->zero].index, NodeLocation::inside});
         }
         changes.push_back(std::move(change));
         corners[c].valence = valence;
-        corners[c].source = "absorb";
+        corners[c].source = NodeSource::absorb;
       }
       first = last;
     }

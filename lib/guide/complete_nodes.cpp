@@ -17,14 +17,14 @@ std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints&
   };
   std::vector<bool> are_free;
   for (const CriticalPoint& p : points.critical_points)
-    are_free.push_back((p.source == "cluster" && !is_at_centre(p)) || p.source == "line");
+    are_free.push_back((p.source == NodeSource::cluster && !is_at_centre(p)) || p.source == NodeSource::line);
   return are_free;
 }
 
 void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
   for (CriticalPoint& p : points.critical_points) {
-    if (p.source == "zero") continue;
+    if (p.source == NodeSource::zero) continue;
     const mesh::Location at = evaluator.locator().find(p.position);
     if (at.elem < 0) {
       const Vec2 x = p.position + face.origin;

@@ -149,7 +149,7 @@ class Overrider {
     }
     const double radius = free_radius(joint.position, directions, 0.25 * room);
     for (const Vec2 direction : directions)
-      d.coming.push_back(made_node(joint.position + radius * direction, d.index > 0 ? 1 : -1, "corner"));
+      d.coming.push_back(made_node(joint.position + radius * direction, d.index > 0 ? 1 : -1, NodeSource::corner));
   }
 
   /// Less than `radius` where nodes are there already.
@@ -166,10 +166,14 @@ class Overrider {
 
   void record(const Demand& d) {
     const Corner& c = points_.corners[d.corner];
-    NodeChange change{"corner", "", {{c.position, c.valence, "corner"}}, {{c.position, d.valence, "corner"}}};
+    NodeChange change{ChangeKind::corner,
+                      "",
+                      {{c.position, c.valence, NodeLocation::corner}},
+                      {{c.position, d.valence, NodeLocation::corner}}};
     for (const std::size_t i : d.leaving)
-      change.before.push_back({points_.critical_points[i].position, points_.critical_points[i].valence, "inside"});
-    for (const CriticalPoint& p : d.coming) change.after.push_back({p.position, p.valence, "inside"});
+      change.before.push_back(
+          {points_.critical_points[i].position, points_.critical_points[i].valence, NodeLocation::inside});
+    for (const CriticalPoint& p : d.coming) change.after.push_back({p.position, p.valence, NodeLocation::inside});
     const bool is_exchange = d.leaving.empty() && d.coming.empty();
     change.reason = fmt::format("valence {} was asked for at {} which had {}", d.valence, name_of(face_, c), c.valence);
     if (!is_exchange) {
@@ -188,7 +192,7 @@ class Overrider {
                                           [](const Demand& d) { return !d.leaving.empty() || !d.coming.empty(); });
     if (!nodes_change || !points_.zeros.empty()) return;
     for (const CriticalPoint& p : points_.critical_points)
-      if (p.source == "zero") points_.zeros.push_back(p);
+      if (p.source == NodeSource::zero) points_.zeros.push_back(p);
   }
 
   void apply() {
@@ -203,17 +207,17 @@ class Overrider {
     for (const Demand& d : demands_) {
       kept.insert(kept.end(), d.coming.begin(), d.coming.end());
       points_.corners[d.corner].valence = d.valence;
-      points_.corners[d.corner].source = "corner";
+      points_.corners[d.corner].source = NodeSource::corner;
     }
     points_.critical_points = kept;
-    points_.form = "phase";
+    points_.form = NodeForm::phase;
     points_.index_sum = index_sum_of(points_);
   }
 
   const CadFace& face_;
   std::vector<Demand> demands_;
   CriticalPoints& points_;
-  NodeChange exchange_{"corner", "", {}, {}};  ///< one for all corners that exchange valences
+  NodeChange exchange_{ChangeKind::corner, "", {}, {}};  ///< one for all corners that exchange valences
 };
 
 }  // namespace

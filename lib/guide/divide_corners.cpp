@@ -38,20 +38,20 @@ void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
   const std::vector<CriticalPoint> others = points.critical_points;
   for (Corner& corner : points.corners) {
     if (corner.valence != 0 || !is_admissible_valence(corner.angle_degrees, 1)) continue;
-    if (points.form == "harmonic" && points.zeros.empty()) points.zeros = others;
-    const CriticalPoint node = made_node(centre_of_division(face, corner, others), 1, "divide");
+    if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = others;
+    const CriticalPoint node = made_node(centre_of_division(face, corner, others), 1, NodeSource::divide);
     const Vec2 x = corner.position + face.origin;
     points.changes.push_back(
-        {"divide",
+        {ChangeKind::divide,
          fmt::format("midpoint division: {:.6g} degrees at ({:.6g}, {:.6g}) leave no block its right angle, so that a "
                      "block of three sides would lie there; a node of valence 3 makes three of four sides of it",
                      corner.angle_degrees, x.x, x.y),
-         {{corner.position, 0, "corner"}},
-         {{corner.position, 1, "corner"}, {node.position, node.valence, "inside"}}});
+         {{corner.position, 0, NodeLocation::corner}},
+         {{corner.position, 1, NodeLocation::corner}, {node.position, node.valence, NodeLocation::inside}}});
     points.critical_points.push_back(node);
     corner.valence = 1;
-    corner.source = "divide";
-    points.form = "phase";
+    corner.source = NodeSource::divide;
+    points.form = NodeForm::phase;
   }
 }
 

@@ -40,7 +40,7 @@ Corner corner_at(const CadFace& face, int joint) {
   const double angle = face.joints[joint].interior_angle;
   Corner corner{joint, face.joints[joint].position, degrees(angle), 0, {face.previous_in_loop(joint), joint}};
   corner.valence = static_cast<int>(std::floor(angle / half_pi + 0.5 + tie));
-  if (is_tie(corner)) corner.source = "line";
+  if (is_tie(corner)) corner.source = NodeSource::line;
   return corner;
 }
 

@@ -14,7 +14,7 @@ NodeChange corner_change(const Corner& corner) {
       "the field vanishes on curves, because all sides are straight at multiples of 45 degrees: valence {} by rule at "
       "the corner of {:.6g} degrees",
       corner.valence, corner.angle_degrees);
-  return {"line", reason, {}, {{corner.position, corner.valence, "corner"}}};
+  return {ChangeKind::line, reason, {}, {{corner.position, corner.valence, NodeLocation::corner}}};
 }
 
 /// Where all nodes have their middle: a place that the symmetries of the face leave alone.
@@ -24,13 +24,13 @@ Vec2 middle_of(const CadFace& face, const std::vector<curve::Isometry>& group) {
 }
 
 NodeChange nodes_change(const std::vector<CriticalPoint>& nodes, int index) {
-  NodeChange change{"line",
+  NodeChange change{ChangeKind::line,
                     fmt::format("no choice of corner valences that is as symmetric as the face has the index sum that "
                                 "it asks for: nodes inside make up the index {} that is missing",
                                 index),
                     {},
                     {}};
-  for (const CriticalPoint& node : nodes) change.after.push_back({node.position, node.valence, "inside"});
+  for (const CriticalPoint& node : nodes) change.after.push_back({node.position, node.valence, NodeLocation::inside});
   return change;
 }
 
@@ -40,16 +40,16 @@ CriticalPoints line_field_points(const CadFace& face, int max_valence) {
   const std::vector<curve::Isometry> group = curve::symmetries(face);
   const LineCorners chosen = line_corners(face, group);
   CriticalPoints points;
-  points.form = "phase";
+  points.form = NodeForm::phase;
   points.origin = face.origin;
   points.corners = chosen.corners;
   for (const Corner& corner : chosen.corners)
-    if (corner.source == "line") points.changes.push_back(corner_change(corner));
+    if (corner.source == NodeSource::line) points.changes.push_back(corner_change(corner));
   if (chosen.missing_index != 0) {
     Cluster cluster;
     cluster.centre = middle_of(face, group);
     cluster.index = chosen.missing_index;
-    points.critical_points = cluster_nodes(face, group, max_valence, cluster, {}, "line");
+    points.critical_points = cluster_nodes(face, group, max_valence, cluster, {}, NodeSource::line);
     points.changes.push_back(nodes_change(points.critical_points, chosen.missing_index));
   }
   points.index_sum = index_sum_of(points);

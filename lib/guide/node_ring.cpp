@@ -134,7 +134,7 @@ std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isomet
 
 std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
                                          int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
-                                         const std::string& source) {
+                                         NodeSource source) {
   const int valence = 4 - cluster.index;
   if (valence >= 3 && valence <= max_valence && placement::signed_room(face, cluster.centre) > 0)
     return {made_node(cluster.centre, cluster.index, source)};
@@ -144,7 +144,7 @@ std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<
   return nodes;
 }
 
-CriticalPoint made_node(Vec2 position, int index, const std::string& source) {
+CriticalPoint made_node(Vec2 position, int index, NodeSource source) {
   CriticalPoint node;
   node.position = position;
   node.index = index;

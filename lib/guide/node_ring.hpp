@@ -1,7 +1,6 @@
 #pragma once
 // Irregular nodes as a regular polygon about a point, as symmetric as the face is about it.
 
-#include <string>
 #include <vector>
 
 #include "curve/symmetry.hpp"
@@ -34,9 +33,9 @@ std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isomet
 /// the face), else a node_ring. With the source given; no element is set.
 std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
                                          int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
-                                         const std::string& source);
+                                         NodeSource source);
 
 /// A node that is no zero of the field.
-CriticalPoint made_node(Vec2 position, int index, const std::string& source);
+CriticalPoint made_node(Vec2 position, int index, NodeSource source);
 
 }  // namespace quadrille::guide

@@ -34,7 +34,7 @@ class Resolver {
     align_orbits();
     for (std::size_t i = 0; i < points_.clusters.size(); ++i) nodes_.push_back(nodes_of(i));
     for (std::size_t i = 0; i < points_.clusters.size(); ++i) record(i);
-    points_.form = "phase";
+    points_.form = NodeForm::phase;
     points_.index_sum = index_sum_of(points_);
   }
 
@@ -43,8 +43,9 @@ class Resolver {
     const std::vector<CriticalPoint> before = points_.critical_points;
     const double tol = 1e-12 * face_.diameter;
     std::erase_if(points_.critical_points, [&](const CriticalPoint& p) {
-      return p.source == "zero" && std::any_of(points_.clusters.begin(), points_.clusters.end(),
-                                               [&](const Cluster& c) { return is_member(c, p.position, tol); });
+      return p.source == NodeSource::zero &&
+             std::any_of(points_.clusters.begin(), points_.clusters.end(),
+                         [&](const Cluster& c) { return is_member(c, p.position, tol); });
     });
     if (points_.zeros.empty()) points_.zeros = before;
   }
@@ -83,7 +84,7 @@ class Resolver {
       for (CriticalPoint& node : nodes) node.position = models_[i]->map(node.position);
       return nodes;
     }
-    return cluster_nodes(face_, group_, max_valence_, cluster, other_places(i), "cluster");
+    return cluster_nodes(face_, group_, max_valence_, cluster, other_places(i), NodeSource::cluster);
   }
 
   std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {
@@ -100,12 +101,14 @@ class Resolver {
 
   void record(std::size_t i) {
     const Cluster& cluster = points_.clusters[i];
-    NodeChange change{cluster.index == 0 ? "cancel" : "cluster", reason(cluster, nodes_[i]), {}, {}};
-    if (cluster.member_indices.empty()) change.before.push_back({cluster.centre, 4 - cluster.index, "inside"});
+    NodeChange change{
+        cluster.index == 0 ? ChangeKind::cancel : ChangeKind::cluster, reason(cluster, nodes_[i]), {}, {}};
+    if (cluster.member_indices.empty())
+      change.before.push_back({cluster.centre, 4 - cluster.index, NodeLocation::inside});
     for (std::size_t k = 0; k < cluster.member_indices.size(); ++k)
-      change.before.push_back({cluster.members[k], 4 - cluster.member_indices[k], "inside"});
+      change.before.push_back({cluster.members[k], 4 - cluster.member_indices[k], NodeLocation::inside});
     for (const CriticalPoint& node : nodes_[i]) {
-      change.after.push_back({node.position, node.valence, "inside"});
+      change.after.push_back({node.position, node.valence, NodeLocation::inside});
       points_.critical_points.push_back(node);
     }
     points_.changes.push_back(change);

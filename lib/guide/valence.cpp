@@ -103,7 +103,7 @@ CornerValences corner_valences(const field::FieldEvaluator& evaluator, double no
                               degrees(joint.interior_angle),
                               valence,
                               {face.previous_in_loop(j), j},
-                              is_tie ? "field" : "angle"});
+                              is_tie ? NodeSource::field : NodeSource::angle});
   }
   return result;
 }

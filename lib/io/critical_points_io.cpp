@@ -29,8 +29,8 @@ void describe_critical_point(Archive& a, CriticalPoint& point, std::size_t place
   const bool was_computed = a.has("jacobian");
   if (was_computed) a.field("jacobian", point.jacobian);
   if (a.has("error")) a.field("error", point.error);
-  if (!was_computed) point.source = "hand";
-  if (a.has("source")) a.field("source", point.source);
+  if (!was_computed) point.source = NodeSource::hand;
+  if (a.has("source")) a.extensible_field("source", point.source, NodeSource::other);
 }
 
 void describe_corner(Archive& a, Corner& corner) {
@@ -43,7 +43,7 @@ void describe_corner(Archive& a, Corner& corner) {
     a.field("degenerate", is_degenerate);
   }
   a.field("curves", corner.curves);
-  if (a.has("source")) a.field("source", corner.source);
+  if (a.has("source")) a.extensible_field("source", corner.source, NodeSource::other);
 }
 
 void describe_boundary_node(Archive& a, IrregularBoundaryPoint& point) {
@@ -51,17 +51,17 @@ void describe_boundary_node(Archive& a, IrregularBoundaryPoint& point) {
   a.field("t", point.t);
   a.field("position", point.position);
   a.field("valence", point.valence);
-  if (a.has("source")) a.field("source", point.source);
+  if (a.has("source")) a.extensible_field("source", point.source, NodeSource::other);
 }
 
 void describe_mark(Archive& a, NodeMark& mark) {
   a.field("position", mark.position);
   a.field("valence", mark.valence);
-  a.field("where", mark.where);
+  a.field("where", mark.location, {}, "CRT-R16");
 }
 
 void describe_change(Archive& a, NodeChange& change) {
-  a.field("kind", change.kind);
+  a.extensible_field("kind", change.kind, ChangeKind::other);
   a.field("reason", change.reason);
   a.field("before", change.before, describe_mark);
   a.field("after", change.after, describe_mark);
@@ -101,7 +101,7 @@ void describe_index_sum(Archive& archive, CriticalPoints& points) {
 }
 
 void describe_critical_points(Archive& archive, CriticalPoints& points) {
-  if (archive.has("form")) archive.field("form", points.form);
+  if (archive.has("form")) archive.field("form", points.form, {}, "CRT-R12");
   archive.field("origin", points.origin);
   std::size_t next = 0, next_zero = 0;
   archive.field("critical_points", points.critical_points,

@@ -3,8 +3,7 @@
 // Valence V = 4 - index for an interior node; at a corner or boundary node V counts the blocks in its sector.
 //
 // The nodes are the guiding field's own zeros, or what was made of them: clusters resolved, nodes absorbed by corners,
-// put onto the boundary, moved, asked for by hand. `form` says which: "harmonic", every node is a zero of the field
-// and every corner has the valence that the field gives it; "phase", later stages need fieldsolve --nodes.
+// put onto the boundary, moved, prescribed by hand. `form` says which.
 
 #include <algorithm>
 #include <array>
@@ -19,6 +18,91 @@
 
 namespace quadrille {
 
+/// Which field has these nodes: every node is a zero of the harmonic field and every corner has the valence that it
+/// gives; or later stages need a field of the phase form, made for them (fieldsolve --nodes).
+enum class NodeForm { harmonic, phase };
+constexpr auto enum_names(NodeForm) {
+  return std::to_array<EnumName<NodeForm>>({{NodeForm::harmonic, "harmonic"}, {NodeForm::phase, "phase"}});
+}
+
+/// What was done to nodes and valences. `other`: a kind that a later version of the format added.
+enum class ChangeKind { cluster, cancel, absorb, corner, line, divide, feature, place, other };
+constexpr auto enum_names(ChangeKind) {
+  return std::to_array<EnumName<ChangeKind>>({{ChangeKind::cluster, "cluster"},
+                                              {ChangeKind::cancel, "cancel"},
+                                              {ChangeKind::absorb, "absorb"},
+                                              {ChangeKind::corner, "corner"},
+                                              {ChangeKind::line, "line"},
+                                              {ChangeKind::divide, "divide"},
+                                              {ChangeKind::feature, "feature"},
+                                              {ChangeKind::place, "place"},
+                                              {ChangeKind::other, "other"}});
+}
+
+/// Where a node or a valence comes from: a `zero` of the field or `hand` (nodes), the nearest valence to the `angle` or
+/// the `field` at a tie (corners), else the last change.
+enum class NodeSource {
+  zero,
+  hand,
+  angle,
+  field,
+  cluster,
+  cancel,
+  absorb,
+  corner,
+  line,
+  divide,
+  feature,
+  place,
+  other
+};
+constexpr auto enum_names(NodeSource) {
+  return std::to_array<EnumName<NodeSource>>({{NodeSource::zero, "zero"},
+                                              {NodeSource::hand, "hand"},
+                                              {NodeSource::angle, "angle"},
+                                              {NodeSource::field, "field"},
+                                              {NodeSource::cluster, "cluster"},
+                                              {NodeSource::cancel, "cancel"},
+                                              {NodeSource::absorb, "absorb"},
+                                              {NodeSource::corner, "corner"},
+                                              {NodeSource::line, "line"},
+                                              {NodeSource::divide, "divide"},
+                                              {NodeSource::feature, "feature"},
+                                              {NodeSource::place, "place"},
+                                              {NodeSource::other, "other"}});
+}
+
+/// The source of a node that a change of this kind made: the one of the same name.
+constexpr NodeSource source_of(ChangeKind kind) {
+  switch (kind) {
+    case ChangeKind::cluster:
+      return NodeSource::cluster;
+    case ChangeKind::cancel:
+      return NodeSource::cancel;
+    case ChangeKind::absorb:
+      return NodeSource::absorb;
+    case ChangeKind::corner:
+      return NodeSource::corner;
+    case ChangeKind::line:
+      return NodeSource::line;
+    case ChangeKind::divide:
+      return NodeSource::divide;
+    case ChangeKind::feature:
+      return NodeSource::feature;
+    case ChangeKind::place:
+      return NodeSource::place;
+    case ChangeKind::other:
+      break;
+  }
+  return NodeSource::other;
+}
+
+enum class NodeLocation { inside, corner, boundary };
+constexpr auto enum_names(NodeLocation) {
+  return std::to_array<EnumName<NodeLocation>>(
+      {{NodeLocation::inside, "inside"}, {NodeLocation::corner, "corner"}, {NodeLocation::boundary, "boundary"}});
+}
+
 struct CriticalPoint {
   Vec2 position;
   int index = 0;
@@ -27,8 +111,7 @@ struct CriticalPoint {
   Vec2 xi;                           ///< reference coordinates there
   std::array<double, 4> jacobian{};  ///< d v / d x at the point: u_x, u_y, v_x, v_y; zeros where it is no zero of v
   double error = 0;                  ///< error bar |J^-1 e| of the position, e the field's error there; 0: unknown
-  std::string source =
-      "zero";  ///< where it comes from: "zero" of the field, put in by "hand", else the kind of a NodeChange
+  NodeSource source = NodeSource::zero;
 };
 
 struct Corner {
@@ -36,9 +119,8 @@ struct Corner {
   Vec2 position;
   double angle_degrees = 0;
   int valence = 2;
-  std::array<int, 2> curves{};  ///< incoming and outgoing
-  std::string source =
-      "angle";  ///< of the valence: the nearest to the "angle", the "field" at a tie, else a NodeChange
+  std::array<int, 2> curves{};            ///< incoming and outgoing
+  NodeSource source = NodeSource::angle;  ///< of the valence
 };
 
 /// A node on the boundary where no corner is: V blocks meet there instead of 2.
@@ -47,19 +129,19 @@ struct IrregularBoundaryPoint {
   double t = 0;  ///< parameter, inside the curve or at a smooth joint
   Vec2 position;
   int valence = 3;
-  std::string source = "feature";
+  NodeSource source = NodeSource::feature;
 };
 
 /// A node before or after a change.
 struct NodeMark {
   Vec2 position;
   int valence = 4;
-  std::string where = "inside";  ///< "inside", "corner" or "boundary"
+  NodeLocation location = NodeLocation::inside;
 };
 
 /// One thing done to the field's own zeros and valences, and why. The index sum of `before` and `after` is the same.
 struct NodeChange {
-  std::string kind;    ///< "cluster", "cancel", "absorb", "corner", "line", "divide", "feature", "place"
+  ChangeKind kind = ChangeKind::other;
   std::string reason;  ///< a sentence for people
   std::vector<NodeMark> before, after;
 };
@@ -101,9 +183,9 @@ struct Certificate {
 
 struct CriticalPoints {
   Provenance provenance;
-  std::string form = "harmonic";  ///< "harmonic" or "phase"
+  NodeForm form = NodeForm::harmonic;
   std::vector<CriticalPoint> critical_points;
-  std::vector<Corner> corners;  ///< every joint with is_corner, in the sequence of the joints
+  std::vector<Corner> corners;  ///< every joint with is_corner, in the order of the joints
   std::vector<IrregularBoundaryPoint> boundary_nodes;
   std::vector<int> hole_winding_offsets;  ///< added to the winding of least energy, one for each hole; empty: none
   int index_sum = 0;                      ///< sum (4 - V) + sum (2 - V)
@@ -127,14 +209,14 @@ inline int index_sum_of(const CriticalPoints& points) {
   return static_cast<int>(std::clamp<long long>(sum, Limits::min(), Limits::max()));
 }
 
-/// What the phase form is asked for.
+/// The nodes and valences that the phase form must have.
 inline PhaseNodes phase_nodes_of(const CriticalPoints& points) {
-  PhaseNodes asked;
-  for (const CriticalPoint& p : points.critical_points) asked.nodes.push_back({p.position, p.valence});
-  for (const Corner& c : points.corners) asked.corners.push_back({c.joint, c.valence});
+  PhaseNodes nodes;
+  for (const CriticalPoint& p : points.critical_points) nodes.nodes.push_back({p.position, p.valence});
+  for (const Corner& c : points.corners) nodes.corners.push_back({c.joint, c.valence});
   for (const IrregularBoundaryPoint& b : points.boundary_nodes)
-    asked.boundary_nodes.push_back({b.curve, b.t, b.valence});
-  return asked;
+    nodes.boundary_nodes.push_back({b.curve, b.t, b.valence});
+  return nodes;
 }
 
 }  // namespace quadrille

@@ -189,16 +189,16 @@ void record_move(const CadFace& face, double weight, Vec2 to, CriticalPoints& po
   CriticalPoint& node = points.critical_points[k];
   const double way = distance(node.position, to);
   NodeChange change;
-  change.kind = "place";
+  change.kind = ChangeKind::place;
   change.reason =
       fmt::format("moved by {:.3g} to the least energy (weight of the distance to the boundary {:g})", way, weight);
-  change.before = {{node.position, node.valence, "inside"}};
-  change.after = {{to, node.valence, "inside"}};
+  change.before = {{node.position, node.valence, NodeLocation::inside}};
+  change.after = {{to, node.valence, NodeLocation::inside}};
   node.position = to;
   if (way <= moved_tol * face.diameter) return;
   node.jacobian = {};
   node.error = 0;
-  node.source = "place";
+  node.source = NodeSource::place;
   points.changes.push_back(change);
 }
 
@@ -234,8 +234,8 @@ void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::v
     points = before;
     return;
   }
-  if (points.form == "harmonic" && points.zeros.empty()) points.zeros = before.critical_points;
-  points.form = "phase";
+  if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = before.critical_points;
+  points.form = NodeForm::phase;
 }
 
 }  // namespace quadrille::placement

@@ -35,7 +35,7 @@ std::string position_text(const CadFace& face, Vec2 x) {
 
 void check_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
-  if (points.form == "phase")
+  if (points.form == NodeForm::phase)
     throw FormatError(
         "the critical points have the form \"phase\", so not all are zeros of the field, which is harmonic: run "
         "fieldsolve --nodes with them");

@@ -54,7 +54,7 @@ void write_resolved_points() {
   const auto broken = [&](const std::string& rule, const auto& damage) {
     write_broken("critical_points", ".crit.json", io::write_critical_points, points, rule, damage);
   };
-  broken("CRT-R12", [](CriticalPoints& c) { c.form = "harmonic"; });
+  broken("CRT-R12", [](CriticalPoints& c) { c.form = NodeForm::harmonic; });
   broken("CRT-R13", [](CriticalPoints& c) { c.boundary_nodes[0].curve = -1; });
   broken("CRT-R15", [](CriticalPoints& c) { c.certificate.disc_radii.clear(); });
   broken("CRT-R16", [](CriticalPoints& c) { c.changes[2].after[0].valence = 1; });

@@ -88,28 +88,28 @@ inline CriticalPoints critical_points() {
 /// corner was absorbed, one was put onto the boundary.
 inline CriticalPoints resolved_points() {
   CriticalPoints c = critical_points();
-  c.form = "phase";
+  c.form = NodeForm::phase;
   c.zeros = {{{0.25, 0.5}, 2, 2, 3, {-0.5, -0.25}, {0, 0, 0, 0}, 1e-6},
              {{0.75, 0.5}, -1, 5, 1, {-0.5, -0.25}, {1, 0, 0, -1}, 2e-9},
              {{0.03125, 0.015625}, -1, 5, 0, {-0.953125, -0.96875}, {2, 0, 0, -1}, 1e-9}};
-  c.critical_points = {{{0.25, 0.375}, 1, 3, 3, {-0.625, -0.25}, {}, 0, "cluster"},
-                       {{0.25, 0.625}, 1, 3, 3, {-0.375, -0.25}, {}, 0, "cluster"}};
+  c.critical_points = {{{0.25, 0.375}, 1, 3, 3, {-0.625, -0.25}, {}, 0, NodeSource::cluster},
+                       {{0.25, 0.625}, 1, 3, 3, {-0.375, -0.25}, {}, 0, NodeSource::cluster}};
   c.corners[0].valence = 2;
-  c.corners[0].source = "absorb";
-  c.boundary_nodes = {{1, 0.5, {1, 0.5}, 3, "feature"}};
+  c.corners[0].source = NodeSource::absorb;
+  c.boundary_nodes = {{1, 0.5, {1, 0.5}, 3, NodeSource::feature}};
   c.clusters = {{{0.25, 0.5}, 0.001, 2, {{0.25, 0.5}}, {}}};
-  c.changes = {{"cluster",
+  c.changes = {{ChangeKind::cluster,
                 "a zero of index 2 becomes two nodes of valence 3",
-                {{{0.25, 0.5}, 2, "inside"}},
-                {{{0.25, 0.375}, 3, "inside"}, {{0.25, 0.625}, 3, "inside"}}},
-               {"absorb",
+                {{{0.25, 0.5}, 2, NodeLocation::inside}},
+                {{{0.25, 0.375}, 3, NodeLocation::inside}, {{0.25, 0.625}, 3, NodeLocation::inside}}},
+               {ChangeKind::absorb,
                 "nearer to the corner than any block could be",
-                {{{0, 0}, 1, "corner"}, {{0.03125, 0.015625}, 5, "inside"}},
-                {{{0, 0}, 2, "corner"}}},
-               {"feature",
+                {{{0, 0}, 1, NodeLocation::corner}, {{0.03125, 0.015625}, 5, NodeLocation::inside}},
+                {{{0, 0}, 2, NodeLocation::corner}}},
+               {ChangeKind::feature,
                 "a fillet below the feature size forces it",
-                {{{0.75, 0.5}, 5, "inside"}},
-                {{{1, 0.5}, 3, "boundary"}}}};
+                {{{0.75, 0.5}, 5, NodeLocation::inside}},
+                {{{1, 0.5}, 3, NodeLocation::boundary}}}};
   c.certificate.elements = 4;
   c.certificate.cells_examined = 20;
   c.certificate.cells_excluded = 13;

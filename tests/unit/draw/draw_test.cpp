@@ -133,18 +133,21 @@ TEST(Draw, CriticalPointsShowValences) {
 /// One of everything, 1000 pixels a unit over the square.
 CriticalPoints resolved_points() {
   CriticalPoints points;
-  points.form = "phase";
-  points.critical_points = {{{0.2, 0.5}, 1, 3, 0, {}, {}, 0, "cluster"},
-                            {{0.4, 0.5}, 1, 3, 0, {}, {}, 0, "cluster"},
-                            {{0.7, 0.3}, -1, 5, 0, {}, {}, 0.05, "zero"}};
-  points.corners = {{0, {0, 0}, 90, 2, {3, 0}, "absorb"}, {1, {1, 0}, 90, 0, {0, 1}}};
-  points.boundary_nodes = {{1, 0.5, {1, 0.5}, 3, "feature"}};
+  points.form = NodeForm::phase;
+  points.critical_points = {{{0.2, 0.5}, 1, 3, 0, {}, {}, 0, NodeSource::cluster},
+                            {{0.4, 0.5}, 1, 3, 0, {}, {}, 0, NodeSource::cluster},
+                            {{0.7, 0.3}, -1, 5, 0, {}, {}, 0.05, NodeSource::zero}};
+  points.corners = {{0, {0, 0}, 90, 2, {3, 0}, NodeSource::absorb}, {1, {1, 0}, 90, 0, {0, 1}}};
+  points.boundary_nodes = {{1, 0.5, {1, 0.5}, 3, NodeSource::feature}};
   points.clusters = {{{0.3, 0.5}, 0.04, 2, {{0.29, 0.5}, {0.31, 0.5}}, {1, 1}}};
-  points.changes = {{"cluster", "two < four", {{{0.3, 0.5}, 2}}, {{{0.2, 0.5}, 3}, {{0.4, 0.5}, 3}}},
-                    {"absorb", "near", {{{0, 0}, 1, "corner"}, {{0.1, 0.1}, 5}}, {{{0, 0}, 2, "corner"}}},
-                    {"cancel", "a pair", {{{0.6, 0.8}, 3}, {{0.65, 0.8}, 5}}, {}},
-                    {"place", "hardly moved", {{{0.7, 0.301}, 5}}, {{{0.7, 0.3}, 5}}},
-                    {"line", "by rule", {}, {{{1, 0}, 0, "corner"}}}};
+  points.changes = {{ChangeKind::cluster, "two < four", {{{0.3, 0.5}, 2}}, {{{0.2, 0.5}, 3}, {{0.4, 0.5}, 3}}},
+                    {ChangeKind::absorb,
+                     "near",
+                     {{{0, 0}, 1, NodeLocation::corner}, {{0.1, 0.1}, 5}},
+                     {{{0, 0}, 2, NodeLocation::corner}}},
+                    {ChangeKind::cancel, "a pair", {{{0.6, 0.8}, 3}, {{0.65, 0.8}, 5}}, {}},
+                    {ChangeKind::place, "hardly moved", {{{0.7, 0.301}, 5}}, {{{0.7, 0.3}, 5}}},
+                    {ChangeKind::line, "by rule", {}, {{{1, 0}, 0, NodeLocation::corner}}}};
   points.certificate.cells_examined = 321;
   points.certificate.cells = {{1, {0.7, 0.2, 0.8, 0.3, 0.6, 0.3}, CellVerdict::zero},
                               {0, {0.3, 0.4, 0.4, 0.5, 0.2, 0.5}, CellVerdict::open}};
@@ -234,7 +237,7 @@ TEST(Draw, LegendsAreForWhatOccurs) {
   points.changes.clear();
   points.boundary_nodes.clear();
   points.certificate = {};
-  points.corners[0].source = "angle";
+  points.corners[0].source = NodeSource::angle;
   const std::string svg = draw_critical_points(points, nullptr, {});
   expect_sound(svg);
   for (const char* label :

@@ -112,7 +112,7 @@ void expect_sound(const CadFace& face, const CriticalPoints& points) {
   for (const NodeChange& change : points.changes) {
     const auto sum = [](const std::vector<NodeMark>& marks) {
       int total = 0;
-      for (const NodeMark& m : marks) total += (m.where == "inside" ? 4 : 2) - m.valence;
+      for (const NodeMark& m : marks) total += (m.location == NodeLocation::inside ? 4 : 2) - m.valence;
       return total;
     };
     EXPECT_EQ(sum(change.before), sum(change.after)) << change.reason;
@@ -131,7 +131,7 @@ bool has_boundary_node_at(const CriticalPoints& points, Vec2 x, int valence, dou
   });
 }
 
-int count_changes(const CriticalPoints& points, const std::string& kind) {
+int count_changes(const CriticalPoints& points, ChangeKind kind) {
   return static_cast<int>(std::count_if(points.changes.begin(), points.changes.end(),
                                         [&](const NodeChange& change) { return change.kind == kind; }));
 }
@@ -140,12 +140,12 @@ TEST(ResolveFeatures, LeavesEverythingAtSizeZeroAndBelowTheFillets) {
   for (const double size : {0.0, 0.005, 0.01}) {
     CriticalPoints points = frame_points();
     resolve_features(filleted_frame(), size, points);
-    EXPECT_EQ(points.form, "harmonic") << size;
+    EXPECT_EQ(points.form, NodeForm::harmonic) << size;
     EXPECT_TRUE(points.changes.empty());
     EXPECT_TRUE(points.zeros.empty());
     ASSERT_EQ(points.critical_points.size(), 8u);
     EXPECT_EQ(points.critical_points[3].position, frame_points().critical_points[3].position);
-    EXPECT_EQ(points.critical_points[3].source, "zero");
+    EXPECT_EQ(points.critical_points[3].source, NodeSource::zero);
   }
 }
 
@@ -160,15 +160,15 @@ TEST(ResolveFeatures, PutsNodesOfReflexFilletsInTheMiddleOfTheirArcs) {
   CriticalPoints points = frame_points();
   resolve_features(filleted_frame(), 0.015, points);
   expect_sound(filleted_frame(), points);
-  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(points.zeros.size(), 8u);
   EXPECT_EQ(points.critical_points.size(), 4u);
   ASSERT_EQ(points.boundary_nodes.size(), 4u);
   const double off = 0.01 * (1 - std::sqrt(0.5));
   for (const double x : {0.6 + off, 1.4 - off})
     for (const double y : {0.35 + off, 0.65 - off}) EXPECT_TRUE(has_boundary_node_at(points, {x, y}, 3, 1e-13));
-  EXPECT_EQ(count_changes(points, "feature"), 4);
-  EXPECT_EQ(points.critical_points[0].source, "zero");  // radius 0.02 is not below the size
+  EXPECT_EQ(count_changes(points, ChangeKind::feature), 4);
+  EXPECT_EQ(points.critical_points[0].source, NodeSource::zero);  // radius 0.02 is not below the size
 }
 
 TEST(ResolveFeatures, MovesNodesOfConvexFilletsInwardToTheSize) {
@@ -179,7 +179,7 @@ TEST(ResolveFeatures, MovesNodesOfConvexFilletsInwardToTheSize) {
   for (const double x : {0.1, 1.9})
     for (const double y : {0.1, 0.9}) EXPECT_TRUE(has_node_at(points, {x, y}, 3, 1e-12)) << x << " " << y;
   for (const CriticalPoint& p : points.critical_points) {
-    EXPECT_EQ(p.source, "feature");
+    EXPECT_EQ(p.source, NodeSource::feature);
     EXPECT_EQ(p.jacobian[0], 0);
     EXPECT_EQ(p.error, 0);
   }
@@ -315,7 +315,7 @@ TEST(ResolveFeatures, LeavesAHoleThatIsNotSmallerThanTheSize) {
   CriticalPoints points = points_with(face, nodes);
   resolve_features(face, 0.2, points);  // the diameter itself, to round-off
   EXPECT_TRUE(points.boundary_nodes.empty());
-  EXPECT_EQ(points.form, "harmonic");
+  EXPECT_EQ(points.form, NodeForm::harmonic);
 }
 
 TEST(ResolveFeatures, CancelsThePairOfASmallStep) {
@@ -333,7 +333,7 @@ TEST(ResolveFeatures, CancelsThePairOfASmallStep) {
   EXPECT_TRUE(points.critical_points.empty());
   EXPECT_TRUE(points.boundary_nodes.empty());
   ASSERT_EQ(points.changes.size(), 1u);
-  EXPECT_EQ(points.changes[0].kind, "cancel");
+  EXPECT_EQ(points.changes[0].kind, ChangeKind::cancel);
   EXPECT_EQ(points.changes[0].before.size(), 2u);
   EXPECT_TRUE(points.changes[0].after.empty());
 }
@@ -344,21 +344,21 @@ TEST(ResolveFeatures, DecidesPairsOfEqualDistanceTogether) {
   resolve_features(face, 0.2, points);
   ASSERT_EQ(points.critical_points.size(), 1u);
   EXPECT_TRUE(has_node_at(points, {0, 0.01}, 5, 1e-8));
-  EXPECT_EQ(points.critical_points[0].source, "cancel");
+  EXPECT_EQ(points.critical_points[0].source, NodeSource::cancel);
   // Four about one: no node of the layout could stand for them all.
   std::vector<CriticalPoint> star{node({0, 0}, 3)};
   for (int k = 0; k < 4; ++k) star.push_back(node(0.3 * unit(k * half_pi), 5));
   CriticalPoints kept = points_with(face, star);
   resolve_features(face, 0.4, kept);
   EXPECT_EQ(kept.critical_points.size(), 5u);
-  EXPECT_EQ(kept.form, "harmonic");
+  EXPECT_EQ(kept.form, NodeForm::harmonic);
 }
 
 TEST(ResolveFeatures, DoesNotCancelThroughAWall) {
   const CadFace face = square_with_hole(0.1, 0);
   CriticalPoints points = points_with(face, {node({0, 0.2}, 5), node({0, -0.2}, 3)});
   resolve_features(face, 0.45, points);
-  EXPECT_EQ(count_changes(points, "cancel"), 0);
+  EXPECT_EQ(count_changes(points, ChangeKind::cancel), 0);
 }
 
 TEST(ResolveFeatures, MergesTheNodesAtTheEndsOfANarrowSlot) {
@@ -404,7 +404,7 @@ TEST(ResolveFeatures, LetsACornerOfASmallHoleTakeTheNodeInFrontOfIt) {
   EXPECT_TRUE(points.critical_points.empty());
   EXPECT_TRUE(points.boundary_nodes.empty());
   const auto taken = std::find_if(points.corners.begin(), points.corners.end(),
-                                  [](const Corner& corner) { return corner.source == "feature"; });
+                                  [](const Corner& corner) { return corner.source == NodeSource::feature; });
   ASSERT_NE(taken, points.corners.end());
   EXPECT_EQ(taken->valence, 4);
   EXPECT_LE(distance(taken->position, {0, s * std::sqrt(3.0)}), 1e-12);
@@ -419,7 +419,7 @@ TEST(ResolveFeatures, PushesNodesOfOneSignApart) {
   EXPECT_GE(distance(a, b), 0.2);
   EXPECT_LE(distance(a, b), 0.21);
   EXPECT_LE(norm(a + b), 1e-12);
-  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.form, NodeForm::phase);
 }
 
 TEST(ResolveFeatures, SaysWhereThereIsNoRoom) {
@@ -456,7 +456,7 @@ TEST(ResolveFeatures, LeavesANodeHalfwayBetweenTwoFeatures) {
   CriticalPoints points = points_with(face, {node({1.1, 0}, 5)});
   resolve_features(face, 0.3, points);
   EXPECT_TRUE(points.boundary_nodes.empty());
-  EXPECT_EQ(points.form, "harmonic");
+  EXPECT_EQ(points.form, NodeForm::harmonic);
 }
 
 TEST(ResolveFeatures, LeavesTheNodeOfALargerFeatureBesideASmallOne) {

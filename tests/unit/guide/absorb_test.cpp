@@ -48,15 +48,15 @@ struct AbsorbTest : testing::Test {
 TEST_F(AbsorbTest, a_node_within_the_length_goes_into_the_valence_and_is_told) {
   EXPECT_EQ(absorb({zero({0.006, 0.008}, 1)}), std::vector<bool>{true});  // exactly as far as the length
   EXPECT_EQ(corners[0].valence, 1);
-  EXPECT_EQ(corners[0].source, "absorb");
+  EXPECT_EQ(corners[0].source, NodeSource::absorb);
   ASSERT_EQ(changes.size(), 1u);
   const NodeChange& change = changes[0];
-  EXPECT_EQ(change.kind, "absorb");
+  EXPECT_EQ(change.kind, ChangeKind::absorb);
   ASSERT_EQ(change.before.size(), 2u);
   EXPECT_EQ(change.before[0].valence, 2);
-  EXPECT_EQ(change.before[0].where, "corner");
+  EXPECT_EQ(change.before[0].location, NodeLocation::corner);
   EXPECT_EQ(change.before[1].valence, 3);
-  EXPECT_EQ(change.before[1].where, "inside");
+  EXPECT_EQ(change.before[1].location, NodeLocation::inside);
   ASSERT_EQ(change.after.size(), 1u);
   EXPECT_EQ(change.after[0].valence, 1);
 }
@@ -94,7 +94,7 @@ TEST(Absorb, the_length_alone_decides_beside_a_corner_near_a_tie) {
   const CriticalPoints free = find_critical_points(evaluator, {0, 0, 1e-10}, report);
   ASSERT_EQ(free.critical_points.size(), 1u);
   EXPECT_EQ(free.corners[2].valence, 2);
-  EXPECT_EQ(free.corners[2].source, "angle");
+  EXPECT_EQ(free.corners[2].source, NodeSource::angle);
   EXPECT_TRUE(free.zeros.empty());
   const double share = distance(free.critical_points[0].position, {2, 0.7}) / field.mesh.face.diameter;
   for (const double length : {0.99 * share, 1.01 * share}) {

@@ -52,7 +52,7 @@ std::string refusal(const CadFace& face, const std::vector<CornerOverride>& over
 
 int index_of(const std::vector<NodeMark>& marks) {
   int sum = 0;
-  for (const NodeMark& m : marks) sum += (m.where == "inside" ? 4 : 2) - m.valence;
+  for (const NodeMark& m : marks) sum += (m.location == NodeLocation::inside ? 4 : 2) - m.valence;
   return sum;
 }
 
@@ -60,7 +60,7 @@ void expect_sound(const CriticalPoints& points) {
   EXPECT_EQ(points.index_sum, points.index_sum_expected);
   EXPECT_EQ(index_sum_of(points), points.index_sum_expected);
   for (const NodeChange& change : points.changes) {
-    EXPECT_EQ(change.kind, "corner");
+    EXPECT_EQ(change.kind, ChangeKind::corner);
     EXPECT_FALSE(change.reason.empty());
     EXPECT_EQ(index_of(change.before), index_of(change.after));
   }
@@ -103,7 +103,7 @@ TEST(OverrideCorners, refuses_by_name) {
 TEST(OverrideCorners, what_is_there_already_changes_nothing) {
   CriticalPoints points = points_of(square());
   override_corners(square(), {{0, 1, 1}}, points);
-  EXPECT_EQ(points.form, "harmonic");
+  EXPECT_EQ(points.form, NodeForm::harmonic);
   EXPECT_TRUE(points.changes.empty());
 }
 
@@ -111,12 +111,12 @@ TEST(OverrideCorners, adds_a_node_on_the_bisector) {
   CriticalPoints points = points_of(square());
   override_corners(square(), {{1, 0, 2}}, points);  // the corner (1, 0)
   expect_sound(points);
-  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(points.corners[1].valence, 2);
-  EXPECT_EQ(points.corners[1].source, "corner");
+  EXPECT_EQ(points.corners[1].source, NodeSource::corner);
   ASSERT_EQ(points.critical_points.size(), 1u);
   EXPECT_EQ(points.critical_points[0].valence, 3);
-  EXPECT_EQ(points.critical_points[0].source, "corner");
+  EXPECT_EQ(points.critical_points[0].source, NodeSource::corner);
   EXPECT_LT(distance(points.critical_points[0].position, {0.75, 0.25}), 1e-5);
   ASSERT_EQ(points.changes.size(), 1u);
 }

@@ -39,23 +39,23 @@ TEST(DivideCorners, ASharpCornerGetsANodeOnItsBisectorAndKeepsTheIndexSum) {
   const int sum = points.index_sum;
   divide_degenerate_corners(face, points);
   EXPECT_EQ(points.corners[0].valence, 1);
-  EXPECT_EQ(points.corners[0].source, "divide");
+  EXPECT_EQ(points.corners[0].source, NodeSource::divide);
   ASSERT_EQ(points.critical_points.size(), 1u);
   const CriticalPoint& node = points.critical_points[0];
   EXPECT_EQ(node.valence, 3);
   EXPECT_NEAR(node.position.x, 1.25, 1e-5);  // a quarter of the way to the opposite corner
   EXPECT_NEAR(node.position.y, 0, 1e-12);
   EXPECT_EQ(index_sum_of(points), sum);
-  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.form, NodeForm::phase);
   ASSERT_EQ(points.changes.size(), 1u);
-  EXPECT_EQ(points.changes[0].kind, "divide");
+  EXPECT_EQ(points.changes[0].kind, ChangeKind::divide);
 }
 
 TEST(DivideCorners, OtherCornersAndSharperOnesStay) {
   CriticalPoints points = points_of(square());
   divide_degenerate_corners(square(), points);
   EXPECT_TRUE(points.changes.empty());
-  EXPECT_EQ(points.form, "harmonic");
+  EXPECT_EQ(points.form, NodeForm::harmonic);
   const double h = 4 * std::tan(radians(5));
   const CadFace face = make_face({polygon({{0, 0}, {4, -h}, {4, h}})});
   CriticalPoints sharp = points_of(face);

@@ -47,7 +47,7 @@ int valence_at(const CriticalPoints& points, Vec2 x) {
 
 /// What every answer must be.
 void expect_sound(const CadFace& face, const CriticalPoints& points) {
-  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(points.index_sum_expected, 4 * face.euler_characteristic());
   EXPECT_EQ(points.index_sum, points.index_sum_expected);
   EXPECT_EQ(index_sum_of(points), points.index_sum);
@@ -91,8 +91,9 @@ TEST(LineField, chamfered_plate_is_three_quads) {
   EXPECT_EQ(valence_at(points, {0, 0.6}), 2);
   EXPECT_EQ(valence_at(points, {0, 3}), 1);
   EXPECT_EQ(points.changes.size(), 4u);
-  for (const NodeChange& change : points.changes) EXPECT_EQ(change.kind, "line");
-  for (const Corner& c : points.corners) EXPECT_EQ(c.source, c.angle_degrees > 100 ? "line" : "angle");
+  for (const NodeChange& change : points.changes) EXPECT_EQ(change.kind, ChangeKind::line);
+  for (const Corner& c : points.corners)
+    EXPECT_EQ(c.source, c.angle_degrees > 100 ? NodeSource::line : NodeSource::angle);
 }
 
 TEST(LineField, symmetric_plates_have_symmetric_corners) {
@@ -117,7 +118,7 @@ TEST(LineField, one_chamfer_on_the_mirror_axis_takes_a_node) {
   expect_sound(face, points);
   ASSERT_EQ(points.critical_points.size(), 1u);
   EXPECT_EQ(points.critical_points[0].valence, 3);
-  EXPECT_EQ(points.critical_points[0].source, "line");
+  EXPECT_EQ(points.critical_points[0].source, NodeSource::line);
   EXPECT_EQ(num_invariant(face, points), 2u);
   EXPECT_NEAR(points.critical_points[0].position.x, points.critical_points[0].position.y, 1e-9);
   EXPECT_NEAR(points.critical_points[0].position.x, 1.5, 0.3);

@@ -73,15 +73,15 @@ TEST(ResolveClusters, disc_gets_the_four_nodes_of_an_o_grid) {
   for (const CriticalPoint& p : points.critical_points) {
     EXPECT_EQ(p.valence, 3);
     EXPECT_EQ(p.index, 1);
-    EXPECT_EQ(p.source, "cluster");
+    EXPECT_EQ(p.source, NodeSource::cluster);
     EXPECT_NEAR(norm(p.position), 0.5, 1e-12);
   }
   EXPECT_TRUE(has_node_at(points, {0.5, 0}, 1e-12));  // towards joint 0, where a block may begin
   EXPECT_EQ(num_symmetries(face, points), 8);
-  EXPECT_EQ(points.form, "phase");
+  EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(points.index_sum, 4);
   ASSERT_EQ(points.changes.size(), 1u);
-  EXPECT_EQ(points.changes[0].kind, "cluster");
+  EXPECT_EQ(points.changes[0].kind, ChangeKind::cluster);
   EXPECT_EQ(index_of(points.changes[0].before), 4);
   EXPECT_EQ(index_of(points.changes[0].after), 4);
 }
@@ -101,7 +101,7 @@ TEST(ResolveClusters, hexagon_keeps_one_node_of_valence_6_where_that_is_allowed)
   ASSERT_EQ(one.critical_points.size(), 1u);
   EXPECT_EQ(one.critical_points[0].valence, 6);
   EXPECT_LT(norm(one.critical_points[0].position), 1e-15);
-  EXPECT_EQ(one.form, "phase");
+  EXPECT_EQ(one.form, NodeForm::phase);
 
   const CriticalPoints two = resolved(face, {multiple_zero({0, 0}, -2)}, 5);
   ASSERT_EQ(two.critical_points.size(), 2u);
@@ -157,7 +157,7 @@ TEST(ResolveClusters, pairs_cancel_and_are_taken_out) {
   ASSERT_EQ(points.critical_points.size(), 1u);
   EXPECT_EQ(points.critical_points[0].position, other.position);
   ASSERT_EQ(points.changes.size(), 1u);
-  EXPECT_EQ(points.changes[0].kind, "cancel");
+  EXPECT_EQ(points.changes[0].kind, ChangeKind::cancel);
   EXPECT_EQ(points.changes[0].before.size(), 2u);
   EXPECT_TRUE(points.changes[0].after.empty());
   EXPECT_EQ(points.zeros.size(), 3u);
@@ -168,7 +168,7 @@ TEST(ResolveClusters, nothing_to_do_changes_nothing) {
   CriticalPoints points;
   points.critical_points.resize(1);
   resolve_clusters(square(), 6, points);
-  EXPECT_EQ(points.form, "harmonic");
+  EXPECT_EQ(points.form, NodeForm::harmonic);
   EXPECT_EQ(points.critical_points.size(), 1u);
   EXPECT_TRUE(points.zeros.empty());
 }

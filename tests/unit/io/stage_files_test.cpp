@@ -67,9 +67,9 @@ TEST_F(StageFiles, PhaseFieldSurvivesTheRoundTrip) {
 TEST_F(StageFiles, ResolvedPointsSurviveTheRoundTrip) {
   expect_same_bytes(samples::resolved_points(), read_critical_points, write_critical_points);
   const CriticalPoints points = read_critical_points(read_input(path("second")));
-  EXPECT_EQ(points.form, "phase");
-  EXPECT_EQ(points.critical_points[1].source, "cluster");
-  EXPECT_EQ(points.corners[0].source, "absorb");
+  EXPECT_EQ(points.form, NodeForm::phase);
+  EXPECT_EQ(points.critical_points[1].source, NodeSource::cluster);
+  EXPECT_EQ(points.corners[0].source, NodeSource::absorb);
   EXPECT_EQ(points.boundary_nodes[0].t, 0.5);
   EXPECT_EQ(points.changes[1].before[1].valence, 5);
   EXPECT_EQ(points.clusters[0].members.size(), 1u);
@@ -88,6 +88,35 @@ TEST_F(StageFiles, NodesAddedByHandNeedPlaceAndValenceOnly) {
   EXPECT_EQ(points.critical_points[0].index, -2);
   EXPECT_EQ(points.index_sum, -1) << "4 - 6 and 2 - 1";
   EXPECT_TRUE(points.changes.empty());
+}
+
+TEST_F(StageFiles, UnknownKindsOfChangesAreReadButUnknownFormsAreRefused) {
+  const auto read = [](const std::string& form, const std::string& location) {
+    return read_critical_points(
+        {"file",
+         R"({"format": "critical-points", "version": [1, 2], "producer": "a later version", "provenance": [],
+    "origin": [0, 0], "form": ")" +
+             form + R"(", "critical_points": [{"position": [0.5, 0.5], "valence": 3,
+      "source": "dream"}], "corners": [], "index_sum": {"expected": 4},
+    "changes": [{"kind": "dream", "reason": "later", "before": [], "after": [
+      {"position": [0.5, 0.5], "valence": 3, "where": ")" +
+             location + R"("}]}]})",
+         ""});
+  };
+  const CriticalPoints points = read("phase", "inside");
+  EXPECT_EQ(points.critical_points[0].source, NodeSource::other);
+  EXPECT_EQ(points.changes[0].kind, ChangeKind::other);
+  const auto refusal = [&](const std::string& form, const std::string& location) {
+    try {
+      read(form, location);
+    } catch (const FormatError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal("magic", "inside").find("CRT-R12"), std::string::npos);
+  EXPECT_NE(refusal("phase", "outside").find("must be inside, corner or boundary, not 'outside' (CRT-R16)"),
+            std::string::npos);
 }
 
 TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {

@@ -48,7 +48,7 @@ TEST(NodeGuards, stand_before_corners_of_the_other_charge) {
     EXPECT_EQ(node_guards(square(), points, {true, false}, 0.1).size(), valence - 1u);
   }
   points.corners = {};
-  points.boundary_nodes.push_back({0, 0.5, {0.5, 0}, 3, "feature"});  // beta = -2
+  points.boundary_nodes.push_back({0, 0.5, {0.5, 0}, 3, NodeSource::feature});  // beta = -2
   EXPECT_EQ(node_guards(square(), points, {true, true}, 0.1).size(), 2u);
   points.boundary_nodes[0].valence = 1;  // beta = 2
   EXPECT_EQ(node_guards(square(), points, {true, true}, 0.1).size(), 0u);

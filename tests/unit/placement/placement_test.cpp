@@ -222,12 +222,12 @@ TEST(PlaceNodes, that_are_not_free_stay) {
   EXPECT_GT(distance(placed[0], start.critical_points[0].position), 0.1);
   ASSERT_EQ(placed.points.changes.size(), 1u);
   const NodeChange& change = placed.points.changes[0];
-  EXPECT_EQ(change.kind, "place");
+  EXPECT_EQ(change.kind, ChangeKind::place);
   EXPECT_EQ(change.before[0].position, start.critical_points[0].position);
   EXPECT_EQ(change.after[0].position, placed[0]);
-  EXPECT_EQ(placed.points.critical_points[0].source, "place");
-  EXPECT_EQ(placed.points.critical_points[1].source, "zero");
-  EXPECT_EQ(placed.points.form, "phase");
+  EXPECT_EQ(placed.points.critical_points[0].source, NodeSource::place);
+  EXPECT_EQ(placed.points.critical_points[1].source, NodeSource::zero);
+  EXPECT_EQ(placed.points.form, NodeForm::phase);
   ASSERT_EQ(placed.points.zeros.size(), 2u);
   EXPECT_EQ(placed.points.zeros[0].position, start.critical_points[0].position);
 }
@@ -236,7 +236,7 @@ TEST(PlaceNodes, at_the_minimum_nothing_changes) {
   const CriticalPoints start = points_at({disc_radius * unit(pi / 4), disc_radius * unit(3 * pi / 4)});
   const Placed placed(half_disc(), Motion()(half_disc_energy), start, 0);
   EXPECT_TRUE(placed.points.changes.empty());
-  EXPECT_EQ(placed.points.form, "harmonic");
+  EXPECT_EQ(placed.points.form, NodeForm::harmonic);
   for (int k = 0; k < 2; ++k) EXPECT_EQ(placed[k], start.critical_points[k].position);
 }
 

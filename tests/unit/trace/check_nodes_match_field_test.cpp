@@ -65,10 +65,10 @@ std::string message_of(const field::FieldEvaluator& evaluator, const CriticalPoi
 
 TEST_F(OneZero, RefusesTheFormPhaseAndNodesOnTheBoundary) {
   CriticalPoints p = points();
-  p.form = "phase";
+  p.form = NodeForm::phase;
   EXPECT_NE(message_of(evaluator, p).find("which is harmonic: run fieldsolve --nodes"), std::string::npos);
   p = points();
-  p.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
+  p.boundary_nodes.push_back({0, 1, {0, -1}, 3, NodeSource::feature});
   p.corners[0].valence = 1;
   EXPECT_NE(message_of(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
 }
@@ -86,10 +86,10 @@ struct AskedPhase : testing::Test {
   }
   CriticalPoints points() const {
     CriticalPoints all;
-    all.form = "phase";
+    all.form = NodeForm::phase;
     all.critical_points.push_back({{0.25, 0.125}, 1, 3, 0, {}, {}});
     for (int j = 0; j < 4; ++j) all.corners.push_back({j, field.mesh.face.joints[j].position, 90, 1, {}});
-    all.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
+    all.boundary_nodes.push_back({0, 1, {0, -1}, 3, NodeSource::feature});
     return all;
   }
   void expect_refused(const CriticalPoints& p) const {
@@ -100,7 +100,7 @@ struct AskedPhase : testing::Test {
 TEST_F(AskedPhase, AcceptsWhatTheFieldWasAskedFor) {
   CriticalPoints p = points();
   EXPECT_EQ(message_of(evaluator, p), "");
-  p.form = "harmonic";  // the nodes decide, not the word
+  p.form = NodeForm::harmonic;  // the nodes decide, not the word
   EXPECT_EQ(message_of(evaluator, p), "");
 }
 

@@ -23,7 +23,7 @@ const std::vector<Vec2> scattered{{0.3, 0.2}, {-0.4, 0.35}, {-0.25, -0.5}, {0.45
 
 CriticalPoints points_of(const Field& field) {
   CriticalPoints points;
-  points.form = "phase";
+  points.form = NodeForm::phase;
   for (const PhaseNode& node : field.phase.prescribed.nodes)
     points.critical_points.push_back({node.position, 4 - node.valence, node.valence, 0, {}, {}});
   return points;
@@ -101,8 +101,8 @@ TEST(PhaseLaunch, ABoundaryNodeDividesTheHalfPlane) {
   const Field field = field_with_boundary_node();
   const field::FieldEvaluator evaluator(field);
   CriticalPoints points;
-  points.form = "phase";
-  points.boundary_nodes.push_back({0, 1, {0, -1}, 3, "feature"});
+  points.form = NodeForm::phase;
+  points.boundary_nodes.push_back({0, 1, {0, -1}, 3, NodeSource::feature});
   const std::vector<Launch> launches = launch_all(evaluator, points);
   ASSERT_EQ(launches.size(), 2u);
   for (int k = 0; k < 2; ++k) {
@@ -125,7 +125,7 @@ TEST(PhaseLaunch, CornersDivideTheirAngle) {
 TEST(FixedNodes, BoundaryNodesComeLastAndAtJointsWithTheirJoint) {
   const CadFace face = square_face({0, 0}, 1);
   CriticalPoints points;
-  points.boundary_nodes = {{1, 0.25, {1, 0.25}, 3, "feature"}, {1, 1, {1, 1}, 3, "feature"}};
+  points.boundary_nodes = {{1, 0.25, {1, 0.25}, 3, NodeSource::feature}, {1, 1, {1, 1}, 3, NodeSource::feature}};
   const std::vector<graph::FixedNode> nodes = fixed_nodes(face, points);
   ASSERT_EQ(nodes.size(), 2u);
   EXPECT_EQ(nodes[0].kind, NodeKind::boundary);
@@ -137,7 +137,7 @@ TEST(FixedNodes, BoundaryNodesComeLastAndAtJointsWithTheirJoint) {
 
 TEST(FixedNodes, AStraightCornerOfABlockIsRefused) {
   CriticalPoints points;
-  points.boundary_nodes.push_back({0, 0.5, {0.5, 0}, 1, "feature"});
+  points.boundary_nodes.push_back({0, 0.5, {0.5, 0}, 1, NodeSource::feature});
   EXPECT_THROW(fixed_nodes(square_face({0, 0}, 1), points), ComputeError);
 }
 
