@@ -1,15 +1,46 @@
 #pragma once
-// Irregular nodes that small fillets and holes force, taken out of the way of blocks.
+// Irregular nodes that small fillets and holes force, moved to where blocks of about the feature size L fit.
+//
+// Objective. However small a fillet or a hole is, the field puts nodes at a distance of the order of its radius beside
+// it (lib/method.md §5). A user who meshes at sizes far above that radius wants no blocks of that size: afterwards
+// nodes are L / 2 apart wherever there is room, and no node that a feature below L forces is left beside it.
+//
+// Invariants. The index sum. Inner nodes stay inside the face. A node of valence 3 is never put onto a smooth boundary:
+// its block would have a corner of 180 degrees. What is symmetric stays symmetric: equal distances (within 1e-6
+// diameters) are decided together or not at all, and moves are decided for all nodes at once. Each change is recorded
+// with its reason and keeps the index. What no rule applies to stays as it was, to the last bit.
+//
+// Decisions, in this order. Each works on what the ones before it left.
+//
+//   rule      applies to                                               decision
+//   cancel    nodes of opposite index nearer than L that see each      removed, or one node in their middle
+//             other, one of them inside (cancel_pairs)
+//   own       inner nodes of index 1 or -1 nearer than L to a small    the nearest feature of their sign owns them, up
+//             feature (feature_owners)                                 to its index capacity
+//   boundary  nodes of valence 5 of a reflex bend or hole              onto the boundary with valence 3
+//             (put_on_boundary)
+//   corner    such nodes whose point is a corner of the layout         the corner takes them: one more block there
+//   inward    nodes of valence 3 of a convex bend (move_inward)        away from the boundary, up to the distance L
+//   cancel    as above, nearer than L / 2; boundary nodes take part    as above
+//   merge     two boundary nodes of valence 3 nearer than L / 2        one of valence 4 between them
+//             (merge_on_boundary)
+//   separate  inner nodes nearer than L / 2 to another node, and       pushed apart; where there is no room that is
+//             changed ones to the boundary (separate_nodes)            recorded
+//
+// Why this order. Opposite pairs first: what cancels needs no feature, and a node put onto the boundary could no longer
+// find its partner. Boundary before inward: a node that moves onto the boundary
+// does not stop nodes that move inward. Cancelling again, because
+// moves bring nodes together that were apart. Merging before separating: boundary nodes cannot be pushed.
+// All numbers are in features/feature_constants.
 
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
 namespace quadrille::features {
 
-/// Small fillets and holes (lib/method.md §5): nodes of valence 5 that features below `size` force go onto the
-/// boundary, those of valence 3 at convex walls inward to at least `size`, pairs cancel. size = 0: nothing. What a
-/// feature is and what it forces: features/feature_bends. Two nodes on the boundary nearer than size / 2 become one of
-/// valence 4. Nodes that were moved keep `elem` and `xi` of where they were. Throws UsageError where size is no length.
+/// Applies the rules above with L = `size`, in the file's unit; 0: changes nothing. What a feature is and which index
+/// it forces: features/small_features. Nodes that were moved keep `elem` and `xi` of where they were. Throws UsageError
+/// where `size` is negative or not finite.
 void resolve_features(const CadFace& face, double size, CriticalPoints& points);
 
 }  // namespace quadrille::features

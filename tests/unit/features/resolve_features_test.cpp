@@ -10,48 +10,14 @@
 #include <limits>
 #include <vector>
 
-#include "../hand_made.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
-#include "features/feature_bends.hpp"
+#include "feature_faces.hpp"
 
 namespace quadrille::features {
 namespace {
 
-constexpr double convex_depth = 0.312, reflex_depth = 0.407;
-
-using Loop = std::vector<Nurbs>;
-
-/// A polygon in its own sequence (holes clockwise) with fillets of these radii; 0: a sharp corner.
-Loop filleted(const std::vector<Vec2>& corners, const std::vector<double>& radii) {
-  const size_t n = corners.size();
-  std::vector<Vec2> before(n), after(n);
-  std::vector<Nurbs> arcs(n);
-  for (size_t i = 0; i < n; ++i) {
-    const Vec2 in = normalized(corners[i] - corners[(i + n - 1) % n]),
-               out = normalized(corners[(i + 1) % n] - corners[i]);
-    const double turn = std::atan2(cross(in, out), dot(in, out)), cut = radii[i] * std::tan(std::abs(turn) / 2);
-    before[i] = corners[i] - cut * in;
-    after[i] = corners[i] + cut * out;
-    if (radii[i] == 0) continue;
-    const double side = turn > 0 ? 1 : -1, start = angle_of(in) - side * half_pi;
-    arcs[i] = curve::circular_arc(before[i] + side * radii[i] * left_of(in), radii[i], start, start + turn);
-  }
-  Loop loop;
-  for (size_t i = 0; i < n; ++i) {
-    if (radii[i] > 0) loop.push_back(arcs[i]);
-    loop.push_back(curve::segment(after[i], before[(i + 1) % n]));
-  }
-  return loop;
-}
-
-Loop rectangle(Vec2 low, Vec2 high, double radius) {
-  return filleted({low, {high.x, low.y}, high, {low.x, high.y}}, {radius, radius, radius, radius});
-}
-
-Loop window(Vec2 low, Vec2 high, double radius) {
-  return filleted({low, {low.x, high.y}, high, {high.x, low.y}}, {radius, radius, radius, radius});
-}
+using namespace testing_features;
 
 CriticalPoint node(Vec2 at, int valence) {
   CriticalPoint p;
@@ -66,15 +32,7 @@ CriticalPoint node(Vec2 at, int valence) {
 CriticalPoints points_with(const CadFace& face, const std::vector<CriticalPoint>& nodes) {
   CriticalPoints points;
   points.critical_points = nodes;
-  for (int j = 0; j < face.num_curves(); ++j) {
-    const Joint& joint = face.joints[j];
-    if (joint.is_corner)
-      points.corners.push_back({j,
-                                joint.position,
-                                degrees(joint.interior_angle),
-                                static_cast<int>(std::lround(joint.interior_angle / half_pi)),
-                                {face.previous_in_loop(j), j}});
-  }
+  points.corners = corners_of(face);
   points.index_sum = index_sum_of(points);
   points.index_sum_expected = 4 * face.euler_characteristic();
   return points;
@@ -109,15 +67,7 @@ void expect_sound(const CadFace& face, const CriticalPoints& points) {
     EXPECT_TRUE(b.t > curve.begin() || !face.joints[b.curve].is_corner);
     EXPECT_LT(b.t, curve.end());
   }
-  for (const NodeChange& change : points.changes) {
-    const auto sum = [](const std::vector<NodeMark>& marks) {
-      int total = 0;
-      for (const NodeMark& m : marks) total += (m.location == NodeLocation::inside ? 4 : 2) - m.valence;
-      return total;
-    };
-    EXPECT_EQ(sum(change.before), sum(change.after)) << change.reason;
-    EXPECT_FALSE(change.reason.empty());
-  }
+  expect_sound_changes(points.changes);
 }
 
 bool has_node_at(const CriticalPoints& points, Vec2 x, int valence, double tol) {
@@ -471,37 +421,123 @@ TEST(ResolveFeatures, LeavesTheNodeOfALargerFeatureBesideASmallOne) {
   EXPECT_EQ(nearer.boundary_nodes.size(), 1u);
 }
 
-TEST(SmallFeatures, CountsWhatARunCarries) {
-  const CadFace face =
-      hand_made::face({filleted({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {0.1, 0.2, 0, 1.0})}, std::sqrt(20.0));
-  const std::vector<SmallFeature> small = small_features(face, 0.5);
-  ASSERT_EQ(small.size(), 2u);
-  EXPECT_EQ(small[0].kind, FeatureKind::convex);
-  EXPECT_NEAR(small[0].extent, 0.1, 1e-12);
-  EXPECT_EQ(small[0].capacity, 1);
-  EXPECT_NEAR(small[1].stretch.length(), 0.1 * pi, 1e-12);
-  EXPECT_EQ(small_features(face, 0.2).size(), 1u);  // 0.2 is not below 0.2
-  // Half circles at the ends of a slot carry two each; a circle is a hole or nothing.
-  const Loop slot{curve::circular_arc({1, 0}, 0.3, half_pi, -half_pi), curve::segment({1, -0.3}, {-1, -0.3}),
-                  curve::circular_arc({-1, 0}, 0.3, -half_pi, -3 * half_pi), curve::segment({-1, 0.3}, {1, 0.3})};
-  const CadFace plate = hand_made::face(
-      {rectangle({-4, -4}, {4, 4}, 0), slot, {curve::circular_arc({0, 2}, 0.3, 0, -2 * pi)}}, std::sqrt(128.0));
-  const std::vector<SmallFeature> ends = small_features(plate, 0.4);
-  ASSERT_EQ(ends.size(), 2u);
-  EXPECT_EQ(ends[0].kind, FeatureKind::reflex);
-  EXPECT_EQ(ends[0].capacity, 2);
-  const std::vector<SmallFeature> with_hole = small_features(plate, 0.7);
-  ASSERT_EQ(with_hole.size(), 3u);
-  EXPECT_EQ(with_hole[2].kind, FeatureKind::hole);
-  EXPECT_NEAR(with_hole[2].extent, 0.6, 1e-6);
-  EXPECT_EQ(with_hole[2].capacity, 4);
-  // A small ellipse is one hole, whatever its ends.
-  Loop ellipse{curve::circular_arc({0, 0}, 1, 0, -2 * pi)};
-  for (Vec2& pole : ellipse[0].poles) pole.y *= 0.3;
-  const CadFace with_ellipse = hand_made::face({rectangle({-9, -9}, {9, 9}, 0), ellipse}, std::sqrt(648.0));
-  EXPECT_EQ(small_features(with_ellipse, 1).size(), 2u);
-  ASSERT_EQ(small_features(with_ellipse, 2.1).size(), 1u);
-  EXPECT_EQ(small_features(with_ellipse, 2.1)[0].kind, FeatureKind::hole);
+// Pairs of rules that can meet: each test fails when the two are applied in the other order, or one without the other.
+
+/// The nodes of a part of a layout: the index sum is not that of a face, but it is kept.
+CriticalPoints resolved(const CadFace& face, const std::vector<CriticalPoint>& nodes, double size) {
+  CriticalPoints points = points_with(face, nodes);
+  const int sum = index_sum_of(points);
+  resolve_features(face, size, points);
+  EXPECT_EQ(index_sum_of(points), sum);
+  expect_sound_changes(points.changes);
+  return points;
+}
+
+/// A right angle of the outline at the origin with a fillet of radius 0.1, its node of valence 3, and others.
+CadFace one_fillet() {
+  return hand_made::face({filleted({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {0.1, 0, 0, 0})}, std::sqrt(32.0));
+}
+
+Vec2 fillet_node(double radius) {
+  const double off = radius * (1 - std::sqrt(0.5) + convex_depth * std::sqrt(0.5));
+  return {off, off};
+}
+
+TEST(RulePairs, CancelBeforeOwn_AFeatureGetsNoNodeThatCancels) {
+  const CadFace face = one_fillet();
+  const CriticalPoints points = resolved(face, {node(fillet_node(0.1), 3), node({0.2, 0.2}, 5)}, 0.5);
+  EXPECT_TRUE(points.critical_points.empty());
+  EXPECT_EQ(points.changes.size(), 1u);
+}
+
+TEST(RulePairs, CancelThenInward_TheNodeInTheMiddleOfThreeIsOwnedToo) {
+  // 3, 5, 3 in a row on the bisector become one of valence 3, which then moves to the size.
+  const CadFace face = one_fillet();
+  const CriticalPoints points =
+      resolved(face, {node({0.05, 0.05}, 3), node({0.08, 0.08}, 5), node({0.11, 0.11}, 3)}, 0.5);
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  EXPECT_TRUE(has_node_at(points, {0.5, 0.5}, 3, 1e-9));
+}
+
+/// A small circular hole before the fillet of the outline.
+CadFace fillet_and_hole(Vec2 centre, double radius) {
+  return hand_made::face({filleted({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {0.1, 0, 0, 0}), round_hole(centre, radius)},
+                         std::sqrt(32.0));
+}
+
+TEST(RulePairs, BoundaryBeforeInward_ANodeOnTheBoundaryDoesNotStopAMovingOne) {
+  // The hole has one node left, on the bisector: (1, 1) less the radius along it.
+  const CadFace face = fillet_and_hole({1, 1}, 0.1);
+  const Vec2 on_hole = Vec2{1, 1} - 0.1 * unit(pi / 4);
+  const CriticalPoints points =
+      resolved(face, {node(fillet_node(0.1), 3), node(Vec2{1, 1} - 0.14 * unit(pi / 4), 5)}, 0.6);
+  ASSERT_EQ(points.boundary_nodes.size(), 1u);
+  EXPECT_TRUE(has_boundary_node_at(points, on_hole, 3, 1e-9));
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  // Midway between outline and hole, t = sqrt(2) (1 - t) - 0.1. A node that were still inside would stop it at 0.528.
+  const double t = (std::sqrt(2.0) - 0.1) / (1 + std::sqrt(2.0));
+  EXPECT_TRUE(has_node_at(points, {t, t}, 3, 1e-6));
+}
+
+TEST(RulePairs, InwardThenCancel_AMovedNodeThatMeetsItsOppositeGoesWithIt) {
+  // Apart by more than the size at first. The node stops where it is as near to the other as to the boundary, 0.24.
+  const CadFace face = one_fillet();
+  const Vec2 other{0.41, 0.41};
+  ASSERT_GT(distance(fillet_node(0.1), other), 0.5);
+  const CriticalPoints points = resolved(face, {node(fillet_node(0.1), 3), node(other, 5)}, 0.5);
+  EXPECT_TRUE(points.critical_points.empty());
+  EXPECT_EQ(count_changes(points, ChangeKind::feature), 1);
+  EXPECT_EQ(count_changes(points, ChangeKind::cancel), 1);
+}
+
+TEST(RulePairs, InwardThenSeparate_AMovedNodeIsPushedOffOneOfItsSign) {
+  const CadFace face = one_fillet();
+  const CriticalPoints points = resolved(face, {node(fillet_node(0.1), 3), node({0.35, 0.35}, 3)}, 0.5);
+  ASSERT_EQ(points.critical_points.size(), 2u);
+  EXPECT_GE(distance(points.critical_points[0].position, points.critical_points[1].position), 0.25 - 1e-12);
+}
+
+TEST(RulePairs, BoundaryThenCancel_ANodeOnTheBoundaryCancelsAnInnerOneThatComesNear) {
+  // The reflex fillet's node moves onto its arc; the one of valence 3 was farther than the size from where it was.
+  const CadFace face = plate(4, {window({-1, -1}, {1, 1}, 0.1)});
+  const Vec2 out = unit(pi / 4), arc = Vec2{0.9, 0.9} + 0.1 * out;
+  const Vec2 before = arc + 0.3 * out + 0.2 * left_of(out), other = arc + 0.02 * out - 0.14 * left_of(out);
+  ASSERT_GT(distance(before, other), 0.4);
+  ASSERT_LT(distance(arc, other), 0.2);
+  const CriticalPoints points = resolved(face, {node(before, 5), node(other, 3)}, 0.4);
+  EXPECT_TRUE(points.boundary_nodes.empty());
+  EXPECT_TRUE(points.critical_points.empty());
+}
+
+TEST(RulePairs, BoundaryThenSeparate_AnInnerNodeIsPushedOffOneOnTheBoundary) {
+  const CadFace face = plate(4, {window({-1, -1}, {1, 1}, 0.1)});
+  const Vec2 out = unit(pi / 4), arc = Vec2{0.9, 0.9} + 0.1 * out;
+  const CriticalPoints points = resolved(face, {node(arc + 0.04 * out, 5), node(arc + 0.1 * out, 5)}, 0.4);
+  ASSERT_EQ(points.boundary_nodes.size(), 1u);
+  EXPECT_TRUE(has_boundary_node_at(points, arc, 3, 1e-12));
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  EXPECT_GE(distance(points.critical_points[0].position, arc), 0.2 - 1e-12);
+}
+
+TEST(RulePairs, OwnThenCorner_ACornerTakesNoMoreThanTheCapacity) {
+  // Two nodes before the tip of a triangular hole: the capacity is 1, the corner takes the nearer one.
+  const double s = 0.1;
+  const CadFace face = plate(2, {filleted({{-s, 0}, {0, s * std::sqrt(3.0)}, {s, 0}}, {0, 0, 0})});
+  const CriticalPoints points = resolved(face, {node({0, 0.25}, 5), node({0, 0.6}, 5)}, 0.5);
+  EXPECT_TRUE(points.boundary_nodes.empty());
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  EXPECT_TRUE(has_node_at(points, {0, 0.6}, 5, 1e-12));
+}
+
+TEST(RulePairs, MergeBeforeSeparate_AnInnerNodeIsPushedOffTheMergedOne) {
+  const CadFace face = plate(4, {window({-1, -0.1}, {1, 0.1}, 0.05)});
+  std::vector<CriticalPoint> nodes = at_fillets({-1, -0.1}, {1, 0.1}, 0.05, reflex_depth, -1, 5);
+  nodes.push_back(node({1.1, 0}, 5));
+  const CriticalPoints points = resolved(face, nodes, 0.5);
+  EXPECT_TRUE(has_boundary_node_at(points, {1, 0}, 4, 1e-12));
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  EXPECT_GE(distance(points.critical_points[0].position, {1, 0}), 0.25 - 1e-12);
+  EXPECT_NEAR(points.critical_points[0].position.y, 0, 1e-9);
 }
 
 }  // namespace

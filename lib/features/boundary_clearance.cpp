@@ -1,0 +1,88 @@
+#include "features/boundary_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+#include "features/feature_constants.hpp"
+
+namespace quadrille::features {
+namespace {
+
+constexpr double touching = 1e-9;  // of the diameter
+
+bool is_reflex_joint(const CadFace& face, int joint) { return face.joints[joint].interior_angle > pi + 1e-6; }
+
+bool turns_away(const CadFace& face, int curve, double t, bool from_left) {
+  return curve::curvature(face.curves[curve], t, from_left) < -1e-6 / face.diameter;
+}
+
+/// Whether the boundary is reflex where curve `joint` begins. At a smooth joint both sides count: the end of a fillet
+/// is reflex, though the straight side beyond it is not.
+bool is_reflex_at_joint(const CadFace& face, int joint) {
+  if (face.joints[joint].is_corner) return is_reflex_joint(face, joint);
+  const int before = face.previous_in_loop(joint);
+  return turns_away(face, joint, face.curves[joint].begin(), false) ||
+         turns_away(face, before, face.curves[before].end(), true);
+}
+
+bool is_reflex(const CadFace& face, int curve, double t) {
+  if (t <= face.curves[curve].begin()) return is_reflex_at_joint(face, curve);
+  if (t >= face.curves[curve].end()) return is_reflex_at_joint(face, face.next_in_loop(curve));
+  return turns_away(face, curve, t, false);
+}
+
+}  // namespace
+
+BoundaryClearance::BoundaryClearance(const CadFace& face) : face_(&face) {
+  for (const Nurbs& curve : face.curves) {
+    Box box{curve.poles.front(), curve.poles.front()};
+    for (const Vec2 pole : curve.poles) {
+      box.low = {std::min(box.low.x, pole.x), std::min(box.low.y, pole.y)};
+      box.high = {std::max(box.high.x, pole.x), std::max(box.high.y, pole.y)};
+    }
+    boxes_.push_back(box);
+  }
+}
+
+double BoundaryClearance::lower_bound(int curve, Vec2 x) const {
+  const Box& box = boxes_[curve];
+  return std::hypot(std::max({box.low.x - x.x, x.x - box.high.x, 0.0}),
+                    std::max({box.low.y - x.y, x.y - box.high.y, 0.0}));
+}
+
+double BoundaryClearance::at(Vec2 x) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < face_->num_curves(); ++c) {
+    if (lower_bound(c, x) < nearest) nearest = std::min(nearest, curve::project(face_->curves[c], x).distance);
+  }
+  return nearest;
+}
+
+std::vector<CurveFoot> BoundaryClearance::feet(Vec2 x, double reach) const {
+  std::vector<CurveFoot> feet;
+  for (int c = 0; c < face_->num_curves(); ++c) {
+    if (lower_bound(c, x) >= reach) continue;
+    const curve::Projection p = curve::project(face_->curves[c], x);
+    const bool is_known = std::any_of(feet.begin(), feet.end(), [&](const CurveFoot& foot) {
+      return distance(foot.position, p.position) <= feature_constants.equal_lengths * face_->diameter;
+    });
+    if (p.distance < reach && !is_known) feet.push_back({p.position, p.distance, is_reflex(*face_, c, p.t)});
+  }
+  return feet;
+}
+
+bool BoundaryClearance::is_segment_inside(Vec2 a, Vec2 b) const {
+  const double length = distance(a, b), least = touching * face_->diameter;
+  for (double s = 0; s < length;) {
+    const double clearance = at(a + (s / length) * (b - a));
+    if (clearance < least) return false;
+    s += clearance;
+  }
+  return true;
+}
+
+}  // namespace quadrille::features

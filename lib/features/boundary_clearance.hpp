@@ -1,0 +1,41 @@
+#pragma once
+// Distances from points to the boundary of a face, curve by curve.
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille::features {
+
+/// The point of one boundary curve nearest to some point of the plane.
+struct CurveFoot {
+  Vec2 position;
+  double distance = 0;
+  bool is_reflex = false;  ///< the boundary turns away from the domain there
+};
+
+class BoundaryClearance {
+ public:
+  /// `face` must outlive it.
+  explicit BoundaryClearance(const CadFace& face);
+
+  /// Distance from x to the nearest point of the boundary.
+  double at(Vec2 x) const;
+  /// The nearest point of each curve that is nearer than `reach`; one where several curves share it.
+  std::vector<CurveFoot> feet(Vec2 x, double reach) const;
+  /// Whether the segment from a to b, both inside, stays inside: steps along it by the clearance, which must exceed
+  /// 1e-9 diameters everywhere.
+  bool is_segment_inside(Vec2 a, Vec2 b) const;
+
+ private:
+  struct Box {
+    Vec2 low, high;
+  };
+  /// Not more than the distance from x to the curve.
+  double lower_bound(int curve, Vec2 x) const;
+
+  const CadFace* face_;
+  std::vector<Box> boxes_;  ///< of each curve's poles, which enclose the curve
+};
+
+}  // namespace quadrille::features

@@ -1,0 +1,40 @@
+#pragma once
+// Where a boundary loop is curved: longest runs, over smooth joints, that are curved to one side everywhere.
+
+#include <vector>
+
+#include "features/loop_section.hpp"
+
+namespace quadrille::features {
+
+/// To which side the boundary turns, walked with the face on the left.
+enum class TurnSide { left, right, none };
+
+/// An interval of one curve that is curved to one side.
+struct CurvedInterval {
+  CurveInterval interval;
+  TurnSide side = TurnSide::none;
+  double turning = 0;  ///< radians, >= 0: between the tangents at its ends
+  double greatest_curvature = 0;
+};
+
+/// Curved intervals that follow each other over smooth joints, all to one side.
+struct CurvedRun {
+  std::vector<CurvedInterval> parts;
+  bool is_loop = false;  ///< it closes on itself
+
+  TurnSide side() const { return parts.front().side; }
+  double turning() const;
+  double least_radius() const;
+  std::vector<CurveInterval> intervals() const;
+};
+
+/// The longest runs of a loop on which |curvature| exceeds `least_curvature` (1 / length), in the order of the loop.
+/// Curvature is sampled in the middle of equal parts of each knot span (FeatureConstants::samples_per_span), because it
+/// may jump at knots; the ends of a run are found by bisection.
+std::vector<CurvedRun> curved_runs(const CadFace& face, int loop, double least_curvature);
+
+/// The parameters at which curvature is sampled on a curve: both ends of every part.
+std::vector<double> sample_parameters(const Nurbs& curve);
+
+}  // namespace quadrille::features

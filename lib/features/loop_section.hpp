@@ -1,0 +1,57 @@
+#pragma once
+// A section of a boundary loop, directed as the loop is, with positions given by the fraction in [0, 1] of its length.
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille::features {
+
+/// From t0 to t1 > t0 on a curve of the face.
+struct CurveInterval {
+  int curve = 0;
+  double t0 = 0, t1 = 0;
+};
+
+/// A point of the boundary. Where two curves meet it is the beginning of the second.
+struct BoundaryPoint {
+  int curve = 0;
+  double t = 0;
+  Vec2 position;
+};
+
+/// The point of a section nearest to some point of the plane.
+struct SectionFoot {
+  double fraction = 0;  ///< of the section's length
+  double distance = 0;
+  Vec2 position;
+};
+
+class LoopSection {
+ public:
+  /// Intervals that follow each other; `face` must outlive the section. `is_closed`: a whole loop.
+  LoopSection(const CadFace& face, std::vector<CurveInterval> intervals, bool is_closed);
+
+  double length() const { return ends_.back(); }
+  bool is_closed() const { return is_closed_; }
+  const std::vector<CurveInterval>& intervals() const { return intervals_; }
+  /// At a fraction of the length; beyond [0, 1] it is clamped, or wraps round where closed. A parameter within 1e-9 of
+  /// the curve's range from a knot or end is the knot or the joint.
+  BoundaryPoint at(double fraction) const;
+  /// The nearest point. Linear in the number of intervals.
+  SectionFoot foot(Vec2 x) const;
+
+ private:
+  const CadFace* face_;
+  std::vector<CurveInterval> intervals_;
+  bool is_closed_;
+  std::vector<double> ends_;  ///< length up to the end of each interval
+};
+
+/// Loop `loop` of the face as one closed section.
+LoopSection whole_loop(const CadFace& face, int loop);
+
+/// Whether some part of the boundary belongs to both; touching ends do not count.
+bool do_overlap(const LoopSection& a, const LoopSection& b);
+
+}  // namespace quadrille::features

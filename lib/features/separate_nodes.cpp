@@ -1,0 +1,136 @@
+#include "features/separate_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "features/feature_constants.hpp"
+
+namespace quadrille::features {
+namespace {
+
+constexpr double margin = feature_constants.push_margin;
+
+struct Push {
+  std::vector<Vec2> moves;
+  double shortfall = 0;  ///< greatest part of the spacing that is missing
+};
+
+/// Boundary nodes stay where their feature is.
+bool is_fixed_pair(const FeatureNode& a, const FeatureNode& b) { return !a.is_inside() && !b.is_inside(); }
+
+void push_apart(const FeatureState& state, double spacing, Push& push) {
+  const std::vector<FeatureNode>& nodes = state.nodes;
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    for (size_t j = i + 1; j < nodes.size(); ++j) {
+      const double d = distance(nodes[i].position, nodes[j].position);
+      if (d >= spacing || d <= state.tie || is_fixed_pair(nodes[i], nodes[j])) continue;
+      const Vec2 away = (nodes[i].position - nodes[j].position) / d;
+      const double gap = spacing * (1 + margin) - d;
+      const bool is_shared = nodes[i].is_inside() && nodes[j].is_inside();
+      if (nodes[i].is_inside()) push.moves[i] += (is_shared ? gap / 2 : gap) * away;
+      if (nodes[j].is_inside()) push.moves[j] -= (is_shared ? gap / 2 : gap) * away;
+      push.shortfall = std::max(push.shortfall, 1 - d / spacing);
+    }
+  }
+}
+
+void push_off_boundary(const FeatureState& state, const BoundaryClearance& clearance, double spacing, Push& push) {
+  for (size_t i = 0; i < state.nodes.size(); ++i) {
+    const FeatureNode& node = state.nodes[i];
+    if (!node.is_inside() || !node.is_changed()) continue;
+    for (const CurveFoot& foot : clearance.feet(node.position, spacing)) {
+      if (foot.is_reflex || foot.distance <= 0) continue;
+      push.moves[i] += (spacing * (1 + margin) - foot.distance) / foot.distance * (node.position - foot.position);
+      push.shortfall = std::max(push.shortfall, 1 - foot.distance / spacing);
+    }
+  }
+}
+
+Push pushes(const FeatureState& state, const BoundaryClearance& clearance, double spacing) {
+  Push push{std::vector<Vec2>(state.nodes.size()), 0};
+  push_apart(state, spacing, push);
+  push_off_boundary(state, clearance, spacing, push);
+  return push;
+}
+
+/// One round. No node moves farther than half of its clearance.
+void apply(const Push& push, const BoundaryClearance& clearance, FeatureState& state) {
+  for (size_t i = 0; i < state.nodes.size(); ++i) {
+    const double length = norm(push.moves[i]);
+    if (length == 0) continue;
+    const double step = std::min(feature_constants.push_step * length,
+                                 feature_constants.push_to_boundary * clearance.at(state.nodes[i].position));
+    state.nodes[i].position += step / length * push.moves[i];
+    state.nodes[i].changed_by = ChangeKind::feature;
+  }
+}
+
+/// The round with the least shortfall; it stops where there is none.
+void push_to_spacing(FeatureState& state, const BoundaryClearance& clearance, double spacing) {
+  std::vector<FeatureNode> best = state.nodes;
+  Push push = pushes(state, clearance, spacing);
+  double least = push.shortfall;
+  for (int round = 0; round < feature_constants.max_push_rounds && push.shortfall > 0; ++round) {
+    apply(push, clearance, state);
+    push = pushes(state, clearance, spacing);
+    if (push.shortfall >= least) continue;
+    least = push.shortfall;
+    best = state.nodes;
+  }
+  state.nodes = best;
+}
+
+void record_moves(FeatureState& state, const std::vector<FeatureNode>& before, double spacing) {
+  for (size_t i = 0; i < before.size(); ++i) {
+    const double moved = distance(before[i].position, state.nodes[i].position);
+    if (moved > 0)
+      record(state, ChangeKind::feature, {before[i]}, {state.nodes[i]},
+             fmt::format("moved by {:.4g}, to be half the feature size, {:.4g}, away from nodes and boundary", moved,
+                         spacing));
+  }
+}
+
+void record_close_pairs(FeatureState& state, double spacing) {
+  const std::vector<FeatureNode> nodes = state.nodes;
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    for (size_t j = i + 1; j < nodes.size(); ++j) {
+      const double d = distance(nodes[i].position, nodes[j].position);
+      const bool is_one_hole = nodes[i].hole && nodes[i].hole == nodes[j].hole;
+      if (d >= spacing * (1 - feature_constants.spacing_tol) || (is_one_hole && is_fixed_pair(nodes[i], nodes[j])))
+        continue;
+      record(state, ChangeKind::feature, {nodes[i], nodes[j]}, {nodes[i], nodes[j]},
+             fmt::format("two nodes stay {:.4g} apart, less than half the feature size, {:.4g}: there is no room", d,
+                         spacing));
+    }
+  }
+}
+
+void record_close_to_boundary(FeatureState& state, const BoundaryClearance& clearance, double spacing) {
+  const std::vector<FeatureNode> nodes = state.nodes;
+  const double enough = spacing * (1 - feature_constants.spacing_tol);
+  for (const FeatureNode& node : nodes) {
+    if (!node.is_inside() || !node.is_changed()) continue;
+    double nearest = enough;
+    for (const CurveFoot& foot : clearance.feet(node.position, nearest))
+      if (!foot.is_reflex) nearest = std::min(nearest, foot.distance);
+    if (nearest < enough)
+      record(state, ChangeKind::feature, {node}, {node},
+             fmt::format("the node stays {:.4g} from the boundary, less than half the feature size, {:.4g}: there is "
+                         "no room",
+                         nearest, spacing));
+  }
+}
+
+}  // namespace
+
+void separate_nodes(FeatureState& state, const BoundaryClearance& clearance) {
+  const double spacing = feature_constants.spacing * state.size;
+  const std::vector<FeatureNode> before = state.nodes;
+  push_to_spacing(state, clearance, spacing);
+  record_moves(state, before, spacing);
+  record_close_pairs(state, spacing);
+  record_close_to_boundary(state, clearance, spacing);
+}
+
+}  // namespace quadrille::features
