@@ -1,4 +1,15 @@
 // critpoints: the irregular nodes of the layout and the valences of the corners, from a guiding field.
+//
+// The steps, each of which changes what the one before it left and keeps the index sum (lib/method.md §3, §5):
+//   find_critical_points        zeros, clusters, corners by angle or field, corners that absorb zeros
+//   resolve_clusters            clusters become nodes
+//   line_field_points           in place of both where the boundary data lie on one line
+//   override_corners            --corner-valence
+//   divide_degenerate_corners   --degenerate
+//   resolve_features            --feature-size
+//   place_nodes                 --place
+//   complete_nodes              elements, order
+// Each change is recorded. A step that leaves a node which is no zero of the field sets the form `phase`.
 
 #include <fmt/format.h>
 
@@ -12,11 +23,15 @@
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "guide/complete_nodes.hpp"
+#include "guide/divide_corners.hpp"
 #include "guide/find_critical_points.hpp"
-#include "guide/resolve.hpp"
+#include "guide/index_sum.hpp"
+#include "guide/line_field.hpp"
+#include "guide/override_corners.hpp"
+#include "guide/resolve_clusters.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
-#include "placement/placement.hpp"
+#include "placement/place_nodes.hpp"
 
 using namespace quadrille;
 
@@ -27,8 +42,8 @@ struct NodeOptions {
   int max_valence = 6;
   std::vector<std::string> corner_valences;
   double feature_size = 0;
-  std::string degenerate = "divide";
-  std::string place = "keep";
+  guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
+  placement::PlaceRule place = placement::PlaceRule::keep;
   placement::PlacementOptions placement;
 
   std::vector<guide::CornerOverride> overrides() const {
@@ -40,22 +55,25 @@ struct NodeOptions {
 
 void declare(cli::Options& o, NodeOptions& options) {
   o.number("--cluster-distance", options.search.cluster_distance, 0, 0.1, "diameters",
-           "zeros nearer to each other than this are one cluster, which becomes one node or a symmetric set, or "
-           "cancels; 0: only zeros that cannot be told apart");
+           "zeros nearer to each other than this form one cluster, which is replaced by one node or a symmetric set of "
+           "nodes, or cancels; 0: only zeros that cannot be distinguished");
   o.number("--corner-absorb", options.search.corner_absorb, 0, 0.1, "diameters",
-           "zeros nearer to a corner than this become part of its valence where that is admissible; 0: none");
-  o.integer("--max-valence", options.max_valence, 5, 12, "clusters that ask for a node of a greater one are split");
+           "corners absorb zeros nearer than this where the new valence is admissible; 0: none");
+  o.integer("--max-valence", options.max_valence, 5, 12,
+            "clusters that would need a node of greater valence are split");
   o.texts("--corner-valence", options.corner_valences, "A:B=V",
-          "V blocks at the corner where the boundary curves A and B meet");
-  o.choice("--degenerate", options.degenerate, {"divide", "keep"},
-           "corners too sharp for a block: midpoint division by a node of valence 3, or none, and no layout");
+          "prescribes V blocks at the corner where the boundary curves A and B meet");
+  o.choice("--degenerate", options.degenerate,
+           "corners too sharp for a block: divide them by a node of valence 3 (midpoint division), or keep them: then "
+           "there is no layout");
   o.number("--feature-size", options.feature_size, 0, 1e300, "file units",
-           "nodes that fillets and holes smaller than this force go onto the boundary or away from it, or cancel; 0: "
+           "nodes forced by fillets and holes smaller than this move onto the boundary or away from it, or cancel; 0: "
            "they stay");
-  o.choice("--place", options.place, {"keep", "energy"},
-           "nodes stay where the field has them, or all move to the least energy; what clusters become always does");
+  o.choice("--place", options.place,
+           "keep nodes at the zeros of the field, or move all to the least energy; nodes of split clusters are always "
+           "moved");
   o.number("--place-weight", options.placement.weight, 0, 100, "1",
-           "of the distance to the boundary against the energy; 0: the energy alone");
+           "weight of the boundary-distance term relative to the energy; 0: the energy alone");
 }
 
 /// The field's zeros as they are, or on a line field the nodes by rule.
@@ -68,8 +86,8 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
 }
 
 void place(const Field& field, const NodeOptions& options, int num_threads, CriticalPoints& points, Report& report) {
-  std::vector<bool> is_free = guide::nodes_without_place(field.mesh.face, points);
-  if (options.place == "energy") is_free.assign(is_free.size(), true);
+  std::vector<bool> is_free = guide::nodes_without_position(field.mesh.face, points);
+  if (options.place == placement::PlaceRule::energy) is_free.assign(is_free.size(), true);
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
   const auto energy = galerkin::phase_energy_function(field, {points.hole_winding_offsets}, num_threads);
   const auto of_points = [&](const CriticalPoints& at) {
@@ -89,13 +107,14 @@ int main(int argc, char** argv) {
   tool.summary = "chooses the irregular nodes of the layout and the valences of the corners";
   tool.description =
       "Reads a field and finds every zero of it once, with its index and valence, and the valence of every corner. "
-      "That none is missing is proved: each element is cut into cells until a bound shows that a cell holds no zero, "
-      "or at most one, which is then computed. Each has an error bar, from the estimated error of the field there.\n\n"
-      "Zeros that no layout can use become nodes that it can: multiple zeros and zeros nearer to each other than any "
-      "block are split symmetrically, merged or cancelled, corners absorb zeros that touch them, small fillets and "
-      "holes hand theirs to the boundary, corner valences may be asked for. Where sides lie at multiples of 45 degrees "
-      "only, and the field vanishes on curves, valences are chosen by rule. Each change is listed in the output with "
-      "its reason. Unless \"form\" is \"harmonic\" there, the later stages need a field made for these nodes: "
+      "A proof shows that none is missing: each element is cut into cells until a bound shows that a cell holds no "
+      "zero, or at most one, which is then computed. Each zero has an error bar, from the estimated error of the field "
+      "there.\n\n"
+      "Zeros that no layout can use are replaced: multiple zeros and zeros nearer to each other than any block are "
+      "split symmetrically, merged or cancelled; corners absorb adjacent zeros; nodes of small fillets and holes move "
+      "onto the boundary or away from it; corner valences may be prescribed. Where all sides lie at multiples of 45 "
+      "degrees and the field vanishes on curves, valences are chosen by rule. Each change is listed in the output with "
+      "its reason. Unless \"form\" is \"harmonic\" there, the later stages need a field solved for these nodes: "
       "fieldsolve --nodes.\n\n"
       "The sum of 4 - V over the nodes and of 2 - V over the corners must be four times the face's Euler "
       "characteristic (1 less the number of holes); otherwise nothing is written and the exit code is 1.";
@@ -105,7 +124,7 @@ int main(int argc, char** argv) {
                    "critpoints --feature-size 0.1 half_disc.field.h5 | jq '.changes'"};
   tool.options = [&](cli::Options& o) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
-    o.output(output, "file for the nodes; - is standard output");
+    o.output(output, "file of the nodes and corners; - is standard output");
     declare(o, options);
   };
   tool.run = [&](cli::Session& s) {
@@ -115,7 +134,8 @@ int main(int argc, char** argv) {
     Field field = io::read_field(file);
     check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
     if (field.kind != FieldKind::harmonic)
-      throw FormatError(file.name + ": the field was made for the nodes that it has; critpoints reads harmonic ones");
+      throw FormatError(file.name +
+                        ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
     if (field.elem_error.empty()) field.elem_error = field::error_estimate(field);
     s.begin_phase("search");
     const field::FieldEvaluator evaluator(field);
@@ -123,7 +143,7 @@ int main(int argc, char** argv) {
     s.begin_phase("resolve");
     const CadFace& face = field.mesh.face;
     guide::override_corners(face, overrides, points);
-    if (options.degenerate == "divide") guide::divide_degenerate_corners(face, points);
+    if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
     features::resolve_features(face, options.feature_size, points);
     guide::require_index_sum(points);
     s.begin_phase("place");

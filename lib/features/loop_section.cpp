@@ -15,7 +15,7 @@ constexpr double knot_tol = 1e-9;  // of a curve's parameter range
 
 double length_of(const Nurbs& curve, double t0, double t1) { return curve::ArcLength(curve).between(t0, t1); }
 
-BoundaryPoint boundary_point(const CadFace& face, int curve, double t) {
+SectionPoint boundary_point(const CadFace& face, int curve, double t) {
   const Nurbs& c = face.curves[curve];
   const double tol = knot_tol * (c.end() - c.begin());
   if (t >= c.end() - tol) {
@@ -37,7 +37,7 @@ LoopSection::LoopSection(const CadFace& face, std::vector<CurveInterval> interva
   for (const CurveInterval& i : intervals_) ends_.push_back(length += length_of(face.curves[i.curve], i.t0, i.t1));
 }
 
-BoundaryPoint LoopSection::at(double fraction) const {
+SectionPoint LoopSection::at(double fraction) const {
   fraction = is_closed_ ? fraction - std::floor(fraction) : std::clamp(fraction, 0.0, 1.0);
   const double target = fraction * length();
   const size_t i =

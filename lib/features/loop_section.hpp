@@ -14,7 +14,7 @@ struct CurveInterval {
 };
 
 /// A point of the boundary. Where two curves meet it is the beginning of the second.
-struct BoundaryPoint {
+struct SectionPoint {
   int curve = 0;
   double t = 0;
   Vec2 position;
@@ -37,7 +37,7 @@ class LoopSection {
   const std::vector<CurveInterval>& intervals() const { return intervals_; }
   /// At a fraction of the length; beyond [0, 1] it is clamped, or wraps round where closed. A parameter within 1e-9 of
   /// the curve's range from a knot or end is the knot or the joint.
-  BoundaryPoint at(double fraction) const;
+  SectionPoint at(double fraction) const;
   /// The nearest point. Linear in the number of intervals.
   SectionFoot foot(Vec2 x) const;
 

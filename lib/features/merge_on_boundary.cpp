@@ -16,7 +16,7 @@ namespace {
 struct BoundaryPair {
   double distance = 0;
   int a = 0, b = 0;
-  BoundaryPoint middle;
+  SectionPoint middle;
 };
 
 using Pairs = std::vector<BoundaryPair>;
@@ -46,7 +46,7 @@ LoopPart shorter_part(const LoopSection& whole, Vec2 a, Vec2 b) {
   return {first, part};
 }
 
-std::optional<BoundaryPoint> middle_between(const CadFace& face, const FeatureNode& a, const FeatureNode& b) {
+std::optional<SectionPoint> middle_between(const CadFace& face, const FeatureNode& a, const FeatureNode& b) {
   const int loop = face.loop_of(a.curve);
   if (loop != face.loop_of(b.curve)) return {};
   const LoopSection whole = whole_loop(face, loop);

@@ -111,7 +111,7 @@ InwardMove inward_move(const CadFace& face, const FeatureNode& node, const Small
                        const OwnedNode& owned) {
   if (feature.index_capacity > 1)
     return {owned.node, node.position, normalized(node.position - owned.foot.position), feature.extent};
-  const BoundaryPoint middle = feature.section.at(0.5);
+  const SectionPoint middle = feature.section.at(0.5);
   const Vec2 inward = left_of(curve::tangent(face.curves[middle.curve], middle.t));
   return {owned.node, middle.position + dot(node.position - middle.position, inward) * inward, inward, feature.extent};
 }

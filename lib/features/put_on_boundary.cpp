@@ -10,7 +10,7 @@
 namespace quadrille::features {
 namespace {
 
-using Points = std::vector<BoundaryPoint>;
+using Points = std::vector<SectionPoint>;
 
 /// As many points as feet (ascending fractions): evenly over an open section, or over a closed one with the mean offset
 /// of the feet.
@@ -87,7 +87,7 @@ std::vector<int> put_on_boundary(const CadFace& face, FeatureState& state, const
   const Points points = points_on(feature, feet, feature_constants.spacing * state.size);
   std::vector<int> taken;
   for (size_t i = 0; i < owned.size(); ++i) {
-    const BoundaryPoint& at = points[i];
+    const SectionPoint& at = points[i];
     FeatureNode& node = state.nodes[owned[i].node];
     const std::string why = reason(state, feature, owned[i].foot.distance);
     if (face.joints[at.curve].is_corner && at.t == face.curves[at.curve].begin()) {

@@ -4,87 +4,98 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "base/angle.hpp"
+#include "base/tie_classes.hpp"
+#include "guide/admissible_valence.hpp"
 #include "guide/clusters.hpp"
-#include "guide/valence.hpp"
 
 namespace quadrille::guide {
 namespace {
+
+using zeros::FoundZero;
 
 struct Near {
   int zero;
   double distance;
 };
 
-/// The corner nearest to x within reach; -1: none, or two as near.
-int nearest_corner(const std::vector<Corner>& corners, Vec2 x, double reach, double tol) {
-  int nearest = -1;
+/// The corner nearest to x within reach; none where two are equally near.
+std::optional<std::size_t> nearest_corner(const std::vector<Corner>& corners, Vec2 x, double reach, double tol) {
+  std::optional<std::size_t> nearest;
   double least = reach + tol;
   bool is_tie = false;
-  for (int c = 0; c < static_cast<int>(corners.size()); ++c) {
+  for (std::size_t c = 0; c < corners.size(); ++c) {
     const double d = distance(corners[c].position, x);
     if (d > reach + tol) continue;
-    is_tie = nearest >= 0 && std::abs(d - least) <= tol;
-    if (nearest < 0 || d < least) nearest = c, least = d;
+    is_tie = nearest && std::abs(d - least) <= tol;
+    if (!nearest || d < least) nearest = c, least = d;
   }
-  return is_tie ? -1 : nearest;
+  return is_tie ? std::nullopt : nearest;
 }
 
 NodeMark mark(const Corner& corner) { return {corner.position, corner.valence, NodeLocation::corner}; }
 
-NodeChange change_for(const zeros::FoundZero& zero, const Corner& before, int valence, double d, double length) {
+NodeMark mark(const FoundZero& zero) { return {zero.x, 4 - zero.index, NodeLocation::inside}; }
+
+/// What one corner may absorb.
+using Candidates = std::vector<Near>;
+
+/// Candidates of each corner, nearest first.
+std::vector<Candidates> candidates_of(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
+                                      double length, double tol, const std::vector<Corner>& corners) {
+  std::vector<Candidates> by_corner(corners.size());
+  for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
+    const auto c = nearest_corner(corners, zeros[i].x, length, tol);
+    if (c && is_segment_in_mesh(evaluator, corners[*c].position, zeros[i].x))
+      by_corner[*c].push_back({i, distance(corners[*c].position, zeros[i].x)});
+  }
+  for (Candidates& list : by_corner)
+    std::stable_sort(list.begin(), list.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
+  return by_corner;
+}
+
+NodeChange change_for(const std::vector<FoundZero>& zeros, Candidates::const_iterator first,
+                      Candidates::const_iterator last, const Corner& before, int valence, double length) {
   NodeChange change;
   change.kind = ChangeKind::absorb;
   change.reason = fmt::format(
-      "a node of valence {} stands {:.3g} from the corner of {:.6g} degrees, nearer than corner-absorb, {:.3g}",
-      4 - zero.index, d, before.angle_degrees, length);
-  change.before = {mark(before), {zero.x, 4 - zero.index, NodeLocation::inside}};
+      "a node of valence {} is {:.3g} from the corner of {:.6g} degrees, less than the absorption distance {:.3g}",
+      4 - zeros[first->zero].index, first->distance, before.angle_degrees, length);
+  change.before = {mark(before)};
+  for (; first != last; ++first) change.before.push_back(mark(zeros[first->zero]));
   change.after = {{before.position, valence, NodeLocation::corner}};
   return change;
 }
 
-}  // namespace
-
-bool may_become(double angle_degrees, int valence) {
-  if (valence == 0) return std::abs(angle_degrees - 45) < degrees(near_tie);
-  const double block = angle_degrees / valence;
-  return valence > 0 && valence <= 4 && block >= 15 && block <= 165 && std::abs(valence - angle_degrees / 90) <= 0.75;
+/// Classes of equally near candidates, each together or not at all.
+void absorb_into(Corner& corner, const std::vector<FoundZero>& zeros, const Candidates& candidates, double length,
+                 double tol, std::vector<bool>& is_absorbed, std::vector<NodeChange>& changes) {
+  for (auto first = candidates.begin(); first != candidates.end();) {
+    const auto last =
+        end_of_ties(first, candidates.end(), tol, [](const Near& candidate) { return candidate.distance; });
+    int valence = corner.valence;
+    for (auto it = first; it != last; ++it) valence -= zeros[it->zero].index;
+    if (is_admissible_after_absorption(corner.angle_degrees, valence)) {
+      changes.push_back(change_for(zeros, first, last, corner, valence, length));
+      for (auto it = first; it != last; ++it) is_absorbed[it->zero] = true;
+      corner.valence = valence;
+      corner.source = NodeSource::absorb;
+    }
+    first = last;
+  }
 }
 
-std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
-                                      const std::vector<zeros::FoundZero>& zeros, double length,
-                                      std::vector<Corner>& corners, std::vector<NodeChange>& changes) {
+}  // namespace
+
+std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
+                                      double length, std::vector<Corner>& corners, std::vector<NodeChange>& changes) {
   std::vector<bool> is_absorbed(zeros.size(), false);
   if (length == 0) return is_absorbed;
   const double tol = 1e-6 * length;
-  std::vector<std::vector<Near>> by_corner(corners.size());
-  for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
-    const int c = nearest_corner(corners, zeros[i].x, length, tol);
-    if (c >= 0 && sees(evaluator, corners[c].position, zeros[i].x))
-      by_corner[c].push_back({i, distance(corners[c].position, zeros[i].x)});
-  }
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    std::vector<Near>& list = by_corner[c];
-    std::stable_sort(list.begin(), list.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
-    for (auto first = list.begin(); first != list.end();) {
-      auto last = first;
-      int valence = corners[c].valence;
-      for (; last != list.end() && last->distance - first->distance <= tol; ++last) valence -= zeros[last->zero].index;
-      if (may_become(corners[c].angle_degrees, valence)) {
-        NodeChange change = change_for(zeros[first->zero], corners[c], valence, first->distance, length);
-        for (auto other = first; other != last; ++other) {
-          is_absorbed[other->zero] = true;
-          if (other != first)
-            change.before.push_back({zeros[other->zero].x, 4 - zeros[other->zero].index, NodeLocation::inside});
-        }
-        changes.push_back(std::move(change));
-        corners[c].valence = valence;
-        corners[c].source = NodeSource::absorb;
-      }
-      first = last;
-    }
-  }
+  const std::vector<Candidates> candidates = candidates_of(evaluator, zeros, length, tol, corners);
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    absorb_into(corners[c], zeros, candidates[c], length, tol, is_absorbed, changes);
   return is_absorbed;
 }
 

@@ -91,7 +91,7 @@ class ClusterFinder {
     Groups groups(parts_.size());
     for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
       for (int j = 0; j < i; ++j)
-        if (hang_together(parts_[i], parts_[j])) groups.join(i, j);
+        if (belong_together(parts_[i], parts_[j])) groups.join(i, j);
     Clustering result;
     for (const std::vector<int>& group : groups.all()) {
       const bool has_zero = std::any_of(group.begin(), group.end(), [this](int i) { return parts_[i].zero >= 0; });
@@ -114,17 +114,17 @@ class ClusterFinder {
   /// Criterion (a) but for the distance.
   bool stays_small(const Part& a, const Part& b) const {
     const double small = std::max(10 * criterion_.noise, 1.5 * std::max(error(a.elem), error(b.elem)));
-    for (const double share : {0.25, 0.5, 0.75}) {
+    for (const double part : {0.25, 0.5, 0.75}) {
       Vec2 value;
-      if (!evaluator_->value_at(a.centre + share * (b.centre - a.centre), value) || norm(value) > small) return false;
+      if (!evaluator_->value_at(a.centre + part * (b.centre - a.centre), value) || norm(value) > small) return false;
     }
     return true;
   }
 
-  bool hang_together(const Part& a, const Part& b) const {
+  bool belong_together(const Part& a, const Part& b) const {
     const double gap = distance(a.centre, b.centre) - a.radius - b.radius;
     if (gap <= std::max(a.radius, b.radius)) return true;
-    if (gap <= criterion_.distance * equal && sees(*evaluator_, a.centre, b.centre)) return true;
+    if (gap <= criterion_.distance * equal && is_segment_in_mesh(*evaluator_, a.centre, b.centre)) return true;
     return gap <= 0.05 * diameter_ && stays_small(a, b);
   }
 
@@ -162,15 +162,15 @@ class ClusterFinder {
     for (const int i : group) parts.push_back(parts_[i]);
     const zeros::Disc circle = circle_about(parts);
     Cluster result;
-    const bool is_told_apart = std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.zero >= 0; });
+    const bool are_distinct = std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.zero >= 0; });
     for (const Part& part : parts) {
       result.members.push_back(part.centre);
       result.centre += part.centre / static_cast<double>(parts.size());
-      if (!is_told_apart) continue;
+      if (!are_distinct) continue;
       result.member_indices.push_back((*zeros_)[part.zero].index);
       result.index += result.member_indices.back();
     }
-    if (!is_told_apart) {
+    if (!are_distinct) {
       result.index = index_by_contour(group, circle);
       result.centre = circle.centre;
     }
@@ -192,7 +192,7 @@ class ClusterFinder {
 
 }  // namespace
 
-bool sees(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b) {
+bool is_segment_in_mesh(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b) {
   for (int i = 1; i < 10; ++i)
     if (evaluator.locator().find(a + (i / 10.0) * (b - a)).elem < 0) return false;
   return true;

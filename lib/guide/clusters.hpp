@@ -3,15 +3,16 @@
 // nearer to each other than any block could be.
 //
 // Two zeros are of one cluster when
-//   (a) |v| stays within the field's own error between them, so that they cannot be told from a multiple zero: at 1/4,
+//   (a) |v| stays within the field's own error between them, so that they cannot be distinguished from a multiple zero:
+//   at 1/4,
 //       1/2 and 3/4 of the way it is at most max(10 noise, 1.5 e), e the error estimate of their elements (zeros of z^n
 //       split by a constant e have 5/4 e there), and they are no farther apart than a twentieth of the diameter; or
 //   (b) they are no farther apart than `distance`.
-// In both cases the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. What hangs
-// together through others is one cluster, so that a symmetric set of zeros gives a symmetric set of clusters. Cells
-// that the search left open (|v| below noise all over) are parts of clusters too; neighbouring ones hang together.
+// In both cases the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros linked
+// through others are one cluster, so that a symmetric set of zeros gives a symmetric set of clusters. Cells
+// that the search left open (|v| below noise all over) are parts of clusters too; neighbouring ones belong together.
 // A cluster's index is the sum of its members'; with open cells the winding number round all of it. It may be 0: a pair
-// of opposite index. Open cells of index 0 without any zero that was found are no cluster: nothing stands there.
+// of opposite index. Open cells of index 0 without any zero that was found are no cluster: there is no zero.
 
 #include <vector>
 
@@ -30,12 +31,12 @@ struct Clustering {
   std::vector<zeros::FoundZero> simple;  ///< the zeros in no cluster
 };
 
-/// Whether the straight way from a to b lies in the mesh, at nine points.
-bool sees(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b);
+/// Whether the segment from a to b lies in the mesh, judged at nine points.
+bool is_segment_in_mesh(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b);
 
 /// Sorts the zeros into clusters and simple ones. The centre of a cluster with |index| >= 2 is that of the multiple
 /// zero behind it (guide/cluster_centre), else the mean of its members. Throws ComputeError where the index of open
-/// cells cannot be told because no contour about them stays in the domain and off the other zeros.
+/// cells is unknown because no contour about them stays in the domain and off the other zeros.
 /// Quadratic in the number of zeros and open cells.
 Clustering find_clusters(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
                          const std::vector<zeros::OpenCell>& open_cells, const ClusterCriterion& criterion);

@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "guide/sort_by_place.hpp"
+#include "guide/sort_by_position.hpp"
 
 namespace quadrille::guide {
 
-std::vector<bool> nodes_without_place(const CadFace& face, const CriticalPoints& points) {
+std::vector<bool> nodes_without_position(const CadFace& face, const CriticalPoints& points) {
   const auto is_at_centre = [&](const CriticalPoint& p) {
     return std::any_of(points.clusters.begin(), points.clusters.end(), [&](const Cluster& cluster) {
       return distance(cluster.centre, p.position) <= 1e-5 * face.diameter;
@@ -28,12 +28,12 @@ void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& poin
     const mesh::Location at = evaluator.locator().find(p.position);
     if (at.elem < 0) {
       const Vec2 x = p.position + face.origin;
-      throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) came to lie outside the face", x.x, x.y));
+      throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) lies outside the face", x.x, x.y));
     }
     p.elem = at.elem;
     p.xi = at.xi;
   }
-  sort_by_place(points.critical_points, 1e-6 * face.diameter, [](const CriticalPoint& p) { return p.position; });
+  sort_by_position(points.critical_points, 1e-6 * face.diameter, [](const CriticalPoint& p) { return p.position; });
   points.index_sum = index_sum_of(points);
 }
 

@@ -1,19 +1,21 @@
+#include "guide/divide_corners.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
+#include "guide/admissible_valence.hpp"
 #include "guide/node_ring.hpp"
-#include "guide/resolve.hpp"
-#include "placement/room.hpp"
+#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
 
-constexpr double share_of_room = 0.25, share_of_side = 0.5;
+constexpr double part_of_clearance = 0.25, part_of_side = 0.5;
 
-/// How far a straight line from the corner to the other end of a side is.
+/// The distance between the ends of a side; of a closed one to its middle.
 double side_length(const CadFace& face, int curve, bool is_outgoing) {
   const Nurbs& c = face.curves[curve];
   return distance(c.poles.front(), c.poles.back()) > 0 ? distance(c.poles.front(), c.poles.back())
@@ -26,8 +28,9 @@ Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::ve
   const Vec2 bisector = unit(joint.tangent_out + joint.interior_angle / 2);
   const double off = 1e-6 * face.diameter;  // off the corner itself
   const double sides = std::min(side_length(face, corner.curves[0], false), side_length(face, corner.curves[1], true));
-  double radius = std::min(share_of_room * placement::room_along(face, joint.position + off * bisector, bisector),
-                           share_of_side * sides);
+  double radius =
+      std::min(part_of_clearance * placement::clearance_along(face, joint.position + off * bisector, bisector),
+               part_of_side * sides);
   for (const CriticalPoint& p : nodes) radius = std::min(radius, 0.5 * distance(p.position, joint.position));
   return joint.position + radius * bisector;
 }
@@ -43,8 +46,9 @@ void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
     const Vec2 x = corner.position + face.origin;
     points.changes.push_back(
         {ChangeKind::divide,
-         fmt::format("midpoint division: {:.6g} degrees at ({:.6g}, {:.6g}) leave no block its right angle, so that a "
-                     "block of three sides would lie there; a node of valence 3 makes three of four sides of it",
+         fmt::format("midpoint division: a corner of {:.6g} degrees at ({:.6g}, {:.6g}) is too sharp for a block of "
+                     "four sides; a "
+                     "node of valence 3 divides the block of three sides there into three of four",
                      corner.angle_degrees, x.x, x.y),
          {{corner.position, 0, NodeLocation::corner}},
          {{corner.position, 1, NodeLocation::corner}, {node.position, node.valence, NodeLocation::inside}}});

@@ -9,14 +9,15 @@
 #include "field/error_estimate.hpp"
 #include "guide/absorb.hpp"
 #include "guide/clusters.hpp"
-#include "guide/sort_by_place.hpp"
+#include "guide/index_sum.hpp"
+#include "guide/sort_by_position.hpp"
 #include "guide/valence.hpp"
 #include "zeros/distinct_zeros.hpp"
 
 namespace quadrille::guide {
 namespace {
 
-/// A point of the closed reference triangle: a zero on an edge may stand round-off, or its jump, beyond it.
+/// A point of the closed reference triangle: a zero on an edge may lie beyond it by round-off or its jump.
 Vec2 clamped(Vec2 xi) {
   xi = {std::max(xi.x, -1.0), std::max(xi.y, -1.0)};
   const double excess = xi.x + xi.y;
@@ -36,12 +37,13 @@ std::vector<CriticalPoint> sorted_points(const field::FieldEvaluator& evaluator,
                                          const std::vector<zeros::FoundZero>& zeros) {
   std::vector<CriticalPoint> points;
   for (const zeros::FoundZero& zero : zeros) points.push_back(critical_point(evaluator, zero));
-  sort_by_place(points, 1e-6 * evaluator.field().mesh.face.diameter, [](const CriticalPoint& p) { return p.position; });
+  sort_by_position(points, 1e-6 * evaluator.field().mesh.face.diameter,
+                   [](const CriticalPoint& p) { return p.position; });
   return points;
 }
 
 template <typename Condition>
-std::vector<zeros::FoundZero> those(const std::vector<zeros::FoundZero>& zeros, const Condition& holds) {
+std::vector<zeros::FoundZero> filtered(const std::vector<zeros::FoundZero>& zeros, const Condition& holds) {
   std::vector<zeros::FoundZero> result;
   for (std::size_t i = 0; i < zeros.size(); ++i)
     if (holds(i)) result.push_back(zeros[i]);
@@ -89,9 +91,10 @@ void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points,
   report.set("proof.greatest_depth", counts.greatest_depth);
 }
 
+/// Throws ComputeError where the search cannot decide.
 void search_all(zeros::ZeroSearch& search, const TriMesh& mesh) {
-  for (int e = 0; e < mesh.num_elems() && !search.is_hopeless(); ++e) search.search(e);
-  if (!search.is_hopeless()) return;
+  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e) search.search(e);
+  if (!search.is_budget_exhausted()) return;
   const Vec2 x = search.open_cells().back().centre + mesh.face.origin;
   throw ComputeError(
       fmt::format("the guiding field vanishes to higher order, or on a whole curve, near ({:.4g}, {:.4g})", x.x, x.y));
@@ -120,7 +123,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   zeros::ZeroSearch search(evaluator, valences.discs, options.noise);
   search_all(search, mesh);
   const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros());
-  const std::vector<zeros::FoundZero> zeros = those(found, [&](std::size_t i) {
+  const std::vector<zeros::FoundZero> zeros = filtered(found, [&](std::size_t i) {
     return std::none_of(valences.discs.begin(), valences.discs.end(),
                         [&](const zeros::Disc& disc) { return distance(disc.centre, found[i].x) <= disc.radius; });
   });
@@ -130,11 +133,11 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   points.corners = std::move(valences.corners);
   const std::vector<bool> is_absorbed =
       absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points.corners, points.changes);
-  const std::vector<zeros::FoundZero> free = those(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
+  const std::vector<zeros::FoundZero> free = filtered(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
   Clustering clustering = find_clusters(evaluator, free, zeros::unexplained(search.open_cells(), zeros),
                                         {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
-  sort_by_place(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
+  sort_by_position(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
   points.critical_points = sorted_points(evaluator, clustering.simple);
   if (clustering.simple.size() != zeros.size()) points.zeros = sorted_points(evaluator, zeros);
   points.certificate = certificate_of(search, zeros, valences.discs, mesh.num_elems());

@@ -9,15 +9,16 @@
 
 namespace quadrille::guide {
 
-/// Lengths as shares of the face's diameter.
+/// Lengths relative to the face's diameter.
 struct SearchOptions {
   /// In [0, 0.1]. Zeros no farther apart are one cluster (guide/clusters); 0: multiple zeros only. On real outlines
-  /// zeros that make useful blocks stand 5e-3 of the size apart, so the default leaves them alone.
+  /// zeros that make useful blocks are 5e-3 diameters apart, and the default leaves them alone.
   double cluster_distance = 2e-3;
-  /// In [0, 0.1]. Corners take in nodes no farther away (guide/absorb); 0: none.
+  /// In [0, 0.1]. Corners absorb nodes no farther away (guide/absorb); 0: none.
   double corner_absorb = 2e-3;
-  /// In [1e-14, 1e-2]. Cells in which |v| stays below are not told from a multiple zero. Pairs of zeros d apart need
-  /// less than |J| d / 4; less than what the field was solved to shows the zeros of the discrete field, not of v.
+  /// In [1e-14, 1e-2]. Cells in which |v| stays below are not distinguished from a multiple zero. Pairs of zeros d
+  /// apart need less than |J| d / 4; less than what the field was solved to shows the zeros of the discrete field, not
+  /// of v.
   double noise = zeros::field_noise;
 
   /// Throws UsageError where a number is outside its interval.
@@ -28,22 +29,16 @@ struct SearchOptions {
 /// which is then found or shown to lie elsewhere (zeros/zero_search), or |v| in it is below `noise`.
 ///   critical_points   simple zeros that are in no cluster and that no corner absorbs; error bars where the field has
 ///                     elem_error
-///   clusters          the others but for absorbed ones: they have no node yet (guide/resolve, resolve_clusters)
+///   clusters          the others but for absorbed ones: they have no node yet (guide/resolve_clusters)
 ///   corners           valences of guide/valence, changed by guide/absorb; each of these is in `changes`
 ///   zeros             all simple zeros found, where critical_points are not just these; else empty
 ///   certificate       what the search did; its counts go to the report as proof.*
 ///   index_sum         with clusters
 /// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal).
 /// Throws ComputeError where the field vanishes on a curve, where the index of a multiple zero (guide/clusters) or a
-/// corner's valence (guide/valence) is open. Does not judge the index sum: see require_index_sum.
+/// corner's valence (guide/valence) cannot be decided. Does not judge the index sum: see guide/index_sum.
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report);
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report);
-
-/// sum (4 - V) over the nodes, the indices of clusters, and sum (2 - V) over corners and boundary nodes.
-int index_sum_with_clusters(const CriticalPoints& points);
-
-/// Throws ComputeError when index_sum != index_sum_expected, saying by how much and which corner is nearest a tie.
-void require_index_sum(const CriticalPoints& points);
 
 }  // namespace quadrille::guide

@@ -19,8 +19,9 @@
 namespace quadrille::guide {
 
 struct LineCorners {
-  std::vector<Corner> corners;  ///< in the sequence of the joints; ties have the source "line", others "angle"
-  int missing_index = 0;        ///< 4 chi - sum (2 - V): not 0 where no symmetric choice fits; all ties are large then
+  std::vector<Corner> corners;  ///< in the order of the joints; ties have the source `line`, others `angle`
+  int missing_index =
+      0;  ///< 4 chi - sum (2 - V): not 0 where no symmetric choice fits; then all ties have the larger valence
 };
 
 LineCorners line_corners(const CadFace& face, const std::vector<curve::Isometry>& group);

@@ -1,10 +1,11 @@
+#include "guide/line_field.hpp"
+
 #include <fmt/format.h>
 
 #include "curve/symmetry.hpp"
 #include "guide/line_corners.hpp"
 #include "guide/node_ring.hpp"
-#include "guide/resolve.hpp"
-#include "placement/room.hpp"
+#include "placement/interior_point.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -17,7 +18,7 @@ NodeChange corner_change(const Corner& corner) {
   return {ChangeKind::line, reason, {}, {{corner.position, corner.valence, NodeLocation::corner}}};
 }
 
-/// Where all nodes have their middle: a place that the symmetries of the face leave alone.
+/// The centre of all nodes: a point that is invariant under the symmetries of the face.
 Vec2 middle_of(const CadFace& face, const std::vector<curve::Isometry>& group) {
   const bool has_rotations = group.size() > 1 && !group[1].is_mirrored;
   return has_rotations ? group[0].centre : placement::most_interior_point(face, group);
@@ -25,8 +26,8 @@ Vec2 middle_of(const CadFace& face, const std::vector<curve::Isometry>& group) {
 
 NodeChange nodes_change(const std::vector<CriticalPoint>& nodes, int index) {
   NodeChange change{ChangeKind::line,
-                    fmt::format("no choice of corner valences that is as symmetric as the face has the index sum that "
-                                "it asks for: nodes inside make up the index {} that is missing",
+                    fmt::format("no choice of corner valences that is as symmetric as the face has the right index "
+                                "sum: nodes inside have the missing index {}",
                                 index),
                     {},
                     {}};

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "base/angle.hpp"
-#include "placement/room.hpp"
+#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -46,12 +46,12 @@ std::vector<double> with_sides(const std::vector<double>& directions, int n) {
   return angles;
 }
 
-/// The orientation of the members' own places, where they stand out of noise.
+/// The orientation of the members' own positions, where these exceed the noise.
 std::optional<double> member_angle(const CadFace& face, const Cluster& cluster) {
   const int n = std::abs(cluster.index);
   const int sign = cluster.index > 0 ? 1 : -1;
   if (static_cast<int>(cluster.members.size()) != n || static_cast<int>(cluster.member_indices.size()) != n) return {};
-  const double noise = std::pow(1e-8, 1.0 / n) * std::abs(placement::signed_room(face, cluster.centre));
+  const double noise = std::pow(1e-8, 1.0 / n) * std::abs(placement::signed_clearance(face, cluster.centre));
   Vec2 sum;
   for (int i = 0; i < n; ++i) {
     const Vec2 from_centre = cluster.members[i] - cluster.centre;
@@ -83,9 +83,9 @@ double orientation(const CadFace& face, const std::vector<curve::Isometry>& grou
   std::vector<double> angles = with_sides(directions, n);
   if (members) keep_least(angles, equal, [&](double a) { return std::abs(std::remainder(a - *members, period)); });
   keep_least(angles, equal * face.diameter, [&](double a) {
-    double room = 0;
-    for (int k = 0; k < n; ++k) room += placement::room_along(face, cluster.centre, unit(a + k * period)) / n;
-    return cluster.index > 0 ? -room : room;
+    double clearance = 0;
+    for (int k = 0; k < n; ++k) clearance += placement::clearance_along(face, cluster.centre, unit(a + k * period)) / n;
+    return cluster.index > 0 ? -clearance : clearance;
   });
   const double joint = angle_of(face.joints[0].position - cluster.centre);
   const auto beside_joint = [&](double a) { return std::remainder(a - joint, period); };
@@ -94,21 +94,21 @@ double orientation(const CadFace& face, const std::vector<curve::Isometry>& grou
   return angles.front();
 }
 
-double radius_inside(const Cluster& cluster, double room, const std::vector<Vec2>& others) {
-  double radius = 0.5 * room;
+double radius_inside(const Cluster& cluster, double clearance, const std::vector<Vec2>& others) {
+  double radius = 0.5 * clearance;
   for (const Vec2 x : others) radius = std::min(radius, distance(x, cluster.centre) / 3);
   return radius;
 }
 
-/// About a hole: the radius at which the polygon's vertices have the most room.
+/// About a hole: the radius at which the polygon's vertices have the greatest clearance.
 double radius_outside(const CadFace& face, const Cluster& cluster, double angle) {
   constexpr int steps = 200;
   double best = 0, most = -INFINITY;
   for (int i = 1; i < steps; ++i) {
-    double room = INFINITY;
+    double clearance = INFINITY;
     for (const Vec2 x : regular_polygon(cluster.centre, face.diameter * i / steps, angle, std::abs(cluster.index)))
-      room = std::min(room, placement::signed_room(face, x));
-    if (room > most + equal * face.diameter) most = room, best = face.diameter * i / steps;
+      clearance = std::min(clearance, placement::signed_clearance(face, x));
+    if (clearance > most + equal * face.diameter) most = clearance, best = face.diameter * i / steps;
   }
   return best;
 }
@@ -125,10 +125,11 @@ Vec2 onto_fixed_points(const CadFace& face, const std::vector<curve::Isometry>& 
 
 std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster,
                             const std::vector<Vec2>& others) {
-  const double room = placement::signed_room(face, cluster.centre);
-  if (std::abs(cluster.index) == 1 && room > 0) return {cluster.centre};
+  const double clearance = placement::signed_clearance(face, cluster.centre);
+  if (std::abs(cluster.index) == 1 && clearance > 0) return {cluster.centre};
   const double angle = orientation(face, group, cluster);
-  const double radius = room > 0 ? radius_inside(cluster, room, others) : radius_outside(face, cluster, angle);
+  const double radius =
+      clearance > 0 ? radius_inside(cluster, clearance, others) : radius_outside(face, cluster, angle);
   return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
 }
 
@@ -136,7 +137,7 @@ std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<
                                          int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
                                          NodeSource source) {
   const int valence = 4 - cluster.index;
-  if (valence >= 3 && valence <= max_valence && placement::signed_room(face, cluster.centre) > 0)
+  if (valence >= 3 && valence <= max_valence && placement::signed_clearance(face, cluster.centre) > 0)
     return {made_node(cluster.centre, cluster.index, source)};
   std::vector<CriticalPoint> nodes;
   for (const Vec2 x : node_ring(face, group, cluster, others))

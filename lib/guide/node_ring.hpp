@@ -12,20 +12,22 @@ namespace quadrille::guide {
 /// The point itself, or where it lies within 1e-6 diameters of the rotation centre or of a mirror axis, that.
 Vec2 onto_fixed_points(const CadFace& face, const std::vector<curve::Isometry>& group, Vec2 x);
 
-/// The |index| places of nodes of index 1 or -1 about cluster.centre, a regular polygon.
+/// The positions of |index| nodes of index 1 or -1 about cluster.centre: a regular polygon.
 ///
-/// Orientation. The isometries that leave the centre where it is form a group C_n or D_n; the polygon must share its
+/// Orientation. The isometries that keep the centre form a group C_n or D_n; the polygon must share its
 /// rotations as far as |index| allows, which any orientation does, and its mirrors: a vertex or the middle of a side
 /// on an axis. Without a mirror: a vertex or the middle of a side towards a nearest boundary point. Of these
-///   1. the nearest to the members' own places, where there are |index| of them, all of one sign and farther from the
-///      centre than noise of 1e-8 in the field can split a multiple zero: 1e-8^(1/|index|) of the room;
-///      without any mirror just these places' mean orientation;
-///   2. vertices with the greatest room along their rays for index > 0, with the least for index < 0: nodes of valence
+///   1. the nearest to the members' own positions, where there are |index| of them, all of one sign and farther from
+///   the
+///      centre than noise of 1e-8 in the field can split a multiple zero: 1e-8^(1/|index|) of the clearance;
+///      without any mirror just the mean orientation of these positions;
+///   2. vertices with the greatest clearance along their rays for index > 0, with the least for index < 0: nodes of
+///   valence
 ///      3 belong to convex corners, far away, those of valence 5 to reflex ones, which are near;
 ///   3. a vertex nearest to the direction of joint 0.
 ///
 /// Radius. Half the distance to the boundary, at most a third of that to the nearest of `others`. About a centre
-/// outside the face (in a hole) the radius with the most room for all nodes.
+/// outside the face (in a hole) the radius with the greatest clearance of all nodes.
 std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster,
                             const std::vector<Vec2>& others);
 

@@ -1,3 +1,5 @@
+#include "guide/resolve_clusters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "curve/symmetry.hpp"
 #include "guide/node_ring.hpp"
-#include "guide/resolve.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -29,7 +30,7 @@ class Resolver {
 
   void run() {
     if (points_.clusters.empty()) return;
-    take_members_out();
+    remove_members();
     for (Cluster& cluster : points_.clusters) cluster.centre = onto_fixed_points(face_, group_, cluster.centre);
     align_orbits();
     for (std::size_t i = 0; i < points_.clusters.size(); ++i) nodes_.push_back(nodes_of(i));
@@ -39,7 +40,7 @@ class Resolver {
   }
 
  private:
-  void take_members_out() {
+  void remove_members() {
     const std::vector<CriticalPoint> before = points_.critical_points;
     const double tol = 1e-12 * face_.diameter;
     std::erase_if(points_.critical_points, [&](const CriticalPoint& p) {
@@ -68,12 +69,12 @@ class Resolver {
     }
   }
 
-  std::vector<Vec2> other_places(std::size_t i) const {
-    std::vector<Vec2> places;
-    for (const CriticalPoint& p : points_.critical_points) places.push_back(p.position);
+  std::vector<Vec2> other_positions(std::size_t i) const {
+    std::vector<Vec2> positions;
+    for (const CriticalPoint& p : points_.critical_points) positions.push_back(p.position);
     for (std::size_t j = 0; j < points_.clusters.size(); ++j)
-      if (j != i && points_.clusters[j].index != 0) places.push_back(points_.clusters[j].centre);
-    return places;
+      if (j != i && points_.clusters[j].index != 0) positions.push_back(points_.clusters[j].centre);
+    return positions;
   }
 
   std::vector<CriticalPoint> nodes_of(std::size_t i) const {
@@ -84,7 +85,7 @@ class Resolver {
       for (CriticalPoint& node : nodes) node.position = models_[i]->map(node.position);
       return nodes;
     }
-    return cluster_nodes(face_, group_, max_valence_, cluster, other_places(i), NodeSource::cluster);
+    return cluster_nodes(face_, group_, max_valence_, cluster, other_positions(i), NodeSource::cluster);
   }
 
   std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {
@@ -92,10 +93,11 @@ class Resolver {
                                  ? fmt::format("{} zeros within {:.3g} of each other, nearer than any block could be",
                                                cluster.members.size(), 2 * cluster.radius)
                                  : "a multiple zero";
-    if (nodes.empty()) return what + ", cancel: their indices add up to 0";
+    if (nodes.empty()) return what + ": they cancel, their indices add up to 0";
     if (nodes.size() == 1)
-      return fmt::format("{}, of index {} in all: now one node of valence {}", what, cluster.index, nodes[0].valence);
-    return fmt::format("{}, of index {} in all: now {} nodes of valence {} on a circle", what, cluster.index,
+      return fmt::format("{}, of total index {}: one node of valence {} replaces them", what, cluster.index,
+                         nodes[0].valence);
+    return fmt::format("{}, of total index {}: {} nodes of valence {} on a circle replace them", what, cluster.index,
                        nodes.size(), nodes[0].valence);
   }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double tie = 1e-6;  // radians
 
 /// The least extent of the two curves at a joint.
-double room(const CadFace& face, int joint) {
+double least_extent(const CadFace& face, int joint) {
   const auto extent = [&](int curve) {
     const Nurbs& c = face.curves[curve];
     const Vec2 a = curve::point(c, c.begin()), m = curve::point(c, 0.5 * (c.begin() + c.end())),
@@ -53,11 +53,11 @@ std::optional<ArcValence> valence_by_arc(const field::FieldEvaluator& evaluator,
 }
 
 /// The valence at a tie and the disc of the arc that tells it. At a tie |v| grows like (r / diameter)^(pi / omega): the
-/// arcs begin where that is 1e-8, no nearer than positions can be told, and double.
+/// arcs begin where that is 1e-8, no nearer than the resolution of positions, and double.
 std::optional<int> valence_at_tie(const field::FieldEvaluator& evaluator, int joint, double noise, zeros::Disc& disc) {
   const CadFace& face = evaluator.field().mesh.face;
   const Joint& corner = face.joints[joint];
-  const double greatest = 0.2 * room(face, joint);
+  const double greatest = 0.2 * least_extent(face, joint);
   const double least = std::max(1e-9, std::pow(10.0, -8 * corner.interior_angle / pi));
   ArcValence best;
   for (double radius = least * face.diameter; radius <= greatest && best.trust < 1; radius *= 2) {

@@ -2,7 +2,7 @@
 // Valences of corners (lib/method.md §3): near a corner the field follows the chord between the data on its two sides,
 // so that V is the integer nearest 2 omega / pi. At omega = 45, 135, 225, 315 degrees the chord passes through 0: a
 // tie, which the field away from the corner decides. This is the valence in the limit at the corner. Close to a tie a
-// critical point may lie so near the corner that no block fits between: what becomes of it is for guide/absorb.
+// critical point may lie so near the corner that no block fits between: guide/absorb decides about it.
 
 #include <vector>
 
@@ -19,7 +19,7 @@ inline constexpr double near_tie = 0.02;
 double tie_distance(double interior_angle);
 
 struct CornerValences {
-  std::vector<Corner> corners;     ///< in the sequence of the joints
+  std::vector<Corner> corners;     ///< in the order of the joints
   std::vector<zeros::Disc> discs;  ///< about the corners at ties: what lies in them is part of the valence
 };
 

@@ -10,23 +10,23 @@ namespace quadrille::placement {
 
 namespace {
 
-constexpr double same_place = 1e-6;  // share of the diameter
+constexpr double equal_positions = 1e-6;  // of the diameter
 
 Mat2 linear_part(const curve::Isometry& isometry) {
   const Vec2 u = unit(isometry.angle);
   return isometry.is_mirrored ? Mat2{u.x, u.y, u.y, -u.x} : Mat2{u.x, -u.y, u.y, u.x};
 }
 
-// For each of `places` the entry of the same kind at the place to which it is moved; empty unless one to one.
-template <class Place, class IsSame>
-std::vector<int> images(const std::vector<Place>& places, const curve::Isometry& isometry, double tol, IsSame is_same) {
-  std::vector<int> image, taken(places.size(), 0);
-  for (const Place& from : places) {
+// For each point the index of the point of the same kind at its image; empty unless one to one.
+template <class Point, class IsSame>
+std::vector<int> images(const std::vector<Point>& points, const curve::Isometry& isometry, double tol, IsSame is_same) {
+  std::vector<int> image, taken(points.size(), 0);
+  for (const Point& from : points) {
     const Vec2 x = isometry(from.position);
     int nearest = -1;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const bool is_candidate = distance(places[i].position, x) <= tol && is_same(from, places[i]);
-      if (is_candidate && (nearest < 0 || distance(places[i].position, x) < distance(places[nearest].position, x)))
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool is_candidate = distance(points[i].position, x) <= tol && is_same(from, points[i]);
+      if (is_candidate && (nearest < 0 || distance(points[i].position, x) < distance(points[nearest].position, x)))
         nearest = static_cast<int>(i);
     }
     if (nearest < 0 || taken[nearest]++) return {};
@@ -48,14 +48,15 @@ bool keeps_boundary(const CriticalPoints& points, const curve::Isometry& isometr
          images(points.boundary_nodes, isometry, tol, same_valence).size() == points.boundary_nodes.size();
 }
 
-// Whether with g and h the isometry g h is there, told by what they do to the nodes.
+// Whether with g and h the isometry g h is there, judged by the images of the nodes.
 bool is_closed(const std::vector<NodeSymmetry>& group) {
   for (const NodeSymmetry& g : group)
     for (const NodeSymmetry& h : group) {
       const Mat2 gh = g.linear * h.linear;
       const bool is_there = std::any_of(group.begin(), group.end(), [&](const NodeSymmetry& k) {
         const Mat2 l = k.linear;
-        if (std::hypot(std::hypot(l.xx - gh.xx, l.xy - gh.xy), std::hypot(l.yx - gh.yx, l.yy - gh.yy)) > same_place)
+        if (std::hypot(std::hypot(l.xx - gh.xx, l.xy - gh.xy), std::hypot(l.yx - gh.yx, l.yy - gh.yy)) >
+            equal_positions)
           return false;
         for (std::size_t i = 0; i < k.image.size(); ++i)
           if (k.image[i] != g.image[h.image[i]]) return false;
@@ -66,7 +67,7 @@ bool is_closed(const std::vector<NodeSymmetry>& group) {
   return true;
 }
 
-bool has_twists(const CriticalPoints& points) {
+bool has_winding_offsets(const CriticalPoints& points) {
   return std::any_of(points.hole_winding_offsets.begin(), points.hole_winding_offsets.end(),
                      [](int m) { return m != 0; });
 }
@@ -78,13 +79,13 @@ std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoi
   std::vector<FreeNode> nodes;
   for (std::size_t k = 0; k < is_free.size(); ++k)
     nodes.push_back({points.critical_points[k].position, points.critical_points[k].valence, is_free[k]});
-  const double tol = same_place * face.diameter;
+  const double tol = equal_positions * face.diameter;
   const auto is_same = [](const FreeNode& a, const FreeNode& b) {
     return a.valence == b.valence && a.is_free == b.is_free;
   };
   std::vector<NodeSymmetry> group;
   for (const curve::Isometry& isometry :
-       has_twists(points) ? std::vector{curve::Isometry{}} : curve::symmetries(face)) {
+       has_winding_offsets(points) ? std::vector{curve::Isometry{}} : curve::symmetries(face)) {
     const std::vector<int> image = images(nodes, isometry, tol, is_same);
     if (image.size() != nodes.size() || !keeps_boundary(points, isometry, tol)) continue;
     NodeSymmetry symmetry{linear_part(isometry), {}, image};
@@ -116,7 +117,7 @@ Eigen::MatrixXd invariant_movements(const std::vector<NodeSymmetry>& group, cons
       linear << g.linear.xx, g.linear.xy, g.linear.yx, g.linear.yy;
       mean.block<2, 2>(row[g.image[k]], row[k]) += linear / static_cast<double>(group.size());
     }
-  // A projector: eigenvalues 0 and 1, in ascending sequence.
+  // A projector: eigenvalues 0 and 1, in ascending order.
   if (group.size() == 1) return mean;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(mean);
   const auto num_invariant = (modes.eigenvalues().array() > 0.5).count();

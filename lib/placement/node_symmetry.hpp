@@ -1,5 +1,5 @@
 #pragma once
-// Which isometries of a face keep its nodes, and the ways in which nodes can move so that they go on keeping them.
+// The isometries of a face that map its nodes onto each other, and the movements of nodes that keep these isometries.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace quadrille::placement {
 
-/// An isometry that takes node k to the place of node image[k].
+/// An isometry that maps node k onto node image[k].
 struct NodeSymmetry {
   Mat2 linear;              ///< its rotation or reflection
-  std::vector<Vec2> moved;  ///< where it takes node k
+  std::vector<Vec2> moved;  ///< the image of node k, to round-off
   std::vector<int> image;
 };
 
 /// The isometries of the face that keep nodes with their valences and is_free, corners with their valences and boundary
-/// nodes, all within 1e-6 diameters. The identity first; it alone where there are twist offsets.
+/// nodes, all within 1e-6 diameters. The identity first; it alone where there are hole winding offsets.
 std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoints& points,
                                           const std::vector<bool>& is_free);
 
-/// Puts each free node to the mean of where the others are taken that should fall on it.
+/// Moves each free node to the mean of the images that should coincide with it.
 void symmetrise(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free, CriticalPoints& points);
 
 /// Orthonormal columns that span the invariant movements: entries 2 i and 2 i + 1 are x and y of free node i, each node

@@ -12,7 +12,7 @@ namespace quadrille::zeros {
 /// J of one sign the field is injective, so that two cannot be. Of each group that one stays which lies inside its own
 /// element, and of the lowest such element; where none does (the zero falls into the gap) the first that still lies in
 /// the mesh. A zero of an element's polynomial that lies beyond the mesh is none.
-/// `zeros` as found by searching the elements in ascending sequence. Quadratic in their number.
+/// `zeros` as found by searching the elements in ascending order. Quadratic in their number.
 std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros);
 
 /// The open cells but for those that lie no farther from a zero than rounding may shift it: beside a zero with small J

@@ -115,9 +115,9 @@ bool Enclosure::excludes_zero() const {
       nearest += range.jump * (side * range.half_width);
     }
     const Vec2 chord = nearest - y;
-    const double share = -dot(y, chord) / norm2(chord);
-    if (!(share > 0)) return false;
-    y += std::min(share, 1.0) * chord;
+    const double part = -dot(y, chord) / norm2(chord);
+    if (!(part > 0)) return false;
+    y += std::min(part, 1.0) * chord;
   }
   return false;
 }

@@ -56,34 +56,34 @@ double ZeroSearch::margin(const Cell& cell) const {
 }
 
 void ZeroSearch::isolate(const Cell& cell, const Mat2& inverse_jacobian, double contraction) {
-  ++counts_.isolated;
+  ++found_.counts.isolated;
   const double noise = enclosure_.value_noise();
   Vec2 xi;
   if (!find_cell_zero(*evaluator_, cell, inverse_jacobian, contraction, noise, xi)) return;
   const field::FieldSample s = evaluator_->sample(cell.elem, xi);
   const double shift = noise * frobenius_norm(s.dv_dx) / std::abs(det(s.dv_dx));  // |J^-1| noise
-  zeros_.push_back({cell.elem, xi, s.x, det(s.dv_dx) > 0 ? 1 : -1, enclosure_.radius(), shift, vertices(cell)});
+  found_.zeros.push_back({cell.elem, xi, s.x, det(s.dv_dx) > 0 ? 1 : -1, enclosure_.radius(), shift, vertices(cell)});
 }
 
 void ZeroSearch::visit(const Cell& cell, int depth) {
   if (budget_ == 0) return;
-  ++counts_.examined;
-  counts_.greatest_depth = std::max(counts_.greatest_depth, depth);
+  ++found_.counts.examined;
+  found_.counts.greatest_depth = std::max(found_.counts.greatest_depth, depth);
   const double jump = margin(cell);
   enclosure_.set(cell, evaluator_->field().liftings, jump);
   if (enclosure_.excludes_zero()) {
-    ++counts_.excluded;
+    ++found_.counts.excluded;
     return;
   }
   if (is_ignored()) {
-    ++counts_.ignored;
+    ++found_.counts.ignored;
     return;
   }
   Mat2 inverse_jacobian;
   double contraction = 0;
   if (enclosure_.isolates(inverse_jacobian, contraction)) return isolate(cell, inverse_jacobian, contraction);
   if (--budget_ == 0 || depth == max_depth || enclosure_.greatest_value() < std::max(noise_, jump)) {
-    open_.push_back({cell.elem, enclosure_.centre(), enclosure_.radius(), vertices(cell)});
+    found_.open_cells.push_back({cell.elem, enclosure_.centre(), enclosure_.radius(), vertices(cell)});
     return;
   }
   auto& [first, second] = halves_[depth];

@@ -10,7 +10,7 @@
 
 namespace quadrille::zeros {
 
-/// A disc in which the search does not look: what happens there belongs to a corner (guide/valence).
+/// A disc that the search leaves out: zeros there belong to a corner (guide/valence).
 struct Disc {
   Vec2 centre;
   double radius = 0;
@@ -36,11 +36,18 @@ struct OpenCell {
 
 struct SearchCounts {
   long long examined = 0, excluded = 0, isolated = 0, ignored = 0;
-  int greatest_depth = 0;  ///< of halvings of an element
+  int greatest_depth = 0;  ///< halvings of an element
 };
 
-/// |v| below which nothing can be told about a field that was solved to round-off.
+/// |v| below which a field that was solved to round-off decides nothing.
 inline constexpr double field_noise = 1e-10;
+
+/// What a search has found so far.
+struct SearchResult {
+  std::vector<FoundZero> zeros;
+  std::vector<OpenCell> open_cells;
+  SearchCounts counts;
+};
 
 class ZeroSearch {
  public:
@@ -50,11 +57,11 @@ class ZeroSearch {
   /// Searches one element. Stops early, with an open cell, when the element needs more cells than zeros ever do.
   void search(int elem);
 
-  const std::vector<FoundZero>& zeros() const { return zeros_; }
-  const std::vector<OpenCell>& open_cells() const { return open_; }
-  /// True when there is no point in going on: some element needed too many cells, or very many cells are open.
-  bool is_hopeless() const { return budget_ == 0 || open_.size() > 4000; }
-  const SearchCounts& counts() const { return counts_; }
+  const std::vector<FoundZero>& zeros() const { return found_.zeros; }
+  const std::vector<OpenCell>& open_cells() const { return found_.open_cells; }
+  /// Whether the search cannot be completed: some element needed too many cells, or very many cells are open.
+  bool is_budget_exhausted() const { return budget_ == 0 || found_.open_cells.size() > 4000; }
+  const SearchCounts& counts() const { return found_.counts; }
 
  private:
   void visit(const Cell& cell, int depth);
@@ -69,9 +76,7 @@ class ZeroSearch {
   std::vector<std::array<Cell, 2>> halves_;  ///< by depth: storage of the recursion
   Enclosure enclosure_;
   long long budget_ = 1;  ///< cells left for this element
-  std::vector<FoundZero> zeros_;
-  std::vector<OpenCell> open_;
-  SearchCounts counts_;
+  SearchResult found_;
 };
 
 }  // namespace quadrille::zeros

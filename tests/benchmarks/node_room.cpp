@@ -12,7 +12,7 @@
 
 #include "io/input_file.hpp"
 #include "io/stage_files.hpp"
-#include "placement/wall_distance.hpp"
+#include "placement/smooth_boundary_distance.hpp"
 
 using namespace quadrille;
 
@@ -21,7 +21,7 @@ namespace {
 std::string number_or_null(double x) { return x < 1e9 ? fmt::format("{:.5g}", x) : "null"; }
 
 void tell_room(const CadFace& face, const CriticalPoints& points) {
-  const placement::WallDistance walls(face);
+  const placement::SmoothBoundaryDistance walls(face);
   double least_wall = 1e10, least_pair = 1e10;
   std::string nodes;
   for (const CriticalPoint& node : points.critical_points) {

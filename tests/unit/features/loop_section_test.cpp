@@ -25,10 +25,10 @@ TEST(LoopSection, MeasuresFractionsOfItsLengthOverJoints) {
 
 TEST(LoopSection, NamesAJointByTheCurveThatBeginsThere) {
   const CadFace face = square();
-  const BoundaryPoint joint = LoopSection(face, {{0, 1, 4}, {1, 0, 1}}, false).at(0.75);
+  const SectionPoint joint = LoopSection(face, {{0, 1, 4}, {1, 0, 1}}, false).at(0.75);
   EXPECT_EQ(joint.curve, 1);
   EXPECT_EQ(joint.t, face.curves[1].begin());
-  const BoundaryPoint last = LoopSection(face, {{3, 0, 4}}, false).at(1);
+  const SectionPoint last = LoopSection(face, {{3, 0, 4}}, false).at(1);
   EXPECT_EQ(last.curve, 0);
 }
 

@@ -9,24 +9,6 @@
 namespace quadrille::guide {
 namespace {
 
-TEST(MayBecome, keeps_blocks_between_15_and_165_degrees_and_near_right_angles) {
-  EXPECT_TRUE(may_become(134, 1));
-  EXPECT_TRUE(may_become(134, 2));
-  EXPECT_FALSE(may_become(134, 3));
-  EXPECT_TRUE(may_become(120, 2));   // 4/3 to 2: two thirds off
-  EXPECT_FALSE(may_become(100, 2));  // 10/9 to 2
-  EXPECT_FALSE(may_become(170, 1));
-  EXPECT_TRUE(may_become(228.7, 2));
-  EXPECT_TRUE(may_become(228.7, 3));
-  EXPECT_FALSE(may_become(350, 5));
-  EXPECT_FALSE(may_become(60, -1));
-}
-
-TEST(MayBecome, zero_only_at_the_tie) {
-  EXPECT_TRUE(may_become(45.5, 0));
-  EXPECT_FALSE(may_become(60, 0));
-}
-
 /// Hand-made zeros beside the corner of 135 degrees at the lower left of a square: only places and indices count.
 struct AbsorbTest : testing::Test {
   Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2) { return Vec2{1, 0}; });

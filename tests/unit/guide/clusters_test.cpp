@@ -6,8 +6,6 @@
 #include <complex>
 
 #include "../support/square_field.hpp"
-#include "guide/cluster_centre.hpp"
-#include "zeros/edge_jumps.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -39,8 +37,8 @@ TEST_F(ClustersTest, hang_together_through_others) {
 }
 
 TEST_F(ClustersTest, do_not_reach_across_what_is_outside) {
-  EXPECT_TRUE(sees(evaluator, {-0.9, -0.9}, {0.9, 0.9}));
-  EXPECT_FALSE(sees(evaluator, {0.9, 0}, {1.3, 0}));
+  EXPECT_TRUE(is_segment_in_mesh(evaluator, {-0.9, -0.9}, {0.9, 0.9}));
+  EXPECT_FALSE(is_segment_in_mesh(evaluator, {0.9, 0}, {1.3, 0}));
 }
 
 TEST_F(ClustersTest, the_error_of_the_field_makes_a_cluster_too) {
@@ -65,36 +63,6 @@ TEST_F(ClustersTest, open_cells_without_a_zero_are_none) {
   ASSERT_EQ(found.clusters.size(), 1u);
   EXPECT_EQ(found.clusters[0].index, 0);  // of the constant field, whatever the made-up zero says
   EXPECT_TRUE(found.clusters[0].member_indices.empty());
-}
-
-TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
-  const Vec2 at{0.1, -0.2};
-  const std::vector<std::pair<int, double>> cases{{2, 1e-6}, {3, 1e-8}, {4, 1e-10}, {-2, 1e-6}, {-3, 1e-8}};
-  for (const auto& [index, e] : cases) {
-    const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 5, [&](Vec2 x) {
-      const Complex z{x.x - at.x, x.y - at.y}, w = std::pow(z, std::abs(index)) * (1.0 + 0.3 * z) + e;
-      return Vec2{w.real(), index > 0 ? w.imag() : -w.imag()};
-    });
-    const auto centre = moment_centre(field::FieldEvaluator(field), at + Vec2{1e-3, 2e-3}, index, 0.01, 0.5);
-    ASSERT_TRUE(centre.has_value());
-    EXPECT_NEAR(distance(*centre, at), 0, 10 * e) << index;  // the zeros themselves are e^(1/n) away
-  }
-}
-
-TEST(EdgeJumps, bound_what_is_between_neighbours) {
-  Field field = interpolated_field(square_mesh({-1, -1}, 2, 1), 2, [](Vec2 x) { return Vec2{x.x, x.y}; });
-  EXPECT_TRUE(zeros::edge_jumps(field::FieldEvaluator(field)).empty());
-  field.method = FieldMethod::dg;
-  field.u[field.coef_offsets[1]] += std::sqrt(2.0) * 1e-6;  // a constant 1e-6
-  const auto jumps = zeros::edge_jumps(field::FieldEvaluator(field));
-  ASSERT_EQ(jumps.size(), 2u);
-  for (const zeros::Jumps& of_elem : jumps) {
-    EXPECT_EQ(std::count(of_elem.edge.begin(), of_elem.edge.end(), 0.0), 2);  // all but the diagonal are boundary
-    const double diagonal = *std::max_element(of_elem.edge.begin(), of_elem.edge.end());
-    EXPECT_NEAR(diagonal, 2e-6, 1e-12);
-    EXPECT_NEAR(*std::max_element(of_elem.vertex.begin(), of_elem.vertex.end()), 1e-6, 1e-12);
-    EXPECT_EQ(*std::min_element(of_elem.vertex.begin(), of_elem.vertex.end()), 0);
-  }
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
+#include "guide/divide_corners.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
-#include "guide/resolve.hpp"
-#include "placement/room.hpp"
 
 namespace quadrille::guide {
 namespace {

@@ -7,6 +7,7 @@
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
 #include "field/lifting.hpp"
+#include "guide/index_sum.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -284,17 +285,6 @@ TEST(FindCriticalPoints, corners_of_a_square_close_the_index_sum) {
   EXPECT_EQ(search.points.index_sum, 4);
   EXPECT_EQ(search.points.index_sum_expected, 4);
   EXPECT_NO_THROW(require_index_sum(search.points));
-}
-
-TEST(RequireIndexSum, says_by_how_much_and_which_corner_is_in_doubt) {
-  CriticalPoints points;
-  points.origin = {100, 0};
-  points.corners = {{0, {0, 0}, 90, 1, {1, 0}}, {1, {1, 2}, 134, 1, {0, 1}}};
-  points.index_sum = 2;
-  points.index_sum_expected = 4;
-  const std::string message = message_of([&] { require_index_sum(points); });
-  EXPECT_PRED2(contains, message, "2 too few");
-  EXPECT_PRED2(contains, message, "134 degrees at (101, 2), valence 1");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "guide/line_field.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 #include "base/angle.hpp"
 #include "curve/symmetry.hpp"
 #include "field/boundary_values.hpp"
-#include "guide/resolve.hpp"
+#include "guide/admissible_valence.hpp"
 
 namespace quadrille::guide {
 namespace {

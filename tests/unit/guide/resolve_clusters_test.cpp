@@ -1,3 +1,5 @@
+#include "guide/resolve_clusters.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,8 +9,7 @@
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
 #include "curve/symmetry.hpp"
-#include "guide/resolve.hpp"
-#include "placement/room.hpp"
+#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -233,7 +234,7 @@ TEST(ResolveClusters, index_sum_is_kept_and_nodes_stay_inside_on_random_polygons
     EXPECT_EQ(index_sum_of(points), sum);
     for (const NodeChange& change : points.changes) EXPECT_EQ(index_of(change.before), index_of(change.after));
     for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
-      EXPECT_GT(placement::signed_room(face, points.critical_points[i].position), 0);
+      EXPECT_GT(placement::signed_clearance(face, points.critical_points[i].position), 0);
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_GT(distance(points.critical_points[i].position, points.critical_points[j].position), 1e-3);
     }

@@ -4,6 +4,7 @@
 
 #include "../support/polygon_field.hpp"
 #include "guide/find_critical_points.hpp"
+#include "guide/index_sum.hpp"
 #include "zeros/winding.hpp"
 
 namespace quadrille::zeros {

@@ -1,4 +1,4 @@
-#include "placement/wall_distance.hpp"
+#include "placement/smooth_boundary_distance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct LogDistance {
 
 LogDistance log_distance(const CadFace& face, Vec2 x) {
   LogDistance d;
-  d.value = WallDistance(face).log_smooth(x, d.slope);
+  d.value = SmoothBoundaryDistance(face).log_smooth(x, d.slope);
   return d;
 }
 
@@ -31,7 +31,7 @@ double rectangle_integral(double a, double b, Vec2 x) {
   return side(x.y, x.x, a - x.x) + side(b - x.y, x.x, a - x.x) + side(x.x, x.y, b - x.y) + side(a - x.x, x.y, b - x.y);
 }
 
-TEST(WallDistance, in_a_disc_is_the_power_of_the_point) {
+TEST(SmoothBoundaryDistance, in_a_disc_is_the_power_of_the_point) {
   const Vec2 centre{3, -2};
   const double radius = 2;
   const CadFace face = make_face({circle(centre, radius)});
@@ -46,7 +46,7 @@ TEST(WallDistance, in_a_disc_is_the_power_of_the_point) {
     }
 }
 
-TEST(WallDistance, in_a_rectangle_is_known) {
+TEST(SmoothBoundaryDistance, in_a_rectangle_is_known) {
   const CadFace face = make_face({polygon({{0, 0}, {5, 0}, {5, 1}, {0, 1}})});
   for (const Vec2 x : {Vec2{2.5, 0.5}, {0.1, 0.2}, {1, 1e-3}, {1, 1e-6}, {1e-5, 1e-5}}) {
     const double expected = std::log(pi / rectangle_integral(5, 1, x));
@@ -54,7 +54,7 @@ TEST(WallDistance, in_a_rectangle_is_known) {
   }
 }
 
-TEST(WallDistance, near_a_long_wall_is_the_plain_distance) {
+TEST(SmoothBoundaryDistance, near_a_long_wall_is_the_plain_distance) {
   const CadFace face = make_face({polygon({{-1e4, 0}, {1e4, 0}, {1e4, 1e4}, {-1e4, 1e4}})});
   const LogDistance d = log_distance(face, {0.3, 0.7});
   EXPECT_NEAR(d.value, std::log(0.7), 2e-4);
@@ -62,7 +62,7 @@ TEST(WallDistance, near_a_long_wall_is_the_plain_distance) {
   EXPECT_NEAR(d.slope.y, 1 / 0.7, 2e-4);
 }
 
-TEST(WallDistance, sees_holes) {
+TEST(SmoothBoundaryDistance, sees_holes) {
   const CadFace face = annulus();
   for (const double r : {0.5001, 0.6, 0.99}) {
     const Vec2 x = r * unit(1.1);
@@ -71,17 +71,17 @@ TEST(WallDistance, sees_holes) {
   }
 }
 
-TEST(WallDistance, depends_on_the_curve_and_not_on_its_parameter) {
+TEST(SmoothBoundaryDistance, depends_on_the_curve_and_not_on_its_parameter) {
   CadFace face = make_face({polygon({{0, 0}, {5, 0}, {5, 1}, {0, 1}})});
   // The lower side again, at rest at its beginning; the right side with its speed almost all at one end.
   face.curves[0] = {3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0, 0}, {0.5, 0}, {5, 0}}, {1, 1, 1, 1}};
   face.curves[1] = {2, {0, 0, 0, 1, 1, 1}, {{5, 0}, {5, 0.5}, {5, 1}}, {1, 0.01, 1}};
   for (const Vec2 x : {Vec2{2.5, 0.5}, {0.1, 0.2}, {1e-3, 1e-3}, {4.999, 0.999}, {4.9999, 0.5}})
     EXPECT_NEAR(log_distance(face, x).value, std::log(pi / rectangle_integral(5, 1, x)),
-                rounding(face, WallDistance(face).nearest(x)));
+                rounding(face, SmoothBoundaryDistance(face).nearest(x)));
 }
 
-TEST(WallDistance, its_gradient_is_that_of_its_value) {
+TEST(SmoothBoundaryDistance, its_gradient_is_that_of_its_value) {
   const CadFace face = stadium();
   const double h = 1e-6;
   for (const Vec2 x : {Vec2{0.2, 0.3}, {1.7, 0.2}, {-1.2, -0.95}}) {
@@ -91,9 +91,9 @@ TEST(WallDistance, its_gradient_is_that_of_its_value) {
   }
 }
 
-TEST(WallDistance, knows_the_plain_distance_too) {
+TEST(SmoothBoundaryDistance, knows_the_plain_distance_too) {
   const CadFace face = annulus();
-  const WallDistance walls(face);
+  const SmoothBoundaryDistance walls(face);
   for (const double r : {0.5001, 0.6, 0.74, 0.8, 0.9999})
     EXPECT_NEAR(walls.nearest(r * unit(0.4)), std::min(r - 0.5, 1 - r), 1e-13);
 }

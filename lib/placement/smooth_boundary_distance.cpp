@@ -1,4 +1,4 @@
-#include "placement/wall_distance.hpp"
+#include "placement/smooth_boundary_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,12 +31,12 @@ double greatest_gap(const Piece& piece) {
 }  // namespace
 
 /// oint ds / r^2 and oint (y - x) ds / r^4.
-struct WallDistance::Integral {
+struct SmoothBoundaryDistance::Integral {
   double value = 0;
   Vec2 moment;
 };
 
-WallDistance::WallDistance(const CadFace& face) : face_(face) {
+SmoothBoundaryDistance::SmoothBoundaryDistance(const CadFace& face) : face_(face) {
   for (int c = 0; c < face.num_curves(); ++c) {
     const std::vector<double>& knots = face.curves[c].knots;
     for (std::size_t i = 1; i < knots.size(); ++i)
@@ -44,7 +44,7 @@ WallDistance::WallDistance(const CadFace& face) : face_(face) {
   }
 }
 
-WallDistance::Piece WallDistance::piece(int curve, double t0, double t1) const {
+SmoothBoundaryDistance::Piece SmoothBoundaryDistance::piece(int curve, double t0, double t1) const {
   const curve::GaussRule<16>& rule = curve::gauss_rule<16>();
   const Nurbs& nurbs = face_.curves[curve];
   const double middle = (t0 + t1) / 2, half = (t1 - t0) / 2;
@@ -59,7 +59,7 @@ WallDistance::Piece WallDistance::piece(int curve, double t0, double t1) const {
 }
 
 // Until the speed is smooth enough for the rule and nearly constant, so that lengths tell where the points are.
-void WallDistance::cut(int curve, double t0, double t1, int depth) {
+void SmoothBoundaryDistance::cut(int curve, double t0, double t1, int depth) {
   const Piece whole = piece(curve, t0, t1);
   const double middle = (t0 + t1) / 2;
   const double left = piece(curve, t0, middle).length, right = piece(curve, middle, t1).length;
@@ -75,7 +75,7 @@ void WallDistance::cut(int curve, double t0, double t1, int depth) {
 }
 
 // 1 / r^2 has its poles at the distance of x from the piece: no nearer than the piece is long, 16 points are exact.
-void WallDistance::add(const Piece& whole, Vec2 x, int depth, Integral& sum) const {
+void SmoothBoundaryDistance::add(const Piece& whole, Vec2 x, int depth, Integral& sum) const {
   if (whole.length > least_distance(whole, x) && depth < max_depth) {
     const double middle = (whole.t0 + whole.t1) / 2;
     add(piece(whole.curve, whole.t0, middle), x, depth + 1, sum);
@@ -84,20 +84,20 @@ void WallDistance::add(const Piece& whole, Vec2 x, int depth, Integral& sum) con
   }
   for (int i = 0; i < 16; ++i) {
     const Vec2 r = whole.points[i] - x;
-    const double r2 = norm2(r), share = whole.weights[i] / r2;
-    sum.value += share;
-    sum.moment += share / r2 * r;
+    const double r2 = norm2(r), part = whole.weights[i] / r2;
+    sum.value += part;
+    sum.moment += part / r2 * r;
   }
 }
 
-double WallDistance::log_smooth(Vec2 x, Vec2& gradient) const {
+double SmoothBoundaryDistance::log_smooth(Vec2 x, Vec2& gradient) const {
   Integral sum;
   for (const Piece& whole : pieces_) add(whole, x, 0, sum);
   gradient = (-2 / sum.value) * sum.moment;
   return std::log(pi / sum.value);
 }
 
-double WallDistance::nearest(Vec2 x) const {
+double SmoothBoundaryDistance::nearest(Vec2 x) const {
   std::vector<double> distances;
   for (const Piece& p : pieces_) distances.push_back(least_distance(p, x));
   double best = *std::min_element(distances.begin(), distances.end());

@@ -1,4 +1,4 @@
-#include "placement/placement.hpp"
+#include "placement/place_nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
-#include "placement/wall_distance.hpp"
+#include "placement/smooth_boundary_distance.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -191,7 +191,7 @@ TEST(PlaceNodes, a_greater_weight_takes_them_further_from_the_boundary) {
   for (const double weight : {0.0, 0.7, 1.4, 2.8}) {
     const CadFace face = half_disc();
     const Placed placed(face, Motion()(half_disc_energy), points_at({{0.6, 0.3}, {-0.6, 0.3}}), weight);
-    const double room = WallDistance(face).nearest(placed[0]);
+    const double room = SmoothBoundaryDistance(face).nearest(placed[0]);
     EXPECT_GT(room, before + 0.01);
     before = room;
   }

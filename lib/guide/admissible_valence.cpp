@@ -1,0 +1,24 @@
+#include "guide/admissible_valence.hpp"
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "guide/valence.hpp"
+
+namespace quadrille::guide {
+
+bool is_admissible_valence(double angle_degrees, int valence) {
+  constexpr double tol = 1e-6;
+  if (valence == 0) return true;
+  return valence > 0 && valence <= greatest_corner_valence && angle_degrees / valence >= least_block_angle - tol &&
+         angle_degrees / valence <= greatest_block_angle + tol;
+}
+
+bool is_admissible_after_absorption(double angle_degrees, int valence) {
+  if (valence == 0) return std::abs(angle_degrees - 45) < degrees(near_tie);
+  const double block = angle_degrees / valence;
+  return valence > 0 && valence <= greatest_corner_valence && block >= least_block_angle &&
+         block <= greatest_block_angle && std::abs(valence - angle_degrees / 90) <= 0.75;
+}
+
+}  // namespace quadrille::guide

@@ -1,0 +1,224 @@
+#include "guide/override_corners.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "base/tie_classes.hpp"
+#include "guide/admissible_valence.hpp"
+#include "guide/node_ring.hpp"
+#include "placement/clearance.hpp"
+
+namespace quadrille::guide {
+namespace {
+
+constexpr double equal = 1e-6;  // of the diameter
+
+std::string name_of(const CadFace& face, const Corner& c) {
+  const Vec2 x = c.position + face.origin;
+  return fmt::format("the corner of {:.6g} degrees at ({:.6g}, {:.6g}), between curves {} and {},", c.angle_degrees,
+                     x.x, x.y, c.curves[0], c.curves[1]);
+}
+
+[[noreturn]] void refuse_curves(const CadFace& face, const CornerOverride& o) {
+  const auto exists = [&](int curve) { return curve >= 0 && curve < face.num_curves(); };
+  const auto leads_to = [&](int a, int b) { return exists(a) && exists(b) && face.next_in_loop(a) == b; };
+  std::string why = "they do not meet";
+  if (!exists(o.curve_a) || !exists(o.curve_b))
+    why = fmt::format("the face has curves 0 to {}", face.num_curves() - 1);
+  else if (leads_to(o.curve_a, o.curve_b) || leads_to(o.curve_b, o.curve_a))
+    why = "they meet smoothly";
+  throw UsageError(fmt::format("no corner between curves {} and {}: {}", o.curve_a, o.curve_b, why));
+}
+
+[[noreturn]] void refuse_valence(const CadFace& face, const Corner& c, int valence) {
+  std::string admissible;
+  for (int v = 0; v <= greatest_corner_valence; ++v)
+    if (is_admissible_valence(c.angle_degrees, v)) admissible += fmt::format("{}{}", admissible.empty() ? "" : ", ", v);
+  const std::string blocks =
+      valence > 0 && valence <= greatest_corner_valence
+          ? fmt::format("its blocks would have {:.6g} degrees there, not 15 to 165", c.angle_degrees / valence)
+          : fmt::format("corner valences are 0 to {}", greatest_corner_valence);
+  throw UsageError(
+      fmt::format("{} cannot have valence {}: {}; admissible are {}", name_of(face, c), valence, blocks, admissible));
+}
+
+std::size_t find_corner(const CadFace& face, const CornerOverride& o, const std::vector<Corner>& corners) {
+  for (const std::array<int, 2>& curves : {std::array{o.curve_a, o.curve_b}, std::array{o.curve_b, o.curve_a}})
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (corners[i].curves == curves) return i;
+  refuse_curves(face, o);
+}
+
+/// A corner whose valence changes.
+struct Demand {
+  std::size_t corner;
+  int valence;                       ///< prescribed
+  int index;                         ///< that the nodes inside must gain
+  std::vector<std::size_t> removed;  ///< nodes of the opposite index
+  std::vector<CriticalPoint> added;
+};
+
+std::vector<Demand> demands_of(const CadFace& face, const std::vector<CornerOverride>& overrides,
+                               const std::vector<Corner>& corners) {
+  std::vector<Demand> demands;
+  for (const CornerOverride& o : overrides) {
+    const std::size_t i = find_corner(face, o, corners);
+    if (!is_admissible_valence(corners[i].angle_degrees, o.valence)) refuse_valence(face, corners[i], o.valence);
+    const auto known = std::find_if(demands.begin(), demands.end(), [&](const Demand& d) { return d.corner == i; });
+    if (known == demands.end())
+      demands.push_back({i, o.valence, o.valence - corners[i].valence, {}, {}});
+    else if (known->valence != o.valence)
+      throw UsageError(
+          fmt::format("{} cannot have both valence {} and {}", name_of(face, corners[i]), known->valence, o.valence));
+  }
+  std::erase_if(demands, [](const Demand& d) { return d.index == 0; });
+  return demands;
+}
+
+class Overrider {
+ public:
+  Overrider(const CadFace& face, std::vector<Demand> demands, CriticalPoints& points)
+      : face_(face), demands_(std::move(demands)), points_(points) {}
+
+  void run() {
+    if (demands_.empty()) return;
+    int total = 0;
+    for (const Demand& d : demands_) total += d.index;
+    if (total != 0)
+      for (Demand& d : demands_) {
+        choose_removed(d);
+        choose_added(d);
+      }
+    for (const Demand& d : demands_) record(d);
+    apply();
+  }
+
+ private:
+  Vec2 position(const Demand& d) const { return points_.corners[d.corner].position; }
+  double distance_to(const Demand& d, std::size_t node) const {
+    return distance(position(d), points_.critical_points[node].position);
+  }
+
+  bool may_remove(const Demand& d, std::size_t node) const {
+    const double length = distance_to(d, node), tol = equal * face_.diameter;
+    if (points_.critical_points[node].index != (d.index > 0 ? -1 : 1) || length > 0.25 * face_.diameter) return false;
+    return std::none_of(demands_.begin(), demands_.end(), [&](const Demand& other) {
+      return other.corner != d.corner && (other.index > 0) == (d.index > 0) && distance_to(other, node) < length + tol;
+    });
+  }
+
+  /// The nearest, in groups of equal distance: all of a group or none.
+  void choose_removed(Demand& d) const {
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < points_.critical_points.size(); ++i)
+      if (may_remove(d, i)) nodes.push_back(i);
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](std::size_t a, std::size_t b) { return distance_to(d, a) < distance_to(d, b); });
+    const auto distance_of = [&](std::size_t node) { return distance_to(d, node); };
+    const std::ptrdiff_t needed = std::abs(d.index);
+    for (auto first = nodes.begin(); first != nodes.end();) {
+      const auto last = end_of_ties(first, nodes.end(), equal * face_.diameter, distance_of);
+      if (last - nodes.begin() > needed) return;
+      d.removed.assign(nodes.begin(), last);
+      first = last;
+    }
+  }
+
+  void choose_added(Demand& d) const {
+    const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
+    const Joint& joint = face_.joints[points_.corners[d.corner].joint];
+    std::vector<Vec2> directions;
+    double clearance = INFINITY;
+    for (int k = 1; k <= n; ++k) {
+      directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
+      const double start = equal * face_.diameter;  // off the corner itself
+      clearance = std::min(
+          clearance, placement::clearance_along(face_, joint.position + start * directions.back(), directions.back()));
+    }
+    const double radius = free_radius(joint.position, directions, 0.25 * clearance);
+    for (const Vec2 direction : directions)
+      d.added.push_back(made_node(joint.position + radius * direction, d.index > 0 ? 1 : -1, NodeSource::corner));
+  }
+
+  /// Less than `radius` where nodes are there already.
+  double free_radius(Vec2 corner, const std::vector<Vec2>& directions, double radius) const {
+    const auto is_taken = [&](double r) {
+      for (const Vec2 direction : directions)
+        for (const CriticalPoint& p : points_.critical_points)
+          if (distance(p.position, corner + r * direction) < 0.1 * r) return true;
+      return false;
+    };
+    for (int i = 0; i < 20 && is_taken(radius); ++i) radius *= 0.8;
+    return radius;
+  }
+
+  void record(const Demand& d) {
+    const Corner& c = points_.corners[d.corner];
+    NodeChange change{ChangeKind::corner,
+                      "",
+                      {{c.position, c.valence, NodeLocation::corner}},
+                      {{c.position, d.valence, NodeLocation::corner}}};
+    for (const std::size_t i : d.removed)
+      change.before.push_back(
+          {points_.critical_points[i].position, points_.critical_points[i].valence, NodeLocation::inside});
+    for (const CriticalPoint& p : d.added) change.after.push_back({p.position, p.valence, NodeLocation::inside});
+    const bool is_exchange = d.removed.empty() && d.added.empty();
+    change.reason =
+        fmt::format("valence {} is prescribed for {} which had {}", d.valence, name_of(face_, c), c.valence);
+    if (!is_exchange) {
+      change.reason += fmt::format(": {} nodes are removed, {} added", d.removed.size(), d.added.size());
+      points_.changes.push_back(change);
+      return;
+    }
+    exchange_.before.insert(exchange_.before.end(), change.before.begin(), change.before.end());
+    exchange_.after.insert(exchange_.after.end(), change.after.begin(), change.after.end());
+    exchange_.reason += (exchange_.reason.empty() ? "" : "; ") + change.reason;
+  }
+
+  /// As they were found, before the first change of the nodes.
+  void keep_zeros() {
+    const bool nodes_change = std::any_of(demands_.begin(), demands_.end(),
+                                          [](const Demand& d) { return !d.removed.empty() || !d.added.empty(); });
+    if (!nodes_change || !points_.zeros.empty()) return;
+    for (const CriticalPoint& p : points_.critical_points)
+      if (p.source == NodeSource::zero) points_.zeros.push_back(p);
+  }
+
+  void apply() {
+    if (!exchange_.before.empty()) points_.changes.push_back(exchange_);
+    keep_zeros();
+    std::vector<bool> is_removed(points_.critical_points.size(), false);
+    std::vector<CriticalPoint> kept;
+    for (const Demand& d : demands_)
+      for (const std::size_t i : d.removed) is_removed[i] = true;
+    for (std::size_t i = 0; i < is_removed.size(); ++i)
+      if (!is_removed[i]) kept.push_back(points_.critical_points[i]);
+    for (const Demand& d : demands_) {
+      kept.insert(kept.end(), d.added.begin(), d.added.end());
+      points_.corners[d.corner].valence = d.valence;
+      points_.corners[d.corner].source = NodeSource::corner;
+    }
+    points_.critical_points = kept;
+    points_.form = NodeForm::phase;
+    points_.index_sum = index_sum_of(points_);
+  }
+
+  const CadFace& face_;
+  std::vector<Demand> demands_;
+  CriticalPoints& points_;
+  NodeChange exchange_{ChangeKind::corner, "", {}, {}};  ///< one for all corners that exchange valences
+};
+
+}  // namespace
+
+void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points) {
+  Overrider(face, demands_of(face, overrides, points.corners), points).run();
+}
+
+}  // namespace quadrille::guide

@@ -1,0 +1,176 @@
+#include "placement/place_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "placement/minimise.hpp"
+#include "placement/node_symmetry.hpp"
+#include "placement/reduced_coordinates.hpp"
+
+namespace quadrille::placement {
+
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double moved_tol = 1e-9;             // of the diameter: nodes that move less have not moved
+constexpr double visible_step = 1e-8;          // of the diameter: no warning where the last step was shorter
+constexpr int iterations_between_scales = 30;  // after so many the nodes' length scales are computed anew
+
+struct Problem {
+  const CadFace& face;
+  PlacementObjective objective;
+  std::vector<NodeSymmetry> group;
+  ReducedCoordinates coordinates;
+  CriticalPoints points;  ///< with the nodes where they are so far
+};
+
+std::vector<int> indices_of(const std::vector<bool>& is_free) {
+  std::vector<int> free;
+  for (std::size_t k = 0; k < is_free.size(); ++k)
+    if (is_free[k]) free.push_back(static_cast<int>(k));
+  return free;
+}
+
+Problem problem_of(const CadFace& face, const EnergyFunction& energy, const SmoothBoundaryDistance& boundary,
+                   const std::vector<bool>& is_free, const PlacementOptions& options, const CriticalPoints& points) {
+  const std::vector<int> free = indices_of(is_free);
+  Problem problem{face,
+                  {energy, boundary, options.weight, free, {}},
+                  node_symmetries(face, points, is_free),
+                  {free, {}, {}},
+                  points};
+  symmetrise(problem.group, is_free, problem.points);
+  problem.coordinates.movements = invariant_movements(problem.group, is_free);
+  problem.objective.repulsion = repulsion_terms(face, problem.points, is_free, options.pair_reach * face.diameter);
+  return problem;
+}
+
+/// Value and gradient by y; nothing where a node is not inside the domain, but at y = 0 what the energy throws.
+std::optional<Minimand::Sample> sample(const Problem& problem, const VectorXd& y) {
+  NodeEnergy sum;
+  try {
+    sum = problem.objective.at(problem.coordinates.moved(problem.points, y));
+  } catch (const ComputeError&) {
+    if (y.isZero(0)) throw;
+    return std::nullopt;
+  }
+  const VectorXd gradient = problem.coordinates.gradient(sum.gradient);
+  if (!std::isfinite(sum.value) || !gradient.allFinite()) return std::nullopt;
+  return Minimand::Sample{sum.value, gradient};
+}
+
+Minimand minimand_of(const Problem& problem) {
+  const ReducedCoordinates& coordinates = problem.coordinates;
+  return {[&problem](const VectorXd& y) { return sample(problem, y); },
+          [&problem, &coordinates](const VectorXd& y, const VectorXd& step) {
+            return problem.objective.allowed_part(coordinates.moved(problem.points, y), coordinates.movement(step));
+          },
+          [&problem, &coordinates](const VectorXd& step) {
+            double longest = 0;
+            for (const Vec2 move : coordinates.movement(step)) longest = std::max(longest, norm(move));
+            return longest / problem.face.diameter;
+          }};
+}
+
+/// Moves problem.points to a minimum, in rounds between which the scales are computed anew.
+Minimum find_minimum(Problem& problem, const PlacementOptions& options) {
+  Minimum result;
+  int iterations = 0, evaluations = 0;
+  do {
+    problem.coordinates.scales =
+        length_scales(problem.objective.boundary, problem.points, problem.coordinates.free, problem.group);
+    MinimiseOptions round;
+    round.tolerance = options.tolerance;
+    round.max_iterations = std::min(iterations_between_scales, options.max_iterations - iterations);
+    round.begins_with_hessian = iterations > 0;
+    result = minimise(minimand_of(problem), VectorXd::Zero(problem.coordinates.movements.cols()), round);
+    problem.points = problem.coordinates.moved(problem.points, result.x);
+    iterations += result.iterations;
+    evaluations += result.evaluations;
+    if (result.iterations < round.max_iterations) break;
+  } while (!result.is_converged && iterations < options.max_iterations);
+  result.iterations = iterations;
+  result.evaluations = evaluations;
+  return result;
+}
+
+std::string position_text(const CadFace& face, Vec2 x) {
+  return fmt::format("({:.6g}, {:.6g})", x.x + face.origin.x, x.y + face.origin.y);
+}
+
+void report_minimum(const Minimum& minimum, Report& report) {
+  report.set("placement.energy_after", minimum.value);
+  report.set("placement.iterations", minimum.iterations);
+  report.set("placement.evaluations", minimum.evaluations);
+  report.set("placement.last_step", minimum.last_step);
+  report.set("placement.least_curvature", minimum.least_curvature);
+}
+
+void warn_if_not_converged(const Minimum& minimum, Report& report) {
+  // Noise of the gradient is no reason to warn as long as nobody sees it in the nodes.
+  if (minimum.is_converged || (minimum.last_step > 0 && minimum.last_step <= visible_step)) return;
+  report.warn("W-PLACE-001", fmt::format("the placement of the nodes did not converge in {} iterations: the nodes are "
+                                         "not at the least energy",
+                                         minimum.iterations));
+}
+
+void warn_of_close_pairs(const Problem& problem, Report& report) {
+  const auto& nodes = problem.points.critical_points;
+  for (const RepulsionTerm& term : problem.objective.repulsion) {
+    const double r = pair_distance(term, problem.points);
+    if (r >= term.reach) continue;
+    const Vec2 other = term.other ? nodes[*term.other].position : term.position;
+    report.warn("W-PLACE-002",
+                fmt::format("the node of valence {} at {} and the {} at {} attract each other and would meet: "
+                            "they are kept {:.3g} apart",
+                            nodes[term.node].valence, position_text(problem.face, nodes[term.node].position),
+                            term.other ? "node" : "corner", position_text(problem.face, other), r));
+  }
+}
+
+void move_node(const CadFace& face, double weight, Vec2 to, CriticalPoints& points, std::size_t k) {
+  CriticalPoint& node = points.critical_points[k];
+  const double way = distance(node.position, to);
+  NodeChange change;
+  change.kind = ChangeKind::place;
+  change.reason = fmt::format("moved by {:.3g} to the least energy (weight of the boundary term {:g})", way, weight);
+  change.before = {{node.position, node.valence, NodeLocation::inside}};
+  change.after = {{to, node.valence, NodeLocation::inside}};
+  node.position = to;
+  if (way <= moved_tol * face.diameter) return;
+  node.jacobian = {};
+  node.error = 0;
+  node.source = NodeSource::place;
+  points.changes.push_back(change);
+}
+
+}  // namespace
+
+void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,
+                 const PlacementOptions& options, CriticalPoints& points, Report& report) {
+  if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
+  const SmoothBoundaryDistance boundary(face);
+  Problem problem = problem_of(face, energy, boundary, is_free, options, points);
+  report.set("placement.energy_before", problem.objective.at(problem.points).value);
+  const Minimum minimum = find_minimum(problem, options);
+  report_minimum(minimum, report);
+  report.set("placement.symmetries", problem.group.size());
+  warn_if_not_converged(minimum, report);
+  warn_of_close_pairs(problem, report);
+
+  const CriticalPoints before = points;
+  for (std::size_t k = 0; k < is_free.size(); ++k)
+    if (is_free[k]) move_node(face, options.weight, problem.points.critical_points[k].position, points, k);
+  if (points.changes.size() == before.changes.size()) {
+    points = before;
+    return;
+  }
+  if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = before.critical_points;
+  points.form = NodeForm::phase;
+}
+
+}  // namespace quadrille::placement

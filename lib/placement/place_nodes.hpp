@@ -1,0 +1,53 @@
+#pragma once
+// Where irregular nodes are placed: the least energy of the phase form (lib/method.md §8.9) plus a term that keeps
+// them off the boundary.
+//
+//   F(a) = W(a) - w pi sum_k d_k^2 ln delta(a_k),   delta(x) = pi / oint ds / |x - y(s)|^2
+//
+// delta (placement/smooth_boundary_distance) is a smooth distance to the boundary. On a disc of radius R four nodes
+// come to rest at the radius r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3: 0.850 for w = 0, 0.691 for w
+// = 1.4, 0.640 for w = 2.
+//
+// The default weight suits most blocks of tests/benchmarks/placement: nodes within a tenth of the diameter of the
+// boundary stay as far from it as the field's own zeros (within 4 %) or move further off, most where they hug a
+// strongly curved one; the worst angles of blocks are no worse on any shape there; greater weights push pairs of
+// opposite index together. Lines that met head-on between the field's own zeros may miss each other then, which costs
+// blocks: therefore the zeros are moved only with --place energy.
+//
+// Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
+// pairs are kept apart (placement/repulsion_terms) and reported.
+
+#include <vector>
+
+#include "base/enum_names.hpp"
+#include "base/report.hpp"
+#include "model/cad_face.hpp"
+#include "model/critical_points.hpp"
+#include "placement/placement_objective.hpp"
+
+namespace quadrille::placement {
+
+/// Which nodes are placed: those that have no position of their own, or all.
+enum class PlaceRule { keep, energy };
+constexpr auto enum_names(PlaceRule) {
+  return std::to_array<EnumName<PlaceRule>>({{PlaceRule::keep, "keep"}, {PlaceRule::energy, "energy"}});
+}
+
+struct PlacementOptions {
+  double weight = 2;         ///< w >= 0; 0: the pure energy
+  double tolerance = 1e-10;  ///< of the nodes' positions, relative to the diameter
+  int max_iterations = 200;  ///< each takes a few evaluations of the energy at most
+  double pair_reach = 0.02;  ///< greatest reach of a repulsion term, relative to the diameter
+};
+
+/// Moves the nodes with is_free[k] to a minimum of F near to where they are, the others stay. Nodes that are invariant
+/// under symmetries of the face are so afterwards (and are a minimum among such sets). Adds a change of the kind
+/// `place` for each that moved by more than 1e-9 diameters; such nodes get the source `place`, no Jacobian, no error
+/// bar, and `elem` and `xi` of where they were: the caller has the mesh. The form is `phase` then, and `zeros` keeps
+/// the nodes where it was empty and the form `harmonic`. Report: placement.{energy_before, energy_after, iterations,
+/// evaluations, last_step, symmetries, least_curvature}. Warnings: W-PLACE-001 not converged, W-PLACE-002 a pair that
+/// would meet. Throws what the energy throws at the start.
+void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,
+                 const PlacementOptions& options, CriticalPoints& points, Report& report);
+
+}  // namespace quadrille::placement
