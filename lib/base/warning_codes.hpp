@@ -2,7 +2,8 @@
 // The codes of all warnings (Report::warn), which programs rely on; formats/report.md explains them. A code keeps its
 // meaning for ever: one that is no longer used leaves a gap.
 
-namespace quadrille::warning {
+namespace quadrille {
+namespace warning {
 
 // cad2tri
 inline constexpr const char* curves_ignored = "W-CAD-001";       ///< curves beside the face
@@ -35,4 +36,5 @@ inline constexpr const char* walls_disagree = "W-WAL-002";       ///< walls that
 inline constexpr const char* format_loss = "W-EXP-001";
 inline constexpr const char* side_file_not_written = "W-EXP-002";
 
-}  // namespace quadrille::warning
+}  // namespace warning
+}  // namespace quadrille

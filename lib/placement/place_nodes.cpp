@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "placement/minimise.hpp"
 #include "placement/node_symmetry.hpp"
 #include "placement/reduced_coordinates.hpp"
@@ -113,9 +114,10 @@ void report_minimum(const Minimum& minimum, Report& report) {
 void warn_if_not_converged(const Minimum& minimum, Report& report) {
   // Noise of the gradient is no reason to warn as long as nobody sees it in the nodes.
   if (minimum.is_converged || (minimum.last_step > 0 && minimum.last_step <= visible_step)) return;
-  report.warn("W-PLACE-001", fmt::format("the placement of the nodes did not converge in {} iterations: the nodes are "
-                                         "not at the least energy",
-                                         minimum.iterations));
+  report.warn(warning::least_energy_not_found,
+              fmt::format("the placement of the nodes did not converge in {} iterations: the nodes are "
+                          "not at the least energy",
+                          minimum.iterations));
 }
 
 void warn_of_close_pairs(const Problem& problem, Report& report) {
@@ -124,7 +126,7 @@ void warn_of_close_pairs(const Problem& problem, Report& report) {
     const double r = pair_distance(term, problem.points);
     if (r >= term.reach) continue;
     const Vec2 other = term.other ? nodes[*term.other].position : term.position;
-    report.warn("W-PLACE-002",
+    report.warn(warning::nodes_kept_apart,
                 fmt::format("the node of valence {} at {} and the {} at {} attract each other and would meet: "
                             "they are kept {:.3g} apart",
                             nodes[term.node].valence, position_text(problem.face, nodes[term.node].position),
