@@ -9,57 +9,59 @@
 //   - all arcs of a chord have one number of intervals, and their divisions rise from 0 to 1;
 //   - a layer has one height on all normal lines of its wall, to round-off; except at an arc of the boundary on which a
 //     cut had to move onto a break of the curve (rule 17);
-//   - layers lie in the first row of blocks: irregular nodes lie at its far side, and cuts cannot follow the wall
-//   there;
+//   - layers lie in the first row of blocks: at its far side lie irregular nodes, where cuts cannot follow the wall;
 //   - a face with a mirror symmetry gets a mesh with it.
 //
 // Decisions. "Side" is a block's side on the boundary, "normal line" a line of nodes that starts at a wall, "end" the
 // end of an arc. tests/unit/layers/layer_rules_test.cpp has a test for each, and for rules that meet.
 //
-//   which layers a side gets                                                                    wall_spec, wall_sides
-//    1 a curve named twice, or a name without a curve     UsageError
-//    2 a side that only partly follows a wall             has the layers in full
-//    3 sides with different specs that continue each      the finest first height along all of them (of equal ones the
-//      other (a node with V = 2 between them), or one     spec given first); W-WAL-002
+// clang-format off
+//   which layers a side gets (wall_spec, wall_sides)
+//    1 a curve named twice, or a name without a curve   UsageError
+//    2 a side that only partly follows a wall           has the layers in full
+//    3 sides with different specs that continue each    the finest first height along all of them (of equal ones the
+//      other (a node with V = 2 between them), or one   spec given first); W-WAL-002
 //      side along curves of different specs
-//    4 walls that meet in a corner (V = 1, 3, 4)          each keeps its own spec
-//    5 a closed wall                                      layers all around; no end, no first side
+//    4 walls that meet in a corner (V = 1, 3, 4)        each keeps its own spec. Where only one of the sides is a wall,
+//                                                       the arc that starts at the corner carries its cuts, and the
+//                                                       other side at most continues them (rule 19)
+//    5 a closed wall                                    layers all around; no end, no first side
 //
-//   distances                                                                            wall_line, layered_block
-//    6 which boundary heights are measured from           the side with its neighbours along the boundary as far as
-//                                                         V = 2, walls or not; at its ends distance to the end point
-//    7 a corner below 180 degrees inside that boundary    distance to the nearer of both parts
-//    8 a block with walls on adjacent sides (V = 1)       the lines along one wall are placed first; those of the other
-//                                                         run along them. Each wall's boundary arc carries the cuts of
-//                                                         the other wall's layers
-//    9 a line that turns back before its layers end       ComputeError with the place
+//   distances (wall_line, layered_block)
+//    6 the boundary from which heights are measured     the side with its neighbours along the boundary as far as
+//                                                       V = 2, walls or not; beyond its ends, distance to the end point
+//    7 a corner below 180 degrees inside that boundary  distance to the nearer of both parts
+//    8 a block with walls on adjacent sides (V = 1)     the lines along one wall's normals are placed first, and those
+//                                                       of the other run along them. Each wall's boundary arc carries
+//                                                       the cuts of the other wall's layers
+//    9 a line that turns back before its layers end     ComputeError with the place
 //
-//   how many layers                                                                                        layer_fit
-//   10 layers=N or thickness=T without clearance          ComputeError with the greatest number that fits, and the
-//   place 11 layers=fit                                         the greatest number that fits; ComputeError if that is
-//   0 12 walls at both ends of a line without clearance     both lose layers, one each at a time 13 a chord whose
-//   narrow blocks become crowded         counts as not fitting; unless no number of layers of some wall
-//      by the count of its wide ones                      avoids it: then only the clearance counts, for all walls
+//   how many layers (layer_fit)
+//   10 layers=N, or thickness=T (the least number that  ComputeError with the greatest number that fits, and the place
+//      reaches T), without clearance
+//   11 layers=fit                                       the greatest number that fits; ComputeError if that is 0
+//   12 walls at both ends of a line without clearance   both lose layers, one each at a time
+//   13 a chord whose narrow blocks become crowded by    counts as not fitting. If for some wall no number of layers
+//      the count of its wide ones                       avoids it, only the clearance counts, for all walls
 //
-//   divisions of chords                                    end_spacing, layered_divisions, align_divisions,
-//   divide_chord 14 walls with different specs on one chord            each keeps its heights at its end; the count
-//   suits both;
-//                                                         W-WAL-001
-//   15 several growths on one chord                       the least; each at least `least_growth`
-//   16 an arc of the chord beyond the end of the wall     starts like the nearest layered arc (of equally near ones the
-//                                                         finest), and returns to its own division with the distance
-//   17 an interval of the boundary off its curve          its nearer end moves onto a break inside it; if that does not
-//                                                         suffice, the chord gets smaller intervals. A cut of a layer
-//                                                         that moved takes the exact heights of its arc with it
-//   18 a given name that ends inside an interval          as 17: no edge belongs to two names
+//   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
+//   14 walls with different specs on one chord          each keeps its heights at its end; the count suits both;
+//                                                       W-WAL-001
+//   15 several growths on one chord                     the least; each at least `least_growth`
+//   16 an arc of the chord beyond the end of the wall   starts like the nearest layered arc (of equally near ones the
+//                                                       finest), and returns to its own division with the distance
+//   17 an interval of the boundary off its curve        its nearer end moves onto a break inside it; if that does not
+//                                                       suffice, the chord gets smaller intervals. A cut of a layer
+//                                                       that moved takes the exact heights of its arc with it
+//   18 a given name that ends inside an interval        as 17: no edge belongs to two names
 //
-//   what continues the layers                                                                      propagate_spacing
-//   19 an arc beyond the layers' block that starts far    its chord is divided again, starting from the fine interval;
-//      coarser than its neighbour ends                    and so on from chord to chord
-//   20 that arc has layers of its own at this end         nothing: layers are never changed by a neighbour
-//   21 an arc too short for such fine first intervals     they are limited (greatest_crowding); those next to layers
-//                                                         are not
-//   22 a block that meets itself                          no neighbour of itself
+//   what continues the layers (propagate_spacing)
+//   19 an arc beyond the layers' block that starts far  its chord is divided again, starting from the fine interval;
+//      coarser than its neighbour ends                  and so on from chord to chord
+//   20 that arc has layers of its own at this end       nothing: layers are never changed by a neighbour
+//   21 an arc too short for such fine first intervals   they are limited (greatest_crowding), but not next to layers
+//   22 a block that meets itself                        no neighbour of itself
+// clang-format on
 
 namespace quadrille::layers {
 

@@ -103,6 +103,20 @@ TEST(LayerRules, R4_WallsThatMeetInACornerKeepTheirOwnLayers) {
   EXPECT_TRUE(reflex.plan.walls.overruled.empty());
 }
 
+TEST(LayerRules, R4_AWallEndsAtACornerWithASideThatIsNone) {
+  const PlannedWalls convex(hand_made::unit_square(), 0.2, {"side_0:first=0.01,layers=3"});
+  for (const double x : {0.0, 1.0}) EXPECT_NEAR(convex.first_step({x, 0}, {x, 1}), 0.01, 1e-12);
+  EXPECT_GT(convex.first_step({1, 0}, {0, 0}), 0.1);
+  EXPECT_GT(convex.first_step({0, 1}, {0, 0}), 0.1);
+}
+
+TEST(LayerRules, R4WithR19_BeyondAReflexCornerTheOtherSideContinuesTheLayers) {
+  const PlannedWalls p(hand_made::l_shape(), 0.3, {"side_2:first=0.01,law=uniform,layers=3"});
+  EXPECT_NEAR(p.first_step({1, 1}, {1, 0}), 0.01, 1e-12);
+  EXPECT_LT(p.first_step({1, 1}, {1, 2}), 0.015) << "the prescribed size is 0.3";
+  EXPECT_GT(p.first_step({1, 1}, {1, 2}), 0.0099);
+}
+
 TEST(LayerRules, R5_ClosedWallsHaveLayersAllAround) {
   for (const int cuts : {1, 2, 4}) {
     const PlannedWalls p(hand_made::cut_annulus(cuts), 0.2, {"side_1:first=0.01,layers=5"});
@@ -189,6 +203,11 @@ TEST(LayerRules, R10_AboveTheLayersAnIntervalAFifthShorterMustFit) {
   const std::string wall = "a:first=0.1,law=uniform,layers=fit";
   EXPECT_EQ(fitting(wall, {straight(0, 0.981, 0)}), 9);
   EXPECT_EQ(fitting(wall, {straight(0, 0.979, 0)}), 8);
+}
+
+TEST(LayerRules, R10_AThicknessMeansTheLeastNumberThatReachesIt) {
+  EXPECT_EQ(fitting("a:first=0.1,law=uniform,thickness=0.5", {straight(0, 1, 0)}), 5);
+  EXPECT_EQ(fitting("a:first=0.1,law=uniform,thickness=0.51", {straight(0, 1, 0)}), 6);
 }
 
 TEST(LayerRules, R11_FitIsTheGreatestNumberAndMustNotBeZero) {
