@@ -181,21 +181,27 @@ def rows_of(page, section):
 
 
 def check_warnings():
-    page = ROOT / "formats/report.md"
+    """The codes of base/warning_codes.hpp are all in use, and are those of the page; no other source spells one out."""
+    page, header = ROOT / "formats/report.md", ROOT / "lib/base/warning_codes.hpp"
     listed = rows_of(page, "## Warnings")
+    named = dict(re.findall(r"(\w+) = \"(W-[A-Z]+-\d+)\";", header.read_text()))
     used = set()
     for path in compiled():
         code = re.sub(r"//.*", "", path.read_text())
-        used |= set(re.findall(r"\"(W-[A-Z]+-\d+)\"", code))
-    for path in scripts():
-        used |= set(re.findall(r"\b(W-[A-Z]+-\d+)\b", path.read_text()))
-    for code in sorted(used - set(listed)):
+        used |= set(re.findall(r"\bwarning::(\w+)", code))
+        for literal in re.findall(r"\"(W-[A-Z]+-\d+)\"", code) if path != header else []:
+            fault(path, f"spells out the warning {literal}, which {header.name} should name")
+    for name in sorted(set(named) - used):
+        fault(header, f"names {name}, which no source issues")
+    codes = [*named.values(), *re.findall(r"\bW-[A-Z]+-\d+\b", "\n".join(path.read_text() for path in scripts()))]
+    for code in sorted(set(codes) - set(listed)):
         fault(page, f"does not list the warning {code}")
-    for code in sorted(set(listed) - used):
+    for code in sorted(set(listed) - set(codes)):
         fault(page, f"lists {code}, which no source issues")
-    for code in sorted({code for code in listed if listed.count(code) > 1}):
-        fault(page, f"lists {code} twice")
-    return len(used)
+    for name, codes_given in (("lists", listed), ("gives a name to", list(named.values()))):
+        for code in sorted({code for code in codes_given if codes_given.count(code) > 1}):
+            fault(page if name == "lists" else header, f"{name} {code} twice")
+    return len(named)
 
 
 def first_argument(text):

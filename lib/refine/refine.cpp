@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "layers/wall_layers.hpp"
 #include "refine/align_chords.hpp"
@@ -154,7 +155,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
-  if (!split.mesh.is_valid) report.warn("W-QUA-001", check::validity_warning(split.mesh));
+  if (!split.mesh.is_valid) report.warn(warning::mesh_not_valid, check::validity_warning(split.mesh));
   return std::move(split.mesh);
 }
 

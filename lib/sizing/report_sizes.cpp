@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/warning_codes.hpp"
+
 namespace quadrille::sizing {
 namespace {
 
@@ -97,7 +99,7 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   }
   for (const ChordCount& p : prescribed)
     if (count[p.chord] != p.count)
-      report.warn("W-QUA-002",
+      report.warn(warning::chord_count_missed,
                   fmt::format("chord {} has {} elements, not {}: layers along walls, the geometric tolerance "
                               "or two elements that would share two edges ask for them",
                               p.chord, count[p.chord], p.count));
