@@ -9,9 +9,6 @@
 
 namespace quadrille::block {
 
-/// Blocks are judged as quads of this order (lib/mesh/transfinite.hpp, TransfiniteMap::sampled).
-constexpr int block_order = 8;
-
 class BlockMaps {
  public:
   /// `layout` must outlive it, and its arcs and splines must not change.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "graph/planar_faces.hpp"
+#include "graph/face_corners.hpp"
 #include "mesh/chords.hpp"
 
 namespace quadrille::block {
@@ -20,22 +20,20 @@ void require_conforming(const SeparatrixGraph& graph) {
 
 BlockLayout extract_blocks(const SeparatrixGraph& graph) {
   require_conforming(graph);
-  if (graph::require_four_corners(graph) == 0) throw ComputeError("the graph has no faces");
+  graph::Subdivision subdivision(graph);
+  if (graph::require_four_corners(subdivision) == 0) throw ComputeError("the graph has no faces");
   BlockLayout layout;
   layout.provenance = graph.provenance;
-  layout.face = graph.face;
-  layout.splines = graph.splines;
-  layout.nodes = graph.nodes;
-  layout.arcs = graph.arcs;
-
-  for (const std::vector<HalfEdge>& cycle : graph::planar_faces(graph).cycles) {
+  for (int f = 0; f < subdivision.face_bound(); ++f) {
+    const std::vector<HalfEdge> cycle = subdivision.cycle(f);
     std::array<HalfEdge, 4> arcs;
     std::array<int, 4> nodes{};
-    for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = start_of(graph.arcs, cycle[k]);
+    for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = subdivision.start(cycle[k]);
     layout.block2arcs.push_back(arcs);
     layout.block2nodes.push_back(nodes);
     layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));
   }
+  static_cast<ArcGraph&>(layout) = subdivision.release();
   layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
   return layout;
 }

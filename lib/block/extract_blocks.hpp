@@ -7,8 +7,8 @@
 
 namespace quadrille::block {
 
-/// Walks the faces of the planar graph; each must have four corners (sectors of one quarter turn). Throws ComputeError
-/// naming and locating a face that does not. Chords are filled in, measures of the blocks are not
+/// Each face of the graph's subdivision (graph/subdivision.hpp) must have four corners. Throws ComputeError naming and
+/// locating a face that does not. Chords are filled in, measures of the blocks are not
 /// (block/measure_blocks.hpp).
 BlockLayout extract_blocks(const SeparatrixGraph& graph);
 

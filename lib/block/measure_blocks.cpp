@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "curve/project.hpp"
-#include "mesh/chords.hpp"
+#include "mesh/block_shape.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
@@ -19,7 +19,7 @@ constexpr double same_length = 1e-6;  // relative; a rotated shape must give the
 /// Cell (i, j) of n x n as a quad of order 8.
 std::vector<Vec2> cell_nodes(const mesh::TransfiniteMap& map, int n, int i, int j) {
   std::vector<double> fractions;
-  for (const double xi : spectral::gll_points(block_order)) fractions.push_back((1 + xi) / 2);
+  for (const double xi : spectral::gll_points(mesh::block_order)) fractions.push_back((1 + xi) / 2);
   std::vector<Vec2> nodes;
   for (const double t : fractions)
     for (const double s : fractions) nodes.push_back(map.position((i + s) / n, (j + t) / n));
@@ -33,8 +33,8 @@ bool is_proved(const mesh::TransfiniteMap& map, int n, double& scaled_jacobian) 
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const std::vector<Vec2> nodes = cell_nodes(map, n, i, j);
-      if (spectral::quad_jacobian_lower_bound(block_order, nodes.data(), 0) <= 0) return false;
-      scaled_jacobian = std::min(scaled_jacobian, spectral::quad_scaled_jacobian(block_order, nodes.data()));
+      if (spectral::quad_jacobian_lower_bound(mesh::block_order, nodes.data(), 0) <= 0) return false;
+      scaled_jacobian = std::min(scaled_jacobian, spectral::quad_scaled_jacobian(mesh::block_order, nodes.data()));
     }
   return true;
 }
@@ -62,15 +62,15 @@ double distance_to_arc(const BlockLayout& layout, const GraphArc& arc, Vec2 x) {
 /// The polynomial of order 8 along an arc against the arc, between the points that they share.
 void measure_boundary_distance(const BlockLayout& layout, const curve::Chain& chain, const GraphArc& arc,
                                BlockMeasure& m) {
-  const int count = 4 * block_order;
+  const int count = 4 * mesh::block_order;
   std::vector<double> samples;
   for (int i = 0; i <= count; ++i) samples.push_back(-1 + 2.0 * i / count);
-  const Eigen::MatrixXd basis = spectral::interpolation_matrix(spectral::gll_points(block_order), samples);
+  const Eigen::MatrixXd basis = spectral::interpolation_matrix(spectral::gll_points(mesh::block_order), samples);
   std::vector<Vec2> nodes;
-  for (const double xi : spectral::gll_points(block_order)) nodes.push_back(chain.at((1 + xi) / 2).position);
+  for (const double xi : spectral::gll_points(mesh::block_order)) nodes.push_back(chain.at((1 + xi) / 2).position);
   for (int i = 0; i <= count; ++i) {
     Vec2 x;
-    for (int k = 0; k <= block_order; ++k) x += basis(i, k) * nodes[k];
+    for (int k = 0; k <= mesh::block_order; ++k) x += basis(i, k) * nodes[k];
     // The distance to the point of the same fraction is an upper bound; only a greater one is worth a projection.
     if (distance(x, chain.at((1 + samples[i]) / 2).position) <= m.boundary_distance) continue;
     const double d = distance_to_arc(layout, arc, x);
@@ -94,11 +94,10 @@ double area_left_of(const curve::Chain& chain) {
 BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block) {
   BlockMeasure m;
   const mesh::TransfiniteMap map = maps.map(block);
-  const std::vector<Vec2> nodes = map.sampled(block_order);
-  m.jacobian_bound = spectral::quad_jacobian_lower_bound(block_order, nodes.data());
-  const spectral::ScaledJacobianMinimum scaled = spectral::quad_scaled_jacobian_minimum(block_order, nodes.data());
-  m.scaled_jacobian = scaled.value;
-  m.scaled_jacobian_place = spectral::quad_position(block_order, nodes.data(), scaled.xi);
+  const mesh::BlockShape shape = mesh::block_shape(map);
+  m.jacobian_bound = shape.jacobian_bound;
+  m.scaled_jacobian = shape.scaled_jacobian;
+  m.scaled_jacobian_place = shape.scaled_jacobian_place;
   prove(map, m);
   m.shortest_side = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {

@@ -8,67 +8,33 @@
 namespace quadrille::graph {
 namespace {
 
-// Where each half-edge stands: its cycle and its place there.
-class SideTable {
- public:
-  SideTable(const SeparatrixGraph& graph, const PlanarFaces& faces)
-      : faces_(faces), face_(2, std::vector<int>(graph.arcs.size(), -1)), place_(face_) {
-    for (int f = 0; f < static_cast<int>(faces.cycles.size()); ++f)
-      for (int k = 0; k < static_cast<int>(faces.cycles[f].size()); ++k) {
-        const HalfEdge h = faces.cycles[f][k];
-        at(face_, h) = f;
-        at(place_, h) = k;
-      }
-  }
-
-  /// The block on a half-edge's left, or -1.
-  int face(HalfEdge h) { return at(face_, h); }
-  /// The half-edge `turns` sides counter-clockwise after this one in the block on its left.
-  HalfEdge side(HalfEdge h, int turns) { return faces_.cycles[face(h)][(at(place_, h) + turns) % 4]; }
-
- private:
-  using Table = std::vector<std::vector<int>>;
-  static int& at(Table& table, HalfEdge h) { return table[h.is_backwards][h.arc]; }
-
-  const PlanarFaces& faces_;
-  Table face_, place_;
-};
-
 // From a rung forwards until the boundary, the same rung or a block met before.
-ChordStrip walk(SideTable& sides, HalfEdge rung) {
+ChordStrip follow(const Subdivision& subdivision, HalfEdge rung) {
   ChordStrip strip;
   strip.rungs.push_back(rung);
   std::set<int> met;
-  for (HalfEdge d = rung; sides.face(d) >= 0;) {
-    if (!met.insert(sides.face(d)).second) {
+  for (HalfEdge h = rung; subdivision.face(h) >= 0;) {
+    if (!met.insert(subdivision.face(h)).second) {
       strip.crosses_itself = true;
       break;
     }
-    strip.blocks.push_back(sides.face(d));
-    strip.left.push_back(sides.side(d, 3).reversed());
-    strip.right.push_back(sides.side(d, 1));
-    d = sides.side(d, 2).reversed();
-    if (d == rung) {
+    const HalfEdge right = subdivision.next(h), opposite = subdivision.next(right), left = subdivision.next(opposite);
+    strip.blocks.push_back(subdivision.face(h));
+    strip.left.push_back(left.reversed());
+    strip.right.push_back(right);
+    h = opposite.reversed();
+    if (h == rung) {
       strip.is_closed = true;
       break;
     }
-    strip.rungs.push_back(d);
+    strip.rungs.push_back(h);
   }
   return strip;
 }
 
-ChordStrip strip_from(SideTable& sides, int arc) {
-  ChordStrip strip = walk(sides, {arc});
-  if (strip.is_closed || strip.crosses_itself) return strip;
-  // Open: once more from one end.
-  const ChordStrip back = walk(sides, {arc, true});
-  const HalfEdge first = back.rungs.back().reversed(), last = strip.rungs.back();
-  return walk(sides, first.arc <= last.arc ? first : last.reversed());
-}
-
 double mean_length(const std::vector<double>& lengths, const std::vector<HalfEdge>& half_edges) {
   double sum = 0;
-  for (const HalfEdge d : half_edges) sum += lengths[d.arc];
+  for (const HalfEdge h : half_edges) sum += lengths[h.arc];
   return sum / static_cast<double>(half_edges.size());
 }
 
@@ -78,9 +44,26 @@ void measure(const std::vector<double>& lengths, ChordStrip& strip) {
   strip.length = strip.num_blocks() * (mean_length(lengths, strip.left) + mean_length(lengths, strip.right)) / 2;
 }
 
+bool repeats_a_node(const Subdivision& subdivision, const ChordStrip& strip) {
+  std::set<int> nodes;
+  for (const HalfEdge h : strip.rungs)
+    if (!nodes.insert(subdivision.start(h)).second || !nodes.insert(subdivision.end(h)).second) return true;
+  return false;
+}
+
+// False where the rung cannot be shrunk to a point.
+bool find_fixed_side(const Subdivision& subdivision, HalfEdge rung, FixedSide& side) {
+  const ArcGraph& graph = subdivision.graph();
+  const GraphNode &l = graph.nodes[subdivision.start(rung)], &r = graph.nodes[subdivision.end(rung)];
+  const bool is_inner = !graph.arcs[rung.arc].is_boundary;
+  const bool left = is_fixed(l) || (is_inner && l.curve >= 0), right = is_fixed(r) || (is_inner && r.curve >= 0);
+  side = left ? FixedSide::left : right ? FixedSide::right : FixedSide::none;
+  return !(left && right);
+}
+
 }  // namespace
 
-std::vector<double> arc_lengths(const SeparatrixGraph& graph, PieceLengths& pieces) {
+std::vector<double> arc_lengths(const ArcGraph& graph, PieceLengths& pieces) {
   const curve::CurveTable table(graph.face, graph.splines);
   std::vector<double> lengths;
   lengths.reserve(graph.arcs.size());
@@ -96,26 +79,28 @@ std::vector<double> arc_lengths(const SeparatrixGraph& graph, PieceLengths& piec
   return lengths;
 }
 
-std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
+std::vector<double> arc_lengths(const ArcGraph& graph) {
   PieceLengths pieces;
   return arc_lengths(graph, pieces);
 }
 
-ChordStrip strip_through(const SeparatrixGraph& graph, const PlanarFaces& faces, int arc) {
-  SideTable sides(graph, faces);
-  return strip_from(sides, arc);
+ChordStrip strip_through(const Subdivision& subdivision, int arc) {
+  ChordStrip strip = follow(subdivision, {arc});
+  if (strip.is_closed || strip.crosses_itself) return strip;
+  // Open: once more from one end.
+  const ChordStrip back = follow(subdivision, {arc, true});
+  const HalfEdge first = back.rungs.back().reversed(), last = strip.rungs.back();
+  return follow(subdivision, first.arc <= last.arc ? first : last.reversed());
 }
 
-std::vector<ChordStrip> all_strips(const SeparatrixGraph& graph, const PlanarFaces& faces,
-                                   const std::vector<double>& lengths) {
-  SideTable sides(graph, faces);
-  std::vector<bool> seen(graph.arcs.size(), false);
+std::vector<ChordStrip> all_strips(const Subdivision& subdivision, const std::vector<double>& lengths) {
+  std::vector<bool> seen(subdivision.arc_bound(), false);
   std::vector<ChordStrip> strips;
-  for (int arc = 0; arc < static_cast<int>(graph.arcs.size()); ++arc) {
-    if (seen[arc]) continue;
-    strips.push_back(strip_from(sides, arc));
+  for (int arc = 0; arc < subdivision.arc_bound(); ++arc) {
+    if (seen[arc] || !subdivision.has_arc(arc)) continue;
+    strips.push_back(strip_through(subdivision, arc));
     seen[arc] = true;
-    for (const HalfEdge d : strips.back().rungs) seen[d.arc] = true;
+    for (const HalfEdge h : strips.back().rungs) seen[h.arc] = true;
     measure(lengths, strips.back());
   }
   return strips;
@@ -125,33 +110,13 @@ bool is_fixed(const GraphNode& node) {
   return node.curve < 0 ? node.valence != 4 : node.kind == NodeKind::corner || node.valence != 2;
 }
 
-namespace {
-
-bool repeats_a_node(const SeparatrixGraph& graph, const ChordStrip& strip) {
-  std::set<int> nodes;
-  for (const HalfEdge d : strip.rungs)
-    if (!nodes.insert(start_of(graph.arcs, d)).second || !nodes.insert(end_of(graph.arcs, d)).second) return true;
-  return false;
-}
-
-// False where the rung cannot be welded.
-bool find_pin(const SeparatrixGraph& graph, HalfEdge rung, Pin& pin) {
-  const GraphNode &l = graph.nodes[start_of(graph.arcs, rung)], &r = graph.nodes[end_of(graph.arcs, rung)];
-  const bool is_inner = !graph.arcs[rung.arc].is_boundary;
-  const bool left = is_fixed(l) || (is_inner && l.curve >= 0), right = is_fixed(r) || (is_inner && r.curve >= 0);
-  pin = left ? Pin::left : right ? Pin::right : Pin::none;
-  return !(left && right);
-}
-
-}  // namespace
-
-std::vector<Pin> pins_of(const SeparatrixGraph& graph, const ChordStrip& strip) {
-  if (strip.crosses_itself || strip.blocks.empty() || repeats_a_node(graph, strip)) return {};
-  std::vector<Pin> pins(strip.rungs.size());
-  for (std::size_t i = 0; i < pins.size(); ++i)
-    if (!find_pin(graph, strip.rungs[i], pins[i])) return {};
-  const bool any = std::any_of(pins.begin(), pins.end(), [](Pin p) { return p != Pin::none; });
-  return any ? pins : std::vector<Pin>{};
+std::vector<FixedSide> fixed_sides(const Subdivision& subdivision, const ChordStrip& strip) {
+  if (strip.crosses_itself || strip.blocks.empty() || repeats_a_node(subdivision, strip)) return {};
+  std::vector<FixedSide> sides(strip.rungs.size());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (!find_fixed_side(subdivision, strip.rungs[i], sides[i])) return {};
+  const bool any = std::any_of(sides.begin(), sides.end(), [](FixedSide s) { return s != FixedSide::none; });
+  return any ? sides : std::vector<FixedSide>{};
 }
 
 }  // namespace quadrille::graph

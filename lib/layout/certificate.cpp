@@ -7,14 +7,14 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/face_census.hpp"
+#include "graph/face_corners.hpp"
 
 namespace quadrille::layout {
 namespace {
 
 constexpr int samples_of_arc = 8;
 
-void tell(const LayoutCertificate& certificate, Report& report) {
+void report_certificate(const LayoutCertificate& certificate, Report& report) {
   report.set("certificate.way", certificate.method);
   report.set("certificate.method", certificate.method);
   report.set("certificate.index_sum", certificate.index_sum);
@@ -31,21 +31,23 @@ void tell(const LayoutCertificate& certificate, Report& report) {
 
 }  // namespace
 
-void certify(const field::FieldEvaluator& evaluator, const std::string& way, SeparatrixGraph& graph, Report& report) {
-  LayoutCertificate& certificate = graph.certificate;
-  certificate.method = way;
-  certificate.index_sum = static_cast<int>(index_sum_of(graph));
-  certificate.face_valence_histogram = graph::face_census(graph);
-  certificate.t_junctions = static_cast<int>(graph.t_junctions.size());
+void certify(const field::FieldEvaluator& evaluator, const std::string& method, graph::CandidateLayout& layout,
+             Report& report) {
+  LayoutCertificate& certificate = layout.certificate;
+  certificate.method = method;
+  certificate.index_sum = static_cast<int>(index_sum_of(layout.graph()));
+  certificate.face_valence_histogram = graph::face_valence_histogram(layout.subdivision);
+  certificate.t_junctions = static_cast<int>(layout.t_junctions.size());
   certificate.largest_deviation_degrees =
-      std::max(certificate.largest_deviation_degrees, degrees(turn_of_extended_lines(evaluator, graph)));
-  tell(certificate, report);
+      std::max(certificate.largest_deviation_degrees, degrees(deviation_of_extended_lines(evaluator, layout)));
+  report_certificate(certificate, report);
 }
 
-double turn_of_extended_lines(const field::FieldEvaluator& evaluator, const SeparatrixGraph& graph) {
+double deviation_of_extended_lines(const field::FieldEvaluator& evaluator, const graph::CandidateLayout& layout) {
+  const ArcGraph& graph = layout.graph();
   std::vector<Vec2> places;
   std::vector<double> angles;
-  for (const SeparatrixLine& line : graph.lines) {
+  for (const SeparatrixLine& line : layout.lines) {
     if (line.kind != "extended") continue;
     for (const int arc : line.arcs)
       for (const ArcPiece& piece : graph.arcs[arc].pieces)
@@ -55,11 +57,12 @@ double turn_of_extended_lines(const field::FieldEvaluator& evaluator, const Sepa
           angles.push_back(angle_of(curve::tangent(graph.curve(piece.curve), t)));
         }
   }
-  double turn = 0;
+  double deviation = 0;
   const std::vector<field::PointSample> samples = evaluator.values_at(places);
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (samples[i].at.elem >= 0) turn = std::max(turn, std::abs(guided_angle(samples[i].value, angles[i]) - angles[i]));
-  return turn;
+    if (samples[i].at.elem >= 0)
+      deviation = std::max(deviation, std::abs(guided_angle(samples[i].value, angles[i]) - angles[i]));
+  return deviation;
 }
 
 }  // namespace quadrille::layout

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
-#include "graph/planar_faces.hpp"
-#include "simplify/chord_judge.hpp"
+#include "simplify/block_quality.hpp"
 
 namespace quadrille::layout {
 namespace {
@@ -21,8 +19,6 @@ constexpr double many_blocks = 1.2;
 
 constexpr double equal_scaled_jacobian = 1e-6;
 
-int num_blocks(const SeparatrixGraph& graph) { return static_cast<int>(graph::planar_faces(graph).cycles.size()); }
-
 void report_choice(const std::string& method, const std::string& reason, Report& report) {
   report.set("layout.way", method);
   report.set("layout.method", method);
@@ -30,37 +26,38 @@ void report_choice(const std::string& method, const std::string& reason, Report&
 }
 
 // The quantized layout where it is preferable to `traced`.
-std::optional<SeparatrixGraph> preferable_layout(const SeparatrixGraph& traced, const LayoutComputation& quantized,
-                                                 Report& report) {
+std::optional<graph::CandidateLayout> preferable_layout(const graph::CandidateLayout& traced,
+                                                        const LayoutComputation& quantized, Report& report) {
   Report attempt_report;
   LayoutAttempt attempt = quantized(attempt_report);
-  if (!attempt.graph || num_blocks(*attempt.graph) >= num_blocks(traced)) return std::nullopt;
-  const LayoutQuality before = quality_of(traced), after = quality_of(*attempt.graph);
+  if (!attempt.layout || attempt.layout->subdivision.num_faces() >= traced.subdivision.num_faces()) return std::nullopt;
+  const LayoutQuality before = quality_of(traced.subdivision), after = quality_of(attempt.layout->subdivision);
   if (!is_preferable(after, before)) return std::nullopt;
   for (const auto& [key, value] : attempt_report.entries()) report.set(key, value);
-  attempt.graph->certificate.reason =
+  attempt.layout->certificate.reason =
       fmt::format("{} separatrices that are followed to their ends make {} blocks, {} will do", traced.lines.size(),
                   before.num_blocks, after.num_blocks);
-  return std::move(attempt.graph);
+  return std::move(attempt.layout);
 }
 
-ChosenLayout traced_or_preferable(SeparatrixGraph traced, const LayoutComputation& quantized, Report& report) {
+ChosenLayout traced_or_preferable(graph::CandidateLayout traced, const LayoutComputation& quantized, Report& report) {
   ChosenLayout chosen{std::move(traced), "traced", ""};
-  const auto num_lines = static_cast<int>(chosen.graph.lines.size());
-  if (has_many_blocks(num_blocks(chosen.graph), num_lines, chosen.graph.face.euler_characteristic()))
-    if (std::optional<SeparatrixGraph> other = preferable_layout(chosen.graph, quantized, report))
+  const auto num_lines = static_cast<int>(chosen.layout.lines.size());
+  if (has_many_blocks(chosen.layout.subdivision.num_faces(), num_lines,
+                      chosen.layout.graph().face.euler_characteristic()))
+    if (std::optional<graph::CandidateLayout> other = preferable_layout(chosen.layout, quantized, report))
       chosen = {std::move(*other), "quantized", ""};
-  report_choice(chosen.method, chosen.graph.certificate.reason, report);
+  report_choice(chosen.method, chosen.layout.certificate.reason, report);
   return chosen;
 }
 
 ChosenLayout quantized_instead(const std::string& reason, const LayoutComputation& quantized, Report& report) {
   report_choice("quantized", reason, report);
   LayoutAttempt attempt = quantized(report);
-  if (!attempt.graph) throw ComputeError(reason + "; stopped where they meet: " + attempt.reason);
-  attempt.graph->certificate.reason = reason;
+  if (!attempt.layout) throw ComputeError(reason + "; stopped where they meet: " + attempt.reason);
+  attempt.layout->certificate.reason = reason;
   return {
-      std::move(*attempt.graph), "quantized",
+      std::move(*attempt.layout), "quantized",
       reason + ": each separatrix was stopped at the first line that crosses it, and continued by an integer program"};
 }
 
@@ -72,20 +69,17 @@ ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced
     return quantized_instead(fmt::format("{} separatrices are too many to be followed to their ends", num_separatrices),
                              quantized, report);
   LayoutAttempt attempt = traced(report);
-  if (!attempt.graph) return quantized_instead(attempt.reason, quantized, report);
-  return traced_or_preferable(std::move(*attempt.graph), quantized, report);
+  if (!attempt.layout) return quantized_instead(attempt.reason, quantized, report);
+  return traced_or_preferable(std::move(*attempt.layout), quantized, report);
 }
 
 bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic) {
   return num_blocks > many_blocks * (static_cast<double>(num_lines) + euler_characteristic);
 }
 
-LayoutQuality quality_of(const SeparatrixGraph& graph) {
-  const graph::PlanarFaces faces = graph::planar_faces(graph);
-  std::vector<int> all(faces.cycles.size());
-  std::iota(all.begin(), all.end(), 0);
-  const simplify::BlockShape shape = simplify::worst_shape(graph, faces, all);
-  return {static_cast<int>(all.size()), shape.is_valid, shape.least_scaled_jacobian};
+LayoutQuality quality_of(const graph::Subdivision& subdivision) {
+  const simplify::BlockQuality quality = simplify::worst_quality(subdivision);
+  return {subdivision.num_faces(), quality.is_valid, quality.least_scaled_jacobian};
 }
 
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced) {

@@ -15,13 +15,13 @@
 #include <string>
 
 #include "base/report.hpp"
-#include "model/separatrix_graph.hpp"
+#include "graph/candidate_layout.hpp"
 
 namespace quadrille::layout {
 
 /// A layout, or the reason why there is none.
 struct LayoutAttempt {
-  std::optional<SeparatrixGraph> graph;
+  std::optional<graph::CandidateLayout> layout;
   std::string reason;
 };
 
@@ -29,9 +29,9 @@ struct LayoutAttempt {
 using LayoutComputation = std::function<LayoutAttempt(Report&)>;
 
 struct ChosenLayout {
-  SeparatrixGraph graph;  ///< certificate.reason: why not the traced one
-  std::string method;     ///< "traced" or "quantized"
-  std::string warning;    ///< empty where there is none
+  graph::CandidateLayout layout;  ///< certificate.reason: why not the traced one
+  std::string method;             ///< "traced" or "quantized"
+  std::string warning;            ///< empty where there is none
 };
 
 /// By the table above; computes only what it needs. Reports layout.way, layout.method and layout.reason. Throws
@@ -48,7 +48,7 @@ struct LayoutQuality {
   bool is_valid = true;  ///< all Jacobians proved positive
   double least_scaled_jacobian = 1;
 };
-LayoutQuality quality_of(const SeparatrixGraph& graph);
+LayoutQuality quality_of(const graph::Subdivision& subdivision);
 
 /// Fewer blocks, all valid and none worse (within 1e-6) than the worst of `traced`.
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced);

@@ -1,5 +1,7 @@
 #include "layout/compute_layout.hpp"
 
+#include <utility>
+
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "layout/certificate.hpp"
@@ -25,22 +27,25 @@ LayoutComputation attempting(const Layout& layout) {
   };
 }
 
-SeparatrixGraph automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                 const LayoutOptions& options, Report& report) {
+graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                        const LayoutOptions& options, Report& report) {
   trace::fixed_nodes(evaluator.field().mesh.face, points);  // throws at once where no method could use the nodes
   const auto traced = [&](Report& r) { return trace_separatrices(evaluator, points, options, r); };
   const auto quantized = [&](Report& r) { return quantized_layout(evaluator, points, options, r); };
   ChosenLayout chosen = choose_layout(trace::num_launches(points), attempting(traced), attempting(quantized), report);
-  certify(evaluator, chosen.method, chosen.graph, report);
+  certify(evaluator, chosen.method, chosen.layout, report);
   if (!chosen.warning.empty()) report.warn(warning::quantized_instead_of_traced, chosen.warning);
-  return std::move(chosen.graph);
+  return std::move(chosen.layout);
 }
 
-SeparatrixGraph prescribed_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                  const LayoutOptions& options, Report& report) {
-  if (options.layout == "t-mesh") return quantize::TMeshTracer(evaluator, points, options.trace).trace(report);
-  if (options.layout == "quantized") return quantized_layout(evaluator, points, options, report);
-  return trace_separatrices(evaluator, points, options, report);
+graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                         const LayoutOptions& options, Report& report) {
+  graph::CandidateLayout layout =
+      options.layout == "t-mesh"      ? quantize::TMeshTracer(evaluator, points, options.trace).trace(report)
+      : options.layout == "quantized" ? quantized_layout(evaluator, points, options, report)
+                                      : trace_separatrices(evaluator, points, options, report);
+  certify(evaluator, options.layout, layout, report);
+  return layout;
 }
 
 }  // namespace
@@ -48,10 +53,11 @@ SeparatrixGraph prescribed_layout(const field::FieldEvaluator& evaluator, const 
 SeparatrixGraph compute_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                const LayoutOptions& options, Report& report) {
   options.validate();
-  if (options.layout == "auto") return automatic_layout(evaluator, points, options, report);
-  SeparatrixGraph graph = prescribed_layout(evaluator, points, options, report);
-  certify(evaluator, options.layout, graph, report);
-  return graph;
+  const bool is_automatic = options.layout == "auto";
+  graph::CandidateLayout layout = is_automatic ? automatic_layout(evaluator, points, options, report)
+                                               : prescribed_layout(evaluator, points, options, report);
+  report.set("subdivision.built", graph::Subdivision::num_built());
+  return graph::separatrix_graph(std::move(layout));
 }
 
 }  // namespace quadrille::layout

@@ -21,9 +21,9 @@ void LayoutOptions::validate() const {
 
 simplify::SimplifyOptions simplify_options(const LayoutOptions& options) {
   simplify::SimplifyOptions simplify;
-  simplify.is_thrifty = options.simplify != "coarsest";
-  simplify.least_scaled_jacobian = simplify.is_thrifty ? 0.5 : 0.3;
-  simplify.max_turn =
+  simplify.limits_loss_by_saving = options.simplify != "coarsest";
+  simplify.least_scaled_jacobian = simplify.limits_loss_by_saving ? 0.5 : 0.3;
+  simplify.max_deviation =
       radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
   return simplify;
 }

@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/planar_faces.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh.hpp"
@@ -21,7 +20,7 @@ namespace {
 
 constexpr double relative_unit = 0.1;  // an arc of this length, relative to the diameter, has integer length one
 
-std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
+std::vector<double> arc_lengths(const ArcGraph& graph) {
   const curve::CurveTable table(graph.face, graph.splines);
   std::vector<double> lengths;
   for (const GraphArc& arc : graph.arcs) {
@@ -32,7 +31,7 @@ std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
   return lengths;
 }
 
-[[noreturn]] void fail_to_quantize(const SeparatrixGraph& t_mesh, const std::vector<int>& zero_arcs) {
+[[noreturn]] void fail_to_quantize(const ArcGraph& t_mesh, const std::vector<int>& zero_arcs) {
   if (zero_arcs.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
   const ArcPiece& piece = t_mesh.arcs[zero_arcs.front()].pieces.front();
   const Vec2 at = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
@@ -43,7 +42,7 @@ std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
 }
 
 struct QuantizedTMesh {
-  SeparatrixGraph t_mesh;
+  graph::CandidateLayout t_mesh;
   std::vector<quantize::TFace> faces;
   std::vector<int> lengths;  // of the arcs
 };
@@ -52,32 +51,33 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
   for (int num_rejected = 0;; ++num_rejected) {
     QuantizedTMesh q;
     q.t_mesh = tracer.trace(report);
-    q.faces = quantize::t_mesh_faces(q.t_mesh);
-    q.lengths = quantize::quantize(q.faces, arc_lengths(q.t_mesh), relative_unit * q.t_mesh.face.diameter);
+    q.faces = quantize::t_mesh_faces(q.t_mesh.subdivision);
+    const ArcGraph& graph = q.t_mesh.graph();
+    q.lengths = quantize::quantize(q.faces, arc_lengths(graph), relative_unit * graph.face.diameter);
     if (!q.lengths.empty()) {
       report.set("quantize.merges_given_up", num_rejected);
       report.set("quantize.longest_arc", *std::max_element(q.lengths.begin(), q.lengths.end()));
       return q;
     }
-    const int num_arcs = static_cast<int>(q.t_mesh.arcs.size());
+    const int num_arcs = static_cast<int>(graph.arcs.size());
     const std::vector<int> zero_arcs = quantize::forced_zero_arcs(q.faces, num_arcs);
-    if (zero_arcs.empty()) fail_to_quantize(q.t_mesh, zero_arcs);
-    if (!tracer.reject_merge(q.t_mesh, quantize::infeasibility_certificate(q.faces, num_arcs, zero_arcs.front())))
-      fail_to_quantize(q.t_mesh, zero_arcs);
+    if (zero_arcs.empty()) fail_to_quantize(graph, zero_arcs);
+    if (!tracer.reject_merge(q.t_mesh.lines, quantize::infeasibility_certificate(q.faces, num_arcs, zero_arcs.front())))
+      fail_to_quantize(graph, zero_arcs);
   }
 }
 
 }  // namespace
 
-SeparatrixGraph quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                 const LayoutOptions& options, Report& report) {
+graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                        const LayoutOptions& options, Report& report) {
   quantize::TMeshTracer tracer(evaluator, points, options.trace);
   const QuantizedTMesh q = quantized_t_mesh(tracer, report);
-  SeparatrixGraph graph = quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
-  report.set("quantize.faces", graph::planar_faces(graph).cycles.size());
+  graph::CandidateLayout layout = quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
+  report.set("quantize.faces", layout.subdivision.num_faces());
   if (options.simplify != "none")
-    graph = simplify::simplify(evaluator, std::move(graph), simplify_options(options), report);
-  return graph;
+    layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
+  return layout;
 }
 
 }  // namespace quadrille::layout

@@ -3,9 +3,9 @@
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
+#include "graph/candidate_layout.hpp"
 #include "layout/layout_options.hpp"
 #include "model/critical_points.hpp"
-#include "model/separatrix_graph.hpp"
 
 namespace quadrille::layout {
 
@@ -14,7 +14,7 @@ namespace quadrille::layout {
 /// (simplify/simplify.hpp). Where no positive lengths exist, merges along the strip that forbids them are rejected, one
 /// set after another. Reports t_mesh.*, quantize.* and simplify.*. Throws ComputeError with a position where there is
 /// no layout.
-SeparatrixGraph quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                 const LayoutOptions& options, Report& report);
+graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                        const LayoutOptions& options, Report& report);
 
 }  // namespace quadrille::layout

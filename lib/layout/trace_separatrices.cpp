@@ -9,7 +9,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "graph/build_graph.hpp"
-#include "graph/planar_faces.hpp"
+#include "graph/face_corners.hpp"
 #include "simplify/simplify.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/line_tracer.hpp"
@@ -30,7 +30,7 @@ void require_few_arcs(const SeparatrixGraph& graph, int max_lines) {
 }
 
 struct Partition {
-  SeparatrixGraph graph;
+  graph::CandidateLayout layout;
   size_t num_merged = 0;
   double largest_deviation = 0;  // of merged lines, radians
 };
@@ -42,24 +42,25 @@ std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const
   const CadFace& face = evaluator.field().mesh.face;
   trace::MergedLines lines(evaluator, tracer.lines(), nodes, radians(options.trace.merge_angle),
                            options.trace.merge_distance, trace::LineEnds::required, tracer.reach());
-  SeparatrixGraph graph;
+  graph::CandidateLayout layout;
   // A merge (an aggressive one) may leave a face without four corners: it is rejected, the worst first.
   do {
     if (!lines.merge()) return std::nullopt;
     std::vector<graph::FinishedLine> finished;
     for (const trace::MergedLine& line : lines.arrangement().lines) finished.push_back(line.line);
-    graph = graph::build_graph(face, fixed, std::move(finished), lines.arrangement().crossings,
-                               trace::relative_snap_tol * face.diameter);
+    SeparatrixGraph graph = graph::build_graph(face, fixed, std::move(finished), lines.arrangement().crossings,
+                                               trace::relative_snap_tol * face.diameter);
     require_few_arcs(graph, options.max_lines);
-  } while (!graph::cycles_without_four_corners(graph::planar_faces(graph)).empty() &&
+    layout = graph::candidate_layout(std::move(graph));
+  } while (!graph::faces_without_four_corners(layout.subdivision).empty() &&
            lines.reject_worst(lines.chosen(), trace::same_line_angle));
-  return Partition{std::move(graph), lines.chosen().size(), lines.largest_deviation()};
+  return Partition{std::move(layout), lines.chosen().size(), lines.largest_deviation()};
 }
 
 }  // namespace
 
-SeparatrixGraph trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                   const LayoutOptions& options, Report& report) {
+graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                          const LayoutOptions& options, Report& report) {
   options.validate();
   const CadFace& face = evaluator.field().mesh.face;
   const std::vector<graph::FixedNode> fixed = trace::fixed_nodes(face, points);
@@ -71,22 +72,22 @@ SeparatrixGraph trace_separatrices(const field::FieldEvaluator& evaluator, const
     found = partition(evaluator, fixed, nodes, tracer, options);
     if (found) break;
   }
-  SeparatrixGraph graph = std::move(found->graph);
+  graph::CandidateLayout layout = std::move(found->layout);
   report.set("trace.launched", tracer.lines().size());
   report.set("trace.merged", found->num_merged);
   report.set("trace.largest_merge_turn_degrees", degrees(found->largest_deviation));
-  graph.certificate.merged_lines = static_cast<int>(found->num_merged);
-  graph.certificate.largest_deviation_degrees = degrees(found->largest_deviation);
+  layout.certificate.merged_lines = static_cast<int>(found->num_merged);
+  layout.certificate.largest_deviation_degrees = degrees(found->largest_deviation);
 
   if (options.simplify != "none") {
-    graph::require_four_corners(graph);
-    graph = simplify::simplify(evaluator, std::move(graph), simplify_options(options), report);
+    graph::require_four_corners(layout.subdivision);
+    layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
   }
-  report.set("trace.lines", graph.lines.size());
-  report.set("trace.nodes", graph.nodes.size());
-  report.set("trace.arcs", graph.arcs.size());
-  report.set("trace.faces", graph::require_four_corners(graph));
-  return graph;
+  report.set("trace.lines", layout.lines.size());
+  report.set("trace.nodes", layout.graph().nodes.size());
+  report.set("trace.arcs", layout.graph().arcs.size());
+  report.set("trace.faces", graph::require_four_corners(layout.subdivision));
+  return layout;
 }
 
 }  // namespace quadrille::layout

@@ -3,9 +3,9 @@
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
+#include "graph/candidate_layout.hpp"
 #include "layout/layout_options.hpp"
 #include "model/critical_points.hpp"
-#include "model/separatrix_graph.hpp"
 
 namespace quadrille::layout {
 
@@ -14,7 +14,7 @@ namespace quadrille::layout {
 /// on the sequence of the lines or on a step. A domain between two loops in which nothing launches gets four cuts from
 /// the inner loop to the outer one, at equal shares of the inner loop's length from the start of its first curve.
 /// Throws ComputeError when a bound is met or a face is not four-sided, with the place.
-SeparatrixGraph trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                   const LayoutOptions& options, Report& report);
+graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                          const LayoutOptions& options, Report& report);
 
 }  // namespace quadrille::layout

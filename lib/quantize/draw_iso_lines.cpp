@@ -1,11 +1,11 @@
 #include "quantize/draw_iso_lines.hpp"
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
 
 #include "curve/nurbs.hpp"
+#include "graph/arc_pieces.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::quantize {
@@ -26,7 +26,7 @@ struct LineNode {
 };
 
 // The node at a position of a side, not at its ends.
-int node_at(const SeparatrixGraph& t_mesh, const IntegerSides& sides, const SplitArcs& split, int face, int side,
+int node_at(const ArcGraph& t_mesh, const IntegerSides& sides, const SplitArcs& split, int face, int side,
             int position) {
   const auto [h, number] = sides.half_edge_at(face, side, position);
   const int length = sides.arc(h.arc);
@@ -35,7 +35,7 @@ int node_at(const SeparatrixGraph& t_mesh, const IntegerSides& sides, const Spli
 }
 
 // From side `direction` to the opposite one.
-std::vector<StraightLine> straight_lines(const SeparatrixGraph& t_mesh, const QuantizedParametrization& p,
+std::vector<StraightLine> straight_lines(const ArcGraph& t_mesh, const QuantizedParametrization& p,
                                          const SplitArcs& split, int face, int direction) {
   std::vector<StraightLine> all;
   const int total = p.sides().total(face, direction), opposite = direction + 2;
@@ -46,18 +46,10 @@ std::vector<StraightLine> straight_lines(const SeparatrixGraph& t_mesh, const Qu
   return all;
 }
 
-std::vector<ArcPiece> reversed(std::vector<ArcPiece> pieces) {
-  std::reverse(pieces.begin(), pieces.end());
-  for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
-  return pieces;
-}
-
-curve::Chain side_chain(const SeparatrixGraph& t_mesh, const curve::CurveTable& table,
-                        const std::vector<HalfEdge>& side) {
+curve::Chain side_chain(const ArcGraph& t_mesh, const curve::CurveTable& table, const std::vector<HalfEdge>& side) {
   std::vector<ArcPiece> pieces;
   for (const HalfEdge h : side) {
-    const std::vector<ArcPiece>& own = t_mesh.arcs[h.arc].pieces;
-    const std::vector<ArcPiece> directed = h.is_backwards ? reversed(own) : own;
+    const std::vector<ArcPiece> directed = graph::pieces_along(t_mesh, h);
     pieces.insert(pieces.end(), directed.begin(), directed.end());
   }
   return curve::Chain(table, pieces);
@@ -115,8 +107,8 @@ Crossings add_crossings(const std::array<std::vector<StraightLine>, 2>& lines, c
 }  // namespace
 
 // Direction 0 runs from side 0 (t = 0) to side 2, at s from start to end; direction 1 from side 1 (s = 1) to side 3.
-void draw_iso_lines(const SeparatrixGraph& t_mesh, const QuantizedParametrization& parametrization,
-                    const SplitArcs& split, const curve::CurveTable& table, int face, SeparatrixGraph& graph) {
+void draw_iso_lines(const ArcGraph& t_mesh, const QuantizedParametrization& parametrization, const SplitArcs& split,
+                    const curve::CurveTable& table, int face, SeparatrixGraph& graph) {
   const std::array<std::vector<StraightLine>, 2> lines{straight_lines(t_mesh, parametrization, split, face, 0),
                                                        straight_lines(t_mesh, parametrization, split, face, 1)};
   if (lines[0].empty() && lines[1].empty()) return;

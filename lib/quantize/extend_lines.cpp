@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "graph/planar_faces.hpp"
+#include "graph/face_corners.hpp"
 #include "quantize/draw_iso_lines.hpp"
 #include "quantize/split_arcs.hpp"
 
@@ -10,18 +10,18 @@ namespace quadrille::quantize {
 namespace {
 
 // All of the T-mesh but its arcs and lines.
-SeparatrixGraph without_arcs(const SeparatrixGraph& t_mesh) {
+SeparatrixGraph without_arcs(const graph::CandidateLayout& t_mesh) {
   SeparatrixGraph graph;
   graph.provenance = t_mesh.provenance;
-  graph.face = t_mesh.face;
+  graph.face = t_mesh.graph().face;
   graph.certificate = t_mesh.certificate;
-  graph.splines = t_mesh.splines;
-  graph.nodes = t_mesh.nodes;
+  graph.splines = t_mesh.graph().splines;
+  graph.nodes = t_mesh.graph().nodes;
   return graph;
 }
 
-void add_split_lines(const SeparatrixGraph& t_mesh, const SplitArcs& split, SeparatrixGraph& graph) {
-  for (SeparatrixLine line : t_mesh.lines) {
+void add_split_lines(const std::vector<SeparatrixLine>& lines, const SplitArcs& split, SeparatrixGraph& graph) {
+  for (SeparatrixLine line : lines) {
     std::vector<int> arcs;
     for (const int a : line.arcs) arcs.insert(arcs.end(), split.parts[a].begin(), split.parts[a].end());
     line.arcs = std::move(arcs);
@@ -31,8 +31,9 @@ void add_split_lines(const SeparatrixGraph& t_mesh, const SplitArcs& split, Sepa
 
 }  // namespace
 
-SeparatrixGraph extend_lines(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
-                             const std::vector<int>& lengths) {
+graph::CandidateLayout extend_lines(const graph::CandidateLayout& layout, const std::vector<TFace>& faces,
+                                    const std::vector<int>& lengths) {
+  const ArcGraph& t_mesh = layout.graph();
   const curve::CurveTable table(t_mesh.face, t_mesh.splines);
   std::vector<curve::Chain> chains;
   std::vector<double> arc_lengths;
@@ -41,13 +42,14 @@ SeparatrixGraph extend_lines(const SeparatrixGraph& t_mesh, const std::vector<TF
     arc_lengths.push_back(chains.back().length());
   }
   const QuantizedParametrization parametrization(t_mesh, faces, lengths, std::move(arc_lengths));
-  SeparatrixGraph graph = without_arcs(t_mesh);
+  SeparatrixGraph graph = without_arcs(layout);
   const SplitArcs split = split_arcs(t_mesh, chains, parametrization.crossing_fractions(), graph);
-  add_split_lines(t_mesh, split, graph);
+  add_split_lines(layout.lines, split, graph);
   for (int f = 0; f < static_cast<int>(faces.size()); ++f)
     draw_iso_lines(t_mesh, parametrization, split, table, f, graph);
-  graph::require_four_corners(graph);
-  return graph;
+  graph::CandidateLayout extended = graph::candidate_layout(std::move(graph));
+  graph::require_four_corners(extended.subdivision);
+  return extended;
 }
 
 }  // namespace quadrille::quantize

@@ -6,14 +6,14 @@
 
 #include <vector>
 
-#include "model/separatrix_graph.hpp"
+#include "graph/candidate_layout.hpp"
 #include "quantize/t_mesh_faces.hpp"
 
 namespace quadrille::quantize {
 
 /// `lengths` (1 or more for each arc, opposite sides of the faces equal): of quantize(). Nodes of the T-mesh keep their
 /// numbers. Throws ComputeError where the result has a face without four corners.
-SeparatrixGraph extend_lines(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
-                             const std::vector<int>& lengths);
+graph::CandidateLayout extend_lines(const graph::CandidateLayout& t_mesh, const std::vector<TFace>& faces,
+                                    const std::vector<int>& lengths);
 
 }  // namespace quadrille::quantize

@@ -5,7 +5,7 @@ namespace {
 
 class Continuation {
  public:
-  Continuation(const SeparatrixGraph& t_mesh, const IntegerSides& sides) : t_mesh_(t_mesh), sides_(sides) {
+  Continuation(const ArcGraph& t_mesh, const IntegerSides& sides) : t_mesh_(t_mesh), sides_(sides) {
     result.crossings.resize(t_mesh.arcs.size());
     result.lines.resize(sides.faces().size());
   }
@@ -44,14 +44,14 @@ class Continuation {
     start(behind.face, behind.side, behind.offset + length - number);
   }
 
-  const SeparatrixGraph& t_mesh_;
+  const ArcGraph& t_mesh_;
   const IntegerSides& sides_;
   std::vector<FaceLine> unfinished_;
 };
 
 }  // namespace
 
-IsoLines iso_lines(const SeparatrixGraph& t_mesh, const IntegerSides& sides) {
+IsoLines iso_lines(const ArcGraph& t_mesh, const IntegerSides& sides) {
   Continuation continuation(t_mesh, sides);
   for (int f = 0; f < static_cast<int>(sides.faces().size()); ++f)
     for (int side = 0; side < 4; ++side) {

@@ -19,6 +19,6 @@ struct IsoLines {
 
 /// Each line continues through face after face until it meets a T-junction from the other side, whose line it then is,
 /// or the boundary.
-IsoLines iso_lines(const SeparatrixGraph& t_mesh, const IntegerSides& sides);
+IsoLines iso_lines(const ArcGraph& t_mesh, const IntegerSides& sides);
 
 }  // namespace quadrille::quantize

@@ -28,7 +28,7 @@ void keep_apart(std::map<int, double>& fractions, int length) {
 
 }  // namespace
 
-QuantizedParametrization::QuantizedParametrization(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
+QuantizedParametrization::QuantizedParametrization(const ArcGraph& t_mesh, const std::vector<TFace>& faces,
                                                    const std::vector<int>& lengths, std::vector<double> arc_lengths)
     : sides_(faces, lengths),
       lines_(iso_lines(t_mesh, sides_)),

@@ -18,8 +18,8 @@ class QuantizedParametrization {
   /// the plane. Each crossing is moved to where the line through it comes from and continues to, so that lines run
   /// straight through the transfinite maps of the faces; crossings of one arc keep at least a quarter of their even
   /// distance.
-  QuantizedParametrization(const SeparatrixGraph& t_mesh, const std::vector<TFace>& faces,
-                           const std::vector<int>& lengths, std::vector<double> arc_lengths);
+  QuantizedParametrization(const ArcGraph& t_mesh, const std::vector<TFace>& faces, const std::vector<int>& lengths,
+                           std::vector<double> arc_lengths);
 
   const IntegerSides& sides() const { return sides_; }
   const IsoLines& lines() const { return lines_; }

@@ -3,7 +3,7 @@
 namespace quadrille::quantize {
 namespace {
 
-void split_arc(const SeparatrixGraph& t_mesh, int a, const curve::Chain& chain, const std::map<int, double>& fractions,
+void split_arc(const ArcGraph& t_mesh, int a, const curve::Chain& chain, const std::map<int, double>& fractions,
                SplitArcs& split, SeparatrixGraph& graph) {
   const GraphArc& arc = t_mesh.arcs[a];
   GraphArc part{arc.from, arc.to, arc.is_boundary, 0, {}};
@@ -34,7 +34,7 @@ void split_arc(const SeparatrixGraph& t_mesh, int a, const curve::Chain& chain, 
 
 }  // namespace
 
-SplitArcs split_arcs(const SeparatrixGraph& t_mesh, const std::vector<curve::Chain>& chains,
+SplitArcs split_arcs(const ArcGraph& t_mesh, const std::vector<curve::Chain>& chains,
                      const CrossingFractions& fractions, SeparatrixGraph& graph) {
   SplitArcs split;
   split.parts.resize(t_mesh.arcs.size());

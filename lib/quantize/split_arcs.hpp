@@ -17,7 +17,7 @@ struct SplitArcs {
 
 /// Appends the parts of all arcs, and a node for each crossing, to `graph`, whose nodes and curves are those of the
 /// T-mesh. `chains`: of the arcs.
-SplitArcs split_arcs(const SeparatrixGraph& t_mesh, const std::vector<curve::Chain>& chains,
+SplitArcs split_arcs(const ArcGraph& t_mesh, const std::vector<curve::Chain>& chains,
                      const CrossingFractions& fractions, SeparatrixGraph& graph);
 
 }  // namespace quadrille::quantize

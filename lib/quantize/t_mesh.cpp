@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "graph/build_graph.hpp"
-#include "graph/face_census.hpp"
+#include "graph/face_corners.hpp"
 #include "trace/fixed_nodes.hpp"
 
 namespace quadrille::quantize {
@@ -56,7 +56,7 @@ TMeshTracer::TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalP
   cuts_.num_of_loop.resize(evaluator.field().mesh.face.num_loops(), 0);
 }
 
-SeparatrixGraph TMeshTracer::trace(Report& report) {
+graph::CandidateLayout TMeshTracer::trace(Report& report) {
   const CadFace& face = evaluator_.field().mesh.face;
   for (;;) {
     lines_.merge();  // lines need no end here: never too short to decide
@@ -77,19 +77,20 @@ SeparatrixGraph TMeshTracer::trace(Report& report) {
     report.set("t_mesh.cuts", cuts_.num);
     report.set("t_mesh.arcs", graph.arcs.size());
     report.set("t_mesh.t_junctions", graph.t_junctions.size());
-    for (const FaceCount& count : graph::face_census(graph))
+    graph::CandidateLayout layout = graph::candidate_layout(std::move(graph));
+    for (const FaceCount& count : graph::face_valence_histogram(layout.subdivision))
       report.set(fmt::format("t_mesh.faces_of_{}_corners", count.corners), count.faces);
-    return graph;
+    return layout;
   }
 }
 
-bool TMeshTracer::reject_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs) {
+bool TMeshTracer::reject_merge(const std::vector<SeparatrixLine>& lines, const std::vector<int>& arcs) {
   std::vector<int> beside, all;
-  for (size_t i = 0; i < graph.lines.size(); ++i) {
+  for (size_t i = 0; i < lines.size(); ++i) {
     const int merge = lines_.arrangement().lines[piece2line_[i]].merge;
     if (merge < 0) continue;
     all.push_back(merge);
-    const std::vector<int>& own = graph.lines[i].arcs;
+    const std::vector<int>& own = lines[i].arcs;
     if (std::find_first_of(own.begin(), own.end(), arcs.begin(), arcs.end()) != own.end()) beside.push_back(merge);
   }
   return lines_.reject_worst(beside, trace::same_line_angle) || lines_.reject_worst(all, trace::same_line_angle);

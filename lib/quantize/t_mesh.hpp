@@ -7,8 +7,8 @@
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
+#include "graph/candidate_layout.hpp"
 #include "model/critical_points.hpp"
-#include "model/separatrix_graph.hpp"
 #include "quantize/clip_lines.hpp"
 #include "quantize/cuts.hpp"
 #include "trace/line_tracer.hpp"
@@ -28,12 +28,13 @@ class TMeshTracer {
 
   /// The T-mesh, with merged_lines and the largest deviation of its certificate. Reports t_mesh.*. Throws ComputeError
   /// where a line cannot be followed, or where 100 cuts are not enough.
-  SeparatrixGraph trace(Report& report);
+  graph::CandidateLayout trace(Report& report);
 
-  /// Rejects, among the merges of lines with one of these arcs of the graph traced last, those with the largest
-  /// deviation, within 1e-6 alike; where there are none, among all merges. Two merges may contradict each other: the
-  /// one puts two nodes on one line of the integer grid, the other does not. False where no merge is left to reject.
-  bool reject_merge(const SeparatrixGraph& graph, const std::vector<int>& arcs);
+  /// Rejects, among the merges of lines with one of these arcs (`lines`: of the T-mesh traced last), those with the
+  /// largest deviation, within 1e-6 alike; where there are none, among all merges. Two merges may contradict each
+  /// other: the one puts two nodes on one line of the integer grid, the other does not. False where no merge is left to
+  /// reject.
+  bool reject_merge(const std::vector<SeparatrixLine>& lines, const std::vector<int>& arcs);
 
  private:
   bool follow_unstopped_lines(const std::vector<CoveredPart>& covered);

@@ -3,46 +3,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "base/error.hpp"
+#include "graph/face_corners.hpp"
 
 namespace quadrille::quantize {
 namespace {
 
-bool is_four_sided(const std::vector<int>& quarters) {
-  return graph::num_corners(quarters) == 4 &&
-         std::all_of(quarters.begin(), quarters.end(), [](int q) { return q == 1 || q == 2; });
-}
-
-TFace sides_of(const std::vector<HalfEdge>& cycle, const std::vector<int>& quarters) {
+// The sides of a face, whose sectors are quarters and halves with four quarters among them; else empty.
+std::optional<TFace> sides_of(const graph::Subdivision& subdivision, int f) {
+  const std::vector<HalfEdge> cycle = subdivision.cycle(f);
+  const auto is_corner = [&](HalfEdge h) { return subdivision.quarters(h) == 1; };
+  if (subdivision.num_corners(f) != 4 || !std::all_of(cycle.begin(), cycle.end(), [&](HalfEdge h) {
+        return is_corner(h) || subdivision.quarters(h) == 2;
+      }))
+    return std::nullopt;
   const size_t n = cycle.size();
   size_t first = 0;  // the half-edge after a corner
-  while (quarters[(first + n - 1) % n] != 1) ++first;
+  while (!is_corner(cycle[(first + n - 1) % n])) ++first;
   TFace face;
   int side = 0;
   for (size_t k = 0; k < n; ++k) {
-    face[side].push_back(cycle[(first + k) % n]);
-    if (quarters[(first + k) % n] == 1) ++side;
+    const HalfEdge h = cycle[(first + k) % n];
+    face[side].push_back(h);
+    if (is_corner(h)) ++side;
   }
   return face;
 }
 
 }  // namespace
 
-std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph) {
-  const graph::PlanarFaces faces = graph::planar_faces(graph);
+std::vector<TFace> t_mesh_faces(const graph::Subdivision& subdivision) {
   std::vector<TFace> all;
-  for (size_t f = 0; f < faces.cycles.size(); ++f) {
-    if (!is_four_sided(faces.quarters[f])) {
-      const Vec2 place = graph::place_of(graph, faces.cycles[f]);
+  for (int f = 0; f < subdivision.face_bound(); ++f) {
+    std::optional<TFace> sides = sides_of(subdivision, f);
+    if (!sides) {
+      const Vec2 place = graph::middle_of_face(subdivision, f);
       throw ComputeError(
           fmt::format("the face of the T-mesh around ({:.6g}, {:.6g}) is not four-sided: {} arcs, the corners make {}",
-                      place.x, place.y, faces.cycles[f].size(), graph::num_corners(faces.quarters[f])));
+                      place.x, place.y, subdivision.cycle(f).size(), subdivision.num_corners(f)));
     }
-    all.push_back(sides_of(faces.cycles[f], faces.quarters[f]));
+    all.push_back(std::move(*sides));
   }
-  if (faces.num_components > 1)
-    throw ComputeError(fmt::format("the T-mesh falls into {} parts that nothing connects", faces.num_components));
+  if (subdivision.num_components() > 1)
+    throw ComputeError(
+        fmt::format("the T-mesh falls into {} parts that nothing connects", subdivision.num_components()));
   return all;
 }
 

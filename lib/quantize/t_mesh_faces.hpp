@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "graph/planar_faces.hpp"
+#include "graph/subdivision.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::quantize {
@@ -13,6 +13,6 @@ namespace quadrille::quantize {
 using TFace = std::array<std::vector<HalfEdge>, 4>;
 
 /// Throws ComputeError, naming a place, unless every face has four corners and no sector but quarters and halves.
-std::vector<TFace> t_mesh_faces(const SeparatrixGraph& graph);
+std::vector<TFace> t_mesh_faces(const graph::Subdivision& subdivision);
 
 }  // namespace quadrille::quantize

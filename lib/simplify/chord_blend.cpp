@@ -30,7 +30,7 @@ curve::CurveFunction blended_curve(const curve::Chain& from, const curve::Chain&
   };
 }
 
-double turn_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to) {
+double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to) {
   const curve::CurveFunction curve = blended_curve(from, to);
   std::vector<Vec2> places, directions;
   std::vector<double> guides;
@@ -42,21 +42,21 @@ double turn_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain&
     guides.push_back(angle_of(w * from.at(f).tangent + (1 - w) * to.at(f).tangent));
   }
   const std::vector<field::PointSample> samples = evaluator.values_at(places);
-  double turn = 0;
+  double deviation = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].at.elem < 0) continue;
     const Vec2 field = unit(guided_angle(samples[i].value, guides[i]));
-    turn = std::max(turn, std::abs(std::atan2(cross(field, directions[i]), dot(field, directions[i]))));
+    deviation = std::max(deviation, std::abs(std::atan2(cross(field, directions[i]), dot(field, directions[i]))));
   }
-  return turn;
+  return deviation;
 }
 
 std::optional<Blend> make_blend(const field::FieldEvaluator& evaluator, const curve::CurveTable& table,
                                 const graph::Pieces& from, const graph::Pieces& to, const BlendOptions& options) {
   const curve::Chain a(table, from), b(table, to);
-  const double turn = turn_of_blend(evaluator, a, b);
-  if (turn > options.max_turn) return std::nullopt;
-  return Blend{from, to, curve::fit_line(blended_curve(a, b), blend_length(a, b), options.fit_tol), turn};
+  const double deviation = deviation_of_blend(evaluator, a, b);
+  if (deviation > options.max_deviation) return std::nullopt;
+  return Blend{from, to, curve::fit_line(blended_curve(a, b), blend_length(a, b), options.fit_tol), deviation};
 }
 
 std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const graph::Pieces& from, const graph::Pieces& to) {

@@ -1,7 +1,7 @@
 #pragma once
 // The line that takes the place of two lines side by side: it starts on the one and ends on the other,
 //
-//   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the share of the length of either,
+//   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the fraction of the length of either,
 //
 // as where separatrices are merged (trace/merged_curve.hpp): the weights are flat at both ends, so M leaves along A and
 // arrives along B.
@@ -11,7 +11,7 @@
 #include "curve/chain.hpp"
 #include "curve/fit_line.hpp"
 #include "field/evaluate.hpp"
-#include "graph/chord_pieces.hpp"
+#include "graph/arc_pieces.hpp"
 
 namespace quadrille::simplify {
 
@@ -21,26 +21,26 @@ double blend_length(const curve::Chain& from, const curve::Chain& to);
 
 /// The largest angle between a blend and the direction of the field's cross that the two lines follow there, radians,
 /// at equal steps inside it.
-double turn_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to);
+double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to);
 
 struct BlendOptions {
-  double max_turn = 0.7;  ///< radians: of a blend from the cross of the field
-  double fit_tol = 0;     ///< a length: splines follow their blends within this
+  double max_deviation = 0.7;  ///< radians: of a blend from the cross of the field
+  double fit_tol = 0;          ///< a length: splines follow their blends within this
 };
 
-/// A blend as a spline, and the walks that it was made from, both in its direction.
+/// A blend as a spline, and the lines that it was made from, both in its direction.
 struct Blend {
   graph::Pieces from, to;
   Nurbs spline;
-  double turn = 0;  ///< turn_of_blend
+  double deviation = 0;  ///< deviation_of_blend
 };
 
-/// Nothing where that turns too far.
+/// Empty where that would deviate too far.
 std::optional<Blend> make_blend(const field::FieldEvaluator& evaluator, const curve::CurveTable& table,
                                 const graph::Pieces& from, const graph::Pieces& to, const BlendOptions& options);
 
-/// The spline of the blend that starts where the walk `from` does and ends where `to` does, or of one that does so the
-/// other way round, turned. What lies between does not matter: a walk may have been cut into other arcs since.
+/// The spline of the blend that starts where the line `from` does and ends where `to` does, or of one that does so the
+/// other way round, turned. What lies between does not matter: a line may have been divided into other arcs since.
 std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const graph::Pieces& from, const graph::Pieces& to);
 
 /// Where a spline crosses a chain: Newton's method from (s, fraction). False where it finds nothing inside the chain

@@ -1,46 +1,32 @@
 #include "simplify/simplify.hpp"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/angle.hpp"
-#include "simplify/chord_collapse.hpp"
-#include "simplify/chord_judge.hpp"
-#include "simplify/chord_shortcut.hpp"
+#include "graph/separatrix_lines.hpp"
+#include "simplify/block_quality.hpp"
+#include "simplify/chord_group.hpp"
 
 namespace quadrille::simplify {
 namespace {
 
-constexpr double fit_share = 2e-9;  // of the diameter: as traced lines
-constexpr double tie_share = 1e-6;
+using graph::ChordStrip;
+using graph::Subdivision;
 
-// A layout on its way, and what became of the arcs of the one that it was made from.
-struct Trial {
-  SeparatrixGraph graph;
-  std::vector<int> arc2arc;
-  std::vector<bool> is_changed;
-  int num_blocks = 0;
-};
+constexpr double relative_fit_tol = 2e-9;  // of the diameter: as traced lines
+constexpr double equal_aspect = 1e-6;      // relative
+constexpr double slack = 1e-6;             // equal quality is good enough, whatever the rounding
 
-bool share_a_rail(const std::vector<graph::ChordStrip>& strips) {
-  std::set<int> rails;
-  for (const graph::ChordStrip& strip : strips)
-    for (const std::vector<HalfEdge>* half_edges : {&strip.left, &strip.right})
-      for (const HalfEdge d : *half_edges)
-        if (!rails.insert(d.arc).second) return true;
-  return false;
-}
-
-// The pieces of all arcs of some strips.
-std::vector<double> key_of(const SeparatrixGraph& graph, const std::vector<graph::ChordStrip>& strips) {
+// What a group of strips is known by: the pieces of all its arcs.
+std::vector<double> key_of(const ArcGraph& graph, const std::vector<ChordStrip>& strips) {
   std::vector<std::vector<double>> keys;
-  for (const graph::ChordStrip& strip : strips) {
+  for (const ChordStrip& strip : strips) {
     keys.emplace_back();
     for (const std::vector<HalfEdge>* half_edges : {&strip.rungs, &strip.left, &strip.right})
-      for (const HalfEdge d : *half_edges)
-        for (const ArcPiece& p : graph.arcs[d.arc].pieces)
+      for (const HalfEdge h : *half_edges)
+        for (const ArcPiece& p : graph.arcs[h.arc].pieces)
           keys.back().insert(keys.back().end(), {static_cast<double>(p.curve), p.t0, p.t1});
     std::sort(keys.back().begin(), keys.back().end());
   }
@@ -50,210 +36,145 @@ std::vector<double> key_of(const SeparatrixGraph& graph, const std::vector<graph
   return key;
 }
 
-std::vector<int> all_of(const graph::PlanarFaces& faces) {
-  std::vector<int> all(faces.cycles.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+// Offers groups of equal aspect to `take`, the thinnest first, until it takes one.
+template <typename Item, typename Aspect, typename Take>
+bool take_thinnest(std::vector<Item> items, const Aspect& aspect, const Take& take) {
+  std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return aspect(a) < aspect(b); });
+  for (auto first = items.begin(); first != items.end();) {
+    const double same = aspect(*first) * (1 + equal_aspect);
+    const auto last = std::find_if(first, items.end(), [&](const Item& item) { return aspect(item) > same; });
+    if (take(std::vector<Item>(first, last))) return true;
+    first = last;
+  }
+  return false;
+}
+
+// What blocks lose in shape must be worth the number of them that it saves.
+bool is_acceptable(const SimplifyOptions& options, const BlockQuality& before, const BlockQuality& after,
+                   double fraction_left) {
+  if (!after.is_valid) return false;
+  const double worth = options.limits_loss_by_saving ? fraction_left : 0;
+  const double least = std::max(options.least_scaled_jacobian, worth * before.least_scaled_jacobian);
+  return after.least_angle >= std::min(before.least_angle, options.least_angle) - slack &&
+         after.greatest_angle <= std::max(before.greatest_angle, options.greatest_angle) + slack &&
+         after.least_scaled_jacobian >= std::min(before.least_scaled_jacobian, least) - slack;
+}
+
+double fraction_left(const Subdivision& before, const Subdivision& after) {
+  return static_cast<double>(after.num_faces()) / static_cast<double>(before.num_faces());
 }
 
 class Simplifier {
  public:
-  Simplifier(const field::FieldEvaluator& evaluator, SeparatrixGraph graph, const SimplifyOptions& options)
-      : evaluator_(evaluator), options_(options), graph_(std::move(graph)) {}
+  Simplifier(const field::FieldEvaluator& evaluator, Subdivision subdivision, const SimplifyOptions& options)
+      : evaluator_(evaluator), options_(options), subdivision_(std::move(subdivision)) {}
 
-  // One group of equal chords; false where none can go.
-  bool step() {
-    const graph::PlanarFaces faces = graph::planar_faces(graph_);
-    std::vector<graph::ChordStrip> strips;
-    for (graph::ChordStrip& s : graph::all_strips(graph_, faces, graph::arc_lengths(graph_, lengths_)))
-      if (!graph::pins_of(graph_, s).empty()) strips.push_back(std::move(s));
-    std::stable_sort(strips.begin(), strips.end(), [](const graph::ChordStrip& a, const graph::ChordStrip& b) {
-      return a.slimness() < b.slimness();
-    });
-    for (auto first = strips.begin(); first != strips.end();) {
-      const double same = first->slimness() * (1 + tie_share);
-      const auto last =
-          std::find_if(first, strips.end(), [&](const graph::ChordStrip& s) { return s.slimness() > same; });
-      const std::vector<graph::ChordStrip> group(first, last);
-      std::vector<double> key = key_of(graph_, group);
-      if (refused_.count(key) == 0) {
-        if (collapse_all(group, faces)) return true;
-        refused_.insert(std::move(key));
-      }
-      first = last;
-    }
-    return false;
+  // One group of equal chords; false where none can be collapsed.
+  bool collapse_chords() {
+    std::vector<ChordStrip> strips = graph::all_strips(subdivision_, lengths());
+    std::erase_if(strips, [&](const ChordStrip& s) { return graph::fixed_sides(subdivision_, s).empty(); });
+    return take_thinnest(
+        std::move(strips), [](const ChordStrip& s) { return s.aspect(); },
+        [&](const std::vector<ChordStrip>& group) { return try_collapse(group); });
   }
 
-  // The same for laps.
-  bool step_across_laps() {
-    const graph::PlanarFaces faces = graph::planar_faces(graph_);
-    std::vector<Shortcut> shortcuts = find_shortcuts(graph_, faces, graph::arc_lengths(graph_, lengths_));
-    std::stable_sort(shortcuts.begin(), shortcuts.end(),
-                     [](const Shortcut& a, const Shortcut& b) { return a.slimness < b.slimness; });
-    for (auto first = shortcuts.begin(); first != shortcuts.end();) {
-      const double same = first->slimness * (1 + tie_share);
-      const auto last = std::find_if(first, shortcuts.end(), [&](const Shortcut& s) { return s.slimness > same; });
-      if (take_all({first, last}, faces)) return true;
-      first = last;
-    }
-    return false;
+  bool shorten_spirals() {
+    return take_thinnest(
+        find_shortcuts(subdivision_, lengths()), [](const SpiralShortcut& s) { return s.aspect; },
+        [&](const std::vector<SpiralShortcut>& group) { return try_shorten(group); });
   }
 
-  SeparatrixGraph graph_without_leftovers() {
-    drop_unused_splines(graph_);
-    return std::move(graph_);
-  }
-
+  Subdivision& subdivision() { return subdivision_; }
   int num_collapsed() const { return num_collapsed_; }
-  int num_shortcuts() const { return num_shortcuts_; }
-  double turn() const { return turn_; }
+  int num_shortened() const { return num_shortened_; }
+  double deviation() const { return deviation_; }
 
  private:
-  bool collapse_all(const std::vector<graph::ChordStrip>& strips, const graph::PlanarFaces& faces) {
-    if (share_a_rail(strips)) return false;
-    Trial trial{graph_, {}, std::vector<bool>(graph_.arcs.size(), false), static_cast<int>(faces.cycles.size())};
-    trial.arc2arc.resize(graph_.arcs.size());
-    std::iota(trial.arc2arc.begin(), trial.arc2arc.end(), 0);
-    std::vector<Blend> blends;
-    for (const graph::ChordStrip& strip : strips) {
-      auto own = blends_of(evaluator_, graph_, strip, graph::pins_of(graph_, strip), blend_options());
-      if (!own) return false;
-      for (Blend& b : *own) blends.push_back(std::move(b));
-    }
-    for (const graph::ChordStrip& strip : strips)
-      if (!collapse_one(strip, blends, trial)) return false;
-    if (!is_good(trial, faces)) return false;
-    graph_ = std::move(trial.graph);
-    num_collapsed_ += static_cast<int>(strips.size());
-    for (const Blend& b : blends) turn_ = std::max(turn_, b.turn);
-    return true;
-  }
-
-  // The strip as it is after the collapse of others that cross it, and with it the census of faces.
-  bool collapse_one(const graph::ChordStrip& old_strip, const std::vector<Blend>& blends, Trial& trial) const {
-    int arc = -1;
-    for (const HalfEdge d : old_strip.rungs)
-      if (arc < 0) arc = trial.arc2arc[d.arc];
-    if (arc < 0) return false;
-    const graph::ChordStrip strip = graph::strip_through(trial.graph, graph::planar_faces(trial.graph), arc);
-    const std::vector<graph::Pin> pins = graph::pins_of(trial.graph, strip);
-    if (pins.empty()) return false;
-    auto collapse = collapse_strip(trial.graph, strip, pins, blends);
-    if (!collapse) return false;
-    trial.num_blocks -= strip.num_blocks();
-    const graph::PlanarFaces faces = graph::planar_faces(collapse->graph);
-    if (static_cast<int>(faces.cycles.size()) != trial.num_blocks || faces.num_components != 1 ||
-        !graph::cycles_without_four_corners(faces).empty())
+  bool try_collapse(const std::vector<ChordStrip>& strips) {
+    std::vector<double> key = key_of(subdivision_.graph(), strips);
+    if (refused_.contains(key)) return false;
+    std::optional<Trial> trial = collapse_group(evaluator_, subdivision_, strips, blend_options());
+    if (!trial || !improves(*trial)) {
+      refused_.insert(std::move(key));
       return false;
-    for (std::size_t a = 0; a < trial.is_changed.size(); ++a)
-      if (trial.is_changed[a] && collapse->arc2arc[a] >= 0) collapse->is_changed[collapse->arc2arc[a]] = true;
-    trial.is_changed = std::move(collapse->is_changed);
-    for (int& a : trial.arc2arc)
-      if (a >= 0) a = collapse->arc2arc[a];
-    trial.graph = std::move(collapse->graph);
+    }
+    num_collapsed_ += static_cast<int>(strips.size());
+    keep(std::move(*trial));
     return true;
   }
 
-  bool is_good(const Trial& trial, const graph::PlanarFaces& faces) const {
+  bool try_shorten(const std::vector<SpiralShortcut>& shortcuts) {
+    std::optional<Trial> trial = shorten_group(evaluator_, subdivision_, shortcuts, blend_options());
+    if (!trial || !is_acceptable(options_, worst_quality(subdivision_), worst_quality(trial->subdivision),
+                                 fraction_left(subdivision_, trial->subdivision)))
+      return false;
+    num_shortened_ += static_cast<int>(shortcuts.size());
+    keep(std::move(*trial));
+    return true;
+  }
+
+  // Only blocks that the trial has changed are compared.
+  bool improves(const Trial& trial) const {
     std::vector<bool> touched;
     for (const int a : trial.arc2arc) touched.push_back(a < 0 || trial.is_changed[a]);
-    const graph::PlanarFaces new_faces = graph::planar_faces(trial.graph);
-    const BlockShape after = worst_shape(trial.graph, new_faces, faces_beside(new_faces, trial.is_changed));
-    const BlockShape before = worst_shape(graph_, faces, faces_beside(faces, touched));
-    return is_better(before, after, new_faces.cycles.size(), faces.cycles.size());
+    const BlockQuality after = worst_quality(trial.subdivision, faces_beside(trial.subdivision, trial.is_changed));
+    const BlockQuality before = worst_quality(subdivision_, faces_beside(subdivision_, touched));
+    return is_acceptable(options_, before, after, fraction_left(subdivision_, trial.subdivision));
   }
 
-  // What blocks lose in shape must be worth the number of them that it saves.
-  bool is_better(const BlockShape& before, const BlockShape& after, std::size_t num_after,
-                 std::size_t num_before) const {
-    if (!after.is_valid) return false;
-    const double slack = 1e-6;  // equal is good enough, whatever the rounding
-    const double share = options_.is_thrifty ? static_cast<double>(num_after) / static_cast<double>(num_before) : 0;
-    const double least = std::max(options_.least_scaled_jacobian, share * before.least_scaled_jacobian);
-    return after.least_angle >= std::min(before.least_angle, options_.least_angle) - slack &&
-           after.greatest_angle <= std::max(before.greatest_angle, options_.greatest_angle) + slack &&
-           after.least_scaled_jacobian >= std::min(before.least_scaled_jacobian, least) - slack;
+  void keep(Trial trial) {
+    subdivision_ = std::move(trial.subdivision);
+    deviation_ = std::max(deviation_, trial.deviation);
   }
 
-  bool take_all(const std::vector<Shortcut>& shortcuts, const graph::PlanarFaces& faces) {
-    std::map<int, Blend> line2blend;
-    for (const Shortcut& s : shortcuts) {
-      auto blend = blend_of(evaluator_, graph_, s, blend_options());
-      if (!blend || !line2blend.emplace(s.spline, std::move(*blend)).second) return false;
-    }
-    SeparatrixGraph graph = graph_;
-    for (const auto& [line, blend] : line2blend)
-      if (!take_one(line, blend, graph)) return false;
-    const graph::PlanarFaces new_faces = graph::planar_faces(graph);
-    if (!is_better(worst_shape(graph_, faces, all_of(faces)), worst_shape(graph, new_faces, all_of(new_faces)),
-                   new_faces.cycles.size(), faces.cycles.size()))
-      return false;
-    graph_ = std::move(graph);
-    num_shortcuts_ += static_cast<int>(shortcuts.size());
-    for (const auto& [line, blend] : line2blend) turn_ = std::max(turn_, blend.turn);
-    return true;
+  std::vector<double> lengths() { return graph::arc_lengths(subdivision_.graph(), piece_lengths_); }
+  BlendOptions blend_options() const {
+    return {options_.max_deviation, relative_fit_tol * subdivision_.graph().face.diameter};
   }
-
-  // The shortcut of a line as it is after others; splines keep their numbers.
-  static bool take_one(int line, const Blend& blend, SeparatrixGraph& graph) {
-    const graph::PlanarFaces faces = graph::planar_faces(graph);
-    const std::vector<Shortcut> now = find_shortcuts(graph, faces, graph::arc_lengths(graph));
-    const auto found = std::find_if(now.begin(), now.end(), [&](const Shortcut& s) { return s.spline == line; });
-    if (found == now.end()) return false;
-    auto result = take_shortcut(graph, *found, blend);
-    if (!result) return false;
-    const graph::PlanarFaces new_faces = graph::planar_faces(*result);
-    if (new_faces.cycles.size() >= faces.cycles.size() || new_faces.num_components != 1 ||
-        !graph::cycles_without_four_corners(new_faces).empty())
-      return false;
-    graph = std::move(*result);
-    return true;
-  }
-
-  BlendOptions blend_options() const { return {options_.max_turn, fit_share * graph_.face.diameter}; }
 
   const field::FieldEvaluator& evaluator_;
   const SimplifyOptions& options_;
-  SeparatrixGraph graph_;
-  graph::PieceLengths lengths_;
+  Subdivision subdivision_;
+  graph::PieceLengths piece_lengths_;
   std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: other steps leave most as they are
-  int num_shortcuts_ = 0;
-  int num_collapsed_ = 0;
-  double turn_ = 0;
+  int num_collapsed_ = 0, num_shortened_ = 0;
+  double deviation_ = 0;
 };
 
-double least_scaled_jacobian(const SeparatrixGraph& graph, const graph::PlanarFaces& faces) {
-  return worst_shape(graph, faces, all_of(faces)).least_scaled_jacobian;
+void report_steps(const Simplifier& simplifier, Report& report) {
+  report.set("simplify.collapsed", simplifier.num_collapsed());
+  report.set("simplify.laps_cut", simplifier.num_shortened());
+  report.set("simplify.shortened_spirals", simplifier.num_shortened());
+  report.set("simplify.largest_turn_degrees", degrees(simplifier.deviation()));
+  report.set("simplify.largest_deviation_degrees", degrees(simplifier.deviation()));
 }
 
 }  // namespace
 
-SeparatrixGraph simplify(const field::FieldEvaluator& evaluator, SeparatrixGraph graph, const SimplifyOptions& options,
-                         Report& report) {
-  const graph::PlanarFaces faces = graph::planar_faces(graph);
-  double least = least_scaled_jacobian(graph, faces);
-  report.set("simplify.blocks_before", faces.cycles.size());
+graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::CandidateLayout layout,
+                                const SimplifyOptions& options, Report& report) {
+  double least = worst_quality(layout.subdivision).least_scaled_jacobian;
+  report.set("simplify.blocks_before", layout.subdivision.num_faces());
   report.set("simplify.least_scaled_jacobian_before", least);
-  Simplifier simplifier(evaluator, std::move(graph), options);
-  while (simplifier.step() || simplifier.step_across_laps()) {
+  std::vector<std::string> kinds = graph::spline_kinds(layout.graph(), layout.lines);
+  Simplifier simplifier(evaluator, std::move(layout.subdivision), options);
+  while (simplifier.collapse_chords() || simplifier.shorten_spirals()) {
   }
-  report.set("simplify.collapsed", simplifier.num_collapsed());
-  report.set("simplify.laps_cut", simplifier.num_shortcuts());
-  report.set("simplify.laps_cut", simplifier.num_shortcuts());
-  report.set("simplify.shortened_spirals", simplifier.num_shortcuts());
-  report.set("simplify.largest_turn_degrees", degrees(simplifier.turn()));
-  report.set("simplify.largest_turn_degrees", degrees(simplifier.turn()));
-  report.set("simplify.largest_deviation_degrees", degrees(simplifier.turn()));
-  const bool is_changed = simplifier.num_collapsed() + simplifier.num_shortcuts() > 0;
-  graph = simplifier.graph_without_leftovers();
-  if (is_changed) least = least_scaled_jacobian(graph, graph::planar_faces(graph));
+  layout.subdivision = std::move(simplifier.subdivision());
+  report_steps(simplifier, report);
+  if (simplifier.num_collapsed() + simplifier.num_shortened() > 0) {
+    kinds.resize(layout.graph().splines.size(), "merged");  // the new ones are blends
+    layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
+    least = worst_quality(layout.subdivision).least_scaled_jacobian;
+  }
+  layout.subdivision.drop_unused_splines();
   report.set("simplify.least_scaled_jacobian", least);
-  LayoutCertificate& certificate = graph.certificate;
+  LayoutCertificate& certificate = layout.certificate;
   certificate.collapsed_chords += simplifier.num_collapsed();
-  certificate.shortened_spirals += simplifier.num_shortcuts();
-  certificate.largest_deviation_degrees = std::max(certificate.largest_deviation_degrees, degrees(simplifier.turn()));
-  return graph;
+  certificate.shortened_spirals += simplifier.num_shortened();
+  certificate.largest_deviation_degrees =
+      std::max(certificate.largest_deviation_degrees, degrees(simplifier.deviation()));
+  return layout;
 }
 
 }  // namespace quadrille::simplify

@@ -4,7 +4,7 @@
 
 #include "../hand_made.hpp"
 #include "base/error.hpp"
-#include "graph/planar_faces.hpp"
+#include "graph/face_corners.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -44,7 +44,7 @@ TEST(BuildGraph, ASquareWithoutLinesIsOneFace) {
   const SeparatrixGraph graph = built(f, four_corners(f), {});
   EXPECT_EQ(graph.nodes.size(), 4u);
   EXPECT_EQ(graph.arcs.size(), 4u);
-  EXPECT_EQ(require_four_corners(graph), 1);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 1);
 }
 
 TEST(BuildGraph, TwoCrossingLinesMakeFourBlocks) {
@@ -52,7 +52,7 @@ TEST(BuildGraph, TwoCrossingLinesMakeFourBlocks) {
   const SeparatrixGraph graph = built(f, four_corners(f), {line(f, 0, 0.3, 2, 0.6), line(f, 1, 0.5, 3, 0.4)});
   EXPECT_EQ(graph.nodes.size(), 9u);
   EXPECT_EQ(graph.arcs.size(), 12u);
-  EXPECT_EQ(require_four_corners(graph), 4);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 4);
   EXPECT_EQ(graph.nodes.back().kind, NodeKind::crossing);
   for (const SeparatrixLine& l : graph.lines) EXPECT_EQ(l.arcs.size(), 2u);
 }
@@ -76,7 +76,7 @@ TEST(BuildGraph, JointsWithoutNodeLieInsideAnArc) {
   ASSERT_EQ(graph.arcs.size(), 4u);
   EXPECT_EQ(graph.arcs[0].pieces.size(), 5u);
   EXPECT_EQ(graph.arcs[1].pieces.size(), 1u);
-  EXPECT_EQ(require_four_corners(graph), 1);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 1);
 }
 
 TEST(BuildGraph, EndsNearEachOtherAndNearJointsAreOneNode) {
@@ -92,7 +92,7 @@ TEST(BuildGraph, EndsNearEachOtherAndNearJointsAreOneNode) {
   EXPECT_EQ(graph.nodes[4].position, (Vec2{0.5, 0}));
   EXPECT_EQ(graph.nodes[4].curve, 1);
   EXPECT_EQ(graph.splines[0].poles.front(), (Vec2{0.5, 0}));
-  EXPECT_EQ(require_four_corners(graph), 2);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 2);
 }
 
 TEST(BuildGraph, AClosedLoopWithOneNodeIsOneArc) {
@@ -100,7 +100,7 @@ TEST(BuildGraph, AClosedLoopWithOneNodeIsOneArc) {
   const SeparatrixGraph graph = built(f, {}, {});
   ASSERT_EQ(graph.arcs.size(), 1u);
   EXPECT_EQ(graph.arcs[0].from, graph.arcs[0].to);
-  EXPECT_THROW(require_four_corners(graph), ComputeError);
+  EXPECT_THROW(require_four_corners(Subdivision(graph)), ComputeError);
 }
 
 TEST(BuildGraph, ALineThroughTheEndOfAnotherIsRefused) {
@@ -136,14 +136,14 @@ TEST_F(House, ANodeOnTheBoundarySplitsItAndCountsItsSectors) {
   EXPECT_EQ(graph.nodes.size(), 8u);
   EXPECT_EQ(graph.nodes[5].curve, 0);
   EXPECT_EQ(graph.nodes[5].valence, 3);
-  EXPECT_EQ(require_four_corners(graph), 3);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 3);
 }
 
 TEST_F(House, LinesThatEndBesideANodeOnTheBoundaryEndInIt) {
   const SeparatrixGraph graph = built(f, fixed(), {line(f, 2, 0.7, 0, 1 + 5e-10), line(f, 3, 0.7, 0, 1 - 5e-10)});
   EXPECT_EQ(graph.nodes.size(), 8u);
   for (const SeparatrixLine& l : graph.lines) EXPECT_EQ(l.end, 5);
-  EXPECT_EQ(require_four_corners(graph), 3);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 3);
 }
 
 TEST_F(House, ANodeAtASmoothJointIsTheSame) {
@@ -157,11 +157,11 @@ TEST_F(House, ANodeAtASmoothJointIsTheSame) {
   right.start = {5, -1, 0};
   const SeparatrixGraph graph = built(f, nodes, {right, line(f, 4, 0.7, 0, 1 - 5e-10)});
   EXPECT_EQ(graph.nodes.size(), 8u);
-  EXPECT_EQ(require_four_corners(graph), 3);
+  EXPECT_EQ(require_four_corners(Subdivision(graph)), 3);
 }
 
 TEST_F(House, WithoutItsLinesTheNodeIsAReflexCorner) {
-  EXPECT_THROW(require_four_corners(built(f, fixed(), {})), ComputeError);
+  EXPECT_THROW(require_four_corners(Subdivision(built(f, fixed(), {}))), ComputeError);
 }
 
 }  // namespace

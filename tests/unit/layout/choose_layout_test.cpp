@@ -43,7 +43,7 @@ LayoutAttempt none(const std::string& reason) { return {std::nullopt, reason}; }
 LayoutAttempt annulus(int num_blocks, int num_lines) {
   SeparatrixGraph graph = hand_made::cut_annulus(num_blocks);
   graph.lines.resize(num_lines);
-  return {graph, ""};
+  return {graph::candidate_layout(std::move(graph)), ""};
 }
 
 TEST(ChooseLayout, ATracedLayoutOfFewBlocksIsTakenAtOnce) {
@@ -51,7 +51,7 @@ TEST(ChooseLayout, ATracedLayoutOfFewBlocksIsTakenAtOnce) {
   const ChosenLayout chosen = c.choose();
   EXPECT_EQ(chosen.method, "traced");
   EXPECT_EQ(chosen.warning, "");
-  EXPECT_EQ(chosen.graph.certificate.reason, "");
+  EXPECT_EQ(chosen.layout.certificate.reason, "");
   EXPECT_EQ(c.num_quantized, 0);
   EXPECT_FALSE(c.has("layout.reason"));
 }
@@ -61,7 +61,8 @@ TEST(ChooseLayout, AQuantizedLayoutOfFewerBlocksIsPreferredToManyTracedOnes) {
   const ChosenLayout chosen = c.choose();
   EXPECT_EQ(chosen.method, "quantized");
   EXPECT_EQ(chosen.warning, "");
-  EXPECT_EQ(chosen.graph.certificate.reason, "4 separatrices that are followed to their ends make 6 blocks, 4 will do");
+  EXPECT_EQ(chosen.layout.certificate.reason,
+            "4 separatrices that are followed to their ends make 6 blocks, 4 will do");
   EXPECT_TRUE(c.has("quantize.faces"));
   EXPECT_TRUE(c.has("layout.reason"));
 }
@@ -79,7 +80,7 @@ TEST(ChooseLayout, WithoutATracedLayoutTheQuantizedOneIsTakenWithAWarning) {
   Computations c{none("a spiral"), annulus(4, 4)};
   const ChosenLayout chosen = c.choose();
   EXPECT_EQ(chosen.method, "quantized");
-  EXPECT_EQ(chosen.graph.certificate.reason, "a spiral");
+  EXPECT_EQ(chosen.layout.certificate.reason, "a spiral");
   EXPECT_EQ(chosen.warning.find("a spiral: "), 0u);
 }
 
@@ -87,7 +88,7 @@ TEST(ChooseLayout, TooManySeparatricesAreNotTraced) {
   Computations c{annulus(6, 6), annulus(4, 4)};
   const ChosenLayout chosen = c.choose(501);
   EXPECT_EQ(c.num_traced, 0);
-  EXPECT_EQ(chosen.graph.certificate.reason, "501 separatrices are too many to be followed to their ends");
+  EXPECT_EQ(chosen.layout.certificate.reason, "501 separatrices are too many to be followed to their ends");
   Computations fewer{annulus(6, 6), annulus(4, 4)};
   fewer.choose(500);
   EXPECT_EQ(fewer.num_traced, 1);

@@ -4,7 +4,7 @@
 
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
-#include "graph/planar_faces.hpp"
+#include "graph/face_corners.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/launch_all.hpp"
 #include "trace/launch_directions.hpp"
@@ -27,9 +27,9 @@ struct ConstantField : testing::Test {
 };
 
 TEST_F(ConstantField, ASquareIsOneBlock) {
-  const SeparatrixGraph graph = trace_separatrices(evaluator, four_corners(field.mesh.face), defaults, report);
-  EXPECT_TRUE(graph.lines.empty());
-  EXPECT_EQ(graph::require_four_corners(graph), 1);
+  const graph::CandidateLayout layout = trace_separatrices(evaluator, four_corners(field.mesh.face), defaults, report);
+  EXPECT_TRUE(layout.lines.empty());
+  EXPECT_EQ(graph::require_four_corners(layout.subdivision), 1);
 }
 
 TEST_F(ConstantField, ADegenerateCornerIsNamedWithItsPlace) {

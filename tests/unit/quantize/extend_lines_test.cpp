@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "../support/square_t_mesh.hpp"
-#include "graph/planar_faces.hpp"
+#include "graph/face_corners.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -13,9 +13,9 @@ namespace {
 using square_t_mesh::Line;
 using square_t_mesh::one_t;
 
-int num_t_junctions(const SeparatrixGraph& graph) { return static_cast<int>(graph.t_junctions.size()); }
+int num_t_junctions(const graph::CandidateLayout& layout) { return static_cast<int>(layout.t_junctions.size()); }
 
-bool has_node(const SeparatrixGraph& graph, Vec2 x) {
+bool has_node(const ArcGraph& graph, Vec2 x) {
   for (const GraphNode& node : graph.nodes)
     if (distance(node.position, x) < 1e-9) return true;
   return false;
@@ -23,11 +23,12 @@ bool has_node(const SeparatrixGraph& graph, Vec2 x) {
 
 TEST(ExtendLines, TheStoppedLineGoesStraightOnToTheBoundary) {
   const SeparatrixGraph graph = square_t_mesh::make(one_t);
-  const std::vector<TFace> faces = t_mesh_faces(graph);
-  const SeparatrixGraph whole = extend_lines(graph, faces, square_t_mesh::lengths_of_one_t(graph, faces));
+  const graph::CandidateLayout layout = graph::candidate_layout(graph);
+  const std::vector<TFace> faces = t_mesh_faces(layout.subdivision);
+  const graph::CandidateLayout whole = extend_lines(layout, faces, square_t_mesh::lengths_of_one_t(graph, faces));
   EXPECT_EQ(num_t_junctions(whole), 0);
-  EXPECT_EQ(graph::require_four_corners(whole), 4);
-  EXPECT_TRUE(has_node(whole, {0, 0.4}));
+  EXPECT_EQ(graph::require_four_corners(whole.subdivision), 4);
+  EXPECT_TRUE(has_node(whole.graph(), {0, 0.4}));
   EXPECT_EQ(whole.lines.back().kind, "extended");
 }
 
@@ -37,9 +38,10 @@ const std::vector<Line> pinwheel{{{0.4, 0}, {0.4, 0.7}, 0, -1},
                                  {{0.6, 1}, {0.6, 0.3}, 2, -1},
                                  {{1, 0.3}, {0.4, 0.3}, 1, -1}};
 
-SeparatrixGraph extended_pinwheel(int in_the_middle) {
-  const SeparatrixGraph graph = square_t_mesh::make(pinwheel);
-  const std::vector<TFace> faces = t_mesh_faces(graph);
+graph::CandidateLayout extended_pinwheel(int in_the_middle) {
+  const graph::CandidateLayout layout = graph::candidate_layout(square_t_mesh::make(pinwheel));
+  const ArcGraph& graph = layout.graph();
+  const std::vector<TFace> faces = t_mesh_faces(layout.subdivision);
   EXPECT_EQ(faces.size(), 5u);
   std::vector<int> lengths(graph.arcs.size(), 0);
   // Arcs around the middle block, other inner arcs, and the boundary arcs opposite to both.
@@ -59,15 +61,14 @@ SeparatrixGraph extended_pinwheel(int in_the_middle) {
       for (const HalfEdge h : f[across]) total += lengths[h.arc];
       if (f[k].size() == 1 && graph.arcs[f[k].front().arc].is_boundary) lengths[f[k].front().arc] = total;
     }
-  SeparatrixGraph whole = extend_lines(graph, faces, lengths);
-  return whole;
+  return extend_lines(layout, faces, lengths);
 }
 
 TEST(ExtendLines, APinwheelBecomesNineBlocksWhateverTheLengths) {
   for (const int middle : {1, 2, 5}) {
-    const SeparatrixGraph whole = extended_pinwheel(middle);
+    const graph::CandidateLayout whole = extended_pinwheel(middle);
     EXPECT_EQ(num_t_junctions(whole), 0);
-    EXPECT_EQ(graph::require_four_corners(whole), 9);
+    EXPECT_EQ(graph::require_four_corners(whole.subdivision), 9);
   }
 }
 

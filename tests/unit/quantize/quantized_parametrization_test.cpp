@@ -18,7 +18,7 @@ std::vector<double> arc_lengths(const SeparatrixGraph& graph) {
 // The square with a line at x = 0.3 and one at y = 0.4 that stops there. Side x = 0 has length two, all other arcs one.
 struct OneT : testing::Test {
   SeparatrixGraph graph = square_t_mesh::make(square_t_mesh::one_t);
-  std::vector<TFace> faces = t_mesh_faces(graph);
+  std::vector<TFace> faces = t_mesh_faces(graph::Subdivision(graph));
   std::vector<int> lengths = square_t_mesh::lengths_of_one_t(graph, faces);
   QuantizedParametrization parametrization{graph, faces, lengths, arc_lengths(graph)};
 };

@@ -9,7 +9,6 @@
 #include "../support/square_field.hpp"
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/planar_faces.hpp"
 #include "trace/advance.hpp"
 #include "trace/launch_all.hpp"
 #include "triangulate/triangulate.hpp"
@@ -50,14 +49,14 @@ TEST(TMesh, AHoleThatNoLineReachesIsTiedToTheRest) {
   // With two holes: one alone in a face without launches is cut otherwise.
   const Holes holes({hole({-0.4, 0.3}, 0.1, 0), hole({0.5, -0.4}, 0.1, 0)}, constant);
   Report report;
-  const SeparatrixGraph graph = TMeshTracer(holes.evaluator, holes.points, {}).trace(report);
-  ASSERT_EQ(graph.lines.size(), 2u);
-  EXPECT_EQ(graph::planar_faces(graph).num_components, 1);
-  for (const SeparatrixLine& line : graph.lines) {
+  const graph::CandidateLayout t_mesh = TMeshTracer(holes.evaluator, holes.points, {}).trace(report);
+  ASSERT_EQ(t_mesh.lines.size(), 2u);
+  EXPECT_EQ(t_mesh.subdivision.num_components(), 1);
+  for (const SeparatrixLine& line : t_mesh.lines) {
     EXPECT_EQ(line.kind, "cut");
     // From the middle of the circle, half a turn from its start, straight to the left side.
-    EXPECT_NEAR(graph.nodes[line.end].position.x, -1, 1e-9);
-    EXPECT_NEAR(graph.nodes[line.end].position.y, graph.nodes[line.origin].position.y, 1e-9);
+    EXPECT_NEAR(t_mesh.graph().nodes[line.end].position.x, -1, 1e-9);
+    EXPECT_NEAR(t_mesh.graph().nodes[line.end].position.y, t_mesh.graph().nodes[line.origin].position.y, 1e-9);
   }
 }
 
@@ -65,9 +64,9 @@ TEST(TMesh, HolesThatTieEachOtherAreTiedToTheOuterBoundaryToo) {
   // Cut from the middle of its curve each hole meets the other.
   const Holes holes({hole({-0.5, 0}, 0.1, pi), hole({0.5, 0}, 0.1, 0)}, constant);
   Report report;
-  const SeparatrixGraph graph = TMeshTracer(holes.evaluator, holes.points, {}).trace(report);
-  EXPECT_EQ(graph::planar_faces(graph).num_components, 1);
-  EXPECT_LT(graph.lines.size(), 10u);
+  const graph::CandidateLayout t_mesh = TMeshTracer(holes.evaluator, holes.points, {}).trace(report);
+  EXPECT_EQ(t_mesh.subdivision.num_components(), 1);
+  EXPECT_LT(t_mesh.lines.size(), 10u);
 }
 
 /// Lines that enter the square at a corner towards the centre turn away from it, and for ever round the circle of
@@ -88,16 +87,16 @@ TEST(TMesh, ALimitCycleThatMeetsNobodyIsCutAcross) {
   for (const double sense : {1.0, -1.0}) {
     const Spiral spiral(sense);
     Report report;
-    const SeparatrixGraph graph = TMeshTracer(spiral.evaluator, spiral.points, {}).trace(report);
-    ASSERT_EQ(graph.lines.size(), 2u);
-    EXPECT_EQ(graph.lines[0].kind, "traced");
-    EXPECT_EQ(graph.lines[1].kind, "cut");
+    const graph::CandidateLayout t_mesh = TMeshTracer(spiral.evaluator, spiral.points, {}).trace(report);
+    ASSERT_EQ(t_mesh.lines.size(), 2u);
+    EXPECT_EQ(t_mesh.lines[0].kind, "traced");
+    EXPECT_EQ(t_mesh.lines[1].kind, "cut");
     // The line ends where it meets the cut, which leads from boundary to boundary.
-    ASSERT_EQ(graph.t_junctions.size(), 1u);
-    EXPECT_EQ(graph.lines[0].end, graph.t_junctions[0]);
-    EXPECT_NE(spiral.field.mesh.face.loop_of(graph.nodes[graph.lines[1].origin].curve),
-              spiral.field.mesh.face.loop_of(graph.nodes[graph.lines[1].end].curve));
-    EXPECT_EQ(graph::planar_faces(graph).num_components, 1);
+    ASSERT_EQ(t_mesh.t_junctions.size(), 1u);
+    EXPECT_EQ(t_mesh.lines[0].end, t_mesh.t_junctions[0]);
+    EXPECT_NE(spiral.field.mesh.face.loop_of(t_mesh.graph().nodes[t_mesh.lines[1].origin].curve),
+              spiral.field.mesh.face.loop_of(t_mesh.graph().nodes[t_mesh.lines[1].end].curve));
+    EXPECT_EQ(t_mesh.subdivision.num_components(), 1);
   }
 }
 

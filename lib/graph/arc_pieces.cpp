@@ -1,9 +1,7 @@
-#include "graph/chord_pieces.hpp"
+#include "graph/arc_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "graph/planar_faces.hpp"
 
 namespace quadrille::graph {
 

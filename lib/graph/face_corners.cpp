@@ -1,0 +1,68 @@
+#include "graph/face_corners.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+#include "graph/node_rotation.hpp"
+
+namespace quadrille::graph {
+
+Vec2 middle_of_face(const Subdivision& subdivision, int face) {
+  const ArcGraph& graph = subdivision.graph();
+  const std::vector<HalfEdge> cycle = subdivision.cycle(face);
+  Vec2 sum;
+  for (const HalfEdge h : cycle) {
+    const auto& pieces = graph.arcs[h.arc].pieces;
+    const ArcPiece& piece = pieces[pieces.size() / 2];
+    sum += curve::point(graph.curve(piece.curve), (piece.t0 + piece.t1) / 2);
+  }
+  return sum / static_cast<double>(cycle.size()) + graph.face.origin;
+}
+
+std::vector<int> faces_without_four_corners(const Subdivision& subdivision) {
+  std::vector<int> bad;
+  for (int f = 0; f < subdivision.face_bound(); ++f) {
+    const std::size_t num_sides = subdivision.cycle(f).size();
+    if (num_sides > 0 && (num_sides != 4 || subdivision.num_corners(f) != 4)) bad.push_back(f);
+  }
+  return bad;
+}
+
+int require_four_corners(const Subdivision& subdivision) {
+  const int num_faces = subdivision.num_faces();
+  const std::vector<int> bad = faces_without_four_corners(subdivision);
+  if (!bad.empty()) {
+    const Vec2 place = middle_of_face(subdivision, bad.front());
+    throw ComputeError(fmt::format(
+        "{} of {} faces of the separatrix graph {} not four corners; the one around ({:.6g}, {:.6g}) has {}",
+        bad.size(), num_faces, bad.size() == 1 ? "has" : "have", place.x, place.y,
+        subdivision.num_corners(bad.front())));
+  }
+  if (subdivision.num_components() > 1)
+    throw ComputeError(
+        fmt::format("the separatrix graph falls into {} parts that nothing connects: a face of it has a hole",
+                    subdivision.num_components()));
+  return num_faces;
+}
+
+bool is_drawn_in_order(const Subdivision& subdivision, int node) {
+  std::vector<HalfEdge> order = subdivision.around(node), sorted = order;
+  sort_around_node(subdivision.graph(), sorted);
+  std::rotate(order.begin(), std::find(order.begin(), order.end(), sorted.front()), order.end());
+  return order == sorted;
+}
+
+std::vector<FaceCount> face_valence_histogram(const Subdivision& subdivision) {
+  std::map<int, int> corners2faces;
+  for (int f = 0; f < subdivision.face_bound(); ++f)
+    if (!subdivision.cycle(f).empty()) ++corners2faces[subdivision.num_corners(f)];
+  std::vector<FaceCount> histogram;
+  for (const auto& [corners, faces] : corners2faces) histogram.push_back({corners, faces});
+  return histogram;
+}
+
+}  // namespace quadrille::graph

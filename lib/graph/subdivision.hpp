@@ -1,0 +1,135 @@
+#pragma once
+// A planar subdivision: a domain cut into faces by arcs on curves, with its topology.
+//
+// The geometry is an ArcGraph (model/arc_graph.hpp). The topology is a table over half-edges (model/half_edge.hpp):
+//
+//        ^                        next(h)      the half-edge that follows h around the face on its left
+//        | next(h)                face(h)      that face; -1 where the outside of the domain is on the left
+//        |                        quarters(h)  quarter turns of the cross between h and next(h), inside the face, at
+//        the
+//   ---- o <----- h ----          node where h ends: 1 at the corner of a block, 2 on a straight side
+//
+// A face is a cycle h, next(h), next(next(h)), ... that has it on the left. It has sum (2 - quarters) corners, and the
+// quarters around a node add up to its valence. In a domain whose graph is not connected an annular face has two
+// cycles, and each counts as a face.
+//
+// A subdivision is built from a graph once: directions of curves are compared around every node. From then on it is
+// changed only by the operations below, which look at no angle and cost what they change. Each leaves what would be
+// built from the changed graph, but for the numbers. These stay what they are during a sequence of operations: nodes,
+// arcs and faces that are made get new numbers at the end, those that are removed leave gaps. `compact` closes the
+// gaps; then even the numbers are those of a subdivision built from the graph.
+//
+// Copies are independent values: try operations on a copy, and keep it or drop it.
+
+#include <utility>
+#include <vector>
+
+#include "model/arc_graph.hpp"
+#include "model/half_edge.hpp"
+
+namespace quadrille::graph {
+
+class Subdivision {
+ public:
+  Subdivision() = default;
+
+  /// Builds the topology, at the cost of sorting around each node. Throws ComputeError where the boundary arcs at a
+  /// node do not follow each other.
+  explicit Subdivision(ArcGraph graph);
+
+  /// How often this program has built a subdivision from a graph.
+  static int num_built();
+
+  const ArcGraph& graph() const { return graph_; }
+
+  /// Number of faces, arcs and nodes ever made since the last compact(); some may have been removed.
+  int face_bound() const { return static_cast<int>(face_start_.size()); }
+  int arc_bound() const { return static_cast<int>(graph_.arcs.size()); }
+  int node_bound() const { return static_cast<int>(graph_.nodes.size()); }
+  int num_faces() const;
+  /// Connected parts of the graph; above 1 some face has a hole in it.
+  int num_components() const { return num_components_; }
+
+  bool has_arc(int arc) const { return face({arc}) >= 0; }
+  int start(HalfEdge h) const { return start_of(graph_.arcs, h); }
+  int end(HalfEdge h) const { return end_of(graph_.arcs, h); }
+  HalfEdge next(HalfEdge h) const { return record(h).next; }
+  HalfEdge previous(HalfEdge h) const;  ///< at the cost of the face's sides
+  int face(HalfEdge h) const { return record(h).face; }
+  int quarters(HalfEdge h) const { return record(h).quarters; }
+  /// The half-edges of a face, counter-clockwise, from its lowest one on.
+  std::vector<HalfEdge> cycle(int face) const;
+  int num_corners(int face) const;
+  /// The half-edges that start at a node, counter-clockwise; at a node of the boundary from the boundary arc that
+  /// starts there to the one that ends there.
+  std::vector<HalfEdge> around(int node) const;
+
+  /// Divides an arc at a new node: interior of valence 4, or of valence 2 on the boundary. The arc is removed; new are
+  /// the arcs `first` and `second`, in the direction of h, and the node. A boundary arc is divided forwards.
+  struct Division {
+    int node = -1;
+    HalfEdge first, second;
+  };
+  Division divide_arc(HalfEdge h, const GraphNode& node, std::vector<ArcPiece> first, std::vector<ArcPiece> second);
+
+  /// The place of one end of a new arc: it ends where `after` does, in the sector between `after` and next(after), of
+  /// which `quarters` remain between `after` and the new arc.
+  struct Sector {
+    HalfEdge after;
+    int quarters = 1;
+  };
+  /// Divides a face by a new inner arc between two different corners of its cycle. What lies on the left of the new
+  /// half-edge keeps the face's number.
+  HalfEdge insert_arc(const Sector& from, const Sector& to, std::vector<ArcPiece> pieces);
+
+  /// Unites the two faces beside an inner arc. False, and nothing is changed, where both sides are one face.
+  bool remove_arc(int arc);
+
+  /// The opposite of divide_arc: two arcs, the only ones at a node, become a new one with the pieces of both. False,
+  /// and nothing is changed, where the node has other arcs than two, or a corner.
+  bool dissolve_node(int node);
+
+  /// Shrinks an arc to the node where h starts; the node where it ends is removed, and its other arcs start here. Their
+  /// curves are the caller's to lengthen. A node on the boundary must not be merged into one inside, nor two of the
+  /// boundary through an inner arc.
+  void merge_ends(HalfEdge h);
+
+  /// Gives an inner arc another shape; it then runs in the direction of h.
+  void reshape_arc(HalfEdge h, std::vector<ArcPiece> pieces);
+  void set_pieces(int arc, std::vector<ArcPiece> pieces) { graph_.arcs[arc].pieces = std::move(pieces); }
+  void move_node(int node, Vec2 position) { graph_.nodes[node].position = position; }
+  /// Returns the number of the curve (ArcGraph::curve).
+  int add_spline(Nurbs spline);
+  /// Removes splines that no arc uses, and numbers the others anew.
+  void drop_unused_splines();
+  /// Ends the life of the topology.
+  ArcGraph release() { return std::move(graph_); }
+
+  /// Closes the gaps in the numbers of nodes and arcs, and numbers faces by their lowest half-edge. Returns the new
+  /// number of each arc, -1 where it is gone.
+  std::vector<int> compact();
+
+ private:
+  struct Record {
+    HalfEdge next;
+    int face = -1;
+    int quarters = 0;
+  };
+  const Record& record(HalfEdge h) const { return records_[h.index()]; }
+  Record& record(HalfEdge h) { return records_[h.index()]; }
+  bool is_inside(HalfEdge h) const { return face(h) >= 0; }
+  void link_around(int node, const std::vector<HalfEdge>& half_edges);
+  HalfEdge add_arc(int from, int to, bool is_boundary, std::vector<ArcPiece> pieces);
+  void retire(int arc);
+  void number_faces();
+  void label(HalfEdge first, int face);
+  void turn(int arc);
+
+  ArcGraph graph_;
+  std::vector<Record> records_;       ///< by HalfEdge::index()
+  std::vector<HalfEdge> node_start_;  ///< of each node: one that starts there, on the boundary the boundary arc
+  std::vector<HalfEdge> face_start_;  ///< of each face: one of its cycle
+  int num_components_ = 0;
+};
+
+}  // namespace quadrille::graph

@@ -1,0 +1,75 @@
+#include "graph/face_corners.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+
+namespace quadrille::graph {
+namespace {
+
+std::string message_of(const SeparatrixGraph& graph) {
+  try {
+    require_four_corners(Subdivision(graph));
+  } catch (const ComputeError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FaceCorners, TheBlocksOfKnownLayoutsAreCounted) {
+  EXPECT_EQ(require_four_corners(Subdivision(hand_made::unit_square())), 1);
+  EXPECT_EQ(require_four_corners(Subdivision(hand_made::quarter_annulus())), 1);
+  EXPECT_EQ(require_four_corners(Subdivision(hand_made::l_shape())), 3);
+  EXPECT_EQ(require_four_corners(Subdivision(hand_made::s_bend())), 1);
+  EXPECT_EQ(require_four_corners(Subdivision(hand_made::cut_annulus(4))), 4);
+}
+
+TEST(FaceCorners, AFaceThatHasNotFourIsNamed) {
+  SeparatrixGraph graph = hand_made::l_shape();
+  graph.arcs.pop_back();  // the reflex corner has lost a line: its face has six corners less one reflex one
+  const std::string message = message_of(graph);
+  EXPECT_NE(message.find("1 of 2 faces"), std::string::npos) << message;
+}
+
+TEST(FaceCorners, TheOriginIsAddedToThePlace) {
+  SeparatrixGraph graph = hand_made::unit_square();
+  graph.nodes[0].valence = 2;
+  graph.face.origin = {100, 200};
+  const std::string message = message_of(graph);
+  EXPECT_NE(message.find("(100.5, 200.5) has 3"), std::string::npos) << message;
+}
+
+TEST(FaceCorners, AnUncutAnnulusIsRefused) {
+  SeparatrixGraph graph = hand_made::cut_annulus(4);
+  std::erase_if(graph.arcs, [](const GraphArc& arc) { return !arc.is_boundary; });
+  const Subdivision subdivision(graph);
+  EXPECT_EQ(subdivision.num_components(), 2);
+  EXPECT_EQ(subdivision.num_faces(), 2);
+  EXPECT_NE(message_of(graph), "");
+}
+
+TEST(FaceCorners, TheHistogramCountsFacesByCorners) {
+  SeparatrixGraph graph = hand_made::l_shape();
+  graph.arcs.pop_back();
+  const std::vector<FaceCount> histogram = face_valence_histogram(Subdivision(graph));
+  int faces = 0;
+  for (const FaceCount& count : histogram) faces += count.faces;
+  EXPECT_EQ(faces, 2);
+  EXPECT_EQ(face_valence_histogram(Subdivision(hand_made::l_shape())).size(), 1u);
+}
+
+TEST(FaceCorners, CurvesOutOfOrderAreSeen) {
+  Subdivision subdivision(hand_made::l_shape());
+  for (int n = 0; n < subdivision.node_bound(); ++n) EXPECT_TRUE(is_drawn_in_order(subdivision, n));
+  // The two lines at the reflex corner change places.
+  const std::vector<HalfEdge> around = subdivision.around(3);
+  const auto pieces = [&](HalfEdge h) { return subdivision.graph().arcs[h.arc].pieces; };
+  const auto first = pieces(around[1]), second = pieces(around[2]);
+  subdivision.set_pieces(around[1].arc, second);
+  subdivision.set_pieces(around[2].arc, first);
+  EXPECT_FALSE(is_drawn_in_order(subdivision, 3));
+}
+
+}  // namespace
+}  // namespace quadrille::graph
