@@ -6,7 +6,8 @@
 
 namespace quadrille {
 
-void assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given, const std::string& kind) {
+std::vector<int> assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given,
+                              const std::string& kind) {
   std::vector<const GivenName*> by_target(names.size(), nullptr);
   const GivenName* rest = nullptr;
   const auto claim = [](const GivenName*& owner, const GivenName& claimant, const std::string& what) {
@@ -19,8 +20,13 @@ void assign_names(std::vector<std::string>& names, const std::vector<GivenName>&
     if (g.is_for_rest) claim(rest, g, fmt::format("every other {}", kind));
     for (const int target : g.targets) claim(by_target[target], g, fmt::format("{} {}", kind, target));
   }
+  std::vector<int> named;
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (const GivenName* owner = by_target[i] != nullptr ? by_target[i] : rest) names[i] = owner->name;
+    if (const GivenName* owner = by_target[i] != nullptr ? by_target[i] : rest) {
+      names[i] = owner->name;
+      named.push_back(static_cast<int>(i));
+    }
+  return named;
 }
 
 }  // namespace quadrille

@@ -14,7 +14,8 @@ struct GivenName {
 };
 
 /// Sets names[target] for all of `given`. Throws FormatError, naming both entries, where two name the same `kind`
-/// ("curve") or the rest of them.
-void assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given, const std::string& kind);
+/// ("curve") or the rest of them. Returns who got a name, ascending.
+std::vector<int> assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given,
+                              const std::string& kind);
 
 }  // namespace quadrille

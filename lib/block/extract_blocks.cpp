@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/numbered_names.hpp"
 #include "graph/face_corners.hpp"
 #include "mesh/chords.hpp"
 
@@ -31,9 +32,10 @@ BlockLayout extract_blocks(const SeparatrixGraph& graph) {
     for (int k = 0; k < 4; ++k) arcs[k] = cycle[k], nodes[k] = subdivision.start(cycle[k]);
     layout.block2arcs.push_back(arcs);
     layout.block2nodes.push_back(nodes);
-    layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));
+    layout.block_names.emplace_back();
   }
   static_cast<ArcGraph&>(layout) = subdivision.release();
+  layout.unnamed_blocks = replace_empty_names(layout.block_names, "block");
   layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
   return layout;
 }

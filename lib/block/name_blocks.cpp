@@ -85,14 +85,18 @@ int block_of(const BlockLayout& layout, const NameRule& rule) {
 }  // namespace
 
 void name_blocks(BlockLayout& layout, const std::vector<NameRule>& rules) {
-  if (!layout.face.name.empty()) layout.block_names.assign(layout.num_blocks(), layout.face.name);
+  if (!layout.face.name.empty()) {
+    layout.block_names.assign(layout.num_blocks(), layout.face.name);
+    layout.unnamed_blocks.clear();
+  }
   std::vector<GivenName> given;
   for (const NameRule& rule : rules) {
     const bool is_for_rest = rule.kind == NameRule::Kind::rest;
     given.push_back({rule.name, is_for_rest ? std::vector<int>() : std::vector<int>{block_of(layout, rule)},
                      is_for_rest, rule.where});
   }
-  assign_names(layout.block_names, given, "block");
+  const std::vector<int> named = assign_names(layout.block_names, given, "block");
+  std::erase_if(layout.unnamed_blocks, [&](int b) { return std::binary_search(named.begin(), named.end(), b); });
 }
 
 }  // namespace quadrille::block

@@ -112,7 +112,7 @@ class Rails {
 
 std::string curve_name(const CadFace& face, int curve) {
   const std::string& name = face.curve_names[curve];
-  return fmt::format("{}{}", curve, name.empty() || name == fmt::format("curve_{}", curve) ? "" : " '" + name + "'");
+  return fmt::format("{}{}", curve, name.empty() || !face.has_given_name(curve) ? "" : " '" + name + "'");
 }
 
 }  // namespace

@@ -167,6 +167,7 @@ void divide_block(BlockLayout& layout, const Crossing& c, const std::vector<int>
   right[k0] = near[1], right[k2] = far[0], right[k3] = {cut, true};
   layout.block2nodes[c.block] = left_nodes, layout.block2arcs[c.block] = left;
   layout.block2nodes.push_back(right_nodes), layout.block2arcs.push_back(right);
+  layout.unnamed_blocks.push_back(layout.num_blocks() - 1);
   layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/numbered_names.hpp"
 #include "cad/extent.hpp"
 #include "cad/outline_checks.hpp"
 #include "cad/wire_loop.hpp"
@@ -122,18 +123,10 @@ std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
   return joints;
 }
 
-// Names of the file as they are; for the rest "curve_<k>", made different from all of them.
 std::vector<std::string> names_of(const std::vector<Loop>& loops) {
-  std::set<std::string> taken;
-  for (const Loop& loop : loops)
-    for (const LoopCurve& c : loop) taken.insert(c.name);
   std::vector<std::string> names;
   for (const Loop& loop : loops)
-    for (const LoopCurve& c : loop) {
-      std::string name = c.name.empty() ? fmt::format("curve_{}", names.size()) : c.name;
-      while (c.name.empty() && taken.count(name) > 0) name += "_";
-      names.push_back(name);
-    }
+    for (const LoopCurve& c : loop) names.push_back(c.name);
   return names;
 }
 
@@ -167,6 +160,7 @@ CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
     face.loop_offsets.push_back(face.num_curves());
   }
   face.curve_names = names_of(loops);
+  face.unnamed_curves = replace_empty_names(face.curve_names, "curve");
   face.joints = joints_of(face, corner_angle);
 
   double area = 0;

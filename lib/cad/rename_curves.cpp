@@ -72,7 +72,8 @@ void rename_curves(CadFace& face, const std::vector<NameRule>& rules) {
     const bool is_for_rest = rule.kind == NameRule::Kind::rest;
     given.push_back({rule.name, is_for_rest ? std::vector<int>() : curves_of(face, rule), is_for_rest, rule.where});
   }
-  assign_names(face.curve_names, given, "curve");
+  const std::vector<int> named = assign_names(face.curve_names, given, "curve");
+  std::erase_if(face.unnamed_curves, [&](int c) { return std::binary_search(named.begin(), named.end(), c); });
 }
 
 }  // namespace quadrille::cad

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace quadrille::exports {
@@ -28,6 +29,10 @@ Groups mesh_groups(const QuadMesh& mesh) {
   Groups groups;
   groups.curve2boundary = number(curve_names, groups.boundary_names);
   groups.block2region = number(mesh.block_names, groups.region_names);
+  groups.is_region_named.assign(groups.region_names.size(), false);
+  for (std::size_t block = 0; block < groups.block2region.size(); ++block)
+    if (!std::binary_search(mesh.unnamed_blocks.begin(), mesh.unnamed_blocks.end(), static_cast<int>(block)))
+      groups.is_region_named[groups.block2region[block]] = true;
   return groups;
 }
 

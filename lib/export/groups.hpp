@@ -14,6 +14,7 @@ struct Groups {
   std::vector<int> curve2boundary;          ///< by CAD curve
   std::vector<std::string> region_names;    ///< in the order of their first blocks
   std::vector<int> block2region;            ///< by block
+  std::vector<bool> is_region_named;        ///< by region: the name was given, not made from a block's number
 
   int num_boundaries() const { return static_cast<int>(boundary_names.size()); }
   int num_regions() const { return static_cast<int>(region_names.size()); }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "export/names_table.hpp"
@@ -67,9 +68,7 @@ SideFile plain_names_table(const Groups& groups, const std::vector<std::string>&
 }
 
 std::string region_loss(const Groups& groups) {
-  int count = 0;
-  for (int r = 0; r < groups.num_regions(); ++r)
-    if (groups.region_names[r] != fmt::format("block_{}", r)) ++count;
+  const auto count = std::count(groups.is_region_named.begin(), groups.is_region_named.end(), true);
   if (count == 0 || groups.num_regions() == 1) return {};
   return fmt::format("{} not stored", count == 1 ? "1 region name is" : fmt::format("{} region names are", count));
 }

@@ -1,3 +1,4 @@
+#include "base/numbered_names.hpp"
 #include "io/cad_face_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
@@ -34,6 +35,7 @@ void describe_block_layout(Archive& archive, BlockLayout& layout) {
     archive.field("block_boundary_distance", layout.block_boundary_distance,
                   {"length", "greatest distance of the boundary of that quad from the CAD curves"});
   archive.field("block_names", layout.block_names, {"", "name of each block"});
+  if (archive.is_reading()) layout.unnamed_blocks = presumed_numbered_names(layout.block_names, "block");
 }
 
 }  // namespace

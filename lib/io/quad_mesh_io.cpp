@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/numbered_names.hpp"
 #include "io/cad_face_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
@@ -28,6 +29,7 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
     a.field("curve", edge.curve, {"", "CAD curve"});
   });
   archive.field("block_names", mesh.block_names, {"", "name of each block"});
+  if (archive.is_reading()) mesh.unnamed_blocks = presumed_numbered_names(mesh.block_names, "block");
   archive.field("num_irregular", mesh.num_irregular, {"", "interior irregular nodes of the layout"});
   if (archive.has("least_jacobian_bound"))
     archive.field("least_jacobian_bound", mesh.least_jacobian_bound, {"length^2", "least of elem_jacobian_bound"});

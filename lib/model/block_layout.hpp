@@ -25,6 +25,7 @@ struct BlockLayout : ArcGraph {
   std::vector<double>
       block_boundary_distance;  ///< greatest distance of its sides from the CAD curves; empty: not known
   std::vector<std::string> block_names;
+  std::vector<int> unnamed_blocks;  ///< ascending: nobody gave them a name, theirs is made from their number
 
   int num_blocks() const { return static_cast<int>(block2nodes.size()); }
 };

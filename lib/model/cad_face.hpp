@@ -7,6 +7,7 @@
 // its successor in the loop begins. Joint i is the START of curve i. A tangent jump never lies inside a curve: cad2tri
 // splits there. All positions are relative to `origin`, which is (0, 0) unless the shape lies far from it.
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -50,11 +51,16 @@ struct CadFace {
 
   std::vector<Nurbs> curves;
   std::vector<std::string> curve_names;  ///< one per curve; unique tags for boundary groups are made from them
+  std::vector<int> unnamed_curves;       ///< ascending: nobody gave them a name, theirs is made from their number
   std::vector<int> curve_cad_edges;      ///< number of the edge in the CAD file from which the curve was cut, base 0
   std::vector<int> loop_offsets;         ///< loop l holds curves [loop_offsets[l], loop_offsets[l+1])
   std::vector<Joint> joints;             ///< one per curve
   std::string name;                      ///< of the face, may be empty
 
+  /// Whether the CAD file or a user named the curve.
+  bool has_given_name(int curve) const {
+    return !std::binary_search(unnamed_curves.begin(), unnamed_curves.end(), curve);
+  }
   int num_curves() const { return static_cast<int>(curves.size()); }
   int num_loops() const { return static_cast<int>(loop_offsets.size()) - 1; }
   /// chi = 1 - number of holes.

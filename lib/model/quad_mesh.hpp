@@ -32,6 +32,7 @@ struct QuadMesh {
   std::vector<double> elem_scaled_jacobian;      ///< least sampled det J / (|x_xi1| |x_xi2|)
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   std::vector<std::string> block_names;
+  std::vector<int> unnamed_blocks;  ///< ascending: nobody gave them a name, theirs is made from their number
   int num_irregular = 0;            ///< irregular nodes of the layout, interior (V != 4)
   double least_jacobian_bound = 0;  ///< the least of elem_jacobian_bound
   bool is_valid = true;             ///< every element is proved valid: least_jacobian_bound > 0

@@ -31,6 +31,7 @@ QuadMesh mesh_without_elements(const BlockLayout& layout, int order) {
   mesh.face = layout.face;
   mesh.order = order;
   mesh.block_names = layout.block_names;
+  mesh.unnamed_blocks = layout.unnamed_blocks;
   for (const GraphNode& node : layout.nodes) {
     mesh.nodes.push_back(node.position);
     mesh.num_irregular += node.curve < 0 && node.valence != 4;

@@ -37,6 +37,12 @@ inline CadFace face(const std::vector<std::vector<Nurbs>>& loops, double diamete
   return f;
 }
 
+/// As a user does.
+inline void give_name(CadFace& f, int curve, const std::string& name) {
+  f.curve_names[curve] = name;
+  std::erase(f.unnamed_curves, curve);
+}
+
 inline int add_node(SeparatrixGraph& g, Vec2 position, NodeKind kind, int valence, int curve = -1, double t = 0) {
   g.nodes.push_back({position, kind, valence, curve, t});
   return static_cast<int>(g.nodes.size()) - 1;
@@ -159,7 +165,10 @@ inline SeparatrixGraph elbow() {
                                 curve::segment({3, 2}, {2, 2}), curve::circular_arc({1, 2}, 1, 0, -half_pi),
                                 curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   CadFace bent = face({loop}, std::sqrt(13.0));
-  for (int c = 0; c < bent.num_curves(); ++c) bent.curve_names[c] = "curve_" + std::to_string(c);  // none is given
+  for (int c = 0; c < bent.num_curves(); ++c) {
+    bent.curve_names[c] = "curve_" + std::to_string(c);
+    bent.unnamed_curves.push_back(c);
+  }
   return one_block(std::move(bent), {{0, 1}, {2}, {3, 4}, {5}});
 }
 

@@ -39,6 +39,7 @@ TEST(SmallestBlock, FeaturesHaveNames) {
   EXPECT_EQ(name_of(face, {1, false, {}}), "curve 1 (hole 1)");
   CadFace square = hand_made::unit_square().face;
   square.curve_names = {"curve_0", "curve_1", "", "lid"};
+  square.unnamed_curves = {0, 1};
   EXPECT_EQ(name_of(square, {0, true, {}}), "the corner of curves 3 'lid' and 0");
 }
 

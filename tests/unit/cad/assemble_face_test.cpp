@@ -90,7 +90,10 @@ TEST(AssembleFace, small_tangent_jumps_are_kept_but_are_no_corners) {
 TEST(AssembleFace, default_names_avoid_those_of_the_file) {
   RawFace raw = polygon(square);
   raw.wires[0][3].name = "curve_1";
-  EXPECT_EQ(assembled(raw).curve_names, (std::vector<std::string>{"curve_0", "curve_1_", "curve_2", "curve_1"}));
+  const CadFace face = assembled(raw);
+  EXPECT_EQ(face.curve_names, (std::vector<std::string>{"curve_0", "curve_1_", "curve_2", "curve_1"}));
+  EXPECT_EQ(face.unnamed_curves, (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(face.has_given_name(3));
 }
 
 TEST(AssembleFace, is_the_same_at_any_scale) {

@@ -19,6 +19,7 @@ CadFace some_face() {
   face.diameter = 0.1;
   face.curves = {curve::segment({0, 0}, {1, 0}), curve::circular_arc({0, 0}, 1, 0, 3)};
   face.curve_names = {"wall", std::string("zero\0inside", 11)};
+  face.unnamed_curves = {1};
   face.curve_cad_edges = {4, 2};
   face.loop_offsets = {0, 2};
   face.joints = {{{1, 2}, 0.5, -0.5, 3, true}, {{0, std::numeric_limits<double>::denorm_min()}, 1, 1, 3.1, false}};
@@ -42,6 +43,7 @@ TEST(FaceBytes, come_back_as_they_were) {
   const CadFace face = from_bytes(to_bytes(some_face(), some_report()), report);
   EXPECT_EQ(to_bytes(face, report), to_bytes(some_face(), some_report()));
   EXPECT_EQ(face.curve_names, some_face().curve_names);
+  EXPECT_EQ(face.unnamed_curves, some_face().unnamed_curves);
   EXPECT_EQ(face.curves[1].poles, some_face().curves[1].poles);
   EXPECT_EQ(face.joints[1].position, some_face().joints[1].position);
   EXPECT_EQ(report.entries(), some_report().entries());

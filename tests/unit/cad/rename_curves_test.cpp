@@ -44,6 +44,13 @@ std::string refusal(const NameRule& r) {
   return "no refusal";
 }
 
+TEST(RenameCurves, RenamedCurvesHaveGivenNames) {
+  CadFace face = half_disc();
+  face.unnamed_curves = {0, 1, 2};
+  rename_curves(face, {rule(Kind::number, "", 1)});
+  EXPECT_EQ(face.unnamed_curves, (std::vector<int>{0, 2}));
+}
+
 TEST(RenameCurves, ByNameAndNumber) {
   EXPECT_EQ(renamed(rule(Kind::key, "arc", -1)), (Names{"axis", "new", "new"}));
   EXPECT_EQ(renamed(rule(Kind::key, "1", 1)), (Names{"axis", "new", "arc"}));

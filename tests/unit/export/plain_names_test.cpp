@@ -34,10 +34,13 @@ TEST(PlainNames, LossNamesTheFirstFew) {
 TEST(PlainNames, RegionsAreLostWhereSomebodyNamedThem) {
   Groups groups;
   groups.region_names = {"block_0", "block_1"};
+  groups.is_region_named = {false, false};
   EXPECT_EQ(region_loss(groups), "");
   groups.region_names = {"copper", "block_1", "air"};
+  groups.is_region_named = {true, false, true};
   EXPECT_EQ(region_loss(groups), "2 region names are not stored");
   groups.region_names = {"plate"};
+  groups.is_region_named = {true};
   EXPECT_EQ(region_loss(groups), "");
 }
 

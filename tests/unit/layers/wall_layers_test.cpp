@@ -177,6 +177,7 @@ TEST(WallLayers, NoEdgeBelongsToTwoNames) {
   // Layers at the elbow's ends grade the chord along it, whose long sides are a line and an arc each.
   SeparatrixGraph graph = hand_made::elbow();
   graph.face.curve_names = {"straight", "bend", "out", "bend", "straight", "in"};
+  graph.face.unnamed_curves.clear();
   refine::RefineOptions options;
   options.size = 0.4, options.geometry_tol = 0.05;
   options.walls = {parse_wall_spec("in:first=0.01,layers=4"), parse_wall_spec("out:first=0.01,layers=4")};

@@ -72,11 +72,11 @@ TEST(DivideArcs, AnIntervalEndsWhereAGivenNameDoesHoweverLooseTheTolerance) {
     return std::pair(broken, good);
   };
   EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})), std::pair(2, 0));
-  graph.face.curve_names[1] = "bend";
+  hand_made::give_name(graph.face, 1, "bend");
   EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})).second, 1);
-  graph.face.curve_names[3] = graph.face.curve_names[4] = "inner";  // one name on both sides is no reason
+  for (const int curve : {3, 4}) hand_made::give_name(graph.face, curve, "inner");  // one name on both sides: no end
   EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})).second, 1);
-  graph.face.curve_names[4] = "inlet";
+  hand_made::give_name(graph.face, 4, "inlet");
   EXPECT_EQ(broken_arcs_with_ends(divided(graph, {0.7, 4, 1})).second, 2);
 }
 
