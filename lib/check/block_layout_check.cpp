@@ -14,6 +14,8 @@ void arrays_agree(const BlockLayout& layout, Findings& findings) {
   if (n == 0) findings.add("the layout has no blocks");
   if (layout.block2arcs.size() != n || layout.block_jacobian_bound.size() != n || layout.block_names.size() != n)
     findings.add("block2nodes, block2arcs, block_jacobian_bound and block_names must have one entry for each block");
+  if (!are_ascending_indices(layout.unnamed_blocks, n))
+    findings.add("unnamed_blocks must be blocks in ascending order, each once");
   if (layout.arc_chord.size() != layout.arcs.size())
     findings.add("arc_chord has {} entries for {} arcs", layout.arc_chord.size(), layout.arcs.size());
   if (!are_finite(layout.block_jacobian_bound))

@@ -18,13 +18,15 @@ void arrays_agree(const CadFace& face, Findings& findings) {
   agree("curve_names", face.curve_names.size());
   agree("curve_cad_edges", face.curve_cad_edges.size());
   agree("joints", face.joints.size());
+  if (!are_ascending_indices(face.unnamed_curves, n))
+    findings.add("unnamed_curves must be curves in ascending order, each once");
 }
 
 void loops_are_sound(const CadFace& face, Findings& findings) {
   const std::vector<int>& offsets = face.loop_offsets;
   bool is_sound = offsets.size() >= 2 && offsets.front() == 0 && offsets.back() == face.num_curves();
   for (std::size_t l = 0; is_sound && l + 1 < offsets.size(); ++l) is_sound = offsets[l] < offsets[l + 1];
-  if (!is_sound) findings.add("loop_offsets must climb from 0 to the number of curves, {}", face.num_curves());
+  if (!is_sound) findings.add("loop_offsets must increase from 0 to the number of curves, {}", face.num_curves());
 }
 
 void curves_fit(const CadFace& face, Findings& findings) {

@@ -26,6 +26,8 @@ void arrays_agree(const QuadMesh& mesh, Findings& findings) {
                  nodes_per_elem(mesh), n);
   if (mesh.elem_jacobian_bound.size() != n || mesh.elem_scaled_jacobian.size() != n)
     findings.add("elem_jacobian_bound and elem_scaled_jacobian must have one entry for each of {} elements", n);
+  if (!are_ascending_indices(mesh.unnamed_blocks, mesh.block_names.size()))
+    findings.add("unnamed_blocks must be blocks in ascending order, each once");
 }
 
 void indices_exist(const QuadMesh& mesh, Findings& findings) {

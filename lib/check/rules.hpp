@@ -66,6 +66,12 @@ bool are_finite(const std::vector<T>& values) {
   return true;
 }
 inline bool is_index(int i, std::size_t count) { return i >= 0 && static_cast<std::size_t>(i) < count; }
+/// Whether `list` is ascending, without repetitions, and all entries are indices below `count`.
+inline bool are_ascending_indices(const std::vector<int>& list, std::size_t count) {
+  for (std::size_t k = 0; k < list.size(); ++k)
+    if (!is_index(list[k], count) || (k > 0 && list[k] <= list[k - 1])) return false;
+  return true;
+}
 /// "(x, y)" as a user knows it: with the face's origin.
 inline std::string place(const CadFace& face, Vec2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.x + face.origin.x, p.y + face.origin.y);

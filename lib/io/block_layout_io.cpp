@@ -7,7 +7,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion block_layout_version{"block-layout", 1, 1};
+constexpr FormatVersion block_layout_version{"block-layout", 1, 2};
 
 void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>& block2arcs) {
   std::vector<std::array<int, 4>> codes;
@@ -35,7 +35,11 @@ void describe_block_layout(Archive& archive, BlockLayout& layout) {
     archive.field("block_boundary_distance", layout.block_boundary_distance,
                   {"length", "greatest distance of the boundary of that quad from the CAD curves"});
   archive.field("block_names", layout.block_names, {"", "name of each block"});
-  if (archive.is_reading()) layout.unnamed_blocks = presumed_numbered_names(layout.block_names, "block");
+  if (archive.has("unnamed_blocks"))
+    archive.field("unnamed_blocks", layout.unnamed_blocks,
+                  {"", "blocks whose name is made from their number, ascending"});
+  else
+    layout.unnamed_blocks = presumed_numbered_names(layout.block_names, "block");
 }
 
 }  // namespace

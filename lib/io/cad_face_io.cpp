@@ -25,7 +25,10 @@ void describe_face(Archive& archive, CadFace& face) {
     a.field("diameter", face.diameter, {"length", "largest distance between two points of the outline"});
     a.field("loop_offsets", face.loop_offsets, {"", "loop l holds curves loop_offsets[l] to loop_offsets[l+1]-1"});
     a.field("curve_names", face.curve_names, {"", "name of each curve"});
-    if (a.is_reading()) face.unnamed_curves = presumed_numbered_names(face.curve_names, "curve");
+    if (a.has("unnamed_curves"))
+      a.field("unnamed_curves", face.unnamed_curves, {"", "curves whose name is made from their number, ascending"});
+    else
+      face.unnamed_curves = presumed_numbered_names(face.curve_names, "curve");
     a.field("curve_cad_edges", face.curve_cad_edges, {"", "number of the edge in the CAD file"});
     describe_nurbs(a, "curves", face.curves);
     a.field("joints", face.joints, [](Archive& b, Joint& joint) {

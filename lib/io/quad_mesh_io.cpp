@@ -9,7 +9,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 1};
+constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 2};
 
 double least(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
@@ -29,7 +29,11 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
     a.field("curve", edge.curve, {"", "CAD curve"});
   });
   archive.field("block_names", mesh.block_names, {"", "name of each block"});
-  if (archive.is_reading()) mesh.unnamed_blocks = presumed_numbered_names(mesh.block_names, "block");
+  if (archive.has("unnamed_blocks"))
+    archive.field("unnamed_blocks", mesh.unnamed_blocks,
+                  {"", "blocks whose name is made from their number, ascending"});
+  else
+    mesh.unnamed_blocks = presumed_numbered_names(mesh.block_names, "block");
   archive.field("num_irregular", mesh.num_irregular, {"", "interior irregular nodes of the layout"});
   if (archive.has("least_jacobian_bound"))
     archive.field("least_jacobian_bound", mesh.least_jacobian_bound, {"length^2", "least of elem_jacobian_bound"});

@@ -7,7 +7,7 @@
 namespace quadrille::io {
 
 namespace {
-constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 0};
+constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 1};
 }
 
 void describe_tri_mesh(Archive& archive, TriMesh& mesh) {

@@ -25,6 +25,9 @@ TEST(CadFaceCheck, FacR01NamesForEachCurve) {
   EXPECT_EQ(broken([](CadFace& f) { f.curve_names.pop_back(); }), Rules{"FAC-R01"});
   EXPECT_EQ(broken([](CadFace& f) { f.joints.push_back({}); }), Rules{"FAC-R01"});
   EXPECT_EQ(broken([](CadFace& f) { f = CadFace{}; }), Rules{"FAC-R01"});
+  EXPECT_EQ(broken([](CadFace& f) { f.unnamed_curves = {0, 3}; }), Rules{});
+  for (const std::vector<int>& wrong : std::vector<std::vector<int>>{{4}, {-1}, {2, 1}, {1, 1}})
+    EXPECT_EQ(broken([&](CadFace& f) { f.unnamed_curves = wrong; }), Rules{"FAC-R01"});
 }
 TEST(CadFaceCheck, FacR02LoopOffsetsClimb) {
   EXPECT_EQ(broken([](CadFace& f) { f.loop_offsets = {0, 3}; }), Rules{"FAC-R02"});

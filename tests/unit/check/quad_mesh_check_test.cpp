@@ -23,6 +23,8 @@ TEST(QuadMeshCheck, QuaR01ArraysAgree) {
   EXPECT_EQ(broken([](auto& m) { m.order = 2; }), Rules{"QUA-R01"});
   EXPECT_EQ(broken([](auto& m) { m.order = -1; }), Rules{"QUA-R01"});
   EXPECT_EQ(broken([](auto& m) { m.elem_jacobian_bound.pop_back(); }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.unnamed_blocks = {2}; }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.unnamed_blocks = {1, 0}; }), Rules{"QUA-R01"});
 }
 TEST(QuadMeshCheck, QuaR02IndicesExist) {
   EXPECT_EQ(broken([](auto& m) { m.elem_nodes[3] = 6; }), Rules{"QUA-R02"});

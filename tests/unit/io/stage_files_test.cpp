@@ -147,6 +147,20 @@ TEST_F(StageFiles, BlockLayoutSurvivesTheRoundTrip) {
   EXPECT_EQ(stage_format(read_input(path("first"))), "block-layout");
 }
 
+TEST_F(StageFiles, NamesThatNobodyGaveAreRecorded) {
+  BlockLayout layout = samples::block_layout();
+  layout.unnamed_blocks = {1};
+  layout.face.unnamed_curves = {0, 2};
+  expect_same_bytes(layout, read_block_layout, write_block_layout);
+  const BlockLayout read = read_block_layout(read_input(path("second")));
+  EXPECT_EQ(read.unnamed_blocks, layout.unnamed_blocks);
+  EXPECT_EQ(read.face.unnamed_curves, layout.face.unnamed_curves);
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.unnamed_blocks = {0};
+  expect_same_bytes(mesh, read_quad_mesh, write_quad_mesh);
+  EXPECT_EQ(read_quad_mesh(read_input(path("second"))).unnamed_blocks, mesh.unnamed_blocks);
+}
+
 TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
   expect_same_bytes(samples::quad_mesh(), read_quad_mesh, write_quad_mesh);
   EXPECT_EQ(stage_format(read_input(path("first"))), "quad-mesh");
