@@ -43,10 +43,13 @@ void append_checksum(std::string& image) { image += trailer_of(image); }
 Checksum verify_checksum(const std::string& bytes, std::string_view& image) {
   image = bytes;
   if (bytes.size() < trailer_size) return Checksum::missing;
-  const std::string_view trailer = std::string_view(bytes).substr(bytes.size() - trailer_size);
-  if (trailer.substr(0, mark.size()) != mark) return Checksum::missing;
-  image.remove_suffix(trailer_size);
-  return trailer == trailer_of(image) ? Checksum::right : Checksum::wrong;
+  const std::string_view sealed = image.substr(0, bytes.size() - trailer_size), trailer = image.substr(sealed.size());
+  const std::string expected = trailer_of(sealed);
+  const bool has_mark = trailer.substr(0, mark.size()) == mark;
+  const bool has_sum = trailer.substr(mark.size()) == std::string_view(expected).substr(mark.size());
+  if (!has_mark && !has_sum) return Checksum::missing;
+  image = sealed;
+  return has_mark && has_sum ? Checksum::right : Checksum::wrong;  // the right sum without the mark: a damaged mark
 }
 
 }  // namespace quadrille::io

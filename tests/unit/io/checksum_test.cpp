@@ -24,9 +24,8 @@ TEST(ChecksumTest, SealedBytesAreRightAndTheImageIsWhatWasSealed) {
 
 TEST(ChecksumTest, EveryChangedBitIsSeen) {
   std::string bytes = "some bytes of an image", content;
-  const std::size_t size = bytes.size();
   append_checksum(bytes);
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 0; i < bytes.size(); ++i)
     for (int bit = 0; bit < 8; ++bit) {
       std::string damaged = bytes;
       damaged[i] = static_cast<char>(damaged[i] ^ (1 << bit));
