@@ -2,7 +2,7 @@
 
 #include "block/make_blocks.hpp"
 #include "block/name_blocks.hpp"
-#include "block/tell_layout.hpp"
+#include "block/report_layout.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/name_rules_io.hpp"
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     }
     block::name_blocks(blocks.layout, rules);
     blocks.layout.provenance = s.provenance(graph.provenance, inputs);
-    s.info(block::layout_in_words(blocks.layout, blocks.measures));
+    s.info(block::summarise_layout(blocks.layout, blocks.measures));
     s.begin_phase("write");
     io::write_block_layout(output, blocks.layout);
     s.end_phase();

@@ -8,8 +8,8 @@
 
 #include "base/warning_codes.hpp"
 #include "block/extract_blocks.hpp"
+#include "block/report_layout.hpp"
 #include "block/split_chord.hpp"
-#include "block/tell_layout.hpp"
 #include "mesh/chords.hpp"
 
 namespace quadrille::block {
@@ -90,7 +90,7 @@ Blocks mend_blocks(BlockLayout layout, Report& report) {
 
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report) {
   Blocks blocks = mend_blocks(extract_blocks(graph), report);
-  tell_layout(blocks.layout, blocks.measures, report);
+  report_layout(blocks.layout, blocks.measures, report);
   return blocks;
 }
 

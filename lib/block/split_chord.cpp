@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/facing.hpp"
+#include "block/opposite_points.hpp"
 #include "curve/fit_line.hpp"
 #include "curve/nurbs.hpp"
 #include "mesh/chords.hpp"
@@ -49,7 +49,7 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
   const int n = static_cast<int>(chord.arcs.size());
   std::vector<int> place(layout.arcs.size(), -1);
   for (int i = 0; i < n; ++i) place[chord.arcs[i]] = i;
-  const auto walk = [&](int i) { return Walk{&maps.arc(chord.arcs[i]), chord.backwards[i]}; };
+  const auto walk = [&](int i) { return DirectedCurve{&maps.arc(chord.arcs[i]), chord.backwards[i]}; };
   Eigen::VectorXd f = Eigen::VectorXd::Constant(n, 0.5);
   for (int round = 0; round < 4; ++round) {  // d depends on the middle, but weakly
     Eigen::MatrixXd normal = anchor_weight * Eigen::MatrixXd::Identity(n, n);
@@ -60,7 +60,7 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
       if (i == j) continue;
       const double length = maps.arc(sides[c.side].arc).length() + maps.arc(sides[c.side + 2].arc).length();
       const double width = maps.arc(sides[c.side + 1].arc).length() + maps.arc(sides[(c.side + 3) % 4].arc).length();
-      const double d = facing_difference(walk(i), walk(j), (f[i] + f[j]) / 2).value_or(f[j] - f[i]);
+      const double d = opposite_point_offset(walk(i), walk(j), (f[i] + f[j]) / 2).value_or(f[j] - f[i]);
       const double w = length * length / (width * width);
       normal(i, i) += w, normal(j, j) += w, normal(i, j) -= w, normal(j, i) -= w;
       right[j] += w * d, right[i] -= w * d;
@@ -88,17 +88,17 @@ bool is_straight(const Curve& curve, double tolerance) {
 }
 
 /// From `from` to `to` with the shape of `side` walked the same way: turned and scaled to fit.
-Vec2 like_side(const Walk& side, Vec2 from, Vec2 to, double t) {
+Vec2 like_side(const DirectedCurve& side, Vec2 from, Vec2 to, double t) {
   const Vec2 begin = side.at(0).position, end = side.at(1).position;
   return from + times(over(side.at(t).position - begin, end - begin), to - from);
 }
 
 Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing& c, double f, double g, bool sound) {
   const std::array<HalfEdge, 4>& sides = layout.block2arcs[c.block];
-  const auto side = [&](int k) { return Walk{&maps.arc(sides[k % 4].arc), sides[k % 4].is_backwards}; };
+  const auto side = [&](int k) { return DirectedCurve{&maps.arc(sides[k % 4].arc), sides[k % 4].is_backwards}; };
   const Vec2 from = side(c.side).at(f).position, to = side(c.side + 2).at(1 - g).position;
-  const Walk right = side(c.side + 1);
-  Walk left = side(c.side + 3);
+  const DirectedCurve right = side(c.side + 1);
+  DirectedCurve left = side(c.side + 3);
   left.backwards = !left.backwards;
   const mesh::TransfiniteMap map = maps.map(c.block);
   const auto position = [&](double t) -> Vec2 {

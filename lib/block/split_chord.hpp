@@ -1,16 +1,16 @@
 #pragma once
 // Cuts a whole chord of a layout lengthwise: every block of it becomes two, and the layout stays conforming.
 //
-// For blocks whose exact map folds because points of the same arc-length fraction of two long sides do not face each
-// other: strips that are thin at one end, or narrow to a neck. No sequence of arcs can mend that, least of all where
-// both sides are boundary; a cut between points that do face each other does.
+// For blocks whose exact map folds because points of the same arc-length fraction of two long sides do not lie opposite
+// each other: strips that are thin at one end, or narrow to a neck. No order of arcs can mend that, least of all where
+// both sides are boundary; a cut between points that do lie opposite each other does.
 //
 // The cut meets arc i of the chord at the fraction f_i that minimises
 //
 //   sum over blocks w_ij (f_j - f_i - d_ij)^2 + w_0 sum over arcs (f_i - 1/2)^2
 //
-// where the points at (f_i + f_j - d_ij) / 2 and (f_i + f_j + d_ij) / 2 face each other: the segment between them is at
-// right angles to the mean of the tangents. w_ij = (length / width)^2: a thin block insists, a fat one follows. The
+// where the points at (f_i + f_j - d_ij) / 2 and (f_i + f_j + d_ij) / 2 lie opposite each other: the segment between
+// them is at right angles to the mean of the tangents. w_ij = (length / width)^2: thin blocks are weighted more. The
 // answer depends neither on the chord's direction nor on where it begins, so symmetric layouts are cut symmetrically.
 
 #include <vector>

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "graph/build_graph.hpp"
-#include "graph/known_crossings.hpp"
+#include "graph/crossing_cache.hpp"
 #include "trace/merged_curve.hpp"
 
 namespace quadrille::trace {

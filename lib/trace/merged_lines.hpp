@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "graph/known_crossings.hpp"
+#include "graph/crossing_cache.hpp"
 #include "trace/line_fitter.hpp"
 #include "trace/merge_plan.hpp"
 
@@ -65,7 +65,7 @@ class MergedLines {
   LineEnds ends_;
   MergePlan plan_;
   LineFitter fitter_;
-  graph::KnownCrossings cache_;
+  graph::CrossingCache cache_;
   std::vector<int> chosen_;
   LineArrangement arrangement_;
 };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "block/tell_layout.hpp"
+#include "block/report_layout.hpp"
 #include "block_samples.hpp"
 
 namespace quadrille::block {
@@ -47,7 +47,7 @@ TEST(SmallestBlock, OneLineForPeople) {
   BlockLayout layout = extract_blocks(hand_made::cut_annulus(4));
   layout.face.curve_names = {"rim", "hole"};
   layout.face.origin = {10, 20};
-  const std::string words = layout_in_words(layout, measure_blocks(layout));
+  const std::string words = summarise_layout(layout, measure_blocks(layout));
   EXPECT_EQ(words.rfind("4 blocks, least scaled Jacobian 1.00 (block ", 0), 0u) << words;
   EXPECT_NE(words.find("a side of 0.5 near (10"), std::string::npos) << words;
   EXPECT_NE(words.find("between curve 0 'rim' and curve 1 'hole' (hole 1)"), std::string::npos) << words;

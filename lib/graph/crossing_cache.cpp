@@ -1,12 +1,12 @@
-#include "graph/known_crossings.hpp"
+#include "graph/crossing_cache.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace quadrille::graph {
 
-const std::vector<Crossing>& KnownCrossings::find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines,
-                                                  double same, Vec2 origin) {
+const std::vector<Crossing>& CrossingCache::find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines,
+                                                 double same, Vec2 origin) {
   std::map<CurveKey, int> numbers;
   std::vector<int> new_number(numbers_.size(), -1);
   CrossingBounds bounds{.origin = origin, .sought = {}};

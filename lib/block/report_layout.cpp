@@ -1,4 +1,4 @@
-#include "block/tell_layout.hpp"
+#include "block/report_layout.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ std::string place_words(const BlockLayout& layout, Vec2 x) {
   return fmt::format("({:.6g}, {:.6g})", x.x + layout.face.origin.x, x.y + layout.face.origin.y);
 }
 
-void tell_counts(const BlockLayout& layout, Report& report) {
+void report_counts(const BlockLayout& layout, Report& report) {
   report.set("blocks", layout.num_blocks());
   report.set("arcs", layout.arcs.size());
   report.set("chords", 1 + *std::max_element(layout.arc_chord.begin(), layout.arc_chord.end()));
@@ -35,7 +35,7 @@ void tell_counts(const BlockLayout& layout, Report& report) {
                                             [](const GraphNode& n) { return n.curve < 0 && n.valence != 4; })));
 }
 
-void tell_worst(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report) {
+void report_worst(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report) {
   const int folded = worst(measures, [](const BlockMeasure& m) { return m.jacobian_bound; });
   report.set("least_jacobian_bound", measures[folded].jacobian_bound);
   report.set("least_jacobian_bound_block", layout.block_names[folded]);
@@ -51,7 +51,7 @@ void tell_worst(const BlockLayout& layout, const std::vector<BlockMeasure>& meas
 }
 
 /// Which criterion a block fails: as one quad only, or by its exact map too.
-void tell_proof(const std::vector<BlockMeasure>& measures, Report& report) {
+void report_proof(const std::vector<BlockMeasure>& measures, Report& report) {
   const auto count = [&](const auto& has) {
     return static_cast<int>(std::count_if(measures.begin(), measures.end(), has));
   };
@@ -63,7 +63,7 @@ void tell_proof(const std::vector<BlockMeasure>& measures, Report& report) {
   report.set("proved.not", count([](const BlockMeasure& m) { return m.divisions == 0; }));
 }
 
-void tell_feature(const BlockLayout& layout, const BoundaryFeature& feature, const std::string& key, Report& report) {
+void report_feature(const BlockLayout& layout, const BoundaryFeature& feature, const std::string& key, Report& report) {
   const CadFace& face = layout.face;
   report.set(key + ".kind", feature.is_corner ? "corner" : "curve");
   report.set(key + ".curve", feature.curve);
@@ -74,10 +74,10 @@ void tell_feature(const BlockLayout& layout, const BoundaryFeature& feature, con
 
 }  // namespace
 
-void tell_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report) {
-  tell_counts(layout, report);
-  tell_worst(layout, measures, report);
-  tell_proof(measures, report);
+void report_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report) {
+  report_counts(layout, report);
+  report_worst(layout, measures, report);
+  report_proof(measures, report);
   const SmallestBlock smallest = smallest_block(layout, measures);
   const BlockMeasure& m = measures[smallest.block];
   report.set("smallest_block.block", layout.block_names[smallest.block]);
@@ -85,11 +85,11 @@ void tell_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& mea
   report.set("smallest_block.place", in_file(layout, smallest.place));
   report.set("smallest_block.area", m.area);
   report.set("smallest_block.least_area", measures[worst(measures, [](const BlockMeasure& b) { return b.area; })].area);
-  tell_feature(layout, smallest.between[0], "smallest_block.first", report);
-  tell_feature(layout, smallest.between[1], "smallest_block.second", report);
+  report_feature(layout, smallest.between[0], "smallest_block.first", report);
+  report_feature(layout, smallest.between[1], "smallest_block.second", report);
 }
 
-std::string layout_in_words(const BlockLayout& layout, const std::vector<BlockMeasure>& measures) {
+std::string summarise_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& measures) {
   const int shape = worst_shape(measures);
   const SmallestBlock smallest = smallest_block(layout, measures);
   const std::string first = name_of(layout.face, smallest.between[0]);

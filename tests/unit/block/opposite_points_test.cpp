@@ -1,4 +1,4 @@
-#include "block/facing.hpp"
+#include "block/opposite_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,22 +14,22 @@ std::optional<double> difference(Vec2 from, Vec2 to) {
   const std::vector<Nurbs> none;
   const curve::CurveTable table(face, none);
   const curve::Chain a(table, {{0, 0, 10}}), b(table, {{1, face.curves[1].begin(), face.curves[1].end()}});
-  return facing_difference({&a, true}, {&b, false}, 0.5);
+  return opposite_point_offset({&a, true}, {&b, false}, 0.5);
 }
 
-TEST(Facing, IsZeroWhereMiddlesFaceEachOther) {
+TEST(OppositePoints, IsZeroWhereMiddlesFaceEachOther) {
   ASSERT_TRUE(difference({2, 1}, {8, 1}));
   EXPECT_NEAR(*difference({2, 1}, {8, 1}), 0, 1e-15);
 }
 
-TEST(Facing, FollowsAShift) {
+TEST(OppositePoints, FollowsAShift) {
   // 10 (1/2 - d/2) = 2 + 10 (1/2 + d/2)
   ASSERT_TRUE(difference({2, 1}, {12, 1}));
   EXPECT_NEAR(*difference({2, 1}, {12, 1}), -0.2, 1e-12);
   EXPECT_NEAR(*difference({-2, 1}, {8, 1}), 0.2, 1e-12);
 }
 
-TEST(Facing, FindsNothingWhereTheEndsDoNotReach) { EXPECT_FALSE(difference({11, 1}, {21, 1})); }
+TEST(OppositePoints, FindsNothingWhereTheEndsDoNotReach) { EXPECT_FALSE(difference({11, 1}, {21, 1})); }
 
 }  // namespace
 }  // namespace quadrille::block

@@ -1,4 +1,4 @@
-#include "block/facing.hpp"
+#include "block/opposite_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@ namespace quadrille::block {
 namespace {
 
 /// How far b's point lies ahead of a's, times the length of the sum of tangents.
-double lead(const Walk& a, const Walk& b, double middle, double d) {
+double lead(const DirectedCurve& a, const DirectedCurve& b, double middle, double d) {
   const curve::ChainPoint p = a.at(middle - d / 2), q = b.at(middle + d / 2);
   return dot(q.position - p.position, p.tangent + q.tangent);
 }
 
 }  // namespace
 
-std::optional<double> facing_difference(const Walk& a, const Walk& b, double middle) {
+std::optional<double> opposite_point_offset(const DirectedCurve& a, const DirectedCurve& b, double middle) {
   constexpr double margin = 0.05;
   constexpr int steps = 64;
   const double widest = 2 * std::min(middle - margin, 1 - margin - middle);

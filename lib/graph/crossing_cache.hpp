@@ -12,9 +12,9 @@ namespace quadrille::graph {
 /// Curves with one key are one curve, now and later.
 using CurveKey = std::array<double, 3>;
 
-class KnownCrossings {
+class CrossingCache {
  public:
-  /// find_crossings(splines, same), sought only where a curve is new. The curves that stay must stay in their sequence.
+  /// find_crossings(splines, same), searched only where a curve is new. The curves that stay must keep their order.
   const std::vector<Crossing>& find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines, double same,
                                     Vec2 origin);
 

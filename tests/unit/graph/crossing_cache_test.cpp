@@ -1,4 +1,4 @@
-#include "graph/known_crossings.hpp"
+#include "graph/crossing_cache.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ Nurbs straight(Vec2 a, Vec2 b) {
 Nurbs row(double y) { return straight({0, y}, {9, y}); }
 Nurbs column(double x) { return straight({x, 0}, {x, 9}); }
 
-TEST(KnownCrossings, AreThoseOfANewSearchWhateverHasChanged) {
-  KnownCrossings known;
+TEST(CrossingCache, AreThoseOfANewSearchWhateverHasChanged) {
+  CrossingCache known;
   const auto expect_all = [&](const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines) {
     const std::vector<Crossing>& found = known.find(keys, splines, 1e-9, {});
     const std::vector<Crossing> all = find_crossings(splines, 1e-9);
