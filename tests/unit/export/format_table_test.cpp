@@ -14,7 +14,9 @@ TEST(FormatTable, NamesAndEndingsAreUnique) {
   std::set<std::string_view> names, endings;
   for (const ExportFormat& format : export_formats()) {
     EXPECT_TRUE(names.insert(format.name).second) << format.name;
-    if (!format.ending.empty()) EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    if (!format.ending.empty()) {
+      EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    }
     EXPECT_FALSE(format.summary.empty());
     EXPECT_NE(format.write, nullptr);
   }
