@@ -1,8 +1,8 @@
 #pragma once
-// Where breaks inside the sides of a chord ask for an end of an element.
+// Positions inside the sides of a chord at which elements should end, because a side is not smooth there.
 //
-// A break is a place on one arc (a joint, a jump of curvature) that no element may straddle. Breaks of different arcs
-// that face each other share one anchor: the same cross line passes through all of them.
+// A break is a point of one arc (a joint, a jump of curvature) that no element should straddle. Breaks of different
+// arcs opposite each other share one anchor: the same line across the chord passes through all of them.
 
 #include <vector>
 

@@ -31,7 +31,7 @@ curve::Chain walked_twice(const CadFace& face, const curve::CurveTable& table, i
   return {table, std::move(pieces)};
 }
 
-/// The start of a closed curve that goes on smoothly there.
+/// The start of a closed curve that is smooth there.
 bool is_seam(const CadFace& face, int curve) {
   return face.next_in_loop(curve) == curve && !face.joints[curve].is_corner &&
          std::abs(face.joints[curve].interior_angle - pi) < smooth_turn;

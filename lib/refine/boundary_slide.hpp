@@ -1,5 +1,5 @@
 #pragma once
-// The vertices of a mesh on the boundary, by their place along the loops of CAD curves, and which of them may slide.
+// The vertices of a mesh on the boundary, by their position along the loops of CAD curves, and which of them may slide.
 //
 // Fixed are vertices at joints between curves (corners and changes of name among them) and at breaks of a curve, and
 // the ends of an edge that passes a joint. The seam of a smooth closed curve fixes nothing.

@@ -33,7 +33,7 @@ struct ChordTask {
 
 struct ChordDivision {
   sizing::Grading grading;    ///< of the plan, with shorter elements where a graded chord missed the tolerance
-  double planned_count = 1;   ///< elements that the plan, or the refined grading, asks for: a real number
+  double planned_count = 1;   ///< elements of the plan, or of the refined grading: a real number
   int least_count = 1;        ///< from plan and topology
   double longest_arc = 0;     ///< a length
   AnchoredSegments anchored;  ///< by v

@@ -11,7 +11,7 @@
 namespace quadrille::refine {
 namespace {
 
-/// A count that makes no mesh valid is given up at this.
+/// Counts are not raised beyond this if the mesh is still not valid.
 constexpr int max_coarse_count = 64;
 
 /// Blocks may share a name.

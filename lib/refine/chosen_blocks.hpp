@@ -1,6 +1,6 @@
 #pragma once
 // Refinement of chosen blocks: chords that pass none of them get one element, or as many as topology, the boundary's
-// tolerance and the proof of validity ask for.
+// tolerance and the proof of validity require.
 
 #include <string>
 #include <vector>

@@ -8,8 +8,7 @@
 //
 // An interval over which many breaks are spread is too long to be cured at the breaks: it must become shorter first. In
 // a graded chord other intervals may be far shorter already. The error of a smooth interval falls with its length to
-// the power N + 1, which tells how much shorter it has to be; no step asks for more than four intervals in place of
-// one.
+// the power N + 1, which tells how much shorter it has to be; no step puts more than four intervals in place of one.
 
 #include <vector>
 
@@ -17,7 +16,7 @@
 
 namespace quadrille::refine {
 
-/// What one arc asks for.
+/// The corrections that one arc needs.
 struct Corrections {
   std::vector<int> anchors;                              ///< where elements must end
   std::vector<double> worst_errors;                      ///< by segment: greatest of those that a higher count cures

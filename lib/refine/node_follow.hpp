@@ -1,5 +1,5 @@
 #pragma once
-// Where all nodes of a mesh go when its vertices move (refine/relax).
+// The positions of all nodes of a mesh whose vertices move (refine/relax).
 
 #include <array>
 #include <vector>
@@ -13,7 +13,7 @@ using VertexMoves = std::vector<Vec2>;
 
 class NodeFollow {
  public:
-  /// `mesh` and `boundary` must outlive it; the nodes are those of the mesh now, whatever becomes of them later.
+  /// `mesh` and `boundary` must outlive it; nodes are copied, later changes of the mesh have no effect.
   NodeFollow(const QuadMesh& mesh, const BoundarySlide& boundary);
 
   int num_vertices() const { return static_cast<int>(vertex_nodes_.size()); }

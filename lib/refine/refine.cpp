@@ -56,8 +56,8 @@ void require_bounded_size(const BlockLayout& layout, const sizing::ArcDivisions&
                  static_cast<double>(divisions[sides[1].arc].num_intervals());
   if (num_elems * (order + 1) * (order + 1) > max_element_nodes)
     throw ComputeError(
-        fmt::format("size and geometric tolerance ask for {:.0f} elements of order {}, which is more "
-                    "than this program can hold",
+        fmt::format("size and geometric tolerance require {:.0f} elements of order {}, with more than 1e8 nodes: "
+                    "raise --size or --geometry-tol",
                     num_elems, order));
 }
 

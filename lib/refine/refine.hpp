@@ -1,5 +1,13 @@
 #pragma once
-// From blocks to the final mesh: one count and one spacing per chord, elements sampled from the exact block maps.
+// From blocks to the final mesh.
+//
+//   1. Measure the arcs of the layout (sizing/measured_layout) and align lines across chords (refine/align_chords).
+//   2. Plan one count and one grading for each chord from the size field (sizing/grade_chords).
+//   3. Divide the arcs so that the boundary meets its tolerance (refine/divide_arcs), and cut wall layers
+//      (layers/wall_layers).
+//   4. Sample elements from the exact maps of the blocks (refine/split_isoparametric) and bound det J from below
+//      (refine/validity). Chords outside chosen blocks get more elements until all elements are proved valid.
+//   5. Move vertices to where elements have better shapes (refine/relax).
 
 #include <optional>
 #include <vector>
@@ -13,28 +21,28 @@
 
 namespace quadrille::refine {
 
-/// What an element of that order can be asked for without many more of them than its size wants, in diameters: 5e-3,
-/// 5e-4, 2e-5 at orders 1, 2, 3, then 5e-7.
+/// The tolerance that elements of this order meet at the usual sizes without being divided much further, in diameters:
+/// 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, then 5e-7.
 double default_geometry_tol(int order);
 
 struct RefineOptions {
-  double size = 0;             ///< wanted edge length in file units; 0: diameter / 20
+  double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
   double geometry_tol = 0;     ///< greatest distance of mesh boundary and CAD curve, in diameters; 0: by the order
-  bool allow_invalid = false;  ///< give the mesh, marked as not valid, also where elements are not proved
+  bool allow_invalid = false;  ///< return the mesh, marked as not valid, also if elements are not proved
   std::optional<sizing::SizeField> size_field =
-      {};  ///< wanted edge lengths, in place of `size` (sizing/make_size_field)
+      {};  ///< prescribed edge lengths, in place of `size` (sizing/make_size_field)
   sizing::SizeRule size_rule = sizing::SizeRule::nearest;
-  std::vector<sizing::ChordCount> counts = {};  ///< for single chords, in place of their sizes
+  std::vector<sizing::ChordCount> counts = {};  ///< prescribed counts of single chords, in place of their sizes
   std::vector<layers::WallSpec> walls = {};     ///< layers along boundaries (layers/wall_layers)
   std::vector<int> blocks = {};  ///< chords through these only are refined (refine/chosen_blocks); empty: all
   int relax = 0;                 ///< sweeps of relaxation (refine/relax)
   void validate() const;         ///< throws UsageError
 };
 
-/// Lines across chords are aligned (refine/align_chords); where that leaves an invalid element and equal arc-length
-/// fractions do not, these are taken. Throws ComputeError with the place of the worst element when one cannot be proved
-/// valid (unless allow_invalid), and when the mesh would be beyond all measure.
+/// If aligned lines leave an invalid element and equal arc-length fractions do not, the mesh has equal fractions.
+/// Throws ComputeError with the position of the worst element if one cannot be proved valid (unless allow_invalid), and
+/// if the mesh would have more than 1e8 nodes.
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);
 
 }  // namespace quadrille::refine

@@ -5,8 +5,8 @@
 // once, so that symmetric meshes stay symmetric whatever their numbering: inner vertices move freely, also on sides of
 // blocks, those on the boundary slide along it (refine/boundary_slide). Nodes on inner edges follow the ends linearly,
 // those on the boundary are placed anew on the curves, inner ones are shifted by the transfinite blend of their
-// element's sides. A vertex goes back where an element would have a lesser scaled Jacobian than the worst of the mesh
-// has, or not be proved valid, or the boundary would miss its tolerance: so the least scaled Jacobian never falls.
+// element's sides. A vertex moves back if an element would have a smaller scaled Jacobian than the worst of the mesh
+// has, or not be proved valid, or if the boundary would miss its tolerance: the least scaled Jacobian never falls.
 
 #include <vector>
 

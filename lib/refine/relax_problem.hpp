@@ -1,5 +1,5 @@
 #pragma once
-// A mesh that is relaxed: which of its vertices move, how the other nodes follow them, and what is to become small.
+// A mesh that is relaxed: which of its vertices may move, how the other nodes follow them, and the energy to minimise.
 
 #include <vector>
 

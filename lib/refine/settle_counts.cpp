@@ -29,17 +29,17 @@ int least_topological_count(const BlockLayout& layout, int arc) {
   return std::any_of(layout.arcs.begin(), layout.arcs.end(), is_parallel) ? 2 : 1;
 }
 
-void require_bounded(const ChordTask& task, int count, const char* cause) {
+void require_bounded(const ChordTask& task, int count, const char* cause, const char* remedy) {
   if (count <= max_intervals) return;
   const Vec2 position = task.chain(0).at(0.5).position + task.measured.blocks().face.origin;
-  throw ComputeError(fmt::format("{} asks for more than {} elements along the arc through ({:.6g}, {:.6g})", cause,
-                                 max_intervals, position.x, position.y));
+  throw ComputeError(fmt::format("{} requires more than {} elements along the arc through ({:.6g}, {:.6g}): {}", cause,
+                                 max_intervals, position.x, position.y, remedy));
 }
 
 int first_count(const ChordTask& task) {
   int count = task.plan.count;
   for (const int arc : task.chord.arcs) count = std::max(count, least_topological_count(task.measured.blocks(), arc));
-  require_bounded(task, count, "the wanted size");
+  require_bounded(task, count, "the prescribed size", "raise --size");
   return count;
 }
 
@@ -96,7 +96,7 @@ ChordDivision begin_division(const ChordTask& task) {
 void settle_counts(const ChordTask& task, ChordDivision& division) {
   const int first = std::max(division.least_count, division.anchored.segments.least_count());
   for (int count = first;;) {
-    require_bounded(task, count, "the geometric tolerance");
+    require_bounded(task, count, "the geometric tolerance", "raise --geometry-tol or --order");
     const int next = try_count(task, division, count, task.plan.is_prescribed || count - first >= max_tie_rounds);
     if (next == count) return;
     count = next;

@@ -1,9 +1,9 @@
 #pragma once
-// How far elements are from the shape that they should have: the energy that relaxation makes small.
+// The energy that relaxation minimises: the deviation of elements from their prescribed shape.
 //
 // At each node of an element, a = x_xi1 / l1 and b = x_xi2 / l2 are the derivatives of its map over their lengths in
 // the mesh as it was, and mu = (|a|^2 + |b|^2) / (2 a x b) >= 1 is least where they are normal to each other and keep
-// the proportion of the wanted edge lengths; it has no bound where det J tends to 0 (Knupp 2001, shape metric with
+// the proportion of the prescribed edge lengths; it has no bound where det J tends to 0 (Knupp 2001, shape metric with
 // targets). The energy is the mean over nodes of mu^p, summed over elements: the power makes the worst count most.
 
 #include <Eigen/Dense>

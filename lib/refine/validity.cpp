@@ -92,8 +92,8 @@ std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count) {
 
 std::string describe(const WorstElement& worst, const QuadMesh& mesh) {
   return fmt::format("element {} of {} at ({:.6g}, {:.6g}): scaled Jacobian {:.4f}, det J >= {:.3g}", worst.elem,
-                     mesh.block_names[mesh.elem_block[worst.elem]], worst.place.x, worst.place.y, worst.scaled_jacobian,
-                     worst.bound);
+                     mesh.block_names[mesh.elem_block[worst.elem]], worst.position.x, worst.position.y,
+                     worst.scaled_jacobian, worst.bound);
 }
 
 double least_jacobian_ratio(const QuadMesh& mesh) {
@@ -110,7 +110,7 @@ void require_valid_elements(const QuadMesh& mesh) {
   throw ComputeError(fmt::format(
       "{} of {} elements cannot be proved valid; the worst lies at ({:.6g}, {:.6g}) in {}: det J is only known to be "
       "at least {:.3g} (--allow-invalid writes the mesh all the same)",
-      mesh.num_unproved(), mesh.num_elems(), worst.place.x, worst.place.y,
+      mesh.num_unproved(), mesh.num_elems(), worst.position.x, worst.position.y,
       mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
 }
 
@@ -130,7 +130,7 @@ void report_validity(const QuadMesh& mesh, Report& report) {
     report.set(key + "element", worst[i].elem);
     report.set(key + "block", mesh.elem_block[worst[i].elem]);
     report.set(key + "block_name", mesh.block_names[mesh.elem_block[worst[i].elem]]);
-    report.set(key + "position", std::vector<double>{worst[i].place.x, worst[i].place.y});
+    report.set(key + "position", std::vector<double>{worst[i].position.x, worst[i].position.y});
     report.set(key + "scaled_jacobian", worst[i].scaled_jacobian);
     report.set(key + "jacobian_bound", worst[i].bound);
   }

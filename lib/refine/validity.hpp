@@ -16,11 +16,11 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 /// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid.
 void measure_elements(QuadMesh& mesh);
 
-/// An element that is worse than others: the place is where its scaled Jacobian is least, in the face's own coordinates
-/// (origin included).
+/// An element that is worse than others, and where its scaled Jacobian is least, in the face's own coordinates (origin
+/// included).
 struct WorstElement {
   int elem = 0;
-  Vec2 place;
+  Vec2 position;
   double scaled_jacobian = 0;  ///< -1 where det J <= 0
   double bound = 0;            ///< of det J
 };

@@ -86,7 +86,7 @@ std::vector<int> named_curves(const CadFace& face, const std::string& name) {
   if (curves.empty() && is_number && number >= 0 && number < face.num_curves()) curves.push_back(number);
   if (!curves.empty()) return curves;
   const std::set<std::string> known(face.curve_names.begin(), face.curve_names.end());
-  throw UsageError(fmt::format("no boundary has the name \"{}\"; there are {} (or the numbers 0 to {})", name,
+  throw UsageError(fmt::format("there is no boundary \"{}\"; the names are {} (or use the numbers 0 to {})", name,
                                fmt::join(known, ", "), face.num_curves() - 1));
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 // Boundary curves as sources of sizes: the same size all along, or one that follows the curvature.
 //
-// Curves become segments so short that neither their distance from the curve nor the size between their ends makes a
-// difference of more than 1e-5 of the size: sizes of mirror images agree although their curves begin elsewhere.
+// Curves are cut into segments so short that neither their distance from the curve nor linear interpolation between
+// their ends changes the size by more than 1e-5 of itself: sizes of mirror images agree although their curves begin
+// elsewhere.
 
 #include <string>
 #include <vector>
@@ -12,15 +13,14 @@
 
 namespace quadrille::sizing {
 
-/// The curves that `name` means: those of that name, else the one of that number. Throws UsageError with the names
-/// that there are when there is none.
+/// The curves of this name, else the curve of this number. Throws UsageError, listing the names, if there is none.
 std::vector<int> named_curves(const CadFace& face, const std::string& name);
 
 /// `size` along one curve. `slope` > 0: how fast sizes grow away from it.
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope);
 
 /// 2 pi / (elements_per_turn |curvature|) along one curve, between `least` and `greatest`; segments all at `greatest`
-/// are left out. Corners ask for nothing.
+/// are left out. Corners prescribe nothing.
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope);
 

@@ -9,7 +9,7 @@
 namespace quadrille::sizing {
 namespace {
 
-/// The size may change by this share between two lines through a block.
+/// The size may change by this fraction between two lines through a block.
 constexpr double line_resolution = 0.5;
 constexpr int max_lines = 63;
 /// So many lines are tried to see how fine the lines must be.
@@ -21,8 +21,8 @@ double power6(double x) { return x * x * x * x * x * x; }
 struct Sum {
   double weighted_log = 0, weight = 0, greatest = 0;
 
-  void add(double length, double size, double greatest_size, double share) {
-    const double density = length / size, w = share * length * power6(greatest_size / size);
+  void add(double length, double size, double greatest_size, double section_weight) {
+    const double density = length / size, w = section_weight * length * power6(greatest_size / size);
     weighted_log += w * std::log(density);
     weight += w;
     greatest = std::max(greatest, density);
@@ -61,8 +61,8 @@ void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::a
       block.corners[k] = measured_.chain(sides[k].arc).at(sides[k].is_backwards ? 1.0 : 0.0).position;
     add_lines(block, sides, trial_lines);
     const double width = std::max(measured_.chain(sides[1].arc).length(), measured_.chain(sides[3].arc).length());
-    const double wanted = width * sizes_.slope() / (line_resolution * least_size(block));
-    add_lines(block, sides, static_cast<int>(std::min<double>(max_lines, std::ceil(wanted) - 1)));
+    const double num_intervals = width * sizes_.slope() / (line_resolution * least_size(block));
+    add_lines(block, sides, static_cast<int>(std::min<double>(max_lines, std::ceil(num_intervals) - 1)));
   }
   blocks_.push_back(std::move(block));
 }
@@ -82,7 +82,7 @@ void ChordSections::add_lines(Block& block, const std::array<HalfEdge, 4>& sides
 double ChordSections::least_size(const Block& block) const {
   double least = sizes_.greatest();
   for (int k = 0; k <= trial_lines + 1; ++k) {
-    const std::vector<Place> at = places(static_cast<double>(k) / (trial_lines + 1));
+    const std::vector<ArcPoint> at = arc_points(static_cast<double>(k) / (trial_lines + 1));
     for (const int end : {block.a, block.b}) least = std::min(least, sizes_.at(at[end].position));
     for (std::size_t line = 0; line < block.left.size(); ++line)
       least = std::min(least, sizes_.at(position(block, at, line)));
@@ -90,8 +90,8 @@ double ChordSections::least_size(const Block& block) const {
   return least;
 }
 
-std::vector<ChordSections::Place> ChordSections::places(double u) const {
-  std::vector<Place> result;
+std::vector<ChordSections::ArcPoint> ChordSections::arc_points(double u) const {
+  std::vector<ArcPoint> result;
   for (std::size_t i = 0; i < chord_.arcs.size(); ++i) {
     const double fraction = measured_.arc_fraction(chord_, static_cast<int>(i), u);
     result.push_back({chain(static_cast<int>(i)).at(fraction).position, chord_.backwards[i] ? 1 - fraction : fraction});
@@ -99,8 +99,8 @@ std::vector<ChordSections::Place> ChordSections::places(double u) const {
   return result;
 }
 
-Vec2 ChordSections::position(const Block& block, const std::vector<Place>& places, std::size_t line) const {
-  const Place &a = places[block.a], &b = places[block.b];
+Vec2 ChordSections::position(const Block& block, const std::vector<ArcPoint>& points, std::size_t line) const {
+  const ArcPoint &a = points[block.a], &b = points[block.b];
   const double t = static_cast<double>(line + 1) / static_cast<double>(block.left.size() + 1);
   const double along = (1 - t) * a.along + t * b.along, s = block.is_against ? 1 - along : along;
   return mesh::blend_sides({a.position, block.right[line], b.position, block.left[line]}, block.corners, s, t);
@@ -109,7 +109,7 @@ Vec2 ChordSections::position(const Block& block, const std::vector<Place>& place
 ElementDensity ChordSections::at(double u) const {
   const double greatest = sizes_.greatest();
   Sum sum;
-  const std::vector<Place> at = sizes_.is_uniform() ? std::vector<Place>(chord_.arcs.size()) : places(u);
+  const std::vector<ArcPoint> at = sizes_.is_uniform() ? std::vector<ArcPoint>(chord_.arcs.size()) : arc_points(u);
   for (std::size_t i = 0; i < at.size(); ++i)
     sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position), greatest, 1);
   for (const Block& block : blocks_) {

@@ -1,16 +1,16 @@
 #pragma once
-// What the sizes ask of a chord at one of its parameters.
+// The density of elements that the size field prescribes along a chord.
 //
-// A chord is looked at along its sections: its arcs, and in each block between two of them as many lines side by side
-// as the size field needs to be seen. A section of length L where the wanted edge length is h asks for L / h elements
+// A chord is sampled along its sections: its arcs, and in each block between two of them as many parallel lines as the
+// variation of the size field needs. A section of length L where the prescribed edge length is h needs L / h elements
 // per unit of u. All sections share one density rho(u), whose deviation is measured by
 //
 //   sum over sections of weight L (greatest / h)^6 (ln(L / h) - ln rho)^2.
 //
-// Its least is at the weighted mean of ln(L / h). Arcs have the weight 1, the lines of one block together at most 1: a
-// size that is asked for along a boundary must not drown in the blocks behind it. The power lets a size win that is
-// asked for in one place: where one section wants edges half as long as the others it weighs as much as 64 of them.
-// Where all want the same size it has no effect.
+// The minimum is at the weighted mean of ln(L / h). Arcs have weight 1, the lines of one block together at most 1: a
+// size that is prescribed along a boundary must not be averaged away by the blocks behind it. The power lets local
+// sizes win: a section that needs edges half as long as the others weighs as much as 64 of them. Where the size is
+// uniform it has no effect.
 
 #include <array>
 #include <vector>
@@ -22,7 +22,7 @@ namespace quadrille::sizing {
 
 struct ElementDensity {
   double nearest = 0;   ///< rho that deviates least, elements per unit of u
-  double greatest = 0;  ///< rho that no section exceeds: all edges at most as long as wanted
+  double greatest = 0;  ///< rho that no section exceeds: no edge is longer than prescribed
 };
 
 /// A block that the chord runs through, with its sides `side` and side + 2 among the chord's arcs.
@@ -42,12 +42,12 @@ class ChordSections {
   ElementDensity at(double u) const;
 
  private:
-  /// A chord's arc at one parameter.
-  struct Place {
+  /// The point of one arc of the chord at a parameter.
+  struct ArcPoint {
     Vec2 position;
-    double along = 0;  ///< share of the arc's length in the chord's direction
+    double along = 0;  ///< fraction of the arc's length in the chord's direction
   };
-  /// A block with its own (s, t): s along side a, t from a to b, places in the chord; the lines inside are at
+  /// A block with its own (s, t): s along side a, t from a to b, positions in the chord; the lines inside are at
   /// t = k / (lines + 1).
   struct Block {
     int a = 0, b = 0;
@@ -59,8 +59,8 @@ class ChordSections {
   void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends);
   void add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const;
   double least_size(const Block& block) const;
-  std::vector<Place> places(double u) const;
-  Vec2 position(const Block& block, const std::vector<Place>& places, std::size_t line) const;
+  std::vector<ArcPoint> arc_points(double u) const;
+  Vec2 position(const Block& block, const std::vector<ArcPoint>& points, std::size_t line) const;
 
   const MeasuredLayout& measured_;
   const mesh::Chord& chord_;

@@ -65,8 +65,10 @@ class LengthSamples {
 void prescribe(const std::vector<ChordCount>& counts, std::vector<ChordPlan>& plans) {
   for (const ChordCount& c : counts) {
     if (c.chord < 0 || c.chord >= static_cast<int>(plans.size()))
-      throw UsageError(fmt::format("no chord has the number {}: they go from 0 to {}", c.chord, plans.size() - 1));
-    if (c.count < 1) throw UsageError(fmt::format("chord {} cannot have {} elements", c.chord, c.count));
+      throw UsageError(
+          fmt::format("--count: there is no chord {}; chords are numbered 0 to {}", c.chord, plans.size() - 1));
+    if (c.count < 1)
+      throw UsageError(fmt::format("--count: chord {} must have at least one element, not {}", c.chord, c.count));
     plans[c.chord].count = c.count;
     plans[c.chord].is_prescribed = true;
   }
@@ -74,11 +76,11 @@ void prescribe(const std::vector<ChordCount>& counts, std::vector<ChordPlan>& pl
 
 }  // namespace
 
-double whole_count(double wanted, SizeRule rule) {
-  if (rule == SizeRule::at_most) return std::max(1.0, std::ceil(wanted * (1 - equal_tol)));
+double whole_count(double count, SizeRule rule) {
+  if (rule == SizeRule::at_most) return std::max(1.0, std::ceil(count * (1 - equal_tol)));
   // Of n and n + 1 the logarithms are equally far from that of sqrt(n (n + 1)).
-  const double n = std::floor(wanted);
-  return std::max(1.0, wanted >= (1 - equal_tol) * std::sqrt(n * (n + 1)) ? n + 1 : n);
+  const double n = std::floor(count);
+  return std::max(1.0, count >= (1 - equal_tol) * std::sqrt(n * (n + 1)) ? n + 1 : n);
 }
 
 std::vector<ChordPlan> grade_chords(const MeasuredLayout& measured, const SizeField& sizes, SizeRule rule,

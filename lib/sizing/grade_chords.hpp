@@ -1,5 +1,5 @@
 #pragma once
-// One count and one grading for each chord, from the wanted sizes.
+// One count and one grading for each chord, from the prescribed sizes.
 
 #include <vector>
 
@@ -9,13 +9,13 @@
 
 namespace quadrille::sizing {
 
-/// How far a chord's edges may be from the wanted lengths, which differ from arc to arc where the chord's count cannot.
+/// How the one count of a chord follows prescribed lengths that differ from arc to arc.
 enum class SizeRule {
   nearest,  ///< least deviation (sizing/chord_sections)
-  at_most   ///< no edge is longer than wanted
+  at_most   ///< no edge is longer than prescribed
 };
 
-/// A count that somebody asks for.
+/// A prescribed count.
 struct ChordCount {
   int chord = 0, count = 1;
 };
@@ -25,7 +25,7 @@ struct ChordPlan {
   int count = 1;
   double slope = 0;            ///< |d eta / du| of the grading is at most that (sizing/grading)
   bool is_bound = false;       ///< no edge may be longer (SizeRule::at_most)
-  bool is_prescribed = false;  ///< the count was asked for
+  bool is_prescribed = false;  ///< the count is a prescribed one
 };
 
 /// One plan per chord. Counts go to the whole number whose deviation, by the logarithm, is least (at_most: upwards); of
@@ -35,6 +35,6 @@ std::vector<ChordPlan> grade_chords(const MeasuredLayout& measured, const SizeFi
                                     const std::vector<ChordCount>& prescribed);
 
 /// The whole number for a real one > 0, at least 1.
-double whole_count(double wanted, SizeRule rule);
+double whole_count(double count, SizeRule rule);
 
 }  // namespace quadrille::sizing

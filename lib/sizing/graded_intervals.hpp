@@ -1,5 +1,5 @@
 #pragma once
-// Intervals that grow smoothly from given neighbours towards a wanted size.
+// Intervals that grow smoothly from given neighbours towards a prescribed size.
 
 #include <vector>
 

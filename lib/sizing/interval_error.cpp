@@ -32,8 +32,8 @@ const ErrorSamples& error_samples(int order) {
   return cache[order];
 }
 
-/// A polynomial of the order as a polygon, to tell the distance of points that may be far from where its parameter
-/// says.
+/// A polynomial of the order as a polygon, for the distance of points that may be far from the point of equal
+/// parameter.
 struct PolygonSamples {
   Eigen::MatrixXd from_nodes;
 
@@ -52,8 +52,8 @@ const PolygonSamples& polygon_samples(int order) {
 
 double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
   const double length2 = norm2(b - a);
-  const double share = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0;
-  return distance(x, a + share * (b - a));
+  const double fraction = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0;
+  return distance(x, a + fraction * (b - a));
 }
 
 /// A lower bound of the distance of the chain's breaks, and of the middles between them, from the interval's

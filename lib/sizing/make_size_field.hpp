@@ -1,5 +1,5 @@
 #pragma once
-// The wanted sizes from what people say: a size for all, sizes near boundaries, from their curvature, from a file.
+// The size field from options: one size for all elements, sizes near boundaries, by their curvature, from a file.
 
 #include <string>
 #include <vector>
@@ -18,15 +18,15 @@ struct NearSize {
 };
 
 struct SizeOptions {
-  double size = 0;  ///< wanted where nothing asks for less; 0: diameter / 20
+  double size = 0;  ///< where no source prescribes less; 0: diameter / 20
   std::vector<NearSize> near;
-  double curvature = 0;  ///< elements per full turn of the boundary; 0: curvature asks for nothing
+  double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;     ///< from one element to the next, > 1; 0: that of `sources`, else SizeField::default_growth
   SizeSources sources;
   void validate() const;  ///< throws UsageError
 };
 
-/// Curvature asks for no less than 1e-4 diameters. Throws UsageError for names that no boundary has.
+/// Sizes by curvature are at least 1e-4 diameters. Throws UsageError for names that no boundary has.
 SizeField make_size_field(const CadFace& face, const SizeOptions& options);
 
 /// "NAME=H" (the last = counts) and "CHORD=N"; throw UsageError.

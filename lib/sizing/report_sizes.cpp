@@ -13,28 +13,28 @@ namespace {
 
 /// Sums over edges; means are made of them.
 struct Sums {
-  double length = 0, log_wanted = 0, log_ratio = 0, log_ratio2 = 0;
+  double length = 0, log_prescribed = 0, log_ratio = 0, log_ratio2 = 0;
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   double least_log = std::numeric_limits<double>::infinity(), greatest_log = -least_log;
 
-  void add_edge(double achieved, double wanted) {
-    const double ratio = std::log(achieved / wanted);
+  void add_edge(double achieved, double prescribed_length) {
+    const double ratio = std::log(achieved / prescribed_length);
     length += achieved;
-    log_wanted += achieved * std::log(wanted);
+    log_prescribed += achieved * std::log(prescribed_length);
     log_ratio += achieved * ratio;
     log_ratio2 += achieved * ratio * ratio;
     least = std::min(least, achieved), greatest = std::max(greatest, achieved);
     least_log = std::min(least_log, ratio), greatest_log = std::max(greatest_log, ratio);
   }
   void add(const Sums& other) {
-    length += other.length, log_wanted += other.log_wanted;
+    length += other.length, log_prescribed += other.log_prescribed;
     log_ratio += other.log_ratio, log_ratio2 += other.log_ratio2;
     least = std::min(least, other.least), greatest = std::max(greatest, other.greatest);
     least_log = std::min(least_log, other.least_log), greatest_log = std::max(greatest_log, other.greatest_log);
   }
   EdgeSizes means() const {
     return {length,
-            std::exp(log_wanted / length),
+            std::exp(log_prescribed / length),
             least,
             greatest,
             log_ratio / length,
@@ -52,8 +52,9 @@ Sums sums_of(const mesh::Chord& chord, const MeasuredLayout& measured, const Arc
     const curve::Chain& chain = measured.chain(arc);
     for (int k = 0; k < division.num_intervals(); ++k) {
       const double achieved = (division.high(k) - division.low(k)) * chain.length();
-      const double wanted = sizes.is_uniform() ? sizes.greatest() : sizes.at(chain.at(division.middle(k)).position);
-      sums.add_edge(achieved, wanted);
+      const double prescribed_length =
+          sizes.is_uniform() ? sizes.greatest() : sizes.at(chain.at(division.middle(k)).position);
+      sums.add_edge(achieved, prescribed_length);
     }
   }
   return sums;
@@ -79,7 +80,7 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   const std::vector<mesh::Chord>& chords = measured.chords();
   const std::vector<EdgeSizes> edges = edge_sizes(measured, divisions, sizes);
   const EdgeSizes& all = edges.back();
-  report.set("sizes.wanted", all.wanted);
+  report.set("sizes.wanted", all.prescribed);
   report.set("sizes.mean_ratio", std::exp(all.mean_log));
   report.set("sizes.deviation", all.deviation);
   report.set("sizes.least_edge", all.least);
@@ -87,11 +88,11 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   report.set("sizes.least_ratio", all.least_ratio);
   report.set("sizes.greatest_ratio", all.greatest_ratio);
 
-  std::vector<double> id, count, wanted, ratio, deviation, least, greatest;
+  std::vector<double> id, count, prescribed_length, ratio, deviation, least, greatest;
   for (std::size_t c = 0; c < chords.size(); ++c) {
     id.push_back(static_cast<double>(c));
     count.push_back(divisions[chords[c].arcs[0]].num_intervals());
-    wanted.push_back(edges[c].wanted);
+    prescribed_length.push_back(edges[c].prescribed);
     ratio.push_back(std::exp(edges[c].mean_log));
     deviation.push_back(edges[c].deviation);
     least.push_back(edges[c].least);
@@ -100,12 +101,12 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   for (const ChordCount& p : prescribed)
     if (count[p.chord] != p.count)
       report.warn(warning::chord_count_missed,
-                  fmt::format("chord {} has {} elements, not {}: layers along walls, the geometric tolerance "
-                              "or two elements that would share two edges ask for them",
+                  fmt::format("chord {} has {} elements, not the prescribed {}: wall layers, the geometric "
+                              "tolerance or two elements that would share two edges require more",
                               p.chord, count[p.chord], p.count));
   report.set("sizes.chord.id", std::move(id));
   report.set("sizes.chord.count", std::move(count));
-  report.set("sizes.chord.wanted", std::move(wanted));
+  report.set("sizes.chord.wanted", std::move(prescribed_length));
   report.set("sizes.chord.mean_ratio", std::move(ratio));
   report.set("sizes.chord.deviation", std::move(deviation));
   report.set("sizes.chord.least_edge", std::move(least));

@@ -11,14 +11,14 @@
 
 namespace quadrille::sizing {
 
-/// Of the elements' edges on the arcs of one chord, or of all; lengths as arc lengths.
+/// The element edges on the arcs of one chord, or of all chords; lengths are arc lengths.
 struct EdgeSizes {
   double length = 0;                           ///< of all edges
-  double wanted = 0;                           ///< geometric mean over the length
+  double prescribed = 0;                       ///< geometric mean over the length
   double least = 0, greatest = 0;              ///< achieved
-  double mean_log = 0;                         ///< of ln(achieved / wanted), over the length
+  double mean_log = 0;                         ///< of ln(achieved / prescribed), over the length
   double deviation = 0;                        ///< its root mean square
-  double least_ratio = 0, greatest_ratio = 0;  ///< of achieved / wanted
+  double least_ratio = 0, greatest_ratio = 0;  ///< of achieved / prescribed
 };
 
 /// One for each chord, then that of all.

@@ -65,7 +65,7 @@ struct Source {
 
 void require_size(double size, const char* what) {
   if (!(size > 0) || !std::isfinite(size))
-    throw UsageError(fmt::format("the wanted size of {} must be positive, not {}", what, size));
+    throw UsageError(fmt::format("the prescribed size of {} must be positive, not {}", what, size));
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #pragma once
-// The wanted length of an element's edge at every place.
+// The prescribed length of element edges at every position.
 //
 //   h(x) = min( greatest, min over sources of h_source + ln(growth) |x - source| ),
 //
-// so that of elements in a row each is at most `growth` times as long as its neighbour: h grows by ln(growth) for each
-// unit of length (n elements of an h = s x end where x = exp(s n)). Distances are straight, through holes too.
+// so that of consecutive elements each is at most `growth` times as long as its neighbour: h grows by ln(growth) for
+// each unit of length (n elements of an h = s x end where x = exp(s n)). Distances are straight, through holes too.
 
 #include <memory>
 #include <vector>
@@ -26,10 +26,10 @@ class SizeField {
 
   /// The same everywhere. `greatest` > 0.
   explicit SizeField(double greatest);
-  /// Sources of `greatest` or more say nothing. `growth` > 1. Throws UsageError for sizes that are not positive.
+  /// Sources of `greatest` or more have no effect. `growth` > 1. Throws UsageError for sizes that are not positive.
   SizeField(double greatest, const SizeSources& sources, const std::vector<SizeSegment>& segments, double growth);
 
-  /// Wanted edge length at x, relative to face.origin. Cost: logarithmic in the number of sources.
+  /// Prescribed edge length at x, relative to face.origin. Cost: logarithmic in the number of sources.
   double at(Vec2 x) const;
   double greatest() const { return greatest_; }
   /// d h / d x is at most that: ln(growth); 0 where the size is the same everywhere.
