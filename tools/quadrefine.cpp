@@ -21,7 +21,8 @@ namespace {
 struct SizeArguments {
   sizing::SizeOptions options;
   std::vector<std::string> near, counts;
-  std::string file, rule = "nearest";
+  std::string file;
+  sizing::SizeRule rule = sizing::SizeRule::nearest;
 };
 
 void declare(cli::Options& o, SizeArguments& sizes) {
@@ -34,7 +35,7 @@ void declare(cli::Options& o, SizeArguments& sizes) {
            "edge lengths from the curvature of the boundary; 0: none");
   o.number("--growth", sizes.options.growth, 0, 100, "1",
            "greatest ratio of adjacent edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
-  o.choice("--size-rule", sizes.rule, {"nearest", "at-most"},
+  o.choice("--size-rule", sizes.rule,
            "the number of elements of a chord whose arcs prescribe different ones: nearest deviates least from the "
            "prescribed "
            "lengths in the mean; at-most makes no edge longer than prescribed");
@@ -44,17 +45,18 @@ void declare(cli::Options& o, SizeArguments& sizes) {
           "BLOCKS show the numbers of the chords");
 }
 
-void take_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
-                refine::RefineOptions& options) {
-  sizing::SizeOptions wanted = sizes.options;
+/// Reads what the size options name, and sets the sizes of `options`.
+void set_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
+               refine::RefineOptions& options) {
+  sizing::SizeOptions prescribed = sizes.options;
   if (!sizes.file.empty()) {
     const io::InputFile file = io::read_input(sizes.file);
-    wanted.sources = io::read_size_field(file, face.origin);
+    prescribed.sources = io::read_size_field(file, face.origin);
     inputs.push_back(file.digest("size-field"));
   }
-  for (const std::string& text : sizes.near) wanted.near.push_back(sizing::parse_near_size(text));
-  options.size_field = sizing::make_size_field(face, wanted);
-  options.size_rule = sizes.rule == "nearest" ? sizing::SizeRule::nearest : sizing::SizeRule::at_most;
+  for (const std::string& text : sizes.near) prescribed.near.push_back(sizing::parse_near_size(text));
+  options.size_field = sizing::make_size_field(face, prescribed);
+  options.size_rule = sizes.rule;
   for (const std::string& text : sizes.counts) options.counts.push_back(sizing::parse_chord_count(text));
 }
 
@@ -113,7 +115,7 @@ int main(int argc, char** argv) {
     const BlockLayout layout = io::read_block_layout(file);
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("block-layout")};
-    take_sizes(sizes, layout.face, inputs, options);
+    set_sizes(sizes, layout.face, inputs, options);
     if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());

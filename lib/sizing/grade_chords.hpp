@@ -1,8 +1,10 @@
 #pragma once
 // One count and one grading for each chord, from the prescribed sizes.
 
+#include <array>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "sizing/grading.hpp"
 #include "sizing/measured_layout.hpp"
 #include "sizing/size_field.hpp"
@@ -14,6 +16,9 @@ enum class SizeRule {
   nearest,  ///< least deviation (sizing/chord_sections)
   at_most   ///< no edge is longer than prescribed
 };
+constexpr auto enum_names(SizeRule) {
+  return std::to_array<EnumName<SizeRule>>({{SizeRule::nearest, "nearest"}, {SizeRule::at_most, "at-most"}});
+}
 
 /// A prescribed count.
 struct ChordCount {
