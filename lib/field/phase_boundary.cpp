@@ -294,7 +294,7 @@ void PhaseBoundary::walk_curve(int curve, double t0, double t1, Walk& walk) {
 }
 
 void PhaseBoundary::walk_piece(const Nurbs& piece, int curve, Walk& walk) {
-  if (!is_tame(piece)) {
+  if (!is_monotone_piece(piece)) {
     const double middle = (piece.begin() + piece.end()) / 2;
     if (extent(piece) <= node_tol * face_->diameter || middle <= piece.begin() || middle >= piece.end()) refuse(piece);
     walk_piece(curve::trimmed(piece, piece.begin(), middle), curve, walk);
@@ -312,7 +312,7 @@ void PhaseBoundary::walk_piece(const Nurbs& piece, int curve, Walk& walk) {
   pieces_[curve].push_back(std::move(p));
 }
 
-bool PhaseBoundary::is_tame(const Nurbs& piece) const {
+bool PhaseBoundary::is_monotone_piece(const Nurbs& piece) const {
   if (!tangents_are_near_chord(piece)) return false;
   for (int i = 0; i < num_turns(); ++i) {
     if (!is_seen_within_a_quarter_turn(piece, turn(i).position)) return false;

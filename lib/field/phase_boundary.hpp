@@ -69,7 +69,7 @@ class PhaseBoundary {
   PhaseTurn& centre_of_turns(const MirrorImage& image);
   const PhaseTurn& turn(int i) const;
   int num_turns() const { return static_cast<int>(terms_.nodes.size() + terms_.holes.size() + terms_.images.size()); }
-  bool is_tame(const Nurbs& piece) const;
+  bool is_monotone_piece(const Nurbs& piece) const;
   [[noreturn]] void refuse(const Nurbs& piece) const;
   double corner_angles(Vec2 x, int apex_term, Vec2 inward) const;
   const Piece& piece_at(int curve, double t, bool from_left) const;

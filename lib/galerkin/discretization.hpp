@@ -27,8 +27,8 @@ struct MeshContext {
   std::string describe(int elem) const;
 };
 
-/// Stiffness matrices of the modified basis for changing orders. A curved element's integrals are dear: they are made
-/// for table_order(order), kept, and cut down.
+/// Stiffness matrices of the modified basis for changing orders. A curved element's integrals are expensive: they are
+/// made for table_order(order), kept, and cut down.
 class StiffnessTable {
  public:
   explicit StiffnessTable(const MeshContext& context);  ///< `context` must outlive the table
