@@ -44,15 +44,15 @@ Fractions equal_fractions(std::size_t num_arcs, int samples) {
   return Fractions(num_arcs, equal);
 }
 
-/// The step from arc a to arc b at one parameter.
-struct Rung {
+/// The line across the chord from arc a to arc b at one parameter.
+struct CrossLine {
   double along = 0;    ///< d
   double width = 0;    ///< w
   double slope_a = 0;  ///< derivative of d by a's fraction, with the chord's direction frozen, and by b's
   double slope_b = 0;
 };
 
-Rung rung(const ArcTable& a, double fa, const ArcTable& b, double fb) {
+CrossLine cross_line(const ArcTable& a, double fa, const ArcTable& b, double fb) {
   const curve::ChainPoint p = a.at(fa), q = b.at(fb);
   const Vec2 sum = p.tangent + q.tangent, step = q.position - p.position;
   const double size = norm(sum);
@@ -61,17 +61,17 @@ Rung rung(const ArcTable& a, double fa, const ArcTable& b, double fb) {
           b.length * dot(q.tangent, direction)};
 }
 
-std::vector<Rung> ladder(const std::vector<ArcTable>& tables, const Fractions& g, int a, int b) {
-  std::vector<Rung> rungs;
-  for (std::size_t k = 0; k < g[a].size(); ++k) rungs.push_back(rung(tables[a], g[a][k], tables[b], g[b][k]));
-  return rungs;
+std::vector<CrossLine> cross_lines(const std::vector<ArcTable>& tables, const Fractions& g, int a, int b) {
+  std::vector<CrossLine> lines;
+  for (std::size_t k = 0; k < g[a].size(); ++k) lines.push_back(cross_line(tables[a], g[a][k], tables[b], g[b][k]));
+  return lines;
 }
 
 /// (d - d*) / w at sample k.
-double misalignment(const std::vector<Rung>& rungs, std::size_t k) {
-  const double u = static_cast<double>(k) / static_cast<double>(rungs.size() - 1);
-  const double wanted = (1 - u) * rungs.front().along + u * rungs.back().along;
-  return (rungs[k].along - wanted) / rungs[k].width;
+double misalignment(const std::vector<CrossLine>& lines, std::size_t k) {
+  const double u = static_cast<double>(k) / static_cast<double>(lines.size() - 1);
+  const double linear = (1 - u) * lines.front().along + u * lines.back().along;
+  return (lines[k].along - linear) / lines[k].width;
 }
 
 class Aligner {
@@ -109,9 +109,9 @@ class Aligner {
   double worst(const Fractions& g) const {
     double result = 0;
     for (const auto& [a, b] : chord_.pairs) {
-      const std::vector<Rung> rungs = ladder(tables_, g, a, b);
-      for (std::size_t k = 1; k + 1 < rungs.size(); ++k)
-        if (rungs[k].width > 0) result = std::max(result, std::abs(misalignment(rungs, k)));
+      const std::vector<CrossLine> lines = cross_lines(tables_, g, a, b);
+      for (std::size_t k = 1; k + 1 < lines.size(); ++k)
+        if (lines[k].width > 0) result = std::max(result, std::abs(misalignment(lines, k)));
     }
     return result;
   }
@@ -141,11 +141,11 @@ class Aligner {
     gradient_ = Eigen::VectorXd::Zero(count);
     std::vector<double> width(chord_.arcs.size(), 0), pairs(chord_.arcs.size(), 0);
     for (const auto& [a, b] : chord_.pairs) {
-      const std::vector<Rung> rungs = ladder(tables_, g, a, b);
+      const std::vector<CrossLine> lines = cross_lines(tables_, g, a, b);
       for (int k = 1; k < fine_samples; ++k) {
-        const Rung& r = rungs[k];
+        const CrossLine& r = lines[k];
         if (r.width <= 0) continue;
-        add(misalignment(rungs, k), {{unknown(a, k), r.slope_a / r.width}, {unknown(b, k), r.slope_b / r.width}});
+        add(misalignment(lines, k), {{unknown(a, k), r.slope_a / r.width}, {unknown(b, k), r.slope_b / r.width}});
         for (const int i : {a, b}) width[i] += r.width, pairs[i] += 1;
       }
     }

@@ -14,7 +14,7 @@ namespace {
 struct Aligned {
   BlockLayout layout;
   std::vector<sizing::ArcParameter> parameters;
-  double worst_slope = 0;  ///< greatest |tangent . rung| of opposite sides of block 0, 0 = upright
+  double worst_slope = 0;  ///< greatest |tangent . line across| of opposite sides of block 0, 0 = upright
 
   explicit Aligned(const SeparatrixGraph& graph) {
     Report report;
