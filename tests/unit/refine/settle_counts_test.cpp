@@ -27,7 +27,7 @@ TEST(SettleCounts, BreaksAreAnchorsAndRequiredOnlyWhereAGivenNameEnds) {
   const ChordDivision division = begin_division(plain.task);
   EXPECT_FALSE(division.anchored.anchors.empty());
   EXPECT_TRUE(division.anchored.required.empty());
-  graph.face.curve_names[1] = "bend";
+  hand_made::give_name(graph.face, 1, "bend");
   const ChordSample named(graph, long_side, 4, {4, 1});
   EXPECT_EQ(begin_division(named.task).anchored.required.size(), 1u);
 }
