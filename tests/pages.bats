@@ -35,6 +35,10 @@ check() {
   check keys
 }
 
+@test "the names in code that the glossary and the pages of lib give are names of lib" {
+  check terms
+}
+
 # chain_with_reports SHAPE: every stage, with TOOL.json beside; what has two runs has TOOL.2.json.
 chain_with_reports() {
   local x=$1
