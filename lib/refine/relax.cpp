@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "refine/descent.hpp"
+#include "refine/conjugate_descent.hpp"
 #include "refine/relax_limits.hpp"
 #include "refine/relax_problem.hpp"
 #include "refine/validity.hpp"

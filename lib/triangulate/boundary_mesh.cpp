@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
-#include "triangulate/clearance.hpp"
+#include "triangulate/junction_clearance.hpp"
 #include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {

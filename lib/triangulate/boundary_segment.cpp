@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "triangulate/clearance.hpp"
+#include "triangulate/junction_clearance.hpp"
 
 namespace quadrille::triangulate {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "triangulate/clearance.hpp"
+#include "triangulate/junction_clearance.hpp"
 #include "triangulate/singularity.hpp"
 
 namespace quadrille::triangulate {

@@ -1,4 +1,4 @@
-#include "triangulate/clearance.hpp"
+#include "triangulate/junction_clearance.hpp"
 
 #include <algorithm>
 #include <cmath>

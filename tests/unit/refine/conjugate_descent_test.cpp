@@ -1,4 +1,4 @@
-#include "refine/descent.hpp"
+#include "refine/conjugate_descent.hpp"
 
 #include <gtest/gtest.h>
 
