@@ -81,6 +81,37 @@ std::vector<Demand> demands_of(const CadFace& face, const std::vector<CornerOver
   return demands;
 }
 
+/// Less than `radius` where nodes are there already.
+double free_radius(const CriticalPoints& points, Vec2 corner, const std::vector<Vec2>& directions, double radius) {
+  const auto is_taken = [&](double r) {
+    for (const Vec2 direction : directions)
+      for (const CriticalPoint& p : points.critical_points)
+        if (distance(p.position, corner + r * direction) < 0.1 * r) return true;
+    return false;
+  };
+  for (int i = 0; i < 20 && is_taken(radius); ++i) radius *= 0.8;
+  return radius;
+}
+
+/// The nodes that are missing when those of d.removed are gone: at equal angles in the corner's sector.
+std::vector<CriticalPoint> added_nodes(const CadFace& face, const CriticalPoints& points, const Demand& d) {
+  const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
+  const Joint& joint = face.joints[points.corners[d.corner].joint];
+  std::vector<Vec2> directions;
+  double clearance = INFINITY;
+  for (int k = 1; k <= n; ++k) {
+    directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
+    const double start = equal * face.diameter;  // off the corner itself
+    clearance = std::min(
+        clearance, placement::clearance_along(face, joint.position + start * directions.back(), directions.back()));
+  }
+  const double radius = free_radius(points, joint.position, directions, 0.25 * clearance);
+  std::vector<CriticalPoint> added;
+  for (const Vec2 direction : directions)
+    added.push_back(made_node(joint.position + radius * direction, d.index > 0 ? 1 : -1, NodeSource::corner));
+  return added;
+}
+
 class Overrider {
  public:
   Overrider(const CadFace& face, std::vector<Demand> demands, CriticalPoints& points)
@@ -93,7 +124,7 @@ class Overrider {
     if (total != 0)
       for (Demand& d : demands_) {
         choose_removed(d);
-        choose_added(d);
+        d.added = added_nodes(face_, points_, d);
       }
     for (const Demand& d : demands_) record(d);
     apply();
@@ -128,34 +159,6 @@ class Overrider {
       d.removed.assign(nodes.begin(), last);
       first = last;
     }
-  }
-
-  void choose_added(Demand& d) const {
-    const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
-    const Joint& joint = face_.joints[points_.corners[d.corner].joint];
-    std::vector<Vec2> directions;
-    double clearance = INFINITY;
-    for (int k = 1; k <= n; ++k) {
-      directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
-      const double start = equal * face_.diameter;  // off the corner itself
-      clearance = std::min(
-          clearance, placement::clearance_along(face_, joint.position + start * directions.back(), directions.back()));
-    }
-    const double radius = free_radius(joint.position, directions, 0.25 * clearance);
-    for (const Vec2 direction : directions)
-      d.added.push_back(made_node(joint.position + radius * direction, d.index > 0 ? 1 : -1, NodeSource::corner));
-  }
-
-  /// Less than `radius` where nodes are there already.
-  double free_radius(Vec2 corner, const std::vector<Vec2>& directions, double radius) const {
-    const auto is_taken = [&](double r) {
-      for (const Vec2 direction : directions)
-        for (const CriticalPoint& p : points_.critical_points)
-          if (distance(p.position, corner + r * direction) < 0.1 * r) return true;
-      return false;
-    };
-    for (int i = 0; i < 20 && is_taken(radius); ++i) radius *= 0.8;
-    return radius;
   }
 
   void record(const Demand& d) {
