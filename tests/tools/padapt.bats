@@ -130,7 +130,7 @@ setup() {
   padapt a.phase.h5 -o b.phase.h5 --report report.json
   stagecheck b.phase.h5
   run -0 jq -e '.adapt.steps > 1 and .adapt.max_sensor <= 1e-18 and .warnings == []' report.json
-  h5diff a.phase.h5 b.phase.h5 /phase/asked
+  h5diff a.phase.h5 b.phase.h5 /phase/prescribed
   padapt b.phase.h5 -o c.phase.h5 --report report.json # finds nothing to do
   assert_equal "$(jq '.adapt.cpu_seconds_by_step | length' report.json)" 0
   h5diff b.phase.h5 c.phase.h5 /phase
