@@ -106,7 +106,7 @@ setup() {
 @test "layers that do not fit end with 1, a place and the largest number that does" {
   run quadrefine --wall curve_0:first=1e-2,layers=60 "$blocks" -o a.quad.h5
   assert_failure 1
-  assert_output --regexp 'curve_0.*\(-?[0-9.e-]+, -?[0-9.e-]+\).*at most [0-9]+ do, with a thickness of [0-9.]+'
+  assert_output --regexp 'curve_0.*\(-?[0-9.e-]+, -?[0-9.e-]+\).*at most [0-9]+ fit, with a thickness of [0-9.]+'
   assert_nothing_left
   most=$(sed -E 's/.*at most ([0-9]+) do.*/\1/' <<< "$output")
   quadrefine --wall "curve_0:first=1e-2,layers=$most" "$blocks" -o a.quad.h5
