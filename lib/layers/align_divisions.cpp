@@ -32,6 +32,7 @@ double alignment_weight(const LayeredChord& chord, const OppositeArcs& pair) {
 
 Eigen::SparseMatrix<double> alignment_matrix(const LayeredChord& chord) {
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(chord.num_arcs() + 4 * chord.opposite_arcs().size());
   for (int i = 0; i < chord.num_arcs(); ++i) entries.emplace_back(i, i, 1.0);
   for (const OppositeArcs& pair : chord.opposite_arcs()) {
     const double weight = alignment_weight(chord, pair);

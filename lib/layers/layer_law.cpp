@@ -44,7 +44,7 @@ std::vector<double> gll_heights(double first, int layers) {
 }  // namespace
 
 std::vector<double> layer_heights(const WallSpec& spec, int layers) {
-  const std::vector<double> geometric =
+  std::vector<double> geometric =
       geometric_heights(spec.first, spec.law == LayerLaw::uniform ? 1 : spec.growth, layers);
   if (layers <= 1) return geometric;
   if (spec.law == LayerLaw::gll) return gll_heights(spec.first, layers);

@@ -126,7 +126,7 @@ std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 o
   const std::array<SideTable, 4>& sides = block.tables;
   const BlockNodes nodes{block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, order, origin};
   const bool has_rows = nodes.has_wall(1) || nodes.has_wall(3), has_columns = nodes.has_wall(0) || nodes.has_wall(2);
-  std::vector<Vec2> positions(nodes.width() * nodes.height());
+  std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
   std::vector<double> node_s;
   if (has_rows) node_s = place_rows(nodes, positions);
   if (has_columns) place_columns(nodes, node_s, positions);

@@ -108,6 +108,7 @@ std::vector<sizing::ArcDivision> layered_divisions(const LayeredChord& chord, co
   const std::array<std::vector<Source>, 2> sources{nearest_sources(chord, 0), nearest_sources(chord, 1)};
   const int count = least_suitable_count(chord, lines, least_count);
   std::vector<sizing::ArcDivision> divisions;
+  divisions.reserve(chord.num_arcs());
   for (int i = 0; i < chord.num_arcs(); ++i) divisions.push_back({ends_of_arc(chord, sources, i, count)});
   align_divisions(chord, divisions);
   return divisions;
