@@ -9,7 +9,7 @@ void require_anchor(AnchoredSegments& anchored, int anchor) {
   const auto at = std::lower_bound(required.begin(), required.end(), anchor) - required.begin();
   if (at < std::ssize(required) && required[at] == anchor) return;
   required.insert(required.begin() + at, anchor);
-  Segments& segments = anchored.segments;
+  sizing::Segments& segments = anchored.segments;
   segments.ends.insert(segments.ends.begin() + at + 1, anchored.anchors[anchor].u);
   segments.least_counts[at] = 1;
   segments.least_counts.insert(segments.least_counts.begin() + at + 1, 1);

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "refine/anchors.hpp"
-#include "refine/spacing.hpp"
+#include "sizing/spacing.hpp"
 
 namespace quadrille::refine {
 
 struct AnchoredSegments {
   std::vector<Anchor> anchors;  ///< ascending
   std::vector<int> required;    ///< numbers of anchors, ascending: the inner ends of the segments
-  Segments segments;            ///< positions v in [0, 1]: the part of the chord's elements that lies before
+  sizing::Segments segments;    ///< positions v in [0, 1]: the part of the chord's elements that lies before
 };
 
 /// Makes an anchor an end of segments; nothing changes if it is one already. Both parts of the segment that it cuts

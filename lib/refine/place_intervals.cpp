@@ -10,7 +10,7 @@ constexpr double no_break = -1;
 
 /// The segments with their ends at the arc's own breaks, and the fractions of these breaks.
 struct OwnSegments {
-  Segments segments;
+  sizing::Segments segments;
   std::vector<double> break_fractions;  ///< by end; no_break where another arc's break made it
 };
 
@@ -27,7 +27,7 @@ OwnSegments own_segments(const AnchoredSegments& anchored, int i) {
 PlacedIntervals place_intervals(const ChordTask& task, const ChordDivision& division, int i) {
   const std::vector<int>& counts = division.counts;
   const OwnSegments own = own_segments(division.anchored, i);
-  const std::vector<double> v = interval_ends(own.segments, counts);
+  const std::vector<double> v = sizing::interval_ends(own.segments, counts);
   std::vector<double> u, ends;
   for (const double position : v) u.push_back(division.grading.parameter(position));
   for (const double at : u) ends.push_back(task.measured.arc_fraction(task.chord, i, at));

@@ -61,7 +61,7 @@ bool is_at_name_joint(const ChordTask& task, const Break& b) {
 
 /// Tries a count: fills in counts and arcs, and returns the count if it suits all arcs, else one to try after it.
 int try_count(const ChordTask& task, ChordDivision& division, int count, bool break_ties) {
-  division.counts = segment_counts(division.anchored.segments, count, break_ties);
+  division.counts = sizing::segment_counts(division.anchored.segments, count, break_ties);
   if (division.counts.empty()) return count + 1;
   double longest = 0;
   for (int i = 0; i < task.num_arcs(); ++i) {

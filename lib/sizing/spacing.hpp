@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 
 struct Segments {
   std::vector<double> ends{0.0, 1.0};  ///< ascending, 0 and 1 included
@@ -23,4 +23,4 @@ std::vector<int> segment_counts(const Segments& segments, int count, bool break_
 /// The count + 1 ends of the intervals, ascending from 0 to 1.
 std::vector<double> interval_ends(const Segments& segments, const std::vector<int>& counts);
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing

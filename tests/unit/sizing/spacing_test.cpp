@@ -1,11 +1,11 @@
-#include "refine/spacing.hpp"
+#include "sizing/spacing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 namespace {
 
 using Counts = std::vector<int>;
@@ -47,4 +47,4 @@ TEST(Spacing, MirrorImageIsCutInMirroredPlaces) {
 }
 
 }  // namespace
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing

@@ -1,9 +1,9 @@
-#include "refine/spacing.hpp"
+#include "sizing/spacing.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 namespace {
 
 /// Lengths that differ by less, relatively, count as equal.
@@ -43,4 +43,4 @@ std::vector<double> interval_ends(const Segments& segments, const std::vector<in
   return ends;
 }
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing
