@@ -8,7 +8,9 @@
 #include "io/stage_files.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace quadrille;
+  using namespace quadrille::check;
+  using namespace quadrille::io;
+  using quadrille::FormatError;
   const InputFile file{"fuzz", std::string(reinterpret_cast<const char*>(data), size), ""};
   const auto attempt = [](const auto& read_and_check) {
     try {
