@@ -17,13 +17,18 @@
 namespace {
 
 using namespace quadrille;
+using namespace quadrille::curve;
+using namespace quadrille::field;
+using namespace quadrille::galerkin;
+using namespace quadrille::triangulate;
+using namespace quadrille::zeros;
 
 // A half disc with z^4 + 2 on it, which vanishes nowhere, and a lifting.
 Field half_disc_field(int order) {
   Report report;
   const CadFace face = hand_made::face({{segment({-1, 0}, {1, 0}), circular_arc({0, 0}, 1, 0, pi)}}, 2);
   TriangulateOptions options;
-  Field field = interpolated_field(triangulate(face, options, report), order, [](Vec2 p) {
+  Field field = interpolated_field(triangulate::triangulate(face, options, report), order, [](Vec2 p) {
     const Vec2 square{p.x * p.x - p.y * p.y, 2 * p.x * p.y};
     return Vec2{2 + square.x * square.x - square.y * square.y, 2 * square.x * square.y};
   });
@@ -93,7 +98,7 @@ void locate_by_walk(benchmark::State& state) {
   const Field field = half_disc_field(1);
   const FieldEvaluator evaluator(field);
   const std::vector<Vec2> points = spiral();
-  Location at = evaluator.locator().find(points.front());
+  mesh::Location at = evaluator.locator().find(points.front());
   for (auto _ : state)
     for (const Vec2 x : points) at = walk(evaluator.topology(), evaluator.maps(), x, at);
   benchmark::DoNotOptimize(at);
