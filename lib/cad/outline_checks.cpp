@@ -4,25 +4,11 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/segments.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::cad {
 namespace {
-
-double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
-  const double length2 = norm2(b - a);
-  const double s = length2 == 0 ? 0 : std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0);
-  return distance(x, a + s * (b - a));
-}
-
-// Distance of two segments; 0 where they cross.
-double segment_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
-  if (c_side * d_side < 0 && a_side * b_side < 0) return 0;
-  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
-                   distance_to_segment(d, a, b)});
-}
 
 // A polynomial piece of a curve inside the strip of half-width `width` around its chord.
 struct Piece {
@@ -102,7 +88,7 @@ class ContactSearch {
 
   // A place where a and b come closer than the tolerance.
   std::optional<Vec2> meet(const Piece& a, const Piece& b) {
-    const double d = segment_distance(a.a(), a.b(), b.a(), b.b());
+    const double d = distance_of_segments(a.a(), a.b(), b.a(), b.b());
     if (d > a.width + b.width + tol_) return std::nullopt;
     // Curves that lie upon each other are never decided: many halvings mean contact.
     if (a.width + b.width <= tol_ / 4 || --budget_ < 0) return place(a, b);

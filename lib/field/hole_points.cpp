@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segments.hpp"
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
@@ -39,19 +40,13 @@ Vec2 centroid(const Polygon& polygon) {
   return base + moment / area;
 }
 
-double segment_distance(Vec2 a, Vec2 b, Vec2 x) {
-  const double length2 = norm2(b - a);
-  const double f = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0.0;
-  return distance(x, a + f * (b - a));
-}
-
 // Distance to the polygon, negative outside of it.
 double clearance(const Polygon& polygon, Vec2 x) {
   double nearest = INFINITY;
   bool is_inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    nearest = std::min(nearest, segment_distance(a, b, x));
+    nearest = std::min(nearest, distance_to_segment(x, a, b));
     if ((a.y > x.y) != (b.y > x.y) && x.x < a.x + (b.x - a.x) * (x.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
   }
   return is_inside ? nearest : -nearest;

@@ -1,25 +1,21 @@
 #include "mesh/chords.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/disjoint_sets.hpp"
 
 namespace quadrille::mesh {
 
 std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs) {
-  std::vector<int> lowest(num_arcs);  // a forest in which every tree's root is its lowest arc
-  std::iota(lowest.begin(), lowest.end(), 0);
-  const auto root = [&](int arc) {
-    while (lowest[arc] != arc) arc = lowest[arc] = lowest[lowest[arc]];
-    return arc;
-  };
+  DisjointSets linked(num_arcs);
   for (const std::array<HalfEdge, 4>& arcs : block2arcs)
-    for (int k = 0; k < 2; ++k) {
-      const int a = root(arcs[k].arc), b = root(arcs[k + 2].arc);
-      lowest[std::max(a, b)] = std::min(a, b);
-    }
+    for (int k = 0; k < 2; ++k) linked.unite(arcs[k].arc, arcs[k + 2].arc);
   std::vector<int> chord(num_arcs);
   int num_chords = 0;
-  for (int arc = 0; arc < num_arcs; ++arc) chord[arc] = root(arc) == arc ? num_chords++ : chord[root(arc)];
+  for (int arc = 0; arc < num_arcs; ++arc) {
+    const int lowest = linked.find(arc);
+    chord[arc] = lowest == arc ? num_chords++ : chord[lowest];
+  }
   return chord;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/angle.hpp"
+#include "base/segments.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::triangulate {
@@ -59,13 +60,6 @@ double return_distance(const std::vector<Vec2>& points) {
 }
 
 }  // namespace
-
-double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double length2 = norm2(d);
-  const double f = length2 > 0 ? std::clamp(dot(x - a, d) / length2, 0.0, 1.0) : 0.0;
-  return norm(x - (a + f * d));
-}
 
 Clearance::Clearance(const Outline& outline) : outline_(&outline) {
   for (const SmoothPiece& piece : outline.pieces()) polylines_.push_back(polyline(outline, piece));

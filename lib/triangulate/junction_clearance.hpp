@@ -21,7 +21,4 @@ class Clearance {
   std::vector<std::vector<Vec2>> polylines_;  ///< by piece
 };
 
-/// Distance from x to the segment from a to b.
-double distance_to_segment(Vec2 x, Vec2 a, Vec2 b);
-
 }  // namespace quadrille::triangulate

@@ -32,11 +32,5 @@ TEST(Clearance, SeesTheSameCurveComeBack) {
   EXPECT_NEAR(Clearance(outline).at_junction(0), 2 * std::sin(gap), 1e-9);
 }
 
-TEST(Clearance, DistanceToASegment) {
-  EXPECT_EQ(distance_to_segment({1, 2}, {0, 0}, {4, 0}), 2);
-  EXPECT_EQ(distance_to_segment({-3, 4}, {0, 0}, {4, 0}), 5);
-  EXPECT_EQ(distance_to_segment({3, 4}, {0, 0}, {0, 0}), 5);
-}
-
 }  // namespace
 }  // namespace quadrille::triangulate
