@@ -1,0 +1,95 @@
+#include "field/followed_angles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "../triangulate/faces.hpp"
+#include "base/error.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille::field {
+namespace {
+
+using namespace testing_faces;
+
+struct Followed {
+  LoopAngles start, end;
+  std::vector<AnglePiece> pieces;
+};
+
+// The first curve of the face, which is closed, followed once.
+Followed follow_circle(const CadFace& face, const std::vector<TurnCentre>& centres) {
+  Followed f;
+  f.start = f.end = angles_at_start(face, centres, 0);
+  follow_angles(face, centres, 0, face.curves[0].begin(), face.curves[0].end(), f.end, f.pieces);
+  return f;
+}
+
+CadFace disc() { return make_face({circle({0, 0}, 1)}); }
+
+TEST(FollowedAngles, OfACircleTurnOnceForTheTangentAndForWhatIsInside) {
+  const CadFace face = disc();
+  const Followed f =
+      follow_circle(face, {{{0.2, 0}, 1, -1}, {(1 - 1e-7) * unit(2.0), 1, -1}, {(1 + 1e-7) * unit(2.0), 1, 0}});
+  EXPECT_NEAR(f.end.tangent - f.start.tangent, 2 * pi, 1e-12);
+  EXPECT_NEAR(f.end.centres[0] - f.start.centres[0], 2 * pi, 1e-12);
+  EXPECT_NEAR(f.end.centres[1] - f.start.centres[1], 2 * pi, 1e-12);
+  EXPECT_NEAR(f.end.centres[2] - f.start.centres[2], 0, 1e-12);
+}
+
+TEST(FollowedAngles, DifferFromReferencesByLessThanAQuarterTurn) {
+  const CadFace face = disc();
+  const Vec2 near_rim = (1 - 1e-4) * unit(2.0);
+  const Followed f = follow_circle(face, {{near_rim, 1, -1}});
+  const Nurbs& curve = face.curves[0];
+  EXPECT_EQ(f.pieces.back().t1, curve.end());
+  for (std::size_t i = 0; i < f.pieces.size(); ++i) {
+    const AnglePiece& piece = f.pieces[i];
+    EXPECT_EQ(piece.t0, i == 0 ? curve.begin() : f.pieces[i - 1].t1);
+    for (int k = 0; k <= 10; ++k) {
+      const double t = piece.t0 + (piece.t1 - piece.t0) * k / 10;
+      EXPECT_LT(std::abs(wrap_pi(angle_of(curve::tangent(curve, t)) - piece.reference.tangent)), half_pi);
+      EXPECT_LT(std::abs(wrap_pi(angle_of(curve::point(curve, t) - near_rim) - piece.reference.centres[0])), half_pi);
+    }
+  }
+}
+
+TEST(FollowedAngles, FindThePieceOfAParameter) {
+  const std::vector<AnglePiece> pieces{{0, 1, {}}, {1, 2, {}}, {2, 4, {}}};
+  EXPECT_EQ(&piece_at(pieces, 0, false), &pieces[0]);
+  EXPECT_EQ(&piece_at(pieces, 1, false), &pieces[1]);
+  EXPECT_EQ(&piece_at(pieces, 1, true), &pieces[0]);
+  EXPECT_EQ(&piece_at(pieces, 3, false), &pieces[2]);
+  EXPECT_EQ(&piece_at(pieces, 4, true), &pieces[2]);
+}
+
+std::string refusal(const CadFace& face, const std::vector<TurnCentre>& centres) {
+  try {
+    follow_circle(face, centres);
+  } catch (const ComputeError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FollowedAngles, RefuseNodesOnTheBoundaryAndCusps) {
+  EXPECT_NE(refusal(disc(), {{unit(1.0), 1, -1}}).find("the irregular node near (0.54"), std::string::npos);
+  CadFace face = disc();
+  Nurbs there_and_back;  // a parabola that runs to (1, 0) and back on the same line
+  there_and_back.degree = 2;
+  there_and_back.knots = {0, 0, 0, 1, 1, 1};
+  there_and_back.poles = {{0, 0}, {2, 0}, {0, 0}};
+  there_and_back.weights = {1, 1, 1};
+  face.curves[0] = there_and_back;
+  EXPECT_NE(refusal(face, {}).find("cusp near (1"), std::string::npos) << refusal(face, {});
+}
+
+TEST(FollowedAngles, TakeTheNearestBranch) {
+  EXPECT_NEAR(nearest_branch(4 * pi, 0.1), 4 * pi + 0.1, 1e-14);
+  EXPECT_NEAR(nearest_branch(-3, 3), 3 - 2 * pi, 1e-14);
+  EXPECT_EQ(round_to_turns(-4 * pi + 0.3), -2);
+}
+
+}  // namespace
+}  // namespace quadrille::field
