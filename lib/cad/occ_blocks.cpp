@@ -17,10 +17,37 @@
 #include <gp_Ax3.hxx>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::cad {
 namespace {
+
+// x of the face's plane, as a point of the CAD model's space in the unit that `scale` converts to.
+gp_Pnt point_in_space(const CadFace& face, double scale, Vec2 x) {
+  const Vec2 p = x + face.origin;
+  const auto c = [&](int k) { return scale * (face.plane_origin[k] + p.x * face.plane_x[k] + p.y * face.plane_y[k]); };
+  return {c(0), c(1), c(2)};
+}
+
+Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs& curve) {
+  const int n = static_cast<int>(curve.poles.size());
+  TColgp_Array1OfPnt poles(1, n);
+  TColStd_Array1OfReal weights(1, n);
+  for (int i = 0; i < n; ++i) {
+    poles.SetValue(i + 1, point_in_space(face, scale, curve.poles[i]));
+    weights.SetValue(i + 1, curve.weights[i]);
+  }
+  std::vector<double> distinct = curve.knots;
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
+  TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
+  for (int i = 0; i < static_cast<int>(distinct.size()); ++i) {
+    knots.SetValue(i + 1, distinct[i]);
+    multiplicities.SetValue(i + 1, static_cast<int>(std::count(curve.knots.begin(), curve.knots.end(), distinct[i])));
+  }
+  return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
+}
 
 class ShellBuilder {
  public:
@@ -47,12 +74,7 @@ class ShellBuilder {
   }
 
  private:
-  gp_Pnt in_space(Vec2 x) const {
-    const CadFace& f = layout_.face;
-    const Vec2 p = x + f.origin;
-    const auto c = [&](int k) { return scale_ * (f.plane_origin[k] + p.x * f.plane_x[k] + p.y * f.plane_y[k]); };
-    return {c(0), c(1), c(2)};
-  }
+  gp_Pnt in_space(Vec2 x) const { return point_in_space(layout_.face, scale_, x); }
 
   TopoDS_Vertex vertex(Vec2 x) {
     TopoDS_Vertex v;
@@ -87,8 +109,8 @@ class ShellBuilder {
     for (const auto& [vertex, end] : {std::pair{from, part.poles.front()}, std::pair{to, part.poles.back()}}) {
       const double gap = BRep_Tool::Pnt(vertex).Distance(in_space(end));
       if (gap > tolerance_)
-        throw ComputeError(fmt::format("arc {} ends {:.3g} off its node at ({:.6g}, {:.6g})", arc, gap / scale_,
-                                       end.x + layout_.face.origin.x, end.y + layout_.face.origin.y));
+        throw ComputeError(fmt::format("arc {} ends {:.3g} off its node at {}", arc, gap / scale_,
+                                       position_text(end + layout_.face.origin)));
     }
     TopoDS_Edge edge;
     double first = part.begin(), last = part.end();
@@ -97,31 +119,12 @@ class ShellBuilder {
       builder_.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance_);
       first = 0, last = a.Distance(b);
     } else {
-      builder_.MakeEdge(edge, spline(part), tolerance_);
+      builder_.MakeEdge(edge, spline(layout_.face, scale_, part), tolerance_);
     }
     builder_.Add(edge, from.Oriented(TopAbs_FORWARD));
     builder_.Add(edge, to.Oriented(TopAbs_REVERSED));
     builder_.Range(edge, first, last);
     return edge;
-  }
-
-  Handle(Geom_BSplineCurve) spline(const Nurbs& curve) const {
-    const int n = static_cast<int>(curve.poles.size());
-    TColgp_Array1OfPnt poles(1, n);
-    TColStd_Array1OfReal weights(1, n);
-    for (int i = 0; i < n; ++i) {
-      poles.SetValue(i + 1, in_space(curve.poles[i]));
-      weights.SetValue(i + 1, curve.weights[i]);
-    }
-    std::vector<double> distinct = curve.knots;
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
-    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
-    for (int i = 0; i < static_cast<int>(distinct.size()); ++i) {
-      knots.SetValue(i + 1, distinct[i]);
-      multiplicities.SetValue(i + 1, static_cast<int>(std::count(curve.knots.begin(), curve.knots.end(), distinct[i])));
-    }
-    return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
   }
 
   TopoDS_Wire wire_of(const std::array<HalfEdge, 4>& arcs) {

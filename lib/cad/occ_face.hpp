@@ -2,7 +2,7 @@
 // The only face of an OpenCASCADE model, as NURBS of its own plane.
 
 #include "base/report.hpp"
-#include "cad/occ_load.hpp"
+#include "cad/occ_model.hpp"
 #include "cad/raw_face.hpp"
 
 namespace quadrille::cad {

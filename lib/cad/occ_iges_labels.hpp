@@ -4,7 +4,7 @@
 #include <IGESData_IGESModel.hxx>
 #include <Transfer_TransientProcess.hxx>
 
-#include "cad/occ_load.hpp"
+#include "cad/occ_model.hpp"
 
 namespace quadrille::cad {
 

@@ -12,7 +12,6 @@
 
 #include "base/error.hpp"
 #include "cad/occ_quiet.hpp"
-#include "cad/occ_readers.hpp"
 
 namespace quadrille::cad {
 namespace {

@@ -8,8 +8,12 @@
 
 namespace quadrille::cad {
 
-/// Reads without OpenCASCADE's shape healing: what is wrong in the file shall be seen, not repaired behind the back.
-/// Throws FormatError with `name` where nothing can be read.
+/// Reads without OpenCASCADE's shape healing: faults of the file are reported, not repaired without notice. Throws
+/// FormatError with `name` where nothing can be read.
 OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name);
+
+/// The readers behind occ_load, one source file each.
+OccModel occ_load_step(const std::string& bytes, const std::string& name);
+OccModel occ_load_iges(const std::string& bytes, const std::string& name);
 
 }  // namespace quadrille::cad

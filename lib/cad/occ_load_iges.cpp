@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "cad/occ_iges_labels.hpp"
-#include "cad/occ_readers.hpp"
+#include "cad/occ_load.hpp"
 
 namespace quadrille::cad {
 namespace {

@@ -21,7 +21,7 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
-#include "cad/occ_readers.hpp"
+#include "cad/occ_load.hpp"
 #include "cad/occ_step_labels.hpp"
 
 namespace quadrille::cad {

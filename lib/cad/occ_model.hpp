@@ -27,7 +27,10 @@ struct OccModel {
   std::map<const TopoDS_TShape*, std::pair<TopoDS_Shape, ShapeLabel>> labels;
 
   /// The label of `wanted`, whatever its orientation and place.
-  ShapeLabel label_of(const TopoDS_Shape& wanted) const;
+  ShapeLabel label_of(const TopoDS_Shape& wanted) const {
+    const auto found = labels.find(wanted.TShape().get());
+    return found == labels.end() ? ShapeLabel() : found->second.second;
+  }
 };
 
 }  // namespace quadrille::cad

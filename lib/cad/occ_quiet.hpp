@@ -1,5 +1,5 @@
 #pragma once
-// OpenCASCADE's manners.
+// Settings of OpenCASCADE for the whole process.
 
 namespace quadrille::cad {
 

@@ -5,7 +5,7 @@
 #include <StepData_StepModel.hxx>
 #include <Transfer_TransientProcess.hxx>
 
-#include "cad/occ_load.hpp"
+#include "cad/occ_model.hpp"
 
 namespace quadrille::cad {
 
