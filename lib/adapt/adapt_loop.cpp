@@ -11,6 +11,7 @@
 #include "adapt/order_policy.hpp"
 #include "adapt/sensor.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
@@ -120,9 +121,9 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
   report.warn(
       warning::target_error_missed,
       fmt::format("the estimated error of the field is up to {:.1e}, above the target {:.1e}, although the order "
-                  "is at its highest, {}: {} {}, the worst near ({:.6g}, {:.6g})",
+                  "is at its highest, {}: {} {}, the worst near {}",
                   greatest, options.target_error, options.max_order, num_missing,
-                  num_missing == 1 ? "element" : "elements", place.x, place.y));
+                  num_missing == 1 ? "element" : "elements", position_text(place)));
 }
 
 }  // namespace

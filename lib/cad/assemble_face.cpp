@@ -46,7 +46,7 @@ void require_width(const RawFace& raw, const std::vector<Nurbs>& curves, double 
     for (const Vec2 p : curve.poles) width = std::max(width, std::abs(cross(b - a, p - a)) / distance(a, b));
   if (!(width > 1e-9 * size))
     throw FormatError(fmt::format("{}: the face has no area: all of it lies on the line from {} to {}", raw.file,
-                                  place(a), place(b)));
+                                  rounded_position_text(a), rounded_position_text(b)));
 }
 
 // The outline first, the others in the sequence of the file; each with the face on its left.
@@ -70,20 +70,21 @@ void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double t
     const std::string edges = a == b ? fmt::format("edge {}", a) : fmt::format("edges {} and {}", a, b);
     if (c->loop_a == c->loop_b)
       throw FormatError(fmt::format("{}: the wire intersects itself: {} of {} at {}", raw.file, edges,
-                                    loop_name(c->loop_a), place(c->position)));
+                                    loop_name(c->loop_a), rounded_position_text(c->position)));
     throw FormatError(fmt::format("{}: {} crosses or touches {}: {} at {}", raw.file, loop_name(c->loop_b),
-                                  loop_name(c->loop_a), edges, place(c->position)));
+                                  loop_name(c->loop_a), edges, rounded_position_text(c->position)));
   }
   std::vector<PoleBox> boxes;
   for (const auto& loop : curves) boxes.push_back(pole_box(loop));
   for (size_t hole = 1; hole < loops.size(); ++hole) {
     const Vec2 x = curves[hole].front().poles.front();
     if (winding_number(curves[0], x) != 1)
-      throw FormatError(fmt::format("{}: {} at {} lies outside the outline", raw.file, loop_name(hole), place(x)));
+      throw FormatError(
+          fmt::format("{}: {} at {} lies outside the outline", raw.file, loop_name(hole), rounded_position_text(x)));
     for (size_t other = 1; other < loops.size(); ++other)
       if (other != hole && boxes[other].contains(x) && winding_number(curves[other], x) != 0)
-        throw FormatError(
-            fmt::format("{}: {} at {} lies inside {}", raw.file, loop_name(hole), place(x), loop_name(other)));
+        throw FormatError(fmt::format("{}: {} at {} lies inside {}", raw.file, loop_name(hole),
+                                      rounded_position_text(x), loop_name(other)));
   }
 }
 

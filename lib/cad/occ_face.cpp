@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "cad/occ_curves.hpp"
 #include "curve/nurbs.hpp"
@@ -157,10 +158,8 @@ class FaceReader {
     const bool inner = edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL;
     if (inner || std::any_of(seen_.begin(), seen_.end(), same)) {
       const Vec2 at = frame_.position(curve.Value(first));
-      throw FormatError(
-          fmt::format("{}: the face has an inner curve: edge {} at ({:.6g}, {:.6g}) has the face on both "
-                      "sides",
-                      raw_.file, num_edges_, at.x, at.y));
+      throw FormatError(fmt::format("{}: the face has an inner curve: edge {} at {} has the face on both sides",
+                                    raw_.file, num_edges_, position_text(at)));
     }
     seen_.push_back(edge);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 
@@ -27,7 +28,7 @@ void require_vertices_on_ends(const RawFace& raw, const RawEdge& edge, double to
     const double gap = distance(vertex, end);
     if (!(gap <= tol))
       throw FormatError(fmt::format("{}: edge {}: its vertex at {} lies {:.3g} off its curve", raw.file, edge.cad_edge,
-                                    place(vertex), gap));
+                                    rounded_position_text(vertex), gap));
   }
 }
 
@@ -40,14 +41,14 @@ std::vector<const RawEdge*> chained(const RawFace& raw, const std::vector<const 
     const auto next = std::find_if(rest.begin(), rest.end(), follows);
     if (next == rest.end())
       throw FormatError(fmt::format("{}: the wire is open: no edge continues edge {} at {}", raw.file,
-                                    chain.back()->cad_edge, place(end)));
+                                    chain.back()->cad_edge, rounded_position_text(end)));
     chain.push_back(*next);
     rest.erase(next);
   }
   const Vec2 begin = chain.front()->curve.poles.front(), end = chain.back()->curve.poles.back();
   if (!(distance(begin, end) <= tol))
-    throw FormatError(
-        fmt::format("{}: the wire is open: it begins at {} and ends at {}", raw.file, place(begin), place(end)));
+    throw FormatError(fmt::format("{}: the wire is open: it begins at {} and ends at {}", raw.file,
+                                  rounded_position_text(begin), rounded_position_text(end)));
   return chain;
 }
 
@@ -90,10 +91,10 @@ void close_gaps(Loop& loop) {
 
 }  // namespace
 
-std::string place(Vec2 x) {
+std::string rounded_position_text(Vec2 x) {
   const double rounding = 1e-12 * std::max({std::abs(x.x), std::abs(x.y), 1e-3});
   const auto shown = [&](double c) { return std::abs(c) < rounding ? 0.0 : c; };
-  return fmt::format("({:.6g}, {:.6g})", shown(x.x), shown(x.y));
+  return position_text({shown(x.x), shown(x.y)});
 }
 
 Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol, Report& report) {
@@ -105,11 +106,11 @@ Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol,
     else
       report.warn(warning::short_edge_ignored,
                   fmt::format("{}: ignored edge {} at {}: shorter than the tolerance {:.3g}", raw.file, edge.cad_edge,
-                              place(edge.start), tol));
+                              rounded_position_text(edge.start), tol));
   }
   if (edges.empty())
-    throw FormatError(
-        fmt::format("{}: the face has no area: its wire at {} is a point", raw.file, place(wire.front().start)));
+    throw FormatError(fmt::format("{}: the face has no area: its wire at {} is a point", raw.file,
+                                  rounded_position_text(wire.front().start)));
   Loop loop;
   for (const RawEdge* edge : chained(raw, edges, tol)) add_pieces(*edge, loop);
   close_gaps(loop);

@@ -24,7 +24,7 @@ Loop reversed(const Loop& loop);
 
 std::vector<Nurbs> curves_of(const Loop& loop);
 
-/// "(1.5, -2)" for messages.
-std::string place(Vec2 x);
+/// position_text, with coordinates that are only rounding errors of the other one as 0.
+std::string rounded_position_text(Vec2 x);
 
 }  // namespace quadrille::cad

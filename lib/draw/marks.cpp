@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::draw {
@@ -137,7 +138,7 @@ void legend_valences(Picture& picture, std::vector<int> valences) {
     picture.legend_mark(valence_mark({0, 0}, v, 7), fmt::format("irregular node, valence {}", v));
 }
 
-std::string place_text(Vec2 x, Vec2 origin) { return fmt::format("({:.6g}, {:.6g})", x.x + origin.x, x.y + origin.y); }
+std::string place_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }
 
 std::string counted(int count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");

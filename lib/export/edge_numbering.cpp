@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "export/skeleton.hpp"
 
 namespace quadrille::exports {
@@ -85,10 +86,8 @@ void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numb
   const auto twice = std::adjacent_find(ends.begin(), ends.end());
   if (twice == ends.end()) return;
   const auto place = [&](int vertex) { return mesh.nodes[numbering.vertices[vertex]] + mesh.face.origin; };
-  const Vec2 a = place((*twice)[0]), b = place((*twice)[1]);
-  throw ComputeError(fmt::format(
-      "two edges join ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}), and {} identifies edges by their ends: refine the mesh",
-      a.x, a.y, b.x, b.y, reader));
+  throw ComputeError(fmt::format("two edges join {} and {}, and {} identifies edges by their ends: refine the mesh",
+                                 position_text(place((*twice)[0])), position_text(place((*twice)[1])), reader));
 }
 
 }  // namespace quadrille::exports

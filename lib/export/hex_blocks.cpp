@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -32,9 +33,9 @@ void require_convex_cells(const QuadMesh& mesh) {
     if (is_convex(corners)) continue;
     const Vec2 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]) + mesh.face.origin;
     throw ComputeError(
-        fmt::format("OpenFOAM's cells have straight sides, and element {} near ({:.6g}, {:.6g}) would not be convex; "
+        fmt::format("OpenFOAM's cells have straight sides, and element {} near {} would not be convex; "
                     "refine the mesh",
-                    elem, middle.x, middle.y));
+                    elem, position_text(middle)));
   }
 }
 
@@ -160,10 +161,10 @@ class Divider {
       if (d.grid.num_j > 1) nodes.push_back(d.vertices[half * width]);
     if (d.grid.num_i == 1 && d.grid.num_j == 1 && is_buildable(d)) {
       const Vec2 corner = mesh_.nodes[d.vertices[0]] + mesh_.face.origin;
-      throw ComputeError(fmt::format(
-          "blockMesh identifies sides by their ends, and two sides of quads near ({:.6g}, {:.6g}) have the same; "
-          "refine the mesh",
-          corner.x, corner.y));
+      throw ComputeError(
+          fmt::format("blockMesh identifies sides by their ends, and two sides of quads near {} have the same; "
+                      "refine the mesh",
+                      position_text(corner)));
     }
   }
 

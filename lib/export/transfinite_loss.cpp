@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
@@ -66,9 +67,9 @@ class Meter {
   void require_valid(int elem, int order, const std::vector<Vec2>& rebuilt) const {
     if (spectral::quad_jacobian_lower_bound(order, rebuilt.data()) > 0) return;
     const Vec2 middle = spectral::quad_position(mesh_.order, ours_.data(), {0, 0}) + mesh_.face.origin;
-    throw ComputeError(fmt::format(
-        "{} rebuilds elements from their sides, and element {} near ({:.6g}, {:.6g}) would be folded; refine the mesh",
-        reader_, elem, middle.x, middle.y));
+    throw ComputeError(
+        fmt::format("{} rebuilds elements from their sides, and element {} near {} would be folded; refine the mesh",
+                    reader_, elem, position_text(middle)));
   }
 
   const QuadMesh& mesh_;

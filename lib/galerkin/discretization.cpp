@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/position_text.hpp"
 #include "galerkin/element_matrices.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/modified_basis.hpp"
@@ -16,7 +17,7 @@ MeshContext::MeshContext(const TriMesh& tri_mesh)
 
 std::string MeshContext::describe(int elem) const {
   const Vec2 x = maps[elem].position({-1.0 / 3, -1.0 / 3}) + mesh->face.origin;
-  return fmt::format("element {} near ({:.6g}, {:.6g})", elem, x.x, x.y);
+  return fmt::format("element {} near {}", elem, position_text(x));
 }
 
 StiffnessTable::StiffnessTable(const MeshContext& context) : context_(&context), curved_(context.maps.size()) {}

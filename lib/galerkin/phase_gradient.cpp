@@ -1,9 +1,8 @@
 #include "galerkin/phase_gradient.hpp"
 
-#include <fmt/format.h>
-
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "field/phase_value.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
@@ -12,8 +11,7 @@ namespace quadrille::galerkin {
 mesh::Location locate_node(const mesh::Locator& locator, const TriMesh& mesh, Vec2 node) {
   const mesh::Location at = locator.find(node);
   if (at.elem >= 0) return at;
-  const Vec2 x = node + mesh.face.origin;
-  throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) is outside the mesh", x.x, x.y));
+  throw ComputeError("the irregular node at " + position_text(node + mesh.face.origin) + " is outside the mesh");
 }
 
 Vec2 remainder_gradient(const spectral::TriMap& map, Vec2 xi, int order, const double* coefs) {

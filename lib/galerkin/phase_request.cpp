@@ -4,6 +4,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "field/phase_boundary.hpp"
 
@@ -22,10 +23,9 @@ bool is_admissible(double angle, int valence) {
 
 void require_admissible(const CadFace& face, double angle, int valence, Vec2 position, const std::string& what) {
   if (is_admissible(angle, valence)) return;
-  const Vec2 x = position + face.origin;
-  throw ComputeError(fmt::format(
-      "{} at ({:.6g}, {:.6g}) cannot have valence {}: its angle is {:.6g} degrees, and blocks need 15 to 165 degrees",
-      what, x.x, x.y, valence, degrees(angle)));
+  throw ComputeError(
+      fmt::format("{} at {} cannot have valence {}: its angle is {:.6g} degrees, and blocks need 15 to 165 degrees",
+                  what, position_text(position + face.origin), valence, degrees(angle)));
 }
 
 void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {

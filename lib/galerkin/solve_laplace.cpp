@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "field/boundary_values.hpp"
 #include "field/corner_lifting.hpp"
@@ -36,11 +37,10 @@ void warn_of_line_field(const CadFace& face, Report& report) {
 // Continuous elements would smear a jump over their size, and no refinement would show it.
 void require_no_jump(const CadFace& face, const std::vector<Lifting>& jumps) {
   if (jumps.empty()) return;
-  const Vec2 x = jumps.front().apex + face.origin;
   throw ComputeError(fmt::format(
-      "the boundary data jump at {} {}, the first at ({:.6g}, {:.6g}): continuous elements cannot follow that; use "
+      "the boundary data jump at {} {}, the first at {}: continuous elements cannot follow that; use "
       "--corners lift or --method dg",
-      jumps.size(), jumps.size() == 1 ? "corner" : "corners", x.x, x.y));
+      jumps.size(), jumps.size() == 1 ? "corner" : "corners", position_text(jumps.front().apex + face.origin)));
 }
 
 }  // namespace
