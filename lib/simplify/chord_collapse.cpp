@@ -37,8 +37,8 @@ bool place_blend(const ArcGraph& graph, const curve::CurveTable& table, const Ch
   for (int k = 1; k < stretch.num_blocks; ++k) {
     const int i = wrapped_rung(strip, stretch.first_rung + k);
     const curve::Chain rung(table, graph::pieces_along(graph, strip.rungs[i]));
-    const double share = static_cast<double>(k) / stretch.num_blocks;
-    double at = spline.begin() + share * (spline.end() - spline.begin()), fraction = 0.5;
+    const double along = static_cast<double>(k) / stretch.num_blocks;
+    double at = spline.begin() + along * (spline.end() - spline.begin()), fraction = 0.5;
     if (!cross_chain(spline, rung, at, fraction) || at <= s.back()) return false;
     s.push_back(at);
     placed.on_rung[i] = rung.at(fraction);
