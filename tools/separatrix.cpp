@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     o.number("--tolerance", options.trace.tolerance, 1e-14, 1e-3, "diameters",
              "greatest error of one integration step");
     o.choice(
-        "--integrator", options.trace.integrator, {"rk", "ab4"},
+        "--integrator", options.trace.integrator,
         "integrator of the separatrices: Runge-Kutta in reference space with error control, or, for comparison, the "
         "paper's Adams-Bashforth in physical space with a fixed step");
     o.number("--step", options.trace.step, 0, 1e300, "file units",
@@ -42,14 +42,14 @@ int main(int argc, char** argv) {
     o.number("--merge-distance", options.trace.merge_distance, 0, 1e300, "file units",
              "also merge separatrices that pass within this distance");
     o.choice(
-        "--simplify", options.simplify, {"none", "normal", "coarsest"},
+        "--simplify", options.simplify,
         "collapse thin chords: normal, if fewer blocks outweigh the loss of block quality; coarsest, if block quality "
         "stays acceptable and no separatrix deviates from the field by more than 45 degrees");
-    o.number("--max-deviation", options.max_turn, 0, 45, "degrees",
+    o.number("--max-deviation", options.max_deviation, 0, 45, "degrees",
              "greatest deviation of a simplified line from the field");
     o.formerly("--max-turn", "--max-deviation");
     o.choice(
-        "--layout", options.layout, {"traced", "quantized", "auto", "t-mesh"},
+        "--layout", options.layout,
         "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses "
         "it (motorcycle graph), and an integer program decides how they continue; auto: quantized if traced fails "
         "or needs more blocks; t-mesh: only the stopped separatrices, no layout");

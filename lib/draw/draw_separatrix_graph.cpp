@@ -41,7 +41,7 @@ void draw_line(Picture& picture, const SeparatrixGraph& graph, int id) {
   }
   picture.add(svg_element(
       "path", {{"class", "line"}, {"id", fmt::format("line-{}", id)}, {"stroke", line_colour(line.origin)}, {"d", d}},
-      fmt::format("separatrix {} ({}), from node {} to node {}", id, line.kind, line.origin, line.end)));
+      fmt::format("separatrix {} ({}), from node {} to node {}", id, enum_name(line.kind), line.origin, line.end)));
 }
 
 /// Inner arcs that belong to no line would be invisible otherwise.
@@ -74,7 +74,7 @@ void draw_node(Picture& picture, const SeparatrixGraph& graph, int id) {
 
 /// "traced: 4 faces of 4 corners, index sum 4, turned by 2.3° at most".
 std::string certificate_text(const LayoutCertificate& certificate) {
-  std::string text = certificate.method + ": ";
+  std::string text = enum_name(*certificate.method) + ": ";
   for (const FaceCount& count : certificate.face_valence_histogram)
     text += fmt::format("{} of {} corners, ", counted(count.faces, "face"), count.corners);
   text += fmt::format("index sum {}", certificate.index_sum);
@@ -91,7 +91,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
                                     counted(static_cast<int>(graph.nodes.size()), "node"),
                                     counted(static_cast<int>(graph.arcs.size()), "arc"));
-  if (!graph.certificate.method.empty()) caption += "; " + certificate_text(graph.certificate);
+  if (graph.certificate.method) caption += "; " + certificate_text(graph.certificate);
   Picture picture(bounding_box(graph.face), options, "Separatrices", caption);
   draw_face_area(picture, graph.face);
   draw_loose_arcs(picture, graph);

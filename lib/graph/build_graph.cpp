@@ -146,7 +146,7 @@ void add_line_ends(Building& build) {
     return a.at.curve != b.at.curve ? a.at.curve < b.at.curve : a.at.t < b.at.t;
   });
   for (const End& end : on_boundary)
-    build.ends[end.line][end.which] = boundary_node(build, end.at, build.lines[end.line].kind == "cut");
+    build.ends[end.line][end.which] = boundary_node(build, end.at, build.lines[end.line].kind == LineKind::cut);
   for (int i = 0; i < static_cast<int>(build.lines.size()); ++i)
     for (const int which : {0, 1})
       if (build.ends[i][which] >= 0) put_end(build, i, which, build.ends[i][which]);

@@ -30,8 +30,8 @@ struct LineEnd {
 
 struct FinishedLine {
   LineEnd start, end;
-  Nurbs spline;      ///< a non-rational cubic from the one to the other
-  std::string kind;  ///< "traced", "merged", "cut"
+  Nurbs spline;  ///< a non-rational cubic from the one to the other
+  LineKind kind = LineKind::traced;
 };
 
 /// Nodes in this sequence: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends

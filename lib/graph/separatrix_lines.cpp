@@ -4,15 +4,15 @@
 
 namespace quadrille::graph {
 
-std::vector<std::string> spline_kinds(const ArcGraph& graph, const std::vector<SeparatrixLine>& lines) {
-  std::vector<std::string> kinds(graph.splines.size(), "traced");
+std::vector<LineKind> spline_kinds(const ArcGraph& graph, const std::vector<SeparatrixLine>& lines) {
+  std::vector<LineKind> kinds(graph.splines.size(), LineKind::traced);
   for (const SeparatrixLine& line : lines)
     for (const int arc : line.arcs)
       for (const ArcPiece& p : graph.arcs[arc].pieces) kinds[p.curve - graph.face.num_curves()] = line.kind;
   return kinds;
 }
 
-std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<std::string>& kinds) {
+std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<LineKind>& kinds) {
   std::vector<std::vector<int>> arcs_of(graph.splines.size());
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
     if (!graph.arcs[a].is_boundary) arcs_of[graph.arcs[a].pieces.front().curve - graph.face.num_curves()].push_back(a);

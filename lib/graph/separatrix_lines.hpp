@@ -8,10 +8,10 @@
 
 namespace quadrille::graph {
 
-/// The kind of the line of each spline; "traced" where none uses it.
-std::vector<std::string> spline_kinds(const ArcGraph& graph, const std::vector<SeparatrixLine>& lines);
+/// The kind of the line of each spline; traced where none uses it.
+std::vector<LineKind> spline_kinds(const ArcGraph& graph, const std::vector<SeparatrixLine>& lines);
 
 /// For each spline a line for each run of arcs, of the kind that `kinds` has for the spline.
-std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<std::string>& kinds);
+std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<LineKind>& kinds);
 
 }  // namespace quadrille::graph

@@ -15,7 +15,9 @@ constexpr RenamedKey renamed[] = {
 constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 0, renamed};
 
 void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
-  archive.field("method", certificate.method);
+  LayoutMethod method = certificate.method.value_or(LayoutMethod::traced);
+  archive.field("method", method, {}, "SEP-R11");
+  certificate.method = method;
   archive.field("reason", certificate.reason);
   archive.field("index_sum", certificate.index_sum);
   archive.field("face_valence_histogram", certificate.face_valence_histogram, [](Archive& a, FaceCount& count) {
@@ -31,7 +33,7 @@ void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
 
 void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {
   LayoutCertificate& certificate = graph.certificate;
-  if (archive.is_reading() ? archive.has("certificate") : !certificate.method.empty())
+  if (archive.is_reading() ? archive.has("certificate") : certificate.method.has_value())
     archive.object("certificate", [&](Archive& a) { describe_certificate(a, certificate); });
   describe_graph(archive, graph.nodes, graph.arcs);
   archive.field("lines", graph.lines, [](Archive& a, SeparatrixLine& line) {

@@ -15,8 +15,8 @@ namespace {
 constexpr int samples_of_arc = 8;
 
 void report_certificate(const LayoutCertificate& certificate, Report& report) {
-  report.set("certificate.way", certificate.method);
-  report.set("certificate.method", certificate.method);
+  report.set("certificate.way", enum_name(*certificate.method));
+  report.set("certificate.method", enum_name(*certificate.method));
   report.set("certificate.index_sum", certificate.index_sum);
   for (const FaceCount& count : certificate.face_valence_histogram)
     report.set(fmt::format("certificate.faces_of_{}_corners", count.corners), count.faces);
@@ -31,7 +31,7 @@ void report_certificate(const LayoutCertificate& certificate, Report& report) {
 
 }  // namespace
 
-void certify(const field::FieldEvaluator& evaluator, const std::string& method, graph::CandidateLayout& layout,
+void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
              Report& report) {
   LayoutCertificate& certificate = layout.certificate;
   certificate.method = method;
@@ -45,20 +45,20 @@ void certify(const field::FieldEvaluator& evaluator, const std::string& method, 
 
 double deviation_of_extended_lines(const field::FieldEvaluator& evaluator, const graph::CandidateLayout& layout) {
   const ArcGraph& graph = layout.graph();
-  std::vector<Vec2> places;
+  std::vector<Vec2> positions;
   std::vector<double> angles;
   for (const SeparatrixLine& line : layout.lines) {
-    if (line.kind != "extended") continue;
+    if (line.kind != LineKind::extended) continue;
     for (const int arc : line.arcs)
       for (const ArcPiece& piece : graph.arcs[arc].pieces)
         for (int i = 1; i < samples_of_arc; ++i) {
           const double t = piece.t0 + (piece.t1 - piece.t0) * i / samples_of_arc;
-          places.push_back(curve::point(graph.curve(piece.curve), t));
+          positions.push_back(curve::point(graph.curve(piece.curve), t));
           angles.push_back(angle_of(curve::tangent(graph.curve(piece.curve), t)));
         }
   }
   double deviation = 0;
-  const std::vector<field::PointSample> samples = evaluator.values_at(places);
+  const std::vector<field::PointSample> samples = evaluator.values_at(positions);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].at.elem >= 0)
       deviation = std::max(deviation, std::abs(guided_angle(samples[i].value, angles[i]) - angles[i]));

@@ -1,6 +1,6 @@
 #pragma once
 // The certificate of a layout (SeparatrixGraph::certificate): what is counted on the finished graph, and what its
-// making has left there.
+// computation has recorded there.
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -8,14 +8,14 @@
 
 namespace quadrille::layout {
 
-/// Sets the method, counts index sum, faces by corners and T-junctions, and turns the largest turn to that of lines of
-/// kind "extended" where these turn more: lines through integer grids follow no field. Counts of merges and collapses
-/// stay what they are. All goes into the report as well (certificate.*).
-void certify(const field::FieldEvaluator& evaluator, const std::string& method, graph::CandidateLayout& layout,
+/// Sets the method, counts index sum, faces by corners and T-junctions, and raises the largest deviation to that of
+/// lines of kind LineKind::extended: lines through integer grids do not follow the field. Counts of merges and
+/// collapses stay as they are. The report repeats the certificate (certificate.*).
+void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
              Report& report);
 
-/// The largest angle between the lines of kind "extended" and the nearest direction of the field's cross, radians, at
-/// equal steps inside their arcs: at most pi / 4.
+/// The largest angle between lines of kind LineKind::extended and the nearest direction of the field's cross, radians,
+/// at equal steps inside their arcs: at most pi / 4.
 double deviation_of_extended_lines(const field::FieldEvaluator& evaluator, const graph::CandidateLayout& layout);
 
 }  // namespace quadrille::layout

@@ -19,9 +19,9 @@ constexpr double many_blocks = 1.2;
 
 constexpr double equal_scaled_jacobian = 1e-6;
 
-void report_choice(const std::string& method, const std::string& reason, Report& report) {
-  report.set("layout.way", method);
-  report.set("layout.method", method);
+void report_choice(LayoutMethod method, const std::string& reason, Report& report) {
+  report.set("layout.way", enum_name(method));
+  report.set("layout.method", enum_name(method));
   if (!reason.empty()) report.set("layout.reason", reason);
 }
 
@@ -41,23 +41,23 @@ std::optional<graph::CandidateLayout> preferable_layout(const graph::CandidateLa
 }
 
 ChosenLayout traced_or_preferable(graph::CandidateLayout traced, const LayoutComputation& quantized, Report& report) {
-  ChosenLayout chosen{std::move(traced), "traced", ""};
+  ChosenLayout chosen{std::move(traced), LayoutMethod::traced, ""};
   const auto num_lines = static_cast<int>(chosen.layout.lines.size());
   if (has_many_blocks(chosen.layout.subdivision.num_faces(), num_lines,
                       chosen.layout.graph().face.euler_characteristic()))
     if (std::optional<graph::CandidateLayout> other = preferable_layout(chosen.layout, quantized, report))
-      chosen = {std::move(*other), "quantized", ""};
+      chosen = {std::move(*other), LayoutMethod::quantized, ""};
   report_choice(chosen.method, chosen.layout.certificate.reason, report);
   return chosen;
 }
 
 ChosenLayout quantized_instead(const std::string& reason, const LayoutComputation& quantized, Report& report) {
-  report_choice("quantized", reason, report);
+  report_choice(LayoutMethod::quantized, reason, report);
   LayoutAttempt attempt = quantized(report);
   if (!attempt.layout) throw ComputeError(reason + "; stopped where they meet: " + attempt.reason);
   attempt.layout->certificate.reason = reason;
   return {
-      std::move(*attempt.layout), "quantized",
+      std::move(*attempt.layout), LayoutMethod::quantized,
       reason + ": each separatrix was stopped at the first line that crosses it, and continued by an integer program"};
 }
 

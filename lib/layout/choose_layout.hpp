@@ -30,8 +30,8 @@ using LayoutComputation = std::function<LayoutAttempt(Report&)>;
 
 struct ChosenLayout {
   graph::CandidateLayout layout;  ///< certificate.reason: why not the traced one
-  std::string method;             ///< "traced" or "quantized"
-  std::string warning;            ///< empty where there is none
+  LayoutMethod method = LayoutMethod::traced;
+  std::string warning;  ///< empty where there is none
 };
 
 /// By the table above; computes only what it needs. Reports layout.way, layout.method and layout.reason. Throws

@@ -1,5 +1,6 @@
 #include "layout/compute_layout.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -39,13 +40,36 @@ graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, 
 }
 
 graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                         const LayoutOptions& options, Report& report) {
-  graph::CandidateLayout layout =
-      options.layout == "t-mesh"      ? quantize::TMeshTracer(evaluator, points, options.trace).trace(report)
-      : options.layout == "quantized" ? quantized_layout(evaluator, points, options, report)
-                                      : trace_separatrices(evaluator, points, options, report);
-  certify(evaluator, options.layout, layout, report);
+                                         const LayoutOptions& options, LayoutMethod method, Report& report) {
+  const auto compute = [&] {
+    switch (method) {
+      case LayoutMethod::t_mesh:
+        return quantize::TMeshTracer(evaluator, points, options.trace).trace(report);
+      case LayoutMethod::quantized:
+        return quantized_layout(evaluator, points, options, report);
+      case LayoutMethod::traced:
+        break;
+    }
+    return trace_separatrices(evaluator, points, options, report);
+  };
+  graph::CandidateLayout layout = compute();
+  certify(evaluator, method, layout, report);
   return layout;
+}
+
+// Nothing: one is chosen.
+std::optional<LayoutMethod> prescribed_method(LayoutChoice choice) {
+  switch (choice) {
+    case LayoutChoice::traced:
+      return LayoutMethod::traced;
+    case LayoutChoice::quantized:
+      return LayoutMethod::quantized;
+    case LayoutChoice::t_mesh:
+      return LayoutMethod::t_mesh;
+    case LayoutChoice::automatic:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -53,9 +77,9 @@ graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator,
 SeparatrixGraph compute_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                const LayoutOptions& options, Report& report) {
   options.validate();
-  const bool is_automatic = options.layout == "auto";
-  graph::CandidateLayout layout = is_automatic ? automatic_layout(evaluator, points, options, report)
-                                               : prescribed_layout(evaluator, points, options, report);
+  const std::optional<LayoutMethod> method = prescribed_method(options.layout);
+  graph::CandidateLayout layout = method ? prescribed_layout(evaluator, points, options, *method, report)
+                                         : automatic_layout(evaluator, points, options, report);
   report.set("subdivision.built", graph::Subdivision::num_built());
   return graph::separatrix_graph(std::move(layout));
 }

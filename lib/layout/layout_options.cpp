@@ -8,23 +8,24 @@
 namespace quadrille::layout {
 namespace {
 
-// Degrees that the coarsest layout may turn its lines away from the field, whatever the options say.
-constexpr double coarsest_turn = 45;
+// Degrees by which lines of the coarsest layout may deviate from the field, whatever the options say.
+constexpr double coarsest_deviation = 45;
 
 }  // namespace
 
 void LayoutOptions::validate() const {
   trace.validate();
-  if (max_turn < 0) throw UsageError("the greatest turn must not be negative");
-  if (max_lines < 1) throw UsageError("the bounds must be positive");
+  if (max_deviation < 0) throw UsageError("the greatest deviation must not be negative");
+  if (max_lines < 1) throw UsageError("the greatest number of arcs must be positive");
 }
 
 simplify::SimplifyOptions simplify_options(const LayoutOptions& options) {
   simplify::SimplifyOptions simplify;
-  simplify.limits_loss_by_saving = options.simplify != "coarsest";
+  simplify.limits_loss_by_saving = options.simplify != SimplifyLevel::coarsest;
   simplify.least_scaled_jacobian = simplify.limits_loss_by_saving ? 0.5 : 0.3;
   simplify.max_deviation =
-      radians(options.simplify == "coarsest" ? std::max(options.max_turn, coarsest_turn) : options.max_turn);
+      radians(options.simplify == SimplifyLevel::coarsest ? std::max(options.max_deviation, coarsest_deviation)
+                                                          : options.max_deviation);
   return simplify;
 }
 

@@ -1,24 +1,46 @@
 #pragma once
-// Everything that a user can choose about the way from a field to a layout.
+// The options of the computation of a layout from a field.
 
-#include <string>
+#include <array>
 
+#include "base/enum_names.hpp"
 #include "simplify/simplify.hpp"
 #include "trace/trace_options.hpp"
 
 namespace quadrille::layout {
 
+/// Collapse of chords (simplify/simplify.hpp).
+enum class SimplifyLevel {
+  none,
+  normal,   ///< where it saves more blocks than it costs in block quality
+  coarsest  ///< where block quality stays acceptable
+};
+
+constexpr auto enum_names(SimplifyLevel) {
+  return std::to_array<EnumName<SimplifyLevel>>(
+      {{SimplifyLevel::none, "none"}, {SimplifyLevel::normal, "normal"}, {SimplifyLevel::coarsest, "coarsest"}});
+}
+
+/// How the layout is computed (layout/compute_layout.hpp).
+enum class LayoutChoice { traced, quantized, automatic, t_mesh };
+
+constexpr auto enum_names(LayoutChoice) {
+  return std::to_array<EnumName<LayoutChoice>>({{LayoutChoice::traced, "traced"},
+                                                {LayoutChoice::quantized, "quantized"},
+                                                {LayoutChoice::automatic, "auto"},
+                                                {LayoutChoice::t_mesh, "t-mesh"}});
+}
+
 struct LayoutOptions {
   trace::TraceOptions trace;
-  std::string simplify = "normal";  ///< collapse of chords: "none", "normal", "coarsest"
-  double max_turn = 40;             ///< degrees: of a line from the field, by that; `coarsest` allows 45 at least
-  int max_lines = 2000;             ///< more arcs of separatrices than this is an error
-  /// "traced", "quantized", "auto" or "t-mesh" (layout/compute_layout.hpp).
-  std::string layout = "auto";
+  SimplifyLevel simplify = SimplifyLevel::normal;
+  double max_deviation = 40;  ///< degrees: of a simplified line from the field; `coarsest` allows 45 at least
+  int max_lines = 2000;       ///< more arcs of separatrices than this is an error
+  LayoutChoice layout = LayoutChoice::automatic;
   void validate() const;  ///< throws UsageError
 };
 
-/// What options.simplify stands for.
+/// The bounds that options.simplify and options.max_deviation stand for.
 simplify::SimplifyOptions simplify_options(const LayoutOptions& options);
 
 }  // namespace quadrille::layout

@@ -75,7 +75,7 @@ graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, 
   const QuantizedTMesh q = quantized_t_mesh(tracer, report);
   graph::CandidateLayout layout = quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
   report.set("quantize.faces", layout.subdivision.num_faces());
-  if (options.simplify != "none")
+  if (options.simplify != SimplifyLevel::none)
     layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
   return layout;
 }

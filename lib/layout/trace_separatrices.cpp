@@ -79,7 +79,7 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   layout.certificate.merged_lines = static_cast<int>(found->num_merged);
   layout.certificate.largest_deviation_degrees = degrees(found->largest_deviation);
 
-  if (options.simplify != "none") {
+  if (options.simplify != SimplifyLevel::none) {
     graph::require_four_corners(layout.subdivision);
     layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
   }

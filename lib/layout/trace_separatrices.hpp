@@ -9,11 +9,11 @@
 
 namespace quadrille::layout {
 
-/// Launches, advances, merges, intersects, builds the graph, takes its census and simplifies it
-/// (simplify/simplify.hpp). Every line is followed to its end before any merge is decided: the result does not depend
-/// on the sequence of the lines or on a step. A domain between two loops in which nothing launches gets four cuts from
-/// the inner loop to the outer one, at equal shares of the inner loop's length from the start of its first curve.
-/// Throws ComputeError when a bound is met or a face is not four-sided, with the place.
+/// Follows every separatrix to its end, merges head-on pairs (trace/merged_lines.hpp), intersects the lines, builds the
+/// graph and collapses thin chords (simplify/simplify.hpp). All lines are followed before any merge is decided: the
+/// result does not depend on the order of the lines or on a step. A domain between two loops in which no separatrix
+/// starts gets four cuts (trace::launch_cuts). Reports trace.* and simplify.*. Throws ComputeError, with a position
+/// where there is one, where a line has no end, a bound is exceeded or a face does not have four corners.
 graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                           const LayoutOptions& options, Report& report);
 

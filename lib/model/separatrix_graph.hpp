@@ -1,19 +1,36 @@
 #pragma once
 // The planar graph of separatrices and boundary (formats/separatrix-graph.md, x.sep.json).
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "model/arc_graph.hpp"
 #include "model/provenance.hpp"
 
 namespace quadrille {
 
+enum class LineKind {
+  traced,   ///< followed through the field
+  merged,   ///< two lines that met, or a blend of two lines
+  cut,      ///< an auxiliary line from the boundary
+  extended  ///< through the integer grids of a T-mesh
+};
+
+constexpr auto enum_names(LineKind) {
+  return std::to_array<EnumName<LineKind>>({{LineKind::traced, "traced"},
+                                            {LineKind::merged, "merged"},
+                                            {LineKind::cut, "cut"},
+                                            {LineKind::extended, "extended"}});
+}
+
 /// How a separatrix came to be, for people and pictures: origin and end node, and its arcs from one to the other.
 struct SeparatrixLine {
   int origin = -1;
   int end = -1;
-  std::string kind;  ///< "traced", "merged", "cut"
+  LineKind kind = LineKind::traced;
   std::vector<int> arcs;
 };
 
@@ -24,9 +41,20 @@ struct FaceCount {
   int faces = 0;
 };
 
+enum class LayoutMethod {
+  traced,     ///< separatrices are followed to their ends
+  quantized,  ///< they stop at each other and are continued by an integer program
+  t_mesh      ///< they stop at each other, with T-junctions
+};
+
+constexpr auto enum_names(LayoutMethod) {
+  return std::to_array<EnumName<LayoutMethod>>(
+      {{LayoutMethod::traced, "traced"}, {LayoutMethod::quantized, "quantized"}, {LayoutMethod::t_mesh, "t-mesh"}});
+}
+
 /// What was counted on a graph, and the method that made it.
 struct LayoutCertificate {
-  std::string method;  ///< "traced", "quantized" or "t-mesh"; empty: the graph comes without a certificate
+  std::optional<LayoutMethod> method;  ///< nothing: the graph comes without a certificate
   std::string reason;  ///< a sentence for people: why not "traced", where that was tried first; else empty
   int index_sum = 0;   ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
   std::vector<FaceCount> face_valence_histogram;  ///< by rising corners

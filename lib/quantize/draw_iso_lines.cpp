@@ -74,7 +74,7 @@ void add_line(const std::vector<LineNode>& line_nodes, const std::function<Vec2(
   const Vec2 d1 = (3 * x.back() - 4 * position(1 - h) + position(1 - 2 * h)) / (2 * h);
   const int curve = graph.face.num_curves() + static_cast<int>(graph.splines.size());
   graph.splines.push_back(curve::cubic_spline(t, x, d0, d1));
-  SeparatrixLine line{line_nodes.front().node, line_nodes.back().node, "extended", {}};
+  SeparatrixLine line{line_nodes.front().node, line_nodes.back().node, LineKind::extended, {}};
   for (size_t k = 0; k + 1 < line_nodes.size(); ++k) {
     const LineNode &a = line_nodes[k], &b = line_nodes[k + 1];
     line.arcs.push_back(static_cast<int>(graph.arcs.size()));

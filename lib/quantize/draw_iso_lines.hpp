@@ -8,7 +8,7 @@
 namespace quadrille::quantize {
 
 /// Appends the lines of a face to `graph`, with a node where two of them cross, a spline and arcs for each, and lines
-/// of kind "extended". `table`: of the T-mesh's curves.
+/// of kind LineKind::extended. `table`: of the T-mesh's curves.
 void draw_iso_lines(const ArcGraph& t_mesh, const QuantizedParametrization& parametrization, const SplitArcs& split,
                     const curve::CurveTable& table, int face, SeparatrixGraph& graph);
 

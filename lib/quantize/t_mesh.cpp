@@ -21,7 +21,7 @@ constexpr int max_cuts = 100;
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                               const std::vector<Vec2>& nodes, trace::TraceOptions options) {
   const double d = evaluator.field().mesh.face.diameter;
-  options.integrator = "rk";
+  options.integrator = trace::Integrator::runge_kutta;
   if (!(options.step > 0)) options.step = d / 20;
   trace::LineTracer tracer(evaluator, points, nodes, options);
   tracer.follow_all_to(relative_first_length * d);

@@ -156,14 +156,14 @@ graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::C
   double least = worst_quality(layout.subdivision).least_scaled_jacobian;
   report.set("simplify.blocks_before", layout.subdivision.num_faces());
   report.set("simplify.least_scaled_jacobian_before", least);
-  std::vector<std::string> kinds = graph::spline_kinds(layout.graph(), layout.lines);
+  std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
   Simplifier simplifier(evaluator, std::move(layout.subdivision), options);
   while (simplifier.collapse_chords() || simplifier.shorten_spirals()) {
   }
   layout.subdivision = std::move(simplifier.subdivision());
   report_steps(simplifier, report);
   if (simplifier.num_collapsed() + simplifier.num_shortened() > 0) {
-    kinds.resize(layout.graph().splines.size(), "merged");  // the new ones are blends
+    kinds.resize(layout.graph().splines.size(), LineKind::merged);  // the new ones are blends
     layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
     least = worst_quality(layout.subdivision).least_scaled_jacobian;
   }

@@ -18,6 +18,36 @@ StreamStep hermite(Vec2 x, Vec2 direction, Vec2 end, Vec2 end_direction, double 
   return {in_the_plane, s, h, h, {x, rise, bend, rise - h * end_direction - bend, {}}};
 }
 
+struct BoundaryFoot {
+  int curve = -1;
+  double t = 0;
+  Vec2 position;
+};
+
+// The nearest point of the boundary beside an element, within a thousandth of the diameter; else curve -1.
+BoundaryFoot boundary_foot_near(const field::FieldEvaluator& evaluator, int elem, Vec2 x) {
+  const TriMesh& mesh = evaluator.field().mesh;
+  BoundaryFoot nearest;
+  double least = 1e-3 * mesh.face.diameter;
+  for (const int edge : evaluator.topology().elem2boundary_edge[elem]) {
+    if (edge < 0) continue;
+    const BoundaryEdge& boundary = mesh.boundary_edges[edge];
+    const curve::Projection foot = curve::project(mesh.face.curves[boundary.curve], x, boundary.t0, boundary.t1);
+    const double gap = distance(foot.position, x);
+    if (gap >= least) continue;
+    least = gap;
+    nearest = {boundary.curve, foot.t, foot.position};
+  }
+  return nearest;
+}
+
+[[noreturn]] void fail_at(Vec2 x) {
+  throw ComputeError(
+      fmt::format("a separatrix cannot be followed beyond ({:.6g}, {:.6g}): the field has no direction there, or a "
+                  "step jumps over the boundary",
+                  x.x, x.y));
+}
+
 class FixedStepIntegrator {
  public:
   FixedStepIntegrator(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes,
@@ -101,20 +131,11 @@ class FixedStepIntegrator {
   }
 
   void finish_on_boundary() {
-    const TriMesh& mesh = evaluator_.field().mesh;
-    double nearest = 1e-3 * mesh.face.diameter;
-    for (const int edge : evaluator_.topology().elem2boundary_edge[at_.elem]) {
-      if (edge < 0) continue;
-      const BoundaryEdge& boundary = mesh.boundary_edges[edge];
-      const curve::Projection foot = curve::project(mesh.face.curves[boundary.curve], x_, boundary.t0, boundary.t1);
-      const double gap = distance(foot.position, x_);
-      if (gap >= nearest) continue;
-      nearest = gap;
-      line_.curve = boundary.curve;
-      line_.t = foot.t;
-      finish(Streamline::End::boundary, foot.position);
-    }
-    if (line_.end != Streamline::End::boundary) fail();
+    const BoundaryFoot foot = boundary_foot_near(evaluator_, at_.elem, x_);
+    if (foot.curve < 0) fail();
+    line_.curve = foot.curve;
+    line_.t = foot.t;
+    finish(Streamline::End::boundary, foot.position);
   }
 
   bool ends_at_node() {
@@ -134,13 +155,7 @@ class FixedStepIntegrator {
     line_.front = {at_.elem, at_.xi, angle_, {}};
   }
 
-  [[noreturn]] void fail() const {
-    const Vec2 at = x_ + evaluator_.field().mesh.face.origin;
-    throw ComputeError(
-        fmt::format("a separatrix cannot be followed beyond ({:.6g}, {:.6g}): the field has no direction there, or a "
-                    "step jumps over the boundary",
-                    at.x, at.y));
-  }
+  [[noreturn]] void fail() const { fail_at(x_ + evaluator_.field().mesh.face.origin); }
 
   const field::FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;

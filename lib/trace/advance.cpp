@@ -40,6 +40,30 @@ double direction_of(const field::FieldEvaluator& evaluator, const StreamStep& st
   return near + wrap_pi(angle_of(dx_dxi * step.slope(fraction)) - near);
 }
 
+struct BoundaryFoot {
+  int curve = -1;
+  double t = 0;
+  Vec2 position;
+};
+
+// The point of the CAD curve nearest to where a step crosses an element's edge on the boundary.
+BoundaryFoot boundary_foot(const field::FieldEvaluator& evaluator, const StreamStep& step, const ElementExit& exit) {
+  const TriMesh& mesh = evaluator.field().mesh;
+  const BoundaryEdge& edge = mesh.boundary_edges[evaluator.topology().elem2boundary_edge[step.elem][exit.edge]];
+  const Vec2 x = evaluator.maps()[step.elem].position(step.xi(exit.fraction));
+  const curve::Projection foot = curve::project(mesh.face.curves[edge.curve], x, edge.t0, edge.t1);
+  return {edge.curve, foot.t, foot.position};
+}
+
+[[noreturn]] void fail_without_direction(const field::FieldEvaluator& evaluator, const Streamline& line, Vec2 x) {
+  const Vec2 origin = evaluator.field().mesh.face.origin;
+  const Vec2 from = line.launch.origin + origin, at = x + origin;
+  throw ComputeError(
+      fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees cannot be followed beyond "
+                  "({:.6g}, {:.6g}): the field has no direction there",
+                  from.x, from.y, degrees(wrap_pi(line.launch.angle)), at.x, at.y));
+}
+
 // Begins at the line's front.
 class StreamlineIntegrator {
  public:
@@ -100,7 +124,7 @@ class StreamlineIntegrator {
         return;
       }
       h_ *= std::clamp(factor, 0.1, 0.9);
-      if (h_ < 1e-7 * options_.tolerance || h_ < 1e-15 * s_) fail();
+      if (h_ < 1e-7 * options_.tolerance || h_ < 1e-15 * s_) fail_without_direction(evaluator_, line_, position());
     }
   }
 
@@ -127,14 +151,10 @@ class StreamlineIntegrator {
   }
 
   void end_on_boundary(const StreamStep& step, const ElementExit& exit) {
-    const Vec2 xi = step.xi(exit.fraction);
-    const TriMesh& mesh = evaluator_.field().mesh;
-    const BoundaryEdge& edge = mesh.boundary_edges[evaluator_.topology().elem2boundary_edge[step.elem][exit.edge]];
-    const Vec2 x = evaluator_.maps()[step.elem].position(xi);
-    const curve::Projection foot = curve::project(mesh.face.curves[edge.curve], x, edge.t0, edge.t1);
-    state_.angle = stream_state(evaluator_, step.elem, xi, state_.angle).angle;
+    const BoundaryFoot foot = boundary_foot(evaluator_, step, exit);
+    state_.angle = stream_state(evaluator_, step.elem, step.xi(exit.fraction), state_.angle).angle;
     if (ends_at_node(foot.position)) return;
-    line_.curve = edge.curve;
+    line_.curve = foot.curve;
     line_.t = foot.t;
     finish(Streamline::End::boundary, foot.position);
   }
@@ -153,15 +173,6 @@ class StreamlineIntegrator {
     line_.end_angle = state_.angle;
     line_.front = state_;
     line_.next_step = h_;
-  }
-
-  [[noreturn]] void fail() const {
-    const Vec2 origin = evaluator_.field().mesh.face.origin;
-    const Vec2 from = line_.launch.origin + origin, at = position() + origin;
-    throw ComputeError(
-        fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees cannot be followed beyond "
-                    "({:.6g}, {:.6g}): the field has no direction there",
-                    from.x, from.y, degrees(wrap_pi(line_.launch.angle)), at.x, at.y));
   }
 
   const field::FieldEvaluator& evaluator_;

@@ -22,15 +22,19 @@ MergedLine LineFitter::single(int line) {
   const graph::CurveKey key = key_of(line, l.length());
   const bool is_cut = l.launch.node < 0;
   const Nurbs& spline = fitted(key, along, l.length());
-  return {
-      {start_of(l.launch), {l.end_node, l.curve, l.t}, spline, is_cut ? "cut" : "traced"}, l.length(), -1, line, key};
+  return {{start_of(l.launch), {l.end_node, l.curve, l.t}, spline, is_cut ? LineKind::cut : LineKind::traced},
+          l.length(),
+          -1,
+          line,
+          key};
 }
 
 MergedLine LineFitter::pair(const MergeCandidate& candidate, int merge) {
   const Streamline &a = lines_[candidate.a], &b = lines_[candidate.b];
   const graph::CurveKey key = key_of(candidate);
   const Nurbs& spline = fitted(key, merged_curve(evaluator_, a, b, candidate), candidate.length());
-  return {{start_of(a.launch), start_of(b.launch), spline, "merged"}, candidate.length(), merge, candidate.a, key};
+  return {
+      {start_of(a.launch), start_of(b.launch), spline, LineKind::merged}, candidate.length(), merge, candidate.a, key};
 }
 
 const Nurbs& LineFitter::fitted(const graph::CurveKey& key, const curve::CurveFunction& curve, double length) {

@@ -27,13 +27,13 @@ LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoi
 
 AdvanceOptions LineTracer::bounds(double length) const {
   const double d = evaluator_.field().mesh.face.diameter;
-  const bool is_fixed = options_.integrator == "ab4";
+  const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
   const double step = options_.step > 0 ? options_.step : (is_fixed ? relative_fixed_step : relative_max_step) * d;
   return {options_.tolerance * d, step, std::min(length, max_length_), relative_hit_distance * d};
 }
 
 void LineTracer::follow_all_to(double length) {
-  const bool is_fixed = options_.integrator == "ab4";
+  const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
   reach_ = is_fixed ? max_length_ : std::min(length, max_length_);
   const AdvanceOptions options = bounds(reach_);
   if (!is_fixed)

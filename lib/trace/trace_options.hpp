@@ -1,13 +1,24 @@
 #pragma once
 // How separatrices are traced and merged.
 
-#include <string>
+#include <array>
+
+#include "base/enum_names.hpp"
 
 namespace quadrille::trace {
 
+enum class Integrator {
+  runge_kutta,     ///< in reference space with error control (trace/advance.hpp)
+  adams_bashforth  ///< of the paper, with a fixed step, for comparison (trace/adams_bashforth.hpp)
+};
+
+constexpr auto enum_names(Integrator) {
+  return std::to_array<EnumName<Integrator>>({{Integrator::runge_kutta, "rk"}, {Integrator::adams_bashforth, "ab4"}});
+}
+
 struct TraceOptions {
-  std::string integrator = "rk";  ///< "rk": advance(); "ab4": the paper's, advance_adams_bashforth(), for comparison
-  double tolerance = 1e-10;       ///< bound of a step's estimated error, in diameters
+  Integrator integrator = Integrator::runge_kutta;
+  double tolerance = 1e-10;  ///< bound of a step's estimated error, in diameters
   /// File units: the greatest step of the Runge-Kutta integrator (0: diameter / 20), every step of the fixed-step one
   /// (0: diameter / 500).
   double step = 0;

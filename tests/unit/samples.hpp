@@ -155,8 +155,8 @@ inline SeparatrixGraph separatrix_graph() {
   g.arcs = {{0, 4, true, 0, {{0, 0, 0.5}}}, {4, 1, true, 0, {{0, 0.5, 1}}}, {1, 2, true, 0, {{1, 0, 1}}},
             {2, 5, true, 0, {{2, 0, 0.5}}}, {5, 3, true, 0, {{2, 0.5, 1}}}, {3, 0, true, 0, {{3, 0, 1}}},
             {4, 5, false, 0, {{4, 0, 1}}}};
-  g.lines = {{4, 5, "cut", {6}}};
-  g.certificate.method = "traced";
+  g.lines = {{4, 5, LineKind::cut, {6}}};
+  g.certificate.method = LayoutMethod::traced;
   g.certificate.index_sum = 4;
   g.certificate.face_valence_histogram = {{4, 2}};
   return g;

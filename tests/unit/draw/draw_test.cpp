@@ -299,7 +299,7 @@ SeparatrixGraph halved_square() {
   graph.arcs = {{0, 1, true, 0, {{0, 0, 1}}}, {1, 4, true, 0, {{1, 0, 0.5}}}, {4, 2, true, 0, {{1, 0.5, 1}}},
                 {2, 3, true, 0, {{2, 0, 1}}}, {3, 5, true, 0, {{3, 0, 0.5}}}, {5, 0, true, 0, {{3, 0.5, 1}}},
                 {5, 4, false, 0, {{4, 0, 1}}}};
-  graph.lines = {{5, 4, "cut", {6}}};
+  graph.lines = {{5, 4, LineKind::cut, {6}}};
   return graph;
 }
 
@@ -313,7 +313,7 @@ TEST(Draw, SeparatricesShowLinesAndNodes) {
 TEST(Draw, SeparatricesTellTheirCertificate) {
   SeparatrixGraph graph = halved_square();
   EXPECT_EQ(count(draw_separatrix_graph(graph, {}), "index sum"), 0);
-  graph.certificate.method = "traced";
+  graph.certificate.method = LayoutMethod::traced;
   graph.certificate.index_sum = 4;
   graph.certificate.face_valence_histogram = {{4, 2}};
   graph.certificate.largest_deviation_degrees = 2.34;

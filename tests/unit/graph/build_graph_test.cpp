@@ -30,7 +30,7 @@ FinishedLine line(const CadFace& f, int curve0, double t0, int curve1, double t1
   return {{-1, curve0, t0},
           {-1, curve1, t1},
           curve::cubic_spline({0, length / 2, length}, {a, (a + b) / 2, b}, (b - a) / length, (b - a) / length),
-          "traced"};
+          LineKind::traced};
 }
 
 SeparatrixGraph built(const CadFace& f, const std::vector<FixedNode>& fixed, const std::vector<FinishedLine>& lines) {

@@ -124,7 +124,7 @@ TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
   const SeparatrixGraph graph = read_separatrix_graph(read_input(path("second")));
   EXPECT_EQ(graph.nodes[4].kind, NodeKind::boundary);
   EXPECT_EQ(graph.arcs[6].pieces[0].curve, 4);
-  EXPECT_EQ(graph.certificate.method, "traced");
+  EXPECT_EQ(graph.certificate.method, LayoutMethod::traced);
   EXPECT_EQ(graph.certificate.face_valence_histogram.at(0).faces, 2);
   EXPECT_EQ(stage_format(read_input(path("first"))), "separatrix-graph");
 }
@@ -133,7 +133,7 @@ TEST_F(StageFiles, ASeparatrixGraphMayComeWithoutACertificate) {
   SeparatrixGraph graph = samples::separatrix_graph();
   graph.certificate = {};
   expect_same_bytes(graph, read_separatrix_graph, write_separatrix_graph);
-  EXPECT_TRUE(read_separatrix_graph(read_input(path("second"))).certificate.method.empty());
+  EXPECT_FALSE(read_separatrix_graph(read_input(path("second"))).certificate.method);
   EXPECT_EQ(bytes_of("second").find("certificate"), std::string::npos);
 }
 

@@ -49,7 +49,7 @@ LayoutAttempt annulus(int num_blocks, int num_lines) {
 TEST(ChooseLayout, ATracedLayoutOfFewBlocksIsTakenAtOnce) {
   Computations c{annulus(6, 6), annulus(4, 4)};
   const ChosenLayout chosen = c.choose();
-  EXPECT_EQ(chosen.method, "traced");
+  EXPECT_EQ(chosen.method, LayoutMethod::traced);
   EXPECT_EQ(chosen.warning, "");
   EXPECT_EQ(chosen.layout.certificate.reason, "");
   EXPECT_EQ(c.num_quantized, 0);
@@ -59,7 +59,7 @@ TEST(ChooseLayout, ATracedLayoutOfFewBlocksIsTakenAtOnce) {
 TEST(ChooseLayout, AQuantizedLayoutOfFewerBlocksIsPreferredToManyTracedOnes) {
   Computations c{annulus(6, 4), annulus(4, 4)};
   const ChosenLayout chosen = c.choose();
-  EXPECT_EQ(chosen.method, "quantized");
+  EXPECT_EQ(chosen.method, LayoutMethod::quantized);
   EXPECT_EQ(chosen.warning, "");
   EXPECT_EQ(chosen.layout.certificate.reason,
             "4 separatrices that are followed to their ends make 6 blocks, 4 will do");
@@ -70,7 +70,7 @@ TEST(ChooseLayout, AQuantizedLayoutOfFewerBlocksIsPreferredToManyTracedOnes) {
 TEST(ChooseLayout, ATracedLayoutOfManyBlocksStaysWhereTheOtherHasNoFewer) {
   for (const LayoutAttempt& quantized : {annulus(6, 4), annulus(7, 4), none("no lengths")}) {
     Computations c{annulus(6, 4), quantized};
-    EXPECT_EQ(c.choose().method, "traced");
+    EXPECT_EQ(c.choose().method, LayoutMethod::traced);
     EXPECT_EQ(c.num_quantized, 1);
     EXPECT_FALSE(c.has("quantize.faces"));  // of a layout that was not taken
   }
@@ -79,7 +79,7 @@ TEST(ChooseLayout, ATracedLayoutOfManyBlocksStaysWhereTheOtherHasNoFewer) {
 TEST(ChooseLayout, WithoutATracedLayoutTheQuantizedOneIsTakenWithAWarning) {
   Computations c{none("a spiral"), annulus(4, 4)};
   const ChosenLayout chosen = c.choose();
-  EXPECT_EQ(chosen.method, "quantized");
+  EXPECT_EQ(chosen.method, LayoutMethod::quantized);
   EXPECT_EQ(chosen.layout.certificate.reason, "a spiral");
   EXPECT_EQ(chosen.warning.find("a spiral: "), 0u);
 }

@@ -16,7 +16,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 trace::MergedLine line(double y) {
   const Nurbs spline = curve::cubic_spline({0, 5, 10}, {{0, y}, {5, y}, {10, y}}, {1, 0}, {1, 0});
   trace::MergedLine line;
-  line.line = {{3, -1, 0}, {4, -1, 0}, spline, "traced"};
+  line.line = {{3, -1, 0}, {4, -1, 0}, spline, LineKind::traced};
   line.length = 10;
   return line;
 }

@@ -29,7 +29,7 @@ TEST(ExtendLines, TheStoppedLineGoesStraightOnToTheBoundary) {
   EXPECT_EQ(num_t_junctions(whole), 0);
   EXPECT_EQ(graph::require_four_corners(whole.subdivision), 4);
   EXPECT_TRUE(has_node(whole.graph(), {0, 0.4}));
-  EXPECT_EQ(whole.lines.back().kind, "extended");
+  EXPECT_EQ(whole.lines.back().kind, LineKind::extended);
 }
 
 // Four lines, each stopped by the next one, around a block in the middle.

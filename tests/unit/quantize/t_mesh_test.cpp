@@ -53,7 +53,7 @@ TEST(TMesh, AHoleThatNoLineReachesIsTiedToTheRest) {
   ASSERT_EQ(t_mesh.lines.size(), 2u);
   EXPECT_EQ(t_mesh.subdivision.num_components(), 1);
   for (const SeparatrixLine& line : t_mesh.lines) {
-    EXPECT_EQ(line.kind, "cut");
+    EXPECT_EQ(line.kind, LineKind::cut);
     // From the middle of the circle, half a turn from its start, straight to the left side.
     EXPECT_NEAR(t_mesh.graph().nodes[line.end].position.x, -1, 1e-9);
     EXPECT_NEAR(t_mesh.graph().nodes[line.end].position.y, t_mesh.graph().nodes[line.origin].position.y, 1e-9);
@@ -89,8 +89,8 @@ TEST(TMesh, ALimitCycleThatMeetsNobodyIsCutAcross) {
     Report report;
     const graph::CandidateLayout t_mesh = TMeshTracer(spiral.evaluator, spiral.points, {}).trace(report);
     ASSERT_EQ(t_mesh.lines.size(), 2u);
-    EXPECT_EQ(t_mesh.lines[0].kind, "traced");
-    EXPECT_EQ(t_mesh.lines[1].kind, "cut");
+    EXPECT_EQ(t_mesh.lines[0].kind, LineKind::traced);
+    EXPECT_EQ(t_mesh.lines[1].kind, LineKind::cut);
     // The line ends where it meets the cut, which leads from boundary to boundary.
     ASSERT_EQ(t_mesh.t_junctions.size(), 1u);
     EXPECT_EQ(t_mesh.lines[0].end, t_mesh.t_junctions[0]);

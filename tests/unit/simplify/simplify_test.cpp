@@ -32,7 +32,7 @@ TEST_F(Hall, TheStripBecomesOneLineBetweenTheReflexCorners) {
   EXPECT_EQ(simple.splines.size(), 3u);
   const Nurbs* blend = nullptr;
   for (const SeparatrixLine& line : simple.lines)
-    if (line.kind == "merged") {
+    if (line.kind == LineKind::merged) {
       ASSERT_EQ(line.arcs.size(), 1u);
       blend = &simple.curve(simple.arcs[line.arcs[0]].pieces[0].curve);
     }

@@ -32,7 +32,7 @@ inline graph::CandidateLayout hall(double step) {
     return graph::FinishedLine{{from, -1, 0},
                                {-1, curve, t},
                                curve::cubic_spline({0, length / 2, length}, {a, (a + b) / 2, b}, along, along),
-                               "traced"};
+                               LineKind::traced};
   };
   const std::vector<graph::FinishedLine> lines{line(7, 1, 1), line(7, 4, 3), line(2, 5, 1 - step), line(2, 4, 1)};
   std::vector<Nurbs> splines;

@@ -38,7 +38,7 @@ inline SeparatrixGraph make(const std::vector<Line>& lines) {
     finished.push_back({{-1, l.curve0, parameter(l.curve0, l.from)},
                         end,
                         curve::cubic_spline({0, length / 2, length}, {l.from, (l.from + l.to) / 2, l.to}, along, along),
-                        "traced"});
+                        LineKind::traced});
     splines.push_back(finished.back().spline);
   }
   return graph::build_graph(f, corners, finished, graph::find_crossings(splines, 1e-9), 1e-9);

@@ -37,7 +37,7 @@ TEST_F(FiveRays, LinesAreFollowedInRounds) {
 }
 
 TEST_F(FiveRays, TheFixedStepIntegratorFollowsLinesToTheirEndsAtOnce) {
-  options.integrator = "ab4";
+  options.integrator = Integrator::adams_bashforth;
   LineTracer tracer(evaluator, points, nodes, options);
   tracer.follow_all_to(0.3);
   EXPECT_EQ(tracer.reach(), 0);

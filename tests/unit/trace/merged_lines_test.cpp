@@ -32,7 +32,7 @@ TEST_F(MergedTwoNodes, AMergedPairIsOneLineFromNodeToNode) {
       continue;
     }
     ++num_merged;
-    EXPECT_EQ(line.line.kind, "merged");
+    EXPECT_EQ(line.line.kind, LineKind::merged);
     EXPECT_EQ(line.line.start.node, 0);
     EXPECT_EQ(line.line.end.node, 1);
     EXPECT_LT(distance(curve::point(line.line.spline, line.length), nodes[1]), 1e-9);
