@@ -14,7 +14,7 @@ namespace {
 TEST(TraceData, OfTheCurvesThemselvesRunAlongEachEdgeFromItsLowerVertex) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 2);
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
-  std::vector<int> sequence(mesh.num_elems());
+  std::vector<int> sequence(mesh.vertices.size() + topology.edge2vertices.size());
   std::iota(sequence.begin(), sequence.end(), 0);
   const DofMap map = make_trace_map(mesh, topology, sequence, std::vector<int>(mesh.num_elems(), 3));
   const Eigen::MatrixXd values =
