@@ -24,7 +24,7 @@ TEST(SeparatrixLines, ASplineInTwoRunsIsTwoLines) {
   graph.splines.resize(1);
   graph.nodes.resize(4);
   graph.arcs = {{0, 1, false, 0, {{0, 0, 1}}}, {3, 2, false, 0, {{0, 3, 2}}}};
-  const std::vector<SeparatrixLine> lines = lines_of_arcs(graph, {"merged"});
+  const std::vector<SeparatrixLine> lines = lines_of_arcs(graph, {LineKind::merged});
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1].origin, 2);  // in the direction of the spline
   EXPECT_EQ(lines[1].end, 3);
