@@ -28,9 +28,9 @@ class Archive {
   virtual ~Archive() = default;
 
   virtual bool is_reading() const = 0;
-  /// Whether the member is there to be read (members that a later minor version added may be missing); true on writing.
+  /// Whether the member exists in the file (members that a later minor version added may be missing); true on writing.
   virtual bool has(const char* name) const = 0;
-  /// Throws FormatError (reading) or Defect (writing): "<file>: <place of the field `name`> <problem>".
+  /// Throws FormatError (reading) or Defect (writing): "<file>: <position of the field `name`> <problem>".
   [[noreturn]] virtual void fail(const char* name, const std::string& problem) const = 0;
 
   // Members of fixed size.
@@ -46,8 +46,8 @@ class Archive {
   virtual void text_list(const char* name, std::vector<std::string>& values, Doc doc) = 0;
   // Nesting.
   virtual void object(const char* name, const std::function<void(Archive&)>& describe) = 0;
-  /// `count` records on writing; on reading `resize` is called with their number first. `each` is also called once
-  /// with index `declared` when there are none, so that empty columns are written with their names.
+  /// `count` records on writing; on reading `resize` is called with their number first. Without records, `each` is
+  /// still called once, with index `declared`, so that empty columns are written with their names.
   virtual void records(const char* name, std::size_t count, const std::function<void(std::size_t)>& resize,
                        const Each& each) = 0;
   static constexpr std::size_t declared = static_cast<std::size_t>(-1);
@@ -94,8 +94,8 @@ class Archive {
     values.resize(flat.size() / N);
     for (std::size_t i = 0; i < flat.size(); ++i) values[i / N][i % N] = flat[i];
   }
-  /// An enum by the name of its value. Reading any other text is refused with the names that are allowed and `rule`,
-  /// the numbered rule that says so, where there is one.
+  /// An enum by the name of its value. Reading any other text throws FormatError with the allowed names and, if it is
+  /// not empty, the numbered rule `rule`.
   template <NamedEnum Enum>
   void field(const char* name, Enum& value, Doc doc = {}, const std::string& rule = {}) {
     const std::string given = enum_field(name, value, doc);
@@ -118,7 +118,7 @@ class Archive {
   }
 
  private:
-  /// Writes the value's name, or reads the value where the name is known; returns the text.
+  /// Writes the value's name, or reads the value if its name is known; returns the text.
   template <NamedEnum Enum>
   std::string enum_field(const char* name, Enum& value, Doc doc) {
     std::string text_of_value = is_reading() ? std::string() : enum_name(value);

@@ -7,10 +7,10 @@
 
 namespace quadrille::io {
 
-/// As the object or group `face`.
+/// Writes or reads the face as the JSON object or HDF5 group `face`.
 void describe_face(Archive& archive, CadFace& face);
 void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curves);
-/// `nodes` and `arcs` of a separatrix graph or a block layout.
+/// Writes or reads the members `nodes` and `arcs` of a separatrix graph or a block layout.
 void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs);
 
 }  // namespace quadrille::io

@@ -11,7 +11,7 @@ constexpr std::string_view mark = "QUADSUM1";
 constexpr std::size_t trailer_size = 16;
 
 /// FNV-1a over little-endian words of 8 bytes (the last one padded with zeros), then the length. Every step is a
-/// bijection of the state, so one damaged word always shows.
+/// bijection of the state, so one damaged word is always detected.
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t state = 14695981039346656037ull;
   const auto mix = [&](std::uint64_t word) { state = (state ^ word) * 1099511628211ull; };
@@ -20,7 +20,7 @@ std::uint64_t checksum(std::string_view bytes) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data() + i, 8);
     mix(word);
-    state ^= state >> 29;  // lets high bits reach the low ones
+    state ^= state >> 29;  // mixes the high bits into the low ones
   }
   std::uint64_t rest = 0;
   std::memcpy(&rest, bytes.data() + i, bytes.size() - i);

@@ -8,13 +8,13 @@ namespace {
 constexpr RenamedKey renamed[] = {{"hole_winding_offsets", "twist_offsets"}};
 constexpr FormatVersion critical_points_version{"critical-points", 2, 0, renamed};
 
-/// `id` is for people: its place in the list when the file was written. Edited lists need not keep it.
+/// `id` is informative: the position in the list when the file was written. Edited lists need not keep it.
 void describe_id(Archive& archive, std::size_t place) {
   int id = static_cast<int>(place);
   if (!archive.is_reading()) archive.field("id", id);
 }
 
-/// The index of a node whose valence is anything that a file may hold; CRT-R02 refuses what is no valence.
+/// The field index 4 - V of a node; V may be any integer of the file, rule CRT-R02 refuses what is no valence.
 int index_of(int valence) { return valence < -1000 ? 1000 : 4 - valence; }
 
 /// A node added by hand needs no more than its position and valence.
@@ -91,7 +91,7 @@ void describe_certificate(Archive& a, Certificate& certificate) {
   a.field("disc_radii", certificate.disc_radii);
 }
 
-/// The sum that a file states, or that of its lists where it states none.
+/// The index sum stated in the file or, if it states none, computed from its lists.
 void describe_index_sum(Archive& archive, CriticalPoints& points) {
   points.index_sum = archive.is_reading() ? index_sum_of(points) : points.index_sum;
   archive.object("index_sum", [&](Archive& a) {

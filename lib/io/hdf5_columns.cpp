@@ -11,7 +11,7 @@ namespace quadrille::io {
 
 namespace {
 
-/// What is common to columns being filled and columns being emptied.
+/// Members that writing and reading columns have in common.
 struct Column {
   std::string name;
   Doc doc;
@@ -73,7 +73,7 @@ class ColumnWriter : public Archive {
     if (!is_declaring_) end_row(c, static_cast<std::size_t>(c.offsets.back()) + count);
   }
 
-  /// Learns the columns from one empty record.
+  /// Declares the columns from one empty record.
   void declare(const Each& each) {
     is_declaring_ = true;
     each(*this, declared);
@@ -124,7 +124,7 @@ class ColumnWriter : public Archive {
 
 class ColumnReader : public Archive {
  public:
-  /// `count` records: every column must have as many rows.
+  /// Sets the number of records; every column must have `count` rows.
   ColumnReader(Hdf5GroupReader group, std::size_t count) : group_(std::move(group)), count_(count) {}
 
   void set_row(std::size_t row) { row_ = row; }
@@ -202,7 +202,7 @@ class ColumnReader : public Archive {
     columns_.push_back(std::move(fresh));
     return *columns_.back();
   }
-  /// Offsets that climb from 0 to `rows` in count + 1 steps.
+  /// The count + 1 offsets of a ragged member: ascending from 0 to `rows`.
   std::vector<int> offsets_of(const char* name, std::size_t rows) const {
     const std::string offsets_name = std::string(name) + "_offsets";
     std::vector<int> offsets = group_.integers(offsets_name, 1);
@@ -254,7 +254,7 @@ void read_columns(const Hdf5GroupReader& parent, const char* name, const std::fu
   Hdf5GroupReader group = parent.group(name);
   const std::size_t count = ColumnReader::count_of(group);
   ColumnReader columns(std::move(group), count);
-  // The first record reads the columns and so proves that there are `count` rows before anything is made that large.
+  // The first record reads the columns and so proves that `count` rows exist before memory for them is allocated.
   if (count > 0) {
     resize(1);
     columns.set_row(0);

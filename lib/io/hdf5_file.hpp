@@ -1,6 +1,6 @@
 #pragma once
 // HDF5 files as images in memory, over the C API: groups, datasets and attributes of the few types that the formats
-// use. Private to io; no HDF5 type shows. Readers throw FormatError naming file and dataset, writers OutputError.
+// use. Private to io; no HDF5 type is exposed. Readers throw FormatError naming file and dataset, writers OutputError.
 //
 // The same content gives the same bytes: no time stamps, fixed library version bounds, contiguous datasets.
 
@@ -101,7 +101,7 @@ class Hdf5Reader {
   std::unique_ptr<Hdf5GroupReader> root_;
 };
 
-/// Whether the bytes begin as an HDF5 file does.
+/// Whether the bytes begin with the signature of an HDF5 file.
 bool looks_like_hdf5(const std::string& bytes);
 
 }  // namespace quadrille::io

@@ -10,7 +10,7 @@ namespace quadrille::io {
 
 namespace {
 
-/// Deflate packs at best 1032 to 1; a dataset that claims more than its storage can hold is a trap.
+/// Deflate compresses at most 1032 to 1: a dataset that declares more than its storage can contain is refused.
 constexpr hsize_t best_compression = 1040;
 
 Hdf5Id opened(hid_t id, Hdf5Id::Close close) { return {id, close}; }

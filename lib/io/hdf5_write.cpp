@@ -25,7 +25,7 @@ Hdf5Id space_of(const Hdf5GroupWriter::Shape& shape) {
   return checked(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose, "a data space");
 }
 
-/// Fixed-length UTF-8, padded with zeros: what h5dump, Fortran and MATLAB read without ado.
+/// Fixed-length UTF-8, padded with zeros: h5dump, Fortran and MATLAB read these without conversion.
 Hdf5Id text_type(std::size_t size) {
   Hdf5Id type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "a string type");
   H5Tset_size(type.get(), std::max<std::size_t>(size, 1));

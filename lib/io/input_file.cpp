@@ -29,7 +29,7 @@ struct Descriptor {
 }
 
 std::string read_all(int fd, std::size_t expected, const std::string& name) {
-  std::string bytes(expected + 1, '\0');  // one more than expected: the end is seen without growing
+  std::string bytes(expected + 1, '\0');  // one more than expected: the end is detected without resizing
   std::size_t size = 0;
   for (;;) {
     if (size == bytes.size()) bytes.resize(std::max<std::size_t>(2 * size, 65536));

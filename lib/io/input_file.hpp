@@ -1,5 +1,5 @@
 #pragma once
-// An input, whole in memory, with its digest.
+// An input file, read whole into memory, with its digest.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,8 @@ struct InputFile {
 /// Reads `path` ("-": standard input). Throws FormatError when it cannot be read, is a directory or a terminal.
 InputFile read_input(const std::string& path);
 
-/// Throws FormatError unless `second` was made from `first`: its chain must hold first's digest, or the other way.
+/// Throws FormatError unless one of the files was made from the other: the provenance chain of one must contain the
+/// digest of the other.
 void require_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
                          const Provenance& second_chain);
 

@@ -218,7 +218,7 @@ JsonReader::JsonReader(const std::string& bytes, const std::string& file_name) {
   try {
     impl_ = std::make_unique<Impl>(Json::parse(bytes), file_name);
   } catch (const Json::exception& e) {
-    // The library's own prefix ("[json.exception.parse_error.101] ") tells a user nothing.
+    // The library's own prefix ("[json.exception.parse_error.101] ") does not help a user.
     const std::string what = e.what();
     const std::size_t prefix = what.find("] ");
     throw FormatError(

@@ -8,7 +8,7 @@
 
 namespace quadrille::io {
 
-/// Collects an object and prints it.
+/// Collects a JSON object and prints it.
 class JsonWriter {
  public:
   JsonWriter();

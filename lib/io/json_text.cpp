@@ -26,7 +26,7 @@ std::string one_line(const Json& value) {
 
 std::string pretty(const Json& value, std::size_t indent);
 
-/// Items that are short, as many on a line as fit.
+/// Short items, as many on a line as fit.
 std::string wrapped_items(const Json& value, std::size_t indent) {
   const std::string margin = '\n' + std::string(indent + 2, ' ');
   std::string out = "[" + margin;

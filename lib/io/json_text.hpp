@@ -1,5 +1,5 @@
 #pragma once
-// JSON as people like to read it. Private to the folder io.
+// Readable JSON text. Private to io.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

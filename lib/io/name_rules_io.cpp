@@ -78,7 +78,7 @@ NameRule rule_of_place(const Json& place, const char* key, const std::string& wh
   return rule;
 }
 
-/// Exactly one key that says which, one that says how it is called, nothing else.
+/// An entry must have exactly one key that selects, the key `name`, and no other.
 NameRule rule_of_entry(const Json& entry, const Dialect& dialect, const std::string& where) {
   std::vector<std::string> keys{"id", dialect.place_key};
   if (dialect.has_old_names) keys.push_back("old_name");

@@ -1,6 +1,6 @@
 #pragma once
-// An order for every element that somebody else has chosen: JSON (formats/order-map.md), or a field whose orders are
-// taken over.
+// Reads a prescribed polynomial order for every element: from JSON (formats/order-map.md) or from the orders of a
+// field.
 
 #include <string>
 #include <vector>

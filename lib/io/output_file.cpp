@@ -44,7 +44,7 @@ void write_directly(const std::string& path, const std::string& bytes) {
   if (close(fd) != 0) fail(path);
 }
 
-/// The temporary of one output: removed unless it was renamed, also when a signal ends the process.
+/// The temporary file of one output: removed unless it was renamed, also if a signal ends the process.
 class Temporary {
  public:
   explicit Temporary(const std::string& target) : target_(target) {
@@ -82,7 +82,7 @@ class Temporary {
   bool is_renamed_ = false;
 };
 
-/// A symbolic link stays one: its target is replaced.
+/// A symbolic link is kept: its target is replaced.
 std::string resolved(const std::string& path) {
   char real[PATH_MAX];
   return realpath(path.c_str(), real) ? std::string(real) : path;

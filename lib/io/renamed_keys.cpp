@@ -6,7 +6,7 @@ namespace quadrille::io {
 
 namespace {
 
-/// Passes everything on to another archive, by former names.
+/// Forwards every call to another archive, with the former names of members.
 class FormerNames : public Archive {
  public:
   FormerNames(Archive& inner, std::span<const RenamedKey> renamed, std::string place)

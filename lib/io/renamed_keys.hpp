@@ -13,8 +13,8 @@ struct RenamedKey {
   const char* former;  ///< the last name before, "way"
 };
 
-/// Runs `describe` on `archive` with present names, while the file has the former ones. Messages name what the file
-/// has.
+/// Runs `describe` on `archive` with present names, while the file has the former ones. Messages use the names of the
+/// file.
 void describe_with_former_names(Archive& archive, std::span<const RenamedKey> renamed,
                                 const std::function<void(Archive&)>& describe);
 

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The place of a dotted key; inner objects are made where they are missing.
+/// The value of a dotted key; inner objects are made where they are missing.
 Json& place_of(Json& root, const std::string& key) {
   Json* place = &root;
   std::size_t begin = 0;

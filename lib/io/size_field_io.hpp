@@ -6,7 +6,7 @@
 
 namespace quadrille::io {
 
-/// Positions become relative to `origin` (of the face; the file's include it). Throws FormatError, with the place in
+/// Positions become relative to `origin` (of the face; the file's include it). Throws FormatError, with the position in
 /// the file, for anything that is no size field.
 SizeSources read_size_field(const InputFile& file, Vec2 origin);
 

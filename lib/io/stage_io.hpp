@@ -1,5 +1,5 @@
 #pragma once
-// From a description of fields to a stage file and back, header included. Private to io.
+// Writes and reads a stage file, header included, from the description of its members. Private to io.
 
 #include <functional>
 #include <string>

@@ -34,7 +34,7 @@ TriMesh read_tri_mesh(const InputFile& file) {
 }
 
 void write_tri_mesh(const std::string& path, const TriMesh& mesh) {
-  TriMesh copy = mesh;  // a description takes what it may also fill
+  TriMesh copy = mesh;  // a description needs a mutable object, since it may also read
   write_hdf5_stage(path, tri_mesh_version, mesh.provenance, [&](Archive& a) { describe_tri_mesh(a, copy); });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The members of a triangle mesh, as a file of its own or inside a field file. Private to io.
+// Writes and reads the members of a triangle mesh, in a file of its own or inside a field file. Private to io.
 
 #include "io/archive.hpp"
 #include "model/tri_mesh.hpp"
