@@ -51,8 +51,8 @@ void numbers_are_finite(const CadFace& face, Findings& findings) {
   if (!(face.diameter > 0) || !is_finite(face.diameter)) findings.add("diameter must be a positive number");
 }
 
-/// STEP files meet to the tolerance of their vertices; beyond this the outline has a gap.
-constexpr double gap_tol = 1e-5;  // of the diameter
+/// Curves of STEP files meet within the tolerance of their vertices; a larger distance is a gap in the outline.
+constexpr double gap_tol = 1e-5;  // relative to the diameter
 
 void curves_meet(const CadFace& face, Findings& findings) {
   for (std::size_t i = 0; i < face.curves.size(); ++i)
@@ -95,7 +95,7 @@ void plane_is_orthonormal(const CadFace& face, Findings& findings) {
     findings.add("metres_per_unit must be positive, or 0 where unknown");
 }
 
-/// Twice the signed area of the loop's polygon of points at the knot spans' sixteenths.
+/// Twice the signed area of the loop's polygon through 16 points per knot span.
 double signed_area(const CadFace& face, int loop) {
   std::vector<Vec2> points;
   for (int i = face.loop_offsets[loop]; i < face.loop_offsets[loop + 1]; ++i) {

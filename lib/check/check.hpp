@@ -15,17 +15,17 @@ namespace quadrille::check {
 
 struct Violation {
   std::string rule;  ///< "TRI-R01"
-  std::string text;  ///< what and where
+  std::string text;  ///< what is wrong, and where
 };
 
-/// quick: whatever a stage relies on so as not to read out of bounds or loop; full: every rule, proofs included.
+/// quick: the rules without which a stage could read out of bounds or loop forever; full: every rule, proofs included.
 enum class CheckDepth { quick, full };
 
 std::vector<Violation> check_cad_face(const CadFace& face, CheckDepth depth);
 std::vector<Violation> check_tri_mesh(const TriMesh& mesh, CheckDepth depth);
 std::vector<Violation> check_field(const Field& field, CheckDepth depth);
 std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth);
-/// The rules that need the field beside its critical points: elements and corners that exist there.
+/// The rules of critical points that also need their field: they refer to elements and corners that exist there.
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const Field& field);
 std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, CheckDepth depth);
 std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth);

@@ -87,7 +87,7 @@ void corners_are_sound(const CriticalPoints& points, Findings& findings) {
 }
 
 void index_sum_is_right(const CriticalPoints& points, Findings& findings) {
-  long long nodes = 0, corners = 0, boundary = 0;  // a damaged file may hold valences of any size
+  long long nodes = 0, corners = 0, boundary = 0;  // a damaged file may contain valences of any size
   for (const CriticalPoint& p : points.critical_points) nodes += 4LL - p.valence;
   for (const Corner& c : points.corners) corners += 2LL - c.valence;
   for (const IrregularBoundaryPoint& b : points.boundary_nodes) boundary += 2LL - b.valence;
@@ -183,7 +183,7 @@ void certificate_is_sound(const CriticalPoints& points, Findings& findings) {
     findings.add("certificate: a radius is negative");
 }
 
-/// What the search left behind: for people and pictures, but true.
+/// The record of the search: used by reports and pictures only, but it must be correct.
 void findings_of_the_search_are_sound(const CriticalPoints& points, Findings& findings) {
   zeros_are_sound(points, findings);
   clusters_are_sound(points, findings);
@@ -199,7 +199,7 @@ long long index_of(const std::vector<NodeMark>& marks) {
 void changes_keep_the_index_sum(const CriticalPoints& points, Findings& findings) {
   for (std::size_t i = 0; i < points.changes.size(); ++i) {
     const NodeChange& change = points.changes[i];
-    // A field that vanishes on whole curves has no index before.
+    // The index before the changes is undefined for a field that vanishes on whole curves.
     if (change.kind != ChangeKind::line && index_of(change.before) != index_of(change.after))
       findings.add("change {} ({}): index {} before, {} after", i, enum_name(change.kind), index_of(change.before),
                    index_of(change.after));
@@ -222,7 +222,7 @@ constexpr Rule<CriticalPoints> rules[] = {
     {"CRT-R16", RuleKind::full, changes_keep_the_index_sum},
 };
 
-/// Critical points beside the field that they are said to be of.
+/// Critical points checked against the field that they refer to.
 struct PointsOfField {
   const CriticalPoints& points;
   const Field& field;

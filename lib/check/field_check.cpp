@@ -114,7 +114,7 @@ void hole_arrays_agree(const CadFace& face, const PhaseForm& phase, Findings& fi
   if (!phase.hole_winding_offsets.empty()) require(phase.hole_winding_offsets.size(), "hole_winding_offsets");
 }
 
-/// All that an evaluator adds up is there, finite and of a size that keeps the digits of the phase.
+/// All terms that an evaluator adds up exist, are finite and are small enough to keep the digits of the phase.
 void phase_is_sound(const Field& field, Findings& findings) {
   if (field.kind != FieldKind::phase) return;
   const PhaseForm& phase = field.phase;

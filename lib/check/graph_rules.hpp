@@ -5,7 +5,7 @@
 
 namespace quadrille::check {
 
-/// The common members of both.
+/// The members that both formats have.
 struct GraphView {
   const CadFace& face;
   const std::vector<Nurbs>& splines;

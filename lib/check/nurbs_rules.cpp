@@ -20,7 +20,7 @@ std::string structure_fault(const Nurbs& curve) {
 
 namespace {
 
-/// Multiplicity of the knot at `i`, counted forwards.
+/// Multiplicity of the knot at position `i`, counted forwards.
 std::size_t multiplicity(const std::vector<double>& knots, std::size_t i) {
   std::size_t m = 1;
   while (i + m < knots.size() && knots[i + m] == knots[i]) ++m;
@@ -40,7 +40,7 @@ std::string knot_fault(const Nurbs& curve) {
   return {};
 }
 
-/// Beyond this the lightest pole has no influence left in double precision near the heaviest one.
+/// Largest ratio of weights: beyond it the lightest pole has no influence in double precision near the heaviest one.
 constexpr double max_weight_ratio = 1e8;
 
 }  // namespace

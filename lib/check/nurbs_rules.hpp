@@ -1,5 +1,5 @@
 #pragma once
-// What makes a NURBS curve sound, and its point at a parameter, for the rules of several formats. Private to check.
+// Validity of a NURBS curve and its point at a parameter, for the rules of several formats. Private to check.
 
 #include <string>
 
@@ -7,14 +7,14 @@
 
 namespace quadrille::check {
 
-/// Empty, or why the arrays of the curve do not fit together (formats/cad-face.md: clamped, never periodic).
+/// Empty if the arrays of the curve are consistent, else what is wrong (formats/cad-face.md: clamped, never periodic).
 std::string structure_fault(const Nurbs& curve);
-/// Empty, or "pole 3 is not finite" and the like.
+/// Empty if all numbers of the curve are finite, else a message such as "pole 3 is not finite".
 std::string number_fault(const Nurbs& curve);
 /// Whether a pole lies so far outside (1000 diameters from the face's first joint) that arithmetic on the curve loses
 /// its digits.
 bool has_far_pole(const Nurbs& curve, const CadFace& face);
-/// The point at t by de Boor's algorithm; the curve must be sound.
+/// The point at t by de Boor's algorithm; the curve must have passed the checks above.
 Vec2 curve_point(const Nurbs& curve, double t);
 
 }  // namespace quadrille::check

@@ -60,7 +60,7 @@ void stored_bounds_are_positive(const QuadMesh& mesh, Findings& findings) {
                    place(mesh.face, mesh.nodes[side_node(mesh, static_cast<int>(e), 0, 0)]));
 }
 
-/// A side of an element, sortable by its corners.
+/// A side of an element, with its corners as the sort key.
 struct Side {
   int low, high, elem, side;
   auto operator<=>(const Side&) const = default;

@@ -1,5 +1,5 @@
 #pragma once
-// The frame of the numbered rules: a table of small functions per format. Private to check.
+// The numbered rules of a format: a table of small functions. Private to check.
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace quadrille::check {
 
-/// The violations of one rule: the first five places, and the number of the others.
+/// The violations of one rule: the first five positions, and the number of the others.
 class Findings {
  public:
   explicit Findings(const char* rule) : rule_(rule) {}
@@ -72,7 +72,7 @@ inline bool are_ascending_indices(const std::vector<int>& list, std::size_t coun
     if (!is_index(list[k], count) || (k > 0 && list[k] <= list[k - 1])) return false;
   return true;
 }
-/// "(x, y)" as a user knows it: with the face's origin.
+/// "(x, y)" in the coordinates of the CAD model's plane: with the face's origin added.
 inline std::string place(const CadFace& face, Vec2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.x + face.origin.x, p.y + face.origin.y);
 }

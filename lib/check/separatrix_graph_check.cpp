@@ -51,7 +51,7 @@ void valences_are_arcs(const SeparatrixGraph& graph, Findings& findings) {
     const GraphNode& node = graph.nodes[i];
     if (std::find(graph.t_junctions.begin(), graph.t_junctions.end(), static_cast<int>(i)) != graph.t_junctions.end())
       continue;
-    // On the boundary V quads lie between V + 1 arcs; a degenerate corner (V = 0) has its two sides all the same.
+    // On the boundary V quads lie between V + 1 arcs; a degenerate corner (V = 0) has two boundary arcs as well.
     const int expected = node.curve < 0 ? node.valence : std::max(node.valence, 1) + 1;
     if (count[i] != expected)
       findings.add("node {} has {} arcs, not the {} that valence {} requires, at {}", i, count[i], expected,
@@ -62,7 +62,7 @@ void valences_are_arcs(const SeparatrixGraph& graph, Findings& findings) {
 /// With F four-sided faces, and three sides where a corner is degenerate, 4 F = 2 inner + boundary arcs + degenerate
 /// corners, and nodes - arcs + F is the Euler characteristic.
 void four_sided_count_holds(const SeparatrixGraph& graph, Findings& findings) {
-  if (!graph.t_junctions.empty()) return;  // their faces have sides of several arcs
+  if (!graph.t_junctions.empty()) return;  // sides of their faces consist of several arcs
   const int num_arcs = static_cast<int>(graph.arcs.size());
   const auto num_outer = static_cast<int>(
       std::count_if(graph.arcs.begin(), graph.arcs.end(), [](const auto& a) { return a.is_boundary; }));
@@ -119,7 +119,7 @@ void certified_face_count_holds(const SeparatrixGraph& graph, Findings& findings
     findings.add("the certificate counts {} T-junctions, the graph has {}", c.t_junctions, graph.t_junctions.size());
 }
 
-/// What a layout is: nothing but faces of four corners. A degenerate corner counts for two.
+/// Every face of a layout has four corners. A degenerate corner counts as two.
 void certified_layout_conforms(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
   if (!c.method || c.method == LayoutMethod::t_mesh) return;

@@ -57,7 +57,7 @@ void numbers_are_finite(const TriMesh& mesh, Findings& findings) {
     if (!is_finite(edge.t0) || !is_finite(edge.t1)) return findings.add("a boundary edge's parameter is not finite");
 }
 
-/// The edges of each curve, one after the other, from its start to its end.
+/// The edges of each curve, in order from its start to its end.
 void boundary_is_covered(const TriMesh& mesh, Findings& findings) {
   std::size_t i = 0;
   const auto& edges = mesh.boundary_edges;
@@ -120,7 +120,7 @@ void elements_are_counter_clockwise(const TriMesh& mesh, Findings& findings) {
   }
 }
 
-/// An edge of an element, sortable by its two vertices.
+/// An edge of an element, with its two vertices as the sort key.
 struct HalfEdge {
   int low, high, elem, edge;
   bool is_reversed;
@@ -197,7 +197,7 @@ const Vec2* curved_nodes_of(const TriMesh& mesh, int elem) {
   return mesh.curved_nodes.data() + static_cast<std::size_t>(found - mesh.curved_elems.begin()) * nodes_per_elem(mesh);
 }
 
-/// The j-th geometry node of an edge; straight elements have theirs on the chord.
+/// The j-th geometry node of an edge; for straight elements the nodes lie on the chord.
 Vec2 edge_node(const TriMesh& mesh, const HalfEdge& edge, int j) {
   if (const Vec2* nodes = curved_nodes_of(mesh, edge.elem))
     return nodes[spectral::tri_edge_node(mesh.order, edge.edge, j)];
