@@ -59,7 +59,7 @@ class Writer {
         }
   }
 
-  /// In p4est's sequence of sides: -x +x -y +y.
+  /// In p4est's order of sides: -x +x -y +y.
   void write_names(int elem) {
     print("** {} {} {} {}\n", model_.name(elem, 3), model_.name(elem, 1), model_.name(elem, 0), model_.name(elem, 2));
   }

@@ -7,9 +7,9 @@
 
 namespace quadrille::exports {
 
-/// One control point for each of mesh.nodes: what sits at Gauss-Lobatto-Legendre point (i, j) of an element becomes
-/// control point (i, j). Vertices stay, bit for bit; an edge's control points are computed once and shared.
-/// The change of basis loses about a digit for every three orders.
+/// One control point for each of mesh.nodes: the node at Gauss-Lobatto-Legendre point (i, j) of an element becomes
+/// control point (i, j). Vertices keep their position bit for bit; an edge's control points are computed once and
+/// shared. The change of basis loses about a digit for every three orders.
 std::vector<Vec2> bezier_points(const QuadMesh& mesh);
 
 }  // namespace quadrille::exports

@@ -13,7 +13,7 @@ constexpr SkeletonEdge nowhere{-1, -1};
 
 SkeletonEdge turned(SkeletonEdge e, int quarters) { return {e.elem, (e.side + quarters) % 4}; }
 
-/// By element and side: the same side seen from the element of the same block beyond it.
+/// By element and side: the same side as a side of the neighbour in the same block.
 std::vector<SkeletonEdge> neighbours(const QuadMesh& mesh) {
   const EdgeNumbering numbering = number_edges(mesh);
   std::vector<SkeletonEdge> beyond(numbering.elem2edges.size(), nowhere);
@@ -27,7 +27,7 @@ std::vector<SkeletonEdge> neighbours(const QuadMesh& mesh) {
   return beyond;
 }
 
-/// Walks over the elements of a block. An element is named by the side of it that lies below.
+/// Walks over the elements of a block. An element is given by its lower side.
 class Walker {
  public:
   explicit Walker(const std::vector<SkeletonEdge>& beyond) : beyond_(beyond) {}
@@ -52,7 +52,7 @@ class Walker {
   }
   SkeletonEdge above(SkeletonEdge below) const { return across(below, 2); }
 
-  /// At most one element more than there are: a ring has no end.
+  /// Stops after one element more than the block has: a ring has no end.
   std::vector<SkeletonEdge> row(SkeletonEdge first, std::size_t num_elems) const {
     std::vector<SkeletonEdge> elems;
     for (SkeletonEdge at = first; at.elem >= 0 && elems.size() <= num_elems;) {

@@ -138,7 +138,7 @@ class Writer {
   fmt::memory_buffer out_;
 };
 
-/// How far the boundary's points are from the segments that the cells have there.
+/// Largest distance of the boundary's points from the straight sides of the cells.
 double boundary_distance(const QuadMesh& mesh) {
   double largest = 0;
   for (const QuadBoundaryEdge& e : mesh.boundary_edges) {
@@ -159,7 +159,7 @@ void tell_losses(const QuadMesh& mesh, const HexBlocks& hexes, std::vector<std::
                                  length_text(hexes.moved, diameter)));
 }
 
-/// Single words for the groups' names, and what that loses.
+/// Single words for the groups' names, and a report of the loss.
 struct Words {
   std::vector<std::string> patches, zones;
 

@@ -9,7 +9,7 @@
 
 namespace quadrille::exports {
 
-/// The format_table's writer. Throws ComputeError where a cell with straight sides is not convex.
+/// The writer in format_table. Throws ComputeError if a cell with straight sides is not convex.
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille::exports

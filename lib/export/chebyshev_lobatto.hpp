@@ -1,5 +1,5 @@
 #pragma once
-// The nodes that HOHQMesh's formats mean: t_j = -cos(j pi / N), j = 0 .. N, ascending in [-1, 1].
+// The nodes of HOHQMesh's formats: t_j = -cos(j pi / N), j = 0 .. N, ascending in [-1, 1].
 
 #include <vector>
 

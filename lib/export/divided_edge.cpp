@@ -21,7 +21,7 @@ bool is_straight(const QuadMesh& mesh, const DividedEdge& edge) {
 
 /// blockMesh's mean in one direction: two edges, one on each side, at weights of their own.
 struct TwoEdges {
-  Vec2 straight, curved;  ///< mean of the points on the chords; mean of what the edges differ from them
+  Vec2 straight, curved;  ///< mean of the points on the chords; mean deviation of the edges from them
 };
 
 TwoEdges mean(double low_weight, Vec2 low_chord, Vec2 low, double high_weight, Vec2 high_chord, Vec2 high) {
@@ -83,7 +83,7 @@ std::vector<Vec2> block_mesh_points(const DividedEdge& bottom, const DividedEdge
   std::vector<Vec2> points;
   for (int j = 0; j <= left.num_cells(); ++j)
     for (int i = 0; i <= bottom.num_cells(); ++i) {
-      const double s = wb[i], u = wt[i], t = wl[j], v = wr[j];  // shares: below, above, left, right
+      const double s = wb[i], u = wt[i], t = wl[j], v = wr[j];  // fractions: below, above, left, right
       const TwoEdges along_i = mean((1 - s) * (1 - t) + s * (1 - v), a + s * (b - a), bottom.vertices[i],
                                     (1 - u) * t + u * v, d + u * (c - d), top.vertices[i]);
       const TwoEdges along_j = mean((1 - t) * (1 - s) + t * (1 - u), a + t * (d - a), left.vertices[j],

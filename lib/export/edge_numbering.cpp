@@ -36,7 +36,7 @@ class Numbering {
     return node2vertex_[node];
   }
 
-  /// Edges of one lower vertex are a list, in which few have to be looked at.
+  /// Edges of one lower vertex form a short linked list.
   int edge_at(int elem, int side) {
     const int* corners = &result_.elem2verts[4 * elem];
     const int from = corners[side], to = corners[(side + 1) % 4];
@@ -66,7 +66,7 @@ class Numbering {
   EdgeNumbering result_;
   std::vector<int> node2vertex_;
   std::vector<int> first_edge_;         ///< by lower vertex: head of its list, -1 none
-  std::vector<int> next_edge_, inner_;  ///< by edge: the next of the list, -1 at its end; node that tells it apart
+  std::vector<int> next_edge_, inner_;  ///< by edge: the next of the list, -1 at its end; node that identifies it
 };
 
 }  // namespace

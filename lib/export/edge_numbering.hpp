@@ -1,9 +1,7 @@
 #pragma once
-// Vertices and edges of a quad mesh, numbered as formats with edge tables require: in the order in which a loop
-// over the elements meets them, corner by corner and side by side; an edge runs from its vertex of lower number to the
-// other.
-//
-// Index base 0. Two edges between the same two vertices stay two, told apart by their inner nodes (order >= 2).
+// Vertices and edges of a quad mesh, numbered as formats with edge tables require: in the order in which a loop over
+// the elements meets them, corner by corner and side by side; an edge runs from its vertex of lower number to the
+// other. Index base 0. Two edges between the same two vertices stay separate: their inner nodes differ (order >= 2).
 
 #include <array>
 #include <vector>
@@ -14,7 +12,7 @@ namespace quadrille::exports {
 
 struct NumberedEdge {
   std::array<int, 2> vertices{};  ///< the lower number first: the edge's own direction
-  int elem = 0, side = 0;         ///< where it was met first
+  int elem = 0, side = 0;         ///< the first element that has this edge, and its side
   bool is_reversed = false;       ///< that element's counter-clockwise direction is the opposite one
 };
 
@@ -33,8 +31,7 @@ EdgeNumbering number_edges(const QuadMesh& mesh);
 /// Mesh nodes of an edge in its own direction, both ends included.
 std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 
-/// Throws ComputeError, with the place, where two edges join the same two vertices: `reader` could not distinguish
-/// them.
+/// Throws ComputeError with the position if two edges join the same two vertices, which `reader` could not distinguish.
 void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
 
 }  // namespace quadrille::exports

@@ -7,8 +7,8 @@
 
 namespace quadrille::exports {
 
-/// One position for each of mesh.nodes: what sits at Gauss-Lobatto-Legendre point (i, j) of an element moves to the
-/// equispaced point (i, j). Vertices stay, bit for bit; an edge's nodes are evaluated once and shared.
+/// One position for each of mesh.nodes: the node at Gauss-Lobatto-Legendre point (i, j) of an element moves to the
+/// equispaced point (i, j). Vertices keep their position bit for bit; an edge's nodes are evaluated once and shared.
 std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh);
 
 }  // namespace quadrille::exports

@@ -17,7 +17,7 @@ struct Exported {
   std::string bytes;
   bool is_binary = false;
   std::vector<SideFile> side_files;
-  /// What the format cannot represent of this mesh: a sentence each, with the magnitude of the loss.
+  /// Properties of this mesh that the format cannot represent: one sentence each, with the magnitude of the loss.
   std::vector<std::string> losses;
 };
 

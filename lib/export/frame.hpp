@@ -1,5 +1,5 @@
 #pragma once
-// Where the face lies in space: coordinates of the plane, or those of the CAD model.
+// The position of the face in space: coordinates of its plane, or of the CAD model.
 
 #include <array>
 
@@ -17,7 +17,7 @@ struct Frame {
             origin[2] + x.x * x_axis[2] + x.y * y_axis[2]};
   }
 
-  /// All of it has z = 0 and counter-clockwise stays counter-clockwise, so that two coordinates suffice.
+  /// Whether z = 0 everywhere and the orientation is kept, so that two coordinates suffice.
   bool is_plane() const {
     return origin[2] == 0 && x_axis[2] == 0 && y_axis[2] == 0 && x_axis[0] * y_axis[1] > x_axis[1] * y_axis[0];
   }

@@ -111,7 +111,7 @@ void append_nodes(const GmshModel& model, std::size_t num_nodes, std::string& te
   text += "$EndNodes\n";
 }
 
-/// `tag`: of the last element written.
+/// `tag`: the tag of the last element written.
 void append_lines(const GmshModel& model, const QuadMesh& mesh, int c, int& tag, std::string& text) {
   const SkeletonCurve& curve = model.skeleton.curves[c];
   if (curve.cad_curve < 0) return;

@@ -15,7 +15,7 @@ constexpr int max_order = 10;
 constexpr std::array<int, max_order + 1> line_types{0, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66};
 constexpr std::array<int, max_order + 1> quad_types{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
 
-/// Corners, sides (all travelling round), then the same again inside.
+/// Corners, then sides counter-clockwise, then the same recursively for the inner nodes.
 std::vector<int> quad_node_sequence(int order) {
   std::vector<int> sequence;
   const auto add = [&](int i, int j) { sequence.push_back(j * (order + 1) + i); };

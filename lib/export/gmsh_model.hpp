@@ -20,7 +20,7 @@ struct GmshModel {
   Groups groups;
   std::vector<std::array<double, 3>> positions;               ///< by mesh node, equispaced in each element
   std::array<std::vector<std::vector<int>>, 3> entity_nodes;  ///< mesh nodes by dimension and entity
-  std::vector<int> node_tags;                                 ///< by mesh node: its place in entity_nodes, from 1
+  std::vector<int> node_tags;                                 ///< by mesh node: its position in entity_nodes, from 1
   std::vector<std::vector<int>> block_elems;                  ///< elements of each block
   std::vector<int> quad_sequence;                             ///< Gmsh's order of the local nodes of a quad
   int line_type = 0, quad_type = 0;

@@ -39,7 +39,7 @@ void require_convex_cells(const QuadMesh& mesh) {
   }
 }
 
-/// The boundary of each side of each element; -1 inside.
+/// The boundary group of each side of each element; -1 inside.
 std::vector<int> boundaries_of_sides(const QuadMesh& mesh, const Groups& groups) {
   std::vector<int> boundaries(4 * mesh.elem_block.size(), -1);
   for (const QuadBoundaryEdge& e : mesh.boundary_edges)
@@ -79,7 +79,7 @@ class Divider {
   int boundary_of(const SkeletonEdge& side) const { return boundaries_[4 * side.elem + side.side]; }
 
  private:
-  /// Blocks, or quads where a block has not four corners.
+  /// The blocks; single quads where a block does not have four corners.
   std::vector<BlockGrid> first_grids() const {
     if (auto grids = block_grids(mesh_)) return std::move(*grids);
     std::vector<BlockGrid> quads;
@@ -111,7 +111,7 @@ class Divider {
   }
 
   std::vector<int> middles_of_faulty(const std::vector<DividedGrid>& grids) const {
-    std::map<std::pair<int, int>, int> uses;  // of a side by its ends: blockMesh knows it by them
+    std::map<std::pair<int, int>, int> uses;  // by the ends of a side, which identify it for blockMesh
     for (const DividedGrid& d : grids)
       for (int k = 0; k < 4; ++k) uses[ends(d, k)] += boundary_of(d.grid.side(k).front()) < 0 ? 1 : 2;
     std::vector<int> nodes;
@@ -152,7 +152,7 @@ class Divider {
     return is_convex(theirs) && moved <= largest_move * shortest_side(ours);
   }
 
-  /// Both sides of the middle where the number of cells is odd, so that a mirrored mesh is cut in mirrored places.
+  /// Cuts on both sides of the middle if the number of cells is odd, so that cuts of a mirrored mesh are mirrored too.
   void add_middles(const DividedGrid& d, std::vector<int>& nodes) const {
     const int width = d.grid.num_i + 1;
     for (const int half : {d.grid.num_i / 2, (d.grid.num_i + 1) / 2})

@@ -26,13 +26,13 @@ struct HexBlocks {
   std::vector<HexBlock> blocks;
   std::vector<HexSpline> splines;
   std::vector<std::vector<std::array<int, 2>>> patches;  ///< by boundary: sides of blocks, the domain on their left
-  double moved = 0;  ///< largest distance of a cell's corner from where blockMesh puts it, unit of the file
+  double moved = 0;  ///< largest distance of a cell's corner from its position by blockMesh, unit of the file
 };
 
 /// One hexahedral block for each block of the layout, cut in two, across all blocks that follow, wherever blockMesh
-/// could not build it as it is: names that end within a side, two sides between the same vertices, corners that do not
-/// turn left, cells that blockMesh's own interpolation would fold or move by more than a tenth of their shortest side.
-/// Throws ComputeError, with the place, where a quad with straight sides is not convex.
+/// could not build it as it is: names that end within a side, two sides between the same vertices, corners that are not
+/// convex, cells that blockMesh's own interpolation would fold or move by more than a tenth of their shortest side.
+/// Throws ComputeError with the position if a quad with straight sides is not convex.
 HexBlocks hex_blocks(const QuadMesh& mesh, const Groups& groups);
 
 }  // namespace quadrille::exports

@@ -32,8 +32,8 @@ class Writer {
     print("{} {} {}\n", x[0], x[1], x[2]);
   }
 
-  /// Start, end, element on the left, element on the right, their sides; the last one negative where both sides run
-  /// the same way round their elements, so that their points are in opposite sequence.
+  /// Start, end, element on the left, element on the right, their sides; the last one negative where both sides run the
+  /// same way round their elements, so that their points are in opposite order.
   void write_edge(const HohqmeshEdge& e) {
     const std::array<int, 4>& corners = model_.elem_corners[e.elem];
     print("{} {} {} ", corners[e.side], corners[(e.side + 1) % 4], e.elem + 1);

@@ -1,5 +1,5 @@
 #pragma once
-// A quad mesh as HOHQMesh's formats see it: corners, and for each element its curved sides and their names.
+// A quad mesh in the terms of HOHQMesh's formats: corners, and for each element its curved sides and their names.
 //
 // Corners count from 1, counter-clockwise. Sides 1 to 4 join corners 1-2, 2-3, 4-3 and 1-4: they run in the local
 // coordinate's direction, not round the element. Here they are numbered from 0, as in model/quad_mesh.hpp. Source:
@@ -27,7 +27,8 @@ struct HohqmeshModel {
   std::vector<std::array<int, 4>> boundary;      ///< by element and side: index into names; -1 inside
   std::vector<std::string> names;                ///< of boundaries, single words
   std::vector<HohqmeshEdge> edges;
-  /// By mesh node: what sits at Gauss-Lobatto-Legendre points of a side, here moved to its Chebyshev-Lobatto points.
+  /// By mesh node: positions; the nodes of a side moved from its Gauss-Lobatto-Legendre to its Chebyshev-Lobatto
+  /// points.
   std::vector<std::array<double, 3>> points;
   std::vector<std::string> losses;
   std::vector<SideFile> side_files;

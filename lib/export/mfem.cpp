@@ -94,7 +94,7 @@ class Writer {
     if (mesh_.order > 1) write_inner_nodes();
   }
 
-  /// MFEM's own sequence: after the vertices the edges, each in its own direction, then the elements, i fastest.
+  /// MFEM's own order: vertices, edges (each in its own direction), elements (i fastest).
   void write_inner_nodes() {
     const int n = mesh_.order;
     for (const NumberedEdge& edge : edges_.edges) {

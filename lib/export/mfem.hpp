@@ -1,6 +1,6 @@
 #pragma once
-// MFEM mesh v1.0 and v1.3 (named attribute sets): any order, our own nodes (H1, Gauss-Lobatto), regions and boundaries
-// as attributes counted from 1 each.
+// MFEM mesh v1.0 and v1.3 (named attribute sets): any order, the nodes of the quad mesh (H1, Gauss-Lobatto), regions
+// and boundaries as attributes counted from 1 each.
 
 #include "export/exported.hpp"
 #include "export/frame.hpp"

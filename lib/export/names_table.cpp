@@ -5,7 +5,7 @@
 namespace quadrille::exports {
 namespace {
 
-/// A JSON string. UTF-8 passes as it is.
+/// A JSON string. UTF-8 is copied unchanged.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {

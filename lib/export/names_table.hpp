@@ -1,6 +1,6 @@
 #pragma once
-// A table of names beside the mesh, for formats that know groups by number only, or not by every name:
-// x.names.json = {"boundaries": [{"id": 1, "name": "wall"}, ...], "regions": [{"id": 1, "name": "block_0"}, ...]}.
+// A table of names beside the mesh, for formats whose groups have numbers only or restricted names: x.names.json =
+// {"boundaries": [{"id": 1, "name": "wall"}, ...], "regions": [{"id": 1, "name": "block_0"}, ...]}.
 
 #include <string>
 #include <vector>

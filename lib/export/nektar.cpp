@@ -1,5 +1,5 @@
 // The XML is a fixed skeleton around numbers, so it is printed as it stands; a document tree of an XML library would
-// hold 100,000 quads several times over to give us no more than the escaping of names.
+// store 100,000 quads several times, and only the escaping of names would be gained.
 #include "export/nektar.hpp"
 
 #include <fmt/format.h>
@@ -15,13 +15,13 @@
 namespace quadrille::exports {
 namespace {
 
-/// Curves nearer than this to what Nektar++ makes up without them are left out (shares of the diameter): far below what
-/// a solver sees, far above the round-off of the blend.
+/// Curves that lie nearer than this (relative to the diameter) to the shape that Nektar++ assumes without them are
+/// omitted: far below the accuracy of a solver, far above the round-off of the blend.
 constexpr double straight_tol = 1e-14;
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// The value of an attribute. XML 1.0 has no way to hold control characters.
+/// The value of an attribute. XML 1.0 cannot represent control characters.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -52,9 +52,9 @@ std::string ranges(const std::vector<int>& numbers) {
   return out;
 }
 
-/// What needs a curve: an element that is not the blend of its sides a face, with it all its edges, and every edge that
-/// is not a straight line. Nektar++ takes what is left as straight, and parallelograms among it as such, which is
-/// faster.
+/// The edges and faces written as curves: a face and all its edges for an element that is not the blend of its sides,
+/// and every edge that is not a straight line. Nektar++ treats the others as straight, and detects parallelograms, for
+/// which it is faster.
 struct CurvedParts {
   std::vector<bool> edges, faces;
 };
@@ -98,7 +98,7 @@ class Writer {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
 
-  /// With as many digits as it takes to read back the same bits.
+  /// With as many digits as needed to read back the same bits.
   void print_position(int node) {
     const auto x = frame_.at(mesh_.nodes[node]);
     print("{} {} {}", x[0], x[1], x[2]);
@@ -179,7 +179,7 @@ class Writer {
     print("      <C ID=\"{}\" NAME=\"{}\"> {}[{}] </C>\n", id, escaped(name), letter, ranges(members));
   }
 
-  /// A solution of the order of the geometry; whoever sets up a session replaces it.
+  /// A default expansion of the order of the geometry; a session file may replace it.
   void write_expansions() {
     print("  <EXPANSIONS>\n    <E COMPOSITE=\"C[{}]\" NUMMODES=\"{}\" TYPE=\"MODIFIED\" FIELDS=\"u\" />\n",
           ranges(region_ids_), mesh_.order + 1);

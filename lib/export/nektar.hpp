@@ -1,7 +1,7 @@
 #pragma once
 // Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not determine the element, curved faces;
-// composites with names for boundaries and regions; a default expansion. Any order; the nodes are our own
-// (GaussLobattoLegendre).
+// composites with names for boundaries and regions; a default expansion. Any order; the nodes are those of the quad
+// mesh (GaussLobattoLegendre).
 
 #include "export/exported.hpp"
 #include "export/frame.hpp"

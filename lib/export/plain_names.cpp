@@ -33,7 +33,7 @@ std::string numbered(const std::string& name, const std::set<std::string>& used)
 std::vector<std::string> plain_names(const std::vector<std::string>& names, const std::vector<std::string>& taken) {
   std::set<std::string> used(taken.begin(), taken.end());
   std::vector<std::string> words(names.size());
-  for (const bool as_it_is : {true, false})  // who needs no change has the first claim
+  for (const bool as_it_is : {true, false})  // names that need no change take precedence
     for (std::size_t k = 0; k < names.size(); ++k) {
       const std::string word = plain(names[k]);
       if (!words[k].empty() || (as_it_is && (word != names[k] || used.count(word) > 0))) continue;

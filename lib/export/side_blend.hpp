@@ -1,6 +1,6 @@
 #pragma once
-// How far elements are from the blend of their sides, and sides from the segment of their ends: what a format may leave
-// out.
+// Distance of elements from the blend of their sides, and of sides from the segment between their ends: where both
+// vanish, a format may omit curves.
 //
 // The part of a transfinite blend between two values of xi and two of eta is the blend of its own sides, so elements
 // cut out of a blended block lose nothing.

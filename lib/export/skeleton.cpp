@@ -100,7 +100,7 @@ class Builder {
     for (std::size_t k = 0; k < interfaces_.size(); ++k)
       outgoing[interfaces_[k].nodes[0]].push_back(static_cast<int>(k));
     used_.assign(interfaces_.size(), false);
-    for (const bool from_junctions : {true, false})  // what is left then is a closed ring
+    for (const bool from_junctions : {true, false})  // the interfaces that remain form closed rings
       for (std::size_t k = 0; k < interfaces_.size(); ++k)
         if (!used_[k] && (!from_junctions || is_junction_[interfaces_[k].nodes[0]]))
           walk(static_cast<int>(k), outgoing);

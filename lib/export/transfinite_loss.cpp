@@ -46,7 +46,7 @@ class Meter {
     const std::vector<Vec2> rebuilt =
         is_quadratic ? quadratic_element(mesh_.order, ours_.data()) : transfinite_element(mesh_.order, ours_.data());
     const double moved = compare(is_quadratic ? raised(rebuilt, to_order_) : rebuilt);
-    // What moves by no more than rounding is the element whose proof the mesh carries.
+    // An element that moves by no more than rounding is proved valid by the mesh already.
     if (moved > 1e-14 * mesh_.face.diameter) require_valid(elem, is_quadratic ? 2 : mesh_.order, rebuilt);
   }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What is lost where a reader knows the sides of an element only and rebuilds its interior from them by the blend of
-// Gordon and Hall,
+// The loss if a reader knows only the sides of an element and rebuilds its interior from them by the blend of Gordon
+// and Hall,
 //   x(xi, eta) = ((1 - xi) x4(eta) + (1 + xi) x2(eta) + (1 - eta) x1(xi) + (1 + eta) x3(xi)) / 2 - bilinear(corners).
 // With sides of degree N that is an element of order N again.
 
@@ -11,22 +11,21 @@
 
 namespace quadrille::exports {
 
-/// The element that the reader will have: nodes as in model/quad_mesh.hpp, from the sides of `nodes` alone.
+/// The element rebuilt by the reader: nodes as in model/quad_mesh.hpp, from the sides of `nodes` alone.
 std::vector<Vec2> transfinite_element(int order, const Vec2* nodes);
 
-/// The same where the reader knows only the ends and the middle of each side: an element of order 2.
+/// The same if the reader knows only the ends and the middle of each side: an element of order 2.
 std::vector<Vec2> quadratic_element(int order, const Vec2* nodes);
 
 enum class RebuiltFrom { sides, quadratic_sides };
 
 struct TransfiniteLoss {
-  double interior =
-      0;             ///< largest distance between a point of ours and the reader's at the same (xi, eta), at our nodes
-  double sides = 0;  ///< the same on the sides only (not 0 for quadratic ones)
+  double interior = 0;  ///< largest distance between a mesh node and the rebuilt element at the same (xi, eta)
+  double sides = 0;     ///< the same on the sides only (not 0 for quadratic ones)
 };
 
-/// Throws ComputeError, with the place, where a rebuilt element has not a proved positive Jacobian. `reader` names who
-/// rebuilds it, for the message. Lengths in the unit of the file.
+/// Throws ComputeError with the position if the Jacobian of a rebuilt element is not proved positive. `reader` is the
+/// name of the reading program, for the message. Lengths in the unit of the file.
 TransfiniteLoss transfinite_loss(const QuadMesh& mesh, RebuiltFrom from, const std::string& reader);
 
 /// "3.1e-05 (1.5e-05 of the diameter)", or "less than 1e-12 of the diameter".

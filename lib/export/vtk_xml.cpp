@@ -22,7 +22,7 @@ void append_base64(std::span<const std::uint8_t> bytes, std::string& text) {
   }
 }
 
-/// The length in bytes, then the bytes: VTK wants the two encoded one by one.
+/// The length in bytes, then the bytes: VTK requires the two to be encoded separately.
 template <class T>
 void append_array(const char* type, const std::string& attributes, std::span<const T> values, std::string& text) {
   const auto bytes = [](const auto* first, std::size_t size) {
@@ -43,7 +43,7 @@ void append_integers(const std::string& attributes, std::span<const int> values,
 
 std::string named(const std::string& name) { return fmt::format("Name=\"{}\"", name); }
 
-/// VTK spells texts as the numbers of their bytes, each text ended by 0.
+/// VTK writes texts as the numbers of their bytes, each text ended by 0.
 void append_texts(const VtkTexts& texts, std::string& text) {
   fmt::format_to(std::back_inserter(text), "<DataArray type=\"String\" {} NumberOfTuples=\"{}\" format=\"ascii\">\n",
                  named(texts.name), texts.values.size());

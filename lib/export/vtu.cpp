@@ -16,8 +16,8 @@ struct CellTypes {
 };
 constexpr CellTypes lagrange_cells{68, 70}, bezier_cells{75, 77};
 
-/// VTK's sequence of the local nodes: corners, the sides bottom, right, top, left all in the direction of rising xi,
-/// then the inner ones, xi1 fastest.
+/// VTK's order of the local nodes: corners, the sides bottom, right, top, left all in the direction of rising xi, then
+/// the inner ones, xi1 fastest.
 std::vector<int> quad_node_sequence(int order) {
   std::vector<int> sequence;
   const auto add = [&](int i, int j) { sequence.push_back(j * (order + 1) + i); };
@@ -101,7 +101,7 @@ class Writer {
   }
 
  private:
-  /// The ends, then the inner nodes; points are numbered as they are met.
+  /// The ends, then the inner nodes; points are numbered in the order of their first use.
   void add_edge(const std::vector<int>& nodes, std::vector<int>& point_of, VtkGrid& grid) const {
     const auto add = [&](int node) {
       if (point_of[node] < 0) {
