@@ -9,7 +9,7 @@ namespace quadrille::draw {
 /// "#rrggbb" of lightness in [0, 1], chroma in [0, 0.37] and hue in degrees; what a screen cannot show is clipped.
 std::string oklch(double lightness, double chroma, double hue);
 
-/// Number `i` of an endless sequence of quiet colours, neighbours far apart in hue (golden angle).
+/// Colour `i` of an unlimited series of pale colours; consecutive ones are far apart in hue (golden angle).
 std::string quiet_colour(int i);
 /// The same hues, dark enough for lines.
 std::string line_colour(int i);
@@ -24,7 +24,7 @@ using Ramp = std::vector<ColourStop>;
 /// The colour of the ramp at t in [0, 1] (clamped).
 std::string ramp_colour(const Ramp& ramp, double t);
 
-/// Cross angle in degrees [-45, 45], periodic; grey towards |v| = 0, where the angle loses its meaning.
+/// Cross angle in degrees [-45, 45], periodic; grey towards |v| = 0, where the angle is undefined.
 std::string cross_angle_colour(double degrees, double magnitude);
 
 const Ramp& component_ramp();        ///< of u or v: t = (value + 1) / 2

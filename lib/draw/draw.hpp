@@ -1,5 +1,5 @@
 #pragma once
-// One SVG picture per stage file, all in one line language (one .cpp per stage over svg.hpp).
+// One SVG picture per stage file, all with the same line styles (one .cpp per stage over svg.hpp).
 
 #include <string>
 

@@ -1,4 +1,4 @@
-// The blocks in quiet colours with their numbers, the worst of them outlined, irregular nodes and corners.
+// Draws the blocks in pale colours with their numbers, the worst of them outlined, irregular nodes and corners.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace quadrille::draw {
 
 namespace {
 
-/// The pieces of side k, walked counter-clockwise around the block.
+/// The pieces of side k, counter-clockwise around the block.
 std::vector<ArcPiece> side_pieces(const BlockLayout& layout, int block, int k) {
   const HalfEdge directed = layout.block2arcs[block][k];
   std::vector<ArcPiece> pieces = layout.arcs[directed.arc].pieces;
@@ -58,7 +58,7 @@ Vec2 block_centre(const BlockLayout& layout, int block) {
   return centre;
 }
 
-/// The blocks with the least scaled Jacobian, equal ones together; none where it is not known or perfect.
+/// The blocks with the least scaled Jacobian, equal ones together; empty if it is unknown or at least 0.995.
 std::vector<int> worst_blocks(const BlockLayout& layout) {
   const std::vector<double>& quality = layout.block_scaled_jacobian;
   std::vector<int> worst;
@@ -71,7 +71,7 @@ std::vector<int> worst_blocks(const BlockLayout& layout) {
 
 bool is_irregular_on_boundary(const GraphNode& node) { return node.kind == NodeKind::boundary && node.valence != 2; }
 
-/// Nodes inside as figures of as many vertices as they have blocks, nodes on the boundary as squares on their points.
+/// Draws inner nodes as polygons with one vertex per block, and boundary nodes as squares standing on a vertex.
 void draw_irregular_nodes(Picture& picture, const BlockLayout& layout) {
   for (const GraphNode& node : layout.nodes) {
     const std::string about =

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double node_radius = 10;  // pixels
 
-/// A triangle needs more room for its number.
+/// A triangle must be larger to fit its number.
 double mark_radius(int valence) { return valence == 3 ? 1.3 * node_radius : node_radius; }
 
 PictureBox box_of(const CriticalPoints& points) {
@@ -27,7 +27,7 @@ PictureBox box_of(const CriticalPoints& points) {
     for (const double r : {-points.certificate.disc_radii[i], points.certificate.disc_radii[i]})
       box.include(points.certificate.disc_centres[i] + Vec2{r, r});
   if (box.empty() || box.lower != box.upper) return box;
-  return {box.lower - Vec2{1, 1}, box.upper + Vec2{1, 1}};  // one point: some room around it
+  return {box.lower - Vec2{1, 1}, box.upper + Vec2{1, 1}};  // one point: a margin around it
 }
 
 void draw_quiet_field(Picture& picture, const Field& field) {
@@ -40,8 +40,8 @@ void draw_quiet_field(Picture& picture, const Field& field) {
   draw_boundary(picture, field.mesh.face);
 }
 
-/// A direction out of the face at a corner: opposite to the bisector of its interior angle; without a face, away from
-/// the middle of the picture.
+/// A direction out of the face at a corner: opposite to the bisector of its interior angle or, without a face, away
+/// from the centre of the picture.
 Vec2 outwards(const Picture& picture, const CadFace* face, const Corner& corner) {
   if (face && corner.joint >= 0 && corner.joint < static_cast<int>(face->joints.size())) {
     const Joint& joint = face->joints[corner.joint];
@@ -66,7 +66,7 @@ std::string caption(const CriticalPoints& points) {
   return text;
 }
 
-/// ", source: cluster" and the like for what was not simply found or measured.
+/// Text such as ", source: cluster" for a node that was neither found as a zero nor measured; else empty.
 std::string source_text(NodeSource source, NodeSource ordinary) {
   return source == ordinary ? "" : ", source: " + enum_name(source);
 }
@@ -104,7 +104,8 @@ void draw_boundary_nodes(Picture& picture, const CriticalPoints& points) {
     picture.legend_mark(boundary_mark({0, 0}, points.boundary_nodes.front().valence, 8), "node on the boundary");
 }
 
-/// The error bar as a circle where it can be seen; smaller ones are in the hover text alone. Returns whether it was.
+/// Draws the error bar as a circle if it is large enough to be visible; others appear in the hover text only. Returns
+/// whether it was drawn.
 bool draw_error_bar(Picture& picture, const CriticalPoint& point) {
   constexpr double smallest = 2;  // pixels
   const double radius = picture.scale() * point.error;

@@ -17,7 +17,7 @@ namespace quadrille::draw {
 
 namespace {
 
-/// Few enough colours to share paths, enough to look smooth.
+/// Number of colours: small, so that cells share paths, and large enough for smooth pictures.
 double stepped(double value, double steps) { return std::round(value * steps) / steps; }
 
 bool is_phase(const Field& field) { return field.kind == FieldKind::phase; }
@@ -29,7 +29,7 @@ std::string title(const Field& field, const std::string& show) {
   return (is_phase(field) ? "Phase form: " : "Guiding field: ") + what;
 }
 
-/// "4 nodes asked for, 8 corner valences".
+/// The text "4 nodes asked for, 8 corner valences".
 std::string asked_text(const PhaseForm& phase) {
   std::string text = counted(static_cast<int>(phase.prescribed.nodes.size()), "node") + " asked for";
   if (!phase.prescribed.boundary_nodes.empty())
@@ -109,7 +109,7 @@ void draw_orders(Picture& picture, const Field& field) {
                         fmt::format("{}", order));
 }
 
-/// The nodes that a phase was asked for.
+/// The nodes prescribed for a phase.
 void draw_nodes_asked(Picture& picture, const Field& field) {
   std::vector<int> valences;
   for (const PhaseNode& node : field.phase.prescribed.nodes) {
@@ -140,7 +140,7 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
     const field::FieldEvaluator evaluator(field);
     options.show == "psi" ? draw_cross_angle(picture, evaluator)
                           : draw_component(picture, evaluator, options.show == "u");
-    if (!is_phase(field)) draw_zero_contours(picture, evaluator);  // a unit field has no zeros where they could meet
+    if (!is_phase(field)) draw_zero_contours(picture, evaluator);  // the contours of a unit field do not intersect
   } else {
     throw UsageError("--show: '" + options.show + "' is not one of psi|u|v|order");
   }

@@ -26,7 +26,8 @@ std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
   return borders;
 }
 
-/// The elements within a fiftieth of the worst one's defect 1 - scaled Jacobian: equals are ringed together.
+/// The elements whose defect 1 - scaled Jacobian is within 2 % of the largest one, so that equal elements are all
+/// ringed.
 std::vector<int> worst_elems(const QuadMesh& mesh) {
   const auto& quality = mesh.elem_scaled_jacobian;
   std::vector<int> worst;

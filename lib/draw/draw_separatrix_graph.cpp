@@ -1,4 +1,4 @@
-// The separatrices, one colour for each origin, over the face, with the nodes of the graph.
+// Draws the separatrices over the face, one colour for each origin, with the nodes of the graph.
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ void draw_line(Picture& picture, const SeparatrixGraph& graph, int id) {
       fmt::format("separatrix {} ({}), from node {} to node {}", id, enum_name(line.kind), line.origin, line.end)));
 }
 
-/// Inner arcs that belong to no line would be invisible otherwise.
+/// Inner arcs that belong to no separatrix are drawn separately, as they would be missing otherwise.
 void draw_loose_arcs(Picture& picture, const SeparatrixGraph& graph) {
   std::vector<bool> is_drawn(graph.arcs.size(), false);
   for (const SeparatrixLine& line : graph.lines)

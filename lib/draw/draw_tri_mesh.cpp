@@ -1,4 +1,4 @@
-// The triangle mesh: curved edges, corner fans tinted by layer, corners.
+// Draws the triangle mesh: curved edges, corner fans tinted by layer, corners.
 
 #include <fmt/format.h>
 

@@ -20,7 +20,7 @@ PixelCurve quad_side(const Picture& picture, const QuadMesh& mesh, int elem, int
 /// The closed outline of a quad.
 PathData quad_outline(const Picture& picture, const QuadMesh& mesh, int elem);
 
-/// The node at (i, j) of the element, counted from `side`'s first corner: j = 0 walks the side.
+/// The node at (i, j) of the element, counted from the first corner of `side`: j = 0 is the side itself.
 int quad_side_node(const QuadMesh& mesh, int elem, int side, int i);
 
 }  // namespace quadrille::draw

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double smallest_cell = 5, largest_cell = 48;  // pixels
 
-/// xi moved a little towards the middle: a lifting has no value in its apex.
+/// xi moved slightly towards the centre: a lifting has no value at its apex.
 Vec2 inside(Vec2 xi) {
   constexpr Vec2 middle{-1.0 / 3, -1.0 / 3};
   return xi + 1e-7 * (middle - xi);
@@ -101,7 +101,7 @@ void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, doub
       Vec2 value, beside;
       if (!value_at(pixel, value) || norm(value) < 1e-6) continue;
       const Vec2 d = arm * unit(cross_angle(value)), e = left_of(d);
-      // A cross that would stick out of the face is left away.
+      // A cross that would extend beyond the face is omitted.
       if (!value_at(pixel + d, beside) || !value_at(pixel - d, beside) || !value_at(pixel + e, beside) ||
           !value_at(pixel - e, beside))
         continue;

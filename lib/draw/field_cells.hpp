@@ -18,11 +18,12 @@ void draw_field_cells(Picture& picture, const field::FieldEvaluator& evaluator,
 
 using Polyline = std::vector<Vec2>;
 
-/// The polylines (pixels) on which `component` of the value vanishes; where it is zero all over there is none.
+/// The polylines (pixels) on which `component` of the value vanishes; none in regions where it is identically zero.
 std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
                                     const std::function<double(Vec2 value)>& component);
 
-/// Both contours, with the part of v = 0 on which the cross angle jumps dashed, and their legend.
+/// Draws the contours u = 0 and v = 0 with their legend; jump lines, the part of v = 0 where the cross angle jumps, are
+/// dashed.
 void draw_zero_contours(Picture& picture, const field::FieldEvaluator& evaluator);
 
 /// Crosses on a lattice of `spacing` pixels.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double lattice_step = 4;  // pixels
 constexpr double join_distance = 0.6;
-/// Where a component stays below it over a whole cell, what is left is the solver's noise around an identical zero.
+/// Where a component stays below it over a whole cell, the component is identically zero up to solver errors.
 constexpr double noise = 1e-7;
 constexpr double least_value = 1e-13;
 
@@ -131,7 +131,7 @@ std::string path_of(const std::vector<Polyline>& lines) {
   return path.str();
 }
 
-/// Cuts polylines at the points where `keep` changes and returns the parts on which it holds.
+/// Cuts polylines at the points where `keep` changes and returns the parts where it is true.
 std::vector<Polyline> parts_where(const std::vector<Polyline>& lines, const std::function<bool(Vec2)>& keep) {
   std::vector<Polyline> parts;
   for (const Polyline& line : lines) {

@@ -21,7 +21,7 @@ PathData closed_loop(const Picture& picture, const CadFace& face, int loop) {
   return path;
 }
 
-/// A regular polygon with a vertex on top.
+/// A regular polygon with a vertex at the top.
 std::string polygon_mark(const std::string& css_class, Vec2 centre, int num_vertices, double radius,
                          const std::string& title) {
   std::string points;

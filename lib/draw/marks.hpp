@@ -1,5 +1,5 @@
 #pragma once
-// What several pictures show in the same way: the boundary, corners, irregular nodes, curve pieces.
+// Marks that several pictures have in common: the boundary, corners, irregular nodes, curve pieces.
 
 #include <string>
 #include <vector>
@@ -9,24 +9,24 @@
 
 namespace quadrille::draw {
 
-/// Appends `curve` between two parameters; a pen that is not down yet is put at its start.
+/// Appends `curve` between two parameters; an empty path begins at its start.
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
 
 /// The face as an area (below everything) and its boundary (above the rest). Every curve has its name as hover text.
 void draw_face_area(Picture& picture, const CadFace& face);
-/// The data of a path around it, for the rule evenodd.
+/// The data of a path around the face, for the fill rule evenodd.
 std::string face_outline(const Picture& picture, const CadFace& face);
 void draw_boundary(Picture& picture, const CadFace& face);
-/// A small dot on each corner; hover: number, angle, place.
+/// A small dot on each corner; hover: number, angle, position.
 void draw_corners(Picture& picture, const CadFace& face);
 /// Its legend entry, where the face has corners.
 void legend_corner(Picture& picture, const CadFace& face);
 
 /// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.
 std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
-/// The same figure, hollow and quiet: a node that is there no more.
+/// The same polygon, hollow and pale: a node that was removed or moved.
 std::string valence_outline(Vec2 centre, int valence, double radius, const std::string& title = {});
-/// A square on its point, in the colour of the index 2 - valence: a node on the boundary.
+/// A square standing on a vertex, in the colour of the field index 2 - valence: a node on the boundary.
 std::string boundary_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
 /// A thin line with its head at `to`; at least 9 pixels long.
 std::string arrow_mark(Vec2 from, Vec2 to);

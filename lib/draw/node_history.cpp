@@ -28,7 +28,7 @@ std::string outline(const Picture& picture, const CertificateCell& cell) {
   return path.str();
 }
 
-/// Where and how large `mark` is drawn.
+/// Position and size of `mark` in the picture.
 struct Spot {
   Vec2 at;
   double radius = 0;
@@ -49,7 +49,7 @@ bool is_at_one_of(const std::vector<Spot>& spots, Vec2 x) {
   return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return distance(s.at, x) < 0.5; });
 }
 
-/// An arrow between two marks, or a ring about the second where there is no room for one.
+/// An arrow between two marks, or a ring about the second if they are too close for one.
 std::string arrow_between(const Spot& from, const Spot& to) {
   constexpr double gap = 2, shortest = 9;
   const double length = distance(from.at, to.at) - from.radius - to.radius - 2 * gap;
@@ -64,8 +64,8 @@ std::vector<Spot> spots(const Picture& picture, const std::vector<NodeMark>& mar
   return all;
 }
 
-/// Every mark before leads to the nearest one after, and every one after comes from somewhere. What stays where it is
-/// (the corner that takes a node in) needs no arrow.
+/// Draws an arrow from every mark before to the nearest one after, and to every remaining mark after. A mark that does
+/// not move (a corner that absorbs a node) has no arrow.
 std::string arrows(const std::vector<Spot>& before, const std::vector<Spot>& after) {
   std::string all;
   std::vector<Spot> reached;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double margin = 36, header = 64, legend_row = 34;
 
-/// The common language of lines: the boundary thick, blocks medium, elements thin.
+/// The common line styles: the boundary thick, blocks medium, elements thin.
 const char* const style_sheet = R"(
 svg{font-family:Helvetica,Arial,"Liberation Sans",sans-serif;fill:#26323d}
 path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}

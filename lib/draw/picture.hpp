@@ -1,7 +1,8 @@
 #pragma once
-// The frame that all pictures share: title, drawing, legend; one scale, one line language.
+// The frame of all pictures: title, drawing, legend; one scale, the same line styles.
 //
-// Everything geometric is in pixels with y UP, from `at`, and lands in one group that flips y; texts stay outside it.
+// Everything geometric is in pixels with y up, as `at` returns it, and is written into one group that flips y; texts
+// are outside this group.
 
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ class Picture {
   /// Markup inside the flipped group, in the order of the calls. Groups give a common class to many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
   void open_group(const std::string& css_class);
-  /// A group of which only what lies in `outline` (path data, rule evenodd) is shown.
+  /// A group clipped to `outline` (path data, fill rule evenodd).
   void open_clipped_group(const std::string& css_class, const std::string& outline);
   void close_group() { add("</g>"); }
 
@@ -59,7 +60,7 @@ class Picture {
   void reserve_legend(double width);
 };
 
-/// Width of a text in pixels, roughly.
+/// Approximate width of a text in pixels.
 double text_width(const std::string& text, double font_size);
 
 }  // namespace quadrille::draw
