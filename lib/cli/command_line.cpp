@@ -51,7 +51,8 @@ std::string interval(T low, T high) {
   return fmt::format("{} to {}", low, high);
 }
 
-/// Each argument that is an old name, or an old name with =VALUE, by the present name. What follows -- stays.
+/// The arguments with each old name, also in the form OLD=VALUE, replaced by the present one. Arguments after -- are
+/// kept.
 std::vector<std::string> with_present_names(int argc, char** argv,
                                             const std::map<std::string, std::string>& old_names) {
   std::vector<std::string> arguments(argv, argv + argc);

@@ -1,6 +1,5 @@
 #pragma once
-// Options over CLI11: parsing, the rows of the help text and the JSON record for the provenance. Private to the folder
-// cli.
+// Options over CLI11: parsing, the rows of the help text and the JSON record for the provenance. Private to cli.
 
 #include <memory>
 #include <string>

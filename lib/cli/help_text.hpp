@@ -1,5 +1,5 @@
 #pragma once
-// The text of --help. Private to the folder cli.
+// The text of --help. Private to cli.
 
 #include <string>
 #include <vector>

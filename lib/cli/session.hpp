@@ -1,5 +1,5 @@
 #pragma once
-// What a running command may use besides its inputs: the report, messages, timings, the provenance of its output.
+// The services of a running command: the report, messages, timings, the provenance of its output.
 
 #include <limits>
 #include <string>
@@ -16,7 +16,7 @@ class Session {
   Report& report() { return report_; }
   /// Prints "tool: text" on standard error if the verbosity is at least `level` (-v: 1, -v -v: 2).
   void info(const std::string& text, int level = 1) const;
-  int threads() const { return threads_; }  ///< how many may be used; results do not depend on it
+  int threads() const { return threads_; }  ///< number of threads to use; results do not depend on it
   /// The chain `before` with the step of this run appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
   /// Announces phases that begin later than `seconds` after the start (--progress).

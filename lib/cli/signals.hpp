@@ -1,5 +1,5 @@
 #pragma once
-// What a command does when a signal ends it: remove its temporaries, then die of the same signal (128 + n).
+// Signal handling of a command: it removes its temporary files, then ends by the same signal (exit code 128 + n).
 
 namespace quadrille::cli {
 

@@ -26,7 +26,7 @@ std::string internal_error(const std::string& what) {
   return fmt::format("internal error, please report it: {}", what);
 }
 
-/// Runs `work` and maps whatever it throws.
+/// Runs `work` and maps any exception to an exit code.
 template <typename Work>
 Outcome outcome_of(const Work& work) {
   try {
@@ -62,14 +62,14 @@ void write_report_of(const Tool& tool, Session& session, const Outcome& outcome,
   tool.report_writer(path, tool.name, version, session.report());
 }
 
-/// After how many seconds phases are announced: never, at once, or on a terminal when the work takes a while.
+/// Seconds after which phases are announced: 0 for always, 1 on a terminal, else infinity (never).
 double progress_delay(const CommonOptions& common) {
   if (common.progress == "always") return 0;
   const bool is_shown = common.progress == "auto" && common.verbosity >= 0 && isatty(STDERR_FILENO);
   return is_shown ? 1 : std::numeric_limits<double>::infinity();
 }
 
-/// Runs the tool; the report is written whatever happened.
+/// Runs the tool; the report is written in any case.
 Outcome run_session(const Tool& tool, Session& session, const CommonOptions& common) {
   Outcome outcome = outcome_of([&] { tool.run(session); });
   session.finish();
