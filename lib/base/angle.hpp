@@ -15,13 +15,13 @@ inline constexpr double half_pi = pi / 2;
 inline constexpr double degrees(double radians) { return radians * (180.0 / pi); }
 inline constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
 
-/// `angle` brought into (-pi, pi].
+/// `angle` wrapped into (-pi, pi].
 inline double wrap_pi(double angle) {
   const double r = std::remainder(angle, 2 * pi);
   return r <= -pi ? r + 2 * pi : r;
 }
 
-/// `angle` brought into [0, 2 pi).
+/// `angle` wrapped into [0, 2 pi).
 inline double wrap_two_pi(double angle) {
   const double r = angle - 2 * pi * std::floor(angle / (2 * pi));
   return r >= 2 * pi ? 0.0 : r;

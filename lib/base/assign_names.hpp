@@ -1,5 +1,5 @@
 #pragma once
-// New names for some of many things, each of which may get one only once.
+// Assigns new names to some entities of a list; no entity may get two.
 
 #include <string>
 #include <vector>
@@ -8,13 +8,13 @@ namespace quadrille {
 
 struct GivenName {
   std::string name;
-  std::vector<int> targets;  ///< who gets it
-  bool is_for_rest = false;  ///< all that nobody else names get it
+  std::vector<int> targets;  ///< numbers of the entities that get the name
+  bool is_for_rest = false;  ///< the name is for all entities that no other entry names
   std::string where{};       ///< the file and the entry, for messages
 };
 
-/// Sets names[target] for all of `given`. Throws FormatError, naming both entries, where two name the same `kind`
-/// ("curve") or the rest of them. Returns who got a name, ascending.
+/// Sets names[target] for all of `given`. Throws FormatError, naming both entries, if two entries name the same `kind`
+/// ("curve") or if two are for the rest. Returns the numbers of the named entities, ascending.
 std::vector<int> assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given,
                               const std::string& kind);
 

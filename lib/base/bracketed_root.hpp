@@ -1,16 +1,16 @@
 #pragma once
-// Roots of a continuous function between two places where its signs differ, without derivatives.
+// Roots of a continuous function, without derivatives, between two points at which its signs differ.
 //
-// Three methods, each with the stopping rule of its caller: bisection where the function may jump, false position of
-// the Illinois type (Dowell and Jarratt 1971) where evaluations are expensive, false position with a bisection every
-// third time where they are cheap and the bracket must shrink to round-off.
+// Three methods, each with its own stopping rule: bisection if the function may jump, false position of the Illinois
+// type (Dowell and Jarratt 1971) if evaluations are expensive, false position with a bisection every third step if they
+// are cheap and the bracket must shrink to round-off.
 
 #include <cmath>
 
 namespace quadrille {
 
-/// Halves [a, b] until no number lies between: the place where f changes its sign. `f(a)` and `f(b)` must not have one
-/// sign.
+/// Halves [a, b] until no floating-point number lies between, and returns the point at which f changes its sign. `f(a)`
+/// and `f(b)` must have opposite signs.
 template <class Function>
 double bisect(const Function& f, double a, double b) {
   const bool is_rising = f(b) > f(a);
@@ -22,9 +22,9 @@ double bisect(const Function& f, double a, double b) {
   return (a + b) / 2;
 }
 
-/// The root of a falling function in [a, b], f(a) > 0 > f(b), by the Illinois method; an end of the interval where f
-/// does not change its sign. Stops where |f| <= value_tol b or b - a <= width_tol b, b the upper end of the bracket by
-/// then.
+/// The root of a falling function in [a, b], f(a) > 0 > f(b), by the Illinois method; an end of the interval if f does
+/// not change its sign. Stops as soon as |f| <= value_tol b or b - a <= width_tol b, with the current upper end b of
+/// the bracket.
 template <class Function>
 double falling_root(const Function& f, double a, double b, double value_tol, double width_tol) {
   double fa = f(a), fb = f(b);
@@ -44,7 +44,7 @@ double falling_root(const Function& f, double a, double b, double value_tol, dou
   return root;
 }
 
-/// As falling_root for a function with f(1) < 0, on [0, 1], to round-off; 0 where f(0) <= 0.
+/// As falling_root, on [0, 1] and to round-off, for a function with f(1) < 0; returns 0 if f(0) <= 0.
 template <class Function>
 double falling_root_to_round_off(const Function& f) {
   double a = 0, b = 1, fa = f(0.0), fb = f(1.0);

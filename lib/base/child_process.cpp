@@ -17,7 +17,8 @@ namespace {
 
 [[maybe_unused]] constexpr rlim_t most_memory = 4ULL << 30;
 
-// What the child sends: one letter for the kind of outcome, for a FormatError the length of its rule, then the text.
+// Message from the child: one letter for the kind of outcome; the rule and a zero byte for a FormatError; then the
+// text.
 enum Outcome : char { value = 'v', error = 'e', format_error = 'f', other = 'x' };
 
 void write_all(int fd, const char* data, size_t size) {
@@ -57,24 +58,24 @@ std::string outcome_of(const std::function<std::string()>& work) {
 }
 
 [[noreturn]] void run_child(const std::function<std::string()>& work, int fd, int cpu_seconds, pid_t parent) {
-  // Nobody waits for a child whose parent was killed.
+  // The child ends if its parent is killed, since no process would read its result.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   const rlimit no_core{0, 0}, cpu{static_cast<rlim_t>(cpu_seconds), static_cast<rlim_t>(cpu_seconds) + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
 #ifndef __SANITIZE_ADDRESS__
-  // A count read from garbage must not take the machine's memory; the sanitizer's shadow would count as memory, too.
+  // A count read from garbage must not exhaust the memory. (Not under a sanitizer, whose shadow memory would count.)
   const rlimit memory{most_memory, most_memory};
   setrlimit(RLIMIT_DATA, &memory);
 #endif
-  // The parent's handlers would remove the parent's temporaries.
+  // The parent's handlers would remove the parent's temporaries, so the child resets them.
   for (const int signal :
        {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})
     std::signal(signal, SIG_DFL);
   const std::string bytes = outcome_of(work);
   write_all(fd, bytes.data(), bytes.size());
-  // Not exit: buffers and exit handlers belong to the parent.
+  // _exit instead of exit: buffers and exit handlers belong to the parent.
   _exit(0);
 }
 
@@ -118,7 +119,7 @@ std::string run_in_child(const std::function<std::string()>& work, const std::st
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  // Sanitizers turn a crash into an exit code, so that anything but a clean exit counts as one.
+  // Sanitizers turn a crash into an exit code, so everything but a clean exit counts as a crash.
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) throw FormatError(crash_message);
   if (bytes[0] == value) return bytes.substr(1);
   rethrow(bytes);

@@ -10,7 +10,8 @@ namespace quadrille {
 
 namespace {
 
-// A signal handler may neither allocate nor lock: fixed slots, and a flag that is set last and cleared first.
+// A signal handler may neither allocate nor lock: hence fixed slots, each with a flag that is set last and cleared
+// first.
 struct Slot {
   char path[4096];
   volatile std::sig_atomic_t is_used;

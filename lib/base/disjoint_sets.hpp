@@ -1,5 +1,5 @@
 #pragma once
-// Disjoint sets of the numbers 0, 1, ..., n - 1, for what hangs together through links (union-find).
+// Disjoint sets of the numbers 0, 1, ..., n - 1, for connected components (union-find).
 
 #include <algorithm>
 #include <numeric>

@@ -7,7 +7,7 @@
 //     return std::to_array<EnumName<SizeRule>>({{SizeRule::nearest, "nearest"}, {SizeRule::at_most, "at-most"}});
 //   }
 //
-// io reads and writes it as text (io/archive.hpp), cli makes an option of it (cli/options.hpp).
+// io reads and writes it as text (io/archive.hpp), cli makes it an option (cli/options.hpp).
 
 #include <array>
 #include <optional>
@@ -31,7 +31,7 @@ concept NamedEnum = std::is_enum_v<Enum> && requires(Enum value) {
   enum_names(value);
 };
 
-/// The name of `value`. Throws Defect for a value that its table lacks.
+/// The name of `value`. Throws Defect if the table lacks the value.
 template <NamedEnum Enum>
 std::string enum_name(Enum value) {
   for (const auto& entry : enum_names(value))
@@ -39,7 +39,7 @@ std::string enum_name(Enum value) {
   throw Defect("an enum value has no name");
 }
 
-/// The value of that name; nothing where there is none.
+/// The value of that name; std::nullopt if there is none.
 template <NamedEnum Enum>
 std::optional<Enum> enum_value(std::string_view name) {
   for (const auto& entry : enum_names(Enum{}))

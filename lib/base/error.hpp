@@ -1,7 +1,7 @@
 #pragma once
-// The kinds of failure, one type for each exit code that a user can meet (formats/README.md, "Exit codes").
-// Library code throws them; only cli/tool_main turns them into messages and codes.
-// A message says what and where, in a user's words, without the tool's name and without a trailing full stop.
+// Error types, one for each exit code that a user can meet (formats/README.md, "Exit codes"). Library code throws them;
+// only cli/tool_main turns them into messages and codes. A message states what is wrong and where, in a user's words,
+// without the tool's name and without a final full stop.
 
 #include <stdexcept>
 #include <string>
@@ -43,7 +43,7 @@ struct OutputError : Error {
   explicit OutputError(const std::string& message) : Error(ExitCode::bad_output, message) {}
 };
 
-/// An inner contradiction: exit 70. Never thrown for anything that an input can cause.
+/// An internal contradiction: exit 70. Never thrown for a condition that an input can cause.
 struct Defect : Error {
   explicit Defect(const std::string& message) : Error(ExitCode::defect, message) {}
 };

@@ -23,7 +23,7 @@ int utf8_length(std::string_view text) {
   if (length == 0 || text.size() < static_cast<std::size_t>(length)) return 0;
   for (int i = 1; i < length; ++i)
     if ((byte(text, i) & 0xC0) != 0x80) return 0;
-  // Overlong forms, surrogates and what lies above U+10FFFF.
+  // Rejects overlong forms, surrogates and code points above U+10FFFF.
   const int second = byte(text, 1);
   const bool is_wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
                         (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);

@@ -11,7 +11,7 @@ namespace quadrille {
 
 namespace {
 
-// Chunks of indices, handed out in ascending sequence: when f(i) throws, all lower ones have been handed out already.
+// Chunks of indices, handed out in ascending order: when f(i) throws, all lower indices have been handed out already.
 class Loop {
  public:
   Loop(int n, const std::function<void(int)>& f) : n_(n), chunk_(std::max(1, n / 256)), f_(f) {}
@@ -47,7 +47,7 @@ class Loop {
   std::atomic<bool> failed_ = false;
   std::mutex mutex_;
   std::exception_ptr exception_;
-  int where_ = 0;  ///< the index that threw exception_
+  int where_ = 0;  ///< the index for which f threw exception_
 };
 
 }  // namespace

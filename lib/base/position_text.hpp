@@ -1,5 +1,5 @@
 #pragma once
-// How messages write a position.
+// Text of a position in messages.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// "(x, y)" with six digits each. Give it positions in the coordinates of the CAD file: x + face.origin.
+/// "(x, y)" with six digits each. `x` must be in the coordinates of the CAD file: a position plus face.origin.
 std::string position_text(Vec2 x);
 
 }  // namespace quadrille

@@ -1,6 +1,6 @@
 #pragma once
-// What a run has to tell to programs (--report): counts, timings, residuals, certificates, warnings.
-// A flat list of dotted keys in the sequence of their first use; io/report_io nests them and writes JSON.
+// The machine-readable report of a run (--report): counts, timings, residuals, certificates, warnings. A flat list of
+// dotted keys in the order of their first use; io/report_io nests them and writes JSON.
 
 #include <concepts>
 #include <string>
@@ -24,7 +24,7 @@ class Report {
   void set(const std::string& key, double value) { set(key, Value(value)); }
   void set(const std::string& key, const char* value) { set(key, Value(std::string(value))); }
 
-  /// Adds a warning: a stable code ("W-CAD-001") and a sentence. Tools print it too, unless quiet.
+  /// Adds a warning: a stable code ("W-CAD-001") and a sentence. Tools also print it unless --quiet is set.
   void warn(const std::string& code, const std::string& message);
 
   struct Warning {

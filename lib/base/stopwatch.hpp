@@ -1,5 +1,5 @@
 #pragma once
-// Where the time of a computation goes, phase by phase.
+// Times of the phases of a computation.
 
 #include <ctime>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// Seconds that a phase took: of all threads of the process, and on the wall.
+/// Seconds of one phase: CPU time of all threads of the process, and wall-clock time.
 struct Lap {
   std::string phase;
   double cpu_seconds = 0, wall_seconds = 0;
@@ -15,7 +15,7 @@ struct Lap {
 
 class Stopwatch {
  public:
-  /// Ends the phase that began at the last lap, or when the watch was made.
+  /// Ends the phase that began at the last call, or at the construction of the stopwatch.
   void lap(const std::string& phase) {
     const double cpu = now(CLOCK_PROCESS_CPUTIME_ID), wall = now(CLOCK_MONOTONIC);
     laps_.push_back({phase, cpu - cpu_, wall - wall_});

@@ -1,6 +1,6 @@
 #pragma once
-// Points and vectors of the plane, and 2 x 2 matrices, with only what the field analysis needs.
-// Plain aggregates: cheap to compile, to copy and to store in arrays of the model.
+// Points and vectors of the plane, and 2 x 2 matrices, with the operations that the field analysis needs. Plain
+// aggregates: cheap to compile, to copy and to store in arrays of the model.
 
 #include <cmath>
 
@@ -23,9 +23,9 @@ constexpr Vec2 operator*(Vec2 a, double s) { return {s * a.x, s * a.y}; }
 constexpr Vec2 operator/(Vec2 a, double s) { return {a.x / s, a.y / s}; }
 
 constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-/// The z component of a x b: positive when b lies to the left of a.
+/// The z component of a x b: positive if b lies to the left of a.
 constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-/// a turned by a quarter turn counter-clockwise.
+/// a rotated by a quarter turn counter-clockwise.
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
 constexpr double norm2(Vec2 a) { return a.x * a.x + a.y * a.y; }
@@ -36,7 +36,7 @@ inline Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 /// The angle of a in (-pi, pi].
 inline double angle_of(Vec2 a) { return std::atan2(a.y, a.x); }
 
-/// A 2 x 2 matrix by rows: [[xx, xy], [yx, yy]]. A Jacobian d f / d x has f_x's derivatives in its first row.
+/// A 2 x 2 matrix by rows: [[xx, xy], [yx, yy]]. A Jacobian d f / d x has the derivatives of f_x in its first row.
 struct Mat2 {
   double xx = 0, xy = 0, yx = 0, yy = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// The codes of all warnings (Report::warn), which programs rely on; formats/report.md explains them. A code keeps its
-// meaning for ever: one that is no longer used leaves a gap.
+// The codes of all warnings (Report::warn), on which programs rely; formats/report.md explains them. A code never
+// changes its meaning, and the code of a removed warning is not used again.
 
 namespace quadrille {
 namespace warning {
@@ -26,11 +26,11 @@ inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
 inline constexpr const char* quantized_instead_of_traced = "W-SEP-001";
 inline constexpr const char* block_not_proved_valid = "W-BLK-001";
 
-// quadrefine and what reads its meshes
+// quadrefine and the tools that read its meshes
 inline constexpr const char* mesh_not_valid = "W-QUA-001";
 inline constexpr const char* chord_count_missed = "W-QUA-002";
-inline constexpr const char* walls_share_a_chord = "W-WAL-001";  ///< each has heights of its own
-inline constexpr const char* walls_disagree = "W-WAL-002";       ///< walls that continue each other
+inline constexpr const char* walls_share_a_chord = "W-WAL-001";  ///< each prescribes heights of its own
+inline constexpr const char* walls_disagree = "W-WAL-002";       ///< wall layers that continue each other
 
 // quadexport
 inline constexpr const char* format_loss = "W-EXP-001";
