@@ -1,10 +1,10 @@
 #pragma once
 // A planar graph of arcs on curves: what separatrix graphs and block layouts have in common.
 //
-// Arcs meet only in nodes. Every arc is a chain of pieces of curves: of the CAD face (curve < face.num_curves()) or of
-// `splines` (curve - face.num_curves()). Nodes are all places where something happens to the TOPOLOGY: irregular
-// nodes, corners, ends of separatrices on the boundary, crossings. A joint with V = 2 where no separatrix ends is no
-// node: it lies inside an arc, between two pieces. Boundary arcs run with the face on their left.
+// Arcs meet only at nodes. Every arc is a chain of pieces of curves: of the CAD face (curve < face.num_curves()) or of
+// `splines` (curve - face.num_curves()). A node is a point at which the TOPOLOGY changes: an irregular node, a corner,
+// an end of a separatrix on the boundary, or a crossing. A joint with V = 2 at which no separatrix ends is not a node:
+// it lies inside an arc, between two pieces. Boundary arcs run with the face on their left.
 
 #include <vector>
 
@@ -14,7 +14,7 @@
 
 namespace quadrille {
 
-/// Part of a curve, followed from t0 to t1 (t0 > t1: backwards).
+/// Part of a curve, traversed from t0 to t1 (t0 > t1: backwards).
 struct ArcPiece {
   int curve = 0;
   double t0 = 0, t1 = 0;
@@ -32,7 +32,7 @@ constexpr auto enum_names(NodeKind) {
 struct GraphNode {
   Vec2 position;
   NodeKind kind = NodeKind::crossing;
-  int valence = 4;  ///< interior: quads at the node; on the boundary: quads in its sector (2 = regular)
+  int valence = 4;  ///< interior: quads at the node; on the boundary: quads in its sector (2: regular)
   int curve = -1;   ///< on the boundary: a CAD curve through it (the outgoing one at a joint); -1 inside
   double t = 0;     ///< its parameter there
 };
@@ -55,7 +55,7 @@ struct ArcGraph {
   }
 };
 
-/// sum (4 - V) over inner nodes and sum (2 - V) over those on the boundary.
+/// sum (4 - V) over interior nodes plus sum (2 - V) over boundary nodes.
 inline long long index_sum_of(const ArcGraph& graph) {
   long long sum = 0;
   for (const GraphNode& node : graph.nodes) sum += (node.curve < 0 ? 4LL : 2LL) - node.valence;

@@ -1,11 +1,11 @@
 #pragma once
-// A planar CAD face as all later stages see it: exact boundary curves as NURBS, loops, joints, names.
-// Carried inside every stage file (formats/cad-face.md), so that nothing after cad2tri needs a CAD kernel.
+// A planar CAD face for all later stages: exact boundary curves as NURBS, loops, joints, names. Every stage file
+// contains it (formats/cad-face.md), so that no stage after cad2tri needs a CAD kernel.
 //
-// Conventions. Curves are listed loop after loop, in the sequence and direction in which the loop is walked with the
-// face on the LEFT: loop 0 is the outline (counter-clockwise), the others are holes (clockwise). Curve i ends where
-// its successor in the loop begins. Joint i is the START of curve i. A tangent jump never lies inside a curve: cad2tri
-// splits there. All positions are relative to `origin`, which is (0, 0) unless the shape lies far from it.
+// Conventions. Curves are listed loop after loop, in the order and direction in which the loop is traversed with the
+// face on the LEFT: loop 0 is the outline (counter-clockwise), the others are holes (clockwise). Curve i ends at the
+// start of its successor in the loop. Joint i is the START of curve i. No curve has a tangent jump inside: cad2tri
+// splits curves there. All positions are relative to `origin`, which is (0, 0) unless the shape lies far from it.
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace quadrille {
 
-/// A clamped rational B-spline curve: knots.size() = poles.size() + degree + 1, the domain is
-/// [knots.front(), knots.back()], weights are positive. Never periodic.
+/// A clamped rational B-spline curve: knots.size() = poles.size() + degree + 1, the domain is [knots.front(),
+/// knots.back()], weights are positive. Never periodic.
 struct Nurbs {
   int degree = 1;
   std::vector<double> knots;
@@ -28,32 +28,31 @@ struct Nurbs {
   double end() const { return knots.back(); }
 };
 
-/// The start of a curve: where its predecessor in the loop ends.
+/// The start of a curve, which is the end of its predecessor in the loop.
 struct Joint {
   Vec2 position;
   double tangent_in = 0;      ///< angle of the predecessor's tangent at its end, radians in (-pi, pi]
   double tangent_out = 0;     ///< angle of this curve's tangent at its start, radians in (-pi, pi]
-  double interior_angle = 0;  ///< radians in (0, 2 pi); pi where the tangent is continuous
+  double interior_angle = 0;  ///< radians in (0, 2 pi); pi if the tangent is continuous
   bool is_corner = false;     ///< the tangent jump exceeds --corner-angle: a corner of the layout
 };
 
 struct CadFace {
   std::string length_unit = "unknown";  ///< of the file: "metre", "millimetre", "inch", ..., "unknown"
-  double metres_per_unit = 0;           ///< 0 where unknown
+  double metres_per_unit = 0;           ///< 0: unknown
   /// The face's plane in the CAD model's space, in the file's unit: x3d = origin3d + x e_x + y e_y, with (x, y)
-  /// including `origin`. A face in z = const keeps its x and y: origin3d = (0, 0, const), e_x, e_y the axes.
+  /// including `origin`. A face in z = const keeps its x and y: origin3d = (0, 0, const), e_x and e_y are the axes.
   std::array<double, 3> plane_origin{0, 0, 0};
   std::array<double, 3> plane_x{1, 0, 0};
   std::array<double, 3> plane_y{0, 1, 0};
-  Vec2 origin;  ///< add it to get the face's own 2-D coordinates
-  double diameter =
-      0;  ///< the largest distance between two points of the outline; every default length derives from it
+  Vec2 origin;          ///< add it to obtain the face's own 2-D coordinates
+  double diameter = 0;  ///< largest distance between two points of the outline; scale of all default lengths
 
   std::vector<Nurbs> curves;
-  std::vector<std::string> curve_names;  ///< one per curve; unique tags for boundary groups are made from them
-  std::vector<int> unnamed_curves;       ///< ascending: nobody gave them a name, theirs is made from their number
+  std::vector<std::string> curve_names;  ///< one per curve; boundary groups get unique tags made from them
+  std::vector<int> unnamed_curves;       ///< ascending: curves without a given name; theirs is made from their number
   std::vector<int> curve_cad_edges;      ///< number of the edge in the CAD file from which the curve was cut, base 0
-  std::vector<int> loop_offsets;         ///< loop l holds curves [loop_offsets[l], loop_offsets[l+1])
+  std::vector<int> loop_offsets;         ///< loop l has the curves [loop_offsets[l], loop_offsets[l+1])
   std::vector<Joint> joints;             ///< one per curve
   std::string name;                      ///< of the face, may be empty
 

@@ -1,9 +1,9 @@
 #pragma once
-// The irregular nodes that a layout shall have and the valences of corners (formats/critical-points.md, x.crit.json).
+// The prescribed irregular nodes of a layout and the valences of corners (formats/critical-points.md, x.crit.json).
 // Valence V = 4 - index for an interior node; at a corner or boundary node V counts the blocks in its sector.
 //
-// The nodes are the guiding field's own zeros, or what was made of them: clusters resolved, nodes absorbed by corners,
-// put onto the boundary, moved, prescribed by hand. `form` says which.
+// The nodes are the zeros of the guiding field, or replace them: clusters resolved, nodes absorbed by corners, put onto
+// the boundary, moved, prescribed by hand. `form` states which.
 
 #include <algorithm>
 #include <array>
@@ -18,14 +18,15 @@
 
 namespace quadrille {
 
-/// Which field has these nodes: every node is a zero of the harmonic field and every corner has the valence that it
-/// gives; or later stages need a field of the phase form, made for them (fieldsolve --nodes).
+/// The kind of field that has these nodes. `harmonic`: every node is a zero of the harmonic field, and every corner has
+/// the valence of that field. `phase`: later stages need a field of the phase form made for these nodes (fieldsolve
+/// --nodes).
 enum class NodeForm { harmonic, phase };
 constexpr auto enum_names(NodeForm) {
   return std::to_array<EnumName<NodeForm>>({{NodeForm::harmonic, "harmonic"}, {NodeForm::phase, "phase"}});
 }
 
-/// What was done to nodes and valences. `other`: a kind that a later version of the format added.
+/// How nodes and valences were changed. `other`: a kind that a later version of the format added.
 enum class ChangeKind { cluster, cancel, absorb, corner, line, divide, feature, place, other };
 constexpr auto enum_names(ChangeKind) {
   return std::to_array<EnumName<ChangeKind>>({{ChangeKind::cluster, "cluster"},
@@ -39,8 +40,8 @@ constexpr auto enum_names(ChangeKind) {
                                               {ChangeKind::other, "other"}});
 }
 
-/// Where a node or a valence comes from: a `zero` of the field or `hand` (nodes), the nearest valence to the `angle` or
-/// the `field` at a tie (corners), else the last change.
+/// The origin of a node or a valence. Nodes: a `zero` of the field or prescribed by `hand`. Corners: the valence
+/// nearest to the `angle`, or that of the `field` at a tie. Both: otherwise the last change.
 enum class NodeSource {
   zero,
   hand,
@@ -72,7 +73,7 @@ constexpr auto enum_names(NodeSource) {
                                               {NodeSource::other, "other"}});
 }
 
-/// The source of a node that a change of this kind made: the one of the same name.
+/// The source of a node that a change of this kind made: the value of the same name.
 constexpr NodeSource source_of(ChangeKind kind) {
   switch (kind) {
     case ChangeKind::cluster:
@@ -107,9 +108,9 @@ struct CriticalPoint {
   Vec2 position;
   int index = 0;
   int valence = 4;
-  int elem = 0;                      ///< element of the field's mesh that holds it
+  int elem = 0;                      ///< element of the field's mesh that contains it
   Vec2 xi;                           ///< reference coordinates there
-  std::array<double, 4> jacobian{};  ///< d v / d x at the point: u_x, u_y, v_x, v_y; zeros where it is no zero of v
+  std::array<double, 4> jacobian{};  ///< d v / d x at the point: u_x, u_y, v_x, v_y; zeros if it is not a zero of v
   double error = 0;                  ///< error bar |J^-1 e| of the position, e the field's error there; 0: unknown
   NodeSource source = NodeSource::zero;
 };
@@ -123,7 +124,7 @@ struct Corner {
   NodeSource source = NodeSource::angle;  ///< of the valence
 };
 
-/// A node on the boundary where no corner is: V blocks meet there instead of 2.
+/// A node on the boundary that is not at a corner: V blocks meet there instead of 2.
 struct IrregularBoundaryPoint {
   int curve = 0;
   double t = 0;  ///< parameter, inside the curve or at a smooth joint
@@ -139,23 +140,23 @@ struct NodeMark {
   NodeLocation location = NodeLocation::inside;
 };
 
-/// One thing done to the field's own zeros and valences, and why. The index sum of `before` and `after` is the same.
+/// One change of the field's own zeros and valences, with its reason. `before` and `after` have the same index sum.
 struct NodeChange {
   ChangeKind kind = ChangeKind::other;
   std::string reason;  ///< a sentence for people
   std::vector<NodeMark> before, after;
 };
 
-/// Zeros that belong together: a multiple zero, or zeros nearer to each other than any block could be.
+/// Zeros that are treated as one: a multiple zero, or zeros nearer to each other than any block could be.
 struct Cluster {
   Vec2 centre;
   double radius = 0;  ///< of a circle about all members
-  int index = 0;      ///< of them all
+  int index = 0;      ///< sum of the members
   std::vector<Vec2> members;
-  std::vector<int> member_indices;  ///< empty where they cannot be told apart
+  std::vector<int> member_indices;  ///< empty if they cannot be distinguished
 };
 
-/// What the search could prove of a cell: it holds exactly one zero, or nothing (it is part of a cluster).
+/// What the search proved about a cell. `zero`: it contains exactly one zero; `open`: undecided, part of a cluster.
 enum class CellVerdict { zero, open };
 constexpr auto enum_names(CellVerdict) {
   return std::to_array<EnumName<CellVerdict>>({{CellVerdict::zero, "zero"}, {CellVerdict::open, "open"}});
@@ -168,14 +169,14 @@ struct CertificateCell {
   CellVerdict verdict = CellVerdict::zero;
 };
 
-/// That no zero is missing: what the search for them did (zeros/zero_search).
+/// Evidence that no zero is missing: counts and cells of the search (zeros/zero_search).
 struct Certificate {
-  int elements = 0;                  ///< all of the mesh were searched
+  int elements = 0;                  ///< of the mesh, all searched
   double cells_examined = 0;         ///< whole numbers
-  double cells_excluded = 0;         ///< proved to hold no zero
-  double cells_isolated = 0;         ///< proved to hold at most one
-  double cells_left_to_corners = 0;  ///< within `corner_discs`: what is there belongs to the corner's valence
-  int greatest_depth = 0;            ///< of halvings of an element
+  double cells_excluded = 0;         ///< proved to contain no zero
+  double cells_isolated = 0;         ///< proved to contain at most one
+  double cells_left_to_corners = 0;  ///< inside `corner_discs`: zeros there belong to the corner's valence
+  int greatest_depth = 0;            ///< greatest number of bisections of an element
   std::vector<CertificateCell> cells;
   std::vector<Vec2> disc_centres;
   std::vector<double> disc_radii;
@@ -187,19 +188,19 @@ struct CriticalPoints {
   std::vector<CriticalPoint> critical_points;
   std::vector<Corner> corners;  ///< every joint with is_corner, in the order of the joints
   std::vector<IrregularBoundaryPoint> boundary_nodes;
-  std::vector<int> hole_winding_offsets;  ///< added to the winding of least energy, one for each hole; empty: none
+  std::vector<int> hole_winding_offsets;  ///< added to the winding of least energy, one per hole; empty: none
   int index_sum = 0;                      ///< sum (4 - V) + sum (2 - V)
   int index_sum_expected = 0;             ///< 4 chi
   Vec2 origin;                            ///< positions are relative to it (formats/cad-face.md)
 
-  std::vector<CriticalPoint> zeros;  ///< of the field as found, where critical_points differ from them; else empty
+  std::vector<CriticalPoint> zeros;  ///< of the field as found, if critical_points differs from them; else empty
   std::vector<Cluster> clusters;
   std::vector<NodeChange> changes;
   Certificate certificate;
 };
 
-/// sum (4 - V) over the nodes and sum (2 - V) over corners and boundary nodes; a damaged file's sum ends at the limits
-/// of int.
+/// sum (4 - V) over the nodes plus sum (2 - V) over corners and boundary nodes, clamped to the limits of int for
+/// damaged files.
 inline int index_sum_of(const CriticalPoints& points) {
   long long sum = 0;
   for (const CriticalPoint& p : points.critical_points) sum += 4LL - p.valence;
@@ -209,7 +210,7 @@ inline int index_sum_of(const CriticalPoints& points) {
   return static_cast<int>(std::clamp<long long>(sum, Limits::min(), Limits::max()));
 }
 
-/// The nodes and valences that the phase form must have.
+/// The nodes and valences prescribed for the phase form.
 inline PhaseNodes phase_nodes_of(const CriticalPoints& points) {
   PhaseNodes nodes;
   for (const CriticalPoint& p : points.critical_points) nodes.nodes.push_back({p.position, p.valence});

@@ -7,7 +7,7 @@
 // sorted by total degree, so that the highest order is the tail. theta_c: lib/method.md §8.4,
 // theta_c = Arg((z - c) / (z - p_c)), principal value, p_c outside the domain; its cut is the segment [c, p_c].
 //
-// Of kind "phase" (lib/method.md §8) it is a unit field with exactly the irregular nodes asked for:
+// A field of kind "phase" (lib/method.md §8) is a unit field with exactly the prescribed irregular nodes:
 //
 //   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_terms.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
 
@@ -37,27 +37,27 @@ struct AdaptStep {
   int num_raised = 0, num_lowered = 0;
   int min_order = 0, max_order = 0;
   double max_sensor = 0;
-  std::vector<int> elem_order;  ///< of the solution that the round began with
+  std::vector<int> elem_order;  ///< of the solution at the start of the round
   std::vector<double> elem_sensor;
 };
 
-/// What a field of kind "phase" has instead of u, v and liftings.
+/// Data of a field of kind "phase", in place of u, v and liftings.
 struct PhaseForm {
   PhaseNodes prescribed;
   PhaseTerms terms;
   std::vector<double> s;                  ///< coefficients, as u and v
-  std::vector<int> hole_winding_offsets;  ///< as prescribed, one for each hole or none
-  /// The boundary data of hole j are free up to 2 pi m_j. The m_j count from the data's own branch
-  /// (field/phase_boundary.hpp), so only differences have a meaning: the real ones m* = -K^-1 r / (2 pi) of least
-  /// energy and the integers that were taken.
+  std::vector<int> hole_winding_offsets;  ///< as prescribed, one per hole; may be empty
+  /// The boundary data of hole j are determined up to 2 pi m_j. The m_j are counted from the branch of the data
+  /// (field/phase_boundary.hpp), so only differences have a meaning: the real m* = -K^-1 r / (2 pi) of least energy and
+  /// the integers that were chosen.
   std::vector<double> best_hole_winding;
   std::vector<int> hole_winding;
-  /// Of lambda round each hole, (r + 2 pi K m)_j / 4: where it is not 0 the conformal map is only local.
+  /// Period of lambda round each hole, (r + 2 pi K m)_j / 4: if it is not 0 the conformal map is only local.
   std::vector<double> hole_periods;
-  double hole_winding_energy = 0;  ///< 2 pi^2 (m - m*)^T K (m - m*): energy of integer turns above real ones
+  double hole_winding_energy = 0;  ///< 2 pi^2 (m - m*)^T K (m - m*): energy of the integer winding above the real one
 };
 
-/// What the coefficients mean: u and v of a harmonic field, or s of the phase of a unit field.
+/// Meaning of the coefficients: u and v of a harmonic field, or s of the phase of a unit field.
 enum class FieldKind { harmonic, phase };
 constexpr auto enum_names(FieldKind) {
   return std::to_array<EnumName<FieldKind>>({{FieldKind::harmonic, "harmonic"}, {FieldKind::phase, "phase"}});
@@ -75,10 +75,10 @@ struct Field {
   FieldKind kind = FieldKind::harmonic;
   FieldMethod method = FieldMethod::cg;
   std::vector<int> elem_order;    ///< P_e
-  std::vector<int> coef_offsets;  ///< element e owns coefficients [coef_offsets[e], coef_offsets[e+1])
+  std::vector<int> coef_offsets;  ///< element e has the coefficients [coef_offsets[e], coef_offsets[e+1])
   std::vector<double> u, v;       ///< coefficients c_n of both components
   std::vector<Lifting> liftings;
-  PhaseForm phase;                  ///< of kind "phase": u, v and liftings are empty then
+  PhaseForm phase;                  ///< of kind "phase"; u, v and liftings are then empty
   std::vector<double> elem_sensor;  ///< last sensor of each element; empty before padapt
   std::vector<double> elem_error;  ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
   std::vector<AdaptStep> adapt_steps;

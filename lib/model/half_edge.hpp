@@ -1,8 +1,8 @@
 #pragma once
-// An arc taken in one of its two directions: the side of a face, a step of a path, a line as it starts at a node.
+// An arc in one of its two directions: the side of a face, a step of a path, a line as it starts at a node.
 //
-//     arc 7:   from o------------>o to       {7}        forwards: from `from` to `to`, what lies on its left
-//                                            {7, true}  backwards: from `to` to `from`, what lies on the other side
+//     arc 7:   from o------------>o to       {7}        forwards: from `from` to `to`, the arc's left side
+//                                            {7, true}  backwards: from `to` to `from`, the arc's right side
 
 #include <compare>
 #include <cstddef>
@@ -14,12 +14,12 @@ struct HalfEdge {
   bool is_backwards = false;
 
   constexpr HalfEdge reversed() const { return {arc, !is_backwards}; }
-  /// Position in tables over half-edges: 2 * arc, and one more backwards.
+  /// Index in tables over half-edges: 2 * arc forwards, 2 * arc + 1 backwards.
   constexpr std::size_t index() const { return 2 * static_cast<std::size_t>(arc) + (is_backwards ? 1 : 0); }
   constexpr auto operator<=>(const HalfEdge&) const = default;  ///< by index
 };
 
-/// The node where a half-edge starts, and the one where it ends. `arcs` have members `from` and `to`.
+/// The start node and the end node of a half-edge. `arcs` have members `from` and `to`.
 template <typename Arcs>
 int start_of(const Arcs& arcs, HalfEdge h) {
   return h.is_backwards ? arcs[h.arc].to : arcs[h.arc].from;
@@ -29,7 +29,7 @@ int end_of(const Arcs& arcs, HalfEdge h) {
   return start_of(arcs, h.reversed());
 }
 
-/// As the files hold it (formats/block-layout.md): a forwards, -1 - a backwards.
+/// The code in files (formats/block-layout.md): arc forwards, -1 - arc backwards.
 constexpr int file_code(HalfEdge h) { return h.is_backwards ? -1 - h.arc : h.arc; }
 constexpr HalfEdge half_edge_of_code(int code) { return code < 0 ? HalfEdge{-1 - code, true} : HalfEdge{code, false}; }
 

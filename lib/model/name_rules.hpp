@@ -1,18 +1,18 @@
 #pragma once
-// What a file of new names says about boundary curves (formats/boundary-names.md) or blocks (formats/block-names.md).
+// Rules of a file of new names for boundary curves (formats/boundary-names.md) or blocks (formats/block-names.md).
 
 #include <string>
 #include <vector>
 
 namespace quadrille {
 
-/// One entry: which curves or blocks get `name`.
+/// One entry: the curves or blocks that get `name`.
 struct NameRule {
   enum class Kind {
-    key,       ///< `text` is an old name or, where no curve has that name, a number
-    number,    ///< that of a curve or block, base 0
+    key,       ///< `text` is an old name or, if no curve has that name, a number
+    number,    ///< number of a curve or block, base 0
     old_name,  ///< all curves of the name `text`
-    place,     ///< the curve nearest to `place`, the block around it
+    place,     ///< the curve nearest to the position `place`, or the block around it
     rest,      ///< all that no other rule names
   };
   Kind kind = Kind::rest;

@@ -1,6 +1,6 @@
 #pragma once
-// Which irregular nodes and corner valences a cross field shall have: the input of the phase form (lib/method.md §8).
-// Positions are relative to face.origin. The audit (field/phase_boundary.hpp) wants
+// The irregular nodes and corner valences prescribed for a cross field: the input of the phase form (lib/method.md §8).
+// Positions are relative to face.origin. The audit (field/phase_boundary.hpp) requires
 //   sum over nodes (4 - V) + sum over corners and boundary nodes (2 - V) = 4 chi.
 
 #include <vector>
@@ -23,7 +23,7 @@ struct CornerValence {
 struct BoundaryNode {
   int curve = 0;
   double t = 0;     ///< parameter, inside the curve
-  int valence = 3;  ///< 3 for a mesh; 1 is sound as a field only
+  int valence = 3;  ///< 3 for a mesh; 1 is valid for a field only
 };
 
 struct PhaseNodes {

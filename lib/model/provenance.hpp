@@ -1,6 +1,6 @@
 #pragma once
-// Where a file comes from: every stage appends one step to the chain that it read (formats/README.md, "Provenance").
-// No file names, times or machines: the same input and options give the same bytes.
+// The provenance of a file: every stage appends one step to the chain that it read (formats/README.md, "Provenance").
+// It has no file names, times or machine names: the same input and options result in the same bytes.
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 //
 // Reference square [-1,1]^2; element nodes at the tensor Gauss-Lobatto-Legendre points, xi1 fastest: node (i, j) at
 // elem_nodes[e * (N+1)^2 + j * (N+1) + i]. Corners counter-clockwise: (0,0), (N,0), (N,N), (0,N). Side k runs from
-// corner k to corner k+1 (mod 4). Nodes are shared between elements, so conforming means identical bit for bit.
+// corner k to corner k+1 (mod 4). Elements share their nodes, so a conforming mesh is so bit for bit.
 
 #include <algorithm>
 #include <string>
@@ -18,7 +18,7 @@ namespace quadrille {
 struct QuadBoundaryEdge {
   int elem = 0;
   int side = 0;
-  int curve = 0;  ///< CAD curve that the edge follows (the one that holds its middle where it passes a joint)
+  int curve = 0;  ///< CAD curve of the edge; if the edge passes a joint, the curve at its middle
 };
 
 struct QuadMesh {
@@ -32,7 +32,7 @@ struct QuadMesh {
   std::vector<double> elem_scaled_jacobian;      ///< least sampled det J / (|x_xi1| |x_xi2|)
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   std::vector<std::string> block_names;
-  std::vector<int> unnamed_blocks;  ///< ascending: nobody gave them a name, theirs is made from their number
+  std::vector<int> unnamed_blocks;  ///< ascending: blocks without a given name; theirs is made from their number
   int num_irregular = 0;            ///< irregular nodes of the layout, interior (V != 4)
   double least_jacobian_bound = 0;  ///< the least of elem_jacobian_bound
   bool is_valid = true;             ///< every element is proved valid: least_jacobian_bound > 0

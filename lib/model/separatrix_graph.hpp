@@ -13,10 +13,10 @@
 namespace quadrille {
 
 enum class LineKind {
-  traced,   ///< followed through the field
-  merged,   ///< two lines that met, or a blend of two lines
+  traced,   ///< integrated through the field
+  merged,   ///< two separatrices merged into one, or a blend of two
   cut,      ///< an auxiliary line from the boundary
-  extended  ///< through the integer grids of a T-mesh
+  extended  ///< continued along integer iso-lines of a T-mesh
 };
 
 constexpr auto enum_names(LineKind) {
@@ -26,7 +26,7 @@ constexpr auto enum_names(LineKind) {
                                             {LineKind::extended, "extended"}});
 }
 
-/// How a separatrix came to be, for people and pictures: origin and end node, and its arcs from one to the other.
+/// The history of a separatrix, for people and pictures: origin and end node, and its arcs from one to the other.
 struct SeparatrixLine {
   int origin = -1;
   int end = -1;
@@ -34,15 +34,15 @@ struct SeparatrixLine {
   std::vector<int> arcs;
 };
 
-/// So many faces of the graph have so many corners: quarter turns of the cross, not degrees in space. A degenerate
-/// corner counts for two.
+/// The number of faces of the graph with so many corners: quarter turns of the cross, not degrees in space. A
+/// degenerate corner counts twice.
 struct FaceCount {
   int corners = 4;
   int faces = 0;
 };
 
 enum class LayoutMethod {
-  traced,     ///< separatrices are followed to their ends
+  traced,     ///< separatrices are traced to their ends
   quantized,  ///< they stop at each other and are continued by an integer program
   t_mesh      ///< they stop at each other, with T-junctions
 };
@@ -52,14 +52,14 @@ constexpr auto enum_names(LayoutMethod) {
       {{LayoutMethod::traced, "traced"}, {LayoutMethod::quantized, "quantized"}, {LayoutMethod::t_mesh, "t-mesh"}});
 }
 
-/// What was counted on a graph, and the method that made it.
+/// Counts of a graph and the method that made it.
 struct LayoutCertificate {
-  std::optional<LayoutMethod> method;  ///< nothing: the graph comes without a certificate
-  std::string reason;  ///< a sentence for people: why not "traced", where that was tried first; else empty
-  int index_sum = 0;   ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
-  std::vector<FaceCount> face_valence_histogram;  ///< by rising corners
+  std::optional<LayoutMethod> method;  ///< std::nullopt: the graph has no certificate
+  std::string reason;                  ///< a sentence for people: why "traced" was tried and not used; else empty
+  int index_sum = 0;                   ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
+  std::vector<FaceCount> face_valence_histogram;  ///< by ascending number of corners
   int t_junctions = 0;                            ///< 0: conforming
-  int merged_lines = 0;                           ///< pairs of separatrices that met and became one
+  int merged_lines = 0;                           ///< pairs of separatrices merged into one
   int collapsed_chords = 0;                       ///< thin chords of blocks that were collapsed
   int shortened_spirals = 0;             ///< lines that end at a node which they pass, instead of one turn later
   double largest_deviation_degrees = 0;  ///< largest angle between a line and the field

@@ -1,5 +1,5 @@
 #pragma once
-// Places that ask for a size of elements (formats/size-field.md), as people give them.
+// Prescribed element sizes at points and in boxes (formats/size-field.md).
 //
 // Positions are relative to face.origin, lengths in the unit of the file.
 
@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// Edges of length `size` at `position` and as far as `radius` around it.
+/// Edges of length `size` within `radius` of `position`.
 struct SizePoint {
   Vec2 position;
   double size = 0;
@@ -25,7 +25,7 @@ struct SizeBox {
 struct SizeSources {
   std::vector<SizePoint> points;
   std::vector<SizeBox> boxes;
-  double growth = 0;  ///< from one element to the next, > 1; 0: not said
+  double growth = 0;  ///< size ratio of adjacent elements, > 1; 0: not prescribed
 };
 
 }  // namespace quadrille

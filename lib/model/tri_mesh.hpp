@@ -16,8 +16,8 @@
 namespace quadrille {
 
 /// An element edge on the boundary: local edge `edge` of `elem` follows `curve` from parameter t0 to t1 (t0 < t1: the
-/// element lies on the left of the curve). Its geometry nodes lie on the curve, at Gauss-Lobatto-Legendre fractions
-/// of the ARC LENGTH between t0 and t1.
+/// element lies on the left of the curve). Its geometry nodes lie on the curve, at Gauss-Lobatto-Legendre fractions of
+/// the ARC LENGTH between t0 and t1.
 struct BoundaryEdge {
   int elem = 0;
   int edge = 0;
@@ -32,9 +32,9 @@ struct TriMesh {
   std::vector<Vec2> vertices;
   std::vector<std::array<int, 3>> elem2vertices;
   std::vector<int> curved_elems;             ///< ascending
-  std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the sequence of spectral/tri_nodes
-  std::vector<BoundaryEdge> boundary_edges;  ///< sorted by curve, then t0: they walk each loop
-  std::vector<int> elem_layer;  ///< -1, or the layer of the corner fan that holds the element: 0 touches the apex
+  std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the order of spectral/tri_nodes
+  std::vector<BoundaryEdge> boundary_edges;  ///< sorted by curve, then t0: each loop in turn
+  std::vector<int> elem_layer;               ///< -1, or the layer of the corner fan of the element: 0 is at the apex
 
   int num_elems() const { return static_cast<int>(elem2vertices.size()); }
 };
