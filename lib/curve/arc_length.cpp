@@ -29,7 +29,7 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   struct Interval {
     double a, b, length;
     int depth;
-    double error;  ///< of the interval that it is half of
+    double error;  ///< error estimate of the interval of which this is one half
     size_t span;
   };
   std::vector<Interval> stack;
@@ -50,7 +50,8 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
     const double m = (whole.a + whole.b) / 2;
     const double left = gauss(whole.span, whole.a, m), right = gauss(whole.span, m, whole.b);
     const double error = std::abs(left + right - whole.length);
-    // A curve that is tiny beside its coordinates is known to their rounding only: halving does not help any more.
+    // The points of a curve that is tiny relative to its coordinates are known to rounding only: halving is then no
+    // use.
     const bool is_rounding = error <= 1e-6 * scale && error > whole.error / 16;
     if (error <= 1e-14 * scale || is_rounding || whole.depth == 40) {
       add(m, lengths_.back() + left, whole.span);
@@ -90,8 +91,8 @@ double ArcLength::at(double t) const {
 double ArcLength::inside(size_t i, double t) const {
   const double a = parameters_[i], b = parameters_[i + 1], whole = lengths_[i + 1] - lengths_[i];
   if (is_polyline_) return whole * ((t - a) / (b - a));
-  // From the nearer end: at most a quarter of an interval on which 16 points were enough, so 8 are. And the middle of
-  // a symmetric curve is its middle to the last digit.
+  // Integrates from the nearer end: at most a quarter of an interval on which 16 points were enough, so 8 are. This
+  // also makes the middle of a symmetric curve exact to the last digit.
   const auto f = [&](double u) { return speed(spans_[i + 1], u); };
   if (t - a <= b - t) return t == a ? 0 : gauss_integral<8>(f, a, t);
   return t == b ? whole : whole - gauss_integral<8>(f, t, b);
@@ -125,7 +126,7 @@ double ArcLength::parameter(double length) const {
     }
     const double moved = std::abs(next - t);
     t = next;
-    // Newton squares the error: a step of 1e-8 of the interval leaves 1e-16 of it.
+    // Newton's method squares the error: after a step of 1e-8 of the interval, 1e-16 of it remains.
     if (moved <= 1e-8 * span) break;
   }
   return t;

@@ -1,5 +1,5 @@
 #pragma once
-// Arc length of a NURBS curve and its inverse, to round-off, from a table made once per curve.
+// Arc length of a NURBS curve and its inverse, to round-off, from a table computed once per curve.
 
 #include <array>
 #include <cstddef>
@@ -11,16 +11,16 @@ namespace quadrille::curve {
 
 class ArcLength {
  public:
-  /// Gauss-Legendre on sub-intervals that are halved until two rules agree to 1e-14 of the length.
-  /// Keeps a pointer to `curve`, which must outlive it.
+  /// Gauss-Legendre on sub-intervals that are halved until two rules agree to 1e-14 of the length. Stores a pointer to
+  /// `curve`, which must outlive the object.
   explicit ArcLength(const Nurbs& curve);
 
   double total() const { return lengths_.back(); }
-  /// Length from the curve's beginning to t.
+  /// Length from the beginning of the curve to t.
   double at(double t) const;
-  /// Length from t0 to t1, negative when t1 < t0.
+  /// Length from t0 to t1, negative if t1 < t0.
   double between(double t0, double t1) const { return at(t1) - at(t0); }
-  /// The parameter at `length` from the beginning (clamped), by Newton from the table.
+  /// The parameter at `length` from the beginning (clamped to the curve), by Newton's method from the table.
   double parameter(double length) const;
 
  private:
@@ -32,7 +32,7 @@ class ArcLength {
   };
 
   void add(double parameter, double length, std::size_t span);
-  /// Parameters in a knot span; spans count those that are not empty.
+  /// `t` is a parameter in span number `span`; only spans that are not empty are counted.
   double speed(std::size_t span, double t) const;
   double gauss(std::size_t span, double a, double b) const;
   /// Length from parameters_[i] to t, which lies in interval i.
@@ -41,9 +41,9 @@ class ArcLength {
   double guess(std::size_t i, double length) const;
 
   const Nurbs* curve_;
-  std::vector<Quadratic> quadratics_;  // of the spans; none for other curves
+  std::vector<Quadratic> quadratics_;  // one per span; empty for other curves
   std::vector<double> parameters_, lengths_, speeds_;
-  std::vector<std::size_t> spans_;  // of the interval that ends at each parameter
+  std::vector<std::size_t> spans_;  // span of the interval that ends at each parameter
   bool is_polyline_ = false;
 };
 

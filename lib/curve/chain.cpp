@@ -48,7 +48,7 @@ ChainPoint Chain::at(double s) const {
   const auto [low, high] = std::minmax(piece.t0, piece.t1);
   t = std::clamp(t, low, high);
   const Nurbs& curve = table_->curve(piece.curve);
-  // At the far end of a piece the tangent is that of the piece, not of what follows on its curve.
+  // At the far end of a piece the tangent is the limit from inside the piece, not of the curve beyond the piece.
   const Vec2 along = tangent(curve, t, t == high);
   return {point(curve, t), backwards ? -along : along, static_cast<int>(i), t};
 }

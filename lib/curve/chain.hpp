@@ -1,5 +1,6 @@
 #pragma once
-// A chain of curve pieces taken as ONE curve by the fraction s in [0, 1] of its total arc length: the side of a block.
+// A chain of curve pieces as ONE curve, parametrised by the fraction s in [0, 1] of its total arc length: a side of a
+// block.
 
 #include <memory>
 #include <vector>
@@ -11,7 +12,7 @@ namespace quadrille::curve {
 
 struct ChainPoint {
   Vec2 position;
-  Vec2 tangent;   ///< unit, in the direction of walking
+  Vec2 tangent;   ///< unit, in the direction of rising s
   int piece = 0;  ///< index into the chain's pieces
   double t = 0;   ///< parameter on that piece's curve
 };
@@ -33,7 +34,7 @@ class CurveTable {
 
 class Chain {
  public:
-  /// `table` must outlive the chain. Pieces follow each other; a piece with t0 > t1 is walked backwards.
+  /// `table` must outlive the chain. Each piece starts at the end of the one before; t0 > t1: traversed backwards.
   Chain(const CurveTable& table, std::vector<ArcPiece> pieces);
 
   double length() const { return ends_.back(); }
@@ -41,13 +42,13 @@ class Chain {
   ChainPoint at(double s) const;
   /// Fractions of the joints between pieces, ascending, without 0 and 1.
   std::vector<double> joint_fractions() const;
-  /// Fractions where an element edge may not straddle: joints between pieces and smoothness_breaks inside CAD pieces.
-  /// The place where a smooth closed curve begins and ends is none: it lies where the CAD program liked.
+  /// Fractions that no element edge may straddle: joints between pieces and smoothness_breaks inside CAD pieces. The
+  /// seam of a smooth closed curve is not a break; its position is arbitrary.
   std::vector<double> break_fractions() const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
  private:
-  /// Whether pieces i and i + 1 are one smooth closed curve through its seam.
+  /// Whether pieces i and i + 1 are joined at the seam of one smooth closed curve.
   bool is_smooth_seam(size_t i) const;
 
   const CurveTable* table_;

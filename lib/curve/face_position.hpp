@@ -1,5 +1,5 @@
 #pragma once
-// A place that a person gives -> a position of the face's plane.
+// Converts a position given by a user to a position in the face's plane.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 namespace quadrille::curve {
 
 /// `place` is x, y of the plane, with face.origin, or x, y, z of the CAD model's space. The result is relative to
-/// face.origin, as all positions are. Throws FormatError, beginning with `where`, for a place in space that lies more
-/// than a thousandth of the diameter off the plane.
+/// face.origin, as all positions are. Throws FormatError, with a message that begins with `where`, if a position in
+/// space lies more than a thousandth of the diameter off the plane.
 Vec2 face_position(const CadFace& face, const std::vector<double>& place, const std::string& where);
 
 }  // namespace quadrille::curve

@@ -7,7 +7,7 @@
 namespace quadrille::curve {
 namespace {
 
-// Roots of the Legendre polynomial by Newton.
+// Roots of the Legendre polynomial by Newton's method.
 template <int n>
 GaussRule<n> make_rule() {
   GaussRule<n> rule;

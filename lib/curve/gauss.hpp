@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-Legendre rules on [-1, 1]; here because spectral/quadrature is no neighbour of this folder.
+// Gauss-Legendre rules on [-1, 1]; defined here because this folder must not depend on spectral/quadrature.
 
 #include <array>
 

@@ -36,7 +36,7 @@ double curvature_slope(const std::array<Vec2, 4>& d) {
 
 double curvature_of(const std::array<Vec2, 4>& d) { return cross(d[1], d[2]) / std::pow(norm2(d[1]), 1.5); }
 
-/// Whether what ends at `before` goes on less than smoothly at `after`: the same knot, or the other end of the curve.
+/// Whether the curve is less than C3 between `before` and `after`: the same knot, or both ends of a closed curve.
 bool is_break(const Nurbs& curve, double before, double after, double length, double tol) {
   const auto left = derivatives(curve, before, true), right = derivatives(curve, after, false);
   const Vec2 a = tangent(curve, before, true), b = tangent(curve, after, false);
@@ -52,7 +52,7 @@ bool is_break(const Nurbs& curve, double before, double after, double length, do
 }  // namespace
 
 Vec2 point(const Nurbs& curve, double t) {
-  // The ends are the end poles bit for bit, which (w x) / w is not always.
+  // Returns the end poles bit for bit; (w x) / w does not always round to x.
   if (t <= curve.begin()) return curve.poles.front();
   if (t >= curve.end()) return curve.poles.back();
   const int k = find_span(curve, t);
@@ -99,7 +99,7 @@ std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left) {
 Vec2 tangent(const Nurbs& curve, double t, bool from_left) {
   const Vec2 first = derivative(curve, t, from_left);
   const double range = curve.end() - curve.begin();
-  // The whole curve's size is asked for only where the derivative is small beside a distance of two of its poles.
+  // The size of the whole curve is computed only if the derivative is small relative to a distance of two of its poles.
   if (norm(first) * range > 1e-6 * distance(curve.poles.front(), curve.poles[curve.poles.size() / 2]))
     return normalized(first);
   const auto d = derivatives(curve, t, from_left);
@@ -139,7 +139,7 @@ Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
     if (knot > t0 + negligible && knot < t1 - negligible) part.knots.push_back(knot);
   part.knots.insert(part.knots.end(), p + 1, t1);
 
-  // Pole i is the blossom of any polynomial piece that it governs, at its p inner knots.
+  // Pole i is the blossom, at its p inner knots, of any polynomial piece that depends on it.
   const int num_poles = static_cast<int>(part.knots.size()) - p - 1;
   for (int i = 0; i < num_poles; ++i) {
     int j = std::max(i, p);
@@ -162,7 +162,7 @@ Nurbs segment(Vec2 a, Vec2 b) {
 Nurbs circular_arc(Vec2 centre, double radius, double angle0, double angle1) {
   const double sweep = std::abs(angle1 - angle0);
   if (!(sweep > 0)) throw Defect("circular_arc: empty arc");
-  // 90 degrees is one piece, also when it was computed with a rounding error.
+  // A sweep of 90 degrees is one piece, even with a rounding error.
   const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / half_pi * (1 - 1e-12))));
   const double step = (angle1 - angle0) / pieces, w = std::cos(step / 2);
   Nurbs arc;
@@ -199,7 +199,7 @@ Nurbs cubic_spline(const std::vector<double>& parameters, const std::vector<Vec2
   s.poles[n] = points.back() - (u[n + 2] - u[n + 1]) / 3 * end_derivative;
   s.poles[n + 1] = points.back();
 
-  // At an inner parameter three basis functions live: a tridiagonal system for poles 2 .. n-1 (Thomas).
+  // At an inner parameter three basis functions are not 0: a tridiagonal system for poles 2 .. n-1 (Thomas algorithm).
   std::vector<double> upper(n + 2, 0.0);
   for (int i = 1; i + 1 < n; ++i) {
     const int k = i + 3;

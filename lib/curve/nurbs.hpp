@@ -1,6 +1,6 @@
 #pragma once
-// Evaluation and elementary surgery of NURBS curves (Piegl and Tiller, The NURBS Book, ch. 3-5).
-// Parameters outside the domain are clamped to it. Knots of multiplicity above `degree` do not occur inside.
+// Evaluation and elementary operations on NURBS curves (Piegl and Tiller, The NURBS Book, ch. 3-5). Parameters outside
+// the domain are clamped to it. Inner knots must have a multiplicity of at most `degree`.
 
 #include <array>
 #include <utility>
@@ -13,24 +13,24 @@ namespace quadrille::curve {
 /// The point at t.
 Vec2 point(const Nurbs& curve, double t);
 
-/// The first derivative with respect to t, at the cost of a point; one-sided as below.
+/// The first derivative with respect to t, at the cost of one point; one-sided as below.
 Vec2 derivative(const Nurbs& curve, double t, bool from_left = false);
 
-/// Point and first three derivatives with respect to t. At a knot the limit from the right, or from the left where
-/// `from_left` (at the ends the only one there is).
+/// Point and first three derivatives with respect to t. At a knot the limit from the right, or from the left if
+/// `from_left`; at the ends of the curve the only limit that exists.
 std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left = false);
 
-/// Unit tangent in the direction of rising t (one-sided as above); where the first derivative vanishes, the limit
-/// direction by the next one that does not.
+/// Unit tangent in the direction of rising t (one-sided as above). If the first derivative vanishes, the limit
+/// direction, from the next derivative that does not.
 Vec2 tangent(const Nurbs& curve, double t, bool from_left = false);
 
-/// Signed curvature (positive: bends to the left), one-sided as above.
+/// Signed curvature (1 / length; positive: the curve bends to the left), one-sided as above.
 double curvature(const Nurbs& curve, double t, bool from_left = false);
 
-/// The same curve walked the other way, on the same parameter interval.
+/// The same curve in the opposite direction, on the same parameter interval.
 Nurbs reversed(const Nurbs& curve);
 
-/// The part of the curve on [t0, t1], t0 < t1, by knot insertion: exact, parameters kept.
+/// The part of the curve on [t0, t1], t0 < t1, by knot insertion: exact, with the same parameters.
 Nurbs trimmed(const Nurbs& curve, double t0, double t1);
 
 /// A straight segment with parameter 0..length.
@@ -40,15 +40,16 @@ Nurbs segment(Vec2 a, Vec2 b);
 /// (clockwise when angle1 < angle0), parameter = angle swept.
 Nurbs circular_arc(Vec2 centre, double radius, double angle0, double angle1);
 
-/// Interpolating C2 cubic spline through `points` at rising `parameters`, with end tangents d/dt given.
+/// Interpolating C2 cubic spline through `points` at rising `parameters`, with prescribed end tangents d/dt.
 Nurbs cubic_spline(const std::vector<double>& parameters, const std::vector<Vec2>& points, Vec2 start_derivative,
                    Vec2 end_derivative);
 
-/// Inner knots at which the curve, taken by arc length, is less than C3: where tangent, curvature or its derivative
-/// along the curve jump by more than `relative_tol` of their own scale. Ascending. Double knots of a circle are none.
+/// Inner knots at which the curve, parametrised by arc length, is less than C3: tangent, curvature or its derivative
+/// along the curve jumps by more than `relative_tol` of its own scale. Ascending. The double knots of a circle are
+/// none.
 std::vector<double> smoothness_breaks(const Nurbs& curve, double relative_tol = 1e-7);
 
-/// Whether the curve is closed and as smooth where it closes as it would be without a break: a whole circle.
+/// Whether the curve is closed and has no break at the point where it closes: a whole circle.
 bool has_smooth_seam(const Nurbs& curve, double relative_tol = 1e-7);
 
 }  // namespace quadrille::curve

@@ -21,14 +21,14 @@ std::vector<Sample> sampled(const Nurbs& curve, Vec2 x, double t0, double t1) {
   for (size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = std::max(t0, curve.knots[i - 1]), b = std::min(t1, curve.knots[i]);
     if (!(a < b)) continue;
-    // A sliver of a span, left over by t0 or t1, must not fill the few best with minima that are only rounding.
+    // A sliver of a span, cut off by t0 or t1, must not fill the few best samples with minima that are only rounding.
     const int steps = b - a > 1e-6 * (t1 - t0) ? per_span : 1;
     for (int j = 1; j <= steps; ++j) add(j == steps ? b : a + (b - a) * j / steps);
   }
   return samples;
 }
 
-// Newton on (C - x) . C' = 0 inside [low, high]; halves the interval where Newton does not help.
+// Newton's method for (C - x) . C' = 0 in [low, high]; halves the interval where Newton's method makes no progress.
 double refined(const Nurbs& curve, Vec2 x, double t, double low, double high) {
   for (int iteration = 0; iteration < 60; ++iteration) {
     const auto d = derivatives(curve, t);

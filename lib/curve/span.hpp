@@ -17,7 +17,7 @@ struct Homogeneous {
   double x, y, w;
 };
 
-/// The span k with knots[k] <= t < knots[k+1] (from the left: knots[k] < t <= knots[k+1]); never an empty one.
+/// The span k with knots[k] <= t < knots[k+1] (from the left: knots[k] < t <= knots[k+1]); never an empty span.
 inline int find_span(const Nurbs& curve, double t, bool from_left = false) {
   const int first = curve.degree, last = static_cast<int>(curve.poles.size()) - 1;
   const auto begin = curve.knots.begin() + first, end = curve.knots.begin() + last + 1;
@@ -27,10 +27,10 @@ inline int find_span(const Nurbs& curve, double t, bool from_left = false) {
   return static_cast<int>(above - curve.knots.begin()) - 1;
 }
 
-/// Not initialised: clearing the room for the highest degree would cost as much as evaluating.
+/// Not initialised: clearing the storage for the highest degree would cost as much as the evaluation.
 using LocalPoles = std::array<Homogeneous, max_curve_degree + 1>;
 
-/// The degree + 1 poles that govern span k.
+/// The degree + 1 poles on which span k depends.
 inline LocalPoles local_poles(const Nurbs& curve, int k) {
   LocalPoles local;
   for (int i = 0; i <= curve.degree; ++i) {

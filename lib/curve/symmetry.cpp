@@ -13,8 +13,8 @@
 namespace quadrille::curve {
 namespace {
 
-constexpr double isometry_tol = 1e-7;  // shares of the diameter
-constexpr double angle_tol = 1e-6;     // radians, between crossings: only to rule candidates out
+constexpr double isometry_tol = 1e-7;  // relative to the diameter
+constexpr double angle_tol = 1e-6;     // radians, between crossings: only to rule out candidates
 
 template <class Visit>
 void for_each_span(const Nurbs& curve, Visit visit) {
@@ -22,7 +22,7 @@ void for_each_span(const Nurbs& curve, Visit visit) {
     if (curve.knots[i - 1] < curve.knots[i]) visit(curve.knots[i - 1], curve.knots[i]);
 }
 
-/// Of the area: 3 A c = oint x (x cross dx), 2 A = oint x cross dx, taken about a point of the boundary.
+/// Centroid of the area: 3 A c = oint x (x cross dx), 2 A = oint x cross dx, relative to a point of the boundary.
 Vec2 centroid(const CadFace& face) {
   const Vec2 base = face.joints[0].position;
   double twice_area = 0;
@@ -57,7 +57,7 @@ std::vector<RadiusSamples> radius_samples(const CadFace& face, Vec2 centre) {
   return all;
 }
 
-/// The extreme radius between two parameters, sign = 1: the largest, -1: the least.
+/// The extreme radius between two parameters; sign = 1: the greatest, sign = -1: the least.
 double extreme_radius(const Nurbs& curve, Vec2 centre, double a, double b, int sign) {
   for (int i = 0; i < 40; ++i) {
     const double left = a + (b - a) / 3, right = b - (b - a) / 3;
@@ -67,7 +67,7 @@ double extreme_radius(const Nurbs& curve, Vec2 centre, double a, double b, int s
   return distance(point(curve, (a + b) / 2), centre);
 }
 
-/// Radii at which a circle about the centre would touch the boundary or pass an end of a span; ascending.
+/// Radii at which a circle about the centre would touch the boundary or pass through an end of a span; ascending.
 std::vector<double> critical_radii(const CadFace& face, Vec2 centre, const std::vector<RadiusSamples>& spans) {
   std::vector<double> radii;
   for (const RadiusSamples& s : spans) {
@@ -82,7 +82,7 @@ std::vector<double> critical_radii(const CadFace& face, Vec2 centre, const std::
   return radii;
 }
 
-/// Where the boundary crosses a circle about the centre.
+/// A point at which the boundary crosses a circle about the centre.
 struct Crossing {
   double angle;     ///< in [0, 2 pi)
   bool is_outward;  ///< along the curve
@@ -105,8 +105,8 @@ std::vector<Crossing> crossings(const CadFace& face, Vec2 centre, const std::vec
   return found;
 }
 
-/// Of the circle that crosses the boundary farthest from any tangency: every isometry permutes them. None where all
-/// loops are circles about the centre.
+/// Crossings of the circle whose radius is farthest from any tangency: every isometry permutes them. Empty if all loops
+/// are circles about the centre.
 std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre) {
   const std::vector<RadiusSamples> spans = radius_samples(face, centre);
   const std::vector<double> radii = critical_radii(face, centre, spans);
@@ -122,7 +122,8 @@ std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre) {
   return {};
 }
 
-/// By how much the images of the crossings miss other crossings on average, signed; nothing where one finds no other.
+/// Mean signed angle between the images of the crossings and the crossings next to them; std::nullopt if an image is at
+/// no crossing.
 std::optional<double> mean_miss(const Isometry& g, const std::vector<Crossing>& crossings) {
   double sum = 0;
   for (const Crossing& c : crossings) {
@@ -136,7 +137,7 @@ std::optional<double> mean_miss(const Isometry& g, const std::vector<Crossing>& 
   return sum / static_cast<double>(crossings.size());
 }
 
-/// A curve with a box about its poles, which holds it.
+/// A curve with a box around its poles, which encloses the curve.
 struct BoxedCurve {
   const Nurbs* curve;
   Vec2 low, high;
@@ -156,7 +157,7 @@ struct BoxedCurve {
 class BoundaryMap {
  public:
   explicit BoundaryMap(const CadFace& face) : tol_(isometry_tol * face.diameter) {
-    constexpr int steps = 5;  // odd, uneven against the samples of the projection
+    constexpr int steps = 5;  // odd, and different from the samples of the projection
     for (const Nurbs& curve : face.curves) {
       boxes_.emplace_back(curve, tol_);
       for_each_span(curve, [&](double a, double b) {
@@ -181,7 +182,7 @@ class BoundaryMap {
 
 /// The number of rotations.
 int rotation_order(Vec2 centre, const std::vector<Crossing>& crossings, const BoundaryMap& boundary) {
-  const int most = static_cast<int>(crossings.size()) / 2;  // as many go out as in
+  const int most = static_cast<int>(crossings.size()) / 2;  // as many crossings are outward as inward
   for (int n = most; n > 1; --n) {
     const Isometry g{centre, 2 * pi / n, false};
     if (most % n == 0 && mean_miss(g, crossings) && boundary.is_onto(g)) return n;
@@ -189,7 +190,7 @@ int rotation_order(Vec2 centre, const std::vector<Crossing>& crossings, const Bo
   return 1;
 }
 
-/// The angle of one mirrored isometry: from one pair of crossings, bettered by the mean of all.
+/// The angle of one mirrored isometry: from one pair of crossings, then improved by the mean over all.
 std::optional<double> mirror_angle(Vec2 centre, int n, const std::vector<Crossing>& crossings,
                                    const BoundaryMap& boundary) {
   const double period = 2 * pi / n;
