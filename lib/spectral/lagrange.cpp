@@ -4,7 +4,7 @@ namespace quadrille::spectral {
 
 namespace {
 
-// Differences are scaled by 2 (the length of [-1, 1] over its capacity) so that products of many stay near 1.
+// Differences are scaled by 2 (the length of [-1, 1] over its capacity) so that products of many of them stay near 1.
 std::vector<double> barycentric_weights(const std::vector<double>& points) {
   std::vector<double> weights(points.size(), 1.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -44,7 +44,7 @@ Eigen::MatrixXd differentiation_matrix(const std::vector<double>& points) {
     for (int j = 0; j < n; ++j) {
       if (j == i) continue;
       matrix(i, j) = weights[j] / weights[i] / (points[i] - points[j]);
-      matrix(i, i) -= matrix(i, j);  // rows sum to 0: the derivative of a constant
+      matrix(i, i) -= matrix(i, j);  // rows sum to 0, the derivative of a constant
     }
   }
   return matrix;

@@ -23,7 +23,7 @@ Jet operator-(Jet a, Jet b) { return {a.f - b.f, a.d1 - b.d1, a.d2 - b.d2}; }
 Jet operator*(double s, Jet a) { return {s * a.f, s * a.d1, s * a.d2}; }
 Jet operator*(Jet a, Jet b) { return {a.f * b.f, a.d1 * b.f + a.f * b.d1, a.d2 * b.f + a.f * b.d2}; }
 
-// q_0..q_n of (x, t), which are jets or numbers.
+// q_0..q_n at (x, t), which are jets or numbers.
 template <class Number>
 std::vector<Number> scaled_jacobi(int n, Number x, Number t, Number one) {
   std::vector<Number> q(n + 1, one);
@@ -80,7 +80,7 @@ std::vector<Jet> modified_jets(int order, Vec2 xi) {
   return modes;
 }
 
-// The product of both bases has degree 2 P: a collapsed Gauss rule of P + 1 points in each direction is exact.
+// The product of both bases has degree 2 P, for which a collapsed Gauss rule of P + 1 points per direction is exact.
 Eigen::MatrixXd make_to_orthogonal(int order) {
   const int n = num_tri_modes(order), m = order + 1;
   const Quadrature along = gauss_legendre(m), up = gauss_jacobi(m, 1, 0);

@@ -7,9 +7,10 @@
 //                                 a = k, b = k + 1 (mod 3): zero on the other edges, times (-1)^d when walked backwards
 //   interior (i, j), i + j <= P - 3:  L0 L1 L2 q_i(L1 - L0, L0 + L1) P_j^(2i+3,1)(2 L2 - 1)
 // On its edge, with s in [-1, 1] along it, an edge mode has the derivative -P_{d-1}(s) scaled to norm 1.
-// (Edge 0 and the interior are the book's modes; edges 1 and 2 are edge 0 turned, so that no edge is special.)
+// (Edge 0 and the interior have the book's modes; edges 1 and 2 have those of edge 0 rotated, so that all edges are
+// alike.)
 //
-// Sequence for order P: 3 vertices; edge 0, d = 2..P; edge 1; edge 2; interior sorted by i + j, then i.
+// Ranking for order P: 3 vertices; edge 0, d = 2..P; edge 1; edge 2; interior sorted by i + j, then i.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -20,7 +21,7 @@ namespace quadrille::spectral {
 
 constexpr int num_boundary_modes(int order) { return 3 * order; }
 constexpr int num_interior_modes(int order) { return (order - 1) * (order - 2) / 2; }
-/// Place of edge k's mode of degree d, 2 <= d <= order.
+/// Position of the mode of degree d on edge k, 2 <= d <= order.
 constexpr int edge_mode(int order, int edge, int degree) { return 3 + edge * (order - 1) + degree - 2; }
 
 /// Values of all modes of order P >= 1 at xi: writes (P+1)(P+2)/2 numbers.
@@ -29,14 +30,14 @@ void modified_values(int order, Vec2 xi, double* values);
 /// Values and both derivatives at xi; each array has (P+1)(P+2)/2 entries.
 void modified_gradients(int order, Vec2 xi, double* values, double* d_xi1, double* d_xi2);
 
-/// The basis is hierarchical: places of the modes of `order` among those of `higher_order`. So tables are made for a
-/// few orders only, and cut down to the others.
+/// Positions of the modes of `order` among those of `higher_order` (the basis is hierarchical). Tables are therefore
+/// computed for a few orders only and restricted to the others.
 const std::vector<int>& modified_subset(int order, int higher_order);
 
-/// The order for which the table behind `order` is made: 8, 12, 16, 20, ...
+/// The order of the table that serves `order`: 8, 12, 16, 20, ...
 constexpr int table_order(int order) { return order <= 8 ? 8 : (order + 3) / 4 * 4; }
 
-/// Row m: mode m's coefficients in the orthogonal basis of the same order. Computed once per order.
+/// Row m: the coefficients of mode m in the orthogonal basis of the same order. Computed once per order.
 const Eigen::MatrixXd& modified_to_orthogonal(int order);
 
 /// The trace of an edge mode of degree 2..P at s in [-1, 1] along its edge: writes P - 1 numbers.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int max_modes = num_tri_modes(max_tri_order);
 
-// phi(d, p) has degree d = p + q and stands at d (d + 1) / 2 + p. Its recurrence in q keeps p, so the modes of one
-// degree follow from the two degrees before it, entry by entry: loops over p that a compiler turns into vectors.
+// phi(d, p) has degree d = p + q and position d (d + 1) / 2 + p. Its recurrence in q keeps p, so the modes of one
+// degree follow from the two degrees before it, entry by entry: loops over p that a compiler vectorises.
 //   q > 0:  phi(d, p) = (a xi2 + b) phi(d-1, p) - c phi(d-2, p)
 //   q = 0:  phi(d, d) = a s phi(d-1, d-1) - c h^2 phi(d-2, d-2),  s = xi1 + (1 + xi2) / 2,  h = (1 - xi2) / 2
 struct Recurrence {
@@ -51,7 +51,7 @@ void require_order(int order) {
   if (order < 0 || order > max_tri_order) throw Defect("no table for this order of the orthogonal basis");
 }
 
-// `Order`: int, or a constant that lets the compiler unroll the short loops of low orders, where most elements are.
+// `Order`: int, or a constant with which the compiler unrolls the short loops of low orders, which most elements have.
 template <class Order>
 void fill_rows(Order order, Vec2 xi, double* __restrict f) {
   const Recurrence& r = recurrence();

@@ -1,5 +1,5 @@
 #pragma once
-// Tables that depend on an order only: made on first use, kept for the program's life, safe with threads.
+// Tables that depend on an order only: computed on first use, kept until the program ends, thread-safe.
 
 #include <map>
 #include <memory>

@@ -50,9 +50,9 @@ double row_norm(const Rows& matrix, int columns) {
   return norm;
 }
 
-/// What depends on the order only.
+/// Tables that depend on the order only.
 struct Tables {
-  Rows value, derivative;  ///< nodes -> Bernstein coefficients of the polynomial, of its derivative by xi in [-1, 1]
+  Rows value, derivative;  ///< nodes -> Bernstein coefficients of the polynomial and of its derivative by xi in [-1, 1]
   double value_norm, derivative_norm;
   std::vector<double> binomial_n, binomial_d, binomial_det;
 
@@ -80,7 +80,7 @@ struct Derivative {
   double largest = 0, error = 0;
 };
 
-/// along1 (columns x (N+1)) acts on xi1, along2 (rows x (N+1)) on xi2.
+/// `along1` (columns x (N+1)) acts along xi1, `along2` (rows x (N+1)) along xi2.
 Derivative apply(int n, const Rows& along1, const Rows& along2, const Rows& nodal, const std::vector<double>& binomial1,
                  const std::vector<double>& binomial2) {
   const int width = n + 1;
@@ -103,8 +103,8 @@ Derivative apply(int n, const Rows& along1, const Rows& along2, const Rows& noda
   return d;
 }
 
-/// Both sums, the entries of both matrices and the shift of the nodes, each a few units in the last place; then the
-/// rounding to double.
+/// Error bound: both sums, the entries of both matrices and the shift of the nodes, each a few units in the last place,
+/// then the rounding to double.
 double conversion_error(int n, const Derivative& d, double largest_node, const Tables& t) {
   return (12 * n + 32) * extended_roundoff * t.value_norm * t.derivative_norm * largest_node +
          unit_roundoff * d.largest;
@@ -121,7 +121,7 @@ void add_product(const Derivative& a, const Derivative& b, double sign, Bernstei
         for (int ib = 0; ib < b.columns; ++ib) row[ib] += factor * other[ib];
       }
     }
-  // Each coefficient is a convex combination of products a_ij b_kl: errors of the factors pass with weight one.
+  // Each coefficient is a convex combination of products a_ij b_kl: errors of the factors enter with weight one.
   det.error += a.largest * b.error + b.largest * a.error + a.error * b.error +
                (2 * a.rows * a.columns + 12) * unit_roundoff * a.largest * b.largest;
 }
@@ -139,7 +139,7 @@ void halve(std::vector<double>& low, std::vector<double>& high, int width, int s
   }
 }
 
-/// The square's four quarters; their `error` is the caller's business.
+/// The four quarters of the square; the caller sets their `error`.
 std::array<BernsteinSquare, 4> quarters(const BernsteinSquare& whole) {
   const int width = whole.degree + 1;
   std::array<BernsteinSquare, 4> parts;
@@ -151,7 +151,7 @@ std::array<BernsteinSquare, 4> quarters(const BernsteinSquare& whole) {
   return parts;
 }
 
-/// The least of the coefficients that are values: those at the corners.
+/// The least of the coefficients that are values of the polynomial: those at the corners.
 double least_corner(const BernsteinSquare& p) {
   const int width = p.degree + 1;
   return std::min({p.coefs.front(), p.coefs[width - 1], p.coefs[width * (width - 1)], p.coefs.back()});
@@ -200,7 +200,7 @@ double lower_bound(const BernsteinSquare& polynomial, int depth) {
 }
 
 double least_value(const BernsteinSquare& polynomial, double tolerance) {
-  constexpr int max_depth = 20;  // beyond, coefficients differ by rounding only
+  constexpr int max_depth = 20;  // beyond it, coefficients differ by rounding only
   double attained = least_corner(polynomial);
   std::vector<std::pair<BernsteinSquare, int>> open;
   open.emplace_back(polynomial, 0);

@@ -12,7 +12,7 @@ namespace quadrille::spectral {
 
 namespace {
 
-// Zeros of P_n^{(alpha, beta)} by Newton with the zeros already found divided out, from Chebyshev points.
+// Zeros of P_n^{(alpha, beta)}, from Chebyshev points, by Newton's method with the known zeros divided out.
 std::vector<double> jacobi_zeros(int n, double alpha, double beta) {
   std::vector<double> zeros(n);
   for (int k = 0; k < n; ++k) {
@@ -26,13 +26,13 @@ std::vector<double> jacobi_zeros(int n, double alpha, double beta) {
       x += step;
       if (std::abs(step) < 1e-16) break;
     }
-    // One step on the polynomial itself: the deflated one has lost a few digits.
+    // One step on the polynomial itself, because the deflated one has lost a few digits.
     zeros[k] = x - jacobi(n, alpha, beta, x) / jacobi_derivative(n, alpha, beta, x);
   }
   return zeros;
 }
 
-// Rounding must not make a symmetric rule unsymmetric.
+// Makes a symmetric rule exactly symmetric in spite of rounding.
 void symmetrize(Quadrature& rule) {
   const std::size_t n = rule.points.size();
   for (std::size_t i = 0, j = n - 1; i < j; ++i, --j) {
@@ -43,7 +43,7 @@ void symmetrize(Quadrature& rule) {
   if (n % 2 == 1) rule.points[n / 2] = 0;
 }
 
-// The weights' shape is known in closed form; their scale comes from the sum.
+// The weights are known in closed form up to a factor, which follows from their sum.
 void scale_weights(Quadrature& rule, double sum) {
   double total = 0;
   for (const double w : rule.weights) total += w;

@@ -1,5 +1,6 @@
 #pragma once
-// Points and weights on [-1, 1] (Karniadakis and Sherwin, app. B). Exact counts, no tables: Newton to round-off.
+// Quadrature rules on [-1, 1] (Karniadakis and Sherwin, app. B), for any number of points: Newton's method to
+// round-off.
 
 #include <vector>
 

@@ -29,7 +29,7 @@ long double binomial(int n, int k) {
 /// n! / (i! j! k!).
 long double multinomial(int n, int j, int k) { return binomial(n, k) * binomial(n - k, j); }
 
-/// Monomials lambda0^i lambda1^j lambda2^k of degree n, in the sequence of the Bernstein coefficients.
+/// Monomials lambda0^i lambda1^j lambda2^k of degree n, ranked as the Bernstein coefficients.
 using Form = std::vector<long double>;
 
 /// Mode (p, q) of the orthogonal basis as a form of degree p + q. With lambda0 + lambda1 = 1 - lambda2:
@@ -83,7 +83,7 @@ double largest(const std::vector<double>& a) {
   return result;
 }
 
-/// Least coefficient over the leaves of a subdivision that goes on while it can help.
+/// Least coefficient over the leaves of a subdivision, which is refined while this can raise the bound.
 double lower_bound(int order, const std::vector<double>& coefs, int depth) {
   const double hull = *std::min_element(coefs.begin(), coefs.end());
   const double vertices = std::min({coefs[0], coefs[order], coefs.back()});
@@ -134,7 +134,7 @@ std::array<std::vector<double>, 4> bernstein_subdivide(int order, const std::vec
     bernstein_bisect(order, children[c].data(), (c + 2) % 3, rest.data(), children[c].data());
   }
   // Middle child: coefficient (i, j, k) is the blossom at mid edge 1 (i times), mid edge 2 (j), mid edge 0 (k). After i
-  // steps of de Casteljau at mid edge 1, the others stand on that polynomial's edge from mid edge 0 to mid edge 2.
+  // steps of de Casteljau at mid edge 1, the others lie on that polynomial's edge from mid edge 0 to mid edge 2.
   std::vector<double> polynomial = coefs, corner(size);
   for (int i = 0; i <= order; ++i) {
     const int degree = order - i;

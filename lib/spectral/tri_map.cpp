@@ -30,13 +30,13 @@ TriMap::TriMap(int order, const Vec2* nodes) : order_(order) {
   }
   const Eigen::MatrixXd& to_modes = nodal_to_orthogonal(order);
   const int n = num_tri_modes(order);
-  // Offsets from a vertex are small numbers: nothing is lost when an element is tiny and far from the origin.
+  // Offsets from a vertex are small, so no digits are lost in a tiny element far from the origin.
   Eigen::MatrixX2d offsets(n, 2);
   for (int i = 0; i < n; ++i) offsets.row(i) << nodes[i].x - nodes[0].x, nodes[i].y - nodes[0].y;
   const Eigen::MatrixX2d coefs = to_modes * offsets;
   coefs_x_.assign(coefs.col(0).begin(), coefs.col(0).end());
   coefs_y_.assign(coefs.col(1).begin(), coefs.col(1).end());
-  const double constant = std::sqrt(2.0);  // 1 is this multiple of mode 0, whose value is 1 / sqrt(2)
+  const double constant = std::sqrt(2.0);  // the function 1 is this multiple of mode 0, whose value is 1 / sqrt(2)
   coefs_x_[0] += constant * nodes[0].x;
   coefs_y_[0] += constant * nodes[0].y;
 }
@@ -84,7 +84,7 @@ bool TriMap::invert(Vec2 x, Vec2& xi) const {
     if (norm2(xi) > 25) return false;
     if (length < 1e-14) return true;
   }
-  // Round-off of a tiny element far from the origin may keep the steps above the strict limit.
+  // Round-off in a tiny element far from the origin may prevent the steps above from reaching the strict limit.
   Vec2 here;
   Mat2 jacobian;
   evaluate(xi, here, jacobian);

@@ -1,5 +1,5 @@
 #pragma once
-// The element map X_e: reference triangle -> plane of one triangle, affine or of order N.
+// The element map X_e of one triangle, from the reference triangle to the plane, affine or of order N.
 
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@ namespace quadrille::spectral {
 
 class TriMap {
  public:
-  /// The affine map onto a triangle (counter-clockwise).
+  /// The affine map onto a triangle (vertices counter-clockwise).
   explicit TriMap(const std::array<Vec2, 3>& vertices);
   /// The map of order N through geometry nodes at tri_nodes(order).
   TriMap(int order, const Vec2* nodes);
@@ -20,8 +20,8 @@ class TriMap {
   Vec2 position(Vec2 xi) const;
   /// Position and d x / d xi.
   void evaluate(Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
-  /// xi of a physical point by Newton from `xi` as given, (-1/3, -1/3) being the centroid. False when it did not
-  /// converge; the result may lie outside the reference triangle.
+  /// Sets xi to the reference coordinates of a physical point by Newton's method from the given `xi`; (-1/3, -1/3) is
+  /// the centroid. Returns false if it did not converge; the result may lie outside the reference triangle.
   bool invert(Vec2 x, Vec2& xi) const;
   /// Coefficients of x and y in the orthogonal basis of degree order().
   const std::vector<double>& coefs_x() const { return coefs_x_; }

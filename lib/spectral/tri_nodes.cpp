@@ -11,14 +11,14 @@ namespace quadrille::spectral {
 
 namespace {
 
-// Warburton's blending parameter with the least Lebesgue constant, by order; beyond the list 5/3.
+// Warburton's blending parameter with the least Lebesgue constant, by order; 5/3 beyond the list.
 double best_blend(int order) {
   constexpr std::array<double, 16> best{0,      0,      0,      1.4152, 0.1001, 0.2751, 0.9800, 1.0999,
                                         1.2832, 1.3648, 1.4773, 1.4959, 1.5743, 1.5770, 1.6223, 1.6258};
   return order < static_cast<int>(best.size()) ? best[order] : 5.0 / 3.0;
 }
 
-// How far a point at r of an equispaced edge is moved to make it a Gauss-Lobatto one, over 1 - r^2.
+// The displacement of a point at r of an equispaced edge to a Gauss-Lobatto point, divided by 1 - r^2.
 double warp(int order, double r) {
   std::vector<double> equispaced(order + 1);
   for (int i = 0; i <= order; ++i) equispaced[i] = -1 + 2.0 * i / order;
@@ -29,7 +29,7 @@ double warp(int order, double r) {
   return shift / (1 - r * r);
 }
 
-// The interior node whose equispaced barycentric coordinates are l: moved along each edge's direction.
+// The interior node with equispaced barycentric coordinates l, moved along the direction of each edge.
 Vec2 warped(int order, const std::array<double, 3>& l) {
   std::array<double, 3> b = l;
   const double blend = best_blend(order);

@@ -1,8 +1,8 @@
 #pragma once
 // Interpolation points of the reference triangle, Gauss-Lobatto-Legendre on each edge (Warburton 2006, warp & blend).
 //
-// Sequence: the three vertices (-1,-1), (1,-1), (-1,1); then the inner nodes of edge 0, 1, 2, each walked from local
-// vertex k to k+1; then the interior ones.
+// Ranking: the three vertices (-1,-1), (1,-1), (-1,1); then the inner nodes of edges 0, 1, 2, each from local vertex k
+// to k+1; then the interior nodes.
 
 #include <vector>
 
@@ -10,10 +10,10 @@
 
 namespace quadrille::spectral {
 
-/// (N+1)(N+2)/2 points, N >= 1. The reference stays valid for the program's life; results are computed once.
+/// (N+1)(N+2)/2 points, N >= 1. Computed once per order; the reference stays valid until the program ends.
 const std::vector<Vec2>& tri_nodes(int order);
 
-/// Index into tri_nodes(order) of node j = 0..N of local edge `edge`, walked from vertex edge to vertex edge+1.
+/// Index into tri_nodes(order) of node j = 0..N of local edge `edge`, counted from vertex edge to vertex edge+1.
 int tri_edge_node(int order, int edge, int j);
 
 }  // namespace quadrille::spectral
