@@ -24,7 +24,7 @@ std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& b
   const int num_arcs = static_cast<int>(arc_chord.size());
   struct Link {
     int arc;
-    bool flips;  ///< opposite sides, each walked counter-clockwise, run against each other
+    bool flips;  ///< opposite sides, each taken counter-clockwise, have opposite directions
   };
   std::vector<std::vector<Link>> links(num_arcs);
   for (const std::array<HalfEdge, 4>& sides : block2arcs)

@@ -11,21 +11,21 @@ namespace {
 constexpr double reference_tol = 1e-10;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The range of a coordinate over the element, by its Bernstein hull.
+/// The range of a coordinate over the element, from its Bernstein hull.
 std::array<double, 2> hull(int order, const std::vector<double>& coefs) {
   const std::vector<double> b = spectral::bernstein_from_orthogonal(order, coefs);
   const auto [low, high] = std::minmax_element(b.begin(), b.end());
   return {*low, *high};
 }
 
-// Reference coordinates of x under the straight triangle of an element's corners: where the curved map has no inverse.
+// Reference coordinates of x in the straight triangle of an element's vertices, used if the curved map has no inverse.
 Vec2 straight_inverse(const spectral::TriMap& map, Vec2 x) {
   Vec2 xi;
   spectral::TriMap({map.position({-1, -1}), map.position({1, -1}), map.position({-1, 1})}).invert(x, xi);
   return xi;
 }
 
-// The local edge beyond which xi lies farthest and which has a neighbour; -1: none.
+// The local edge beyond which xi lies farthest and which has a neighbour; -1 if there is none.
 int way_out(Vec2 xi, const std::array<int, 3>& neighbors) {
   const std::array<double, 3> beyond{-(1 + xi.y), xi.x + xi.y, -(1 + xi.x)};  // edges 0, 1, 2
   int best = -1;

@@ -1,5 +1,5 @@
 #pragma once
-// Which element holds a point, and where: a search grid over curved elements, and a walk from an element near by.
+// Finds the element that contains a point: a search grid over curved elements, and a walk from an element near by.
 
 #include <array>
 #include <cmath>
@@ -16,14 +16,14 @@ struct Location {
   Vec2 xi;
 };
 
-/// How far a point lies outside the reference triangle, in barycentric coordinates: <= 0 inside.
+/// Distance of a point from the reference triangle, in barycentric coordinates: <= 0 inside.
 inline double outside_reference(Vec2 xi) { return std::fmax(std::fmax(-(1 + xi.x), -(1 + xi.y)), xi.x + xi.y) / 2; }
 
 class Locator {
  public:
   /// `maps` must outlive the locator.
   Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps);
-  /// The element that holds x, the lowest number where several do; points within 1e-10 of an element's reference
+  /// The element that contains x, the lowest number if several do; points within 1e-10 of an element's reference
   /// triangle count as inside.
   Location find(Vec2 x) const;
 
@@ -35,16 +35,16 @@ class Locator {
   void fill_grid();
 
   const std::vector<spectral::TriMap>* maps_;
-  std::vector<Box> boxes_;  ///< one per element: holds it, with a margin
+  std::vector<Box> boxes_;  ///< one per element, which it encloses with a margin
   Vec2 lower_, cell_;
   int nx_ = 1, ny_ = 1;
   std::vector<int> offsets_, values_;  ///< search grid cell -> elements whose box touches it, ascending
 };
 
-/// The element that holds x, found from element to neighbour, always across the edge beyond which x lies farthest;
-/// begins in `from`, whose xi is the first guess. elem = -1 where the walk meets the boundary (the domain may be
-/// concave), goes round or takes more than 64 steps: that x lies outside only Locator::find can tell. On an edge the
-/// element is that which the walk reaches first. No allocation.
+/// The element that contains x, found by steps from element to neighbour, always across the edge beyond which x lies
+/// farthest; starts at `from`, whose xi is the first guess. Returns elem = -1 if the walk meets the boundary (the
+/// domain may be concave), steps back to the previous element or takes more than 64 steps; only Locator::find can
+/// decide that x lies outside. For x on an edge, returns the element that the walk reaches first. No allocation.
 Location walk(const TriTopology& topology, const std::vector<spectral::TriMap>& maps, Vec2 x, Location from);
 
 }  // namespace quadrille::mesh

@@ -5,10 +5,10 @@
 
 namespace quadrille::mesh {
 
-/// Smallest angle of any element, by its vertices, radians.
+/// Smallest angle of any element with straight edges between its vertices, radians.
 double least_angle(const TriMesh& mesh);
 
-/// Smallest ratio of the shortest edge to the longest one of an element, by vertices.
+/// Smallest ratio of shortest to longest edge of an element, with straight edges between its vertices.
 double least_edge_ratio(const TriMesh& mesh);
 
 }  // namespace quadrille::mesh

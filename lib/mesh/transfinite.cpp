@@ -41,7 +41,7 @@ Vec2 TransfiniteMap::position(double s, double t) const {
 std::vector<Vec2> TransfiniteMap::sampled(int order) const {
   std::vector<double> fractions;
   for (const double xi : spectral::gll_points(order)) fractions.push_back((1 + xi) / 2);
-  std::array<std::vector<Vec2>, 4> on_sides;  // once for each side, not for each node
+  std::array<std::vector<Vec2>, 4> on_sides;  // once per side, not per node
   for (int k = 0; k < 4; ++k)
     for (const double f : fractions) on_sides[k].push_back(side(k, k < 2 ? f : 1 - f));
   std::vector<Vec2> nodes;

@@ -9,22 +9,23 @@
 namespace quadrille::mesh {
 
 /// Gordon-Hall blend at (s, t) in [0,1]^2. `on_sides`: the points at s on side 0, at t on side 1, at s on side 2 (above
-/// side 0's) and at t on side 3. `corners` counter-clockwise; corner 0 is (0, 0). On a side exactly the side's own
-/// point, whatever the rounding: of s, t only 0 and 1 themselves count as on the side.
+/// that on side 0) and at t on side 3. `corners` counter-clockwise; corner 0 is at (0, 0). On a side, i.e. if s or t is
+/// exactly 0 or 1, the result is the side's own point, without rounding.
 Vec2 blend_sides(const std::array<Vec2, 4>& on_sides, const std::array<Vec2, 4>& corners, double s, double t);
 
-/// Where two lines cross that join (f0, 0) with (f2, 1) and (0, f3) with (1, f1) in the unit square: the blend's (s, t)
-/// when opposite sides are not divided in the same fractions (Soni 1985).
+/// The crossing of the lines from (f0, 0) to (f2, 1) and from (0, f3) to (1, f1) in the unit square: the blend's (s, t)
+/// if opposite sides are divided at different fractions (Soni 1985).
 Vec2 crossing_parameters(double f0, double f1, double f2, double f3);
 
 class TransfiniteMap {
  public:
-  /// Sides counter-clockwise, each walked counter-clockwise; the chains must outlive the map.
+  /// `sides` in counter-clockwise order; `backwards`: the chain of the side runs clockwise. The chains must outlive the
+  /// map.
   explicit TransfiniteMap(const std::array<const curve::Chain*, 4>& sides, const std::array<bool, 4>& backwards);
 
-  /// The point at (s, t) in [0,1]^2: s along side 0, t along side 1. On a side the side's own point, exactly.
+  /// The point at (s, t) in [0,1]^2: s along side 0, t along side 1. On a side exactly the side's own point.
   Vec2 position(double s, double t) const;
-  /// The block as one quad of order N: its nodes as in model/quad_mesh.hpp.
+  /// The nodes of the block as one quad of order N, ordered as in model/quad_mesh.hpp.
   std::vector<Vec2> sampled(int order) const;
 
  private:

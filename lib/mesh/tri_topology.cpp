@@ -10,11 +10,11 @@
 namespace quadrille::mesh {
 namespace {
 
-/// One side of an edge, as an element sees it.
+/// One side of an edge, with its element.
 struct HalfEdge {
   int low = 0, high = 0;
   int elem = 0, local = 0;
-  bool is_forward = false;  ///< walked from low to high
+  bool is_forward = false;  ///< directed from the lower to the higher vertex
 
   auto key() const { return std::tie(low, high, elem, local); }
 };

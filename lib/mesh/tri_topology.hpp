@@ -17,8 +17,8 @@ struct TriTopology {
   std::vector<std::array<int, 3>> elem2boundary_edge;   ///< index into mesh.boundary_edges or -1
 };
 
-/// Throws FormatError where three elements share an edge, two have the same direction along one, or the boundary edges
-/// of the mesh are not exactly the edges with one element.
+/// Throws FormatError if three elements share an edge, if two have the same direction along an edge, or if the boundary
+/// edges of the mesh are not exactly the edges with one element.
 TriTopology tri_topology(const TriMesh& mesh);
 
 }  // namespace quadrille::mesh
