@@ -14,13 +14,15 @@ struct CandidateLayout {
   std::vector<SeparatrixLine> lines;
   std::vector<int> t_junctions;  ///< as in SeparatrixGraph; empty before the subdivision's nodes are numbered anew
   LayoutCertificate certificate;
+  int num_built = 0;  ///< subdivisions built from graphs on the way to this layout; operations on one build none
 
   const ArcGraph& graph() const { return subdivision.graph(); }
 };
 
-/// Builds the subdivision: once for each candidate.
-inline CandidateLayout candidate_layout(SeparatrixGraph graph) {
+/// Builds the subdivision: once for each candidate. `num_built`: how many were built before, for the same layout.
+inline CandidateLayout candidate_layout(SeparatrixGraph graph, int num_built = 0) {
   CandidateLayout layout;
+  layout.num_built = num_built + 1;
   layout.provenance = std::move(graph.provenance);
   layout.lines = std::move(graph.lines);
   layout.t_junctions = std::move(graph.t_junctions);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 #include <utility>
 
@@ -12,8 +11,6 @@
 
 namespace quadrille::graph {
 namespace {
-
-std::atomic<int> times_built = 0;
 
 int count_components(const ArcGraph& graph) {
   std::vector<int> root(graph.nodes.size());
@@ -34,14 +31,11 @@ int count_components(const ArcGraph& graph) {
 
 }  // namespace
 
-int Subdivision::num_built() { return times_built; }
-
 Subdivision::Subdivision(ArcGraph graph)
     : graph_(std::move(graph)),
       records_(2 * graph_.arcs.size()),
       node_start_(graph_.nodes.size()),
       num_components_(count_components(graph_)) {
-  ++times_built;
   const std::vector<std::vector<HalfEdge>> around = half_edges_around_nodes(graph_);
   for (std::size_t n = 0; n < around.size(); ++n)
     if (!around[n].empty()) link_around(static_cast<int>(n), around[n]);

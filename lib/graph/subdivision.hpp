@@ -37,9 +37,6 @@ class Subdivision {
   /// node do not follow each other.
   explicit Subdivision(ArcGraph graph);
 
-  /// How often this program has built a subdivision from a graph.
-  static int num_built();
-
   const ArcGraph& graph() const { return graph_; }
 
   /// Number of faces, arcs and nodes ever made since the last compact(); some may have been removed.

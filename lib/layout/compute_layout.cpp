@@ -80,7 +80,7 @@ SeparatrixGraph compute_layout(const field::FieldEvaluator& evaluator, const Cri
   const std::optional<LayoutMethod> method = prescribed_method(options.layout);
   graph::CandidateLayout layout = method ? prescribed_layout(evaluator, points, options, *method, report)
                                          : automatic_layout(evaluator, points, options, report);
-  report.set("subdivision.built", graph::Subdivision::num_built());
+  report.set("subdivision.built", layout.num_built);
   return graph::separatrix_graph(std::move(layout));
 }
 

@@ -48,9 +48,11 @@ struct QuantizedTMesh {
 };
 
 QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
+  int num_built = 0;
   for (int num_rejected = 0;; ++num_rejected) {
     QuantizedTMesh q;
     q.t_mesh = tracer.trace(report);
+    num_built = q.t_mesh.num_built += num_built;
     q.faces = quantize::t_mesh_faces(q.t_mesh.subdivision);
     const ArcGraph& graph = q.t_mesh.graph();
     q.lengths = quantize::quantize(q.faces, arc_lengths(graph), relative_unit * graph.face.diameter);

@@ -51,7 +51,7 @@ std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const
     SeparatrixGraph graph = graph::build_graph(face, fixed, std::move(finished), lines.arrangement().crossings,
                                                trace::relative_snap_tol * face.diameter);
     require_few_arcs(graph, options.max_lines);
-    layout = graph::candidate_layout(std::move(graph));
+    layout = graph::candidate_layout(std::move(graph), layout.num_built);
   } while (!graph::faces_without_four_corners(layout.subdivision).empty() &&
            lines.reject_worst(lines.chosen(), trace::same_line_angle));
   return Partition{std::move(layout), lines.chosen().size(), lines.largest_deviation()};

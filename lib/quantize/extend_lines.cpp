@@ -47,7 +47,7 @@ graph::CandidateLayout extend_lines(const graph::CandidateLayout& layout, const 
   add_split_lines(layout.lines, split, graph);
   for (int f = 0; f < static_cast<int>(faces.size()); ++f)
     draw_iso_lines(t_mesh, parametrization, split, table, f, graph);
-  graph::CandidateLayout extended = graph::candidate_layout(std::move(graph));
+  graph::CandidateLayout extended = graph::candidate_layout(std::move(graph), layout.num_built);
   graph::require_four_corners(extended.subdivision);
   return extended;
 }

@@ -21,10 +21,10 @@ expect() {
   [[ $3 == any ]] || assert_equal "$(jq .irregular_nodes "$1.json") irregular nodes" "$3 irregular nodes"
 }
 
-# judge SHAPE: the independent checker, where it is there.
+# judge SHAPE: the independent checker, if it and the package that it needs are there.
 judge() {
   local checker=$ROOT/../shared/check/mesh_report.py
-  [[ -f $checker ]] || return 0
+  if [[ ! -f $checker ]] || ! /usr/bin/python3 -c 'import gmsh' 2>/dev/null; then return 0; fi
   run -0 /usr/bin/python3 "$checker" "$1.msh" --cad "$DATA/$1.step"
 }
 

@@ -108,7 +108,7 @@ setup() {
   assert_failure 1
   assert_output --regexp 'curve_0.*\(-?[0-9.e-]+, -?[0-9.e-]+\).*at most [0-9]+ fit, with a thickness of [0-9.]+'
   assert_nothing_left
-  most=$(sed -E 's/.*at most ([0-9]+) do.*/\1/' <<< "$output")
+  most=$(sed -E 's/.*at most ([0-9]+) fit.*/\1/' <<< "$output")
   quadrefine --wall "curve_0:first=1e-2,layers=$most" "$blocks" -o a.quad.h5
   run quadrefine --wall "curve_0:first=1e-2,layers=$((most + 1))" "$blocks" -o b.quad.h5
   assert_failure 1
@@ -187,14 +187,14 @@ setup() {
   assert_output "[$chords]"
   run quadrefine --count "$chords=3" "$blocks" -o c.quad.h5
   assert_failure 2
-  assert_output --partial "from 0 to $((chords - 1))"
+  assert_output --partial "numbered 0 to $((chords - 1))"
 }
 
 @test "a count that misses the tolerance rises with a warning" {
   quadrefine --count 0=1 --count 1=1 --count 2=1 --geometry-tol 1e-9 "$blocks" -o a.quad.h5 --report a.json 2> messages
   run jq '[.warnings[] | select(.code == "W-QUA-002")] | length > 0' a.json
   assert_output true
-  grep -q "not 1" messages
+  grep -q "not the prescribed 1" messages
 }
 
 @test "edges deviate least, or are nowhere longer than wanted" {

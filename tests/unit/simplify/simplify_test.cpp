@@ -108,9 +108,11 @@ TEST_F(Hall, ABoundOfTheShapeStopsACollapse) {
 }
 
 TEST_F(Hall, NothingIsBuiltFromScratch) {
-  const int built = graph::Subdivision::num_built();
-  EXPECT_EQ(num_blocks(), 4);
-  EXPECT_EQ(graph::Subdivision::num_built(), built);
+  graph::CandidateLayout counted = layout;
+  counted.num_built = 7;
+  const graph::CandidateLayout simple = simplify(evaluator, std::move(counted), options, report);
+  EXPECT_EQ(simple.subdivision.num_faces(), 4);
+  EXPECT_EQ(simple.num_built, 7);
 }
 
 TEST_F(Hall, TheResultIsWhatItsGraphGives) {
