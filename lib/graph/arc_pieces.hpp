@@ -1,5 +1,5 @@
 #pragma once
-// Walks along pieces of curves: turned round, joined, cut.
+// Paths along pieces of curves: reversed, joined, cut.
 
 #include <utility>
 #include <vector>
@@ -14,13 +14,13 @@ using Pieces = std::vector<ArcPiece>;
 
 Pieces reversed_pieces(Pieces pieces);
 
-/// Of a half-edge, in its direction.
+/// The pieces of a half-edge, in its direction.
 Pieces pieces_along(const ArcGraph& graph, HalfEdge h);
 
-/// One walk after the other; where the curve goes on, as one piece.
+/// One path after the other; pieces that continue each other on one curve become one piece.
 Pieces joined(Pieces first, const Pieces& second);
 
-/// The part of a walk before a point of it, and the part behind.
+/// The part of a path before a point of it, and the part behind.
 std::pair<Pieces, Pieces> cut(const Pieces& pieces, const curve::ChainPoint& at);
 
 }  // namespace quadrille::graph

@@ -16,13 +16,13 @@ struct OnLine {
   int node = 0;
 };
 
-// A graph on its way, and where the lines meet it.
+// A graph under construction, and its nodes on each line.
 struct Building {
   const CadFace& face;
   std::vector<FinishedLine>& lines;
   double snap;
   std::size_t num_fixed = 0;
-  std::vector<std::array<int, 2>> ends;      // nodes of each line, -1: waits for a crossing
+  std::vector<std::array<int, 2>> ends;      // nodes of each line, -1: determined by a crossing
   std::vector<std::vector<OnLine>> on_line;  // the nodes of each line
   SeparatrixGraph graph;
 };
@@ -71,7 +71,7 @@ void put_end(Building& build, int line, int which, int node) {
   build.on_line[line].push_back({which == 0 ? spline.begin() : spline.end(), node});
 }
 
-// The end of a line that waits for a crossing at parameter t, or -1.
+// The end (0 or 1) of a line that is to be determined by a crossing at parameter t, or -1.
 int open_end(const Building& build, int line, double t) {
   const Nurbs& spline = build.lines[line].spline;
   if (build.ends[line][0] < 0 && t <= spline.begin()) return 0;

@@ -1,5 +1,5 @@
 #pragma once
-// From finished lines to the planar graph: crossings become nodes, lines and boundary curves are split into arcs.
+// Builds the planar graph from finished lines: crossings become nodes, lines and boundary curves are split into arcs.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace quadrille::graph {
 
-/// An irregular node, a corner or an irregular point of the boundary: what is a node whatever the lines do.
+/// An irregular node, a corner or an irregular point of the boundary: a node that does not depend on the lines.
 struct FixedNode {
   Vec2 position;
   NodeKind kind = NodeKind::irregular;
@@ -19,8 +19,8 @@ struct FixedNode {
   double t = 0;
 };
 
-/// An end of a line: a fixed node, a place on the boundary, or neither: on another line, at a crossing with it that
-/// lies at the very end of the spline's domain.
+/// An end of a line: a fixed node, a position on the boundary, or neither: then the line ends on another line, at a
+/// crossing at the end of the spline's domain.
 struct LineEnd {
   int node = -1;
   int curve = -1;
@@ -30,14 +30,14 @@ struct LineEnd {
 
 struct FinishedLine {
   LineEnd start, end;
-  Nurbs spline;  ///< a non-rational cubic from the one to the other
+  Nurbs spline;  ///< a non-rational cubic from the first end to the second
   LineKind kind = LineKind::traced;
 };
 
-/// Nodes in this sequence: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
+/// Nodes in this order: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
 /// within `snap` (a length) of a fixed node on the boundary or of a joint are moved to it, ends within `snap` of each
 /// other are one node, crossings within `snap` of each other on one line too. `crossings`: of the lines' splines.
-/// Throws ComputeError where a line passes through the end of another; one that ends ON another makes a T-junction.
+/// Throws ComputeError if a line passes through the end of another; one that ends ON another makes a T-junction.
 SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
                             const std::vector<Crossing>& crossings, double snap);
 

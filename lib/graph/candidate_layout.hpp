@@ -1,5 +1,5 @@
 #pragma once
-// A layout while it is made: a separatrix graph that knows its topology.
+// A layout under construction: a separatrix graph together with its topology.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ struct CandidateLayout {
   Provenance provenance;
   Subdivision subdivision;
   std::vector<SeparatrixLine> lines;
-  std::vector<int> t_junctions;  ///< as in SeparatrixGraph; empty before the subdivision's nodes are numbered anew
+  std::vector<int> t_junctions;  ///< as in SeparatrixGraph; empty before the subdivision's nodes are renumbered
   LayoutCertificate certificate;
   int num_built = 0;  ///< subdivisions built from graphs on the way to this layout; operations on one build none
 

@@ -8,7 +8,7 @@
 namespace quadrille::graph {
 namespace {
 
-// From a rung forwards until the boundary, the same rung or a block met before.
+// From a rung forwards to the boundary, the same rung or a block that was visited before.
 ChordStrip follow(const Subdivision& subdivision, HalfEdge rung) {
   ChordStrip strip;
   strip.rungs.push_back(rung);
@@ -51,7 +51,7 @@ bool repeats_a_node(const Subdivision& subdivision, const ChordStrip& strip) {
   return false;
 }
 
-// False where the rung cannot be shrunk to a point.
+// False if the rung cannot be shrunk to a point.
 bool find_fixed_side(const Subdivision& subdivision, HalfEdge rung, FixedSide& side) {
   const ArcGraph& graph = subdivision.graph();
   const GraphNode &l = graph.nodes[subdivision.start(rung)], &r = graph.nodes[subdivision.end(rung)];
@@ -87,7 +87,7 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
 ChordStrip strip_through(const Subdivision& subdivision, int arc) {
   ChordStrip strip = follow(subdivision, {arc});
   if (strip.is_closed || strip.crosses_itself) return strip;
-  // Open: once more from one end.
+  // An open strip is followed again from one of its ends.
   const ChordStrip back = follow(subdivision, {arc, true});
   const HalfEdge first = back.rungs.back().reversed(), last = strip.rungs.back();
   return follow(subdivision, first.arc <= last.arc ? first : last.reversed());

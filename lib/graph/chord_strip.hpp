@@ -18,7 +18,7 @@ struct ChordStrip {
   std::vector<HalfEdge> left, right;  ///< of each block
   std::vector<int> blocks;            ///< faces of the subdivision
   bool is_closed = false;
-  bool crosses_itself = false;  ///< some block is met twice: the strip ends there
+  bool crosses_itself = false;  ///< some block occurs twice: the strip ends there
   double width = 0;             ///< mean length of the rungs
   double length = 0;            ///< mean length of the rails
 
@@ -26,7 +26,7 @@ struct ChordStrip {
   double aspect() const { return width / length; }
 };
 
-/// Length of each arc. `known` keeps those of pieces between calls for graphs whose splines keep their numbers.
+/// Length of each arc. `known` caches the lengths of pieces between calls for graphs whose splines keep their numbers.
 struct PieceLengths {
   std::map<std::tuple<int, double, double>, double> known;
 };
@@ -46,10 +46,10 @@ enum class FixedSide { none, left, right };
 /// A node that no collapse may move: irregular inside, a corner, or irregular on the boundary.
 bool is_fixed(const GraphNode& node);
 
-/// The fixed side of each rung of a strip that can be collapsed, else empty. It can where every rung has at most one
-/// fixed end, an inner rung at most one end on the boundary (which it keeps) and that end only where the other is not
-/// fixed; where something is fixed at all; and where no node, and so no block or arc, belongs to it twice. A regular
-/// node merged with one of valence V gives V, inside (V + 4 - 4) as on the boundary (V + 2 - 2).
+/// The fixed side of each rung of a strip that can be collapsed, else empty. Conditions: every rung has at most one
+/// fixed end; an inner rung has at most one end on the boundary (which it keeps), and only if the other end is not
+/// fixed; at least one end is fixed; no node, and so no block or arc, belongs to the strip twice. A regular node merged
+/// with one of valence V gives V, inside (V + 4 - 4) as on the boundary (V + 2 - 2).
 std::vector<FixedSide> fixed_sides(const Subdivision& subdivision, const ChordStrip& strip);
 
 }  // namespace quadrille::graph

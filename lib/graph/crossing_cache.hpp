@@ -1,5 +1,5 @@
 #pragma once
-// Crossings of curves of which few change from one search to the next.
+// Cached crossings of curves, few of which change from one search to the next.
 
 #include <array>
 #include <map>
@@ -9,12 +9,13 @@
 
 namespace quadrille::graph {
 
-/// Curves with one key are one curve, now and later.
+/// Curves with equal keys are the same curve in all searches.
 using CurveKey = std::array<double, 3>;
 
 class CrossingCache {
  public:
-  /// find_crossings(splines, same), searched only where a curve is new. The curves that stay must keep their order.
+  /// find_crossings(splines, same), searched only for pairs with a new curve. Curves that occur again must keep their
+  /// order.
   const std::vector<Crossing>& find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines, double same,
                                     Vec2 origin);
 

@@ -48,7 +48,7 @@ struct Bezier {
     for (int i = 0; i < 3; ++i) widest = std::max(widest, angle_between(chord(), p[i + 1] - p[i]));
     return widest;
   }
-  // Whether `other` lies wholly on one side of the strip along the chord that holds this curve.
+  // Whether `other` lies wholly on one side of the strip along the chord that contains this curve.
   bool is_beside(const Bezier& other, double margin) const {
     const Vec2 normal = left_of(chord()) / norm(chord());
     if (!std::isfinite(normal.x)) return false;
@@ -94,7 +94,7 @@ std::vector<Bezier> spans(const Nurbs& c) {
 }
 
 /// Span i of curve a and span j of curve b, whose boxes meet; a < b, or a == b and i + 1 < j: neighbouring spans of one
-/// curve share a point, and turn too little to meet elsewhere.
+/// curve share a point, and change their direction too little to meet elsewhere.
 struct Overlap {
   int a, b, i, j;
   auto operator<=>(const Overlap&) const = default;
@@ -105,7 +105,7 @@ struct Span {
   Box box;
 };
 
-// Horizontal bands, some boxes high, so that a sweep through one meets few boxes that only lie beside each other.
+// Horizontal bands, several boxes high: in a sweep through one, few pairs of boxes overlap in x only.
 struct Bands {
   double low = 0, height = 1;
   int count = 1;
@@ -197,14 +197,14 @@ class Finder {
   std::vector<Crossing> found;
 
  private:
-  // Halves the longer piece until both together turn less than the angle between them: then they cross once at most.
+  // Halves the longer piece until both together turn by less than the angle between them: then they cross once at most.
   void search(int a, int b, const Bezier& p, const Bezier& q) {
     if (p.is_beside(q, same_) || q.is_beside(p, same_)) return;
     counter_.count(p.box());
     const double along = angle_between(p.chord(), q.chord()), between = std::min(along, std::numbers::pi - along);
     const double turn = p.cone() + q.cone(), size_p = norm(p.chord()), size_q = norm(q.chord());
-    // Side by side they cannot be told apart below some size; lines that pass a node at no distance to speak of turn
-    // within less.
+    // Curves side by side cannot be distinguished below some size; lines that pass very near a node turn within a
+    // smaller length.
     const double size = std::max(size_p, size_q);
     const bool tiny = size < 10 * same_ || (size < 1e4 * same_ && between < side_by_side);
     const bool is_settled = (tiny || (turn < between && turn < 0.5)) && newton(a, b, p, q);
@@ -216,7 +216,7 @@ class Finder {
       if (meet(half.box(), whole)) split_p ? search(a, b, half, q) : search(a, b, p, half);
   }
 
-  // False where it leaves the pieces on its way: from the middle of a long one it may miss a short one.
+  // False if an iterate is outside the pieces: from the middle of a long piece it may miss a short one.
   bool newton(int a, int b, const Bezier& p, const Bezier& q) {
     const Nurbs &ca = splines_[a], &cb = splines_[b];
     double s = (p.t0 + p.t1) / 2, t = (q.t0 + q.t1) / 2;
@@ -248,7 +248,7 @@ class Finder {
   Counter counter_;
   std::vector<std::vector<Bezier>> beziers_;  // of the curves
   std::vector<Overlap> overlaps_;
-  size_t first_ = 0;  // of the pair at hand in `found`
+  size_t first_ = 0;  // of the present pair in `found`
 };
 
 }  // namespace

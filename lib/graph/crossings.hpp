@@ -1,9 +1,8 @@
 #pragma once
-// All places where spline curves cross each other or themselves.
-//
-// Every span is taken as a Bezier cubic; pairs that nothing separates are halved until they turn less than the angle
-// between them, then Newton's method finds the one crossing that they may have. Curves are C2, so tangential contacts
-// of one curve with itself do not occur.
+// All crossings of spline curves with each other and with themselves. Every span is represented as a Bezier cubic;
+// pairs that cannot be separated are halved until they turn by less than the angle between them, then Newton's method
+// finds the only crossing that is possible. Curves are C2, so tangential contacts of one curve with itself do not
+// occur.
 
 #include <vector>
 
@@ -17,24 +16,24 @@ struct Crossing {
   int a = 0, b = 0;
   double s = 0, t = 0;
   Vec2 position;
-  double angle = 0;  ///< between the two tangents taken as undirected lines, radians in [0, pi/2]
+  double angle = 0;  ///< between the two tangents as undirected lines, radians in [0, pi/2]
 };
 
-/// Splines that lie beside each other again and again, as the laps of a spiral do, would cost the square of their
-/// pieces.
+/// Limits of the search: splines that lie beside each other many times, as the laps of a spiral, would need a number of
+/// pairs quadratic in the number of pieces.
 struct CrossingBounds {
   /// Pairs of pieces whose boxes meet, halved ones included. The plates of 100 holes need half a million.
   long long max_pairs = 10'000'000;
-  Vec2 origin{};             ///< added to places in messages
-  std::vector<bool> sought;  ///< pairs of which neither curve is marked are left out; empty: none are
+  Vec2 origin{};             ///< added to positions in messages
+  std::vector<bool> sought;  ///< only pairs with a marked curve are searched; empty: all pairs are
 };
 
-/// The sequence that crossings come in: by (a, s, b).
+/// The order of crossings: by (a, s, b).
 bool comes_before(const Crossing& x, const Crossing& y);
 
 /// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
 /// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not
-/// merely touch within round-off. Throws ComputeError with a place where a bound is met.
+/// merely touch within round-off. Throws ComputeError with a position if a limit is reached.
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds = {});
 
 }  // namespace quadrille::graph

@@ -1,5 +1,5 @@
 #pragma once
-// Corners of the faces of a subdivision: what tells a layout of four-sided blocks from anything else.
+// Corners of the faces of a subdivision, which decide whether it is a layout of four-sided blocks.
 
 #include <vector>
 
@@ -8,21 +8,21 @@
 
 namespace quadrille::graph {
 
-/// The mean of the middles of a face's arcs, file coordinates: a place to look at.
+/// The mean of the middles of a face's arcs, file coordinates: a position for messages.
 Vec2 middle_of_face(const Subdivision& subdivision, int face);
 
-/// The faces that are no quadrilaterals: not four corners, or a node of two quarter turns on a side.
+/// The faces that are no quadrilaterals: their number of sides or of corners is not four.
 std::vector<int> faces_without_four_corners(const Subdivision& subdivision);
 
-/// Throws ComputeError unless every face has four corners and the graph is connected; the message names how many have
-/// not, and where the first one lies. Returns the number of faces.
+/// Throws ComputeError unless every face has four corners and the graph is connected; the message states how many faces
+/// violate this and the position of the first. Returns the number of faces.
 int require_four_corners(const Subdivision& subdivision);
 
-/// Whether the curves at a node start in the order that the topology has, counter-clockwise. Operations trust their
-/// callers with this (graph/subdivision.hpp).
+/// Whether the curves at a node start in the counter-clockwise order of the topology. Operations of
+/// graph/subdivision.hpp do not check this.
 bool is_drawn_in_order(const Subdivision& subdivision, int node);
 
-/// Number of faces by number of corners, by rising corners.
+/// Number of faces for each number of corners, ascending.
 std::vector<FaceCount> face_valence_histogram(const Subdivision& subdivision);
 
 }  // namespace quadrille::graph

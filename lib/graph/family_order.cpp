@@ -8,7 +8,7 @@
 namespace quadrille::graph {
 namespace {
 
-constexpr double touching = 1e-3;  // radians: laps of a spiral lie on each other but for rounding
+constexpr double touching = 1e-3;  // radians: laps of a spiral coincide up to rounding
 
 }  // namespace
 

@@ -20,8 +20,8 @@ std::pair<int, double> start_on_curve(const ArcGraph& graph, HalfEdge h) {
                         : std::pair{pieces.front().curve, pieces.front().t0};
 }
 
-// A line that ends on the side of another: half a turn lies between the two half-edges of the line that continues,
-// whatever the angles: near a node lines turn fast. Empty where no two neighbours of three are of one line.
+// The sectors at a T-junction: half a turn between the two half-edges of the line that continues, independent of the
+// angles, as lines turn fast near a node. Empty if no two consecutive half-edges of the three are of one line.
 std::vector<int> t_junction_quarters(const ArcGraph& graph, const std::vector<HalfEdge>& half_edges) {
   for (int k = 0; k < 3; ++k) {
     if (start_on_curve(graph, half_edges[k]) != start_on_curve(graph, half_edges[(k + 1) % 3])) continue;

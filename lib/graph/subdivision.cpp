@@ -42,7 +42,8 @@ Subdivision::Subdivision(ArcGraph graph)
   number_faces();
 }
 
-// Sorted half-edges: whoever comes in against one of them continues along the one before it, the first clockwise.
+// `half_edges` are sorted: the reverse of each, which ends at the node, is followed by the half-edge before it, the
+// next one clockwise.
 void Subdivision::link_around(int node, const std::vector<HalfEdge>& half_edges) {
   node_start_[node] = half_edges.front();
   const std::vector<int> quarters = sector_quarters(graph_, node, half_edges);
@@ -61,7 +62,7 @@ void Subdivision::label(HalfEdge first, int face) {
   } while (h != first);
 }
 
-// Faces by their lowest half-edge. What the boundary has on its other side is no face.
+// Numbers faces by their lowest half-edge. The outside of the boundary is no face.
 void Subdivision::number_faces() {
   for (Record& r : records_) r.face = -1;
   face_start_.clear();
@@ -107,7 +108,7 @@ std::vector<HalfEdge> Subdivision::around(int node) const {
   const HalfEdge first = node_start_[node];
   if (first.arc < 0) return all;
   if (graph_.arcs[first.arc].is_boundary) {
-    // Against the clock one walks from a half-edge to the one before it, reversed.
+    // The next half-edge counter-clockwise is the reverse of the previous one of the face.
     for (HalfEdge h = first;; h = previous(h).reversed()) {
       all.push_back(h);
       if (!is_inside(h)) return all;

@@ -14,10 +14,10 @@
 // cycles, and each counts as a face.
 //
 // A subdivision is built from a graph once: directions of curves are compared around every node. From then on it is
-// changed only by the operations below, which look at no angle and cost what they change. Each leaves what would be
-// built from the changed graph, but for the numbers. These stay what they are during a sequence of operations: nodes,
-// arcs and faces that are made get new numbers at the end, those that are removed leave gaps. `compact` closes the
-// gaps; then even the numbers are those of a subdivision built from the graph.
+// changed only by the operations below, which evaluate no angle and whose cost is proportional to the change. Each
+// results in the subdivision that would be built from the changed graph, up to the numbers. Numbers stay valid during
+// consecutive operations: new nodes, arcs and faces are numbered after the others, and the numbers of removed ones are
+// not used again. `compact` closes the gaps; then even the numbers are those of a subdivision built from the graph.
 //
 // Copies are independent values: try operations on a copy, and keep it or drop it.
 
@@ -33,8 +33,8 @@ class Subdivision {
  public:
   Subdivision() = default;
 
-  /// Builds the topology, at the cost of sorting around each node. Throws ComputeError where the boundary arcs at a
-  /// node do not follow each other.
+  /// Builds the topology, at the cost of sorting around each node. Throws ComputeError if the boundary arcs at a node
+  /// are not consecutive.
   explicit Subdivision(ArcGraph graph);
 
   const ArcGraph& graph() const { return graph_; }
@@ -44,14 +44,14 @@ class Subdivision {
   int arc_bound() const { return static_cast<int>(graph_.arcs.size()); }
   int node_bound() const { return static_cast<int>(graph_.nodes.size()); }
   int num_faces() const;
-  /// Connected parts of the graph; above 1 some face has a hole in it.
+  /// Number of connected parts of the graph; if above 1, some face has a hole.
   int num_components() const { return num_components_; }
 
   bool has_arc(int arc) const { return face({arc}) >= 0; }
   int start(HalfEdge h) const { return start_of(graph_.arcs, h); }
   int end(HalfEdge h) const { return end_of(graph_.arcs, h); }
   HalfEdge next(HalfEdge h) const { return record(h).next; }
-  HalfEdge previous(HalfEdge h) const;  ///< at the cost of the face's sides
+  HalfEdge previous(HalfEdge h) const;  ///< cost: linear in the sides of the face
   int face(HalfEdge h) const { return record(h).face; }
   int quarters(HalfEdge h) const { return record(h).quarters; }
   /// The half-edges of a face, counter-clockwise, from its lowest one on.
@@ -69,41 +69,41 @@ class Subdivision {
   };
   Division divide_arc(HalfEdge h, const GraphNode& node, std::vector<ArcPiece> first, std::vector<ArcPiece> second);
 
-  /// The place of one end of a new arc: it ends where `after` does, in the sector between `after` and next(after), of
-  /// which `quarters` remain between `after` and the new arc.
+  /// The position of one end of a new arc in the topology: it ends where `after` does, in the sector between `after`
+  /// and next(after), of which `quarters` remain between `after` and the new arc.
   struct Sector {
     HalfEdge after;
     int quarters = 1;
   };
-  /// Divides a face by a new inner arc between two different corners of its cycle. What lies on the left of the new
+  /// Divides a face by a new inner arc between two different corners of its cycle. The part on the left of the new
   /// half-edge keeps the face's number.
   HalfEdge insert_arc(const Sector& from, const Sector& to, std::vector<ArcPiece> pieces);
 
-  /// Unites the two faces beside an inner arc. False, and nothing is changed, where both sides are one face.
+  /// Unites the two faces beside an inner arc. Returns false without any change if both sides are the same face.
   bool remove_arc(int arc);
 
-  /// The opposite of divide_arc: two arcs, the only ones at a node, become a new one with the pieces of both. False,
-  /// and nothing is changed, where the node has other arcs than two, or a corner.
+  /// The inverse of divide_arc: the only two arcs at a node become a new one with the pieces of both. Returns false
+  /// without any change if the node has another number of arcs or is a corner.
   bool dissolve_node(int node);
 
-  /// Shrinks an arc to the node where h starts; the node where it ends is removed, and its other arcs start here. Their
-  /// curves are the caller's to lengthen. A node on the boundary must not be merged into one inside, nor two of the
+  /// Shrinks an arc to the node where h starts; the node where it ends is removed, and its other arcs start here. The
+  /// caller must lengthen their curves. A node on the boundary must not be merged into one inside, nor two of the
   /// boundary through an inner arc.
   void merge_ends(HalfEdge h);
 
-  /// Gives an inner arc another shape; it then runs in the direction of h.
+  /// Replaces the shape of an inner arc; it then runs in the direction of h.
   void reshape_arc(HalfEdge h, std::vector<ArcPiece> pieces);
   void set_pieces(int arc, std::vector<ArcPiece> pieces) { graph_.arcs[arc].pieces = std::move(pieces); }
   void move_node(int node, Vec2 position) { graph_.nodes[node].position = position; }
   /// Returns the number of the curve (ArcGraph::curve).
   int add_spline(Nurbs spline);
-  /// Removes splines that no arc uses, and numbers the others anew.
+  /// Removes splines that no arc uses, and renumbers the others.
   void drop_unused_splines();
-  /// Ends the life of the topology.
+  /// Moves the graph out; the topology is invalid afterwards.
   ArcGraph release() { return std::move(graph_); }
 
   /// Closes the gaps in the numbers of nodes and arcs, and numbers faces by their lowest half-edge. Returns the new
-  /// number of each arc, -1 where it is gone.
+  /// number of each arc, -1 if it was removed.
   std::vector<int> compact();
 
  private:

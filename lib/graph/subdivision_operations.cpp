@@ -11,7 +11,7 @@
 namespace quadrille::graph {
 namespace {
 
-constexpr int straight = 2;  // quarters on either side of a node where nothing but one line passes
+constexpr int straight = 2;  // quarters on either side of a node through which only one line passes
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Subdivision::Division Subdivision::divide_arc(HalfEdge h, const GraphNode& node,
                  b = add_arc(n, to, is_boundary, std::move(second));
   graph_.nodes.push_back(node);
   node_start_.push_back(b);
-  // Where the arc follows itself, its parts do.
+  // If the arc follows itself around a face, so do its parts.
   const auto renamed = [&](HalfEdge x) { return x == h ? a : x == back ? b.reversed() : x; };
   record(before).next = a;
   record(a) = {b, left.face, straight};
@@ -129,7 +129,8 @@ void Subdivision::merge_ends(HalfEdge h) {
   const std::vector<HalfEdge> moved = around(gone);
   if (node_start_[kept].arc == h.arc)
     node_start_[kept] = is_boundary ? node_start_[gone] : next(h) != h.reversed() ? next(h) : next(h.reversed());
-  // On either side of the arc two sectors become one, and the straight line along it is no part of it.
+  // On either side of the arc two sectors become one; their quarters add up, less those of the straight line along the
+  // arc.
   for (const HalfEdge side : {h, h.reversed()}) {
     if (!is_inside(side)) continue;
     Record& before = record(previous(side));
@@ -143,7 +144,7 @@ void Subdivision::merge_ends(HalfEdge h) {
   retire(h.arc);
 }
 
-// The two half-edges of an arc change places.
+// Swaps the two half-edges of an arc.
 void Subdivision::turn(int arc) {
   const HalfEdge h{arc}, back{arc, true};
   const auto turned = [&](HalfEdge x) { return x.arc == arc ? x.reversed() : x; };
