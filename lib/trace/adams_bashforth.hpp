@@ -4,17 +4,17 @@
 //   x_(n+1) = x_n + h / 24 (55 f_n - 59 f_(n-1) + 37 f_(n-2) - 9 f_(n-3)),   f = e(psi'(x)),
 //
 // started by three steps of the classical Runge-Kutta method. Every evaluation has to find its element, by a walk from
-// the previous one, and its reference coordinates, by Newton's method. It serves only to compare trace/advance.hpp
-// with: it estimates no error, and loses its order in steps across an element's edge, where the field is only
-// continuous.
+// the previous one, and its reference coordinates, by Newton's method. It serves only as a reference for
+// trace/advance.hpp: it estimates no error, and its order is reduced in steps across an element's edge, where the field
+// is only continuous.
 
 #include "trace/advance.hpp"
 
 namespace quadrille::trace {
 
 /// Follows a launched line with steps of options.max_step; ends as advance() does, but ends in a node only where a step
-/// ends within options.hit_distance of it. Positions between the steps are cubics. Throws ComputeError where the field
-/// vanishes, or where a step ends outside the domain without crossing the boundary.
+/// ends within options.hit_distance of it. Positions between the steps are cubics. Throws ComputeError if the field
+/// vanishes or a step ends outside the domain without crossing the boundary.
 Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch,
                                    const std::vector<Vec2>& nodes, const AdvanceOptions& options);
 

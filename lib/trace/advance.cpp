@@ -32,7 +32,7 @@ bool closes_lap(const field::FieldEvaluator& evaluator, const StreamState& state
          distance(map.position(state.xi), map.position(before.state.xi)) <= hit_distance;
 }
 
-// Of the continuous extension, nearest to `near`: as good a guide as the field's own direction.
+// The direction of the continuous extension nearest to `near`: as accurate as the direction of the field.
 double direction_of(const field::FieldEvaluator& evaluator, const StreamStep& step, double fraction, double near) {
   Vec2 x;
   Mat2 dx_dxi;
@@ -133,7 +133,7 @@ class StreamlineIntegrator {
     s_ += step.length;
   }
 
-  // Into the neighbour; true when the line ends on the boundary.
+  // Continues in the neighbour; true if the line ends on the boundary.
   bool leave_element(StreamStep& step, const ElementExit& exit) {
     step.length = exit.fraction * step.h;
     push(step);

@@ -15,14 +15,15 @@ namespace {
 constexpr double relative_zero_tol = 1e-6;
 constexpr double relative_node_tol = 1e-9;
 
-// Whether the field has a zero of that index there.
+// Whether the field has a zero of the given index at the position.
 bool is_zero(const field::FieldEvaluator& evaluator, const CriticalPoint& p) {
   if (p.valence != 4 - p.index) return false;
   const double diameter = evaluator.field().mesh.face.diameter;
   const mesh::Location at = evaluator.locator().find(p.position);
   if (at.elem < 0) return false;
   const field::FieldSample sample = evaluator.sample(at.elem, at.xi);
-  // The field has no slope at a multiple zero that its distance could follow from, but it is small around it.
+  // At a multiple zero the Jacobian vanishes, so the distance cannot be estimated from it, but the field is small
+  // nearby.
   if (std::abs(p.index) != 1) return norm(sample.value) <= 1e-4;
   if ((det(sample.dv_dx) > 0) != (p.index > 0)) return false;
   const Vec2 off = inverse(sample.dv_dx) * sample.value;
@@ -54,7 +55,7 @@ int solved_valence(const PhaseNodes& solved, int joint) {
   return at == solved.corners.end() ? 2 : at->valence;
 }
 
-// Names the first node of `points` that the phase was not solved for; empty where all agree.
+// Describes the first node of `points` that the phase was not solved for; empty if all agree.
 std::string first_difference(const Field& field, const CriticalPoints& points) {
   const CadFace& face = field.mesh.face;
   const PhaseNodes& solved = field.phase.prescribed;

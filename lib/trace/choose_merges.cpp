@@ -5,7 +5,7 @@ namespace {
 
 constexpr double relative_tie = 1e-6;  // lengths that differ by less are equal
 
-// Picks among the candidates first ... last - 1, which meet together.
+// Picks among the candidates first ... last - 1, whose fronts meet at equal lengths.
 void choose_tied(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& allowed, size_t first,
                  size_t last, std::vector<bool>& is_taken, std::vector<int>& chosen) {
   std::vector<int> num_competing(is_taken.size(), 0), free;

@@ -1,5 +1,5 @@
 #pragma once
-// Which of the pairs of separatrices that may be merged are.
+// Chooses the pairs of separatrices that are merged among the candidates.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace quadrille::trace {
 
 /// Picks pairs in their order so that no line is in two, and returns their numbers; `is_taken` marks the lines that are
-/// in one, before and after. Pairs that meet after lengths that differ by less than 1e-6 of themselves are decided
+/// in a pair, on entry and on return. Pairs that meet after lengths with a relative difference below 1e-6 are decided
 /// together: where two of them compete for one line, neither is picked, so that symmetric shapes stay symmetric. Only
 /// pairs with allowed[i] are considered.
 std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& allowed,

@@ -1,12 +1,12 @@
 #pragma once
-// Where a step of a streamline leaves the reference triangle of its element.
+// The exit of a streamline's step from the reference triangle of its element.
 
 #include "base/vec2.hpp"
 #include "trace/step.hpp"
 
 namespace quadrille::trace {
 
-/// The local edge through which a step leaves its element, and the fraction of the step before it; edge -1: the step
+/// The local edge through which a step exits its element, and the fraction of the step before it; edge -1: the step
 /// ends inside.
 struct ElementExit {
   int edge = -1;
@@ -20,8 +20,8 @@ ElementExit first_exit(const StreamStep& step);
 /// Fraction along local edge `edge` at which `xi` lies, in [0, 1], as in spectral::tri_edge_point.
 double fraction_along_edge(int edge, Vec2 xi);
 
-/// The arc length after which the tangent at `state` has left the element by a twentieth of its size, at most `limit`:
-/// the polynomial of the field is of no use much farther outside.
+/// The arc length after which the tangent at `state` is outside the element by a twentieth of its size, at most
+/// `limit`: much farther outside the polynomial of the field is inaccurate.
 double length_to_exit(const StreamState& state, double limit);
 
 }  // namespace quadrille::trace

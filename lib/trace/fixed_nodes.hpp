@@ -1,5 +1,5 @@
 #pragma once
-// The nodes that a graph has whatever its lines do: irregular nodes, corners and irregular points of the boundary.
+// The nodes of a graph that do not depend on its lines: irregular nodes, corners and irregular points of the boundary.
 
 #include <vector>
 
@@ -8,8 +8,9 @@
 
 namespace quadrille::trace {
 
-/// Irregular nodes in the order of `points`, then its corners, then its boundary nodes. Throws ComputeError, with the
-/// position, where there is no layout: degenerate corners (V = 0), nodes with V <= 2, boundary nodes with V < 3.
+/// Irregular nodes in the order of `points`, then its corners, then its boundary nodes. Throws ComputeError with the
+/// position for nodes that no layout can have: degenerate corners (V = 0), nodes with V <= 2, boundary nodes with V <
+/// 3.
 std::vector<graph::FixedNode> fixed_nodes(const CadFace& face, const CriticalPoints& points);
 
 std::vector<Vec2> positions(const std::vector<graph::FixedNode>& nodes);

@@ -12,7 +12,7 @@
 namespace quadrille::trace {
 namespace {
 
-// The direction of the field's cross next to `direction` at origin + radius e(bearing); false outside the mesh.
+// The direction of the field's cross nearest to `direction` at origin + radius e(bearing); false outside the mesh.
 bool direction_at(const field::FieldEvaluator& evaluator, Vec2 x, double direction, double& found) {
   Vec2 value;
   if (!evaluator.value_at(x, value)) return false;

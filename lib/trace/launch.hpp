@@ -1,12 +1,12 @@
 #pragma once
-// The first point of a separatrix: a small way along its launch direction, on the curve that the field prescribes.
+// The first point of a separatrix: a small distance along its launch direction, on the curve that the field prescribes.
 
 #include "base/vec2.hpp"
 #include "field/evaluate.hpp"
 
 namespace quadrille::trace {
 
-/// A line from its node to where integration begins.
+/// The part of a line from its node to the point at which integration begins.
 struct Launch {
   int node = 0;      ///< the node it starts at, numbered as the caller does; -1: it starts on the boundary
   Vec2 origin;       ///< the node's position
@@ -16,13 +16,13 @@ struct Launch {
   Vec2 xi;
   Vec2 x;                  ///< its position
   double angle_there = 0;  ///< direction there
-  int curve = -1;          ///< of a line that starts on the boundary: CAD curve and parameter
+  int curve = -1;          ///< for a line that starts on the boundary: CAD curve and parameter
   double t = 0;
 };
 
-/// Moves `radius` (a length) along the direction `angle`, or less where that is outside the domain, on the curve whose
-/// direction deviates from `angle` like distance^power: 1 at a zero of the field, pi / omega at a corner. Throws
-/// ComputeError where no point of the domain lies in that direction.
+/// Moves by `radius` (a length) along the direction `angle`, or by less if the point is outside the domain, on the
+/// curve whose direction deviates from `angle` like distance^power: 1 at a zero of the field, pi / omega at a corner.
+/// Throws ComputeError if no point of the domain lies in that direction.
 Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin, double angle, double radius,
                    double power);
 

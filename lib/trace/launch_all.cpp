@@ -34,7 +34,7 @@ double feature_distance(const CadFace& face, const std::vector<graph::FixedNode>
   return feature;
 }
 
-// Elements have the scale of the field, except in the fans at corners, where they are much smaller.
+// Elements are as large as the scale of the field, except in the fans at corners, where they are much smaller.
 double element_size(const field::FieldEvaluator& evaluator, int elem) {
   Vec2 position;
   Mat2 dx_dxi;
@@ -52,7 +52,7 @@ std::vector<double> directions_at(const field::FieldEvaluator& evaluator, int no
   return launch_directions(evaluator.sample(at.elem, at.xi).dv_dx);
 }
 
-// How fast the direction turns with the bearing from the node.
+// Derivative of the direction by the bearing from the node.
 double turn_rate(const field::FieldEvaluator& evaluator, const Launch& launch) {
   const field::FieldSample f = evaluator.sample(launch.elem, launch.xi);
   const Vec2 v = f.value, across = left_of(unit(launch.angle));

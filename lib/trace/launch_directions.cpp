@@ -20,7 +20,7 @@ double middle_root(const std::function<double(double)>& g, const std::vector<dou
     if ((low < 0) != (high < 0)) roots.push_back(bisect(f, breaks[i], breaks[i + 1]));
     low = high;
   }
-  if (roots.empty()) {  // the target is an end's value within round-off
+  if (roots.empty()) {  // the target equals the value at an end up to round-off
     const auto nearer = [&](double a, double b) { return std::abs(f(a)) < std::abs(f(b)); };
     return *std::min_element(breaks.begin(), breaks.end(), nearer);
   }

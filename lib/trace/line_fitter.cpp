@@ -3,7 +3,7 @@
 namespace quadrille::trace {
 namespace {
 
-// The length distinguishes a line from itself before it was followed farther, its sign a join from a merged pair.
+// The length is part of the key since a line may be continued later; its sign distinguishes a join from a merged pair.
 graph::CurveKey key_of(int line, double length) { return {static_cast<double>(line), -1.0, length}; }
 graph::CurveKey key_of(const MergeCandidate& c) {
   return {static_cast<double>(c.a), static_cast<double>(c.b), c.is_join ? -c.length() : c.length()};

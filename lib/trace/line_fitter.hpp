@@ -15,15 +15,15 @@ inline constexpr double relative_fit_tol = 2e-9;
 /// A line, or a pair that was merged into one, with its curve.
 struct MergedLine {
   graph::FinishedLine line;  ///< an endless line ends on no node and no curve
-  double length = 0;         ///< arc length; of a pair the mean of both
+  double length = 0;         ///< arc length; for a pair the mean of both
   int merge = -1;            ///< candidate of the plan; -1: a single line
-  int streamline = 0;        ///< its number; of a pair that of the first
-  graph::CurveKey key{};     ///< lines with one key are one curve
+  int streamline = 0;        ///< its number; for a pair the number of the first line
+  graph::CurveKey key{};     ///< lines with equal keys are the same curve
 };
 
 class LineFitter {
  public:
-  /// `evaluator` and `lines` must outlive it. Lines may be added and followed farther later.
+  /// `evaluator` and `lines` must outlive it. Lines may be added and continued later.
   LineFitter(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines)
       : evaluator_(evaluator), lines_(lines) {}
 

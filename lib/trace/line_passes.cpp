@@ -33,7 +33,7 @@ std::vector<LinePass> LinePasses::passes_of(Vec2 node, double slope, double max_
   return found;
 }
 
-// The root of (node - x) . x', which falls where the line passes the node.
+// The root of (node - x) . x', which decreases as the line passes the node.
 double LinePasses::foot(Vec2 node, LinePass& pass) const {
   if (pass.foot >= 0) return pass.foot;
   const auto ahead = [&](double s) {

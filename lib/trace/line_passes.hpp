@@ -1,5 +1,5 @@
 #pragma once
-// Where a streamline passes points: the local minima of its distance to them.
+// Passes of a streamline near points: the local minima of its distance to them.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace quadrille::trace {
 
-/// A part of a line, between two arc lengths, on which it comes nearest to a point.
+/// A part of a line, between two arc lengths, that contains a local minimum of its distance to a point.
 struct LinePass {
   double low = 0, high = 0;
   double foot = -1;  ///< arc length of the nearest point; -1: not yet computed (LinePasses::foot)
@@ -19,9 +19,9 @@ class LinePasses {
   /// outlive it.
   LinePasses(const field::FieldEvaluator& evaluator, const Streamline& line);
 
-  /// The passes of a node, ascending, whose distance is at most max(slope s, max_distance), s the arc length, but for
-  /// the sampling. A line that ends before it has passed the node counts where it ends in it, or nearly abreast of it
-  /// (a corner): otherwise a hole may lie between.
+  /// The passes of a node, ascending, whose distance is at most max(slope s, max_distance), s the arc length, up to the
+  /// sampling. A line that ends before it has passed the node counts only if it ends in the node or nearly abreast of
+  /// it (a corner): otherwise a hole may lie between.
   std::vector<LinePass> passes_of(Vec2 node, double slope, double max_distance) const;
 
   /// Arc length of the nearest point of a pass; computed once.

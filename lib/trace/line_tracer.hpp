@@ -1,5 +1,5 @@
 #pragma once
-// All separatrices of a field, each followed as far as a layout needs it.
+// All separatrices of a field, each traced to the length that a layout needs.
 
 #include <vector>
 
@@ -9,12 +9,12 @@
 
 namespace quadrille::trace {
 
-/// Lines that are merged behind each other's nodes, or that stop at others, need not be followed to their ends: they
-/// are followed in rounds. A line that is followed farther keeps the steps it has.
+/// Lines that are merged behind each other's nodes, or that stop at others, need not be traced to their ends: they are
+/// traced in rounds of increasing length. A line that is continued keeps its earlier steps.
 class LineTracer {
  public:
-  /// `evaluator` and `nodes` (the positions of fixed_nodes) must outlive the tracer. Launches all separatrices; cuts
-  /// where nothing else starts in an annulus. Throws ComputeError as launch_all.
+  /// `evaluator` and `nodes` (the positions of fixed_nodes) must outlive the tracer. Launches all separatrices; if none
+  /// starts in an annulus, cuts. Throws ComputeError as launch_all.
   LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const std::vector<Vec2>& nodes,
              const TraceOptions& options);
 
@@ -22,16 +22,17 @@ class LineTracer {
   /// Integrator::adams_bashforth follows them to options.max_length at once.
   void follow_all_to(double length);
 
-  /// The same for one line that was followed before, by the Runge-Kutta integrator.
+  /// Continues one line that was traced before, by the Runge-Kutta integrator.
   void follow_to(int line, double length);
 
   /// Adds a line from a point of the boundary (a cut), followed to a length.
   void add_cut(int curve, double t, double length);
 
-  /// The line in direction `angle` (radians) from a point of the domain, not one of lines(), as long as lines may be.
+  /// A line in direction `angle` (radians) from a point of the domain, up to options.max_length; it is not added to
+  /// lines().
   Streamline follow_from(Vec2 x, double angle) const;
 
-  /// How far lines without an end have been followed by follow_all_to; 0: as far as they may be.
+  /// The length to which follow_all_to has traced lines without an end; 0: to the greatest length.
   double reach() const { return reach_ < max_length_ ? reach_ : 0; }
   double max_length() const { return max_length_; }
 

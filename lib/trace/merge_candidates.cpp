@@ -9,8 +9,8 @@
 namespace quadrille::trace {
 namespace {
 
-// Between a line where it passes a node and the line that starts there towards it. Lines turn by about 45 degrees where
-// they pass a node: the deviation of the merged line decides.
+// Largest angle between a line that passes a node and the line that starts there towards it. Lines turn by about 45
+// degrees as they pass a node: the deviation of the merged line decides.
 constexpr double head_on_angle = radians(75);
 constexpr double max_inequality = 0.3;  // of the two lengths, relative to their mean: fronts of such a pair never meet
 
@@ -72,7 +72,7 @@ class CandidateSearch {
       }
   }
 
-  // By the normal or the aggressive rule. Computes gap and deviation.
+  // Whether the normal or the aggressive rule allows the pair. Computes gap and deviation.
   bool is_allowed(MergeCandidate& pair) const {
     const Streamline &a = lines_[pair.a], &b = lines_[pair.b];
     const double la = pair.length_a, lb = pair.length_b;
@@ -85,8 +85,8 @@ class CandidateSearch {
     return deviates_at_most(evaluator_, a, b, most, pair);
   }
 
-  // Of a line that passes a node within the distance or ends in it. The first `num_pairs` candidates are pairs: a join
-  // of the same two lines is not needed.
+  // Adds the joins of a line that passes a node within the distance or ends in it. The first `num_pairs` candidates are
+  // pairs: a join of the same two lines is not needed.
   void add_joins(int line, int node, size_t num_pairs) {
     if (lines_[line].launch.node == node) return;
     if (options_.distance == 0 && lines_[line].end_node != node) return;
@@ -106,7 +106,7 @@ class CandidateSearch {
                        [&](const MergeCandidate& c) { return (c.a == i && c.b == j) || (c.a == j && c.b == i); });
   }
 
-  // The line of a node that most nearly comes towards a line that passes there; -1: there is none.
+  // The line of a node whose direction is most nearly opposite to a line that passes there; -1: there is none.
   int line_against(int passing, double length, int node) const {
     int best = -1;
     double least = head_on_angle;
@@ -118,7 +118,7 @@ class CandidateSearch {
     return best;
   }
 
-  // Between line a where it passes the start of line b, and the direction opposite to b's.
+  // Angle between line a, where it passes the start of line b, and the opposite of b's direction.
   double meeting_angle(int a, double length, int b) const {
     Vec2 direction;
     lines_[a].at(evaluator_, length, direction);

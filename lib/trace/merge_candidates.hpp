@@ -1,12 +1,10 @@
 #pragma once
-// Pairs of separatrices that may be merged (paper, "Integration of Streamlines"; trace/merged_curve.hpp).
-//
-// The normal rule has no length in it: a head-on pair is merged where that changes the direction of no part of the line
-// by more than an angle. The aggressive rule also merges pairs that pass within a given distance, at the place where
-// fronts that advance at equal speed meet, or at both nodes; and it joins a line A that passes a node Q within that
-// distance, while no line of Q that comes towards A passes A's node, to Q. A line that ends in Q is joined to it
-// whatever the distance. Where two nodes have nearly cancelled, whole bundles of lines do so along one and the same
-// direction.
+// Pairs of separatrices that may be merged (paper, "Integration of Streamlines"; trace/merged_curve.hpp). The normal
+// rule is free of lengths: a head-on pair is merged if no part of the line changes its direction by more than a given
+// angle. The aggressive rule also merges pairs that pass within a given distance, at the position where fronts that
+// advance at equal speed meet, or at both nodes; and it joins a line A that passes a node Q within that distance, while
+// no line of Q that runs towards A passes A's node, to Q. A line that ends in Q is joined to it at any distance. Where
+// two nodes have nearly cancelled, whole bundles of lines do so along one and the same direction.
 
 #include <numbers>
 #include <vector>
@@ -15,10 +13,10 @@
 
 namespace quadrille::trace {
 
-/// The most that merging may change the direction of a line that would never end, radians.
+/// Greatest change of direction by merging for a line that would never end, radians.
 inline constexpr double max_endless_merge_angle = 0.7;
 
-/// The most that the aggressive rule may change the direction of a line: beyond lies the other family of lines.
+/// Greatest change of direction by the aggressive rule: beyond it the other family of lines is nearer.
 inline constexpr double max_aggressive_angle = std::numbers::pi / 4;
 
 struct MergeOptions {

@@ -11,7 +11,7 @@ constexpr double same_deviation = 1e-6;  // radians
 
 // A pair that is not known yet has a line longer than the reach. Lengths of a pair are so nearly equal
 // (trace/merge_candidates.cpp) that their mean is then above this fraction of the reach: pairs below are chosen before
-// it, whatever else there is.
+// it in any case.
 constexpr double settled_fraction = 0.85;
 
 }  // namespace
@@ -70,8 +70,8 @@ void MergePlan::add_last_resorts(const std::vector<int>& endless, std::vector<in
   for (const int c : choose_merges(candidates_, allowed, is_taken)) chosen.push_back(c);
 }
 
-// Rejects the merge that keeps an endless line from its first partner, where both merged lines end. True where that was
-// not rejected before.
+// Rejects the merge that occupies the first partner of an endless line, if both merged lines end. True if it was not
+// rejected before.
 bool MergePlan::reject_for(int endless, const std::vector<int>& merge_of) {
   for (size_t i = 0; i < candidates_.size(); ++i) {
     const MergeCandidate& pair = candidates_[i];
@@ -87,7 +87,7 @@ bool MergePlan::reject_for(int endless, const std::vector<int>& merge_of) {
 
 std::optional<std::vector<int>> MergePlan::choose() {
   std::optional<std::vector<int>> chosen = choose_once();
-  // Every round rejects a candidate for good, so this ends.
+  // Every round rejects a candidate permanently, so the loop ends.
   while (chosen) {
     const std::vector<int> merge_of = merge_of_lines(*chosen);
     bool any = false;

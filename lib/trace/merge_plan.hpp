@@ -1,6 +1,6 @@
 #pragma once
-// Which pairs of lines are merged, with corrections: merges that bend a line across its neighbour are rejected, and
-// lines that would never end are merged whatever their deviation.
+// Chooses the pairs of lines that are merged, with corrections: merges that bend a line across its neighbour are
+// rejected, and lines that would never end are merged with a larger deviation.
 
 #include <optional>
 #include <set>
@@ -13,8 +13,8 @@ namespace quadrille::trace {
 
 class MergePlan {
  public:
-  /// `evaluator`, `lines` and `nodes` must outlive the plan. `reach` (a length): lines that have no end yet have been
-  /// followed so far, and could be followed farther; 0: all are as long as they will be.
+  /// `evaluator`, `lines` and `nodes` must outlive the plan. `reach`: the length to which lines without an end have
+  /// been traced so far, if they can be continued; 0: all lines are complete.
   MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
             const std::vector<Vec2>& nodes, const MergeOptions& options, double reach = 0);
 
@@ -23,18 +23,18 @@ class MergePlan {
   std::vector<int> choose_by_rules() const;
 
   /// choose_by_rules, then every endless line (spiral, limit cycle) without a partner is merged with the first free one
-  /// that comes towards it within max_endless_merge_angle; where none is free, the merge of two lines that end is
-  /// rejected for it. Nothing where lines that are followed farther might make another choice.
+  /// that meets it head on within max_endless_merge_angle; if none is free, the merge of two lines that end is rejected
+  /// for it. std::nullopt if continued lines might change the choice.
   std::optional<std::vector<int>> choose();
 
-  /// Rejects the candidates with the largest deviation of these, within 1e-6 alike: a symmetry orbit together.
-  /// False where the largest is below `least_deviation` (radians): nothing is rejected then.
+  /// Rejects those of these candidates whose deviation is within 1e-6 of the largest: a symmetry orbit together.
+  /// Returns false and rejects none if the largest is below `least_deviation` (radians).
   bool reject_worst(const std::vector<int>& candidates, double least_deviation);
 
   /// Rejects all candidates of each pair of lines of which one is rejected.
   void reject_whole_pairs();
 
-  /// Looks for candidates again, after lines were added or followed farther; rejects all of rejected pairs.
+  /// Searches candidates again, after lines were added or continued; rejects all candidates of rejected pairs.
   void renew();
 
   const MergeCandidate& candidate(int i) const { return candidates_[i]; }

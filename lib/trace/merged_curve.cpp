@@ -37,7 +37,7 @@ Vec2 joined(const field::FieldEvaluator& evaluator, const Streamline& a, const S
   return x + f * f * ((3 - 2 * f) * shift - (1 - f) * bend);
 }
 
-// Samples are taken far from each other first: the first one that deviates too far decides.
+// Consecutive samples lie far from each other: the first one that deviates too far ends the loop.
 bool blend_deviates_at_most(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
                             double max_deviation, MergeCandidate& candidate) {
   constexpr int stride = 19;  // no divisor in common with num_samples

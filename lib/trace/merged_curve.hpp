@@ -6,8 +6,8 @@
 //
 //   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(1 - f),
 //
-// whose weights are flat at both ends: M starts along A and arrives along B. A join leads A, which passes or ends in Q,
-// into Q against the launch direction e of a line B of Q, which is left out,
+// whose weights are flat at both ends: M starts along A and arrives along B. A join bends A, which passes or ends in Q,
+// into Q against the launch direction e of a line B of Q, which is dropped,
 //
 //   M(f) = A(f) + (3 f^2 - 2 f^3) (Q - A(1)) + (f^3 - f^2) (-|A| e - A'(1)).
 
@@ -26,11 +26,11 @@ struct MergeCandidate {
   int a = 0, b = 0;
   double length_a = 0, length_b = 0;
   double deviation = 0;  ///< largest angle between M and the blended directions (a join: the field's cross), radians
-  double gap = 0;        ///< the distance at which the aggressive rule takes it
-  bool is_join = false;  ///< a is led into b's node, and b left out: length_b = length_a
+  double gap = 0;        ///< the distance from which the aggressive rule allows it
+  bool is_join = false;  ///< a is bent into b's node, and b is dropped: length_b = length_a
 
   double length() const { return (length_a + length_b) / 2; }
-  /// How far fronts that advance at equal speed have come, together, when they meet.
+  /// Sum of the lengths covered by fronts that advance at equal speed when they meet.
   double meeting() const { return is_join ? 2 * length_a : length(); }
 };
 
@@ -38,8 +38,8 @@ struct MergeCandidate {
 curve::CurveFunction merged_curve(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
                                   const MergeCandidate& candidate);
 
-/// Computes the candidate's deviation. False, with a lower bound of it, where that exceeds `max_deviation` (radians) or
-/// where a joined line leaves the domain.
+/// Computes the candidate's deviation. Returns false, with a lower bound of it, if it exceeds `max_deviation` (radians)
+/// or if a joined line runs outside the domain.
 bool deviates_at_most(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
                       double max_deviation, MergeCandidate& candidate);
 

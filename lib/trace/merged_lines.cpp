@@ -51,7 +51,7 @@ bool MergedLines::merge() {
 
 bool MergedLines::reject_worst(const std::vector<int>& merges, double least_deviation) {
   if (!plan_.reject_worst(merges, least_deviation)) return false;
-  // Lines that stop at others may be lengthened after that: no pass of such a pair is to be merged again.
+  // Lines that stop at others may be continued later: no other pass of such a pair may be merged then.
   if (ends_ == LineEnds::optional) plan_.reject_whole_pairs();
   return true;
 }

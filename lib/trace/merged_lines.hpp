@@ -1,6 +1,6 @@
 #pragma once
-// Traced lines with their merge decisions, curves and crossings: what the graph of whole lines and the motorcycle graph
-// are both made of.
+// Traced lines with their merge decisions, curves and crossings: the input of both the graph of whole lines and the
+// motorcycle graph.
 
 #include <vector>
 
@@ -13,10 +13,10 @@ namespace quadrille::trace {
 /// Nodes nearer to each other than this are one, relative to the diameter.
 inline constexpr double relative_snap_tol = 1e-9;
 
-/// Lines that meet head on within this angle (radians) are one, whatever the options say.
+/// Lines that meet head on within this angle (radians) are always merged, independent of the options.
 inline constexpr double same_line_angle = 1e-4;
 
-/// The lines as they are merged now, in the order of their streamlines, and where they cross.
+/// The lines with the present merges, in the order of their streamlines, and their crossings.
 struct LineArrangement {
   std::vector<MergedLine> lines;
   std::vector<graph::Crossing> crossings;
@@ -24,8 +24,9 @@ struct LineArrangement {
 };
 
 enum class LineEnds {
-  required,  ///< a line that reaches neither boundary nor node is merged whatever its deviation, else it is an error
-  optional   ///< such a line stays as it is, to be stopped by another (motorcycle graph)
+  required,  ///< a line that reaches neither boundary nor node must be merged, also with a larger deviation; else it is
+             ///< an error
+  optional   ///< such a line may remain: another line stops it (motorcycle graph)
 };
 
 class MergedLines {
@@ -37,16 +38,15 @@ class MergedLines {
               double reach = 0);
 
   /// Chooses merges, computes curves and crossings, and rejects merges that have bent a line across its own family
-  /// until there are none. False where lines have to be followed farther to decide. Throws ComputeError where a line
-  /// has no end but requires one, where lines of one family cross (graph::require_family_order), and as
-  /// graph::find_crossings.
+  /// until there are none. Returns false if lines must be continued to decide. Throws ComputeError if a line has no end
+  /// but requires one or if lines of one family cross (graph::require_family_order), and as graph::find_crossings.
   bool merge();
 
-  /// Of these merges (numbers as in chosen()), rejects those with the largest deviation, within 1e-6 alike. False where
-  /// the largest is below `least_deviation` (radians). merge() has to follow.
+  /// Rejects those of these merges (numbers as in chosen()) whose deviation is within 1e-6 of the largest. Returns
+  /// false if the largest is below `least_deviation` (radians). merge() must be called afterwards.
   bool reject_worst(const std::vector<int>& merges, double least_deviation);
 
-  /// Looks for candidates again, after lines were added or followed farther. Rejected pairs of lines stay rejected.
+  /// Searches candidates again, after lines were added or continued. Rejected pairs of lines stay rejected.
   void renew() { plan_.renew(); }
 
   /// Results of the last merge().

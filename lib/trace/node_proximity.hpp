@@ -1,5 +1,5 @@
 #pragma once
-// Which node a line comes near, and how long its steps may be there.
+// The node nearest to a line, and the greatest step length there.
 
 #include <vector>
 
@@ -9,16 +9,17 @@ namespace quadrille::trace {
 
 class NodeProximity {
  public:
-  /// `nodes` must outlive it. `origin`: where the line starts; equal to one of the nodes where that is its own.
-  /// `is_at_origin`: the line has not left its own node yet.
+  /// `nodes` must outlive it. `origin`: where the line starts; equal to one of the nodes if the line starts at a node
+  /// (its own). `is_at_origin`: the line is still near its own node.
   NodeProximity(const std::vector<Vec2>& nodes, Vec2 origin, bool is_at_origin)
       : nodes_(nodes), origin_(origin), is_at_origin_(is_at_origin) {}
 
-  /// Moves to x. The nearest node; -1: there is none. The line's own node counts once the line has left it.
+  /// Moves to x. Returns the nearest node, -1 if there is none. The line's own node counts once the line has moved away
+  /// from it.
   int move_to(Vec2 x);
 
-  /// As move_to, but -1 where the nearest node is farther than `hit_distance`. A line has left its own node where it is
-  /// ten times as far from it.
+  /// As move_to, but -1 if the nearest node is farther than `hit_distance`. A line has moved away from its own node at
+  /// ten times this distance.
   int node_hit_at(Vec2 x, double hit_distance);
 
   /// Half the distance from the last x to the nearest node that is not the line's own. The field is singular there:

@@ -20,8 +20,8 @@ constexpr double d1 = -12715105075.0 / 11282082432.0, d3 = 87487479700.0 / 32700
                  d4 = -10690763975.0 / 1880347072.0, d5 = 701980252875.0 / 199316789632.0,
                  d6 = -1453857185.0 / 822651844.0, d7 = 69997945.0 / 29380423.0;
 
-constexpr double max_turn = 0.6, cos_max_turn = 0.8253356149096783;  // within a step: far from the 45 degrees at which
-                                                                     // the nearest direction is in doubt
+constexpr double max_turn = 0.6, cos_max_turn = 0.8253356149096783;  // within a step: far below the 45 degrees at which
+                                                                     // the nearest direction is ambiguous
 
 Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 

@@ -6,7 +6,7 @@
 
 namespace quadrille::trace {
 
-// From the node to the first point: the cubic with the directions of both.
+// The cubic from the node to the first point, with the directions at both.
 Vec2 Streamline::lead_in(double s, Vec2& direction) const {
   const double r = launch.radius, f = r > 0 ? s / r : 0;
   const Vec2 d0 = r * unit(launch.angle), d1 = r * unit(launch.angle_there), rise = launch.x - launch.origin;

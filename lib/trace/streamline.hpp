@@ -26,8 +26,8 @@ class Streamline {
   double end_angle = 0;
   StreamState front;  ///< End::length: the state that integration continues from, and the step it tries first
   double next_step = 0;
-  /// End::length: the line has returned to a point of an element's edge where it was a lap before, within the hit
-  /// distance and in the same direction: further laps repeat this one.
+  /// End::length: the line has returned to its crossing of an element's edge one lap before, within the hit distance
+  /// and in the same direction: further laps repeat this one.
   bool is_limit_cycle = false;
   struct Pass {
     StreamState state;

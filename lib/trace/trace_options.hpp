@@ -1,5 +1,5 @@
 #pragma once
-// How separatrices are traced and merged.
+// Options of tracing and merging separatrices.
 
 #include <array>
 
@@ -9,7 +9,7 @@ namespace quadrille::trace {
 
 enum class Integrator {
   runge_kutta,     ///< in reference space with error control (trace/advance.hpp)
-  adams_bashforth  ///< of the paper, with a fixed step, for comparison (trace/adams_bashforth.hpp)
+  adams_bashforth  ///< the paper's integrator with a fixed step, for comparison (trace/adams_bashforth.hpp)
 };
 
 constexpr auto enum_names(Integrator) {
@@ -22,8 +22,8 @@ struct TraceOptions {
   /// File units: the greatest step of the Runge-Kutta integrator (0: diameter / 20), every step of the fixed-step one
   /// (0: diameter / 500).
   double step = 0;
-  /// Degrees: head-on separatrices are merged where that changes the direction of neither by more. On all benchmark
-  /// shapes 15 removes most thin chords and leaves the least scaled Jacobian of the mesh as good as without.
+  /// Degrees: head-on separatrices are merged if neither changes its direction by more. On all benchmark shapes 15
+  /// removes most thin chords and does not reduce the least scaled Jacobian of the mesh.
   double merge_angle = 15;
   double merge_distance = 0;  ///< file units: also separatrices that pass within this distance are merged
   double max_length = 20;     ///< of one line, in diameters
