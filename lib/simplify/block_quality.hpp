@@ -1,5 +1,5 @@
 #pragma once
-// How good the blocks of a layout are, to decide whether a change is worth it.
+// Quality measures of the blocks of a layout, by which changes are accepted or rejected.
 
 #include <vector>
 
@@ -7,17 +7,17 @@
 
 namespace quadrille::simplify {
 
-/// The worst of some blocks.
+/// The worst values over a set of blocks.
 struct BlockQuality {
   double least_angle = 4, greatest_angle = 0;  ///< at corners, radians
-  double least_scaled_jacobian = 1;            ///< of blocks taken as quads of order 8 (mesh/block_shape.hpp)
+  double least_scaled_jacobian = 1;            ///< of blocks as quads of order 8 (mesh/block_shape.hpp)
   bool is_valid = true;                        ///< all Jacobians are proved positive
 };
 
-/// Of these faces, each of four sides.
+/// The quality of these faces, each of which must have four sides.
 BlockQuality worst_quality(const graph::Subdivision& subdivision, const std::vector<int>& faces);
 
-/// Of all faces.
+/// The quality of all faces.
 BlockQuality worst_quality(const graph::Subdivision& subdivision);
 
 /// Faces with a side among the marked arcs, ascending.

@@ -1,10 +1,10 @@
 #pragma once
-// The line that takes the place of two lines side by side: it starts on the one and ends on the other,
+// The line that replaces two lines side by side: it starts on the one and ends on the other,
 //
 //   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the fraction of the length of either,
 //
-// as where separatrices are merged (trace/merged_curve.hpp): the weights are flat at both ends, so M leaves along A and
-// arrives along B.
+// as where separatrices are merged (trace/merged_curve.hpp): the weights are flat at both ends, so M starts along A and
+// ends along B.
 
 #include <optional>
 
@@ -25,7 +25,7 @@ double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::C
 
 struct BlendOptions {
   double max_deviation = 0.7;  ///< radians: of a blend from the cross of the field
-  double fit_tol = 0;          ///< a length: splines follow their blends within this
+  double fit_tol = 0;          ///< a length: greatest distance of splines from their blends
 };
 
 /// A blend as a spline, and the lines that it was made from, both in its direction.
@@ -35,16 +35,16 @@ struct Blend {
   double deviation = 0;  ///< deviation_of_blend
 };
 
-/// Empty where that would deviate too far.
+/// std::nullopt if it would deviate too far.
 std::optional<Blend> make_blend(const field::FieldEvaluator& evaluator, const curve::CurveTable& table,
                                 const graph::Pieces& from, const graph::Pieces& to, const BlendOptions& options);
 
-/// The spline of the blend that starts where the line `from` does and ends where `to` does, or of one that does so the
-/// other way round, turned. What lies between does not matter: a line may have been divided into other arcs since.
+/// The spline of the blend that starts at the start of the line `from` and ends at the end of `to`, or of the reverse
+/// blend, reversed. The arcs between do not matter: a line may have been divided differently since.
 std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const graph::Pieces& from, const graph::Pieces& to);
 
-/// Where a spline crosses a chain: Newton's method from (s, fraction). False where it finds nothing inside the chain
-/// and the spline's domain.
+/// Where a spline crosses a chain: Newton's method from (s, fraction). Returns false if there is no crossing inside the
+/// chain and the spline's domain.
 bool cross_chain(const Nurbs& spline, const curve::Chain& chain, double& s, double& fraction);
 
 }  // namespace quadrille::simplify

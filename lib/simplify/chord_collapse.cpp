@@ -24,7 +24,7 @@ graph::Pieces rail(const ArcGraph& graph, const ChordStrip& strip, const Blended
   return pieces;
 }
 
-// Where blends cross rungs, and what they are between rungs.
+// The crossings of blends with rungs, and the pieces of blends between rungs.
 struct PlacedBlends {
   std::vector<Nurbs> splines;
   std::vector<std::optional<curve::ChainPoint>> on_rung;  // of each rung
@@ -65,7 +65,8 @@ std::optional<PlacedBlends> place_blends(const ArcGraph& graph, const ChordStrip
   return placed;
 }
 
-// The arcs that lead away from the strip at a node get `pieces` in front of them: one, as the node is regular.
+// Prepends `pieces` to the arc that starts at a node of the strip and leads away from it: only one, as the node is
+// regular.
 void lengthen(Subdivision& subdivision, const std::set<int>& arcs_of_strip, int node, const graph::Pieces& pieces,
               std::vector<bool>& is_changed) {
   for (const HalfEdge h : subdivision.around(node)) {
@@ -131,7 +132,7 @@ std::optional<ArcChanges> collapse_strip(Subdivision& subdivision, const ChordSt
   for (Nurbs& spline : placed->splines) subdivision.add_spline(std::move(spline));
   std::vector<bool> is_changed(subdivision.arc_bound(), false);
   merge_rungs(subdivision, strip, plan, *placed, is_changed);
-  // Every block has two sides left: one of them goes.
+  // Every block has two remaining sides: one of them is removed.
   std::vector<std::pair<int, int>> replaced;
   for (int b = 0; b < strip.num_blocks(); ++b) {
     const bool keeps_left = plan.kept_rail[b] != FixedSide::right;

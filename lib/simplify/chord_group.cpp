@@ -24,7 +24,7 @@ bool share_a_rail(const std::vector<ChordStrip>& strips) {
   return false;
 }
 
-// The curves around the ends of the marked arcs come in the order that the topology has.
+// Whether the curves around the ends of the marked arcs have the order of the topology.
 bool are_drawn_in_order(const Subdivision& subdivision, const std::vector<bool>& is_marked) {
   std::set<int> nodes;
   for (int a = 0; a < subdivision.arc_bound(); ++a)
@@ -32,7 +32,7 @@ bool are_drawn_in_order(const Subdivision& subdivision, const std::vector<bool>&
   return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return graph::is_drawn_in_order(subdivision, n); });
 }
 
-// The strip as it is after the collapse of others that cross it.
+// The strip after the collapse of others that cross it.
 bool collapse_one(const ChordStrip& old_strip, const std::vector<Blend>& blends, Trial& trial) {
   int arc = -1;
   for (const HalfEdge h : old_strip.rungs)
@@ -51,7 +51,7 @@ bool collapse_one(const ChordStrip& old_strip, const std::vector<Blend>& blends,
   return true;
 }
 
-// The shortcut of a line as it is after others; splines keep their numbers.
+// The shortcut of a line after others were applied; splines keep their numbers.
 bool shorten_one(int line, const Blend& blend, Trial& trial) {
   const std::vector<SpiralShortcut> now =
       find_shortcuts(trial.subdivision, graph::arc_lengths(trial.subdivision.graph()));

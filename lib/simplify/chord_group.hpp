@@ -12,17 +12,17 @@ namespace quadrille::simplify {
 
 struct Trial {
   graph::Subdivision subdivision;
-  std::vector<int> arc2arc;      ///< the arc of each one before, -1 where it is gone
-  std::vector<bool> is_changed;  ///< of the arcs: another shape than before
+  std::vector<int> arc2arc;      ///< the new arc of each old one, -1 if it was removed
+  std::vector<bool> is_changed;  ///< by new arc: its shape has changed
   double deviation = 0;          ///< greatest of the new lines, radians
 };
 
-/// Empty where two strips share a rail, or one of them cannot be collapsed.
+/// std::nullopt if two strips have a common rail, or one of them cannot be collapsed.
 std::optional<Trial> collapse_group(const field::FieldEvaluator& evaluator, const graph::Subdivision& subdivision,
                                     const std::vector<graph::ChordStrip>& strips, const BlendOptions& options);
 
-/// Empty where one line has two shortcuts, or one of them does not fit or leaves other blocks than fewer four-sided
-/// ones. Arcs are not followed.
+/// std::nullopt if one line has two shortcuts, if one of them does not fit, or if the result is not a smaller number of
+/// four-sided blocks. `arc2arc` is not filled in.
 std::optional<Trial> shorten_group(const field::FieldEvaluator& evaluator, const graph::Subdivision& subdivision,
                                    const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options);
 

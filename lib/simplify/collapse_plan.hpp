@@ -1,9 +1,9 @@
 #pragma once
-// What becomes of each rung and each block of a strip that is collapsed.
+// Decides for each rung and each block of a collapsed strip which side is kept.
 //
 // Between fixed nodes of one side the rail of that side is kept; before the first and behind the last as well, so that
-// a line ends on the boundary where it did. Between fixed nodes of different sides a blend takes the place of both
-// rails (simplify/chord_blend.hpp): it starts at the one node and ends at the other.
+// a line keeps its end on the boundary. Between fixed nodes of different sides a blend replaces both rails
+// (simplify/chord_blend.hpp): it starts at the one node and ends at the other.
 
 #include <vector>
 
@@ -19,7 +19,7 @@ struct BlendedStretch {
 };
 
 struct CollapsePlan {
-  std::vector<graph::FixedSide> merged_into;  ///< of each rung: the end that stays; none where a blend crosses it
+  std::vector<graph::FixedSide> merged_into;  ///< of each rung: the end that is kept; none if a blend crosses it
   std::vector<graph::FixedSide> kept_rail;    ///< of each block; none: a blend replaces both
   std::vector<BlendedStretch> stretches;
 };

@@ -15,11 +15,11 @@ namespace {
 using graph::ChordStrip;
 using graph::Subdivision;
 
-constexpr double relative_fit_tol = 2e-9;  // of the diameter: as traced lines
+constexpr double relative_fit_tol = 2e-9;  // relative to the diameter, as for traced lines
 constexpr double equal_aspect = 1e-6;      // relative
-constexpr double slack = 1e-6;             // equal quality is good enough, whatever the rounding
+constexpr double slack = 1e-6;             // equal quality is accepted in spite of rounding
 
-// What a group of strips is known by: the pieces of all its arcs.
+// The key of a group of strips: the pieces of all its arcs.
 std::vector<double> key_of(const ArcGraph& graph, const std::vector<ChordStrip>& strips) {
   std::vector<std::vector<double>> keys;
   for (const ChordStrip& strip : strips) {
@@ -49,7 +49,7 @@ bool take_thinnest(std::vector<Item> items, const Aspect& aspect, const Take& ta
   return false;
 }
 
-// What blocks lose in shape must be worth the number of them that it saves.
+// The loss of block quality must be justified by the number of blocks saved.
 bool is_acceptable(const SimplifyOptions& options, const BlockQuality& before, const BlockQuality& after,
                    double fraction_left) {
   if (!after.is_valid) return false;
@@ -136,7 +136,7 @@ class Simplifier {
   const SimplifyOptions& options_;
   Subdivision subdivision_;
   graph::PieceLengths piece_lengths_;
-  std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: other steps leave most as they are
+  std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: most are unchanged by other steps
   int num_collapsed_ = 0, num_shortened_ = 0;
   double deviation_ = 0;
 };

@@ -1,12 +1,12 @@
 #pragma once
 // Simplification of a conforming layout by collapse of chords (Viertel, Osting and Staten 2019, arXiv 1905.09097).
 //
-// Chords are tried by width over length, the thinnest first; one that can be collapsed (graph/chord_strip.hpp) is, as
-// long as no line deviates too far from the field and block quality stays acceptable. The number of blocks falls at
-// every step, so it ends. Chords whose ratios differ by less than 1e-6 of themselves are decided together: where two of
-// them share a rail, or one cannot be collapsed, none is, so that symmetric layouts stay symmetric.
-// Where no chord is left, spirals are shortened by the same rules (simplify/spiral_shortcut.hpp).
-// Every trial changes a copy of the subdivision; none is built from scratch.
+// Chords are tried by width over length, the thinnest first; one that can be collapsed (graph/chord_strip.hpp) is
+// collapsed if no line deviates too far from the field and block quality stays acceptable. The number of blocks
+// decreases at every step, so the loop ends. Chords whose ratios have a relative difference below 1e-6 are decided
+// together: if two of them have a common rail, or one cannot be collapsed, none is, so that symmetric layouts stay
+// symmetric. When no chord can be collapsed any more, spirals are shortened by the same rules
+// (simplify/spiral_shortcut.hpp). Every trial changes a copy of the subdivision; none is built from scratch.
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -15,8 +15,9 @@
 
 namespace quadrille::simplify {
 
-/// A layout with as many blocks or fewer. Every face of `layout` must have four corners; the same holds for the result.
-/// Reports blocks before, collapsed chords and the largest deviation, the latter two in the certificate as well.
+/// Returns a layout with as many blocks or fewer. Every face of `layout` must have four corners; the same holds for the
+/// result. Reports blocks before, collapsed chords and the largest deviation, the latter two in the certificate as
+/// well.
 graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::CandidateLayout layout,
                                 const SimplifyOptions& options, Report& report);
 

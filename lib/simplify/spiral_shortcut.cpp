@@ -49,14 +49,14 @@ std::optional<SpiralShortcut> shortcut_between(const ArcGraph& graph, const Chor
   return s;
 }
 
-// Where a blend crosses an inner rung.
+// A crossing of a blend with an inner rung.
 struct RungCrossing {
   double s = 0;  // on the blend
   curve::ChainPoint at;
   graph::Pieces before, behind;  // of the rung
 };
 
-// One crossing for each rung but the first and the last; empty where they do not follow each other.
+// One crossing for each rung but the first and the last; std::nullopt if they are not in order.
 std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, const SpiralShortcut& shortcut,
                                                      const Nurbs& spline) {
   const curve::CurveTable table(graph.face, graph.splines);
@@ -78,8 +78,8 @@ std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, cons
 
 // From the fixed end of the first rung to that of the last, block by block; the rungs between are divided.
 //
-// The blend lies between the rungs and the rails that it replaces: at its two ends the whole sector is left on the
-// side of the rung.
+// The blend lies between the rungs and the rails that it replaces: at its two ends the whole sector remains on the side
+// of the rung.
 void insert_blend(Subdivision& subdivision, const SpiralShortcut& shortcut, std::vector<RungCrossing> crossings,
                   Nurbs spline) {
   const int last = static_cast<int>(shortcut.rungs.size()) - 1;
@@ -104,7 +104,7 @@ void insert_blend(Subdivision& subdivision, const SpiralShortcut& shortcut, std:
   subdivision.insert_arc(from, end, {{curve, s, s_end}});
 }
 
-// Both arcs at a node, of one spline, become one.
+// Joins both arcs at a node, which are parts of one spline.
 bool dissolve_crossing(Subdivision& subdivision, int node) {
   const std::vector<HalfEdge> arcs = subdivision.around(node);
   if (arcs.size() != 2) return false;

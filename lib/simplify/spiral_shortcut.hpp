@@ -1,8 +1,8 @@
 #pragma once
-// Spirals shortened. A separatrix that starts at P, passes a node Q side by side with the line that arrives there, and
-// arrives at Q only a full turn later, is replaced by a blend (simplify/chord_blend.hpp) from P to Q over that first
-// stretch. What the turn divided in two is one block again; the lines that it crossed continue as they were. No chord
-// collapse could do that: the chord beside such a line crosses itself.
+// Shortens spirals. A separatrix that starts at P, passes a node Q side by side with the line that ends there, and ends
+// at Q only a full turn later, is replaced by a blend (simplify/chord_blend.hpp) from P to Q over the part before the
+// turn. Blocks that the turn divided in two are united; the lines that it crossed are not changed. Chord collapse
+// cannot achieve this: the chord beside such a line crosses itself.
 
 #include <optional>
 #include <vector>
@@ -21,15 +21,15 @@ struct SpiralShortcut {
   double aspect = 0;                         ///< mean length of the rungs over that of the rails
 };
 
-/// All, in the order of their strips.
+/// All shortcuts, in the order of their strips.
 std::vector<SpiralShortcut> find_shortcuts(const graph::Subdivision& subdivision, const std::vector<double>& lengths);
 
-/// Empty where it would deviate too far.
+/// std::nullopt if it would deviate too far.
 std::optional<Blend> blend_of(const field::FieldEvaluator& evaluator, const ArcGraph& graph,
                               const SpiralShortcut& shortcut, const BlendOptions& options);
 
-/// The subdivision, compact, with the blend (of this line, whatever was changed since) in place of the line, or empty
-/// where it does not fit. Its faces may have other corners than four.
+/// The compact subdivision in which the blend (of this line, also if the layout has changed since) replaces the line;
+/// std::nullopt if the blend does not fit. Its faces may have other numbers of corners than four.
 std::optional<graph::Subdivision> with_shortcut(graph::Subdivision subdivision, const SpiralShortcut& shortcut,
                                                 const Blend& blend);
 
