@@ -12,15 +12,15 @@
 namespace quadrille::field {
 namespace {
 
-// Parameters this near (relative to the curve's interval) are the same point of the curve.
+// Parameters that differ by less than this (relative to the curve's interval) denote the same point of the curve.
 constexpr double parameter_tol = 1e-12;
-// Nodes nearer than this to a joint or to each other coincide with it: the angle under which one sees the other from a
-// smaller distance is rounding error.
+// Nodes nearer than this to a joint or to each other coincide: at a smaller distance the direction from one to the
+// other is rounding error.
 constexpr double same_position_tol = 1e-8;
 
 double range_of(const Nurbs& curve) { return curve.end() - curve.begin(); }
 
-// The joint at the end of a curve where a boundary node lies, -1 for a node inside the curve.
+// The joint at which a boundary node lies; -1 for a node inside its curve.
 int joint_of(const CadFace& face, const BoundaryNode& node) {
   if (node.curve < 0 || node.curve >= face.num_curves())
     throw ComputeError(fmt::format("curve {} does not exist: the face has {}", node.curve, face.num_curves()));
@@ -52,7 +52,7 @@ std::vector<int> joint_valences(const CadFace& face, const PhaseNodes& prescribe
   return valences;
 }
 
-// Boundary nodes inside curves, by curve, then t.
+// The boundary nodes inside curves, sorted by curve, then t.
 std::vector<BoundaryNode> inner_nodes(const CadFace& face, const PhaseNodes& prescribed) {
   std::vector<BoundaryNode> inner;
   for (const BoundaryNode& node : prescribed.boundary_nodes) {
@@ -64,8 +64,8 @@ std::vector<BoundaryNode> inner_nodes(const CadFace& face, const PhaseNodes& pre
   return inner;
 }
 
-// `branch` is the interior angle up to multiples of 2 pi and rounding. The angle is computed from the very tangents
-// that the boundary data follow, so that the data of both sides of an apex agree to round-off.
+// `branch` is the interior angle up to multiples of 2 pi and rounding. The angle is computed from the same tangents as
+// the boundary data, so that the data of both sides of an apex agree to round-off.
 BoundaryApex make_apex(const CadFace& face, int curve, double t, double branch, int valence) {
   BoundaryApex apex{curve, t, branch, valence};
   const auto [in, out] = tangents_at(face, apex);

@@ -1,6 +1,6 @@
 #pragma once
-// Apexes of the boundary with the valences prescribed for them: every joint of the face, and the boundary nodes inside
-// curves (lib/method.md §8.2, §8.8).
+// Apexes of the boundary with their prescribed valences: every joint of the face, and the boundary nodes inside curves
+// (lib/method.md §8.2, §8.8).
 
 #include <vector>
 
@@ -10,28 +10,28 @@
 namespace quadrille::field {
 
 struct BoundaryApex {
-  int curve = 0;              ///< the curve that begins at the joint, or the one on which the node lies
+  int curve = 0;              ///< the curve that begins at the joint, or the curve of the boundary node
   double t = 0;               ///< parameter on `curve`
-  double interior_angle = 0;  ///< omega, radians, of the tangents of both sides; pi inside a smooth curve
+  double interior_angle = 0;  ///< omega, radians, between the tangents of both sides; pi inside a smooth curve
   int valence = 2;            ///< V
 };
 
 struct BoundaryApexes {
   std::vector<BoundaryApex> apexes;  ///< sorted by curve, then t
-  std::vector<int> offsets;          ///< curve c has apexes [offsets[c], offsets[c + 1]), its joint first
+  std::vector<int> offsets;          ///< apexes of curve c: [offsets[c], offsets[c + 1]), its joint first
 };
 
-/// Throws ComputeError with the arithmetic unless sum (4 - V_k) + sum (2 - V_c) = 4 chi (lib/method.md §8.1).
+/// Checks sum (4 - V_k) + sum (2 - V_c) = 4 chi (lib/method.md §8.1); throws ComputeError with the sums otherwise.
 void require_index_sum(const CadFace& face, const PhaseNodes& prescribed);
 
-/// Unlisted joints have valence 2; a boundary node at the end of a curve is the joint there. Throws ComputeError for
-/// joints, curves and parameters that do not exist, for joints listed twice and for boundary nodes that coincide.
+/// Unlisted joints have valence 2; a boundary node at the end of a curve is the joint there. Throws ComputeError if a
+/// joint, curve or parameter does not exist, a joint is listed twice, or boundary nodes coincide.
 BoundaryApexes boundary_apexes(const CadFace& face, const PhaseNodes& prescribed);
 
-/// The index of the apex at parameter t of `curve`, up to round-off; -1 if there is none.
+/// The position in `apexes` of the apex at parameter t of `curve`, up to round-off; -1 if there is none.
 int find_apex(const CadFace& face, const BoundaryApexes& apexes, int curve, double t);
 
-/// The unit tangents with which the boundary arrives at an apex and leaves it.
+/// Unit tangents at an apex: of the incoming and of the outgoing side of the boundary.
 struct ApexTangents {
   Vec2 in, out;
 };

@@ -39,7 +39,7 @@ double misfit_at(const Field& field, const spectral::TriMap& map, const Boundary
   return distance(value, data) + norm(slope) * std::abs(dot(x_h - curve::point(curve, at.t), across));
 }
 
-// |phi_h - Phi| of a phase, radians: what |v - v_h| is, as v is a unit vector.
+// |phi_h - Phi| of a phase, radians; equal to |v - v_h| to first order, because v is a unit vector.
 double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const spectral::TriMap& map,
                        const BoundaryEdge& edge, const EdgePoint& at) {
   const CadFace& face = field.mesh.face;

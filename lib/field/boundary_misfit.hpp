@@ -1,5 +1,5 @@
 #pragma once
-// How far a discrete field is from its exact boundary data, the error of the curved edges' shape included.
+// Deviation of a discrete field from its exact boundary data, including the shape error of curved edges.
 
 #include <vector>
 
@@ -7,9 +7,10 @@
 
 namespace quadrille::field {
 
-/// For each element the greatest |v_h(x_h) - v_b(t)| + |dv/dn| |x_h - x(t)| over points of its boundary edges, x_h the
-/// element's and x(t) the curve's point at the same arc length, only the distance across the curve counting; 0 for
-/// elements inside. Of a field of kind "phase" the same of its phase: |s_h - g| + |dphi/dn| |x_h - x(t)|.
+/// For each element, the greatest |v_h(x_h) - v_b(t)| + |dv/dn| |x_h - x(t)| over sampled points of its boundary edges;
+/// 0 for elements without boundary edge. x_h is the point of the element and x(t) the point of the curve at the same
+/// arc length; only the component of x_h - x(t) normal to the curve counts. For a field of kind "phase", the same for
+/// the phase, in radians: |s_h - g| + |dphi/dn| |x_h - x(t)|.
 std::vector<double> boundary_misfit(const Field& field);
 
 }  // namespace quadrille::field

@@ -9,7 +9,8 @@ namespace quadrille::field {
 
 namespace {
 
-// (cos 4 theta, sin 4 theta) of a unit tangent as its fourth complex power: exact on the axes, no angle in between.
+// (cos 4 theta, sin 4 theta) of a unit tangent, computed as its fourth complex power: exact along the axes, no angle is
+// evaluated.
 Vec2 fourth_power(Vec2 d) {
   const Vec2 square{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
   return {square.x * square.x - square.y * square.y, 2 * square.x * square.y};
@@ -17,14 +18,14 @@ Vec2 fourth_power(Vec2 d) {
 
 enum class Place { begin, inside, end };
 
-// Parameters within rounding of an end are that end: the direction from the joint to so near a point is noise.
+// Parameters within round-off of an end are snapped to it: the direction from the joint to a nearer point is noise.
 Place place_on(const Nurbs& curve, double t) {
   const double tol = 1e-12 * (curve.end() - curve.begin());
   if (t <= curve.begin() + tol) return Place::begin;
   return t >= curve.end() - tol ? Place::end : Place::inside;
 }
 
-// The direction in which the curve leaves the joint at one of its ends.
+// The direction from the joint at one end of the curve into the curve.
 Vec2 direction_from_joint(const Nurbs& curve, Place place) {
   return place == Place::begin ? curve::tangent(curve, curve.begin()) : -curve::tangent(curve, curve.end(), true);
 }
@@ -59,7 +60,7 @@ bool is_line_field(const CadFace& face) {
   for (int curve = 0; curve < face.num_curves(); ++curve) {
     const Nurbs& nurbs = face.curves[curve];
     for (int i = 0; i < samples; ++i) {
-      const double golden = 0.6180339887498949 * i;  // even fractions of a circle would all lie on a line
+      const double golden = 0.6180339887498949 * i;  // data at equal fractions of a circle would all lie on one line
       const double f = golden - std::floor(golden);
       const Vec2 value = boundary_value(face, curve, nurbs.begin() + f * (nurbs.end() - nurbs.begin()));
       if (std::abs(cross(first, value)) > tol) return false;

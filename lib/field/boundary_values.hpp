@@ -11,12 +11,13 @@ namespace quadrille::field {
 /// (cos 4 theta, sin 4 theta) of the curve's tangent at t; one-sided at the curve's ends.
 Vec2 boundary_value(const CadFace& face, int curve, double t);
 
-/// boundary_value less all liftings, at the point of `curve` at t: continuous around every loop. At the curve's ends
-/// the lifting of that joint takes its limit along the curve.
+/// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop. At an end of the curve,
+/// the lifting of that joint is evaluated as its limit along the curve.
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
 
-/// Whether all data lie on one line through 0, both ways: sides straight at multiples of 45 degrees of both parities.
-/// The field then vanishes on curves, and the harmonic method has no answer (lib/method.md §3).
+/// Whether all boundary values lie on one line through 0, on both sides of 0: straight sides at odd and at even
+/// multiples of 45 degrees. The field then vanishes along curves, and the harmonic method yields no layout
+/// (lib/method.md §3).
 bool is_line_field(const CadFace& face);
 
 }  // namespace quadrille::field

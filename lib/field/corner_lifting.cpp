@@ -11,14 +11,13 @@ namespace quadrille::field {
 
 namespace {
 
-// Smaller differences of the data are the rounding of the CAD file's own decimals (a tangent jump of 2.5e-11 radians):
-// by the maximum principle the field's error is no larger, and every lifting costs time wherever the field is
-// evaluated.
+// Smaller jumps of the data are rounding of the decimals in the CAD file (a tangent jump of 2.5e-11 radians). By the
+// maximum principle the error of the field is no larger, and every lifting costs time at each evaluation of the field.
 constexpr double jump_tol = 1e-10;
 
 struct Ray {
   Vec2 start, direction;
-  double shortest = 0;  // hits nearer than this are the ray's own start
+  double shortest = 0;  // nearer hits are the start of the ray itself
 };
 
 // Extent of a curve's poles along and across the ray. Weights are positive: the curve lies within their hull.

@@ -13,10 +13,11 @@ namespace quadrille::field {
 namespace {
 
 constexpr double rounding = 1e-15;  // of values of size 1
-// A misfit is the greatest of values that change sign along an edge, where a tail is a mean: less of it reaches others.
+// A misfit is the maximum of values that change sign along an edge, whereas a tail is a mean: less of a misfit affects
+// other elements.
 constexpr double sent_of_misfit = 0.1;
 
-// What an element knows of its own error, and what it sends to others.
+// The local error of an element and the quantities that determine its effect on other elements.
 struct Source {
   double tail = 0;        // tau
   double unresolved = 0;  // tau / sigma
@@ -25,7 +26,7 @@ struct Source {
   int order = 1;
 };
 
-// Norms of the modes by degree, of both components, or of s.
+// Norms of the modes by degree: of both components of v, or of s for a phase.
 std::vector<double> norms_by_degree(const Field& field, int elem) {
   const int order = field.elem_order[elem], offset = field.coef_offsets[elem];
   std::vector<double> norms(order + 1, 0.0);
@@ -39,13 +40,13 @@ std::vector<double> norms_by_degree(const Field& field, int elem) {
   return norms;
 }
 
-// The tail carried on by one degree. The mean (degree 0) says nothing about a rate; order 2 has one norm for each of
-// the two maxima, and order 1 no rate at all.
+// The tail extrapolated by one degree. The mean (degree 0) does not enter the convergence rate; order 2 has one norm
+// for each of the two maxima, and order 1 has no rate.
 double extrapolated_tail(const std::vector<double>& norms) {
   constexpr double slowest = 0.95;
   const int order = static_cast<int>(norms.size()) - 1;
   if (order == 1) return slowest * norms[1];
-  const int width = order == 2 ? 1 : 2;  // degrees to a maximum
+  const int width = order == 2 ? 1 : 2;  // number of degrees per maximum
   const double last = std::max(norms[order], norms[order - width + 1]);
   const double before = std::max(norms[order - width], norms[std::max(order - 2 * width + 1, 1)]);
   const double rate = before > 0 ? std::min(std::pow(last / before, 1.0 / width), slowest) : slowest;
@@ -74,14 +75,14 @@ double integer_power(double base, int exponent) {
   return power;
 }
 
-// Share of a source's tail that arrives at x.
+// Fraction of the tail of source s that contributes to the error at x.
 double weight(const Source& s, Vec2 x) {
   constexpr double capacity = 0.73;  // of an equilateral triangle of circumradius 1
   const double nearness = s.radius / std::max(std::sqrt(norm2(x - s.centre)), s.radius);
   return nearness * std::max(integer_power(capacity * nearness, s.order + 1), s.unresolved);
 }
 
-// The sources that send most, strongest first; equal ones in the sequence of their elements.
+// The sources with the greatest contributions, in descending order; equal ones by element number.
 std::vector<int> strongest(const std::vector<Source>& sources) {
   constexpr std::size_t most = 512;
   std::vector<int> sequence(sources.size());

@@ -1,5 +1,5 @@
 #pragma once
-// The guiding field at a point: value, gradient, position. The one way in which later stages see a field.
+// The guiding field at a point: value, gradient, position. Later stages access a field only through this header.
 
 #include <vector>
 
@@ -13,11 +13,11 @@ namespace quadrille::field {
 struct FieldSample {
   Vec2 x;
   Mat2 dx_dxi;
-  Vec2 value;  ///< v = (u, v), liftings included; a unit vector where the field is of kind "phase"
+  Vec2 value;  ///< v = (u, v), liftings included; a unit vector if the field is of kind "phase"
   Mat2 dv_dx;  ///< rows u, v
 };
 
-/// The field at a point of the plane; at.elem = -1: outside the mesh, and zeros.
+/// The field at a point of the plane; at.elem = -1 outside the mesh, with zero value and gradient.
 struct PointSample {
   mesh::Location at;
   Vec2 value;
@@ -31,17 +31,17 @@ class FieldEvaluator {
   FieldEvaluator(const FieldEvaluator&) = delete;  // the locator refers to the maps
   FieldEvaluator& operator=(const FieldEvaluator&) = delete;
 
-  /// Position and value only: what a streamline needs. On a corner with a lifting the value depends on the direction
-  /// of approach: there it is the limit from the element's centroid. No allocation; cost linear in the number of
-  /// modes and of liftings.
+  /// Value, position and element map derivative, as a streamline integrator needs them. At a corner with a lifting the
+  /// value depends on the direction of approach: the limit from the element's centroid is returned. No allocation; cost
+  /// linear in the number of modes and of liftings.
   Vec2 value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
   FieldSample sample(int elem, Vec2 xi) const;
   /// Value at a physical point; false when x lies outside the mesh.
   bool value_at(Vec2 x, Vec2& value) const;
-  /// Value and gradient at many physical points: each is sought by a walk from the one before (mesh/locate), and by the
-  /// search grid where that ends without an answer. Quickest for points in a sequence that does not jump.
+  /// Value and gradient at many physical points: each is located by a walk through the mesh from the previous point
+  /// (mesh/locate), and by the search grid if the walk fails. Fastest if successive points are near each other.
   std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
-  /// sample() at many places, which must exist.
+  /// sample() at many locations, all inside the mesh.
   std::vector<FieldSample> samples(const std::vector<mesh::Location>& places) const;
 
   const Field& field() const { return *field_; }

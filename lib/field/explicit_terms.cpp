@@ -13,11 +13,11 @@
 namespace quadrille::field {
 namespace {
 
-// Corner angles of a smaller jump are the rounding of tangents in the CAD file (see corner_lifting.cpp).
+// Smaller jumps of the phase at corners are rounding of the tangents in the CAD file (see corner_lifting.cpp).
 constexpr double jump_tol = 1e-10;
 
-// p_c: for a hole with bends, of the foci that are visible from the apex c the one nearest to the exterior pole, if
-// there is one. The terms centred at c and at p_c are then part of the turns round the same hole.
+// The pole p_c. For a hole with bends, the focus nearest to the exterior pole among those visible from the apex c, if
+// any: the terms centred at c and at p_c then belong to the turns around the same hole.
 Vec2 pole_of(const CadFace& face, const std::vector<HoleFocus>& foci, int loop, Vec2 apex, Vec2 tangent_out,
              double interior_angle) {
   const Vec2 usual = exterior_pole(face, apex, tangent_out, interior_angle);
@@ -48,7 +48,7 @@ void add_corner_angles(const CadFace& face, const BoundaryApexes& apexes, const 
   }
 }
 
-// D_j, which makes the data of hole j close, at first centred at one point of the hole.
+// Adds D_j, the turns that make the data of hole j single-valued, initially centred at one point of the hole.
 void add_holes(const CadFace& face, const BoundaryApexes& apexes, ExplicitTerms& result) {
   std::vector<PhaseTurn>& holes = result.terms.holes;
   for (const Vec2 x : hole_points(face)) holes.push_back({x, 4});
@@ -58,7 +58,8 @@ void add_holes(const CadFace& face, const BoundaryApexes& apexes, ExplicitTerms&
   }
 }
 
-// The term among a hole's point and foci that is nearest to the position of an image: it gives the image its turns.
+// The term (point or focus of a hole) that is nearest to the position of an image: the turns of the image are taken
+// from it.
 PhaseTurn& nearest_centre(const std::vector<HoleFocus>& foci, const MirrorImage& image, PhaseTerms& terms) {
   PhaseTurn* nearest = &terms.holes[image.loop - 1];
   for (std::size_t i = 0; i < foci.size(); ++i) {
@@ -69,7 +70,7 @@ PhaseTurn& nearest_centre(const std::vector<HoleFocus>& foci, const MirrorImage&
   return *nearest;
 }
 
-// Adds terms.nodes and terms.images; returns the loop beyond which each image lies.
+// Adds terms.nodes and terms.images; returns for each image the loop behind which it lies.
 std::vector<int> add_nodes_and_images(const CadFace& face, const std::vector<HoleFocus>& foci,
                                       const std::vector<PhaseNode>& nodes, PhaseTerms& terms) {
   std::vector<int> image_loops;

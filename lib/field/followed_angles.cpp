@@ -12,7 +12,7 @@
 namespace quadrille::field {
 namespace {
 
-// A centre whose distance from the boundary is below this fraction of the diameter lies on it.
+// A centre whose distance from the boundary is below this fraction of the diameter lies on the boundary.
 constexpr double on_boundary_tol = 1e-9;
 // Angles differ from a piece's references by less than acos(0.1) < pi / 2.
 constexpr double least_cosine = 0.1;

@@ -1,7 +1,7 @@
 #pragma once
-// Angles that are followed along a loop of the boundary: of the tangent, and of the lines from fixed centres to the
-// point of the loop. Each curve is cut into pieces on which every angle provably differs by less than a quarter turn
-// from a reference, so that no turn is lost, however near a centre is to the boundary.
+// Continuous angles along a loop of the boundary: of the tangent, and of the vectors from fixed centres to the point of
+// the loop. Each curve is divided into pieces on which every angle provably differs by less than a quarter turn from a
+// reference, so that no turn is missed, however near a centre is to the boundary.
 
 #include <vector>
 
@@ -14,28 +14,29 @@ namespace quadrille::field {
 /// `angle` plus the multiple of 2 pi that brings it nearest to `reference`.
 inline double nearest_branch(double reference, double angle) { return reference + wrap_pi(angle - reference); }
 
-/// Angles at a point of a loop, radians, each continuous along the loop but for the tangent's jumps at corners.
+/// Angles at a point of a loop, radians, each continuous along the loop except for the jumps of the tangent at corners.
 struct LoopAngles {
   double tangent = 0;
   int corner_index = 0;         ///< sum (2 - V_c) over the corners passed: Phi = 4 tangent - 2 pi corner_index
   std::vector<double> centres;  ///< arg(x - c) for each centre c
 };
 
-/// The part [t0, t1] of a curve, with references: on it each angle is the branch nearest to its reference.
+/// The part [t0, t1] of a curve, with references: on this part each angle is the branch nearest to its reference.
 struct AnglePiece {
   double t0 = 0, t1 = 0;
   LoopAngles reference;
 };
 
-/// The angles at the start of a loop, the principal values.
+/// The angles at the start of a loop: principal values.
 LoopAngles angles_at_start(const CadFace& face, const std::vector<TurnCentre>& centres, int loop);
 
-/// Follows `angles` along [t0, t1] of `curve` to its end and appends the pieces. Throws ComputeError where the boundary
+/// Follows `angles` along [t0, t1] of `curve` to its end and appends the pieces. Throws ComputeError if the boundary
 /// has a cusp or a centre lies on it.
 void follow_angles(const CadFace& face, const std::vector<TurnCentre>& centres, int curve, double t0, double t1,
                    LoopAngles& angles, std::vector<AnglePiece>& pieces);
 
-/// Of a curve's pieces the one with parameter t; where two meet the later one, or the earlier one if `from_left`.
+/// The piece of a curve that contains parameter t; where two pieces meet, the later one, or the earlier one if
+/// `from_left`.
 const AnglePiece& piece_at(const std::vector<AnglePiece>& pieces, double t, bool from_left);
 
 /// The whole number of turns nearest to `angle`.

@@ -11,22 +11,23 @@ namespace quadrille::field {
 
 namespace {
 
-// A bend is where the curvature exceeds this times its mean round the hole.
+// A bend is a part of the boundary whose curvature exceeds this multiple of the mean curvature around the hole.
 constexpr double sharp = 1.5;
-// A greater turn between two curves is a corner.
+// A joint with a greater turn (radians) is a corner.
 constexpr double corner_turn = 1e-3;
 
-/// A short part of the boundary: clockwise round the hole, so that it turns to the right where the hole is convex.
+/// A short part of the boundary: clockwise around the hole, so that the tangent turns to the right where the hole is
+/// convex.
 struct Part {
   Vec2 middle, tangent;
   double length = 0;
-  double turn = 0;  ///< to the right
+  double turn = 0;  ///< radians, positive to the right
   bool begins_at_corner = false;
 };
 
 double turn_between(Vec2 before, Vec2 after) { return -std::atan2(cross(before, after), dot(before, after)); }
 
-// In halves until they turn little.
+// Bisects [t0, t1] until each part turns by a small angle.
 void add_parts(const Nurbs& curve, double t0, double t1, int depth, std::vector<Part>& parts) {
   constexpr double most_turn = 0.05;
   constexpr int deepest = 20;
@@ -57,7 +58,7 @@ std::vector<Part> parts_of(const CadFace& face, int loop) {
   return parts;
 }
 
-// Begins at a corner, or else where the boundary is flattest, so that no bend goes over the end.
+// Rotates the list to start at a corner, or else where the curvature is least, so that no bend extends across the end.
 void rotate_to_start(std::vector<Part>& parts) {
   const auto is_flatter = [](const Part& a, const Part& b) { return a.turn * b.length < b.turn * a.length; };
   auto start = std::find_if(parts.begin(), parts.end(), [](const Part& part) { return part.begins_at_corner; });
@@ -93,17 +94,18 @@ double turn_of(const std::vector<Part>& parts, Run run) {
   return turn;
 }
 
-// The run with what turns the same way beside it, as far as half the way to the next run or to a corner.
+// The run, extended on both sides over parts that turn in the same direction, at most half the way to the next run and
+// not beyond a corner.
 Run extended(const std::vector<Part>& parts, Run run, std::size_t first, std::size_t last) {
   while (run.begin > first && !parts[run.begin].begins_at_corner && parts[run.begin - 1].turn > 0) --run.begin;
   while (run.end < last && !parts[run.end].begins_at_corner && parts[run.end].turn > 0) ++run.end;
   return run;
 }
 
-// Half of the radius inside, at the part where half of the bend's turn is done.
+// The focus: at half the radius of curvature inside the hole, beside the part in the middle of the bend's turn.
 Vec2 focus_of(const CadFace& face, const std::vector<Part>& parts, Run run) {
   const double half = (1 - 1e-6) * turn_of(parts, run) / 2;
-  std::size_t i = run.begin, j = run.end - 1;  // the same one, or neighbours that are each other's mirror image
+  std::size_t i = run.begin, j = run.end - 1;  // one part, or two neighbours that are mirror images of each other
   for (double sum = parts[i].turn; sum < half; sum += parts[i].turn) ++i;
   for (double sum = parts[j].turn; sum < half; sum += parts[j].turn) --j;
   const Vec2 middle = (parts[i].middle + parts[j].middle) / 2;

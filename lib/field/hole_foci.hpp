@@ -1,10 +1,11 @@
 #pragma once
-// Where a hole's turns D_j are centred if the hole is not round (lib/method.md §8.3).
+// Centres of the turns D_j of a hole that is not round (lib/method.md §8.3).
 //
-// 4 theta_t of an ellipse is 2 arg (z - f) + 2 arg (z - f') but for a constant, f and f' its foci, and 2 arg (z - f) of
-// a parabola: where a hole's boundary turns by T in a sharp bend, 2 T / pi turns belong to the bend's focus, half of
-// its radius inside. Centred there, they leave data that a mesh made for the bend can follow, however thin the hole.
-// Any other points inside would be as right: only accuracy depends on them.
+// On an ellipse with foci f and f', 4 theta_t = 2 arg (z - f) + 2 arg (z - f') + const; on a parabola, 4 theta_t = 2
+// arg (z - f) + const. Where the boundary of a hole turns by T in a sharp bend, 2 T / pi turns are therefore centred at
+// the focus of the bend, at half its radius inside the hole. The remaining data are then resolved by a mesh that
+// resolves the bend, however thin the hole. Any other points inside the hole are equally valid: only accuracy depends
+// on the choice.
 
 #include <vector>
 
@@ -18,8 +19,8 @@ struct HoleFocus {
   int turns = 1;  ///< nearest whole number to 2 T / pi, positive
 };
 
-/// The foci of all bends of all holes that are sharper than the hole in the mean; none for a circle or a polygon.
-/// Linear in the number of curves.
+/// The foci of all bends of all holes whose curvature is well above the mean of their hole; empty for a circle or a
+/// polygon. Cost: linear in the number of curves.
 std::vector<HoleFocus> hole_foci(const CadFace& face);
 
 }  // namespace quadrille::field

@@ -11,7 +11,7 @@ namespace quadrille::field {
 
 namespace {
 
-// A share of the best clearance that is good enough: the farther h_j is from the boundary, the smoother the data.
+// Sufficient fraction of the greatest clearance: the farther h_j is from the boundary, the smoother the data.
 constexpr double good_clearance = 0.8;
 
 using Polygon = std::vector<Vec2>;
@@ -40,7 +40,7 @@ Vec2 centroid(const Polygon& polygon) {
   return base + moment / area;
 }
 
-// Distance to the polygon, negative outside of it.
+// Distance to the polygon, negative outside.
 double clearance(const Polygon& polygon, Vec2 x) {
   double nearest = INFINITY;
   bool is_inside = false;

@@ -1,5 +1,5 @@
 #pragma once
-// One point inside each hole, where arg(z - h_j) is centred (lib/method.md §8.3).
+// One point h_j inside each hole, the centre of arg(z - h_j) (lib/method.md §8.3).
 
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace quadrille::field {
 
-/// For each hole (loops 1, 2, ...) its centroid, or where that is outside or much nearer to the boundary than others,
-/// the middle of that chord across the hole which has the most room. Moves with the face, does not depend on where its
-/// curves begin as long as the centroid serves.
+/// For each hole (loops 1, 2, ...) its centroid. If the centroid lies outside the hole or much nearer to the boundary
+/// than other points, the midpoint of the chord across the hole that has the greatest clearance. The points move with
+/// the face and, if the centroid is used, do not depend on where the curves begin.
 std::vector<Vec2> hole_points(const CadFace& face);
 
 }  // namespace quadrille::field

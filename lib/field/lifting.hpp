@@ -1,6 +1,7 @@
 #pragma once
-// The harmonic function that carries the jump of the data at one corner, theta_c(x) = Arg((x - c) / (x - p_c)) with the
-// corner c (`apex`) and a pole p_c outside the domain; field/corner_lifting.hpp makes liftings.
+// The harmonic function that represents the jump of the data at one corner: theta_c(x) = Arg((x - c) / (x - p_c)),
+// radians, with the corner c (`apex`) and a pole p_c outside the domain. Liftings are constructed in
+// field/corner_lifting.hpp.
 
 #include "model/field.hpp"
 
@@ -10,7 +11,7 @@ namespace quadrille::field {
 double lifting_angle(const Lifting& lifting, Vec2 x);
 /// Its gradient.
 Vec2 lifting_gradient(const Lifting& lifting, Vec2 x);
-/// The limit of theta_c when x -> c along the unit direction d, which points into the closed domain.
+/// The limit of theta_c as x -> c along the unit vector d, which points from c into the closed domain.
 double lifting_angle_at_apex(const Lifting& lifting, Vec2 d);
 
 }  // namespace quadrille::field

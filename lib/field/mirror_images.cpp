@@ -12,19 +12,22 @@ namespace quadrille::field {
 
 namespace {
 
-// Farther feet leave data that any mesh can follow; as shares of the diameter and of the nearest distance.
+// Limits of the distance of a foot, relative to the diameter and to the nearest distance: farther feet leave data that
+// any mesh resolves.
 constexpr double farthest_foot = 0.25, farthest_ratio = 3;
-// An image no farther than this times the distance of its foot is worth a term.
+// An image gets a term if its distance is at most this multiple of the distance of its foot.
 constexpr double farthest_image = 5;
-// Seen from farther than this less 1 times the radius of a convex bend of the boundary, data are smooth round it
-// anyway, and its circle is no image of the rest.
+// Beyond a distance of (this - 1) times the radius of a convex bend, the data around the bend are smooth without an
+// image, and its circle of curvature does not approximate the rest of the boundary.
 constexpr double greatest_shrink = 2.5;
-// An image nearer to another curve than this times its node's depth makes worse data there than it takes away.
+// An image nearer to another curve than this multiple of its node's depth degrades the data there by more than it
+// improves them elsewhere.
 constexpr double least_clearance = 0.6;
-// Images nearer to each other than this share of the depth are one: both sides of a smooth joint.
+// Images nearer to each other than this fraction of the depth are the same: they come from both sides of a smooth
+// joint.
 constexpr double same_image = 1e-3;
 
-// At a corner the normal of one side may point back into the domain.
+// Feet at corners are excluded: there the normal of one side may point back into the domain.
 bool is_at_corner(const CadFace& face, int c, double t) {
   const Nurbs& curve = face.curves[c];
   const double tol = 1e-9 * (curve.end() - curve.begin());

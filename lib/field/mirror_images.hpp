@@ -1,8 +1,9 @@
 #pragma once
-// Images of a point in the boundary curves near it. arg(z - a) + arg(z - a*) is constant along a straight line, and
-// along a circle but for arg of the point itself, when a* is the mirror image of a in it. Taking the images out of the
-// data of a phase leaves them smooth however near a is to the boundary, where no mesh could follow them. Any point
-// outside the domain would be as right: only accuracy depends on the choice.
+// Images of a point in the boundary curves near it. If a* is the mirror image of a in a straight line, arg(z - a) +
+// arg(z - a*) is constant along the line; for a circle, it is constant except for the arg of z about the centre. If the
+// terms of the images are subtracted from the data of a phase, the data stay smooth however near a is to the boundary,
+// where no mesh could resolve them otherwise. Any point outside the domain is equally valid: only accuracy depends on
+// the choice.
 
 #include <vector>
 
@@ -12,12 +13,13 @@ namespace quadrille::field {
 
 struct MirrorImage {
   Vec2 position;  ///< outside the domain
-  int loop = 0;   ///< beyond the outline (0), or inside this hole
+  int loop = 0;   ///< 0: outside the outline; j: inside hole j
 };
 
-/// Images of x, inside the domain, by inversion in the circles of curvature at its feet on the curves: at most one for
-/// each curve, as far as feet are within a quarter of the diameter and three times the distance of the nearest one,
-/// and where the node is not far off a small bend, and the image has room outside the domain, to all sides.
+/// Images of x, a point inside the domain, by inversion in the circles of curvature at its feet on the curves: at most
+/// one for each curve. A foot counts if its distance is at most a quarter of the diameter and at most three times the
+/// distance of the nearest foot, if x is not far from a bend of small radius, and if the image has clearance to the
+/// boundary on all sides outside the domain.
 std::vector<MirrorImage> mirror_images(const CadFace& face, Vec2 x);
 
 }  // namespace quadrille::field

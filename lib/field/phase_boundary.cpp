@@ -14,10 +14,10 @@ namespace quadrille::field {
 
 namespace {
 
-// Gap of the data that round-off and omitted jumps can explain.
+// Greatest gap of the data (radians) that is attributed to round-off and omitted jumps.
 constexpr double closure_tol = 1e-7;
 
-// The sum of beta_c theta_c at x. At the apex that has corner angle `at_apex` (-1: x is no such apex) the limit along
+// The sum of beta_c theta_c at x. If x is the apex of corner angle `at_apex` (-1: x is no such apex), its limit along
 // the unit vector `inward`.
 double sum_of_corner_angles(const PhaseTerms& terms, Vec2 x, int at_apex, Vec2 inward) {
   double sum = 0;
@@ -61,14 +61,14 @@ void PhaseBoundary::follow_loop(int loop) {
   require_closure(loop, start, angles);
 }
 
-// g from the followed angles and the sum of beta_c theta_c there.
+// g from the continuous angles at a point and the sum of beta_c theta_c at that point.
 double PhaseBoundary::data(const LoopAngles& angles, double corner_angles) const {
   double value = 4 * angles.tangent - 2 * pi * angles.corner_index - corner_angles;
   for (std::size_t i = 0; i < explicit_.centres.size(); ++i) value -= explicit_.centres[i].turns * angles.centres[i];
   return value;
 }
 
-// Computes g at the apex from its outgoing side, which must agree with the incoming one.
+// Computes g at the apex from the outgoing side; the incoming side must agree.
 void PhaseBoundary::pass_apex(int a, LoopAngles& angles) {
   const BoundaryApex& apex = apexes_.apexes[a];
   const Vec2 x = curve::point(face_->curves[apex.curve], apex.t);
@@ -93,7 +93,8 @@ void PhaseBoundary::require_inside(int loop, const LoopAngles& start, const Loop
   }
 }
 
-// The change of g round the loop in whole turns, in integers. The index sum and the turns D_j of the holes make it 0.
+// Checks in integers that g changes by no whole turn around the loop, as the index sum and the turns D_j of the holes
+// imply.
 void PhaseBoundary::require_closure(int loop, const LoopAngles& start, const LoopAngles& end) const {
   int turns = 4 * round_to_turns(end.tangent - start.tangent) - end.corner_index;
   for (std::size_t i = 0; i < explicit_.centres.size(); ++i)

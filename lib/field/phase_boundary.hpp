@@ -1,15 +1,15 @@
 #pragma once
 // Boundary data of a phase with prescribed irregular nodes and corner valences (lib/method.md §8.1 to §8.5).
 //
-//   Phi: 4 theta_t along smooth pieces, theta_t the tangent's angle followed along the loop; at corner c it jumps by
+//   Phi: 4 theta_t along smooth pieces, theta_t the tangent angle, continuous along the loop; at corner c it jumps by
 //        delta_c = 2 pi V_c - 4 omega_c from the incoming to the outgoing side (point 2).
-//   g = Phi - sum d_k arg(z - a_k) - sum D_j arg(z - h_j) - sum beta_c theta_c (less the images' terms), all followed
-//   along the loop: single-valued
-//       and continuous on each loop (point 5). On each loop Phi begins with 4 theta_t in (-4 pi, 4 pi], the args with
-//       their principal values: data of a hole are free up to 2 pi m_j anyway.
+//   g = Phi - sum d_k arg(z - a_k) - sum D_j arg(z - h_j) - sum beta_c theta_c (minus the terms of the images),
+//       each arg continued along the loop: single-valued and continuous on each loop (point 5). On each loop Phi starts
+//       with 4 theta_t in (-4 pi, 4 pi] and the args with their principal values: the data of a hole are determined
+//       only up to 2 pi m_j.
 //
-// Apexes and their valences are in field/boundary_apexes, the explicit terms in field/explicit_terms, the angles that
-// are followed in field/followed_angles.
+// See field/boundary_apexes for apexes and their valences, field/explicit_terms for the explicit terms, and
+// field/followed_angles for the continuous angles.
 
 #include <vector>
 
@@ -25,15 +25,16 @@ namespace quadrille::field {
 class PhaseBoundary {
  public:
   /// Throws ComputeError for an impossible index sum, for nodes that are not inside the domain, for a boundary with a
-  /// cusp, and for joints or curves that do not exist or are listed twice. `face` must outlive this.
+  /// cusp, and for joints or curves that do not exist or are listed twice. `face` must outlive this object.
   PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed);
 
   const PhaseTerms& terms() const { return explicit_.terms; }
-  /// omega_c of each of terms().corner_angles.
+  /// Interior angle omega_c, radians, for each of terms().corner_angles.
   std::vector<double> interior_angles() const;
-  /// Phi at t; at corners the value of the outgoing side, at a curve's end the value of the incoming one.
+  /// Phi at t, radians; at the start of a curve the value of the outgoing side of the joint, at its end the value of
+  /// the incoming side.
   double phase(int curve, double t) const;
-  /// g at t: the data of s. The same number at the end of a curve and at the start of its successor.
+  /// g at t, radians: the boundary data of s. Equal at the end of a curve and at the start of its successor.
   double remainder(int curve, double t) const;
 
  private:
@@ -47,7 +48,7 @@ class PhaseBoundary {
   BoundaryApexes apexes_;
   ExplicitTerms explicit_;
   std::vector<double> apex_remainders_;          ///< g at each apex
-  std::vector<std::vector<AnglePiece>> pieces_;  ///< by curve, ascending
+  std::vector<std::vector<AnglePiece>> pieces_;  ///< by curve, ascending t
 };
 
 }  // namespace quadrille::field

@@ -9,7 +9,7 @@ namespace quadrille::field {
 
 namespace {
 
-// A point this near to an apex, as a share of |c - p_c|, is the apex: the direction to it is noise.
+// A point nearer to an apex than this, relative to |c - p_c|, is treated as the apex: the direction to it is noise.
 constexpr double apex_tol = 1e-13;
 
 Lifting lifting(const CornerAngle& corner) { return {-1, corner.apex, corner.pole, {}}; }
@@ -28,7 +28,7 @@ double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
 
 Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
-// z times (x - a)^d for each turn, of any length: shortened only where it would leave the range of numbers.
+// z times (x - a)^d for each turn. The result is not normalised; it is rescaled only to avoid overflow and underflow.
 Vec2 turned(Vec2 z, const std::vector<PhaseTurn>& turns, Vec2 x) {
   for (const PhaseTurn& turn : turns) {
     const Vec2 r = x - turn.position;
