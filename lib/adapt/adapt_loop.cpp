@@ -21,7 +21,7 @@ namespace quadrille::adapt {
 
 namespace {
 
-// A field like the first one, of other orders.
+// Solves for a field of the same kind and options as the initial one, with other orders.
 struct Solver {
   std::function<Field(const std::vector<int>& orders, Report& report)> solve;
   std::function<int(const std::vector<int>& orders)> num_unknowns;
@@ -44,8 +44,9 @@ Solver solver_of(const Field& start, int num_threads) {
           [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
 }
 
-// The history that `field` brings along, without its last round, which is the first one now; and the elements that it
-// has raised. A history that does not end with this field's orders is not its own.
+// The adaptation history stored in `field`, without its last round, which is repeated as the first round now;
+// `was_raised` marks the elements that the history raised. A history that does not end with the orders of this field is
+// ignored.
 std::vector<AdaptStep> history_of(const Field& field, std::vector<bool>& was_raised) {
   const std::size_t num_elems = field.elem_order.size();
   std::vector<AdaptStep> steps = field.adapt_steps;
@@ -61,7 +62,7 @@ std::vector<AdaptStep> history_of(const Field& field, std::vector<bool>& was_rai
   return steps;
 }
 
-// One round: changes the orders by the sensors and says what it did.
+// One round: changes the orders by the sensors and returns a record of the changes.
 AdaptStep change_orders(const std::vector<double>& sensors, const AdaptOptions& options, std::vector<int>& orders,
                         std::vector<bool>& was_raised) {
   AdaptStep step;
@@ -98,8 +99,8 @@ void report_result(const Field& field, const AdaptOptions& options, Report& repo
   report.set("adapt.max_sensor_by_step", Report::Value(sensors));
 }
 
-// Says how many elements at the highest order allowed miss the target, by how much and where the worst is. Elements of
-// fans count by their size, as they do in the sensor.
+// Reports how many elements at max_order miss the target error, by how much, and the position of the worst one.
+// Elements of fans are weighted by their size, as in the sensor.
 void judge_errors(const Field& field, const AdaptOptions& options, Report& report) {
   const std::vector<double> weights = fan_weights(field.mesh);
   int num_missing = 0, worst = -1;
@@ -142,7 +143,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   std::vector<int> orders = start.elem_order;
   std::vector<bool> was_raised(orders.size(), false);
   std::vector<AdaptStep> steps = history_of(start, was_raised);
-  std::vector<double> seconds;  // of each new solution
+  std::vector<double> seconds;  // CPU time of each new solution
   for (int round = 0;; ++round) {
     std::vector<double> sensors = sense(field, options.sensor, options.scale);
     steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));

@@ -1,5 +1,5 @@
 #pragma once
-// What steers the adaptation of orders.
+// Options of the adaptation of orders.
 
 #include "adapt/sensor.hpp"
 
@@ -10,8 +10,8 @@ struct AdaptOptions {
   double lower_below = 1e-24;         ///< epsilon_l, below raise_above
   int num_threads = 1;                ///< the result does not depend on it
   int min_order = 2, max_order = 20;  ///< at most max_field_order of the field's method
-  int max_steps = 20;                 ///< bound on new solutions; reaching it is a warning
-  double target_error = 1e-8;         ///< |v - v_h| that elements at max_order should reach; missing it is a warning
+  int max_steps = 20;                 ///< greatest number of new solutions; reaching it causes a warning
+  double target_error = 1e-8;         ///< on |v - v_h|; elements at max_order that miss it cause a warning
   SensorKind sensor = SensorKind::vector;
   SensorScale scale = SensorScale::absolute;
   void validate() const;  ///< throws UsageError

@@ -60,7 +60,7 @@ std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale
       norms.tail += part.tail;
       norms.all += part.all;
     }
-    // The size of s says nothing: twists make it large, and 2 pi more or less is the same field.
+    // The norm of s is no reference scale: hole winding makes it large, and adding 2 pi to s does not change the field.
     sensors[e] *= norms.tail / (is_phase && is_absolute ? least_norm : std::max(norms.all, least_norm));
   }
   return sensors;
