@@ -15,7 +15,7 @@ CondensedElement condense(int order, const Eigen::MatrixXd& stiffness) {
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(stiffness.bottomRightCorner(ni, ni));
   if (factor.info() != Eigen::Success) throw ComputeError("an element's stiffness matrix is not positive definite");
-  // With K_ii = L L^T and Y = L^-1 K_ib the complement is K_bb - Y^T Y: symmetric by construction.
+  // With K_ii = L L^T and Y = L^-1 K_ib, the Schur complement is K_bb - Y^T Y: symmetric by construction.
   Eigen::MatrixXd y = stiffness.bottomLeftCorner(ni, nb);
   factor.matrixL().solveInPlace(y);
   element.schur = stiffness.topLeftCorner(nb, nb);

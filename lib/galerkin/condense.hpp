@@ -1,5 +1,5 @@
 #pragma once
-// Static condensation: an element's interior modes eliminated (Karniadakis and Sherwin, sec. 4.1.6).
+// Static condensation: eliminates the interior modes of an element (Karniadakis and Sherwin, sec. 4.1.6).
 
 #include <Eigen/Dense>
 
@@ -7,11 +7,11 @@ namespace quadrille::galerkin {
 
 struct CondensedElement {
   Eigen::MatrixXd schur;                   ///< K_bb - K_bi K_ii^-1 K_ib, over the boundary modes
-  Eigen::MatrixXd interior_from_boundary;  ///< -K_ii^-1 K_ib: interior coefficients of the least energy
+  Eigen::MatrixXd interior_from_boundary;  ///< -K_ii^-1 K_ib: interior coefficients of least energy
 };
 
-/// `stiffness` has the modified basis' sequence: boundary modes first. Throws ComputeError when K_ii is not positive
-/// definite, which only an element with folded shape can cause.
+/// `stiffness` is ordered as the modified basis: boundary modes first. Throws ComputeError if K_ii is not positive
+/// definite, which only a folded element can cause.
 CondensedElement condense(int order, const Eigen::MatrixXd& stiffness);
 
 }  // namespace quadrille::galerkin

@@ -6,7 +6,7 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// Adds `local`, over the element's own modes, to the free dofs' rows of `sum`.
+// Adds `local`, one row per boundary mode of the element, to the rows of the free dofs in `sum`.
 void add_to_free(const DofMap& map, int elem, const Eigen::MatrixXd& local, Eigen::MatrixXd& sum) {
   const int offset = map.elem2offset[elem];
   for (int i = 0; i < local.rows(); ++i) {
@@ -60,7 +60,7 @@ Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>
 
 double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
                          const Eigen::MatrixXd& dofs) {
-  // All dofs at once: the given ones' reactions are the right-hand side.
+  // Applies the matrix to all dofs: the reactions of the given ones form the right-hand side.
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(map.num_unknowns, dofs.cols());
   for (int e = 0; e < static_cast<int>(elements.size()); ++e)
     add_to_free(map, e, elements[e].schur * element_dofs(map, e, dofs), residual);

@@ -1,6 +1,6 @@
 #pragma once
-// The global system of the condensed elements, element by element: the sum K of their Schur complements over the free
-// dofs, and the right-hand side from the given ones. Any number of functions at once, a column for each.
+// The global system of the condensed elements, evaluated element by element: the sum K of their Schur complements over
+// the free dofs, and the right-hand side from the given (boundary) dofs. Each column of a matrix is one function.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -10,19 +10,20 @@
 
 namespace quadrille::galerkin {
 
-/// The right-hand side: minus the reactions of `given`, the values of the dofs [num_unknowns, num_dofs).
+/// The right-hand side, num_unknowns rows: minus the reactions of `given`, the values of the dofs [num_unknowns,
+/// num_dofs).
 Eigen::MatrixXd right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
                                 const Eigen::MatrixXd& given);
 
-/// The values of an element's own modes; 0 for modes without a dof.
+/// The coefficients of the boundary modes of one element; 0 for modes without a dof.
 Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd& dofs);
 
-/// What the given dofs' rows of the whole matrix make of `dofs`: where the free ones solve the system, the energy
-/// product a(f, g) of two columns is (given part of f) . (reaction of g).
+/// The rows of the given dofs of the full matrix, multiplied by `dofs` (all dofs). If the free dofs solve the system,
+/// the energy product a(f, g) of two columns is (given part of f) . (reaction of g).
 Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>& elements,
                           const Eigen::MatrixXd& dofs);
 
-/// |rhs - K x| / |rhs|; |rhs - K x| where the right-hand side is 0. `dofs` are all: x, then the given ones.
+/// |rhs - K x| / |rhs|; |rhs - K x| if the right-hand side is 0. `dofs` contains all dofs: x, then the given ones.
 double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
                          const Eigen::MatrixXd& dofs);
 

@@ -11,26 +11,27 @@
 
 namespace quadrille::galerkin {
 
-/// The condensed Laplace system on one mesh: factored once for an order map, solved for any boundary values. Functions
-/// are the columns of matrices.
+/// The condensed Laplace system on one mesh: factored once for each order map, solved for any boundary values. Each
+/// column of a matrix is one function.
 class ContinuousSystem {
  public:
   /// `context` must outlive this.
   explicit ContinuousSystem(const MeshContext& context, int num_threads = 1);
-  /// Makes the matrices of elements whose order has changed and factors. Throws ComputeError when that breaks down.
+  /// Recomputes the matrices of elements whose order has changed, and factors the system. Throws ComputeError if the
+  /// factorisation breaks down.
   void set_orders(const std::vector<int>& elem_order, Stopwatch& watch);
-  /// After set_orders(), from here on. Numbers of the dofs.
+  /// The dof numbers. This and all members below require set_orders().
   const DofMap& map() const { return *map_; }
   const std::vector<int>& elem_order() const { return elem_order_; }
-  /// All dofs from the given ones, [num_unknowns, num_dofs).
+  /// All dofs (num_dofs rows) from the values of the given ones, [num_unknowns, num_dofs).
   Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch);
-  /// Of the last solve, relative to its right-hand side.
+  /// Residual of the last solve, relative to its right-hand side.
   double residual() const { return residual_; }
-  /// What the given dofs' rows of the matrix make of all dofs (galerkin/condensed_system.hpp).
+  /// The reactions of the given dofs (galerkin/condensed_system.hpp).
   Eigen::MatrixXd reactions(const Eigen::MatrixXd& dofs) const;
-  /// All modes of one element in the modified basis.
+  /// The coefficients of all modes of one element in the modified basis.
   Eigen::MatrixXd modes(int elem, const Eigen::MatrixXd& dofs) const;
-  /// The same of all elements.
+  /// modes() of all elements.
   std::vector<Eigen::MatrixXd> all_modes(const Eigen::MatrixXd& dofs) const;
   int num_unknowns(const std::vector<int>& elem_order) const;
 
@@ -49,7 +50,7 @@ class ContinuousSystem {
 
 class ContinuousGalerkin : public Discretization {
  public:
-  /// Data must be continuous around every loop. `context` must outlive this.
+  /// `data` must be continuous around every loop. `context` must outlive this.
   ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads = 1);
   Solution solve(const std::vector<int>& elem_order) override;
   int num_unknowns(const std::vector<int>& elem_order) const override { return system_.num_unknowns(elem_order); }

@@ -10,9 +10,10 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// Coefficients of the edge modes from data at Gauss points, less the linear function through the ends: row d - 2.
-// With psi_d' = -P_{d-1} (norm 1) the projection is c_d = int g' psi_d' = -int g psi_d'', and psi_d'' is known from
-// psi_d by Legendre's equation: ((1 - s^2) P')' = -d (d - 1) P, so -psi_d'' = d (d - 1) psi_d / (1 - s^2).
+// Maps data at Gauss points, minus the linear function through the ends, to the coefficients of the edge modes: row d -
+// 2 for degree d. With psi_d' = -P_{d-1} (norm 1) the projection is c_d = int g' psi_d' = -int g psi_d'', and psi_d''
+// is known from psi_d by Legendre's equation: ((1 - s^2) P')' = -d (d - 1) P, so -psi_d'' = d (d - 1) psi_d / (1 -
+// s^2).
 struct EdgeProjection {
   std::vector<double> points;
   Eigen::MatrixXd matrix;
@@ -112,7 +113,7 @@ Eigen::MatrixXd DirichletData::values(const mesh::TriTopology& topology, const D
     if (order < 2) continue;
     if (edges_[b].order != spectral::table_order(order)) project(static_cast<int>(b), spectral::table_order(order));
     Eigen::MatrixXd coefs = edges_[b].coefs.topRows(order - 1);
-    if (vertex0 > vertex1) {  // the edge's own direction is the other one: odd degrees change sign
+    if (vertex0 > vertex1) {  // the direction of the edge is opposite: odd degrees change sign
       for (int d = 3; d <= order; d += 2) coefs.row(d - 2) *= -1;
     }
     values.middleRows(map.edge2dof[edge] - map.num_unknowns, order - 1) = coefs;

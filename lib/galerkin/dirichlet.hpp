@@ -1,5 +1,5 @@
 #pragma once
-// Boundary coefficients of functions given on the exact curves.
+// Coefficients of boundary dofs for functions prescribed on the exact curves.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -12,13 +12,13 @@
 
 namespace quadrille::galerkin {
 
-/// A pair's value at parameter t of a boundary curve.
+/// The value (u, v) at parameter t of a boundary curve.
 using BoundaryData = std::function<Vec2(int curve, double t)>;
-/// A function's value there.
+/// The value of a scalar function at parameter t of a boundary curve.
 using BoundaryScalar = std::function<double(int curve, double t)>;
 
-/// Where the data are asked for: at Gauss points along each boundary edge. The point at fraction s of an edge lies at
-/// fraction s of the curve's arc length, as the element's own geometry nodes do. Found once for all data on a mesh.
+/// The sample points of the data: Gauss points along each boundary edge. The point at fraction s of an edge lies at
+/// fraction s of the curve's arc length, as the geometry nodes of the element do. Computed once for all data on a mesh.
 class BoundaryPoints {
  public:
   /// `mesh` must outlive this.
@@ -37,21 +37,21 @@ class BoundaryPoints {
   std::vector<Edge> edges_;                                     ///< by boundary edge
 };
 
-/// Values of the boundary dofs for any order map of one mesh. Exact at vertices; on an edge the projection in the norm
-/// of the derivative along it, which is diagonal in the edge modes: orders share what has been computed once.
+/// Values of the boundary dofs for any order map of one mesh. Exact at vertices; on an edge, the projection in the norm
+/// of the derivative along the edge. It is diagonal in the edge modes, so coefficients are reused for other orders.
 class DirichletData {
  public:
   /// `mesh` must outlive this.
   DirichletData(const TriMesh& mesh, BoundaryData data);
-  /// One function; `points` may be shared with others on their mesh.
+  /// One scalar function; `points` may be shared with other data on the same mesh.
   DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data);
-  /// Values of the dofs [num_unknowns, num_dofs): columns u, v, or the one function.
+  /// Values of the dofs [num_unknowns, num_dofs): columns u, v, or one column for a scalar function.
   Eigen::MatrixXd values(const mesh::TriTopology& topology, const DofMap& map);
 
  private:
-  /// Projection of the data on one edge, walked as its element does.
+  /// Projection of the data on one edge, in the direction of its element.
   struct Edge {
-    int order = 0;  ///< of the projection; 0: not made yet
+    int order = 0;  ///< of the projection; 0: not computed yet
     Eigen::RowVectorXd first, last;
     Eigen::MatrixXd coefs;  ///< of the edge modes of degree 2..order
   };

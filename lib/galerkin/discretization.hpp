@@ -1,6 +1,6 @@
 #pragma once
-// What the ways of solving the Laplace problems have in common: a mesh made ready once, and solutions for a sequence of
-// order maps on it.
+// Common interface of the discretisations of the Laplace problems: one mesh, prepared once, and solutions for
+// successive order maps on it.
 
 #include <Eigen/Dense>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace quadrille::galerkin {
 
-/// A mesh with all that is derived from it and does not depend on orders.
+/// A mesh with all derived data that do not depend on the order map.
 struct MeshContext {
   explicit MeshContext(const TriMesh& mesh);  ///< `mesh` must outlive the context
 
@@ -27,12 +27,12 @@ struct MeshContext {
   std::string describe(int elem) const;
 };
 
-/// Stiffness matrices of the modified basis for changing orders. A curved element's integrals are expensive: they are
-/// made for table_order(order), kept, and cut down.
+/// Stiffness matrices of the modified basis for changing orders. The integrals of a curved element are expensive: they
+/// are computed for table_order(order), stored, and truncated to lower orders.
 class StiffnessTable {
  public:
   explicit StiffnessTable(const MeshContext& context);  ///< `context` must outlive the table
-  /// Different elements may be asked for by different threads.
+  /// Different threads may request different elements.
   Eigen::MatrixXd operator()(int elem, int order);
 
  private:
@@ -47,14 +47,14 @@ class StiffnessTable {
 struct Solution {
   std::vector<Eigen::MatrixXd> elem_coefs;  ///< modified basis of the element's order, columns u, v
   int num_unknowns = 0;                     ///< of the condensed system
-  double residual = 0;                      ///< of the condensed system, relative to its right-hand side
-  std::vector<Lap> laps;                    ///< where the time went
+  double residual = 0;                      ///< of the condensed system, |rhs - K x| / |rhs|
+  std::vector<Lap> laps;                    ///< time of each phase of the solution
 };
 
 class Discretization {
  public:
   virtual ~Discretization() = default;
-  /// Throws ComputeError when the factorisation breaks down.
+  /// Solves with order elem_order[e] on element e. Throws ComputeError if the factorisation breaks down.
   virtual Solution solve(const std::vector<int>& elem_order) = 0;
   /// Size of the condensed system for this order map.
   virtual int num_unknowns(const std::vector<int>& elem_order) const = 0;

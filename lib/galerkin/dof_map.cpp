@@ -8,7 +8,7 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// An order for every edge, chosen from those of its one or two elements.
+// The order of every edge, chosen from the orders of its one or two elements.
 std::vector<int> edge_orders(const mesh::TriTopology& topology, const std::vector<int>& elem_order,
                              const int& (*choose)(const int&, const int&)) {
   std::vector<int> edge2order;
@@ -23,7 +23,7 @@ bool is_backwards(const TriMesh& mesh, int elem, int edge) {
   return mesh.elem2vertices[elem][edge] > mesh.elem2vertices[elem][(edge + 1) % 3];
 }
 
-// Numbers all entities whose boundary flag is `wanted`, along the sequence.
+// Numbers all entities whose boundary flag equals `wanted`, in elimination order.
 void number(const std::vector<int>& sequence, const std::vector<bool>& on_boundary, bool wanted, DofMap& map) {
   const int num_vertices = static_cast<int>(map.vertex2dof.size());
   for (const int entity : sequence) {

@@ -16,7 +16,7 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// The modified basis' derivatives at the points of a collapsed Gauss rule.
+// Derivatives of the modified basis at the points of a collapsed Gauss rule.
 struct GradientTable {
   std::vector<Vec2> points;
   std::vector<double> weights;
@@ -51,9 +51,9 @@ const GradientTable& gradient_table(int order, int num_points) {
   return *entry;
 }
 
-// The three integrals of which every affine element's matrix is a combination.
+// The three reference matrices; the stiffness matrix of an affine element is a linear combination of them.
 struct ReferenceMatrices {
-  Eigen::MatrixXd k11, k12, k22;  // k12 holds both mixed products
+  Eigen::MatrixXd k11, k12, k22;  // k12 contains both mixed products
 };
 
 // A A^T, both triangles.
@@ -70,7 +70,8 @@ ReferenceMatrices make_reference_matrices(int order) {
     table.d1.col(i) *= std::sqrt(table.weights[i]);
     table.d2.col(i) *= std::sqrt(table.weights[i]);
   }
-  // The mixed products come from the square of the sum: three symmetric products cost less than two and a general one.
+  // The mixed products are computed from the square of the sum: three symmetric products cost less than two symmetric
+  // ones and a general one.
   ReferenceMatrices k{gram(table.d1), gram(table.d1 + table.d2), gram(table.d2)};
   k.k12 -= k.k11 + k.k22;
   return k;
@@ -91,7 +92,7 @@ Eigen::MatrixXd affine_stiffness(const spectral::TriMap& map, int order) {
   Mat2 j;
   map.evaluate({0, 0}, x, j);
   const double d = det(j);
-  // |J| J^-1 J^-T: how the reference derivatives are coupled.
+  // |J| J^-1 J^-T: the metric that couples the reference derivatives.
   const double g11 = (j.xy * j.xy + j.yy * j.yy) / d, g22 = (j.xx * j.xx + j.yx * j.yx) / d;
   const double g12 = -(j.xx * j.xy + j.yx * j.yy) / d;
   const ReferenceMatrices& reference = reference_matrices(order);
@@ -101,7 +102,7 @@ Eigen::MatrixXd affine_stiffness(const spectral::TriMap& map, int order) {
 Eigen::MatrixXd curved_stiffness(const spectral::TriMap& map, int order, int num_points) {
   const GradientTable& table = gradient_table(order, num_points);
   const int n = static_cast<int>(table.d1.rows()), total = static_cast<int>(table.points.size());
-  Eigen::MatrixXd gradients(n, 2 * total);  // physical derivatives times the root of weight and det J
+  Eigen::MatrixXd gradients(n, 2 * total);  // physical derivatives times sqrt(weight det J)
   for (int i = 0; i < total; ++i) {
     Vec2 x;
     Mat2 j;

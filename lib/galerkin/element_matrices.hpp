@@ -7,11 +7,11 @@
 
 namespace quadrille::galerkin {
 
-/// Affine elements combine three reference matrices, made once per order. Curved ones are integrated by a collapsed
-/// Gauss rule with `extra_points` more than the order in each direction: the integrand is not a polynomial there.
+/// Affine elements combine three reference matrices, computed once per order. Curved elements are integrated by a
+/// collapsed Gauss rule with order + `extra_points` points in each direction, because the integrand is rational.
 Eigen::MatrixXd stiffness_matrix(const spectral::TriMap& map, int order, int extra_points = 6);
 
-/// The matrix of a lower order, cut out of that of `higher_order`: the basis is hierarchical.
+/// The matrix of a lower order, extracted from the matrix of `higher_order`: the basis is hierarchical.
 Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int order);
 
 }  // namespace quadrille::galerkin

@@ -15,7 +15,7 @@ constexpr std::array<Vec2, 4> directions{Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}, Vec
 class Dissection {
  public:
   Dissection(const TriMesh& mesh, const mesh::TriTopology& topology);
-  /// Appends the nodes of elements [begin, end) and returns the last.
+  /// Appends the tree nodes of elements [begin, end) and returns the number of the last one.
   int dissect(int begin, int end);
   EliminationTree& tree() { return tree_; }
 
@@ -28,9 +28,9 @@ class Dissection {
 
   const mesh::TriTopology* topology_;
   EliminationTree tree_;
-  std::array<std::vector<int>, 4> sorted_;  ///< elements along each direction; a part has the same range in all
-  std::vector<int> part_;                   ///< of each element: the `begin` of its part
-  std::vector<int> swept_;                  ///< sweep that has passed the element
+  std::array<std::vector<int>, 4> sorted_;  ///< elements sorted along each direction; the range of a part is common
+  std::vector<int> part_;                   ///< for each element: the `begin` of its part
+  std::vector<int> swept_;                  ///< for each element: number of the last sweep that passed it
   int sweep_ = 0;
 };
 
@@ -92,7 +92,7 @@ int Dissection::dissect(int begin, int end) {
   return number;
 }
 
-// The places in tree.elements of the first and the last element of each entity.
+// The positions in tree.elements of the first and the last element of each entity.
 struct Span {
   int first = -1, last = -1;
 };
@@ -112,7 +112,7 @@ std::vector<Span> spans(const EliminationTree& tree, const TriMesh& mesh, const 
   return spans;
 }
 
-// Entities sorted by the smallest part that holds all their elements.
+// Entities sorted by the smallest part that contains all their elements.
 std::vector<int> sequence_of(const EliminationTree& tree, const TriMesh& mesh, const mesh::TriTopology& topology) {
   const std::vector<Span> entity2span = spans(tree, mesh, topology);
   std::vector<int> leaf(tree.elements.size()), owner(entity2span.size(), 0);
@@ -121,7 +121,7 @@ std::vector<int> sequence_of(const EliminationTree& tree, const TriMesh& mesh, c
     if (node.first < 0) std::fill(leaf.begin() + node.begin, leaf.begin() + node.end, n);
   }
   for (std::size_t i = 0; i < owner.size(); ++i) {
-    if (entity2span[i].first < 0) continue;  // no element has it
+    if (entity2span[i].first < 0) continue;  // no element contains it
     int node = leaf[entity2span[i].first];
     while (entity2span[i].last >= tree.nodes[node].end) node = tree.nodes[node].parent;
     owner[i] = node;

@@ -1,9 +1,9 @@
 #pragma once
-// Nested dissection of a triangle mesh (George 1973): halves of halves, as long as they can be cut.
+// Nested dissection of a triangle mesh (George 1973): the mesh is bisected recursively as long as parts can be cut.
 //
-// Unknowns that both halves of a part share are eliminated with the part, after all that lie inside the halves. It
-// keeps the fill of a Cholesky factorisation near n log n, and gives it dense pieces and independent subtrees to work
-// on.
+// Unknowns shared by both halves of a part are eliminated with the part, after all unknowns inside the halves. The fill
+// of a Cholesky factorisation is then near n log n, and the factorisation works on dense blocks and independent
+// subtrees.
 
 #include <vector>
 
@@ -19,15 +19,15 @@ struct EliminationTree {
     int first = -1, second = -1;  ///< nodes of the halves; -1: a leaf
     int parent = -1;              ///< -1: the whole mesh
   };
-  std::vector<Node> nodes;    ///< halves before the whole: the root is the last one
+  std::vector<Node> nodes;    ///< children before their parent: the root is the last one
   std::vector<int> elements;  ///< all elements, part by part
 
-  /// Vertices (numbers from 0) and edges (after the vertices) in a sequence of elimination.
+  /// Elimination order of vertices (numbers from 0) and edges (numbers after the vertices).
   std::vector<int> sequence;
 };
 
-/// Cuts by straight lines in four directions, each time where the fewest edges are cut and both halves have a fair
-/// share. It serves every order map of the mesh. n log n.
+/// Cuts by straight lines in four directions, each time where the fewest edges are cut and both halves are of
+/// comparable size. The tree is valid for every order map of the mesh. Cost: n log n.
 EliminationTree nested_dissection(const TriMesh& mesh, const mesh::TriTopology& topology);
 
 }  // namespace quadrille::galerkin

@@ -18,7 +18,7 @@ struct Source {
   double weight;
 };
 
-/// Part of a curve; `apex` is the source at its begin or end, -1: none.
+/// Part [t0, t1] of a curve; apex0 and apex1: the sources at its ends, -1: none.
 struct Piece {
   double t0, t1;
   int apex0, apex1;
@@ -71,7 +71,7 @@ class BoundaryIntegral {
     return true;
   }
 
-  // Beside an apex L is a logarithm: t goes like u^6 there.
+  // L is logarithmic at an apex: the points are graded towards it, t ~ u^6.
   double integral(const Piece& piece) const {
     static const spectral::Quadrature rule = spectral::gauss_legendre(16), fine_rule = spectral::gauss_legendre(20);
     const bool at_begin = piece.apex0 >= 0, is_graded = at_begin || piece.apex1 >= 0;
@@ -92,8 +92,8 @@ class BoundaryIntegral {
   }
 
   double integrand(double t, int apex, double share) const {
-    constexpr double too_near = 3e-6;  // the direction from the apex is the rounding of a point there
-    const double least2 = 1e-34 * face_.diameter * face_.diameter;  // a point beside an apex may be rounded onto it
+    constexpr double too_near = 3e-6;  // below this, the direction from the apex is rounding error
+    const double least2 = 1e-34 * face_.diameter * face_.diameter;  // a point near an apex may be rounded onto it
     const auto [x, d1, d2, d3] = curve::derivatives(*curve_, t);
     const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
     double log_sum = 0, turning = 0;
@@ -125,7 +125,7 @@ std::vector<double> cuts_of(const CadFace& face, int c, const PhaseNodes& asked)
   return cuts;
 }
 
-// L without source i, at its place.
+// L without source i, at the position of source i.
 double log_of_others(const std::vector<Source>& sources, std::size_t i) {
   double sum = 0;
   for (std::size_t j = 0; j < sources.size(); ++j)

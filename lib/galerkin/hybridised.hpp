@@ -1,6 +1,6 @@
 #pragma once
-// Discontinuous Galerkin in hybridised form (galerkin/trace_element.hpp): unknowns on edges only, data imposed weakly,
-// so that they may jump at a corner.
+// Discontinuous Galerkin in hybridised form (galerkin/trace_element.hpp): unknowns on edges only. Boundary data are
+// imposed weakly and may therefore jump at a corner.
 
 #include <array>
 
@@ -18,7 +18,7 @@ class HybridisedGalerkin : public Discretization {
   int num_unknowns(const std::vector<int>& elem_order) const override;
 
  private:
-  /// What an element's matrices depend on: its order and those of its edges.
+  /// The orders on which the matrices of an element depend: its own and those of its three edges.
   using Orders = std::array<int, 4>;
   void update_elements(const std::vector<int>& elem_order, const DofMap& map);
 

@@ -15,9 +15,9 @@ CondensedCholesky::CondensedCholesky(const EliminationTree& tree, const DofMap& 
   divide_work();
 }
 
-// A dof is eliminated with the smallest part that holds all its elements.
+// A dof is eliminated with the smallest part that contains all its elements.
 void CondensedCholesky::find_dofs() {
-  std::vector<int> dof2last(map_->num_unknowns, -1), dof2first(map_->num_unknowns, -1);  // places in tree.elements
+  std::vector<int> dof2last(map_->num_unknowns, -1), dof2first(map_->num_unknowns, -1);  // positions in tree.elements
   const auto free_dofs = [&](int place, auto&& use) {
     const int elem = tree_->elements[place];
     for (int i = map_->elem2offset[elem]; i < map_->elem2offset[elem + 1]; ++i) {
@@ -65,11 +65,11 @@ void CondensedCholesky::find_places() {
   }
 }
 
-// Subtrees of about a 32nd of the elements.
+// Divides the tree into subtrees of about 1/32 of the elements each.
 void CondensedCholesky::divide_work() {
   const int num_nodes = static_cast<int>(parts_.size()), share = static_cast<int>(tree_->elements.size()) / 32;
   const auto size = [&](int node) { return tree_->nodes[node].end - tree_->nodes[node].begin; };
-  std::vector<std::size_t> height(num_nodes, 0);  // above the subtrees
+  std::vector<std::size_t> height(num_nodes, 0);  // of the nodes above the subtrees
   int begin = 0;
   for (int n = 0; n < num_nodes; ++n) {
     const EliminationTree::Node& node = tree_->nodes[n];
@@ -92,7 +92,7 @@ void CondensedCholesky::upwards(const std::function<void(int, int)>& f) const {
   });
   for (const std::vector<int>& level : levels_) {
     const int size = static_cast<int>(level.size());
-    const bool is_wide = size > 2;  // few large matrices are themselves divided instead
+    const bool is_wide = size > 2;  // otherwise each of the few large matrices is divided among the threads
     parallel_for(size, is_wide ? num_threads_ : 1, [&](int i) { f(level[i], is_wide ? 1 : num_threads_); });
   }
 }
@@ -109,7 +109,7 @@ void CondensedCholesky::downwards(const std::function<void(int)>& f) const {
 void CondensedCholesky::add_elements(const std::vector<CondensedElement>& elements, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated;
-  std::vector<int> places;  // of an element's modes in part.dofs, -1: not free
+  std::vector<int> places;  // positions of the element's modes in part.dofs, -1: not free
   for (int place = tree_->nodes[node].begin; place < tree_->nodes[node].end; ++place) {
     const int elem = tree_->elements[place], offset = map_->elem2offset[elem];
     const int n = map_->elem2offset[elem + 1] - offset;

@@ -1,7 +1,7 @@
 #pragma once
 // The sparse symmetric positive definite system of the condensed elements, by the multifrontal method (Duff and Reid
-// 1983; Liu 1992): along an elimination tree, dense matrices of one part of the mesh after the other, the unknowns
-// inside eliminated, the rest handed on to the part that holds it. The sparse matrix itself is never made.
+// 1983; Liu 1992): along an elimination tree, each part of the mesh has a dense matrix; the unknowns inside the part
+// are eliminated, and the Schur complement is passed to the parent. The sparse matrix is never assembled.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -18,20 +18,20 @@ namespace quadrille::galerkin {
 /// on the number of threads. For n elements: time n^1.5, memory n log n.
 class CondensedCholesky {
  public:
-  /// Finds the structure. `map` numbers its dofs along tree.sequence; both must outlive this.
+  /// Symbolic factorisation. `map` numbers its dofs in the order of tree.sequence; both must outlive this.
   CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads = 1);
-  /// Throws ComputeError when the sum is not positive definite.
+  /// Throws ComputeError if the sum is not positive definite.
   void factor(const std::vector<CondensedElement>& elements);
-  /// x for each column of right-hand sides. After factor(), as often as wanted.
+  /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 
  private:
-  /// A part of the mesh: the dofs that are eliminated with it, then those shared with its outside, both ascending.
+  /// A part of the mesh: the dofs eliminated with it, then the dofs shared with the rest of the mesh, both ascending.
   struct Part {
     std::vector<int> dofs;
     int num_eliminated = 0;
-    std::vector<int> places;  ///< of the shared dofs in the parent's dofs
-    Front front;              ///< the panel stays, the rest goes to the parent
+    std::vector<int> places;  ///< positions of the shared dofs in the parent's dofs
+    Front front;              ///< the panel is kept, the rest is added to the parent
     Eigen::MatrixXd values;   ///< over dofs: right-hand side, then solution
     int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
   };
@@ -43,7 +43,7 @@ class CondensedCholesky {
   void factor_part(const std::vector<CondensedElement>& elements, int node, int num_threads);
   void substitute_forward(const Eigen::MatrixXd& rhs, int node);
   void substitute_back(Eigen::MatrixXd& solution, int node);
-  /// Calls f(node, threads) for halves before wholes, or the other way round.
+  /// Call f(node, threads) for children before parents, and f(node) for parents before children.
   void upwards(const std::function<void(int, int)>& f) const;
   void downwards(const std::function<void(int)>& f) const;
 

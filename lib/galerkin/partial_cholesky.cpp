@@ -24,7 +24,7 @@ bool factor_columns(Block columns) {
   return true;
 }
 
-/// a -= factors factors^T, where a holds `cols` columns of a lower triangle from its diagonal down.
+/// a -= factors factors^T, where a contains `cols` columns of a lower triangle from its diagonal down.
 void update(Block a, const ConstBlock& factors) {
   const int n = static_cast<int>(a.cols()), below = static_cast<int>(a.rows()) - n;
   a.topRows(n).selfadjointView<Eigen::Lower>().rankUpdate(factors.topRows(n), -1);

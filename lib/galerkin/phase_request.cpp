@@ -12,7 +12,7 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// lib/method.md §5; a corner within rounding of a bound is on it.
+// lib/method.md §5; the tolerance admits corners that equal a bound up to rounding.
 constexpr double least_degrees = 15 - 1e-6, greatest_degrees = 165 + 1e-6;
 
 bool is_admissible(double angle, int valence) {
@@ -30,7 +30,7 @@ void require_admissible(const CadFace& face, double angle, int valence, Vec2 pos
 
 void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {
   for (const CornerValence& corner : asked.corners) {
-    if (corner.joint < 0 || corner.joint >= face.num_curves()) continue;  // PhaseBoundary says so
+    if (corner.joint < 0 || corner.joint >= face.num_curves()) continue;  // reported by PhaseBoundary
     const Joint& joint = face.joints[corner.joint];
     require_admissible(
         face, joint.interior_angle, corner.valence, joint.position,

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a file's irregular nodes and corner valences can be had on a face.
+// Checks whether the irregular nodes and corner valences of a file are feasible on a face.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace quadrille::galerkin {
 
-/// Throws FormatError that begins with `name`, the file's, and says what and where:
-/// - a corner or boundary node whose blocks would have angles omega / V outside [15, 165] degrees (V = 0 is degenerate
-///   and allowed: it is divided later);
-/// - valences that do not add up to 4 chi, with the arithmetic;
+/// Throws FormatError, whose message starts with the file name `name` and states the error and its position, for
+/// - a corner or boundary node whose blocks would have angles omega / V outside [15, 165] degrees (V = 0 is a
+/// degenerate corner and allowed: it is handled later by midpoint division);
+/// - valences whose index sum is not 4 chi, with the sums;
 /// - nodes that are not inside the face, corners and curves that do not exist or are listed twice (PhaseBoundary).
 void require_possible(const CadFace& face, const PhaseNodes& asked, const std::string& name);
 

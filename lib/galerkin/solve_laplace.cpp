@@ -25,7 +25,7 @@ std::unique_ptr<Discretization> make_discretization(FieldMethod method, const Me
   return std::make_unique<ContinuousGalerkin>(context, std::move(data), num_threads);
 }
 
-// Nothing is wrong with the solution, but its zeros say nothing about a layout.
+// The solution is correct, but its zeros form curves and determine no layout.
 void warn_of_line_field(const CadFace& face, Report& report) {
   if (!field::is_line_field(face)) return;
   report.warn(warning::field_vanishes_on_curves,
@@ -34,7 +34,7 @@ void warn_of_line_field(const CadFace& face, Report& report) {
               "fieldsolve --nodes");
 }
 
-// Continuous elements would smear a jump over their size, and no refinement would show it.
+// Continuous elements would smear a jump over an element, and no refinement would reveal the error.
 void require_no_jump(const CadFace& face, const std::vector<Lifting>& jumps) {
   if (jumps.empty()) return;
   throw ComputeError(fmt::format(

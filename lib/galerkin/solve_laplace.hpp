@@ -12,10 +12,10 @@
 
 namespace quadrille::galerkin {
 
-/// What is done with the jumps of the boundary data at corners.
+/// Treatment of the jumps of the boundary data at corners.
 enum class CornerData {
   lift,  ///< represented by exact harmonic liftings (field/corner_lifting.hpp)
-  dg     ///< left in the data, as in the paper; discontinuous elements only
+  dg     ///< kept in the data, as in the paper; discontinuous elements only
 };
 constexpr auto enum_names(CornerData) {
   return std::to_array<EnumName<CornerData>>({{CornerData::lift, "lift"}, {CornerData::dg, "dg"}});
@@ -32,18 +32,18 @@ constexpr int max_field_order(FieldMethod method) { return method == FieldMethod
 
 /// Solves on `mesh` with order elem_order[e] on element e, data and liftings from mesh.face. Linear in the number of
 /// elements but for the sparse factorisation. Warns (W-SOLVE-001) of a line field (field/boundary_values.hpp), whose
-/// zeros are curves. Throws ComputeError when the factorisation breaks down, and where continuous elements are asked to
-/// follow data that jump.
+/// zeros are curves. Throws ComputeError if the factorisation breaks down, or if data with jumps are prescribed for
+/// continuous elements.
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, const LaplaceOptions& options,
                     Report& report);
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report);
 
-/// The same for a sequence of order maps on one mesh: elements whose order has not changed keep their matrices.
+/// solve_laplace() for successive order maps on one mesh: elements whose order has not changed keep their matrices.
 class LaplaceSolver {
  public:
-  /// The guiding field's own data. `mesh` must outlive the solver.
+  /// Boundary data of the guiding field. `mesh` must outlive the solver.
   explicit LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options = {});
-  /// Any data; continuous for the method cg.
+  /// Arbitrary boundary data; they must be continuous if the method is cg.
   LaplaceSolver(const TriMesh& mesh, BoundaryData data, FieldMethod method = FieldMethod::cg);
   Field solve(const std::vector<int>& elem_order, Report& report);
   /// Size of the condensed system for this order map.
@@ -56,7 +56,7 @@ class LaplaceSolver {
   std::unique_ptr<Discretization> discretization_;
 };
 
-/// The options by which `field` was solved.
+/// The options with which `field` was solved.
 LaplaceOptions options_of(const Field& field);
 
 }  // namespace quadrille::galerkin

@@ -25,7 +25,7 @@ Eigen::VectorXd as_vector(const std::vector<int>& values) {
 
 }  // namespace
 
-/// What is made ready once: for the mesh, then for the orders.
+/// Data computed once: for the mesh, then for the order map.
 struct PhaseSolver::Parts {
   Parts(const TriMesh& mesh, int num_threads)
       : context(mesh), system(context, num_threads), points(std::make_shared<BoundaryPoints>(mesh)) {}
@@ -33,12 +33,12 @@ struct PhaseSolver::Parts {
   MeshContext context;
   ContinuousSystem system;
   std::shared_ptr<BoundaryPoints> points;
-  std::unique_ptr<mesh::Locator> locator;  ///< made for the first energy
+  std::unique_ptr<mesh::Locator> locator;  ///< constructed by the first call of energy()
 
   std::vector<int> elem_order;
   bool is_factored = false;
-  Eigen::MatrixXd measures;        ///< all dofs of w_j, a column for each hole
-  Eigen::MatrixXd given_measures;  ///< their part on the boundary
+  Eigen::MatrixXd measures;        ///< all dofs of the harmonic measures w_j, one column per hole
+  Eigen::MatrixXd given_measures;  ///< their boundary part
   Eigen::MatrixXd k;               ///< K_ij = a(w_i, w_j)
   Stopwatch watch;
 };
@@ -46,7 +46,7 @@ struct PhaseSolver::Parts {
 /// The solution for one set of nodes.
 struct PhaseSolver::State {
   PhaseForm form;        ///< without s
-  Eigen::VectorXd dofs;  ///< of s, twists included
+  Eigen::VectorXd dofs;  ///< of s, including the hole winding
   double residual = 0;
   double remainder_energy = 0;          ///< a(s, s) / 2
   std::vector<double> interior_angles;  ///< of the terms' corner angles
@@ -77,7 +77,7 @@ void PhaseSolver::factor() {
   parts_->is_factored = true;
 }
 
-// w_j is 1 at the vertices of hole j, and no edge mode is needed to be 1 between them.
+// w_j is 1 on hole j: its vertex modes are 1 there, and its edge modes vanish.
 void PhaseSolver::measure_holes() {
   const TriMesh& mesh = *parts_->context.mesh;
   const DofMap& map = parts_->system.map();
@@ -171,7 +171,7 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   report.set("phase.corner_valences", corner_valences);
   report.set("phase.num_corner_angles", form.terms.corner_angles.size());
   const std::vector<double> hole_winding(form.hole_winding.begin(), form.hole_winding.end());
-  report.set("phase.twists", hole_winding);  // the names before field 2.0
+  report.set("phase.twists", hole_winding);  // key of formats before field 2.0
   report.set("phase.best_twists", form.best_hole_winding);
   report.set("phase.periods", form.hole_periods);
   report.set("phase.twist_energy", form.hole_winding_energy);

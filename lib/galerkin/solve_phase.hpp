@@ -1,6 +1,6 @@
 #pragma once
-// The unit cross field with exactly the irregular nodes and corner valences asked for (lib/method.md §8): s of §8.3 by
-// one continuous Laplace solve, the twists of the holes by §8.6.
+// The unit cross field with exactly the prescribed irregular nodes and corner valences (lib/method.md §8): s of §8.3 by
+// one continuous Laplace solve, the hole winding by §8.6.
 
 #include <memory>
 #include <vector>
@@ -11,33 +11,33 @@
 namespace quadrille::galerkin {
 
 struct PhaseOptions {
-  /// Added to the twists of least energy, one for each hole (loops 1, 2, ...); empty: none. Lines wind round a hole for
-  /// ever where it is not 0.
+  /// Offsets from the hole winding of least energy, one integer for each hole (loops 1, 2, ...); empty: all 0. With a
+  /// non-zero offset, streamlines spiral around the hole.
   std::vector<int> hole_winding_offsets;
 };
 
-/// W and its gradient for each node (galerkin/phase_energy.hpp).
+/// W and dW / da_k for each node k (galerkin/phase_energy.hpp).
 struct PhaseEnergy {
   double value = 0;
   std::vector<Vec2> gradient;
 };
 
-/// Solves for many sets of nodes on one mesh and for a sequence of order maps: one factorisation for each order map,
-/// the harmonic measures of all holes included. A set of nodes costs new boundary data and a back substitution.
+/// Solves for many sets of nodes on one mesh and for successive order maps: one factorisation for each order map,
+/// including the harmonic measures of all holes. Each set of nodes costs new boundary data and one back substitution.
 class PhaseSolver {
  public:
-  /// Order elem_order[e] on element e. `mesh` must outlive the solver. The factorisation is made at its first use.
+  /// Order elem_order[e] on element e. `mesh` must outlive the solver. The system is factored at first use.
   PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads = 1);
   ~PhaseSolver();
   PhaseSolver(PhaseSolver&&) noexcept;
   /// Elements whose order does not change keep their matrices.
   void set_orders(std::vector<int> elem_order);
 
-  /// The field of kind "phase". Throws ComputeError for impossible nodes (PhaseBoundary) and where the factorisation
-  /// breaks down, UsageError unless there is one twist offset a hole or none.
+  /// The field of kind "phase". Throws ComputeError for infeasible nodes (PhaseBoundary) and if the factorisation
+  /// breaks down, UsageError unless the winding offsets are empty or one per hole.
   Field solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report);
-  /// Its energy. Throws as solve(), and ComputeError where a node lies outside the mesh (between a curve and its
-  /// elements).
+  /// The energy W of the field and its gradient. Throws as solve(), and ComputeError if a node lies outside the mesh
+  /// (between a curve and its elements).
   PhaseEnergy energy(const PhaseNodes& asked, const PhaseOptions& options = {});
   /// Size of the condensed system for this order map.
   int num_unknowns(const std::vector<int>& elem_order) const;
@@ -51,7 +51,7 @@ class PhaseSolver {
   std::unique_ptr<Parts> parts_;
 };
 
-/// One set of nodes.
+/// Solves for one set of nodes; throws as PhaseSolver::solve().
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
                   const PhaseOptions& options, Report& report);
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked, Report& report);

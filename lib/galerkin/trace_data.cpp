@@ -12,11 +12,11 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// Legendre coefficients, degrees 0..order, of the data along one boundary edge, walked as its element does.
+// Legendre coefficients, degrees 0..order, of the data along one boundary edge, in the direction of its element.
 Eigen::MatrixX2d project(const BoundaryEdge& edge, int order, const curve::ArcLength& arc_length,
                          const BoundaryData& data) {
   static spectral::PerOrder<spectral::Quadrature> rules(
-      [](int n) { return spectral::gauss_legendre(n + 10); });  // the data are no polynomial
+      [](int n) { return spectral::gauss_legendre(n + 10); });  // the data are not polynomial
   const spectral::Quadrature& rule = rules[order];
   const double begin = arc_length.at(edge.t0), length = arc_length.at(edge.t1) - begin;
   Eigen::MatrixX2d coefs = Eigen::MatrixX2d::Zero(num_trace_modes(order), 2);
@@ -42,7 +42,7 @@ Eigen::MatrixXd trace_data(const TriMesh& mesh, const mesh::TriTopology& topolog
     const int edge = topology.elem2edges[boundary_edge.elem][boundary_edge.edge], order = map.edge2order[edge];
     Eigen::MatrixX2d coefs = project(boundary_edge, order, *arc_length, data);
     if (vertices[boundary_edge.edge] >
-        vertices[(boundary_edge.edge + 1) % 3]) {  // the edge's own direction is the other
+        vertices[(boundary_edge.edge + 1) % 3]) {  // the direction of the edge is opposite
       for (int d = 1; d <= order; d += 2) coefs.row(d) *= -1;
     }
     values.middleRows(map.edge2dof[edge] - map.num_unknowns, order + 1) = coefs;

@@ -46,8 +46,7 @@ const EdgeTable& edge_table(int order, int num_points) {
   return *entry;
 }
 
-// Everything that the form needs along one edge. Columns are Gauss points; the roots of the weights are inside, so that
-// each integral is one product of two of these matrices.
+// The terms of the form along one edge. Columns are Gauss points; the quadrature weights are kept separately.
 struct EdgeTerms {
   Eigen::MatrixXd flux;              ///< d_n phi ds, without weight
   Eigen::MatrixXd values;            ///< phi
@@ -134,7 +133,7 @@ CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const
   for (const EdgeTerms& e : edges) {
     const int m = static_cast<int>(e.trace.rows());
     const Eigen::VectorXd mass = tau * e.weights.cwiseProduct(e.lengths);
-    // With half of the penalty in each of the two mirrored factors, -N - N^T + tau M is one symmetric sum.
+    // With half of the penalty in each of the two transposed factors, -N - N^T + tau M is one symmetric sum.
     const Eigen::MatrixXd half = e.values * mass.asDiagonal() / 2 - e.flux * e.weights.asDiagonal();
     const Eigen::MatrixXd product = half * e.values.transpose();
     inside += product + product.transpose();

@@ -3,9 +3,9 @@
 //
 // Unknowns: u of degree P inside, the trace lambda on the three edges. For all w and mu
 //   int grad u . grad w - int_dT (d_n u) (w - mu) - int_dT (d_n w) (u - lambda) + int_dT tau (u - lambda) (w - mu) = 0,
-// summed over the elements with lambda shared: the fluxes of neighbours agree weakly. u is eliminated element by
-// element. The form is definite for tau = penalty * P (P + 1) / 2 * |dT| / |T| with penalty > 1 (Warburton and
-// Hesthaven 2003).
+// summed over the elements; lambda is common to both elements of an edge, so that the fluxes of neighbours agree
+// weakly. u is eliminated element by element. The form is definite for tau = penalty * P (P + 1) / 2 * |dT| / |T| with
+// penalty > 1 (Warburton and Hesthaven 2003).
 
 #include <Eigen/Dense>
 #include <array>
@@ -21,9 +21,9 @@ constexpr int num_trace_modes(int order) { return order + 1; }
 /// Values of the trace modes at s in [-1, 1]: writes order + 1 numbers.
 void trace_values(int order, double s, double* values);
 
-/// The element's Schur complement over the trace modes of its edges 0, 1, 2, each walked counter-clockwise, and all
-/// modes of u (modified basis) from them in `interior_from_boundary`. `stiffness`: of the modified basis of degree
-/// `order` >= 1. Throws ComputeError when the form is not definite, which only an element with folded shape can cause.
+/// The element's Schur complement over the trace modes of its edges 0, 1, 2, each directed counter-clockwise;
+/// `interior_from_boundary` maps the trace modes to all modes of u (modified basis). `stiffness`: of the modified basis
+/// of degree `order` >= 1. Throws ComputeError if the form is not definite, which only a folded element can cause.
 CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const std::array<int, 3>& edge_orders,
                                    const Eigen::MatrixXd& stiffness, double penalty);
 

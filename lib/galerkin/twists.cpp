@@ -8,13 +8,13 @@ namespace {
 
 constexpr double tie_tol = 1e-6;
 
-// a e_i + b e_j, j > i; b = 0: one entry alone.
+// The step a e_i + b e_j, j > i; b = 0: a step in one entry only.
 struct Step {
   int i, j;
   double a, b;
 };
 
-// All steps by one in one or two entries, in a fixed sequence.
+// All steps of +-1 in one or two entries, in a fixed order.
 std::vector<Step> steps(int size) {
   std::vector<Step> all;
   for (int i = 0; i < size; ++i) {

@@ -1,14 +1,14 @@
 #pragma once
-// Whole numbers nearest to given ones in the norm of a Gram matrix (lib/method.md §8.6, the twists m_j of holes).
+// Integers nearest to given real numbers in the norm of a Gram matrix: the hole winding m_j (lib/method.md §8.6).
 
 #include <Eigen/Dense>
 #include <vector>
 
 namespace quadrille::galerkin {
 
-/// m that makes (m - target)^T gram (m - target) small: rounding, then steps by one in one or two entries as long as
-/// one of them helps. The best one for a single entry. Halves within 1e-6 are rounded down, and steps that gain less
-/// than 1e-6 of the norm are not taken: rounding errors decide nothing.
+/// An integer vector m of small (m - target)^T gram (m - target): rounding, then steps of +-1 in one or two entries as
+/// long as one of them reduces the norm. For a single entry m is optimal. Halves within 1e-6 are rounded down, and
+/// steps whose relative gain is below 1e-6 are rejected, so that rounding errors do not affect the result.
 std::vector<int> nearest_twists(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target);
 
 }  // namespace quadrille::galerkin
