@@ -12,7 +12,7 @@ namespace {
 constexpr int max_depth = 12;
 constexpr double round_off = 1e-15;
 
-/// cos(pi j k / n) for j, k = 0..n, by j k mod 2 n.
+/// cos(pi j k / n) for j, k = 0..n, with j k reduced modulo 2 n.
 template <int n>
 const std::array<double, 2 * n>& cosines() {
   static const auto table = [] {
@@ -35,7 +35,7 @@ std::array<double, 2> evaluate(const std::array<double, n>& c, double x) {
   return {c[0] + x * b1 - b2, b1 + x * d1 - d2};
 }
 
-/// Rounding errors of the speed between t0 and t1: a small curve far from the origin has few digits.
+/// Rounding error of the speed between t0 and t1: on a small curve far from the origin, few digits are significant.
 double speed_noise(const Nurbs& curve, double t0, double t1) {
   double scale = 0;
   for (const Vec2 pole : curve.poles) scale = std::max({scale, std::abs(pole.x), std::abs(pole.y)});

@@ -1,7 +1,7 @@
 #pragma once
-// A piece of a curve parametrised by the fraction of its arc length: s(t) is the integral of an interpolant of the
-// speed at Chebyshev points. curve::ArcLength does the same for a whole curve; this table is twenty times faster for
-// many points of one element edge.
+// A piece of a curve parametrised by the fraction of its arc length: s(t) is the integral of a Chebyshev interpolant of
+// the speed |dx/dt|. curve::ArcLength is the equivalent for a whole curve; this table is twenty times faster for many
+// points of one element edge.
 
 #include <array>
 #include <vector>
@@ -12,7 +12,7 @@ namespace quadrille::triangulate {
 
 class ArcLengthTable {
  public:
-  /// t0 < t1. Divides at knots and where the interpolant does not reach round-off.
+  /// t0 < t1. The piece is divided at knots and where the interpolant is not accurate to round-off.
   ArcLengthTable(const Nurbs& curve, double t0, double t1);
 
   double length() const { return spans_.back().end; }

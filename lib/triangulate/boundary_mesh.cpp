@@ -15,12 +15,13 @@ namespace quadrille::triangulate {
 namespace {
 
 constexpr double slack = 1 + 1e-9;
-/// Order 8 gains a factor of 500 a halving; low orders never reach 1e-12 with a sensible number of elements.
+/// At order 8 each bisection reduces the error by a factor of 500; low orders do not reach 1e-12 with a reasonable
+/// number of elements.
 constexpr int max_fit_depth_high = 12, max_fit_depth_low = 1, high_order = 7;
 constexpr int max_turn_depth = 30;
-/// Gaps below this share of the diameter are taken for touching curves.
+/// Segments shorter than this, relative to the diameter, mean that curves touch.
 constexpr double least_length = 1e-9;
-/// Curves that touch would need infinitely many segments, and those a millionth apart some thousands.
+/// Touching curves would need infinitely many segments; curves at a relative distance of 1e-6 need some thousands.
 constexpr std::size_t max_segments = 10000;
 
 bool touch(const Segment& a, const Segment& b) {
@@ -80,7 +81,7 @@ void BoundaryMesh::add_piece(int piece, int from, int to, double t0, double t1, 
   const double s0 = t0 == whole.t0 ? whole.s0 : arc_length.at(t0), s1 = t1 == whole.t1 ? whole.s1 : arc_length.at(t1);
   const double turn = whole.is_straight ? 0 : fit_->turn(whole.curve, t0, t1);
   const double parts = std::max(turn / limits.turn, (s1 - s0) / limits.size) / slack;
-  // A loop of a single piece needs three segments to be a polygon.
+  // A loop that consists of one piece needs at least three segments to form a polygon.
   const int num_parts = std::max(whole.next == piece ? 3 : 1, static_cast<int>(std::ceil(parts)));
   for (int i = 0; i < num_parts; ++i) {
     Segment segment;
@@ -140,11 +141,11 @@ bool BoundaryMesh::is_too_near(int i, double ratio) const {
 }
 
 void BoundaryMesh::resolve_gaps(double ratio) {
-  // A segment that has room enough keeps it: splitting others takes none away.
+  // A segment that has sufficient clearance needs no further check: splitting other segments does not reduce it.
   std::vector<int> open(segments_.size());
   std::iota(open.begin(), open.end(), 0);
   while (!open.empty()) {
-    // All decisions of a round before any split: symmetric in, symmetric out.
+    // All segments of a round are selected before any is split, so that a symmetric boundary stays symmetric.
     std::vector<int> marked;
     for (const int i : open)
       if (!segments_[i].is_rim() && is_too_near(i, ratio)) marked.push_back(i);

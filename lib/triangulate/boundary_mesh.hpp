@@ -1,6 +1,6 @@
 #pragma once
-// The boundary of what is left to triangulate when the fans are cut out: closed loops of segments, each a stretch of
-// curve that is halved (by arc length) where needed, or a rim edge of a fan, which stays as it is.
+// The boundary of the domain without the corner fans: closed loops of segments. A segment is either a part of a curve,
+// bisected (by arc length) where needed, or a rim edge of a fan, which is never split.
 
 #include <vector>
 
@@ -11,19 +11,20 @@ namespace quadrille::triangulate {
 
 class BoundaryMesh {
  public:
-  /// Segments that keep the limits: every piece in equal parts first, then halved. Fans must be built.
+  /// Constructs segments that satisfy the limits: each smooth piece is divided into equal parts, which are then
+  /// bisected where needed. The fans must be built.
   BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft);
 
   const std::vector<Segment>& segments() const { return segments_; }
-  /// Of the face: what messages add to a position.
+  /// Origin of the face, added to positions in messages.
   Vec2 origin() const { return fit_->outline().face().origin; }
-  /// Halves segment i: i keeps the first half, the new last segment is the second one. Returns the new vertex.
+  /// Bisects segment i: i becomes the first half, the second half is appended. Returns the new vertex of the draft.
   int split(int i);
-  /// Halves segments until none is longer than `ratio` times its distance to any segment that it does not touch.
-  /// Throws ComputeError where curves touch.
+  /// Bisects segments until none is longer than `ratio` times its distance to any segment that it does not touch.
+  /// Throws ComputeError, with the position, if curves touch.
   void resolve_gaps(double ratio);
-  /// Halves segments until lengths grow along and across the boundary by no more than `growth` times the distance,
-  /// within a factor of 2.
+  /// Bisects segments until, within a factor of 2, lengths grow by at most `growth` times the distance, both along and
+  /// across the boundary.
   void grade(double growth);
 
  private:

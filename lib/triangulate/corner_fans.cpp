@@ -15,7 +15,8 @@ constexpr double acute_angle = radians(75.0);
 constexpr double sector_angle = radians(60.0);
 constexpr double slack = 1 + 1e-9;
 
-/// The parameter between t0 and t1 at which the curve leaves the circle around `apex`. `inner` is the end at the apex.
+/// The parameter at which the piece, followed from its start (`from_start`) or its end, leaves the circle of this
+/// radius around the apex.
 double parameter_at_radius(const Outline& outline, const SmoothPiece& piece, bool from_start, double radius) {
   const Nurbs& curve = outline.face().curves[piece.curve];
   const curve::ArcLength& length = outline.arc_length(piece.curve);
@@ -51,7 +52,7 @@ void place_sides(const Outline& outline, Fan& fan) {
   }
 }
 
-/// Whether the fan's longest edges along its curves keep the limits.
+/// Whether the longest edges of the fan along its curves satisfy the limits.
 bool keeps_limits(const EdgeFit& fit, const Fan& fan, const EdgeLimits& limits) {
   const auto& pieces = fit.outline().pieces();
   const SmoothPiece& out = pieces[fan.junction];
@@ -88,7 +89,7 @@ bool shape_fan(const EdgeFit& fit, const TriangulateOptions& options, const Edge
   return true;
 }
 
-/// Vertices of one ring from the outgoing to the incoming curve.
+/// The vertices of one ring, from the outgoing to the incoming curve.
 std::vector<int> add_ring(const Outline& outline, const Fan& fan, std::size_t ring, Draft& draft) {
   const SmoothPiece& out = outline.pieces()[fan.junction];
   const SmoothPiece& in = outline.pieces()[out.previous];
@@ -96,7 +97,7 @@ std::vector<int> add_ring(const Outline& outline, const Fan& fan, std::size_t ri
   const Vec2 first = outline.at(out.curve, fan.t_out[ring]), last = outline.at(in.curve, fan.t_in[ring]);
   const double start = angle_of(first - apex);
   double sweep = wrap_two_pi(angle_of(last - apex) - start);
-  // The chords of a needle's tip may lie on top of each other to the last digit.
+  // At the tip of a needle the two chords may coincide up to rounding.
   const double omega = outline.junctions()[fan.junction].interior_angle;
   if (sweep - omega > pi) sweep -= 2 * pi;
   if (omega - sweep > pi) sweep += 2 * pi;
@@ -107,8 +108,8 @@ std::vector<int> add_ring(const Outline& outline, const Fan& fan, std::size_t ri
   return vertices;
 }
 
-/// The quads between two rings, each split in two; mirrored about the bisector, so that the diagonals of the two quads
-/// on the sides leave the larger triangle at the curve.
+/// Splits each quad between two rings into two triangles, symmetrically about the bisector: the larger triangle of the
+/// outermost quads lies at the curve.
 void add_quads(const std::vector<int>& inner, const std::vector<int>& outer, int layer, Draft& draft) {
   const int count = static_cast<int>(inner.size()) - 1;
   for (int i = 0; i < count; ++i) {

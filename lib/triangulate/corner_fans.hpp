@@ -20,22 +20,22 @@ struct Fan {
   double radius = 0;
   int num_sectors = 1;
   std::vector<double> radii;  ///< of the rings, innermost first
-  std::vector<double> t_out;  ///< parameter of the side vertices on the outgoing curve, by ring
+  std::vector<double> t_out;  ///< parameters of the side vertices on the outgoing curve, by ring
   std::vector<double> t_in;   ///< the same on the incoming curve
   std::vector<int> rim;       ///< vertices of the outermost ring, counter-clockwise: from outgoing to incoming curve
 };
 
-/// What a boundary edge may be.
+/// Limits of a boundary edge.
 struct EdgeLimits {
   double size = 0;       ///< greatest length
-  double turn = 0;       ///< greatest turn, radians
-  double curve_tol = 0;  ///< greatest error, a length
+  double turn = 0;       ///< greatest turn of the tangent, radians
+  double curve_tol = 0;  ///< greatest distance between edge and curve, a length
 };
 
-/// Where fans go, how large they are and how many rings they have.
+/// Selects the junctions that need fans, and the radius and number of rings of each fan.
 std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits);
 
-/// Adds vertices, triangles and boundary edges of `fan` and fills its rim.
+/// Adds the vertices, triangles and boundary edges of `fan` to the draft and sets fan.rim.
 void build_fan(const Outline& outline, Fan& fan, Draft& draft);
 
 }  // namespace quadrille::triangulate

@@ -93,7 +93,7 @@ void curve_elements(const EdgeFit& fit, TriMesh& mesh) {
       for (int j = 1; j < mesh.order; ++j)
         exact.emplace_back(spectral::tri_edge_node(mesh.order, edges[i]->edge, j), on_curve[j - 1]);
     }
-    // To the last digit on the curve.
+    // Replaces the edge nodes by the exact points of the curve.
     for (const auto& [node, position] : exact) nodes[node] = position;
     mesh.curved_elems.push_back(elem);
     mesh.curved_nodes.insert(mesh.curved_nodes.end(), nodes.begin(), nodes.end());
@@ -111,7 +111,7 @@ std::vector<double> jacobian_ratio_bounds(const TriMesh& mesh) {
   for (std::size_t c = 0; c < mesh.curved_elems.size(); ++c) {
     const int e = mesh.curved_elems[c];
     const Vertices x = vertices_of(mesh, e);
-    // Relative to a vertex: small elements far from the origin keep their digits.
+    // Coordinates relative to a vertex: small elements far from the origin keep their significant digits.
     for (int i = 0; i < num_nodes; ++i) local[i] = mesh.curved_nodes[c * num_nodes + i] - x[0];
     const spectral::TriMap map(mesh.order, local.data());
     const auto bx = spectral::bernstein_from_orthogonal(mesh.order, map.coefs_x());

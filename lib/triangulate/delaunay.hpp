@@ -1,8 +1,8 @@
 #pragma once
-// A constrained Delaunay triangulation that grows point by point. The only door to CGAL: no kernel type in here.
+// An incremental constrained Delaunay triangulation. The only interface to CGAL; it contains no CGAL type.
 //
-// Inside are the triangles that an odd number of constraints separates from infinity: constraints form closed,
-// mutually disjoint loops (outline, holes). Predicates are exact; coordinates are never changed.
+// A triangle is inside if an odd number of constraints separates it from infinity: constraints form closed, mutually
+// disjoint loops (outline, holes). Predicates are exact; coordinates are never changed.
 
 #include <array>
 #include <memory>
@@ -23,14 +23,14 @@ class ConstrainedDelaunay {
   ConstrainedDelaunay();
   ~ConstrainedDelaunay();
 
-  /// Returns the number of the new vertex (0, 1, 2, ...), or that of the vertex which is already at this position.
+  /// Returns the number of the new vertex (0, 1, 2, ...), or the number of an existing vertex at this position.
   int insert(Vec2 position);
-  /// Makes the segment between two vertices an edge for good. False, and nothing is done, where it crosses another
+  /// Adds the segment between two vertices as a constraint. Returns false and changes nothing if it crosses another
   /// constraint or passes through a third vertex.
   bool constrain(int a, int b);
-  /// Takes a constraint back; the edge may be flipped away.
+  /// Removes a constraint; the edge may then be flipped.
   void release(int a, int b);
-  /// The triangles inside, each beginning with its lowest vertex, sorted: independent of the history.
+  /// The triangles inside, each starting with its lowest vertex, sorted: independent of the order of insertion.
   std::vector<DelaunayTriangle> triangles() const;
 
  private:

@@ -23,7 +23,7 @@ using Face = Triangulation::Face_handle;
 
 constexpr int unknown = -1;
 
-/// Number of constraints between a face and infinity, into each face's info.
+/// Stores in the info of each face the number of constraints between the face and infinity.
 void mark_depth(const Triangulation& triangulation) {
   for (const Face face : triangulation.all_face_handles()) face->info() = unknown;
   std::deque<Face> queue{triangulation.infinite_face()};
@@ -36,7 +36,8 @@ void mark_depth(const Triangulation& triangulation) {
       if (next->info() != unknown) continue;
       const bool crosses = face->is_constrained(k);
       next->info() = face->info() + (crosses ? 1 : 0);
-      // Faces at the same depth first, so that a face's depth is the least number of constraints on the way.
+      // Faces at the same depth are visited first, so that the depth of a face is the least number of constraints on
+      // any path to infinity.
       if (crosses) {
         queue.push_back(next);
       } else {
@@ -124,7 +125,7 @@ std::vector<DelaunayTriangle> ConstrainedDelaunay::triangles() const {
   for (int i = 0; i < count; ++i) {
     result[i].vertices = faces[i].vertices;
     for (int k = 0; k < 3; ++k) {
-      // CGAL's edge number is that of the opposite vertex; ours that of its first vertex.
+      // CGAL numbers an edge by its opposite vertex, this project by its first vertex.
       const int opposite = (faces[i].first + k + 2) % 3;
       const bool closed = faces[i].face->is_constrained(opposite);
       result[i].neighbors[k] = closed ? -1 : faces[i].face->neighbor(opposite)->info();

@@ -1,5 +1,5 @@
 #pragma once
-// A triangle mesh in the making: straight elements, and boundary edges as directed pairs of vertices.
+// A triangle mesh under construction: straight elements, and boundary edges as directed pairs of vertices.
 
 #include <array>
 #include <vector>

@@ -42,7 +42,7 @@ double EdgeFit::error(int curve, double t0, double t1) const {
   nodes.push_back(curve::point(nurbs, t1));
   double worst = 0;
   for (int i = 0; i < order_; ++i) {
-    // Relative to the first node: an error of 1e-12 must not drown in the digits of the place.
+    // Coordinates relative to the first node: an error of 1e-12 must exceed the rounding errors of the position.
     Vec2 value;
     for (int j = 1; j <= order_; ++j) value += samples_(i, j) * (nodes[j] - nodes[0]);
     const auto d = curve::derivatives(nurbs, stretch.parameter(sample_fractions_[i]));
@@ -57,7 +57,7 @@ double EdgeFit::turn(int curve, double t0, double t1) const {
   const Nurbs& nurbs = outline_->face().curves[curve];
   double sum = 0;
   Vec2 before = curve::tangent(nurbs, t0, false);
-  // Sampling follows the knots: every span gets its own samples.
+  // Each knot span is sampled separately.
   std::vector<double> ends{t0};
   for (const double knot : nurbs.knots)
     if (knot > ends.back() && knot < t1) ends.push_back(knot);

@@ -1,6 +1,6 @@
 #pragma once
-// How well an element edge of order N follows a stretch of curve: the interpolant through Gauss-Lobatto-Legendre points
-// of the arc length.
+// Approximation error of an element edge of order N on a part of a curve. The edge is the interpolant through the
+// Gauss-Lobatto-Legendre points of the arc length.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -19,9 +19,9 @@ class EdgeFit {
   const Outline& outline() const { return *outline_; }
   /// The N - 1 points between the ends of the edge from t0 to t1 on `curve`.
   std::vector<Vec2> inner_nodes(int curve, double t0, double t1) const;
-  /// Greatest sampled distance of the interpolant from the curve, across the curve's direction.
+  /// Greatest sampled distance (a length) between the interpolant and the curve, normal to the curve.
   double error(int curve, double t0, double t1) const;
-  /// Sum of the absolute changes of the tangent's angle between t0 and t1, sampled.
+  /// Total absolute change of the tangent angle between t0 and t1, radians, sampled.
   double turn(int curve, double t0, double t1) const;
 
  private:
@@ -29,8 +29,8 @@ class EdgeFit {
 
   const Outline* outline_;
   int order_;
-  std::vector<double> fractions_;         ///< of the arc length, of all nodes
-  std::vector<double> sample_fractions_;  ///< between the nodes
+  std::vector<double> fractions_;         ///< of the arc length, at all nodes
+  std::vector<double> sample_fractions_;  ///< of the arc length, between the nodes
   Eigen::MatrixXd samples_;               ///< nodes -> samples
 };
 

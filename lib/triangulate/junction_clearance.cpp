@@ -52,7 +52,7 @@ double distance_from(const std::vector<Vec2>& points, std::size_t first, Vec2 ap
   return least;
 }
 
-/// Distance from points[0] to the part of the polyline that comes back to it.
+/// Distance from points[0] to the part of the polyline that approaches it again.
 double return_distance(const std::vector<Vec2>& points) {
   std::size_t i = 0;
   while (i + 1 < points.size() && distance(points[0], points[i + 1]) >= distance(points[0], points[i])) ++i;

@@ -1,5 +1,5 @@
 #pragma once
-// How far a junction is from the parts of the boundary that do not start there.
+// Clearance of a junction: its distance to the parts of the boundary that do not start there.
 
 #include <vector>
 
@@ -9,11 +9,11 @@ namespace quadrille::triangulate {
 
 class Clearance {
  public:
-  /// Samples every piece so that its polygon turns by at most 10 degrees at a vertex.
+  /// Samples every piece such that its polyline turns by at most 10 degrees at a vertex.
   explicit Clearance(const Outline& outline);
 
-  /// Distance from junction j to all pieces but the two that meet there; of those the parts count from where they
-  /// begin to come back. Infinite where there is nothing.
+  /// Distance from junction j to all pieces except the two that meet there; of these two, only the parts that approach
+  /// the junction again count. Infinite if there are no such parts.
   double at_junction(int j) const;
 
  private:

@@ -1,8 +1,8 @@
 #pragma once
-// The boundary of a face as smooth pieces, and what happens where two of them meet.
+// The boundary of a face as smooth pieces, and the geometry of the junctions between them.
 //
-// A piece is a part of one CAD curve without joint or knot below C3 inside. Junction i is the START of piece i, so the
-// pieces follow the loops as the curves do, with the face on the left.
+// A piece is a part of one CAD curve without a joint or a knot of continuity below C3 inside. Junction i is the START
+// of piece i. Pieces are ordered and directed along the loops as the curves are, with the face on the left.
 
 #include <vector>
 
@@ -24,14 +24,14 @@ struct SmoothPiece {
 struct Junction {
   Vec2 position;
   double interior_angle = 0;                               ///< radians
-  double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides
+  double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides, 1 / length
   double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
 };
 
 class Outline {
  public:
-  /// `face` must outlive the outline. Curves whose poles leave their chord by less than `straight_tol` (a length)
-  /// count as straight.
+  /// `face` must outlive the outline. A curve is straight if its poles deviate from its chord by less than
+  /// `straight_tol` (a length).
   Outline(const CadFace& face, double straight_tol);
 
   const CadFace& face() const { return *face_; }

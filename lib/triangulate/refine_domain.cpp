@@ -10,13 +10,14 @@
 namespace quadrille::triangulate {
 namespace {
 
-/// A point sees a segment that it encroaches at an angle above 107 degrees: cos = -0.3.
+/// A point encroaches on a segment if it sees the segment at an angle above 107 degrees: cos = -0.3.
 constexpr double encroached_cosine = -0.3;
-/// Circumradius against shortest edge: 1.4 is a least angle of 21 degrees.
+/// Greatest ratio of circumradius to shortest edge: 1.4 means a least angle of 21 degrees.
 constexpr double thin_ratio = 1.4;
-/// Circumradius against size; an equilateral triangle of the right size has 0.577.
+/// Greatest ratio of circumradius to size; an equilateral triangle whose edges have the prescribed size has 0.577.
 constexpr double large_ratio = 0.75;
-/// Thin triangles and encroached segments are left alone below this share of the size: refinement must end.
+/// Thin triangles and encroached segments below this fraction of the size are not refined, so that refinement
+/// terminates.
 constexpr double least_share = 0.2;
 constexpr int max_rounds = 200;
 
@@ -133,7 +134,7 @@ std::vector<DomainRefiner::Candidate> DomainRefiner::candidates(const Triangles&
     }
   }
   good_ = std::move(good);
-  // Largest first; what is equal but for rounding keeps the sequence of the triangles.
+  // Largest first; candidates that are equal up to rounding keep the order of the triangles.
   const auto rank = [](const Candidate& c) { return std::llround(std::log(c.circumradius) * 1e6); };
   std::stable_sort(found.begin(), found.end(),
                    [&](const Candidate& a, const Candidate& b) { return rank(a) > rank(b); });
@@ -173,7 +174,8 @@ bool DomainRefiner::insert_centres(const Triangles& triangles) {
   std::vector<Vec2> accepted;
   std::vector<int> blockers, marked;
   for (const Candidate& candidate : candidates(triangles)) {
-    // A centre inside this triangle's circle changes the triangle: judge it again in the next round.
+    // An accepted centre inside the circumcircle of this triangle changes the triangle: it is re-examined in the next
+    // round.
     const bool is_disturbed = std::any_of(accepted.begin(), accepted.end(), [&](Vec2 x) {
       return distance(x, candidate.centre) < candidate.circumradius * (1 - 1e-6);
     });

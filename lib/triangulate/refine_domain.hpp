@@ -1,6 +1,6 @@
 #pragma once
-// Delaunay refinement (Ruppert 1995) of what the fans leave: segments are halved on their curves, circumcentres of
-// triangles that are too large or too thin are inserted unless they come too near a segment.
+// Delaunay refinement (Ruppert 1995) of the domain without the corner fans: segments are bisected on their curves, and
+// circumcentres of triangles that are too large or too thin are inserted unless they encroach on a segment.
 
 #include <map>
 #include <utility>
@@ -14,14 +14,15 @@ namespace quadrille::triangulate {
 
 class DomainRefiner {
  public:
-  /// Keeps references; triangulates the segments as they are. Throws ComputeError where segments cross.
+  /// Triangulates the given segments. `boundary` and `draft` must outlive the refiner. Throws ComputeError if segments
+  /// cross.
   DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, double growth);
 
-  /// Refines until sizes and angles are right. Bounded by the size field, which is fixed at construction.
+  /// Refines until sizes and angles satisfy the limits. The size field is fixed at construction.
   void refine();
-  /// Halves the segment between two vertices of the draft (if it is one that may be halved; false if not).
+  /// Bisects the segment between two vertices of the draft; returns false if it must not be bisected.
   bool split_between(int from, int to);
-  /// The triangles, as vertices of the draft, in a sequence that depends on the vertices only.
+  /// The triangles, as vertices of the draft, in an order that depends on the vertices only.
   std::vector<std::array<int, 3>> triangles() const;
 
  private:
@@ -40,7 +41,8 @@ class DomainRefiner {
   bool split_encroached(const Triangles& triangles);
   bool insert_centres(const Triangles& triangles);
   std::vector<Candidate> candidates(const Triangles& triangles);
-  /// The segments that forbid the point, in `blockers`; the walk starts in a triangle.
+  /// Sets `blockers` to the segments on which the circumcentre encroaches, or to the first segment between it and its
+  /// triangle.
   void find_blockers(const Triangles& triangles, const Candidate& candidate, std::vector<int>& blockers) const;
   Vec2 position(int point) const { return draft_->vertices[point2vertex_[point]]; }
 
@@ -49,8 +51,8 @@ class DomainRefiner {
   TriangleSizes sizes_;
   ConstrainedDelaunay delaunay_;
   std::vector<int> point2vertex_, vertex2point_;
-  std::vector<std::array<int, 3>> good_;  ///< triangles that need nothing, sorted: the size field never changes
-  std::map<std::pair<int, int>, int> vertices2segment_;  ///< (from, to) of the draft
+  std::vector<std::array<int, 3>> good_;  ///< triangles within the limits (the size field is fixed), sorted
+  std::map<std::pair<int, int>, int> vertices2segment_;  ///< (from, to), vertices of the draft
 };
 
 }  // namespace quadrille::triangulate

@@ -9,9 +9,9 @@ namespace quadrille::triangulate {
 namespace {
 
 constexpr double far_field_tol = 1e-10;
-/// Deviations of pi / omega from an integer below this are rounding of the file.
+/// Smaller deviations of pi / omega from an integer are rounding errors of the file.
 constexpr double integer_tol = 1e-6;
-/// For telling which of two terms needs more layers.
+/// Fan factor used to decide which of two terms needs more layers.
 constexpr double usual_factor = 0.15;
 
 Singularity curvature_jump(const Junction& j, double radius) {
@@ -26,7 +26,7 @@ Singularity curvature_jump(const Junction& j, double radius) {
 Singularity junction_singularity(const Junction& junction, double radius) {
   const double exponent = pi / junction.interior_angle, nearest = std::round(exponent);
   const double deviation = std::abs(exponent - nearest);
-  // Close to an integer the singular term is weak: it vanishes with the deviation.
+  // Near an integer the singular term is weak: its amplitude vanishes with the deviation.
   const Singularity angular{exponent, deviation <= integer_tol ? 0 : std::min(1.0, 10 * deviation)};
   if (nearest < 1 || deviation >= 0.1) return angular;
   const auto bend_of = [radius](double curvature, double slope) {

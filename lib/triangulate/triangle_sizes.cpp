@@ -14,7 +14,7 @@ TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, 
 double TriangleSizes::at(Vec2 x) const {
   double least = size_;
   for (const Source& source : sources_) {
-    // Only sources that can still win are worth a square root.
+    // Only sources that can still attain the minimum need a square root.
     const double reach = (least - source.size) / growth_;
     if (reach > 0 && norm2(x - source.position) < reach * reach)
       least = std::min(least, source.size + growth_ * norm(x - source.position));

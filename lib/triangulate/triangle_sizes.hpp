@@ -1,6 +1,6 @@
 #pragma once
-// The size that elements should have at a place: min over the boundary segments of length + growth x distance, at most
-// the global size. The boundary carries curvature and gaps in the lengths of its segments.
+// Prescribed element size at a position: min over the boundary segments of length + growth x distance, at most the
+// global size. Curvature and gaps enter through the lengths of the boundary segments.
 
 #include <vector>
 

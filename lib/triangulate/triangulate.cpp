@@ -18,15 +18,15 @@ namespace quadrille::triangulate {
 namespace {
 
 constexpr double edge_turn = radians(40.0);
-constexpr double default_share = 0.25;  ///< of the diameter: the greatest size
+constexpr double default_share = 0.25;  ///< greatest size, relative to the diameter
 constexpr double straight_share = 1e-13;
-/// A boundary segment is at most this times its distance to what it does not touch.
+/// Greatest ratio of the length of a boundary segment to its distance from segments that it does not touch.
 constexpr double gap_ratio = 2.5;
-/// An element whose det J may fall below this share of its straight triangle's is refined.
+/// An element is refined if det J may fall below this fraction of the determinant of its straight triangle.
 constexpr double least_jacobian_ratio = 0.05;
 constexpr int max_proof_rounds = 12;
 
-/// Elements, layers and boundary edges of the finished mesh, straight.
+/// The straight-sided mesh: elements, layers and boundary edges.
 TriMesh assemble(const CadFace& face, int order, const Draft& draft) {
   TriMesh mesh;
   mesh.face = face;
@@ -48,7 +48,7 @@ TriMesh assemble(const CadFace& face, int order, const Draft& draft) {
   return mesh;
 }
 
-/// The mesh of fans and refined rest.
+/// The mesh of the fans and of the refined domain between them.
 TriMesh complete_mesh(const CadFace& face, int order, Draft draft, const DomainRefiner& refiner,
                       const BoundaryMesh& boundary) {
   std::vector<char> is_free(draft.vertices.size(), 0);
@@ -63,7 +63,7 @@ TriMesh complete_mesh(const CadFace& face, int order, Draft draft, const DomainR
   return assemble(face, order, draft);
 }
 
-/// The elements that are not proved valid.
+/// The elements that are not proved to be valid.
 std::vector<int> doubtful_elements(const std::vector<double>& ratios) {
   std::vector<int> elems;
   for (int e = 0; e < static_cast<int>(ratios.size()); ++e)
@@ -71,7 +71,7 @@ std::vector<int> doubtful_elements(const std::vector<double>& ratios) {
   return elems;
 }
 
-/// Halves the boundary edges of doubtful elements; false where there is nothing left to halve.
+/// Bisects the boundary edges of the elements `elems`; returns false if there is no edge that can be bisected.
 bool split_at(const TriMesh& mesh, const std::vector<int>& elems, DomainRefiner& refiner) {
   bool did_split = false;
   for (const int e : elems) {

@@ -1,5 +1,5 @@
 #pragma once
-// From a CAD face to the curved triangle mesh that the field is solved on.
+// Generates the curved triangle mesh of a CAD face on which the field is solved.
 
 #include "base/report.hpp"
 #include "model/tri_mesh.hpp"
@@ -8,7 +8,7 @@
 namespace quadrille::triangulate {
 
 /// Sizes by curvature and local feature size, Delaunay refinement, fans at singular joints, curved elements, each
-/// proved valid. Throws ComputeError with the place where that is impossible.
+/// proved valid. Throws ComputeError, with the position, if this is impossible.
 TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report);
 
 }  // namespace quadrille::triangulate
