@@ -18,7 +18,7 @@
 namespace quadrille::cad {
 namespace {
 
-// What counts as the same point: the file's own tolerance, within limits that a wrong one cannot leave.
+// Distance below which points coincide: the tolerance of the file, clamped in case it is wrong.
 double gap_tolerance(const RawFace& raw, double size) { return std::clamp(raw.tolerance, 1e-7 * size, 1e-5 * size); }
 
 double size_of(const RawFace& raw) {
@@ -34,7 +34,8 @@ double size_of(const RawFace& raw) {
 
 std::string loop_name(size_t l) { return l == 0 ? "the outline" : fmt::format("hole {}", l); }
 
-// A shape that is a line, walked forth and back: refused as such, before it is found to touch itself everywhere.
+// Refuses a degenerate face whose boundary is a line traversed forth and back; otherwise it would be reported as
+// touching itself everywhere.
 void require_width(const RawFace& raw, const std::vector<Nurbs>& curves, double size) {
   const Vec2 a = curves.front().poles.front();
   Vec2 b = a;
@@ -49,7 +50,7 @@ void require_width(const RawFace& raw, const std::vector<Nurbs>& curves, double 
                                   rounded_position_text(a), rounded_position_text(b)));
 }
 
-// The outline first, the others in the sequence of the file; each with the face on its left.
+// The outline first, the other loops in the order of the file; each with the face on its left.
 std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   std::vector<double> areas;
   for (const Loop& loop : loops) areas.push_back(signed_area(curves_of(loop)));
@@ -88,7 +89,8 @@ void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double t
   }
 }
 
-// (0, 0), unless the shape is so far from it that coordinates lose their digits; then its centre, to a few digits.
+// (0, 0), unless the face is so far from it that coordinates lose significant digits; then the centre of the face,
+// rounded to a few digits.
 Vec2 chosen_origin(const PoleBox& box, double diameter) {
   const Vec2 centre = box.centre();
   if (norm(centre) <= 10 * diameter) return {0, 0};
@@ -96,7 +98,8 @@ Vec2 chosen_origin(const PoleBox& box, double diameter) {
   return {unit * std::round(centre.x / unit), unit * std::round(centre.y / unit)};
 }
 
-// Between the tangents; where they point against each other the curves themselves, a little away, decide.
+// The interior angle between the tangents. If the tangents are opposite, points of the curves near the joint decide
+// between 0 and 2 pi.
 double interior_angle(const Nurbs& in, const Nurbs& out, Vec2 tangent_in, Vec2 tangent_out) {
   const double turn = std::atan2(cross(tangent_in, tangent_out), dot(tangent_in, tangent_out));
   if (std::abs(turn) < 1e-9) return pi;
@@ -117,7 +120,8 @@ std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
     const Nurbs &in = face.curves[face.previous_in_loop(i)], &out = face.curves[i];
     const Vec2 a = curve::tangent(in, in.end(), true), b = curve::tangent(out, out.begin());
     Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), interior_angle(in, out, a, b), false};
-    // An angle that equals the limit up to rounding is decided alike at all corners of a symmetric shape.
+    // The factor ensures that angles equal to the limit up to rounding are treated alike at all corners of a symmetric
+    // face.
     joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
     joints.push_back(joint);
   }

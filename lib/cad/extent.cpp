@@ -11,7 +11,7 @@ namespace {
 
 struct Sample {
   int curve;
-  double t, low, high;  ///< parameter and those of the neighbours
+  double t, low, high;  ///< parameters of the sample and of its neighbours
   Vec2 x;
 };
 
@@ -31,7 +31,7 @@ std::vector<Sample> sampled(const std::vector<Nurbs>& loop) {
   return samples;
 }
 
-// Convex hull (monotone chain), counter-clockwise: the farthest pair is among its points.
+// Convex hull (monotone chain), counter-clockwise: it contains the farthest pair.
 std::vector<Sample> hull(std::vector<Sample> points) {
   std::stable_sort(points.begin(), points.end(),
                    [](const Sample& a, const Sample& b) { return a.x.x < b.x.x || (a.x.x == b.x.x && a.x.y < b.x.y); });
@@ -50,7 +50,7 @@ std::vector<Sample> hull(std::vector<Sample> points) {
   return result;
 }
 
-// Moves the sample to where its curve is farthest from x, between its neighbours.
+// Moves the sample to the point of its curve, between its neighbours, that is farthest from x.
 void go_farthest(const Nurbs& curve, Sample& s, Vec2 x) {
   double low = s.low, high = s.high, t = s.t;
   for (int i = 0; i < 60 && low < high; ++i) {
@@ -82,7 +82,7 @@ double refined(const std::vector<Nurbs>& loop, Sample a, Sample b) {
 }  // namespace
 
 double signed_area(const std::vector<Nurbs>& loop) {
-  // Relative to a point of the loop: far from the origin the products would cancel.
+  // Coordinates relative to a point of the loop: far from the origin the products would cancel.
   const Vec2 centre = loop.front().poles.front();
   double area = 0;
   for (const Nurbs& curve : loop)
@@ -105,7 +105,7 @@ double diameter(const std::vector<Nurbs>& loop) {
     int i, j;
     double d2;
   };
-  // Pairs that no neighbour beats; the farthest of the sampled ones need not be the farthest of all.
+  // Local maxima of the distance among sampled pairs: the farthest sampled pair need not be next to the global maximum.
   std::vector<Pair> pairs;
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j) {

@@ -7,11 +7,11 @@
 
 namespace quadrille::cad {
 
-/// The area that the closed chain of curves encloses, positive when it runs counter-clockwise.
+/// The area enclosed by the closed chain of curves, positive if the chain is counter-clockwise.
 double signed_area(const std::vector<Nurbs>& loop);
 
-/// The largest distance between two points of the curves: sampled, then refined on the curves themselves, so that it
-/// does not change when the shape is turned.
+/// The largest distance between two points of the curves: sampled, then refined on the curves, so that it is invariant
+/// under rotation.
 double diameter(const std::vector<Nurbs>& loop);
 
 struct PoleBox {
@@ -21,7 +21,7 @@ struct PoleBox {
   bool contains(Vec2 x) const { return low.x <= x.x && x.x <= high.x && low.y <= x.y && x.y <= high.y; }
 };
 
-/// The box of the poles, which holds the curves.
+/// The bounding box of the poles, which contains the curves.
 PoleBox pole_box(const std::vector<Nurbs>& curves);
 
 }  // namespace quadrille::cad

@@ -25,7 +25,7 @@ class Writer {
     (*this)(static_cast<std::uint64_t>(values.size()));
     for (const T& value : values) (*this)(value);
   }
-  // Member by member: the padding behind the last one is no data.
+  // Member by member, because the padding after the last member is not data.
   void operator()(const Joint& j) {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
@@ -71,7 +71,7 @@ class Reader {
   size_t at_ = 0;
 };
 
-// One list of members for both directions.
+// One list of members serves both writing and reading.
 template <class Archive, class Face>
 void members(Archive& a, Face& f) {
   a(f.length_unit), a(f.metres_per_unit), a(f.plane_origin), a(f.plane_x), a(f.plane_y), a(f.origin), a(f.diameter);

@@ -1,5 +1,6 @@
 #pragma once
-// A CadFace and a Report as bytes, exactly, for the way from a child process to its parent. Not a file format.
+// Exact serialisation of a CadFace and a Report, used to pass them from a child process to its parent. Not a file
+// format.
 
 #include <string>
 
@@ -10,7 +11,8 @@ namespace quadrille::cad {
 
 std::string to_bytes(const CadFace& face, const Report& report);
 
-/// The face; what the report held is added to `report`. Throws Defect for bytes that to_bytes did not write.
+/// Returns the face and adds the contents of the serialised report to `report`. Throws Defect for bytes that were not
+/// written by to_bytes.
 CadFace from_bytes(const std::string& bytes, Report& report);
 
 }  // namespace quadrille::cad

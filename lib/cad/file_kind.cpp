@@ -28,7 +28,8 @@ std::optional<CadFormat> format_of_extension(const std::string& extension) {
   return std::nullopt;
 }
 
-// An IGES file is made of 80 columns a line; column 73 of the first says "start section", 74 to 80 count lines.
+// An IGES file has 80 columns per line; column 73 of the first line marks the start section, columns 74 to 80 contain
+// the line number.
 bool looks_like_iges(std::string_view text) {
   if (text.size() < 80) return false;
   const std::string_view number = text.substr(73, 7);

@@ -1,5 +1,5 @@
 #pragma once
-// Which CAD format a file holds: by its content; its extension may not contradict.
+// Determines the CAD format of a file from its content; the extension must not contradict it.
 
 #include <string>
 
@@ -10,8 +10,8 @@ enum class CadFormat { step, iges, brep };
 /// "STEP", "IGES", "BREP".
 std::string format_name(CadFormat format);
 
-/// Throws FormatError when `bytes` is empty, holds none of the formats, is cut off before its end mark, or when the
-/// extension of `name` says something else. A name without extension (a pipe) says nothing.
+/// Throws FormatError if `bytes` is empty, has none of the formats, is cut off before its end mark, or if the extension
+/// of `name` belongs to another format. A name without extension (a pipe) is accepted.
 CadFormat cad_format(const std::string& bytes, const std::string& name);
 
 }  // namespace quadrille::cad

@@ -18,7 +18,7 @@
 namespace quadrille::cad {
 namespace {
 
-// Third-party readers write to stdout and stderr, where our data and messages belong.
+// Third-party readers write to stdout and stderr, which are reserved for data and messages of the tools.
 void silence() {
   const int null = open("/dev/null", O_WRONLY);
   if (null < 0) return;
@@ -27,7 +27,7 @@ void silence() {
   close(null);
 }
 
-// A face of thousands of edges takes less than one.
+// Time limit of the child process; a face with thousands of edges takes less than a second.
 constexpr int most_seconds = 60;
 
 }  // namespace
@@ -63,7 +63,7 @@ CadFace load_face_guarded(const std::string& bytes, const std::string& name, con
   try {
     return from_bytes(run_in_child(work, crash, most_seconds), report);
   } catch (const FormatError& e) {
-    // Only now is it worth while to look for what a person could mend.
+    // After a crash of the reader, search the file for an error that the user can correct.
     const std::string fault = e.what() == crash && format == CadFormat::step ? step_fault(bytes) : std::string();
     if (fault.empty()) throw;
     throw FormatError(name + ": the file is malformed: " + fault);

@@ -1,5 +1,6 @@
 #pragma once
-// One planar face out of a CAD file (STEP, IGES, BREP). No kernel names here: OpenCASCADE stays in this folder.
+// Reads one planar face from a CAD file (STEP, IGES, BREP). No OpenCASCADE types: the kernel is used in this folder
+// only.
 
 #include <string>
 
@@ -9,16 +10,17 @@
 namespace quadrille::cad {
 
 struct LoadOptions {
-  double corner_angle = 0.017453292519943295;  ///< radians; tangent jumps above it are corners of the layout
+  double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
 };
 
-/// Reads the only face of the CAD file held in `bytes`; `name` is its file name, for its extension and for messages.
-/// Throws FormatError for anything that is not exactly one valid planar face, saying what and where. Construction
-/// points and curves beside the face are reported as warnings.
-/// OpenCASCADE's readers can crash on malformed files: call it through base/child_process.
+/// Reads the only face of a CAD file; `bytes`: contents of the file, `name`: its file name, for the extension and for
+/// messages. Throws FormatError, with the error and its position, unless the file contains exactly one valid planar
+/// face. Construction points and curves beside the face are reported as warnings. OpenCASCADE's readers can crash on
+/// malformed files: tools must use load_face_guarded().
 CadFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report);
 
-/// load_face in a child process (base/child_process), whose crash becomes a FormatError. What tools call.
+/// load_face() in a child process (base/child_process); a crash of the child becomes a FormatError. Tools call this
+/// function.
 CadFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
                           Report& report);
 

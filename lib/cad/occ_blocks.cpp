@@ -23,7 +23,7 @@
 namespace quadrille::cad {
 namespace {
 
-// x of the face's plane, as a point of the CAD model's space in the unit that `scale` converts to.
+// The point x of the face's plane, in the space of the CAD model; `scale` converts the length unit.
 gp_Pnt point_in_space(const CadFace& face, double scale, Vec2 x) {
   const Vec2 p = x + face.origin;
   const auto c = [&](int k) { return scale * (face.plane_origin[k] + p.x * face.plane_x[k] + p.y * face.plane_y[k]); };
@@ -82,7 +82,7 @@ class ShellBuilder {
     return v;
   }
 
-  // The pieces of an arc from its first node to its last, each in the direction of the arc.
+  // The edges of the pieces of an arc from its first node to its last, each in the direction of the arc.
   std::vector<TopoDS_Edge> edges_of_arc(int a) {
     const GraphArc& arc = layout_.arcs[a];
     std::vector<TopoDS_Edge> edges;

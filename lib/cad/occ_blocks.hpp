@@ -15,10 +15,10 @@ namespace quadrille::cad {
 struct OccBlocks {
   TopoDS_Shell shell;
   std::vector<TopoDS_Face> faces;                          ///< one per block
-  std::vector<std::pair<TopoDS_Edge, std::string>> names;  ///< of edges on the boundary
+  std::vector<std::pair<TopoDS_Edge, std::string>> names;  ///< of boundary edges
 };
 
-/// `scale`: factor from the layout's unit to that of the shell.
+/// `scale`: factor from the length unit of the layout to the unit of the shell.
 OccBlocks occ_blocks(const BlockLayout& layout, double scale);
 
 }  // namespace quadrille::cad

@@ -45,7 +45,7 @@ double greatest_height(const Geom_Curve& curve, double first, double last, const
   return height;
 }
 
-// The poles and flat knots as they stand: knots of a non-periodic spline need not be clamped.
+// Copies the poles and flat knots unchanged: knots of a non-periodic spline need not be clamped.
 Nurbs copied(const Geom_BSplineCurve& spline, const PlaneFrame& frame, double& height) {
   Nurbs curve;
   curve.degree = spline.Degree();
@@ -62,7 +62,7 @@ Nurbs copied(const Geom_BSplineCurve& spline, const PlaneFrame& frame, double& h
   return curve;
 }
 
-// `head` followed by `tail`, which begins where it ends, on one parameter axis.
+// `head` followed by `tail`, which starts at the end of `head`, with one common parameter.
 Nurbs joined(Nurbs head, const Nurbs& tail) {
   const double shift = head.end() - tail.begin(), scale = head.weights.back() / tail.weights.front();
   head.knots.pop_back();
@@ -74,7 +74,8 @@ Nurbs joined(Nurbs head, const Nurbs& tail) {
   return head;
 }
 
-// The part [first, last] of one period or of a whole curve; ends within rounding of the knots' ends are those ends.
+// The part [first, last] of a curve, or of a closed curve across its seam; ends within round-off of `low` or `high` are
+// snapped to them.
 Nurbs part(const Nurbs& whole, double low, double high, double first, double last, bool closed) {
   const double period = high - low, near = 1e-9 * period;
   if (closed) {

@@ -1,5 +1,5 @@
 #pragma once
-// OpenCASCADE curve in space -> NURBS of the face's plane. Lines, conics and splines exactly.
+// Converts an OpenCASCADE curve in space to a NURBS in the plane of the face. Lines, conics and splines are exact.
 
 #include <Geom_Curve.hxx>
 #include <gp_Pnt.hxx>
@@ -21,12 +21,13 @@ struct PlaneFrame {
 
 struct PlaneCurve {
   Nurbs curve;
-  double height = 0;  ///< the farthest that a pole or sample lies off the plane
-  double error = 0;   ///< bound of the approximation; 0 where exact
+  double height = 0;  ///< greatest distance of a pole or sample from the plane
+  double error = 0;   ///< bound of the approximation error, a length; 0 if exact
 };
 
-/// The part of `curve` from parameter `first` to `last` (beyond the period's end where it is periodic). A curve type
-/// without exact rational form is approximated to `tolerance`. Throws FormatError for a curve that cannot be used.
+/// The part of `curve` from parameter `first` to `last` (possibly beyond the end of the period of a periodic curve). A
+/// curve type without exact rational form is approximated to `tolerance`, a length. Throws FormatError for a curve that
+/// cannot be used.
 PlaneCurve plane_curve(const Handle(Geom_Curve) & curve, double first, double last, const PlaneFrame& frame,
                        double tolerance);
 

@@ -35,7 +35,7 @@ TopoDS_Face only_face(const OccModel& model, const std::string& file) {
   if (!faces.More()) throw FormatError(file + ": the face cannot be built from what the file says");
   if (model.num_faces == 1) return TopoDS::Face(faces.Current());
 
-  // Say whether they hang together: a shell needs another remedy than stray faces.
+  // The message distinguishes connected faces from separate ones: a shell needs another remedy than stray faces.
   std::vector<TopoDS_Shape> edges;
   int shared = 0;
   for (; faces.More(); faces.Next())
@@ -60,10 +60,11 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
   return std::nullopt;
 }
 
-// Plus 0.0: no negative zeros.
+// Adding 0.0 turns negative zeros into positive ones.
 std::array<double, 3> numbers(const gp_XYZ& v) { return {v.X() + 0.0, v.Y() + 0.0, v.Z() + 0.0}; }
 
-// A plane parallel to two axes keeps their coordinates, x and y, y and z or x and z; another one has the file's axes.
+// In a plane parallel to two axes, their coordinates are used: (x, y), (y, z) or (x, z). Any other plane has the axes
+// of the file.
 PlaneFrame frame_of(const gp_Pln& plane) {
   const gp_XYZ normal = plane.Axis().Direction().XYZ(), location = plane.Location().XYZ();
   constexpr double same = 1e-12;
@@ -88,7 +89,7 @@ std::string kind_of_surface(const TopoDS_Face& face) {
   return type;
 }
 
-// Walks the wires of one face and turns their edges into NURBS of its plane.
+// Traverses the wires of one face and converts their edges to NURBS in its plane.
 class FaceReader {
  public:
   FaceReader(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, RawFace& raw, Report& report)
@@ -152,7 +153,7 @@ class FaceReader {
     return result;
   }
 
-  // Refuses edges that bound nothing: inner ones, and those with the face on both sides.
+  // Refuses edges that bound no area: internal edges, and edges with the face on both sides.
   void require_plain(const TopoDS_Edge& edge, const Geom_Curve& curve, double first) {
     const auto same = [&](const TopoDS_Edge& e) { return e.IsSame(edge); };
     const bool inner = edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL;

@@ -1,5 +1,5 @@
 #pragma once
-// The only face of an OpenCASCADE model, as NURBS of its own plane.
+// Extracts the only face of an OpenCASCADE model, as NURBS in its plane.
 
 #include "base/report.hpp"
 #include "cad/occ_model.hpp"
@@ -7,8 +7,8 @@
 
 namespace quadrille::cad {
 
-/// Throws FormatError unless `model` holds exactly one planar face bounded by plain wires; what lies beside the face
-/// becomes warnings.
+/// Throws FormatError unless `model` contains exactly one planar face bounded by plain wires; other entities of the
+/// model are reported as warnings. `file`: name of the file, for messages.
 RawFace occ_face(const OccModel& model, const std::string& file, Report& report);
 
 }  // namespace quadrille::cad

@@ -38,7 +38,7 @@ std::string name_of(const IGESData_IGESEntity& entity) {
   return name.IsNull() || name->Value().IsNull() ? std::string() : clean_name(name->Value()->ToCString());
 }
 
-// The eight numbers of IGES 5.3, table 4, or a colour entity with shares in percent.
+// One of the eight colour numbers of IGES 5.3, table 4, or a colour entity with components in percent.
 std::string colour_of(const IGESData_IGESEntity& entity) {
   if (const auto own = Handle(IGESGraph_Color)::DownCast(entity.Color()); !own.IsNull()) {
     std::array<double, 3> share{};
@@ -61,7 +61,7 @@ ShapeLabel label_of(const IGESData_IGESEntity& entity) {
 
 using Ends = std::array<gp_Pnt, 2>;
 
-// Of a curve entity in space; of other kinds than these nothing is said.
+// The ends of a curve entity in space; std::nullopt for other kinds of entities.
 std::optional<Ends> ends_of(const Entity& curve) {
   if (const auto line = Handle(IGESGeom_Line)::DownCast(curve); !line.IsNull())
     return Ends{line->TransformedStartPoint(), line->TransformedEndPoint()};
@@ -89,7 +89,7 @@ std::vector<Entity> curves_of(const IGESGeom_CurveOnSurface& boundary) {
   return curves;
 }
 
-// The wire's edges stand in the sequence of the curves. Where their number or ends say otherwise nothing is told.
+// The edges of the wire are in the order of the curves. If their number or ends do not match, no labels are added.
 void add_boundary(const Handle(IGESGeom_CurveOnSurface) & boundary, const Handle(Transfer_TransientProcess) & process,
                   OccModel& model) {
   if (boundary.IsNull()) return;

@@ -16,7 +16,7 @@
 namespace quadrille::cad {
 namespace {
 
-// Leaves every shape as the file describes it.
+// Replaces OpenCASCADE's shape healing: every shape stays as the file describes it.
 class NoHealing : public XSAlgo_AlgoContainer {
  public:
   TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real, const Standard_Real, const Standard_CString,
@@ -36,7 +36,7 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 
 OccModel occ_load_brep(const std::string& bytes) {
   OccModel model;
-  // The readers do not notice the end of the file, and would go on as long as a wrong count says.
+  // The readers do not detect the end of the file and would continue for as long as a wrong count states.
   std::istringstream stream(bytes + "\n");
   stream.exceptions(std::ios::failbit | std::ios::badbit);
   if (bytes.substr(0, 200).find("Open CASCADE Topology V") != std::string::npos)

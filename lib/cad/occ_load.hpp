@@ -1,5 +1,5 @@
 #pragma once
-// CAD file -> OpenCASCADE shape. Only occ_load*.cpp include OpenCASCADE's readers.
+// Reads a CAD file into an OpenCASCADE shape. Only occ_load*.cpp include OpenCASCADE's readers.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace quadrille::cad {
 
-/// Reads without OpenCASCADE's shape healing: faults of the file are reported, not repaired without notice. Throws
-/// FormatError with `name` where nothing can be read.
+/// Reads without OpenCASCADE's shape healing: errors of the file are reported, not repaired silently. Throws
+/// FormatError with `name` if nothing can be read.
 OccModel occ_load(CadFormat format, const std::string& bytes, const std::string& name);
 
 /// The readers behind occ_load, one source file each.

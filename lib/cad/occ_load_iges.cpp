@@ -16,7 +16,7 @@
 namespace quadrille::cad {
 namespace {
 
-// The reader wants a path: an anonymous file in memory gives it one.
+// The reader requires a path: an anonymous file in memory provides it.
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& bytes) : fd_(memfd_create("cad", 0)) {
@@ -79,7 +79,8 @@ OccModel occ_load_iges(const std::string& bytes, const std::string& name) {
     global.SetCascadeUnit(1.0);
     const double millimetres = global.UnitValue();
     model.metres_per_unit = millimetres / 1000;
-    // The reader multiplies by the unit's millimetres and divides by this: exactly 1.
+    // The reader multiplies coordinates by the millimetres per unit and divides them by this value: the factor is
+    // exactly 1.
     global.SetCascadeUnit(millimetres);
     iges->SetGlobalSection(global);
   }

@@ -66,11 +66,11 @@ std::string length_name(const Handle(StepRepr_GlobalUnitAssignedContext) & conte
 
 struct LengthUnit {
   std::string name = "unknown";
-  double millimetres = 0;  ///< 0: the file says nothing
+  double millimetres = 0;  ///< 0: not stated in the file
   double tolerance = 0;
 };
 
-// Units of one representation context; millimetres = 0 where the entity is none.
+// The length unit of one representation context; millimetres = 0 if the entity is no such context.
 LengthUnit unit_of(const Handle(Standard_Transient) & entity) {
   Handle(StepRepr_GlobalUnitAssignedContext) units;
   Handle(StepRepr_GlobalUncertaintyAssignedContext) uncertainty;
@@ -94,7 +94,7 @@ LengthUnit unit_of(const Handle(Standard_Transient) & entity) {
   return unit;
 }
 
-// The one length unit of the model; a file that mixes them is refused.
+// The length unit of the model; a file with several length units is refused.
 LengthUnit length_unit(const StepData_StepModel& model, const std::string& name) {
   LengthUnit found;
   for (int i = 1; i <= model.NbEntities(); ++i) {
@@ -108,14 +108,14 @@ LengthUnit length_unit(const StepData_StepModel& model, const std::string& name)
   return found;
 }
 
-// How many edges the loops of a face name, whether they can be built or not.
+// The number of edges that the loops of a face refer to, whether they can be built or not.
 int num_edges(const StepShape_Face& face) {
   int edges = 0;
   if (face.Bounds().IsNull()) return 0;
   for (int i = 1; i <= face.NbBounds(); ++i) {
     const Handle(StepShape_FaceBound) bound = face.BoundsValue(i);
     const auto loop = bound.IsNull() ? nullptr : Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
-    // A loop that is missing or of another kind counts as one edge, so that its loss is noticed.
+    // A missing loop, or one of another kind, counts as one edge, so that its loss is detected.
     edges += loop.IsNull() || loop->EdgeList().IsNull() ? 1 : loop->NbEdgeList();
   }
   return edges;
@@ -137,18 +137,19 @@ void collect(const STEPControl_Reader& reader, OccModel& model) {
 
 OccModel occ_load_step(const std::string& bytes, const std::string& name) {
   STEPControl_Reader reader;
-  // Curves in space only: the plane's own copies of them (pcurves) are redundant and often worse.
+  // Use the curves in space only: the curves in the parameter plane (pcurves) are redundant and often less accurate.
   Interface_Static::SetIVal("read.surfacecurve.mode", -3);
-  // The reader takes the text for UTF-8 and spoils what is not.
+  // The reader assumes UTF-8 and corrupts other encodings.
   std::istringstream stream(utf8_or_latin1(bytes));
   if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone)
     throw FormatError(name + ": the STEP file cannot be parsed");
   OccModel model;
-  // Units are counted in the target unit, which a reader before this one may have left behind.
+  // Lengths are converted to the target unit, a global setting that a previous reader may have changed.
   reader.SetSystemLengthUnit(1.0);
   const LengthUnit unit = length_unit(*reader.StepModel(), name);
   if (unit.millimetres > 0) {
-    // The reader multiplies by the unit's millimetres and divides by this: exactly 1.
+    // The reader multiplies coordinates by the millimetres per unit and divides them by this value: the factor is
+    // exactly 1.
     reader.SetSystemLengthUnit(unit.millimetres);
     model.length_unit = unit.name;
     model.metres_per_unit = unit.millimetres / 1000;

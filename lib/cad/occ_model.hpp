@@ -1,5 +1,5 @@
 #pragma once
-// What a CAD file holds, as an OpenCASCADE shape with labels, in the numbers of the file.
+// The contents of a CAD file as an OpenCASCADE shape with labels, in the length unit of the file.
 
 #include <TopoDS_Shape.hxx>
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace quadrille::cad {
 
-/// What a file says about a face or an edge beside its shape; empty where it says nothing.
+/// The labels of a face or an edge; empty if the file states none.
 struct ShapeLabel {
   std::string name;
   std::string layer;
@@ -16,17 +16,18 @@ struct ShapeLabel {
 };
 
 struct OccModel {
-  TopoDS_Shape shape;                   ///< everything that the file holds
+  TopoDS_Shape shape;                   ///< all entities of the file
   std::string length_unit = "unknown";  ///< lower case
   double metres_per_unit = 0;
-  double tolerance = 1e-7;  ///< the file's own, in its unit
-  int num_faces = 0;        ///< faces that the file describes, also those that could not be built
+  double tolerance = 1e-7;  ///< tolerance stated by the file, in its length unit
+  int num_faces = 0;        ///< faces that the file describes, including those that could not be built
   int num_solids = 0;
-  int num_face_edges = -1;  ///< uses of edges by the loops of the only face, as the file says; -1 where unknown
-  /// Of faces and edges, by what OpenCASCADE shares among all uses of a shape; the shape keeps that alive.
+  int num_face_edges = -1;  ///< uses of edges by the loops of the only face, as stated by the file; -1: unknown
+  /// Labels of faces and edges. The key is the TShape that OpenCASCADE shares among all uses of a shape; the stored
+  /// shape keeps it alive.
   std::map<const TopoDS_TShape*, std::pair<TopoDS_Shape, ShapeLabel>> labels;
 
-  /// The label of `wanted`, whatever its orientation and place.
+  /// The label of `wanted`, independent of its orientation and location.
   ShapeLabel label_of(const TopoDS_Shape& wanted) const {
     const auto found = labels.find(wanted.TShape().get());
     return found == labels.end() ? ShapeLabel() : found->second.second;

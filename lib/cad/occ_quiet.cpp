@@ -4,10 +4,10 @@
 #include <Message_Messenger.hxx>
 
 #ifdef __SANITIZE_ADDRESS__
-// The kernel keeps tables until the process ends; its leaks would hide ours.
+// The kernel keeps tables until the process ends; these leaks would hide leaks of the project.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libTK\n"; }
-// A list of what was suppressed, on stderr, is not a message of ours.
+// Disables the list of suppressed leaks, because stderr is reserved for messages of the tools.
 extern "C" const char* __lsan_default_options();
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif

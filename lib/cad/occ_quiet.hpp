@@ -1,5 +1,5 @@
 #pragma once
-// Settings of OpenCASCADE for the whole process.
+// Process-wide settings of OpenCASCADE.
 
 namespace quadrille::cad {
 

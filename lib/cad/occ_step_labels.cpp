@@ -31,13 +31,14 @@ namespace {
 
 using Entity = Handle(Standard_Transient);
 
-// What plain writers put where there is no name counts as none.
+// The text of a string entity; placeholders that simple writers use for a missing name count as empty.
 std::string text_of(const Handle(TCollection_HAsciiString) & s) {
   const std::string name = s.IsNull() ? std::string() : clean_name(s->ToCString());
   return name == "NONE" || name == "none" ? std::string() : name;
 }
 
-// "ff0000"; empty for anything but a colour that is said in numbers or is one of the eight of ISO 10303-46.
+// The colour as "ff0000"; empty unless it is given by components or is one of the eight predefined colours of ISO
+// 10303-46.
 std::string hex_of(const Handle(StepVisual_Colour) & colour) {
   if (const auto rgb = Handle(StepVisual_ColourRgb)::DownCast(colour); !rgb.IsNull()) {
     const auto level = [](double share) {
@@ -73,7 +74,8 @@ std::string curve_colour(const StepVisual_StyledItem& item) {
   return {};
 }
 
-// What a layer or a style means when it lists `entity`: styled items and uses of edges stand for what they refer to.
+// The entity to which a layer or a style applies if it lists `entity`: styled items and oriented edges are replaced by
+// the entity to which they refer.
 Entity meant(const Entity& entity) {
   if (const auto styled = Handle(StepVisual_StyledItem)::DownCast(entity); !styled.IsNull())
     return styled->Item().IsNull() ? styled->ItemAP242().Value() : Entity(styled->Item());
@@ -81,7 +83,7 @@ Entity meant(const Entity& entity) {
   return entity;
 }
 
-// Layers and colours by the entity that they are given to.
+// Layers and colours by the entity to which they are assigned.
 class Marks {
  public:
   explicit Marks(const StepData_StepModel& file) {
@@ -94,7 +96,7 @@ class Marks {
     }
   }
 
-  // `label` gets what it lacks and `entity` has.
+  // Completes the empty parts of `label` from the marks of `entity`.
   void complete(ShapeLabel& label, const Entity& entity) const {
     const auto found = marks_.find(entity.get());
     if (entity.IsNull() || found == marks_.end()) return;
@@ -132,7 +134,7 @@ class Marks {
   std::map<const Standard_Transient*, Mark> marks_;
 };
 
-// Programs put edges on layers by the edge, by its curve, or by the curve in space of a surface curve.
+// CAD programs assign an edge to a layer through the edge, its curve, or the curve in space of a surface curve.
 void complete_from_curve(ShapeLabel& label, const StepShape_EdgeCurve& edge, const Marks& marks) {
   const Handle(StepGeom_Curve) curve = edge.EdgeGeometry();
   marks.complete(label, curve);

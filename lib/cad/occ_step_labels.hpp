@@ -1,6 +1,6 @@
 #pragma once
-// What a STEP file says about its faces and edges beside their shape, read from its entities as they are: no XCAF
-// document, whose libraries would cost every start.
+// Reads the labels (name, layer, colour) of faces and edges in a STEP file, directly from its entities. An XCAF
+// document is not used, because its libraries would slow down every start.
 
 #include <StepData_StepModel.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -9,9 +9,10 @@
 
 namespace quadrille::cad {
 
-/// Fills model.labels from `file`, whose transfer to shapes `process` did:
-/// names of FACE_SURFACE and EDGE_CURVE; the first PRESENTATION_LAYER_ASSIGNMENT that lists the entity, its curve or a
-/// STYLED_ITEM of it; the colour of the CURVE_STYLE of its STYLED_ITEM, of an overriding one if there is one.
+/// Fills model.labels from `file`; `process` is the transfer of the file to shapes. The name of a
+/// label is read from FACE_SURFACE or EDGE_CURVE, its layer from the first PRESENTATION_LAYER_ASSIGNMENT that lists the
+/// entity, its curve or a STYLED_ITEM of it, and its colour from the CURVE_STYLE of the STYLED_ITEM of the entity, or
+/// of an overriding STYLED_ITEM if there is one.
 void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_TransientProcess) & process,
                      OccModel& model);
 

@@ -26,11 +26,11 @@ namespace quadrille::cad {
 namespace {
 
 struct WrittenUnit {
-  const char* name;  ///< as the writer calls it
-  double scale;      ///< from the layout's unit
+  const char* name;  ///< name of the unit in the writer
+  double scale;      ///< factor from the unit of the layout
 };
 
-// The layout's own unit where the writer knows it; numbers of other units become millimetres.
+// The unit of the layout if the writer supports it; coordinates in other units are converted to millimetres.
 WrittenUnit written_unit(const CadFace& face) {
   static const std::pair<const char*, double> known[] = {
       {"MM", 1e-3}, {"M", 1.0},       {"INCH", 0.0254}, {"CM", 1e-2}, {"FT", 0.3048},
@@ -44,7 +44,7 @@ WrittenUnit written_unit(const CadFace& face) {
 Handle(TCollection_HAsciiString) text(const std::string& s) { return new TCollection_HAsciiString(s.c_str()); }
 
 void set_up(STEPControl_Writer& writer, const char* unit) {
-  // Equal units here and there: the writer leaves the numbers alone and only names the unit.
+  // With equal source and target units the writer does not scale coordinates and only states the unit.
   writer.Model()->SetLocalLengthUnit(1.0);
   writer.Model()->SetWriteLengthUnit(1.0);
   Interface_Static::SetCVal("write.step.unit", unit);
@@ -75,7 +75,8 @@ void set_names(const STEPControl_Writer& writer, const OccBlocks& blocks, const 
   for (const auto& [edge, s] : blocks.names) name(edge, s);
 }
 
-// The writer counts the products of a process; equal layouts shall give equal bytes.
+// Replaces the product name, because the writer numbers the products of a process and equal layouts must produce equal
+// bytes.
 void set_product_name(const StepData_StepModel& model) {
   for (int i = 1; i <= model.NbEntities(); ++i)
     if (const auto product = Handle(StepBasic_Product)::DownCast(model.Value(i)); !product.IsNull()) {
@@ -86,7 +87,7 @@ void set_product_name(const StepData_StepModel& model) {
 
 std::string written(const STEPControl_Writer& writer, const Handle(StepData_StepModel) & model) {
   StepData_StepWriter text_writer(model);
-  // All digits, so that the same numbers are read again; suppressing zeros would cut them off.
+  // All digits, so that reading returns the same numbers; suppression of zeros would truncate them.
   text_writer.FloatWriter().SetFormat("%.16E");
   text_writer.FloatWriter().SetZeroSuppress(false);
   text_writer.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));

@@ -10,7 +10,7 @@
 namespace quadrille::cad {
 namespace {
 
-// A polynomial piece of a curve inside the strip of half-width `width` around its chord.
+// A piece of a curve between knots; it lies within the distance `width` of its chord.
 struct Piece {
   Nurbs curve;
   int loop = 0, id = 0;
@@ -50,7 +50,7 @@ double polygon_turning(const Nurbs& curve) {
   return turning;
 }
 
-// Pieces that turn by less than a straight angle cannot meet themselves.
+// Bisects the piece until each part turns by less than a straight angle: such a part cannot intersect itself.
 void add_simple(const Piece& piece, int depth, std::vector<Piece>& pieces) {
   if (depth == 0 || polygon_turning(piece.curve) < 1.8) {
     pieces.push_back(piece);
@@ -69,7 +69,7 @@ std::vector<Piece> simple_pieces(const std::vector<Nurbs>& loop, int loop_id) {
       if (curve.knots[k - 1] < curve.knots[k])
         add_simple(make_piece(curve::trimmed(curve, curve.knots[k - 1], curve.knots[k]), loop_id, c), 30, pieces);
   }
-  // Three at least, so that neighbours share one end and not two.
+  // At least three pieces, so that neighbours share one end and not two.
   while (pieces.size() < 3) {
     std::vector<Piece> finer;
     for (const Piece& p : pieces) {
@@ -86,11 +86,11 @@ class ContactSearch {
  public:
   explicit ContactSearch(double tol) : tol_(tol) {}
 
-  // A place where a and b come closer than the tolerance.
+  // A position where a and b are closer than the tolerance; std::nullopt if there is none.
   std::optional<Vec2> meet(const Piece& a, const Piece& b) {
     const double d = distance_of_segments(a.a(), a.b(), b.a(), b.b());
     if (d > a.width + b.width + tol_) return std::nullopt;
-    // Curves that lie upon each other are never decided: many halvings mean contact.
+    // For coincident curves the bisection never decides: an exhausted budget means contact.
     if (a.width + b.width <= tol_ / 4 || --budget_ < 0) return place(a, b);
     const bool first = a.width >= b.width;
     const auto [p, q] = halves(first ? a : b);
@@ -98,7 +98,7 @@ class ContactSearch {
     return first ? meet(q, b) : meet(a, q);
   }
 
-  // The same for b that begins where a ends: a contact elsewhere.
+  // The same if b starts at the end of a: a contact elsewhere than at the common point.
   std::optional<Vec2> meet_again(const Piece& a, const Piece& b) {
     if (apart(a.curve, b.curve)) return std::nullopt;
     if (std::max(size(a), size(b)) < 10 * tol_) return std::nullopt;
@@ -122,7 +122,7 @@ class ContactSearch {
     return a.a() + s * d;
   }
 
-  // The poles of both, seen from the common point, lie in cones that do not overlap.
+  // Whether the poles of a and b, seen from the common point, lie in disjoint cones.
   static bool apart(const Nurbs& a, const Nurbs& b) {
     const Vec2 joint = b.poles.front();
     struct Cone {
@@ -190,7 +190,7 @@ int winding_number(const std::vector<Nurbs>& loop, Vec2 x) {
     const auto [piece, depth] = std::move(stack.back());
     stack.pop_back();
     const Vec2 a = piece.a() - x, b = piece.b() - x;
-    // Outside the strip the piece sweeps the angle of its chord.
+    // Seen from a point outside the strip, the piece subtends the same angle as its chord.
     if (depth == 60 || distance_to_segment(x, piece.a(), piece.b()) > piece.width) {
       angle += std::atan2(cross(a, b), dot(a, b));
     } else {

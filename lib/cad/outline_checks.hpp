@@ -1,6 +1,6 @@
 #pragma once
-// Is a set of loops the boundary of one region? Decided on the curves themselves, not on a polygon: pieces are
-// enclosed by their chord and the greatest distance of a pole from it, and halved until the question is answered.
+// Checks whether a set of loops bounds one region. The checks use the curves, not polygons: each piece is enclosed by
+// its chord and the greatest distance of a pole from the chord, and bisected until the check is decided.
 
 #include <optional>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace quadrille::cad {
 
-/// Where two curves come closer than the tolerance without being neighbours at that place.
+/// A position where two curves are closer than the tolerance without being neighbours there.
 struct Contact {
   int loop_a = 0, curve_a = 0, loop_b = 0, curve_b = 0;
   Vec2 position;
 };
 
-/// The first contact among the curves of all loops, within a curve included; none for simple, disjoint loops.
-/// `tol` is a length: closer than that is contact.
+/// The first contact among the curves of all loops, including self-contact of a curve; std::nullopt for simple,
+/// disjoint loops. `tol`: distance below which curves are in contact, a length.
 std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops, double tol);
 
-/// How often the loop winds around x, which does not lie on it.
+/// The winding number of the loop around x, positive if counter-clockwise; x must not lie on the loop.
 int winding_number(const std::vector<Nurbs>& loop, Vec2 x);
 
 }  // namespace quadrille::cad

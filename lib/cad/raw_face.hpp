@@ -1,6 +1,6 @@
 #pragma once
-// A face between the CAD kernel and the model: its edges as NURBS of the plane, wire by wire, not yet checked.
-// Private to this folder; no kernel names.
+// A face between the CAD kernel and the model: its edges as NURBS in its plane, wire by wire, not yet checked. Private
+// to this folder; no OpenCASCADE types.
 
 #include <array>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace quadrille::cad {
 
-/// One edge of the file as its wire walks it.
+/// One edge of the file, in the direction of its wire.
 struct RawEdge {
   Nurbs curve;
-  Vec2 start, end;       ///< the vertices that the file gives it
+  Vec2 start, end;       ///< positions of its vertices in the file
   int cad_edge = 0;      ///< number in the file
-  std::string name{};    ///< empty where the file has none; likewise the two others
-  std::string layer{};   ///< name of the layer on which it is
+  std::string name{};    ///< empty if the file has none; likewise layer and colour
+  std::string layer{};   ///< name of the layer of the edge
   std::string colour{};  ///< "ff0000" for red
 };
 
@@ -25,9 +25,9 @@ struct RawFace {
   std::string name, layer;
   std::string length_unit = "unknown";
   double metres_per_unit = 0;
-  double tolerance = 1e-7;  ///< the file's own: below it points are the same
+  double tolerance = 1e-7;  ///< tolerance of the file, a length: closer points coincide
   std::array<double, 3> plane_origin{0, 0, 0}, plane_x{1, 0, 0}, plane_y{0, 1, 0};
-  std::vector<std::vector<RawEdge>> wires;  ///< in the sequence of the file
+  std::vector<std::vector<RawEdge>> wires;  ///< in the order of the file
 };
 
 }  // namespace quadrille::cad

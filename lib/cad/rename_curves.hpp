@@ -1,5 +1,5 @@
 #pragma once
-// New names for the boundary curves of a face. No kernel here.
+// Renames the boundary curves of a face. No OpenCASCADE types.
 
 #include <vector>
 
@@ -8,9 +8,10 @@
 
 namespace quadrille::cad {
 
-/// Sets face.curve_names by `rules`; old names are those before the first change, and several curves may share a name.
-/// Throws FormatError, with the rule's place, for a rule that meets no curve, a place that is equally near to several
-/// curves (within 1e-6 diameters) or farther than a diameter from all, and for two rules that name the same curve.
+/// Sets face.curve_names by `rules`; old names refer to the names before the first rule, and several curves may have
+/// the same name. Throws FormatError, with the position of the rule in its source, for a rule that matches no curve,
+/// for a position that is equally near to several curves (within 1e-6 diameters) or farther than a diameter from all,
+/// and for two rules that name the same curve.
 void rename_curves(CadFace& face, const std::vector<NameRule>& rules);
 
 }  // namespace quadrille::cad

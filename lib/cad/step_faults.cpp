@@ -20,7 +20,7 @@ struct Entity {
   std::vector<Reference> references;
 };
 
-// What an argument of an entity may refer to.
+// The entity types to which an argument of an entity may refer.
 struct Expectation {
   const char* type;
   int argument;
@@ -51,7 +51,7 @@ const std::vector<Expectation>& expectations() {
   return table;
 }
 
-// The statements of the data section, without strings: their letters would look like syntax.
+// The statements of the data section without strings, whose characters could be mistaken for syntax.
 std::vector<std::string> statements(const std::string& bytes) {
   std::vector<std::string> result;
   const size_t data = bytes.find("DATA;");

@@ -13,7 +13,7 @@
 namespace quadrille::cad {
 namespace {
 
-// Smaller jumps are rounding errors of the numbers in a text file.
+// Smaller tangent jumps are rounding errors of the decimal numbers in a text file.
 constexpr double smallest_jump = 1e-9;
 
 double polygon_length(const Nurbs& curve) {
@@ -32,7 +32,8 @@ void require_vertices_on_ends(const RawFace& raw, const RawEdge& edge, double to
   }
 }
 
-// The edges in walking sequence: as they stand, or else each time the first one that begins where the last ended.
+// The edges in the order of the wire: as listed if they are connected; otherwise each next edge is the first one that
+// starts at the end of the previous edge.
 std::vector<const RawEdge*> chained(const RawFace& raw, const std::vector<const RawEdge*>& edges, double tol) {
   std::vector<const RawEdge*> rest(edges.begin() + 1, edges.end()), chain{edges.front()};
   while (!rest.empty()) {
@@ -52,7 +53,8 @@ std::vector<const RawEdge*> chained(const RawFace& raw, const std::vector<const 
   return chain;
 }
 
-// Inner knots where the tangent jumps. Below full multiplicity a knot can do so only where the derivative vanishes.
+// Inner knots at which the tangent jumps. Below full multiplicity the tangent can jump only where the derivative
+// vanishes.
 std::vector<double> jumps(const Nurbs& curve) {
   std::vector<double> result;
   const double scale = 1e-9 * polygon_length(curve) / (curve.end() - curve.begin());
@@ -76,7 +78,7 @@ void add_pieces(const RawEdge& edge, Loop& loop) {
   loop.push_back({curve::trimmed(edge.curve, begin, edge.curve.end()), edge.cad_edge, edge.name});
 }
 
-// Neighbours meet in the middle of the gap that rounding left between them.
+// Moves the ends of neighbours to the middle of the gap caused by rounding.
 void close_gaps(Loop& loop) {
   for (size_t i = 0; i < loop.size(); ++i) {
     Vec2& end = loop[i].curve.poles.back();

@@ -1,5 +1,5 @@
 #pragma once
-// Blocks as a STEP model: topologically connected planar faces that other programs open. No kernel names here.
+// Writes blocks as a STEP model of topologically connected planar faces. No OpenCASCADE types.
 
 #include <string>
 
@@ -7,11 +7,11 @@
 
 namespace quadrille::cad {
 
-/// One shell with one face for each block, named as the block, in the face's plane in space and in the unit of the
-/// CAD file (millimetre where that is unknown). Every piece of an arc is one edge, shared by the faces on both sides;
-/// vertices are shared likewise; edges on the boundary carry the name of their CAD curve. Straight pieces are lines,
-/// the others rational B-splines, exactly. The same layout gives the same bytes. Throws ComputeError for a layout
-/// whose arcs do not meet.
+/// One shell with one face for each block, named as the block, in the plane of the CAD face in space and in the length
+/// unit of the CAD file (millimetre if the unit is unknown). Every piece of an arc is one edge, shared by the faces on
+/// both sides; vertices are shared likewise; edges on the boundary carry the name of their CAD curve. Straight pieces
+/// are lines, the others are exact rational B-splines. Equal layouts produce equal bytes. Throws ComputeError if the
+/// arcs of a layout do not meet.
 std::string step_of_blocks(const BlockLayout& layout);
 
 }  // namespace quadrille::cad
