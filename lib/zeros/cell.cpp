@@ -13,7 +13,7 @@ std::vector<double> of_degree(int degree, int order, const double* orthogonal_co
   return b;
 }
 
-/// A linear function of degree `degree`, with these values at the vertices.
+/// A linear function in the Bernstein form of degree `degree`, with these values at the vertices.
 std::vector<double> linear(int degree, double at0, double at1, double at2) {
   std::vector<double> b;
   b.reserve(spectral::num_bernstein(degree));

@@ -1,9 +1,9 @@
 #pragma once
-// A piece of an element during the search for zeros: geometry and polynomial part of the field in Bernstein form.
+// A part of an element in the search for zeros: geometry and polynomial part of the field in Bernstein form.
 //
 // A cell is a triangle in the element's reference coordinates, with local coordinates lambda = (lambda1, lambda2) of
-// its vertices 1 and 2: lambda >= 0, lambda1 + lambda2 <= 1. Position and field are polynomials in lambda of one
-// common degree, so that curved elements need no case of their own.
+// its vertices 1 and 2: lambda >= 0, lambda1 + lambda2 <= 1. Position and field are polynomials in lambda of one common
+// degree, so that curved elements are not a special case.
 
 #include <array>
 #include <vector>
@@ -15,25 +15,25 @@ namespace quadrille::zeros {
 struct Cell {
   int elem = 0;
   int degree = 1;
-  double scale = 0;        ///< greatest coefficient of the element's field: what rounding refers to
+  double scale = 0;        ///< greatest coefficient of the element's field, the scale of rounding errors
   std::array<Vec2, 3> xi;  ///< vertices in the element's reference coordinates
   std::array<std::vector<double>, 4> components;  ///< x, y, u, v without liftings
 
   int num_coefs() const { return static_cast<int>(components[0].size()); }
   Vec2 point(int i) const { return {components[0][i], components[1][i]}; }
   Vec2 value(int i) const { return {components[2][i], components[3][i]}; }
-  /// Position of vertex k: the polynomial's own value.
+  /// Position of vertex k, exactly the value of the polynomial.
   Vec2 vertex(int k) const { return point(k == 0 ? 0 : k == 1 ? degree : num_coefs() - 1); }
   Vec2 xi_at(Vec2 lambda) const { return xi[0] + lambda.x * (xi[1] - xi[0]) + lambda.y * (xi[2] - xi[0]); }
 };
 
-/// Not less than the greatest stretch of a vector by m.
+/// An upper bound of the greatest stretch of a vector by m.
 inline double frobenius_norm(const Mat2& m) { return std::sqrt(m.xx * m.xx + m.xy * m.xy + m.yx * m.yx + m.yy * m.yy); }
 
 /// The whole element `elem`.
 Cell element_cell(const field::FieldEvaluator& evaluator, int elem);
 
-/// Cuts the cell through the middle of its longest side in the plane.
+/// Bisects the cell at the middle of its longest side in the plane.
 void bisect(const Cell& cell, Cell& first, Cell& second);
 
 }  // namespace quadrille::zeros

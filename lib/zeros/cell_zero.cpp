@@ -7,7 +7,7 @@ namespace {
 
 double outside(Vec2 lambda) { return std::max({-lambda.x, -lambda.y, lambda.x + lambda.y - 1}); }
 
-/// The nearest point of the triangle lambda >= 0, lambda1 + lambda2 <= 1.
+/// The point of the triangle lambda >= 0, lambda1 + lambda2 <= 1 nearest to p.
 Vec2 project(Vec2 p) {
   if (outside(p) <= 0) return p;
   const double s = std::clamp((p.x - p.y + 1) / 2, 0.0, 1.0);
@@ -39,7 +39,7 @@ bool polish_zero(const field::FieldEvaluator& evaluator, int elem, Vec2& xi) {
     const Vec2 step = inverse(dv_dxi) * s.value;
     const double length = norm(step);
     if (!(length < 1)) return false;
-    if (length >= last / 2 && last < 1e-8) return true;  // round-off: no further gain
+    if (length >= last / 2 && last < 1e-8) return true;  // round-off prevents any further progress
     xi = xi - step;
     last = length;
     if (length < 1e-16) return true;
@@ -61,7 +61,7 @@ bool find_cell_zero(const field::FieldEvaluator& evaluator, const Cell& cell, co
     step = inverse_jacobian * value(evaluator, cell, lambda);
     if (moved < 1e-7 + noise) break;
   }
-  // At a fixed point on the cell's edge the zero of the extension lies beyond it.
+  // If the fixed point lies on the cell's edge, the zero of the extended polynomial lies beyond it.
   if (norm(step) > 1e-5 + 10 * noise) return false;
   xi = cell.xi_at(lambda);
   return polish_zero(evaluator, cell.elem, xi) && outside(local_coordinates(cell, xi)) <= inside_tol;

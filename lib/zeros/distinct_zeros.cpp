@@ -5,7 +5,7 @@
 namespace quadrille::zeros {
 namespace {
 
-constexpr double inside_tol = 1e-8;  // of barycentric coordinates, as in cell_zero
+constexpr double inside_tol = 1e-8;  // in barycentric coordinates, as in cell_zero
 
 bool is_inside(const FoundZero& zero) { return mesh::outside_reference(zero.xi) <= inside_tol; }
 

@@ -44,7 +44,7 @@ std::vector<Jumps> edge_jumps(const field::FieldEvaluator& evaluator) {
   std::vector<double> by_edge(topology.edge2elems.size(), 0.0), by_vertex(mesh.vertices.size(), 0.0);
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int k = 0; k < 3; ++k) {
-      if (topology.elem2neighbors[e][k] < e) continue;  // the boundary's -1 too
+      if (topology.elem2neighbors[e][k] < e) continue;  // also skips the boundary, -1
       const int edge = topology.elem2edges[e][k];
       by_edge[edge] = jump(evaluator, e, k);
       for (const int vertex : topology.edge2vertices[edge]) by_vertex[vertex] += by_edge[edge];

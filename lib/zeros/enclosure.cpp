@@ -16,8 +16,8 @@ struct Angles {
   double low = 0, high = 0;
 };
 
-/// The angles under which `eye` sees the cell, counted from the direction to `centre`: those of the Bernstein points,
-/// since the cell lies in their hull. The whole circle when they are not on one side of `eye`.
+/// The angles at which `eye` sees the cell, counted from the direction to `centre`: the angles of the Bernstein points,
+/// whose hull contains the cell. The whole circle if the points are not on one side of `eye`.
 Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
   const Vec2 ahead = centre - eye;
   Angles angles;
@@ -60,7 +60,8 @@ void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, doub
       add_by_angles(lifting);
   }
   for (int i = 0; i < cell.num_coefs(); ++i) values_[i] += shift + slope * (cell.point(i) - centre_);
-  // A position is rounded to its distance from the origin: close to a corner that turns the lifting's angle.
+  // A position is rounded relative to its distance from the origin, which rotates the lifting's angle close to a
+  // corner.
   slack_ = 1e-14 * size + 1e-15 * cell.scale + 4e-16 * (norm(centre_) + radius_) * rounding;
 }
 
@@ -86,7 +87,7 @@ void Enclosure::add_by_angles(const Lifting& lifting) {
   gradient_error_ = infinity;
 }
 
-/// The least value of direction . v over what the ranges add.
+/// The least value of direction . v over all contributions of the ranges.
 double Enclosure::support(Vec2 direction) const {
   double sum = 0;
   for (const Range& range : ranges_) sum += std::abs(dot(direction, range.jump)) * range.half_width;
@@ -94,7 +95,7 @@ double Enclosure::support(Vec2 direction) const {
 }
 
 bool Enclosure::excludes_zero() const {
-  // y runs towards the point of the hull nearest to 0; wherever a half plane normal to y holds all values, 0 is out.
+  // y runs towards the point of the hull nearest to 0; if a half plane normal to y contains all values, 0 is excluded.
   Vec2 y;
   for (const Vec2 value : values_) y += value;
   y = y / static_cast<double>(values_.size());

@@ -1,10 +1,10 @@
 #pragma once
-// What the guiding field can be over a cell: a polygon of values and a set of Jacobians, liftings included.
+// An enclosure of the guiding field over a cell: a polygon of values and a set of Jacobians, liftings included.
 //
 // Over a cell each lifting angle is theta(x0) + grad theta(x0) . (x - x0) + rest, |rest| <= r^2 sup|theta''| / 2, with
-// r the cell's radius about x0. The linear part joins the polynomial exactly; the rest widens it along the lifting's
-// jump. Close to a corner, where theta'' is unbounded, theta is enclosed by the angles under which the corner sees the
-// cell's Bernstein points instead.
+// r the cell's radius about x0. The linear part is added to the polynomial exactly; the rest widens it along the
+// lifting's jump. Close to a corner, where theta'' is unbounded, theta is enclosed by the angles at which the corner
+// sees the cell's Bernstein points instead.
 
 #include <vector>
 
@@ -14,19 +14,19 @@ namespace quadrille::zeros {
 
 class Enclosure {
  public:
-  /// Recomputes everything for `cell`, which must live as long as the results are used; storage is kept. `margin`: how
-  /// far the field itself is left open (zeros/edge_jumps): a value no longer than that may be a zero.
+  /// Recomputes everything for `cell`, which must live as long as the results are used; storage is reused. `margin`:
+  /// uncertainty of the field itself (zeros/edge_jumps); a value of at most this length may be a zero.
   void set(const Cell& cell, const std::vector<Lifting>& liftings, double margin = 0);
 
-  /// True when the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
+  /// True if the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
   bool excludes_zero() const;
-  /// True when the field is injective on the cell, so that it has at most one zero there: with
-  /// inverse_jacobian = J0^-1, J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
+  /// True if the field is injective on the cell, so that it has at most one zero there: with inverse_jacobian = J0^-1,
+  /// J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
   bool isolates(Mat2& inverse_jacobian, double& contraction) const;
 
-  /// No value in the cell is longer.
+  /// An upper bound of |v| over the cell.
   double greatest_value() const;
-  /// What rounding and the margin may change in a value of the field over the cell.
+  /// Bound of the change of a value of the field over the cell by rounding and the margin.
   double value_noise() const { return slack_ + margin_; }
   Vec2 centre() const { return centre_; }
   double radius() const { return radius_; }

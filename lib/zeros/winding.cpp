@@ -8,7 +8,7 @@
 namespace quadrille::zeros {
 namespace {
 
-constexpr double small_turn = 0.3;  // radians: a step that turns more is halved
+constexpr double small_turn = 0.3;  // radians; a step that turns more is halved
 constexpr int max_halvings = 30;
 
 class Follower {
@@ -21,7 +21,7 @@ class Follower {
     least_ = std::min(least_, norm(v));
     return true;
   }
-  /// The turn from a to b where the values are va and vb; false when the field cannot be followed.
+  /// Adds the turn from a to b, with the values va and vb; false if the phase cannot be followed.
   bool turn(double a, Vec2 va, double b, Vec2 vb, int halvings, double& sum) {
     const double step = std::atan2(cross(va, vb), dot(va, vb));
     if (std::abs(step) <= small_turn || halvings == 0) {

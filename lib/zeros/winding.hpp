@@ -1,5 +1,5 @@
 #pragma once
-// How far the phase of the guiding field turns along an arc of a circle.
+// The change of the phase of the guiding field along an arc of a circle.
 
 #include <optional>
 
@@ -9,16 +9,17 @@ namespace quadrille::zeros {
 
 struct ArcTurn {
   double turn = 0;                ///< radians, counter-clockwise positive
-  double least_value = 0;         ///< least |v| sampled: the turn means little when it is small
+  double least_value = 0;         ///< least sampled |v|; if it is small the turn is unreliable
   double angle0 = 0, angle1 = 0;  ///< the part of the arc inside the mesh
 };
 
-/// Follows the phase counter-clockwise from angle0 to angle1 on the circle. Stretches at both ends of the arc that lie
-/// outside the mesh are left out; nothing is returned when the arc leaves the mesh in between or lies outside.
+/// Follows the phase counter-clockwise from angle0 to angle1 (radians) on the circle. Parts at both ends of the arc
+/// that lie outside the mesh are ignored. Returns std::nullopt if the arc is interrupted by a part outside the mesh or
+/// lies outside.
 std::optional<ArcTurn> phase_turn(const field::FieldEvaluator& evaluator, Vec2 centre, double radius, double angle0,
                                   double angle1);
 
-/// The index enclosed by the whole circle; nothing when it leaves the mesh.
+/// The index enclosed by the whole circle; std::nullopt if the circle is not inside the mesh.
 std::optional<int> circle_index(const field::FieldEvaluator& evaluator, Vec2 centre, double radius,
                                 double& least_value);
 

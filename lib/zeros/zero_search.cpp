@@ -13,7 +13,7 @@ constexpr long long max_cells = 50000;  // in one element; a simple zero needs s
 
 std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
 
-/// Whether some vertex of the cell lies on local edge k of its element: halving is exact.
+/// Whether a vertex of the cell lies on local edge k of its element, without a tolerance: bisection is exact.
 bool touches_edge(const Cell& cell, int k) {
   return std::any_of(cell.xi.begin(), cell.xi.end(), [k](Vec2 xi) {
     return k == 0 ? xi.y == -1 : k == 1 ? xi.x + xi.y == 0 : xi.x == -1;

@@ -1,5 +1,5 @@
 #pragma once
-// The search for zeros in all elements: cells are halved until each is proved empty or proved to hold at most one.
+// The search for zeros in all elements: cells are bisected until each is proved empty or proved to contain at most one.
 
 #include <array>
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace quadrille::zeros {
 
-/// A disc that the search leaves out: zeros there belong to a corner (guide/valence).
+/// A disc that the search ignores: zeros inside belong to a corner (guide/valence).
 struct Disc {
   Vec2 centre;
   double radius = 0;
 };
 
-/// A zero of the polynomial of `elem`. With jumps between elements it may lie beyond the element's edge.
+/// A zero of the polynomial of `elem`. If the field jumps between elements it may lie beyond the element's edge.
 struct FoundZero {
   int elem = 0;
   Vec2 xi, x;
   int index = 0;               ///< the sign of det(dv/dx)
   double cell_radius = 0;      ///< of the cell in which it was found
-  double shift = 0;            ///< how far rounding and jumps may move it: |J^-1| times the value's own noise
+  double shift = 0;            ///< bound of its displacement by rounding and jumps: |J^-1| times the noise of the value
   std::array<Vec2, 3> cell{};  ///< that cell's vertices in the plane
 };
 
@@ -36,10 +36,10 @@ struct OpenCell {
 
 struct SearchCounts {
   long long examined = 0, excluded = 0, isolated = 0, ignored = 0;
-  int greatest_depth = 0;  ///< halvings of an element
+  int greatest_depth = 0;  ///< bisections of an element
 };
 
-/// |v| below which a field that was solved to round-off decides nothing.
+/// |v| below this is noise in a field that was solved to round-off.
 inline constexpr double field_noise = 1e-10;
 
 /// What a search has found so far.
@@ -51,15 +51,15 @@ struct SearchResult {
 
 class ZeroSearch {
  public:
-  /// Cells in which |v| stays below `noise` are not halved further.
+  /// Cells in which |v| stays below `noise` are not bisected further.
   ZeroSearch(const field::FieldEvaluator& evaluator, std::vector<Disc> ignored, double noise = field_noise);
 
-  /// Searches one element. Stops early, with an open cell, when the element needs more cells than zeros ever do.
+  /// Searches one element. Stops early, with an open cell, if the element needs more cells than zeros ever require.
   void search(int elem);
 
   const std::vector<FoundZero>& zeros() const { return found_.zeros; }
   const std::vector<OpenCell>& open_cells() const { return found_.open_cells; }
-  /// Whether the search cannot be completed: some element needed too many cells, or very many cells are open.
+  /// Whether the search cannot be completed: an element needed too many cells, or very many cells are open.
   bool is_budget_exhausted() const { return budget_ == 0 || found_.open_cells.size() > 4000; }
   const SearchCounts& counts() const { return found_.counts; }
 
