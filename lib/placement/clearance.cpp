@@ -10,7 +10,7 @@
 namespace quadrille::placement {
 namespace {
 
-/// By the side of the boundary at the nearest point; at a joint by its sector.
+/// Decided by the side of the boundary at the nearest point; at a joint by its sector.
 bool is_inside(const CadFace& face, const BoundaryFoot& foot, Vec2 x) {
   const Nurbs& curve = face.curves[foot.curve];
   const double end_tol = 1e-9 * (curve.end() - curve.begin());
@@ -20,7 +20,7 @@ bool is_inside(const CadFace& face, const BoundaryFoot& foot, Vec2 x) {
   return wrap_two_pi(angle_of(x - joint.position) - joint.tangent_out) < joint.interior_angle;
 }
 
-/// Where the ray meets the curve: signs of the side at steps along it, halved.
+/// Adds the intersections of the ray with the curve: sign changes of the side at steps along the curve, then bisection.
 void add_hits(const Nurbs& curve, Vec2 x, Vec2 direction, std::vector<double>& hits) {
   constexpr int steps = 32;
   const auto side = [&](double t) { return cross(direction, curve::point(curve, t) - x) > 0; };

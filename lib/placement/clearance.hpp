@@ -1,6 +1,6 @@
 #pragma once
-// The clearance of a point: its distance to the boundary of the face, along a ray too, and the nearest boundary points.
-// Positions are relative to face.origin, lengths in the file's unit.
+// The clearance of a point: its distance to the boundary of the face, also along a ray, and the nearest boundary
+// points. Positions are relative to face.origin, lengths in the file's unit.
 
 #include <vector>
 
@@ -15,13 +15,13 @@ struct BoundaryFoot {
   double distance = 0;
 };
 
-/// The boundary points nearest to x: one of each curve that comes within 1e-6 diameters of the least distance.
+/// The boundary points nearest to x: one of each curve whose distance is within 1e-6 diameters of the least distance.
 std::vector<BoundaryFoot> nearest_feet(const CadFace& face, Vec2 x);
 
 /// Distance to the boundary, negative outside the face.
 double signed_clearance(const CadFace& face, Vec2 x);
 
-/// Length of the first part of a ray that lies inside the face; 0 where there is none. `direction` is a unit vector.
+/// Length of the first part of a ray that lies inside the face; 0 if there is none. `direction` is a unit vector.
 double clearance_along(const CadFace& face, Vec2 x, Vec2 direction);
 
 }  // namespace quadrille::placement

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 constexpr double difference_step = 1e-5;
 
-/// The difference of gradients along variable i, by its step; nothing where the function exists on neither side.
+/// The difference of gradients along variable i over its step; std::nullopt if the function exists on neither side.
 std::optional<VectorXd> hessian_column(Descent& descent, Eigen::Index i) {
   for (const double step : {difference_step, -difference_step}) {
     VectorXd x = descent.found.x;

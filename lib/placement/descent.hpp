@@ -1,5 +1,5 @@
 #pragma once
-// What both halves of the minimiser (placement/quasi_newton, placement/newton) work on: the point reached, with counts.
+// The state on which both halves of the minimiser (placement/quasi_newton, placement/newton) work: point and counts.
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -21,8 +21,8 @@ struct Descent {
 struct HessianModes {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   double gradient = 0;  ///< norm of the gradient there
-  double flat = 0;      ///< curvatures up to this count as none
-  double clear = 0;     ///< curvatures above this are not 0: that of a bent flat direction appears to be up to |g|
+  double flat = 0;      ///< curvatures of at most this magnitude count as 0
+  double clear = 0;     ///< curvatures above this are positive: a flat direction that bends appears to have up to |g|
 
   double least() const { return solver.eigenvalues()[0]; }
   /// Whether each curvature is either flat or clearly positive.
@@ -31,13 +31,13 @@ struct HessianModes {
   }
 };
 
-/// Counts the evaluation.
+/// Samples the function at x and counts the evaluation; std::nullopt if the function does not exist there.
 std::optional<Minimand::Sample> evaluate(Descent& descent, const Eigen::VectorXd& x);
 
-/// Moves to found.x + step.
+/// Moves to found.x + step, where `next` is the sample.
 void accept(Descent& descent, const Minimand::Sample& next, const Eigen::VectorXd& step);
 
-/// By differences of gradients, forward ones where they exist; nothing where the function exists on neither side.
+/// By differences of gradients, forward ones if they exist; std::nullopt if the function exists on neither side.
 std::optional<HessianModes> hessian_modes(Descent& descent);
 
 }  // namespace quadrille::placement

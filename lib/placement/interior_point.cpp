@@ -21,7 +21,7 @@ std::optional<Axis> mirror_axis(const std::vector<curve::Isometry>& group) {
   return {};
 }
 
-/// ln delta restricted to the fixed points; its gradient lies in them.
+/// ln delta restricted to the invariant points, with its gradient projected onto them.
 class InteriorMeasure {
  public:
   InteriorMeasure(const CadFace& face, std::optional<Axis> axis) : boundary_(face), axis_(axis) {}
@@ -58,21 +58,22 @@ std::optional<Vec2> best_of_grid(const CadFace& face, const InteriorMeasure& mea
   return best;
 }
 
-/// Where to begin: the measure is smooth, so the grid is refined only until it meets the face.
+/// The starting point: because the measure is smooth, the grid is refined only until one of its points lies in the
+/// face.
 Vec2 interior_start(const CadFace& face, const InteriorMeasure& measure) {
   for (int steps = 12; steps <= 192; steps *= 2)
     if (const auto best = best_of_grid(face, measure, steps)) return *best;
   throw ComputeError("the face has no point farther than a thousandth of its diameter from its boundary");
 }
 
-/// Steepest ascent with halved steps, then Newton with differences of the gradient.
+/// Steepest ascent with halved steps, then Newton's method with differences of the gradient.
 Vec2 ascended(const CadFace& face, const InteriorMeasure& measure, Vec2 x) {
   for (int iteration = 0; iteration < 60; ++iteration) {
     const Vec2 g = measure.gradient(x);
     const double h = 1e-5 * face.diameter;
     const Vec2 gx = (measure.gradient(x + Vec2{h, 0}) - measure.gradient(x - Vec2{h, 0})) / (2 * h);
     const Vec2 gy = (measure.gradient(x + Vec2{0, h}) - measure.gradient(x - Vec2{0, h})) / (2 * h);
-    // On an axis the Hessian is singular across it: a small shift makes the step the axis's own.
+    // On an axis the Hessian is singular across it: a small shift keeps the step on the axis.
     const double shift = 1e-9 * (std::abs(gx.x) + std::abs(gy.y));
     const Mat2 hessian{gx.x - shift, gy.x, gx.y, gy.y - shift};
     Vec2 step = measure.onto_fixed(x - inverse(hessian) * g) - x;

@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double noise_allowance = 1e4;  // last steps below so many tolerances are the gradient's noise
+constexpr double noise_allowance = 1e4;  // a last step below so many tolerances is the gradient's noise
 
-/// The Newton step in the directions that have curvature.
+/// The Newton step in the directions with curvature.
 VectorXd newton_step(const Descent& descent, const HessianModes& modes) {
   const VectorXd along = modes.solver.eigenvectors().transpose() * descent.here.gradient;
   VectorXd step = VectorXd::Zero(along.size());
@@ -21,7 +21,7 @@ VectorXd newton_step(const Descent& descent, const HessianModes& modes) {
   return step;
 }
 
-/// Takes the step and returns its length, where it is allowed at once and leads nearer.
+/// Takes the step and returns its length, if the whole step is allowed and leads nearer to the minimum.
 std::optional<double> take(Descent& descent, const VectorXd& step) {
   const double length = descent.f.length(step);
   if (!std::isfinite(length) || descent.f.allowed(descent.found.x, step) < 1) return std::nullopt;

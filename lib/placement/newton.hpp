@@ -1,11 +1,11 @@
 #pragma once
-// The second half of the minimiser: Newton's method in the directions that have curvature.
+// The second half of the minimiser: Newton's method in the directions with curvature.
 
 #include "placement/descent.hpp"
 
 namespace quadrille::placement {
 
-/// With one Hessian as long as steps shrink well; true where a minimum is as near as the gradient's noise allows.
+/// Reuses one Hessian as long as steps shrink well; true if a minimum is as near as the gradient's noise allows.
 bool newton(Descent& descent);
 
 }  // namespace quadrille::placement

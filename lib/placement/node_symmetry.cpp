@@ -10,14 +10,14 @@ namespace quadrille::placement {
 
 namespace {
 
-constexpr double equal_positions = 1e-6;  // of the diameter
+constexpr double equal_positions = 1e-6;  // relative to the diameter
 
 Mat2 linear_part(const curve::Isometry& isometry) {
   const Vec2 u = unit(isometry.angle);
   return isometry.is_mirrored ? Mat2{u.x, u.y, u.y, -u.x} : Mat2{u.x, -u.y, u.y, u.x};
 }
 
-// For each point the index of the point of the same kind at its image; empty unless one to one.
+// For each point the index of the point of the same kind at its image; empty unless this map is one to one.
 template <class Point, class IsSame>
 std::vector<int> images(const std::vector<Point>& points, const curve::Isometry& isometry, double tol, IsSame is_same) {
   std::vector<int> image, taken(points.size(), 0);
@@ -48,7 +48,7 @@ bool keeps_boundary(const CriticalPoints& points, const curve::Isometry& isometr
          images(points.boundary_nodes, isometry, tol, same_valence).size() == points.boundary_nodes.size();
 }
 
-// Whether with g and h the isometry g h is there, judged by the images of the nodes.
+// Whether the group contains, with g and h, the isometry g h, judged by the images of the nodes.
 bool is_closed(const std::vector<NodeSymmetry>& group) {
   for (const NodeSymmetry& g : group)
     for (const NodeSymmetry& h : group) {
@@ -117,7 +117,7 @@ Eigen::MatrixXd invariant_movements(const std::vector<NodeSymmetry>& group, cons
       linear << g.linear.xx, g.linear.xy, g.linear.yx, g.linear.yy;
       mean.block<2, 2>(row[g.image[k]], row[k]) += linear / static_cast<double>(group.size());
     }
-  // A projector: eigenvalues 0 and 1, in ascending order.
+  // The mean is a projector: eigenvalues 0 and 1, in ascending order.
   if (group.size() == 1) return mean;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(mean);
   const auto num_invariant = (modes.eigenvalues().array() > 0.5).count();

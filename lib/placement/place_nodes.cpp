@@ -17,16 +17,16 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double moved_tol = 1e-9;             // of the diameter: nodes that move less have not moved
-constexpr double visible_step = 1e-8;          // of the diameter: no warning where the last step was shorter
-constexpr int iterations_between_scales = 30;  // after so many the nodes' length scales are computed anew
+constexpr double moved_tol = 1e-9;             // relative to the diameter: nodes that move less count as not moved
+constexpr double visible_step = 1e-8;          // relative to the diameter: no warning if the last step was shorter
+constexpr int iterations_between_scales = 30;  // then the length scales of the nodes are recomputed
 
 struct Problem {
   const CadFace& face;
   PlacementObjective objective;
   std::vector<NodeSymmetry> group;
   ReducedCoordinates coordinates;
-  CriticalPoints points;  ///< with the nodes where they are so far
+  CriticalPoints points;  ///< with the current positions of the nodes
 };
 
 std::vector<int> indices_of(const std::vector<bool>& is_free) {
@@ -50,7 +50,8 @@ Problem problem_of(const CadFace& face, const EnergyFunction& energy, const Smoo
   return problem;
 }
 
-/// Value and gradient by y; nothing where a node is not inside the domain, but at y = 0 what the energy throws.
+/// Value and gradient with respect to y; std::nullopt if a node is not inside the domain. At y = 0 errors of the energy
+/// are rethrown.
 std::optional<Minimand::Sample> sample(const Problem& problem, const VectorXd& y) {
   NodeEnergy sum;
   try {
@@ -77,7 +78,7 @@ Minimand minimand_of(const Problem& problem) {
           }};
 }
 
-/// Moves problem.points to a minimum, in rounds between which the scales are computed anew.
+/// Moves problem.points to a minimum, in rounds between which the scales are recomputed.
 Minimum find_minimum(Problem& problem, const PlacementOptions& options) {
   Minimum result;
   int iterations = 0, evaluations = 0;
@@ -112,7 +113,7 @@ void report_minimum(const Minimum& minimum, Report& report) {
 }
 
 void warn_if_not_converged(const Minimum& minimum, Report& report) {
-  // Noise of the gradient is no reason to warn as long as nobody sees it in the nodes.
+  // Noise of the gradient causes no warning as long as it has no visible effect on the nodes.
   if (minimum.is_converged || (minimum.last_step > 0 && minimum.last_step <= visible_step)) return;
   report.warn(warning::least_energy_not_found,
               fmt::format("the placement of the nodes did not converge in {} iterations: the nodes are "

@@ -1,17 +1,17 @@
 #pragma once
-// Where irregular nodes are placed: the least energy of the phase form (lib/method.md §8.9) plus a term that keeps
-// them off the boundary.
+// Placement of irregular nodes: the least energy of the phase form (lib/method.md §8.9) plus a term that repels them
+// from the boundary.
 //
 //   F(a) = W(a) - w pi sum_k d_k^2 ln delta(a_k),   delta(x) = pi / oint ds / |x - y(s)|^2
 //
 // delta (placement/smooth_boundary_distance) is a smooth distance to the boundary. On a disc of radius R four nodes
-// come to rest at the radius r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3: 0.850 for w = 0, 0.691 for w
-// = 1.4, 0.640 for w = 2.
+// have their minimum at the radius r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3: 0.850 for w = 0, 0.691
+// for w = 1.4, 0.640 for w = 2.
 //
 // The default weight suits most blocks of tests/benchmarks/placement: nodes within a tenth of the diameter of the
-// boundary stay as far from it as the field's own zeros (within 4 %) or move further off, most where they hug a
-// strongly curved one; the worst angles of blocks are no worse on any shape there; greater weights push pairs of
-// opposite index together. Lines that met head-on between the field's own zeros may miss each other then, which costs
+// boundary stay as far from it as the zeros of the field (within 4 %) or move farther away, most of all next to a
+// strongly curved boundary; the worst angles of blocks are no worse on any shape there; greater weights push pairs of
+// opposite index together. Lines that met head-on between the zeros of the field may then miss each other, which costs
 // blocks: therefore the zeros are moved only with --place energy.
 //
 // Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
@@ -27,7 +27,7 @@
 
 namespace quadrille::placement {
 
-/// Which nodes are placed: those that have no position of their own, or all.
+/// Which nodes are placed. `keep`: those without a position of their own; `energy`: all.
 enum class PlaceRule { keep, energy };
 constexpr auto enum_names(PlaceRule) {
   return std::to_array<EnumName<PlaceRule>>({{PlaceRule::keep, "keep"}, {PlaceRule::energy, "energy"}});
@@ -40,13 +40,13 @@ struct PlacementOptions {
   double pair_reach = 0.02;  ///< greatest reach of a repulsion term, relative to the diameter
 };
 
-/// Moves the nodes with is_free[k] to a minimum of F near to where they are, the others stay. Nodes that are invariant
-/// under symmetries of the face are so afterwards (and are a minimum among such sets). Adds a change of the kind
-/// `place` for each that moved by more than 1e-9 diameters; such nodes get the source `place`, no Jacobian, no error
-/// bar, and `elem` and `xi` of where they were: the caller has the mesh. The form is `phase` then, and `zeros` keeps
-/// the nodes where it was empty and the form `harmonic`. Report: placement.{energy_before, energy_after, iterations,
-/// evaluations, last_step, symmetries, least_curvature}. Warnings: W-PLACE-001 not converged, W-PLACE-002 a pair that
-/// would meet. Throws what the energy throws at the start.
+/// Moves the nodes with is_free[k] to a minimum of F near their positions; the others stay. Nodes that are invariant
+/// under symmetries of the face remain so (and are a minimum among such sets). Adds a change of the kind `place` for
+/// each node that moved by more than 1e-9 diameters; such nodes get the source `place`, no Jacobian and no error bar,
+/// and keep `elem` and `xi` of their old position, because only the caller has the mesh. The form is then `phase`; if
+/// the form was `harmonic` and `zeros` empty, `zeros` receives the old nodes. Report: placement.{energy_before,
+/// energy_after, iterations, evaluations, last_step, symmetries, least_curvature}. Warnings: W-PLACE-001 not converged,
+/// W-PLACE-002 a pair that would meet. Throws the errors of the energy at the start.
 void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,
                  const PlacementOptions& options, CriticalPoints& points, Report& report);
 

@@ -1,6 +1,6 @@
 #pragma once
 // The function that placement minimises: the energy of the phase form, the boundary term and the repulsion terms
-// (placement/place_nodes has the formula).
+// (formula in placement/place_nodes).
 
 #include <functional>
 #include <vector>
@@ -17,7 +17,7 @@ struct NodeEnergy {
   double value = 0;
   std::vector<Vec2> gradient;
 };
-/// Throws ComputeError where a node is not inside the domain.
+/// Throws ComputeError if a node is not inside the domain.
 using EnergyFunction = std::function<NodeEnergy(const CriticalPoints& points)>;
 
 struct PlacementObjective {
@@ -27,10 +27,10 @@ struct PlacementObjective {
   std::vector<int> free;  ///< nodes that have a boundary term
   std::vector<RepulsionTerm> repulsion;
 
-  /// Throws what the energy throws.
+  /// The value and its gradient for each node. Throws the errors of the energy.
   NodeEnergy at(const CriticalPoints& points) const;
-  /// The greatest part, at most 1, of these moves of all nodes that may be taken at once: no node comes nearer to the
-  /// boundary, another node or a corner that attracts it than half the way.
+  /// The greatest fraction, at most 1, of these moves of all nodes that is allowed at once: no node covers more than
+  /// half of its distance to the boundary, to another node or to a corner that attracts it.
   double allowed_part(const CriticalPoints& points, const std::vector<Vec2>& moves) const;
 };
 

@@ -8,14 +8,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Near the end values no longer tell descent from noise; there the slope along the step does.
+/// Near the minimum, values no longer distinguish descent from noise; the slope along the step still does.
 bool leads_down(const Descent& descent, const Minimand::Sample& next, const VectorXd& step, double slope) {
   const double value = descent.here.value, noise = 1e-9 * (1 + std::abs(value));
   if (next.value <= value + 1e-4 * slope && slope < -noise) return true;
   return next.value <= value + noise && std::abs(next.gradient.dot(step)) <= std::abs(slope);
 }
 
-/// Shortens the step until it leads down; nothing where none does.
+/// Shortens the step until it leads to a lower value; std::nullopt if no length does.
 std::optional<Minimand::Sample> line_search(Descent& descent, VectorXd& step) {
   step *= descent.f.allowed(descent.found.x, step);
   for (int halving = 0; halving < 40; ++halving, step /= 2) {
@@ -25,7 +25,7 @@ std::optional<Minimand::Sample> line_search(Descent& descent, VectorXd& step) {
   return std::nullopt;
 }
 
-/// The inverse of the Hessian with its curvatures taken positive, so that it leads down.
+/// The inverse of the Hessian with the absolute values of its curvatures, so that its steps are descent directions.
 MatrixXd inverse_hessian(Descent& descent) {
   const auto n = descent.found.x.size();
   const auto modes = hessian_modes(descent);
@@ -35,7 +35,7 @@ MatrixXd inverse_hessian(Descent& descent) {
   return vectors * curvatures.cwiseInverse().asDiagonal() * vectors.transpose();
 }
 
-/// The BFGS update after `step` changed the gradient by `change`; `bend` is their product.
+/// The BFGS update after `step` changed the gradient by `change`; `bend` is their scalar product.
 void update(MatrixXd& inverse, const VectorXd& step, const VectorXd& change, double bend) {
   const VectorXd image = inverse * change;
   inverse += (1 + change.dot(image) / bend) / bend * step * step.transpose() -

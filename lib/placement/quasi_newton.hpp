@@ -6,7 +6,7 @@
 namespace quadrille::placement {
 
 /// BFGS for the inverse Hessian, from the identity or from the Hessian, until no entry of the gradient exceeds
-/// `small_gradient`; false where no step leads down or the iterations are used up.
+/// `small_gradient`; false if no step leads to a lower value or the iterations are used up.
 bool quasi_newton(Descent& descent, double small_gradient, bool from_identity);
 
 }  // namespace quadrille::placement

@@ -22,7 +22,7 @@ double least_distance(const Piece& piece, Vec2 x) {
   return std::sqrt(least2);
 }
 
-// No two neighbours of the points, ends included, are further apart along a piece whose speed is nearly constant.
+// Upper bound of the gaps between neighbouring points, ends included, on a piece whose speed is nearly constant.
 template <class Piece>
 double greatest_gap(const Piece& piece) {
   return piece.length / 4;
@@ -30,7 +30,7 @@ double greatest_gap(const Piece& piece) {
 
 }  // namespace
 
-/// oint ds / r^2 and oint (y - x) ds / r^4.
+/// The integrals oint ds / r^2 and oint (y - x) ds / r^4.
 struct SmoothBoundaryDistance::Integral {
   double value = 0;
   Vec2 moment;
@@ -58,7 +58,8 @@ SmoothBoundaryDistance::Piece SmoothBoundaryDistance::piece(int curve, double t0
   return piece;
 }
 
-// Until the speed is smooth enough for the rule and nearly constant, so that lengths tell where the points are.
+// Cuts until the speed is smooth enough for the rule and nearly constant, so that lengths determine the positions of
+// the points.
 void SmoothBoundaryDistance::cut(int curve, double t0, double t1, int depth) {
   const Piece whole = piece(curve, t0, t1);
   const double middle = (t0 + t1) / 2;
@@ -74,7 +75,8 @@ void SmoothBoundaryDistance::cut(int curve, double t0, double t1, int depth) {
   }
 }
 
-// 1 / r^2 has its poles at the distance of x from the piece: no nearer than the piece is long, 16 points are exact.
+// 1 / r^2 has its poles at the distance of x from the piece: if this is at least the piece's length, 16 points are
+// exact.
 void SmoothBoundaryDistance::add(const Piece& whole, Vec2 x, int depth, Integral& sum) const {
   if (whole.length > least_distance(whole, x) && depth < max_depth) {
     const double middle = (whole.t0 + whole.t1) / 2;

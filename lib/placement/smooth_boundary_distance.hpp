@@ -3,8 +3,8 @@
 //
 //   delta(x) = pi / oint ds / |x - y(s)|^2
 //
-// the distance to a straight boundary, (R^2 - r^2) / (2 R) in a disc. It tends to the plain distance at a smooth
-// boundary, has no kinks where two curves are equally near, and moves with the face under motions and scaling.
+// the distance to a straight boundary, (R^2 - r^2) / (2 R) in a disc. It tends to the ordinary distance at a smooth
+// boundary, has no kinks where two curves are equally near, and is equivariant under rigid motions and scaling.
 
 #include <array>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace quadrille::placement {
 
-/// Keeps a reference to the face. Positions are relative to face.origin, lengths in the file's unit.
+/// Stores a reference to the face. Positions are relative to face.origin, lengths in the file's unit.
 class SmoothBoundaryDistance {
  public:
   /// Cuts the curves into pieces on which 16 Gauss points are exact.
@@ -22,7 +22,7 @@ class SmoothBoundaryDistance {
   /// ln delta(x) and its gradient, to 1e-12; x must not lie on the boundary. Linear in the number of curves.
   double log_smooth(Vec2 x, Vec2& gradient) const;
 
-  /// The plain distance to the nearest point of the boundary.
+  /// The ordinary distance to the nearest point of the boundary.
   double nearest(Vec2 x) const;
 
  private:
