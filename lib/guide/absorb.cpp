@@ -20,7 +20,7 @@ struct Near {
   double distance;
 };
 
-/// The corner nearest to x within reach; none where two are equally near.
+/// The corner nearest to x within reach; std::nullopt if there is none or if two are equally near.
 std::optional<std::size_t> nearest_corner(const std::vector<Corner>& corners, Vec2 x, double reach, double tol) {
   std::optional<std::size_t> nearest;
   double least = reach + tol;
@@ -38,7 +38,7 @@ NodeMark mark(const Corner& corner) { return {corner.position, corner.valence, N
 
 NodeMark mark(const FoundZero& zero) { return {zero.x, 4 - zero.index, NodeLocation::inside}; }
 
-/// What one corner may absorb.
+/// The zeros that one corner may absorb.
 using Candidates = std::vector<Near>;
 
 /// Candidates of each corner, nearest first.
@@ -68,7 +68,7 @@ NodeChange change_for(const std::vector<FoundZero>& zeros, Candidates::const_ite
   return change;
 }
 
-/// Classes of equally near candidates, each together or not at all.
+/// Decides classes of equally near candidates, each class as a whole.
 void absorb_into(Corner& corner, const std::vector<FoundZero>& zeros, const Candidates& candidates, double length,
                  double tol, std::vector<bool>& is_absorbed, std::vector<NodeChange>& changes) {
   for (auto first = candidates.begin(); first != candidates.end();) {

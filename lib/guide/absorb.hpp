@@ -1,11 +1,12 @@
 #pragma once
-// Zeros so near to a corner that no block fits between: the corner absorbs them, V becomes V + sum (V_k - 4).
+// Zeros too near to a corner for a block between: the corner absorbs them, and V becomes V + sum (V_k - 4).
 //
-// A zero no farther than `length` from a corner, with the segment between them in the domain, is absorbed when the new
+// A zero no farther than `length` from a corner, with the segment between them in the domain, is absorbed if the new
 // valence is admissible (guide/admissible_valence). Close to a tie both neighbouring valences are admissible, and the
-// result is the count of quarter turns along an arc of radius `length`. Only corners of the layout absorb, smooth
+// result is the count of quarter turns along an arc of radius `length`. Only corners of the layout absorb zeros, smooth
 // boundary points do not. A zero equally near to two corners is absorbed by neither; zeros equally near to one corner
-// are absorbed together or not at all; nearer ones first. Equal is within 1e-6 of `length`.
+// are absorbed together or not at all; nearer zeros are decided first. Distances within 1e-6 of `length` count as
+// equal.
 
 #include <vector>
 
@@ -14,8 +15,8 @@
 
 namespace quadrille::guide {
 
-/// Changes `corners` and adds a change of the kind `absorb` for each that absorbs zeros. Returns which zeros were
-/// absorbed.
+/// Changes `corners` and adds a change of the kind `absorb` for each corner that absorbs zeros. Returns for each zero
+/// whether it was absorbed.
 std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
                                       const std::vector<zeros::FoundZero>& zeros, double length,
                                       std::vector<Corner>& corners, std::vector<NodeChange>& changes);

@@ -13,7 +13,7 @@ using Complex = std::complex<double>;
 
 constexpr int num_samples = 128;
 
-/// w on the circle, conjugated for a negative index; nothing where the circle leaves the mesh.
+/// w on the circle, conjugated for a negative index; std::nullopt if the circle is not inside the mesh.
 std::optional<std::vector<Complex>> samples(const field::FieldEvaluator& evaluator, Vec2 centre, double radius,
                                             bool is_conjugate) {
   std::vector<Complex> result;
@@ -37,7 +37,7 @@ double power(const std::vector<Complex>& w) {
   return sum / num_samples;
 }
 
-/// One step to the centroid from samples about z0; nothing where the index's own term does not outweigh the others.
+/// One step to the centroid from samples about z0; std::nullopt if the index's own term does not outweigh the others.
 std::optional<Vec2> step(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double radius) {
   const auto w = samples(evaluator, centre, radius, index < 0);
   if (!w) return {};
@@ -48,7 +48,7 @@ std::optional<Vec2> step(const field::FieldEvaluator& evaluator, Vec2 centre, in
   return Vec2{shift.real(), shift.imag()};
 }
 
-/// Repeated, because terms of higher order shift what is sampled off the centroid.
+/// Repeats the step, because terms of higher order shift the result away from the centroid.
 std::optional<Vec2> centroid(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double radius) {
   for (int round = 0; round < 8; ++round) {
     const auto shift = step(evaluator, centre, index, radius);

@@ -1,11 +1,11 @@
 #pragma once
-// The centre of a multiple zero, however noise splits it.
+// The centre of a multiple zero, which does not depend on how noise splits the zero.
 //
 // u and v are harmonic, so that near the zeros w = u + i v = A(z) + conj(B(z)), A and B analytic. The Fourier
-// coefficients of w on a circle of radius R about z0 are those of A's and B's Taylor series: c_k = A_k R^k for k > 0,
-// c_-k = conj(B_k) R^k. Where one of them, c_n with n the index, outweighs all others, the circle holds n zeros of
-// about A_n (z - z0)^n + A_{n-1} (z - z0)^{n-1} + ..., whose centroid is z0 - A_{n-1} / (n A_n) (Vieta); for n < 0 the
-// same of conj(w). An error e of the field moves it by e / (n |c_n|) R only, while it splits the zero by e^(1/n).
+// coefficients of w on a circle of radius R about z0 are those of the Taylor series of A and B: c_k = A_k R^k for
+// k > 0, c_-k = conj(B_k) R^k. If one of them, c_n with n the index, outweighs all others, the circle contains n zeros
+// of about A_n (z - z0)^n + A_{n-1} (z - z0)^{n-1} + ..., whose centroid is z0 - A_{n-1} / (n A_n) (Vieta); for n < 0
+// the same with conj(w). An error e of the field moves it by e / (n |c_n|) R only, while it splits the zero by e^(1/n).
 
 #include <optional>
 
@@ -13,9 +13,9 @@
 
 namespace quadrille::guide {
 
-/// The centroid of the zeros about `centre` whose indices sum to `index`, |index| >= 2, from the largest circle between
-/// radius `inner` and `outer` that lies in the mesh and on which the coefficient of `index` has nine tenths of the
-/// power. Nothing where there is none, or where the centroid is farther than `inner` from `centre`.
+/// The centroid of the zeros about `centre` whose indices sum to `index`, |index| >= 2, from the largest circle with a
+/// radius between `inner` and `outer` that lies in the mesh and on which the coefficient of `index` has nine tenths of
+/// the power. std::nullopt if there is no such circle, or if the centroid is farther than `inner` from `centre`.
 std::optional<Vec2> moment_centre(const field::FieldEvaluator& evaluator, Vec2 centre, int index, double inner,
                                   double outer);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double equal = 1 + 1e-6;
 
-/// A zero, or open cells that touch.
+/// A zero, or a set of open cells that touch.
 struct Part {
   Vec2 centre;
   double radius = 0;
@@ -24,7 +24,7 @@ struct Part {
   int zero = -1;  ///< index into the zeros; -1: open cells
 };
 
-/// Which of n things hang together.
+/// Connected components of n parts.
 class Groups {
  public:
   explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -33,7 +33,7 @@ class Groups {
     return i;
   }
   void join(int i, int j) { parent_[std::max(root(i), root(j))] = std::min(root(i), root(j)); }
-  /// Members of each group, ascending, by their first.
+  /// Members of each component, ascending; components by their first member.
   std::vector<std::vector<int>> all() {
     std::vector<std::vector<int>> by_root(parent_.size()), result;
     for (int i = 0; i < static_cast<int>(parent_.size()); ++i) by_root[root(i)].push_back(i);
@@ -46,7 +46,7 @@ class Groups {
   std::vector<int> parent_;
 };
 
-/// A circle about discs: the middle of the box about them.
+/// A circle around discs; its centre is the middle of their bounding box.
 template <typename Discs>
 zeros::Disc circle_about(const Discs& discs) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -111,7 +111,7 @@ class ClusterFinder {
     return errors.empty() ? 0 : errors[elem];
   }
 
-  /// Criterion (a) but for the distance.
+  /// Criterion (a) without the condition on the distance.
   bool stays_small(const Part& a, const Part& b) const {
     const double small = std::max(10 * criterion_.noise, 1.5 * std::max(error(a.elem), error(b.elem)));
     for (const double part : {0.25, 0.5, 0.75}) {
@@ -128,7 +128,8 @@ class ClusterFinder {
     return gap <= 0.05 * diameter_ && stays_small(a, b);
   }
 
-  /// How far a circle about `centre` may reach: to the nearest of all parts that are not in `group`.
+  /// The greatest admissible radius of a circle about `centre`: nine tenths of the distance to the nearest part that is
+  /// not in `group`, at most half the diameter.
   double outer_radius(const std::vector<int>& group, Vec2 centre) const {
     double reach = diameter_ / 2;
     for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
@@ -137,7 +138,8 @@ class ClusterFinder {
     return reach;
   }
 
-  /// On the smallest circle about the cluster, by steps of a quarter, on which the field stands out of its errors.
+  /// Evaluated on the smallest circle about the cluster on which |v| exceeds its errors, or if there is none on the
+  /// circle with the greatest least |v|; the radii grow by a quarter.
   int index_by_contour(const std::vector<int>& group, const zeros::Disc& circle) const {
     const double outer = outer_radius(group, circle.centre);
     const double enough = std::max(10 * criterion_.noise, 4 * error(parts_[group[0]].elem));

@@ -1,5 +1,5 @@
 #pragma once
-// The last step, when all nodes are chosen: elements, order, index sum.
+// The last step, after all nodes are chosen: elements, order of the nodes, index sum.
 
 #include <vector>
 
@@ -9,12 +9,12 @@
 namespace quadrille::guide {
 
 /// Which nodes have no position of their own yet: those into which a cluster was split and those added for a line
-/// field. A cluster's only node is at its centre. A node added for a corner stays where the rule puts it: the least
-/// energy would draw it into the corner again.
+/// field. The only node of a cluster is at its centre and has a position. A node added for a corner keeps its position:
+/// the least energy would move it into the corner again.
 std::vector<bool> nodes_without_position(const CadFace& face, const CriticalPoints& points);
 
-/// Gives every node the element that holds it, sorts the nodes by position, sets the index sum. Throws ComputeError
-/// where a node is not inside the mesh.
+/// Sets the element that contains each node, sorts the nodes by position and sets the index sum. Throws ComputeError if
+/// a node is not inside the mesh.
 void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& points);
 
 }  // namespace quadrille::guide

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double part_of_clearance = 0.25, part_of_side = 0.5;
 
-/// The distance between the ends of a side; of a closed one to its middle.
+/// The distance between the ends of a side; for a closed side, from its end to its middle.
 double side_length(const CadFace& face, int curve, bool is_outgoing) {
   const Nurbs& c = face.curves[curve];
   return distance(c.poles.front(), c.poles.back()) > 0 ? distance(c.poles.front(), c.poles.back())
@@ -26,7 +26,7 @@ double side_length(const CadFace& face, int curve, bool is_outgoing) {
 Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::vector<CriticalPoint>& nodes) {
   const Joint& joint = face.joints[corner.joint];
   const Vec2 bisector = unit(joint.tangent_out + joint.interior_angle / 2);
-  const double off = 1e-6 * face.diameter;  // off the corner itself
+  const double off = 1e-6 * face.diameter;  // away from the corner itself
   const double sides = std::min(side_length(face, corner.curves[0], false), side_length(face, corner.curves[1], true));
   double radius =
       std::min(part_of_clearance * placement::clearance_along(face, joint.position + off * bisector, bisector),

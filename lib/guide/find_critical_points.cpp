@@ -17,7 +17,7 @@
 namespace quadrille::guide {
 namespace {
 
-/// A point of the closed reference triangle: a zero on an edge may lie beyond it by round-off or its jump.
+/// The point xi clamped to the closed reference triangle: a zero on an edge may lie beyond it by round-off or its jump.
 Vec2 clamped(Vec2 xi) {
   xi = {std::max(xi.x, -1.0), std::max(xi.y, -1.0)};
   const double excess = xi.x + xi.y;
@@ -91,7 +91,7 @@ void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points,
   report.set("proof.greatest_depth", counts.greatest_depth);
 }
 
-/// Throws ComputeError where the search cannot decide.
+/// Throws ComputeError if the search cannot decide.
 void search_all(zeros::ZeroSearch& search, const TriMesh& mesh) {
   for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e) search.search(e);
   if (!search.is_budget_exhausted()) return;

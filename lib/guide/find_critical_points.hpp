@@ -1,6 +1,6 @@
 #pragma once
-// The field's own view of its irregular points: all zeros, once each, with indices; which of them belong together;
-// valences of corners and what they absorb (lib/method.md §1, §3, §5).
+// The critical points of the field: all zeros, once each, with indices; their clusters; the valences of corners and the
+// zeros that corners absorb (lib/method.md §1, §3, §5).
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -9,34 +9,34 @@
 
 namespace quadrille::guide {
 
-/// Lengths relative to the face's diameter.
+/// Lengths are relative to the face's diameter.
 struct SearchOptions {
   /// In [0, 0.1]. Zeros no farther apart are one cluster (guide/clusters); 0: multiple zeros only. On real outlines
-  /// zeros that make useful blocks are 5e-3 diameters apart, and the default leaves them alone.
+  /// zeros that make useful blocks are 5e-3 diameters apart, and the default does not merge them.
   double cluster_distance = 2e-3;
   /// In [0, 0.1]. Corners absorb nodes no farther away (guide/absorb); 0: none.
   double corner_absorb = 2e-3;
-  /// In [1e-14, 1e-2]. Cells in which |v| stays below are not distinguished from a multiple zero. Pairs of zeros d
-  /// apart need less than |J| d / 4; less than what the field was solved to shows the zeros of the discrete field, not
-  /// of v.
+  /// In [1e-14, 1e-2]. Cells in which |v| stays below are not distinguished from a multiple zero. To resolve a pair of
+  /// zeros at a distance d, `noise` must be below |J| d / 4; a value below the residual of the field's solution shows
+  /// zeros of the discrete field, not of v.
   double noise = zeros::field_noise;
 
-  /// Throws UsageError where a number is outside its interval.
+  /// Throws UsageError if a number is outside its interval.
   void validate() const;
 };
 
-/// Every element is subdivided in Bernstein form until each cell is proved empty or proved to hold at most one zero,
+/// Every element is subdivided in Bernstein form until each cell is proved empty or proved to contain at most one zero,
 /// which is then found or shown to lie elsewhere (zeros/zero_search), or |v| in it is below `noise`.
-///   critical_points   simple zeros that are in no cluster and that no corner absorbs; error bars where the field has
+///   critical_points   simple zeros that are in no cluster and that no corner absorbs; error bars if the field has
 ///                     elem_error
-///   clusters          the others but for absorbed ones: they have no node yet (guide/resolve_clusters)
+///   clusters          the other zeros, without absorbed ones: they have no node yet (guide/resolve_clusters)
 ///   corners           valences of guide/valence, changed by guide/absorb; each of these is in `changes`
-///   zeros             all simple zeros found, where critical_points are not just these; else empty
-///   certificate       what the search did; its counts go to the report as proof.*
+///   zeros             all simple zeros found, if critical_points are not just these; else empty
+///   certificate       counts and cells of the search; the counts are also reported as proof.*
 ///   index_sum         with clusters
-/// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal).
-/// Throws ComputeError where the field vanishes on a curve, where the index of a multiple zero (guide/clusters) or a
-/// corner's valence (guide/valence) cannot be decided. Does not judge the index sum: see guide/index_sum.
+/// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal). Throws ComputeError if the field vanishes
+/// on a curve, or if the index of a multiple zero (guide/clusters) or a corner's valence (guide/valence) cannot be
+/// decided. Does not check the index sum: see guide/index_sum.
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report);
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report);

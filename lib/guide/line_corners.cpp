@@ -14,7 +14,7 @@ namespace {
 constexpr double equal = 1e-6;
 constexpr double tie = 1e-6;  // radians
 
-/// What is minimised, the first that differs decides: angle defect, minus adjacent lengths, minus distances.
+/// The costs to minimise; the first that differs decides: angle defect, minus adjacent lengths, minus distances.
 using Cost = std::array<double, 3>;
 
 Cost operator+(const Cost& a, const Cost& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -25,7 +25,7 @@ bool is_less(const Cost& a, const Cost& b) {
   return false;
 }
 
-/// Defects are in right angles squared.
+/// Unit: right angles squared.
 double angle_defect(double angle, int valence) {
   const double off = angle / valence / half_pi - 1;
   return valence * off * off;
@@ -35,7 +35,7 @@ bool is_tie(const Corner& corner) {
   return corner.angle_degrees > 90 && tie_distance(radians(corner.angle_degrees)) < tie;
 }
 
-/// Ties take the larger valence, and so do corners of 45 degrees.
+/// A corner at a tie starts with the larger valence, and so does a corner of 45 degrees.
 Corner corner_at(const CadFace& face, int joint) {
   const double angle = face.joints[joint].interior_angle;
   Corner corner{joint, face.joints[joint].position, degrees(angle), 0, {face.previous_in_loop(joint), joint}};
@@ -48,7 +48,7 @@ double side_length(const CadFace& face, int curve) {
   return distance(face.joints[curve].position, face.joints[face.next_in_loop(curve)].position);
 }
 
-/// What it costs to take the smaller valence at a corner.
+/// The cost of the smaller valence at a corner.
 Cost cost_of_smaller(const CadFace& face, Vec2 centroid, const Corner& c) {
   const double angle = radians(c.angle_degrees);
   return {angle_defect(angle, c.valence - 1) - angle_defect(angle, c.valence),
@@ -85,10 +85,10 @@ std::vector<Orbit> orbits_of_ties(const CadFace& face, const std::vector<curve::
 
 struct Choice {
   Cost cost{};
-  std::vector<std::size_t> orbits;  ///< that take the smaller valence
+  std::vector<std::size_t> orbits;  ///< those with the smaller valence
 };
 
-/// The cheapest choice of orbits with `count` corners in all: the best for every count below, orbit by orbit.
+/// The cheapest choice of orbits with `count` corners in total, by dynamic programming over orbits and smaller counts.
 std::optional<Choice> cheapest(const std::vector<Orbit>& orbits, int count) {
   if (count < 0) return {};
   std::vector<std::optional<Choice>> best(count + 1);

@@ -1,14 +1,15 @@
 #pragma once
 // Corner valences by rule, for faces whose sides are all straight at multiples of 45 degrees (lib/method.md §3): the
-// field vanishes on curves and decides nothing.
+// field vanishes on curves and does not determine any valence.
 //
-// A corner of 135, 225 or 315 degrees may take either integer beside 2 omega / pi. (One of 45 degrees takes 1: V = 0 is
-// no block, and an interior node always serves instead.) All start with the larger; each of the smaller raises
-// sum (2 - V) by one. Symmetry orbits of corners are decided as a whole. Among the choices with sum (2 - V) = 4 chi:
+// A corner of 135, 225 or 315 degrees may have either integer next to 2 omega / pi. (A corner of 45 degrees has V = 1:
+// V = 0 is no block, and an interior node can always replace it.) All start with the larger; each smaller valence
+// raises sum (2 - V) by one. Symmetry orbits of corners are decided as a whole. Among the choices with
+// sum (2 - V) = 4 chi:
 //   1. the least angle defect, sum V |omega / V - 90 degrees|^2,
 //   2. smaller valences where the adjacent sides are longest (the sum over these corners),
 //   3. smaller valences farthest from the face's centroid,
-// each equal within 1e-6 of its scale; then the corners that the file lists first.
+// each equal within 1e-6 of its scale; then the corners that come first in the file.
 
 #include <vector>
 
@@ -20,8 +21,7 @@ namespace quadrille::guide {
 
 struct LineCorners {
   std::vector<Corner> corners;  ///< in the order of the joints; ties have the source `line`, others `angle`
-  int missing_index =
-      0;  ///< 4 chi - sum (2 - V): not 0 where no symmetric choice fits; then all ties have the larger valence
+  int missing_index = 0;        ///< 4 chi - sum (2 - V); not 0: no symmetric choice fits, ties have the larger V
 };
 
 LineCorners line_corners(const CadFace& face, const std::vector<curve::Isometry>& group);

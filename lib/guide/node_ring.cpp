@@ -13,7 +13,7 @@
 namespace quadrille::guide {
 namespace {
 
-constexpr double equal = 1e-6;  // of the diameter, or radians
+constexpr double equal = 1e-6;  // relative to the diameter, or radians
 
 std::vector<Vec2> regular_polygon(Vec2 centre, double radius, double angle, int n) {
   std::vector<Vec2> vertices;
@@ -38,7 +38,7 @@ std::vector<double> foot_directions(const CadFace& face, Vec2 centre) {
   return directions;
 }
 
-/// A vertex or the middle of a side in each direction.
+/// Orientations with a vertex or the middle of a side in each direction.
 std::vector<double> with_sides(const std::vector<double>& directions, int n) {
   std::vector<double> angles;
   for (const double d : directions)
@@ -46,7 +46,7 @@ std::vector<double> with_sides(const std::vector<double>& directions, int n) {
   return angles;
 }
 
-/// The orientation of the members' own positions, where these exceed the noise.
+/// The orientation of the members' own positions; std::nullopt if these do not exceed the noise.
 std::optional<double> member_angle(const CadFace& face, const Cluster& cluster) {
   const int n = std::abs(cluster.index);
   const int sign = cluster.index > 0 ? 1 : -1;
@@ -62,7 +62,7 @@ std::optional<double> member_angle(const CadFace& face, const Cluster& cluster) 
   return angle_of(sum) / n;
 }
 
-/// Keeps what comes within the tolerance of the least.
+/// Keeps the angles whose measure is within `tol` of the least.
 void keep_least(std::vector<double>& angles, double tol, const std::function<double(double)>& measure) {
   std::vector<double> values;
   for (const double a : angles) values.push_back(measure(a));
@@ -100,7 +100,7 @@ double radius_inside(const Cluster& cluster, double clearance, const std::vector
   return radius;
 }
 
-/// About a hole: the radius at which the polygon's vertices have the greatest clearance.
+/// For a cluster about a hole: the radius at which the polygon's vertices have the greatest clearance.
 double radius_outside(const CadFace& face, const Cluster& cluster, double angle) {
   constexpr int steps = 200;
   double best = 0, most = -INFINITY;

@@ -17,7 +17,7 @@
 namespace quadrille::guide {
 namespace {
 
-constexpr double equal = 1e-6;  // of the diameter
+constexpr double equal = 1e-6;  // relative to the diameter
 
 std::string name_of(const CadFace& face, const Corner& c) {
   const Vec2 x = c.position + face.origin;
@@ -59,7 +59,7 @@ std::size_t find_corner(const CadFace& face, const CornerOverride& o, const std:
 struct Demand {
   std::size_t corner;
   int valence;                       ///< prescribed
-  int index;                         ///< that the nodes inside must gain
+  int index;                         ///< to be added by the nodes inside
   std::vector<std::size_t> removed;  ///< nodes of the opposite index
   std::vector<CriticalPoint> added;
 };
@@ -81,7 +81,7 @@ std::vector<Demand> demands_of(const CadFace& face, const std::vector<CornerOver
   return demands;
 }
 
-/// Less than `radius` where nodes are there already.
+/// `radius`, reduced in steps of a fifth as long as a node is near one of the points at that radius.
 double free_radius(const CriticalPoints& points, Vec2 corner, const std::vector<Vec2>& directions, double radius) {
   const auto is_taken = [&](double r) {
     for (const Vec2 direction : directions)
@@ -93,7 +93,7 @@ double free_radius(const CriticalPoints& points, Vec2 corner, const std::vector<
   return radius;
 }
 
-/// The nodes that are missing when those of d.removed are gone: at equal angles in the corner's sector.
+/// The nodes still missing after those of d.removed are removed: at equal angles in the corner's sector.
 std::vector<CriticalPoint> added_nodes(const CadFace& face, const CriticalPoints& points, const Demand& d) {
   const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
   const Joint& joint = face.joints[points.corners[d.corner].joint];
@@ -101,7 +101,7 @@ std::vector<CriticalPoint> added_nodes(const CadFace& face, const CriticalPoints
   double clearance = INFINITY;
   for (int k = 1; k <= n; ++k) {
     directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
-    const double start = equal * face.diameter;  // off the corner itself
+    const double start = equal * face.diameter;  // away from the corner itself
     clearance = std::min(
         clearance, placement::clearance_along(face, joint.position + start * directions.back(), directions.back()));
   }
@@ -144,7 +144,7 @@ class Overrider {
     });
   }
 
-  /// The nearest, in groups of equal distance: all of a group or none.
+  /// Chooses the nearest nodes, in groups of equal distance: all of a group or none.
   void choose_removed(Demand& d) const {
     std::vector<std::size_t> nodes;
     for (std::size_t i = 0; i < points_.critical_points.size(); ++i)
@@ -184,7 +184,7 @@ class Overrider {
     exchange_.reason += (exchange_.reason.empty() ? "" : "; ") + change.reason;
   }
 
-  /// As they were found, before the first change of the nodes.
+  /// Records the zeros as they were found, before the first change of the nodes.
   void keep_zeros() {
     const bool nodes_change = std::any_of(demands_.begin(), demands_.end(),
                                           [](const Demand& d) { return !d.removed.empty() || !d.added.empty(); });

@@ -11,13 +11,13 @@
 namespace quadrille::guide {
 namespace {
 
-constexpr double equal = 1e-6;  // of the diameter
+constexpr double equal = 1e-6;  // relative to the diameter
 
 bool is_member(const Cluster& cluster, Vec2 x, double tol) {
   return std::any_of(cluster.members.begin(), cluster.members.end(), [&](Vec2 m) { return distance(m, x) <= tol; });
 }
 
-/// A cluster that an isometry of the face maps onto another one, resolved before.
+/// An earlier, already resolved cluster and the isometry of the face that maps it onto this one.
 struct Model {
   std::size_t cluster;
   curve::Isometry map;

@@ -1,17 +1,17 @@
 #pragma once
-// From clusters of zeros to irregular nodes that a layout can use (lib/method.md §5).
+// Replaces clusters of zeros by irregular nodes that a layout can use (lib/method.md §5).
 
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
 namespace quadrille::guide {
 
-/// Adds nodes for every cluster with index != 0: one of valence 4 - index where that is 3 to max_valence; else |index|
-/// nodes of valence 3 or 5 about the centre, as symmetric as the face is about it (guide/node_ring has the rules). A
-/// cluster of index 0 cancels. Zeros in critical_points that are members of clusters are removed. Centres within 1e-6
-/// diameters of a fixed point of the face's symmetries are moved onto it, and clusters in one symmetry orbit are
-/// resolved alike. Nodes get the source `cluster`, clusters of index 0 a change of the kind `cancel`. No elements are
-/// set. With any cluster, the form becomes `phase`.
+/// Adds nodes for every cluster with index != 0: one of valence 4 - index if that is 3 to max_valence; else |index|
+/// nodes of valence 3 or 5 about the centre, as symmetric as the face is about it (rules in guide/node_ring). A cluster
+/// of index 0 cancels. Zeros in critical_points that are members of clusters are removed. Centres within 1e-6 diameters
+/// of a fixed point of the face's symmetries are moved onto it, and clusters in one symmetry orbit are resolved alike.
+/// Nodes get the source `cluster`; clusters of index 0 are recorded as a change of the kind `cancel`. No elements are
+/// set. If there is any cluster, the form becomes `phase`.
 void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& points);
 
 }  // namespace quadrille::guide

@@ -1,5 +1,5 @@
 #pragma once
-// An order of points that rounding errors do not change: by x, then y.
+// Sorts points by x, then y, in an order that does not depend on rounding errors.
 
 #include <algorithm>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace quadrille::guide {
 
-/// Sorts by the position that `at` gives, x values equal within `tol` counting as equal. Tolerances are no ordering:
-/// the points are put into columns of equal x first, then each column is sorted by y.
+/// Sorts by the position at(point), with x values equal within `tol` counted as equal. Comparison with a tolerance is
+/// not an ordering, so the points are divided into columns of equal x first, and each column is then sorted by y.
 template <typename Point, typename At>
 void sort_by_position(std::vector<Point>& points, double tol, const At& at) {
   const auto x_of = [&](const Point& a) { return at(a).x; };

@@ -25,8 +25,8 @@ double least_extent(const CadFace& face, int joint) {
   return std::min(extent(joint), extent(face.previous_in_loop(joint)));
 }
 
-/// What |v| must exceed on an arc to be trusted. The error is that half the way along it; an angle off the tie lets the
-/// chord miss 0 by twice as much, and the zero that makes up for it must lie inside.
+/// The value that |v| must exceed on an arc to be trusted. The error is that in the middle of the arc. If the angle is
+/// off the tie, the chord misses 0 by twice as much, and the compensating zero must lie inside the arc.
 double enough(const field::FieldEvaluator& evaluator, const Joint& joint, const zeros::Disc& disc, double noise) {
   const std::vector<double>& errors = evaluator.field().elem_error;
   const Vec2 middle = disc.centre + disc.radius * unit(joint.tangent_out + 0.5 * joint.interior_angle);
@@ -37,23 +37,24 @@ double enough(const field::FieldEvaluator& evaluator, const Joint& joint, const 
 
 struct ArcValence {
   int valence = 0;
-  double trust = 0;  ///< |v| on the arc by what it must exceed
+  double trust = 0;  ///< |v| on the arc relative to the value that it must exceed
 };
 
 /// Quads in the sector, from the turn of the phase on an arc from the outgoing to the incoming side.
 std::optional<ArcValence> valence_by_arc(const field::FieldEvaluator& evaluator, const Joint& joint,
                                          const zeros::Disc& disc, double noise) {
-  constexpr double margin = 0.05;  // curved sides: what lies outside the domain is left out
+  constexpr double margin = 0.05;  // for curved sides; the part outside the domain is ignored
   const auto turn = zeros::phase_turn(evaluator, disc.centre, disc.radius, joint.tangent_out - margin,
                                       joint.tangent_out + joint.interior_angle + margin);
   if (!turn || turn->least_value < 10 * noise) return {};
-  // The cross at both ends lies along the sides: the sector holds the quarter turns between them less the field's own.
+  // The cross at both ends is aligned with the sides: V is the number of quarter turns between them less the field's
+  // own.
   return ArcValence{static_cast<int>(std::lround((4 * joint.interior_angle - turn->turn) / (2 * pi))),
                     turn->least_value / enough(evaluator, joint, disc, noise)};
 }
 
-/// The valence at a tie and the disc of the arc that tells it. At a tie |v| grows like (r / diameter)^(pi / omega): the
-/// arcs begin where that is 1e-8, no nearer than the resolution of positions, and double.
+/// The valence at a tie and the disc of the arc that decides it. At a tie |v| grows like (r / diameter)^(pi / omega):
+/// the radii start at the value at which this is 1e-8, but not below the resolution of positions, and are doubled.
 std::optional<int> valence_at_tie(const field::FieldEvaluator& evaluator, int joint, double noise, zeros::Disc& disc) {
   const CadFace& face = evaluator.field().mesh.face;
   const Joint& corner = face.joints[joint];
