@@ -12,7 +12,7 @@
 namespace quadrille::features {
 namespace {
 
-constexpr double touching = 1e-9;  // of the diameter
+constexpr double touching = 1e-9;  // relative to the diameter
 
 bool is_reflex_joint(const CadFace& face, int joint) { return face.joints[joint].interior_angle > pi + 1e-6; }
 
@@ -20,8 +20,8 @@ bool turns_away(const CadFace& face, int curve, double t, bool from_left) {
   return curve::curvature(face.curves[curve], t, from_left) < -1e-6 / face.diameter;
 }
 
-/// Whether the boundary is reflex where curve `joint` begins. At a smooth joint both sides count: the end of a fillet
-/// is reflex, though the straight side beyond it is not.
+/// Whether the boundary is reflex at the start of curve `joint`. At a smooth joint either side suffices: the end of a
+/// fillet is reflex, though the straight side beyond it is not.
 bool is_reflex_at_joint(const CadFace& face, int joint) {
   if (face.joints[joint].is_corner) return is_reflex_joint(face, joint);
   const int before = face.previous_in_loop(joint);

@@ -7,7 +7,7 @@
 
 namespace quadrille::features {
 
-/// The point of one boundary curve nearest to some point of the plane.
+/// The point of one boundary curve nearest to a given point of the plane.
 struct CurveFoot {
   Vec2 position;
   double distance = 0;
@@ -16,26 +16,26 @@ struct CurveFoot {
 
 class BoundaryClearance {
  public:
-  /// `face` must outlive it.
+  /// `face` must outlive the object.
   explicit BoundaryClearance(const CadFace& face);
 
   /// Distance from x to the nearest point of the boundary.
   double at(Vec2 x) const;
-  /// The nearest point of each curve that is nearer than `reach`; one where several curves share it.
+  /// The nearest point of each curve that is nearer than `reach`; a point that several curves share appears once.
   std::vector<CurveFoot> feet(Vec2 x, double reach) const;
-  /// Whether the segment from a to b, both inside, stays inside: steps along it by the clearance, which must exceed
-  /// 1e-9 diameters everywhere.
+  /// Whether the segment from a to b, both inside, lies inside. The length of each step along it is the clearance,
+  /// which must exceed 1e-9 diameters everywhere.
   bool is_segment_inside(Vec2 a, Vec2 b) const;
 
  private:
   struct Box {
     Vec2 low, high;
   };
-  /// Not more than the distance from x to the curve.
+  /// A lower bound of the distance from x to the curve.
   double lower_bound(int curve, Vec2 x) const;
 
   const CadFace* face_;
-  std::vector<Box> boxes_;  ///< of each curve's poles, which enclose the curve
+  std::vector<Box> boxes_;  ///< around each curve's poles, which enclose the curve
 };
 
 }  // namespace quadrille::features

@@ -18,7 +18,7 @@ struct Pair {
 using Pairs = std::vector<Pair>;
 
 bool do_see_each_other(const BoundaryClearance& clearance, const FeatureNode& a, const FeatureNode& b) {
-  // The segment starts a little inside the boundary on which a node lies.
+  // If a node lies on the boundary, the segment starts a little inside.
   const Vec2 lift = 1e-3 * (b.position - a.position);
   return clearance.is_segment_inside(a.is_inside() ? a.position : a.position + lift,
                                      b.is_inside() ? b.position : b.position - lift);
@@ -60,7 +60,7 @@ std::vector<std::vector<int>> linked_sets(Pairs::const_iterator first, Pairs::co
   return sets;
 }
 
-/// The node of index 1 or -1 that replaces the members; none where they must stay.
+/// The node of index 1 or -1 that replaces the members; std::nullopt if they must stay.
 std::optional<FeatureNode> middle_of(const std::vector<FeatureNode>& members, const BoundaryClearance& clearance) {
   FeatureNode middle = members.front();
   Vec2 sum;
@@ -79,7 +79,7 @@ std::optional<FeatureNode> middle_of(const std::vector<FeatureNode>& members, co
   return middle;
 }
 
-/// Decides one set and lists what it removes; false where the set stays as it is.
+/// Decides one set and appends the nodes that it removes to `removed`; false if the set stays unchanged.
 bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const std::vector<int>& set,
                 const std::string& why, std::vector<int>& removed) {
   std::vector<FeatureNode> before;
@@ -102,7 +102,7 @@ bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const s
   return true;
 }
 
-/// Decides the nearest class of pairs that changes anything; false where there is none.
+/// Decides the nearest class of pairs that changes any node; false if there is none.
 bool cancel_nearest(FeatureState& state, const BoundaryClearance& clearance, double below) {
   const Pairs pairs = opposite_pairs(state, clearance, below);
   const auto distance_of = [](const Pair& pair) { return pair.distance; };

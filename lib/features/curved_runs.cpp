@@ -16,7 +16,7 @@ TurnSide side_at(const Nurbs& curve, double t, double least_curvature) {
   return k > 0 ? TurnSide::left : TurnSide::right;
 }
 
-/// Where the side changes between a and b.
+/// The parameter between a and b at which the side of the curvature changes.
 double change_between(const Nurbs& curve, double a, double b, double least_curvature) {
   const TurnSide side = side_at(curve, a, least_curvature);
   for (int i = 0; i < 60; ++i) {
@@ -73,7 +73,7 @@ bool does_continue(const CadFace& face, const CurvedInterval& a, const CurvedInt
          face.next_in_loop(a.interval.curve) == b.interval.curve && !face.joints[b.interval.curve].is_corner;
 }
 
-/// Joins the last run to the first where the loop's first joint lies inside a run.
+/// Joins the last run to the first if the loop's first joint lies inside a run.
 void close_loop(const CadFace& face, std::vector<CurvedRun>& runs) {
   if (runs.empty() || !does_continue(face, runs.back().parts.back(), runs.front().parts.front())) return;
   if (runs.size() == 1) {

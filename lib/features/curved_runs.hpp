@@ -1,5 +1,5 @@
 #pragma once
-// Where a boundary loop is curved: longest runs, over smooth joints, that are curved to one side everywhere.
+// The curved parts of a boundary loop: longest runs, over smooth joints, that are curved to one side everywhere.
 
 #include <vector>
 
@@ -7,21 +7,21 @@
 
 namespace quadrille::features {
 
-/// To which side the boundary turns, walked with the face on the left.
+/// The side to which the boundary turns, with the face on its left.
 enum class TurnSide { left, right, none };
 
 /// An interval of one curve that is curved to one side.
 struct CurvedInterval {
   CurveInterval interval;
   TurnSide side = TurnSide::none;
-  double turning = 0;  ///< radians, >= 0: between the tangents at its ends
+  double turning = 0;  ///< radians, >= 0: angle between the tangents at its ends
   double greatest_curvature = 0;
 };
 
-/// Curved intervals that follow each other over smooth joints, all to one side.
+/// Consecutive curved intervals, connected by smooth joints, all curved to one side.
 struct CurvedRun {
   std::vector<CurvedInterval> parts;
-  bool is_loop = false;  ///< it closes on itself
+  bool is_loop = false;  ///< the run is a whole loop
 
   TurnSide side() const { return parts.front().side; }
   double turning() const;
@@ -34,7 +34,7 @@ struct CurvedRun {
 /// may jump at knots; the ends of a run are found by bisection.
 std::vector<CurvedRun> curved_runs(const CadFace& face, int loop, double least_curvature);
 
-/// The parameters at which curvature is sampled on a curve: both ends of every part.
+/// The parameters between which curvature is sampled on a curve: both ends of every part.
 std::vector<double> sample_parameters(const Nurbs& curve);
 
 }  // namespace quadrille::features

@@ -35,7 +35,7 @@ std::optional<Owner> owning_feature(const FeatureState& state, const std::vector
   return is_tied ? std::nullopt : nearest;
 }
 
-/// Whether a run that is no part of the feature is nearer to the node.
+/// Whether a run that is not part of the feature is nearer to the node.
 bool has_nearer_run(const FeatureState& state, const std::vector<SmallFeature>& runs, const SmallFeature& feature,
                     const FeatureNode& node, double distance) {
   return std::any_of(runs.begin(), runs.end(), [&](const SmallFeature& run) {
@@ -44,7 +44,7 @@ bool has_nearer_run(const FeatureState& state, const std::vector<SmallFeature>& 
   });
 }
 
-/// As many as the feature's capacity; nodes of equal distance together or not at all.
+/// Keeps at most as many nodes as the feature's capacity; nodes of equal distance together or not at all.
 void keep_to_capacity(const FeatureState& state, size_t capacity, std::vector<OwnedNode>& owned) {
   std::stable_sort(owned.begin(), owned.end(),
                    [](const OwnedNode& a, const OwnedNode& b) { return a.foot.distance < b.foot.distance; });

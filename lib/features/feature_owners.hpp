@@ -1,5 +1,5 @@
 #pragma once
-// Rule "own": which node belongs to which small feature.
+// Rule "own": the assignment of nodes to small features.
 
 #include "features/feature_state.hpp"
 #include "features/small_features.hpp"
@@ -14,9 +14,10 @@ struct OwnedNode {
 
 /// For each feature its nodes, nearest first. An inner node of index 1 (convex bends) or -1 (reflex bends and holes)
 /// belongs to the nearest feature of its sign that is nearer than L. It belongs to none
-///   - where two features are equally near, unless their nearest points agree (a hole and a bend of it: then to the
+///   - if two features are equally near, unless their nearest points coincide (a hole and a bend of it: then to the
 ///     bend, which is listed first),
-///   - where a run of any size of that sign, no part of the feature, is nearer (curved_runs): that forced the node.
+///   - if a run of any size of that sign that is not part of the feature is nearer (curved_runs): that run forced the
+///     node.
 /// A feature has no more nodes than its index capacity: the nearest, nodes equally near together or not at all.
 std::vector<std::vector<OwnedNode>> nodes_of_features(const CadFace& face, const FeatureState& state,
                                                       const std::vector<SmallFeature>& features);

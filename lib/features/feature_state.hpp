@@ -1,5 +1,5 @@
 #pragma once
-// What the rules of resolve_features pass on to each other: the nodes without what belongs to the field.
+// The state that the rules of resolve_features pass on to each other: the nodes without their data in the field.
 
 #include <optional>
 #include <string>
@@ -15,8 +15,8 @@ struct FeatureNode {
   NodeLocation location = NodeLocation::inside;  ///< inside or on the boundary, never a corner
   int curve = 0;                                 ///< on the boundary: its curve
   double t = 0;                                  ///< and parameter
-  int origin = 0;           ///< entry of the input's critical_points or, if it began on the boundary, boundary_nodes
-  std::optional<int> hole;  ///< small hole that it was put onto
+  int origin = 0;           ///< entry of the input's critical_points or, if it was on the boundary, boundary_nodes
+  std::optional<int> hole;  ///< small hole onto whose boundary it was moved
   std::optional<ChangeKind> changed_by;  ///< the last change
 
   bool is_inside() const { return location == NodeLocation::inside; }
@@ -35,7 +35,7 @@ struct FeatureState {
 /// Removes the nodes with these indices into state.nodes, in any order; the others keep their order.
 void remove_nodes(FeatureState& state, const std::vector<int>& removed);
 
-/// What a NodeChange says of a node.
+/// The record of a node in a NodeChange.
 NodeMark mark(const FeatureNode& node);
 
 /// Adds a change of the kind `feature` or `cancel`.

@@ -11,7 +11,7 @@
 namespace quadrille::features {
 namespace {
 
-constexpr double knot_tol = 1e-9;  // of a curve's parameter range
+constexpr double knot_tol = 1e-9;  // relative to a curve's parameter range
 
 double length_of(const Nurbs& curve, double t0, double t1) { return curve::ArcLength(curve).between(t0, t1); }
 

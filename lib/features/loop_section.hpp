@@ -1,5 +1,5 @@
 #pragma once
-// A section of a boundary loop, directed as the loop is, with positions given by the fraction in [0, 1] of its length.
+// A section of a boundary loop in the direction of the loop, parametrised by the fraction in [0, 1] of its length.
 
 #include <vector>
 
@@ -13,30 +13,30 @@ struct CurveInterval {
   double t0 = 0, t1 = 0;
 };
 
-/// A point of the boundary. Where two curves meet it is the beginning of the second.
+/// A point of the boundary. At the joint of two curves it is the start of the second.
 struct SectionPoint {
   int curve = 0;
   double t = 0;
   Vec2 position;
 };
 
-/// The point of a section nearest to some point of the plane.
+/// The point of a section nearest to a given point of the plane.
 struct SectionFoot {
-  double fraction = 0;  ///< of the section's length
+  double fraction = 0;  ///< relative to the section's length
   double distance = 0;
   Vec2 position;
 };
 
 class LoopSection {
  public:
-  /// Intervals that follow each other; `face` must outlive the section. `is_closed`: a whole loop.
+  /// Each interval starts at the end of the one before; `face` must outlive the section. `is_closed`: a whole loop.
   LoopSection(const CadFace& face, std::vector<CurveInterval> intervals, bool is_closed);
 
   double length() const { return ends_.back(); }
   bool is_closed() const { return is_closed_; }
   const std::vector<CurveInterval>& intervals() const { return intervals_; }
-  /// At a fraction of the length; beyond [0, 1] it is clamped, or wraps round where closed. A parameter within 1e-9 of
-  /// the curve's range from a knot or end is the knot or the joint.
+  /// The point at a fraction of the length; a fraction outside [0, 1] is clamped, or wrapped if the section is closed.
+  /// A parameter within 1e-9 of the curve's range from a knot or end is moved to the knot or the joint.
   SectionPoint at(double fraction) const;
   /// The nearest point. Linear in the number of intervals.
   SectionFoot foot(Vec2 x) const;
@@ -51,7 +51,7 @@ class LoopSection {
 /// Loop `loop` of the face as one closed section.
 LoopSection whole_loop(const CadFace& face, int loop);
 
-/// Whether some part of the boundary belongs to both; touching ends do not count.
+/// Whether the two sections have a part of the boundary in common; common end points do not count.
 bool do_overlap(const LoopSection& a, const LoopSection& b);
 
 }  // namespace quadrille::features

@@ -21,7 +21,7 @@ struct BoundaryPair {
 
 using Pairs = std::vector<BoundaryPair>;
 
-/// A part of a whole loop: from the fraction `first` on, `part` of the loop long.
+/// A part of a whole loop, as fractions of its length: it starts at `first` and is `part` long.
 struct LoopPart {
   double first = 0, part = 0;
 };
@@ -35,7 +35,7 @@ bool has_corner(const CadFace& face, int loop, const LoopSection& whole, const L
   return false;
 }
 
-/// The shorter way round the loop from one point to the other.
+/// The shorter part of the loop between the two points.
 LoopPart shorter_part(const LoopSection& whole, Vec2 a, Vec2 b) {
   double first = whole.foot(a).fraction, part = whole.foot(b).fraction - first;
   part -= std::floor(part);
@@ -77,7 +77,7 @@ Pairs close_pairs(const CadFace& face, const FeatureState& state) {
   return pairs;
 }
 
-/// The first node of the pair becomes the merged one.
+/// Replaces the first node of the pair by the merged one.
 void merge(FeatureState& state, const BoundaryPair& pair) {
   const FeatureNode a = state.nodes[pair.a], b = state.nodes[pair.b];
   FeatureNode merged = a;
@@ -94,7 +94,8 @@ void merge(FeatureState& state, const BoundaryPair& pair) {
   state.nodes[pair.a] = merged;
 }
 
-/// Merges those pairs of a class that share no node with others of it; the second node of each is to be removed.
+/// Merges the pairs of a class that have no node in common with others of it. Returns the second node of each, to be
+/// removed.
 std::vector<int> merge_class(FeatureState& state, Pairs::const_iterator first, Pairs::const_iterator last) {
   std::vector<int> uses(state.nodes.size()), removed;
   for (auto pair = first; pair != last; ++pair) ++uses[pair->a], ++uses[pair->b];
@@ -106,7 +107,7 @@ std::vector<int> merge_class(FeatureState& state, Pairs::const_iterator first, P
   return removed;
 }
 
-/// Merges the nearest class of pairs of which any can be merged; false where there is none.
+/// Merges the nearest class that has pairs to merge; false if there is none.
 bool merge_nearest(const CadFace& face, FeatureState& state) {
   const Pairs pairs = close_pairs(face, state);
   const auto distance_of = [](const BoundaryPair& pair) { return pair.distance; };

@@ -7,10 +7,10 @@
 
 namespace quadrille::features {
 
-/// As at the tip of a slit, where four blocks meet: the ends of a narrow slot, a nose. The node lies in the middle of
-/// the boundary between the two, which must have no corner and be no longer than twice their distance. Nearest pairs
-/// first; pairs of equal distance together, but those that share a node not at all. Two nodes of one small hole are not
-/// merged: a hole needs four.
+/// The merged node is like the tip of a slit, where four blocks meet: at the ends of a narrow slot, or at a nose. It
+/// lies in the middle of the boundary between the two, which must have no corner and be no longer than twice their
+/// distance. Nearest pairs are merged first; pairs of equal distance together, but not those with a node in common. Two
+/// nodes of one small hole are not merged, because a hole needs four.
 void merge_on_boundary(const CadFace& face, FeatureState& state);
 
 }  // namespace quadrille::features

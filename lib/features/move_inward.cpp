@@ -50,7 +50,7 @@ class InwardPath {
     }
     return (a + b) / 2;
   }
-  /// Where the clearance is greatest between a and b.
+  /// The length along the path, between a and b, at which the clearance is greatest.
   double length_at_ridge(double a, double b) const {
     for (int i = 0; i < 2 * halvings; ++i) {
       const double c = a + (b - a) / 3, d = b - (b - a) / 3;
@@ -64,8 +64,8 @@ class InwardPath {
   double first_ = 0, last_ = 0, end_ = 0;
 };
 
-/// The least clearance between low and high at which `gap` (distance to another node less the clearance) is used up;
-/// `high` where it never is. Samples, then bisection.
+/// The least clearance between low and high at which `gap` (distance to another node less the clearance) is 0; `high`
+/// if there is none. Samples, then bisection.
 template <class Gap>
 double clearance_limit(Gap gap, double low, double high) {
   if (gap(low) <= 0) return low;
@@ -87,7 +87,7 @@ double clearance_limit(Gap gap, double low, double high) {
   return a;
 }
 
-/// The clearance at which node i of the moves stops.
+/// The final clearance of the node of move i.
 double final_clearance(const FeatureState& state, const std::vector<InwardMove>& moves,
                        const std::vector<InwardPath>& paths, size_t i) {
   double reach = paths[i].last_clearance();

@@ -12,8 +12,8 @@ namespace {
 
 using Points = std::vector<SectionPoint>;
 
-/// As many points as feet (ascending fractions): evenly over an open section, or over a closed one with the mean offset
-/// of the feet.
+/// As many points as feet (ascending fractions): evenly distributed over an open section, or over a closed one with the
+/// mean offset of the feet.
 Points evenly_spread(const LoopSection& section, const std::vector<double>& feet) {
   const double n = static_cast<double>(feet.size());
   double offset = section.is_closed() ? 0 : 0.5 / n;
@@ -23,7 +23,7 @@ Points evenly_spread(const LoopSection& section, const std::vector<double>& feet
   return even;
 }
 
-/// The least distance between two that follow each other.
+/// The least distance between consecutive points.
 double least_distance(const Points& points, bool is_closed) {
   double least = std::numeric_limits<double>::infinity();
   for (size_t i = is_closed ? 0 : 1; points.size() > 1 && i < points.size(); ++i)
@@ -55,7 +55,7 @@ std::string reason(const FeatureState& state, const SmallFeature& feature, doubl
                      what, state.size, distance);
 }
 
-/// Whether the corner took the node.
+/// Moves the node into the corner if its new valence is admissible; returns whether it did.
 bool put_into_corner(FeatureState& state, int joint, int node, const std::string& why) {
   const auto corner =
       std::find_if(state.corners.begin(), state.corners.end(), [&](const Corner& c) { return c.joint == joint; });
@@ -70,7 +70,7 @@ bool put_into_corner(FeatureState& state, int joint, int node, const std::string
   return true;
 }
 
-/// Feet on the run instead of on the bend, in ascending order.
+/// Replaces feet on the bend by feet on the run and sorts by them, ascending.
 void sort_by_foot_on_run(const FeatureState& state, const SmallFeature& feature, std::vector<OwnedNode>& owned) {
   for (OwnedNode& own : owned) own.foot = feature.run.foot(state.nodes[own.node].position);
   std::stable_sort(owned.begin(), owned.end(),

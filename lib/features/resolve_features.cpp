@@ -33,7 +33,7 @@ FeatureState initial_state(const CadFace& face, double size, const CriticalPoint
   return state;
 }
 
-/// Rules own, boundary, corner, inward.
+/// Applies the rules own, boundary, corner, inward.
 void move_nodes_of_features(const CadFace& face, const BoundaryClearance& clearance, FeatureState& state) {
   const std::vector<SmallFeature> features = small_features(face, state.size);
   const std::vector<std::vector<OwnedNode>> owned = nodes_of_features(face, state, features);
@@ -48,7 +48,7 @@ void move_nodes_of_features(const CadFace& face, const BoundaryClearance& cleara
     }
     for (const OwnedNode& own : owned[f]) moves.push_back(inward_move(face, state.nodes[own.node], features[f], own));
   }
-  // A node that a corner took keeps others away from where it was: all moves are decided together.
+  // All moves are decided together, so nodes that moved into corners still repel others from their old positions.
   move_inward(state, clearance, moves);
   remove_nodes(state, taken_by_corners);
 }

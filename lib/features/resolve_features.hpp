@@ -1,16 +1,17 @@
 #pragma once
-// Irregular nodes that small fillets and holes force, moved to where blocks of about the feature size L fit.
+// Moves irregular nodes that small fillets and holes force to positions at which blocks of about the feature size L
+// fit.
 //
-// Objective. However small a fillet or a hole is, the field puts nodes at a distance of the order of its radius beside
-// it (lib/method.md §5). A user who meshes at sizes far above that radius wants no blocks of that size: afterwards
-// nodes are L / 2 apart wherever there is room, and no node that a feature below L forces is left beside it.
+// Objective. However small a fillet or a hole is, the field has nodes at a distance of the order of its radius beside
+// it (lib/method.md §5). A user who meshes at sizes far above that radius does not want blocks of that size: afterwards
+// nodes are L / 2 apart wherever the clearance allows it, and no node that a feature below L forces remains beside it.
 //
 // Invariants. The index sum. Inner nodes stay inside the face. A node of valence 3 is never put onto a smooth boundary:
-// its block would have a corner of 180 degrees. What is symmetric stays symmetric: equal distances (within 1e-6
-// diameters) are decided together or not at all, and moves are decided for all nodes at once. Each change is recorded
-// with its reason and keeps the index. What no rule applies to stays as it was, to the last bit.
+// its block would have a corner of 180 degrees. Symmetric sets stay symmetric: equal distances (within 1e-6 diameters)
+// are decided together or not at all, and moves are decided for all nodes at once. Each change is recorded with its
+// reason and keeps the index. Nodes to which no rule applies are unchanged, to the last bit.
 //
-// Decisions, in this order. Each works on what the ones before it left.
+// Decisions, in this order. Each starts from the result of the ones before it.
 //
 //   rule      applies to                                               decision
 //   cancel    nodes of opposite index nearer than L that see each      removed, or one node in their middle
@@ -24,23 +25,23 @@
 //   cancel    as above, nearer than L / 2; boundary nodes take part    as above
 //   merge     two boundary nodes of valence 3 nearer than L / 2        one of valence 4 between them
 //             (merge_on_boundary)
-//   separate  inner nodes nearer than L / 2 to another node, and       pushed apart; where there is no room that is
-//             changed ones to the boundary (separate_nodes)            recorded
+//   separate  inner nodes nearer than L / 2 to another node, and       pushed apart; where the clearance is too small
+//             changed ones to the boundary (separate_nodes)            for that it is recorded
 //
-// Why this order. Opposite pairs first: what cancels needs no feature, and a node put onto the boundary could no longer
-// find its partner. Boundary before inward: a node that moves onto the boundary
-// does not stop nodes that move inward. Cancelling again, because
-// moves bring nodes together that were apart. Merging before separating: boundary nodes cannot be pushed.
-// All numbers are in features/feature_constants.
+// Reasons for this order. Opposite pairs first: a pair that cancels needs no feature, and a node put onto the boundary
+// could no longer find its partner. Boundary before inward: a node that moves onto the boundary does not stop nodes
+// that move inward. Cancelling again, because moves bring nodes together that were apart. Merging before separating:
+// boundary nodes cannot be pushed.
+// All constants are in features/feature_constants.
 
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
 namespace quadrille::features {
 
-/// Applies the rules above with L = `size`, in the file's unit; 0: changes nothing. What a feature is and which index
-/// it forces: features/small_features. Nodes that were moved keep `elem` and `xi` of where they were. Throws UsageError
-/// where `size` is negative or not finite.
+/// Applies the rules above with L = `size`, in the file's unit; 0: no change. The definition of a feature and the index
+/// that it forces: features/small_features. Nodes that were moved keep `elem` and `xi` of their old position. Throws
+/// UsageError if `size` is negative or not finite.
 void resolve_features(const CadFace& face, double size, CriticalPoints& points);
 
 }  // namespace quadrille::features

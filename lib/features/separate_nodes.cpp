@@ -13,10 +13,10 @@ constexpr double margin = feature_constants.push_margin;
 
 struct Push {
   std::vector<Vec2> moves;
-  double shortfall = 0;  ///< greatest part of the spacing that is missing
+  double shortfall = 0;  ///< greatest missing fraction of the spacing
 };
 
-/// Boundary nodes stay where their feature is.
+/// Boundary nodes stay at their feature.
 bool is_fixed_pair(const FeatureNode& a, const FeatureNode& b) { return !a.is_inside() && !b.is_inside(); }
 
 void push_apart(const FeatureState& state, double spacing, Push& push) {
@@ -54,7 +54,7 @@ Push pushes(const FeatureState& state, const BoundaryClearance& clearance, doubl
   return push;
 }
 
-/// One round. No node moves farther than half of its clearance.
+/// Carries out one round. No node moves farther than half of its clearance.
 void apply(const Push& push, const BoundaryClearance& clearance, FeatureState& state) {
   for (size_t i = 0; i < state.nodes.size(); ++i) {
     const double length = norm(push.moves[i]);
@@ -66,7 +66,7 @@ void apply(const Push& push, const BoundaryClearance& clearance, FeatureState& s
   }
 }
 
-/// The round with the least shortfall; it stops where there is none.
+/// Keeps the round with the least shortfall; stops as soon as there is no shortfall.
 void push_to_spacing(FeatureState& state, const BoundaryClearance& clearance, double spacing) {
   std::vector<FeatureNode> best = state.nodes;
   Push push = pushes(state, clearance, spacing);

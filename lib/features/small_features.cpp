@@ -11,7 +11,7 @@
 namespace quadrille::features {
 namespace {
 
-/// The run that holds the bend: the one around the middle of the bend's first interval.
+/// The run that contains the bend: the one around the middle of the bend's first interval.
 const CurvedRun& run_around(const std::vector<CurvedRun>& runs, const CurvedRun& bend) {
   const CurveInterval& first = bend.parts.front().interval;
   const double middle = (first.t0 + first.t1) / 2;
@@ -31,7 +31,7 @@ std::vector<CurvedRun> all_runs(const CadFace& face, int loop) {
   return curved_runs(face, loop, feature_constants.straight_curvature / face.diameter);
 }
 
-/// The largest distance between two sample points of a loop, or some distance above `enough`.
+/// The largest distance between two sample points of a loop, or any distance above `enough` as soon as it is found.
 double diameter_of(const CadFace& face, int loop, double enough) {
   std::vector<Vec2> points;
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
@@ -54,7 +54,7 @@ int hole_capacity(const CadFace& face, int loop) {
   return std::max(sum, 0);
 }
 
-/// Bends of a loop below `size`; those of a hole that is one small run all round are part of the hole.
+/// Adds the bends of a loop below `size`; the bends of a hole that is one small run all round are part of the hole.
 void add_bends(const CadFace& face, int loop, double size, bool is_small_hole, std::vector<SmallFeature>& bends) {
   const std::vector<CurvedRun> runs = all_runs(face, loop);
   for (const CurvedRun& bend : curved_runs(face, loop, 1 / size)) {
