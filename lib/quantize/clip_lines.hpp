@@ -14,7 +14,7 @@ struct ClippedLines {
   std::vector<graph::Crossing> crossings;  ///< Crossing::a and b number the pieces
 };
 
-/// Each line of the arrangement as far as it is covered. A piece that was stopped ends on the line that stopped it.
+/// The covered part of each line of the arrangement. A piece that was stopped ends on the line that stopped it.
 ClippedLines clip_lines(const trace::LineArrangement& arrangement, const std::vector<CoveredPart>& covered);
 
 }  // namespace quadrille::quantize

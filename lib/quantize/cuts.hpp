@@ -14,17 +14,17 @@ struct BoundaryPoint {
   double t = 0;   ///< its parameter
 };
 
-/// Where a cut across the end of a limit cycle starts: the end of the first line that runs from there across the cycle,
-/// to its left or right, to the boundary. Throws ComputeError, with the position, where neither reaches it.
+/// Start of a cut across the end of a limit cycle: the end of the first line that runs from there across the cycle, to
+/// its left or right, to the boundary. Throws ComputeError with the position if neither line reaches it.
 BoundaryPoint cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
                                      const trace::Streamline& line);
 
 /// The loops, ascending, that no path along arcs of the graph connects to the outer boundary (loop 0).
 std::vector<int> unconnected_loops(const SeparatrixGraph& graph);
 
-/// Where the k-th cut (k = 0, 1, ...) of a loop starts. Holes may be connected to each other and to nothing else: each
-/// of their cuts starts at another point, at the middle of the first curve, then at halves, quarters, eighths of the
-/// loop's curves in turn (van der Corput's sequence).
+/// Start of the k-th cut (k = 0, 1, ...) of a loop. Holes may be connected to each other only, so each cut starts at
+/// another point, at the middle of the first curve, then at halves, quarters, eighths of the loop's curves in turn (van
+/// der Corput's sequence).
 BoundaryPoint cut_from_loop(const CadFace& face, int loop, int k);
 
 }  // namespace quadrille::quantize

@@ -55,7 +55,7 @@ curve::Chain side_chain(const ArcGraph& t_mesh, const curve::CurveTable& table, 
   return curve::Chain(table, pieces);
 }
 
-// A spline through all nodes of an iso-line and points between them; it IS the line from here on.
+// A spline through all nodes of an iso-line and points between them; it replaces the line from here on.
 void add_line(const std::vector<LineNode>& line_nodes, const std::function<Vec2(double)>& position,
               SeparatrixGraph& graph) {
   std::vector<double> t;

@@ -9,7 +9,7 @@
 namespace quadrille::quantize {
 namespace {
 
-// All of the T-mesh but its arcs and lines.
+// Copies the T-mesh without its arcs and lines.
 SeparatrixGraph without_arcs(const graph::CandidateLayout& t_mesh) {
   SeparatrixGraph graph;
   graph.provenance = t_mesh.provenance;

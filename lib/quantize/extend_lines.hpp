@@ -1,8 +1,8 @@
 #pragma once
-// From a T-mesh with integer lengths to a conforming graph (lib/method.md §9.7): every line that stops at a T-junction
-// continues through the integer grids of the faces, until it meets a T-junction from the other side, whose line it then
-// is, or the boundary. These lines and those of the T-mesh are all lines that irregular nodes launch through the
-// integer grid: what they cut are its largest four-sided blocks (base complex).
+// Extends a T-mesh with integer lengths to a conforming graph (lib/method.md §9.7): every line that stops at a
+// T-junction continues through the integer grids of the faces, until it meets the boundary, or a T-junction from the
+// other side, whose line it joins. These lines and the lines of the T-mesh are all lines that start at irregular nodes
+// in the integer grid: they bound its largest four-sided blocks (base complex).
 
 #include <vector>
 
@@ -12,7 +12,7 @@
 namespace quadrille::quantize {
 
 /// `lengths` (1 or more for each arc, opposite sides of the faces equal): of quantize(). Nodes of the T-mesh keep their
-/// numbers. Throws ComputeError where the result has a face without four corners.
+/// numbers. Throws ComputeError if the result has a face without four corners.
 graph::CandidateLayout extend_lines(const graph::CandidateLayout& t_mesh, const std::vector<TFace>& faces,
                                     const std::vector<int>& lengths);
 

@@ -16,8 +16,8 @@ namespace {
 constexpr int max_nodes = 2000;
 constexpr double relative_gap = 1e-3;  // between the solution and its bound
 
-// The solver, loaded on first use: few layouts need it, and it comes with ten libraries whose start-up costs every run
-// as much time as the tracing of a small layout.
+// The solver, loaded on first use: few layouts need it, and it depends on ten libraries, whose start-up takes as long
+// as tracing a small layout.
 class Cbc {
  public:
   static const Cbc& get() {
@@ -34,7 +34,7 @@ class Cbc {
     }
   };
 
-  // From the path of the build, else from the system's folders.
+  // Loads from the path of the build, else from the system's folders.
   static void* load() {
     const std::string path = QUADRILLE_CBC_LIBRARY;
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);

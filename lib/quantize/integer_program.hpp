@@ -16,8 +16,8 @@ class IntegerProgram {
   int add_variable(double low, double high, double cost, bool is_integer);
   void add_equation(const std::vector<Term>& terms, double right_side);
 
-  /// The values of the variables, integer ones rounded; empty where there is no solution. The search is bounded by a
-  /// number of nodes and not by time, so that one input has one answer; the best solution found is returned.
+  /// The values of the variables, integer ones rounded; empty if there is no solution. The search is bounded by a
+  /// number of nodes and not by time, so that the result is deterministic; the best solution found is returned.
   std::vector<double> solve() const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace quadrille::quantize {
 
-/// Where a half-edge lies: side of a face, and the position on the side at which it starts.
+/// Position of a half-edge: side of a face, and the position on the side at which it starts.
 struct SidePosition {
   int face = -1, side = 0, offset = 0;
 };
@@ -23,7 +23,7 @@ class IntegerSides {
   IntegerSides(const std::vector<TFace>& faces, const std::vector<int>& lengths);
 
   const std::vector<TFace>& faces() const { return faces_; }
-  /// Face -1 where a boundary arc has no face on that side.
+  /// Face -1 if a boundary arc has no face on that side.
   const SidePosition& position_of(HalfEdge h) const { return positions_[h.index()]; }
   /// Length of a side.
   int total(int face, int side) const { return totals_[face][side]; }

@@ -17,8 +17,8 @@ struct IsoLines {
   std::vector<std::array<std::set<int>, 2>> lines;
 };
 
-/// Each line continues through face after face until it meets a T-junction from the other side, whose line it then is,
-/// or the boundary.
+/// Each line continues through face after face until it meets the boundary, or a T-junction from the other side, whose
+/// line it joins.
 IsoLines iso_lines(const ArcGraph& t_mesh, const IntegerSides& sides);
 
 }  // namespace quadrille::quantize

@@ -39,7 +39,7 @@ Fronts fronts_of(const std::vector<MotorcycleTrail>& trails) {
   return fronts;
 }
 
-// All arrivals that there are if no front is stopped, by time.
+// All arrivals if no front were stopped, by time.
 std::vector<Arrival> arrivals_of(const std::vector<MotorcycleTrail>& trails, const Fronts& fronts,
                                  const std::vector<graph::Crossing>& crossings) {
   std::vector<Arrival> arrivals;
@@ -68,7 +68,7 @@ class Propagation {
     Front& front = fronts_.all[arrival.front];
     if (front.is_stopped) return;
     std::array<double, 2>& passed_at = passed_at_[arrival.crossing];
-    if (passed_at[arrival.side] < never) {  // by the front that comes from the other end: they meet
+    if (passed_at[arrival.side] < never) {  // by the front from the other end: they meet
       front.is_stopped = true;
       covered[front.trail].first = never;
       return;

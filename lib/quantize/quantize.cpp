@@ -26,7 +26,7 @@ void add_face_equations(const std::vector<TFace>& faces, IntegerProgram& program
     }
 }
 
-// n = 1 + y_2 + y_3 + ..., 0 <= y_k <= 1, where y_k costs what the step from k - 1 to k does.
+// n = 1 + y_2 + y_3 + ..., 0 <= y_k <= 1, where y_k has the cost of the step from k - 1 to k.
 void add_deviation(IntegerProgram& program, int variable, double target) {
   std::vector<Term> terms{{variable, 1}};
   const int last = std::clamp(static_cast<int>(std::ceil(2 * target)) + 4, 4, max_pieces);
@@ -37,7 +37,7 @@ void add_deviation(IntegerProgram& program, int variable, double target) {
   program.add_equation(terms, 1);
 }
 
-// Arcs of one symmetry orbit have one length in the plane: they get one integer length.
+// Arcs of one symmetry orbit have one length in the plane: they are assigned the same integer length.
 void add_ties(const std::vector<double>& arc_lengths, IntegerProgram& program) {
   std::vector<int> by_length(arc_lengths.size());
   std::iota(by_length.begin(), by_length.end(), 0);
@@ -70,7 +70,7 @@ std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<dou
   return lengths.empty() ? solve(faces, arc_lengths, unit, false) : lengths;
 }
 
-// The equations are homogeneous: where an arc can be positive it can be 1 or more, together with all others that can.
+// The equations are homogeneous: all arcs that can be positive can be 1 or more at once.
 std::vector<int> forced_zero_arcs(const std::vector<TFace>& faces, int num_arcs) {
   IntegerProgram program;
   for (int a = 0; a < num_arcs; ++a) program.add_variable(0, max_length, 0, false);

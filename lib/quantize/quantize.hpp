@@ -5,8 +5,8 @@
 //
 //   minimise  sum_a (n_a - t_a)^2 / max(t_a, 1/2)    n_a >= 1 integer,    t_a = length of arc a / unit
 //
-// with the squares taken as piecewise linear between integers. Arcs whose lengths in the plane differ by less than 1e-6
-// of themselves, as those of a symmetry orbit, get one length wherever there is a solution like that (the sum of a
+// with the squares piecewise linear between integers. Arcs whose lengths in the plane have a relative difference below
+// 1e-6, such as a symmetry orbit, are assigned the same integer length if such a solution exists (the sum of a
 // solution's images under a symmetry is one).
 
 #include <vector>
@@ -15,16 +15,16 @@
 
 namespace quadrille::quantize {
 
-/// `arc_lengths` and `unit`: lengths. Integer lengths of the arcs, 1 or more; empty where there are none.
+/// `arc_lengths` and `unit`: lengths. Returns integer lengths of the arcs, 1 or more; empty if there are none.
 std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit);
 
-/// Arcs that are zero in every solution with lengths >= 0: they cross strips of faces that wind onto themselves. Where
-/// there are none quantize() succeeds.
+/// Arcs that are zero in every solution with lengths >= 0: they cross strips of faces that wind onto themselves. If
+/// there are none, quantize() succeeds.
 std::vector<int> forced_zero_arcs(const std::vector<TFace>& faces, int num_arcs);
 
 /// Why an arc is zero in every solution: multipliers y of the equations whose sum has no negative coefficient and a
 /// positive one at this arc, with the least sum |y| (Farkas' lemma). The faces with y != 0 are the strip that winds
-/// onto itself; returned are the arcs along it, ascending: on another course of their lines it might not.
+/// onto itself; the result is the arcs along it, ascending: if their lines ran differently, the strip might not do so.
 std::vector<int> infeasibility_certificate(const std::vector<TFace>& faces, int num_arcs, int zero_arc);
 
 }  // namespace quadrille::quantize

@@ -9,7 +9,8 @@ namespace {
 constexpr int num_rounds = 50;
 constexpr double least_distance = 0.25;  // of neighbours on an arc, relative to their even distance
 
-// In order, each within the interval that the others leave free.
+// Enforces the least distance between crossings of one arc: raises fractions in order, then lowers them in reverse
+// order.
 void keep_apart(std::map<int, double>& fractions, int length) {
   const double gap = least_distance / length;
   int last = 0;
@@ -39,7 +40,7 @@ QuantizedParametrization::QuantizedParametrization(const ArcGraph& t_mesh, const
   for (int round = 0; round < num_rounds; ++round) straighten();
 }
 
-// All arcs at once: none is preferred.
+// All arcs are updated at once, so that none is preferred.
 void QuantizedParametrization::straighten() {
   CrossingFractions next = fractions_;
   for (int a = 0; a < static_cast<int>(next.size()); ++a) {

@@ -1,5 +1,5 @@
 #pragma once
-// A T-mesh parametrized by integers: its iso-lines (quantize/iso_lines.hpp) and where on the arcs they lie.
+// A T-mesh parametrized by integers: its iso-lines (quantize/iso_lines.hpp) and their crossings with the arcs.
 
 #include <map>
 #include <vector>
@@ -15,9 +15,8 @@ using CrossingFractions = std::vector<std::map<int, double>>;
 class QuantizedParametrization {
  public:
   /// `faces` and `lengths` (integer, of the arcs; opposite sides of a face equal) must outlive it. `arc_lengths`: in
-  /// the plane. Each crossing is moved to where the line through it comes from and continues to, so that lines run
-  /// straight through the transfinite maps of the faces; crossings of one arc keep at least a quarter of their even
-  /// distance.
+  /// the plane. Each crossing is moved towards the neighbouring crossings of its line, so that lines run straight
+  /// through the transfinite maps of the faces; crossings of one arc keep at least a quarter of their even distance.
   QuantizedParametrization(const ArcGraph& t_mesh, const std::vector<TFace>& faces, const std::vector<int>& lengths,
                            std::vector<double> arc_lengths);
 

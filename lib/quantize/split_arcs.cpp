@@ -15,7 +15,7 @@ void split_arc(const ArcGraph& t_mesh, int a, const curve::Chain& chain, const s
     part.from = to;
   };
   ArcPiece rest = arc.pieces.front();
-  size_t k = 0;  // the piece that `rest` is what remains of
+  size_t k = 0;  // the piece of which `rest` is the remaining part
   for (const auto& [number, fraction] : fractions) {
     const curve::ChainPoint at = chain.at(fraction);
     for (; static_cast<int>(k) < at.piece; rest = arc.pieces[++k]) part.pieces.push_back(rest);

@@ -1,5 +1,5 @@
 #pragma once
-// The arcs of a T-mesh, split where iso-lines cross them.
+// Splits the arcs of a T-mesh at their crossings with iso-lines.
 
 #include <map>
 #include <utility>

@@ -13,11 +13,11 @@
 namespace quadrille::quantize {
 namespace {
 
-constexpr double relative_tie = 1e-6;        // of the diameter: arrivals nearer than this are one
-constexpr double relative_first_length = 2;  // of the diameter: lines are followed so far at first
+constexpr double relative_tie = 1e-6;        // relative to the diameter: arrivals nearer than this are equal
+constexpr double relative_first_length = 2;  // relative to the diameter: length to which lines are traced first
 constexpr int max_cuts = 100;
 
-// All lines, followed to the first length: by the Runge-Kutta integrator whatever the options say.
+// Traces all lines to the first length, always by the Runge-Kutta integrator.
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                               const std::vector<Vec2>& nodes, trace::TraceOptions options) {
   const double d = evaluator.field().mesh.face.diameter;
@@ -59,7 +59,7 @@ TMeshTracer::TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalP
 graph::CandidateLayout TMeshTracer::trace(Report& report) {
   const CadFace& face = evaluator_.field().mesh.face;
   for (;;) {
-    lines_.merge();  // lines need no end here: never too short to decide
+    lines_.merge();  // lines need no end here: merging can always be decided
     const trace::LineArrangement& arrangement = lines_.arrangement();
     const std::vector<CoveredPart> covered = trace_motorcycle_graph(
         trails_of(arrangement, cuts_.head_starts), arrangement.inner_crossings, relative_tie * face.diameter);
@@ -96,8 +96,8 @@ bool TMeshTracer::reject_merge(const std::vector<SeparatrixLine>& lines, const s
   return lines_.reject_worst(beside, trace::same_line_angle) || lines_.reject_worst(all, trace::same_line_angle);
 }
 
-// At its greatest length a line that nothing stops is a limit cycle: a cut is laid across it, and the rest decided
-// anew. False: all lines have ended or are stopped.
+// A line of the greatest length that is not stopped is a limit cycle: a cut is added across it, and the motorcycle
+// graph is computed again. False if all lines have ended or are stopped.
 bool TMeshTracer::follow_unstopped_lines(const std::vector<CoveredPart>& covered) {
   bool any = false;
   for (size_t i = 0; i < covered.size(); ++i) {

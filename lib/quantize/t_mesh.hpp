@@ -1,7 +1,8 @@
 #pragma once
-// The T-mesh of a guiding field: separatrices, each as long as the first line that crosses it and was there before
-// (quantize/motorcycle_graph.hpp). It is finite for every field, spirals and limit cycles included, and all its faces
-// have four corners: one quarter turn of the cross each, at crossings and line ends; T-junctions lie on their sides.
+// The T-mesh of a guiding field: separatrices, each up to the first line that crosses it and reached the crossing
+// before (quantize/motorcycle_graph.hpp). It is finite for every field, spirals and limit cycles included, and all its
+// faces have four corners: one quarter turn of the cross each, at crossings and line ends; T-junctions lie on their
+// sides.
 
 #include <vector>
 
@@ -16,9 +17,9 @@
 
 namespace quadrille::quantize {
 
-/// Head-on separatrices are merged as in layout/trace_separatrices, then all fronts start together. Cuts are added
-/// where a hole or a limit cycle meets no line (quantize/cuts.hpp). Lines are followed no farther than needed: the
-/// bound of those that nothing has stopped doubles from two diameters.
+/// Head-on separatrices are merged as in layout/trace_separatrices, then all fronts start together. Cuts are added for
+/// holes and limit cycles that meet no line (quantize/cuts.hpp). Lines are traced no farther than needed: from two
+/// diameters on, the greatest length of lines that are not stopped is doubled.
 class TMeshTracer {
  public:
   /// `evaluator` must outlive the tracer. Throws ComputeError as trace::launch_all and trace::advance.
@@ -27,13 +28,13 @@ class TMeshTracer {
   TMeshTracer& operator=(const TMeshTracer&) = delete;
 
   /// The T-mesh, with merged_lines and the largest deviation of its certificate. Reports t_mesh.*. Throws ComputeError
-  /// where a line cannot be followed, or where 100 cuts are not enough.
+  /// if a line cannot be traced or if 100 cuts are not enough.
   graph::CandidateLayout trace(Report& report);
 
-  /// Rejects, among the merges of lines with one of these arcs (`lines`: of the T-mesh traced last), those with the
-  /// largest deviation, within 1e-6 alike; where there are none, among all merges. Two merges may contradict each
-  /// other: the one puts two nodes on one line of the integer grid, the other does not. False where no merge is left to
-  /// reject.
+  /// Rejects, among the merges of lines with one of these arcs (`lines`: of the T-mesh traced last), those whose
+  /// deviation is within 1e-6 of the largest; if there are none, among all merges. Two merges may contradict each
+  /// other: one puts two nodes on one line of the integer grid, the other does not. Returns false if no merge remains
+  /// to be rejected.
   bool reject_merge(const std::vector<SeparatrixLine>& lines, const std::vector<int>& arcs);
 
  private:
@@ -42,7 +43,7 @@ class TMeshTracer {
   void add_cut(const BoundaryPoint& start, double head_start);
 
   struct Cuts {
-    std::vector<double> head_starts;  ///< of all streamlines, lengths; 0 but for cuts across limit cycles
+    std::vector<double> head_starts;  ///< of all streamlines, lengths; 0 except for cuts across limit cycles
     std::vector<int> num_of_loop;
     int num = 0;
   };

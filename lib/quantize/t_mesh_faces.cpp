@@ -12,7 +12,7 @@
 namespace quadrille::quantize {
 namespace {
 
-// The sides of a face, whose sectors are quarters and halves with four quarters among them; else empty.
+// The sides of a face with four corners whose other sectors are half turns; else empty.
 std::optional<TFace> sides_of(const graph::Subdivision& subdivision, int f) {
   const std::vector<HalfEdge> cycle = subdivision.cycle(f);
   const auto is_corner = [&](HalfEdge h) { return subdivision.quarters(h) == 1; };

@@ -12,7 +12,7 @@ namespace quadrille::quantize {
 /// A face of a T-mesh: the half-edges of its four sides, counter-clockwise.
 using TFace = std::array<std::vector<HalfEdge>, 4>;
 
-/// Throws ComputeError, naming a place, unless every face has four corners and no sector but quarters and halves.
+/// Throws ComputeError with a position unless every face has four corners and all its other sectors are half turns.
 std::vector<TFace> t_mesh_faces(const graph::Subdivision& subdivision);
 
 }  // namespace quadrille::quantize
