@@ -1,6 +1,6 @@
 #pragma once
-// The certificate of a layout (SeparatrixGraph::certificate): what is counted on the finished graph, and what its
-// computation has recorded there.
+// The certificate of a layout (SeparatrixGraph::certificate): counts of the finished graph, and values recorded during
+// its computation.
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -8,9 +8,9 @@
 
 namespace quadrille::layout {
 
-/// Sets the method, counts index sum, faces by corners and T-junctions, and raises the largest deviation to that of
-/// lines of kind LineKind::extended: lines through integer grids do not follow the field. Counts of merges and
-/// collapses stay as they are. The report repeats the certificate (certificate.*).
+/// Sets the method, counts index sum, faces by corners and T-junctions, and raises the largest deviation to the
+/// deviation of lines of kind LineKind::extended, which do not follow the field. Counts of merges and collapses are not
+/// changed. The report repeats the certificate (certificate.*).
 void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
              Report& report);
 

@@ -10,11 +10,11 @@
 namespace quadrille::layout {
 namespace {
 
-// Whole lines cut each other into a number of blocks that grows with the square of their number.
+// The number of blocks between whole lines grows with the square of the number of lines.
 constexpr int max_traced_lines = 500;
 
-// Lines that stop at each other make one block each, and as many more as the domain's Euler characteristic. Whole lines
-// that make this many times as many probably cut each other more often than they need to.
+// Lines that stop at each other result in one block per line plus the Euler characteristic of the domain. If whole
+// lines result in this many times as many blocks, they probably cross each other more often than necessary.
 constexpr double many_blocks = 1.2;
 
 constexpr double equal_scaled_jacobian = 1e-6;
@@ -25,7 +25,7 @@ void report_choice(LayoutMethod method, const std::string& reason, Report& repor
   if (!reason.empty()) report.set("layout.reason", reason);
 }
 
-// The quantized layout where it is preferable to `traced`.
+// The quantized layout if it is preferable to `traced`.
 std::optional<graph::CandidateLayout> preferable_layout(const graph::CandidateLayout& traced,
                                                         const LayoutComputation& quantized, Report& report) {
   Report attempt_report;

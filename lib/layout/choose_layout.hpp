@@ -1,5 +1,5 @@
 #pragma once
-// Which layout `--layout auto` takes (lib/method.md §9.8).
+// The choice of the layout by `--layout auto` (lib/method.md §9.8).
 //
 //   separatrices   traced layout   quantized layout           taken
 //   more than 500  not computed    exists                     quantized, with a warning
@@ -31,18 +31,18 @@ using LayoutComputation = std::function<LayoutAttempt(Report&)>;
 struct ChosenLayout {
   graph::CandidateLayout layout;  ///< certificate.reason: why not the traced one
   LayoutMethod method = LayoutMethod::traced;
-  std::string warning;  ///< empty where there is none
+  std::string warning;  ///< empty if there is none
 };
 
-/// By the table above; computes only what it needs. Reports layout.way, layout.method and layout.reason. Throws
-/// ComputeError with both reasons where there is no layout.
+/// Chooses by the table above and computes only the layouts that it needs. Reports layout.way, layout.method and
+/// layout.reason. Throws ComputeError with both reasons if there is no layout.
 ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
                            Report& report);
 
-/// Whether a layout has more than 1.2 times as many blocks as lines that stop at each other would make.
+/// Whether a layout has more than 1.2 times as many blocks as would result from lines that stop at each other.
 bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic);
 
-/// What two layouts are compared by.
+/// The criteria by which two layouts are compared.
 struct LayoutQuality {
   int num_blocks = 0;
   bool is_valid = true;  ///< all Jacobians proved positive
@@ -50,7 +50,7 @@ struct LayoutQuality {
 };
 LayoutQuality quality_of(const graph::Subdivision& subdivision);
 
-/// Fewer blocks, all valid and none worse (within 1e-6) than the worst of `traced`.
+/// Whether a layout has fewer blocks, all valid and none worse (within 1e-6) than the worst of `traced`.
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced);
 
 }  // namespace quadrille::layout

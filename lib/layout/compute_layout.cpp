@@ -16,7 +16,7 @@
 namespace quadrille::layout {
 namespace {
 
-// The one place where an error becomes the reason why there is no layout.
+// Only here an error is converted to the reason why there is no layout.
 template <class Layout>
 LayoutComputation attempting(const Layout& layout) {
   return [&layout](Report& report) -> LayoutAttempt {
@@ -30,7 +30,7 @@ LayoutComputation attempting(const Layout& layout) {
 
 graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report) {
-  trace::fixed_nodes(evaluator.field().mesh.face, points);  // throws at once where no method could use the nodes
+  trace::fixed_nodes(evaluator.field().mesh.face, points);  // throws at once if no method could use the nodes
   const auto traced = [&](Report& r) { return trace_separatrices(evaluator, points, options, r); };
   const auto quantized = [&](Report& r) { return quantized_layout(evaluator, points, options, r); };
   ChosenLayout chosen = choose_layout(trace::num_launches(points), attempting(traced), attempting(quantized), report);
@@ -57,7 +57,7 @@ graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator,
   return layout;
 }
 
-// Nothing: one is chosen.
+// std::nullopt: choose_layout decides.
 std::optional<LayoutMethod> prescribed_method(LayoutChoice choice) {
   switch (choice) {
     case LayoutChoice::traced:

@@ -1,5 +1,5 @@
 #pragma once
-// From a guiding field and its nodes to a graph of blocks, by the method that the options prescribe.
+// Computes the graph of blocks from a guiding field and its nodes, by the method that the options prescribe.
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -10,12 +10,12 @@
 namespace quadrille::layout {
 
 /// options.layout:
-/// - "traced": separatrices are followed to their ends (layout/trace_separatrices.hpp).
+/// - "traced": separatrices are traced to their ends (layout/trace_separatrices.hpp).
 /// - "quantized": they stop at each other and are continued by an integer program (layout/quantized_layout.hpp).
-/// - "auto": one of both (layout/choose_layout.hpp).
+/// - "auto": one of the two (layout/choose_layout.hpp).
 /// - "t-mesh": the T-mesh of stopped lines, with T-junctions: for inspection.
-/// The graph carries its certificate, which the report repeats (layout/certificate.hpp). Throws ComputeError where
-/// there is no layout.
+/// The graph contains its certificate, which the report repeats (layout/certificate.hpp). Throws ComputeError if there
+/// is no layout.
 SeparatrixGraph compute_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                const LayoutOptions& options, Report& report);
 

@@ -8,7 +8,7 @@
 namespace quadrille::layout {
 namespace {
 
-// Degrees by which lines of the coarsest layout may deviate from the field, whatever the options say.
+// Degrees by which lines of the coarsest layout may always deviate from the field, independent of the options.
 constexpr double coarsest_deviation = 45;
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace quadrille::layout {
 /// Collapse of chords (simplify/simplify.hpp).
 enum class SimplifyLevel {
   none,
-  normal,   ///< where it saves more blocks than it costs in block quality
-  coarsest  ///< where block quality stays acceptable
+  normal,   ///< if it saves more blocks than it costs in block quality
+  coarsest  ///< if block quality stays acceptable
 };
 
 constexpr auto enum_names(SimplifyLevel) {
@@ -40,7 +40,7 @@ struct LayoutOptions {
   void validate() const;  ///< throws UsageError
 };
 
-/// The bounds that options.simplify and options.max_deviation stand for.
+/// The bounds that result from options.simplify and options.max_deviation.
 simplify::SimplifyOptions simplify_options(const LayoutOptions& options);
 
 }  // namespace quadrille::layout

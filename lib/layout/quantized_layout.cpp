@@ -24,7 +24,7 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
   const curve::CurveTable table(graph.face, graph.splines);
   std::vector<double> lengths;
   for (const GraphArc& arc : graph.arcs) {
-    // The parameter of a line is its arc length; that of a merged line nearly so.
+    // The parameter of a line is its arc length; for a merged line approximately.
     const ArcPiece& piece = arc.pieces.front();
     lengths.push_back(arc.is_boundary ? curve::Chain(table, arc.pieces).length() : std::abs(piece.t1 - piece.t0));
   }

@@ -9,11 +9,11 @@
 
 namespace quadrille::layout {
 
-/// The T-mesh of stopped lines (quantize/t_mesh.hpp), integer lengths for its arcs (quantize/quantize.hpp), its lines
-/// continued through the integer grids of its faces (quantize/extend_lines.hpp), and chord collapse
-/// (simplify/simplify.hpp). Where no positive lengths exist, merges along the strip that forbids them are rejected, one
-/// set after another. Reports t_mesh.*, quantize.* and simplify.*. Throws ComputeError with a position where there is
-/// no layout.
+/// Computes the T-mesh of stopped lines (quantize/t_mesh.hpp), integer lengths for its arcs (quantize/quantize.hpp),
+/// its lines continued through the integer grids of its faces (quantize/extend_lines.hpp), and chord collapse
+/// (simplify/simplify.hpp). If no positive lengths exist, merges along the strip that forbids them are rejected, one
+/// set after another. Reports t_mesh.*, quantize.* and simplify.*. Throws ComputeError with a position if there is no
+/// layout.
 graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report);
 

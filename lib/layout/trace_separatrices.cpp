@@ -18,7 +18,7 @@
 namespace quadrille::layout {
 namespace {
 
-// Lengths, in diameters, to which lines are followed in turn, until they decide which merges are chosen.
+// Lengths, in diameters, to which lines are traced in turn, until the choice of merges is decided.
 constexpr double reaches[] = {1, 4, std::numeric_limits<double>::infinity()};
 
 void require_few_arcs(const SeparatrixGraph& graph, int max_lines) {
@@ -35,7 +35,7 @@ struct Partition {
   double largest_deviation = 0;  // of merged lines, radians
 };
 
-// The graph of the lines as far as they have been followed; nothing where they have to be followed farther.
+// The graph of the lines traced so far; std::nullopt if they must be continued.
 std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const std::vector<graph::FixedNode>& fixed,
                                    const std::vector<Vec2>& nodes, const trace::LineTracer& tracer,
                                    const LayoutOptions& options) {
@@ -43,7 +43,7 @@ std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const
   trace::MergedLines lines(evaluator, tracer.lines(), nodes, radians(options.trace.merge_angle),
                            options.trace.merge_distance, trace::LineEnds::required, tracer.reach());
   graph::CandidateLayout layout;
-  // A merge (an aggressive one) may leave a face without four corners: it is rejected, the worst first.
+  // An aggressive merge may result in a face without four corners: such merges are rejected, the worst first.
   do {
     if (!lines.merge()) return std::nullopt;
     std::vector<graph::FinishedLine> finished;

@@ -1,5 +1,5 @@
 #pragma once
-// From irregular nodes and corners to the planar graph of separatrices and boundary.
+// Computes the planar graph of separatrices and boundary from irregular nodes and corners.
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
@@ -9,11 +9,11 @@
 
 namespace quadrille::layout {
 
-/// Follows every separatrix to its end, merges head-on pairs (trace/merged_lines.hpp), intersects the lines, builds the
-/// graph and collapses thin chords (simplify/simplify.hpp). All lines are followed before any merge is decided: the
+/// Traces every separatrix to its end, merges head-on pairs (trace/merged_lines.hpp), intersects the lines, builds the
+/// graph and collapses thin chords (simplify/simplify.hpp). All lines are traced before any merge is decided: the
 /// result does not depend on the order of the lines or on a step. A domain between two loops in which no separatrix
-/// starts gets four cuts (trace::launch_cuts). Reports trace.* and simplify.*. Throws ComputeError, with a position
-/// where there is one, where a line has no end, a bound is exceeded or a face does not have four corners.
+/// starts is divided by four cuts (trace::launch_cuts). Reports trace.* and simplify.*. Throws ComputeError, if
+/// possible with a position, if a line has no end, a bound is exceeded or a face does not have four corners.
 graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                           const LayoutOptions& options, Report& report);
 
