@@ -22,7 +22,7 @@ constexpr double poor_shape = 0.1;  // scaled Jacobian
 bool is_proved(const BlockMeasure& m) { return m.divisions > 0; }
 bool is_good(const BlockMeasure& m) { return is_proved(m) && m.map_scaled_jacobian >= poor_shape; }
 
-/// How many blocks are not proved, and how many are not good.
+/// Number of blocks that are not proved valid, and number of bad blocks.
 std::pair<int, int> faults(const std::vector<BlockMeasure>& measures) {
   std::pair<int, int> count{0, 0};
   for (const BlockMeasure& m : measures) count.first += !is_proved(m), count.second += !is_good(m);
@@ -44,7 +44,7 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
   return arcs;
 }
 
-/// One cut through each of these chords. False where none can be cut.
+/// Cuts each of these chords once. Returns false if none can be cut.
 bool cut_once(Blocks& blocks) {
   std::vector<bool> sound;
   for (const BlockMeasure& m : blocks.measures) sound.push_back(is_good(m));

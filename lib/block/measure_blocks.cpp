@@ -14,7 +14,7 @@ namespace quadrille::block {
 namespace {
 
 constexpr int greatest_division = 16;
-constexpr double same_length = 1e-6;  // relative; a rotated shape must give the same answer
+constexpr double same_length = 1e-6;  // relative; a rotated shape must have the same result
 
 /// Cell (i, j) of n x n as a quad of order 8.
 std::vector<Vec2> cell_nodes(const mesh::TransfiniteMap& map, int n, int i, int j) {
@@ -26,8 +26,8 @@ std::vector<Vec2> cell_nodes(const mesh::TransfiniteMap& map, int n, int i, int 
   return nodes;
 }
 
-/// Whether all n x n cells are proved, and their least scaled Jacobian. Cells are not subdivided once more to sharpen
-/// their bounds: the next n does that.
+/// Whether all n x n cells are proved, and their least scaled Jacobian. Cells are not subdivided to sharpen their
+/// bounds: the next n has the same effect.
 bool is_proved(const mesh::TransfiniteMap& map, int n, double& scaled_jacobian) {
   scaled_jacobian = 1;
   for (int j = 0; j < n; ++j)
@@ -59,7 +59,7 @@ double distance_to_arc(const BlockLayout& layout, const GraphArc& arc, Vec2 x) {
   return least;
 }
 
-/// The polynomial of order 8 along an arc against the arc, between the points that they share.
+/// Distance of the polynomial of order 8 along an arc from the arc, between their common points.
 void measure_boundary_distance(const BlockLayout& layout, const curve::Chain& chain, const GraphArc& arc,
                                BlockMeasure& m) {
   const int count = 4 * mesh::block_order;

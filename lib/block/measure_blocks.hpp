@@ -1,8 +1,8 @@
 #pragma once
-// What a block is worth, taken as ONE quad of order 8, and by its exact map.
+// Quality measures of a block: as one quad of order 8, and by its exact map.
 //
-// The quad interpolates the exact map (mesh/transfinite.hpp) in the Gauss-Lobatto-Legendre points. It may fail where
-// the exact map is sound: long thin and strongly bent blocks. `divisions` tells the two apart.
+// The quad interpolates the exact map (mesh/transfinite.hpp) in the Gauss-Lobatto-Legendre points. For long thin and
+// strongly bent blocks it may be invalid although the exact map is valid; `divisions` distinguishes the two cases.
 
 #include <vector>
 
@@ -12,14 +12,14 @@ namespace quadrille::block {
 
 struct BlockMeasure {
   double jacobian_bound = 0;     ///< least Bernstein bound of det J of the quad, length^2 (spectral/quad_map.hpp)
-  double scaled_jacobian = 0;    ///< least sampled one of the quad, -1 where det J <= 0
-  Vec2 scaled_jacobian_place;    ///< where, relative to the face's origin
+  double scaled_jacobian = 0;    ///< least sampled scaled Jacobian of the quad, -1 if det J <= 0
+  Vec2 scaled_jacobian_place;    ///< its position, relative to the face's origin
   double boundary_distance = 0;  ///< greatest distance of the quad's boundary sides from their CAD curves, length
   Vec2 boundary_distance_place;
   /// The block is proved valid when its exact map is cut into n x n equal quads of order 8, n = 1, 2, 4, 8 or 16 the
-  /// least such number; 0 where no such number is found: the exact map folds, or nearly so.
+  /// least such number; 0 if no such number is found: the exact map folds, or nearly so.
   int divisions = 0;
-  double map_scaled_jacobian = -1;  ///< the least scaled Jacobian of those n^2 quads; -1 where divisions is 0
+  double map_scaled_jacobian = -1;  ///< the least scaled Jacobian of those n^2 quads; -1 if divisions is 0
   double area = 0;                  ///< length^2
   double shortest_side = 0;         ///< length
   int shortest_side_index = 0;      ///< 0 to 3; the first of sides equal within 1e-6
@@ -28,7 +28,7 @@ struct BlockMeasure {
 BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block);
 std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout);
 
-/// Puts what the file keeps into the layout.
+/// Copies the measures that the file contains into the layout.
 void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);
 
 }  // namespace quadrille::block

@@ -15,8 +15,8 @@
 namespace quadrille::block {
 namespace {
 
-/// The angle under which x sees the curve go by, once round counter-clockwise being 2 pi. A curve lies in the hull of
-/// its poles: where these lie within a quarter turn of the first, the ends tell the angle; else halves are looked at.
+/// The angle that the curve sweeps about x, 2 pi for one counter-clockwise turn. A curve lies in the hull of its poles:
+/// if these lie within a quarter turn of the first, the angle follows from the ends; else the curve is halved.
 double swept_angle(const Nurbs& curve, Vec2 x, int depth = 0) {
   const Vec2 first = curve.poles.front() - x, last = curve.poles.back() - x;
   const auto is_near_first = [&](Vec2 pole) { return dot(first, pole - x) > 0; };
@@ -27,7 +27,7 @@ double swept_angle(const Nurbs& curve, Vec2 x, int depth = 0) {
          swept_angle(curve::trimmed(curve, middle, curve.end()), x, depth + 1);
 }
 
-/// What x sees of every arc from its first node to its last.
+/// The angle that each arc sweeps about x, from its first node to its last.
 std::vector<double> swept_angles(const BlockLayout& layout, Vec2 x) {
   std::vector<double> angles;
   for (const GraphArc& arc : layout.arcs) {

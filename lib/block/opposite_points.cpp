@@ -6,7 +6,7 @@
 namespace quadrille::block {
 namespace {
 
-/// How far b's point lies ahead of a's, times the length of the sum of tangents.
+/// The distance by which b's point lies ahead of a's, times the length of the sum of tangents.
 double lead(const DirectedCurve& a, const DirectedCurve& b, double middle, double d) {
   const curve::ChainPoint p = a.at(middle - d / 2), q = b.at(middle + d / 2);
   return dot(q.position - p.position, p.tangent + q.tangent);

@@ -50,7 +50,7 @@ void report_worst(const BlockLayout& layout, const std::vector<BlockMeasure>& me
     report.set("greatest_boundary_distance_place", in_file(layout, measures[far].boundary_distance_place));
 }
 
-/// Which criterion a block fails: as one quad only, or by its exact map too.
+/// The criterion that a block fails: as one quad only, or by its exact map too.
 void report_proof(const std::vector<BlockMeasure>& measures, Report& report) {
   const auto count = [&](const auto& has) {
     return static_cast<int>(std::count_if(measures.begin(), measures.end(), has));

@@ -1,5 +1,5 @@
 #pragma once
-// The measures of a layout: for programs (--report), and for people in one line.
+// Reports the measures of a layout: as keys of --report, and as one line of text.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace quadrille::block {
 
-/// Counts, the worst measures with their places, the smallest block and what forces it.
+/// Reports counts, the worst measures with their positions, the smallest block and the features that force it.
 void report_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report);
 
 /// "12 blocks, least scaled Jacobian 0.84 (block 3 near (1, 2)), smallest block 7: a side of 0.1 near (3, 4) between

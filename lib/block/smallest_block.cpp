@@ -14,7 +14,7 @@ namespace {
 
 constexpr double same_length = 1e-6;  // relative
 
-/// A feature and how far along the rail it lies.
+/// A feature and its distance along the rail.
 struct Held {
   double distance = std::numeric_limits<double>::infinity();
   BoundaryFeature feature;
@@ -31,7 +31,7 @@ class Rails {
       }
   }
 
-  /// What holds the rails through both ends of side k of a block, looked for on both sides of it.
+  /// The features that fix the rails through both ends of side k of a block, searched on both sides of it.
   std::array<BoundaryFeature, 2> around(int block, int side) {
     const HalfEdge directed = layout_.block2arcs[block][side];
     held_ = {};
@@ -49,7 +49,7 @@ class Rails {
  private:
   int start_of(HalfEdge h) const { return quadrille::start_of(layout_.arcs, h); }
 
-  /// Through the blocks on the left of a directed arc; rail[0] is held_'s index of the rail through its start.
+  /// Visits the blocks on the left of a directed arc; rail[0] is the position in held_ of the rail through its start.
   void walk(HalfEdge directed, std::array<int, 2> rail) {
     std::array<double, 2> walked{0, 0};
     for (int steps = 0; steps <= layout_.num_blocks(); ++steps) {
@@ -74,7 +74,7 @@ class Rails {
       held_[rail] = {distance, feature};
   }
 
-  /// A rail along the boundary is held from its nearer end on; by the curve rather than by a corner at its start.
+  /// A rail along the boundary is fixed from its nearer end on, by the curve rather than by a corner at its start.
   void look_at_arc(int rail, HalfEdge directed, int from, double distance) {
     const GraphArc& arc = layout_.arcs[directed.arc];
     if (!arc.is_boundary) return;

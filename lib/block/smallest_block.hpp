@@ -1,11 +1,11 @@
 #pragma once
-// The smallest block of a layout, and which features of the boundary force it.
+// The smallest block of a layout, and the features of the boundary that force it.
 //
 // The smallest block is the one with the shortest side: it bounds the edge length of every mesh made from the layout.
-// That side runs across a chord (mesh/chords.hpp), a strip of blocks between two rails. Each rail lies where it does
-// because something holds it: it runs along the boundary, or through a corner, an irregular node on the boundary or an
-// irregular node inside. The nearest such thing along the rail, from the short side on in both directions, is what
-// holds it; of an irregular node inside the boundary curve nearest to it.
+// That side runs across a chord (mesh/chords.hpp), a strip of blocks between two rails. The position of each rail is
+// fixed by a feature: it runs along the boundary, or through a corner, an irregular node on the boundary or an
+// irregular node inside. The feature reported is the nearest one along the rail, from the short side in both
+// directions; for an irregular node inside, the boundary curve nearest to it.
 
 #include <array>
 #include <string>
@@ -16,7 +16,7 @@
 namespace quadrille::block {
 
 struct BoundaryFeature {
-  int curve = -1;          ///< at a corner the curve that starts there
+  int curve = -1;          ///< at a corner: the curve that starts there
   bool is_corner = false;  ///< the joint at the start of `curve`
   Vec2 place;              ///< on the boundary, relative to the face's origin
 };
@@ -25,7 +25,7 @@ struct SmallestBlock {
   int block = -1;  ///< the lowest number of blocks equal within 1e-6
   int side = 0;
   Vec2 place;  ///< the middle of the shortest side, relative to the face's origin
-  /// Of the rail through the side's start and of the one through its end.
+  /// The features of the rails through the start and the end of the side.
   std::array<BoundaryFeature, 2> between;
 };
 

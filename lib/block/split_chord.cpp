@@ -14,9 +14,9 @@
 namespace quadrille::block {
 namespace {
 
-constexpr double fit_tolerance = 1e-9;   // share of the face's diameter
+constexpr double fit_tolerance = 1e-9;   // relative to the face's diameter
 constexpr double anchor_weight = 1e-2;   // w_0
-constexpr double least_fraction = 0.05;  // of an arc, on either side of the cut
+constexpr double least_fraction = 0.05;  // fraction of an arc, on either side of the cut
 
 /// A block of the chord: its sides `side` and `side + 2` are cut.
 struct Crossing {
@@ -87,7 +87,7 @@ bool is_straight(const Curve& curve, double tolerance) {
   return true;
 }
 
-/// From `from` to `to` with the shape of `side` walked the same way: turned and scaled to fit.
+/// A curve between `from` and `to` with the shape of `side` in the same direction: rotated and scaled to fit.
 Vec2 like_side(const DirectedCurve& side, Vec2 from, Vec2 to, double t) {
   const Vec2 begin = side.at(0).position, end = side.at(1).position;
   return from + times(over(side.at(t).position - begin, end - begin), to - from);
@@ -110,7 +110,7 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
   };
   const double length = distance(from, to), tolerance = fit_tolerance * layout.face.diameter;
   if (is_straight(position, tolerance))
-    return curve::segment(from, to);  // a spline of a tiny length would be all rounding
+    return curve::segment(from, to);  // a spline of a tiny length would consist of rounding errors
   const curve::CurveFunction curve = [&](double x, Vec2& derivative) {
     constexpr double h = 1e-4;
     const double t = std::min(x / length, 1.0), low = std::max(t - h, 0.0), high = std::min(t + h, 1.0);
@@ -123,7 +123,7 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
   return curve::fit_line(curve, length, tolerance);
 }
 
-/// Divides an arc at the fraction f of its own direction: it keeps the first part. Returns the number of the second.
+/// Divides an arc at the fraction f in its own direction: it keeps the first part. Returns the number of the second.
 int divide_arc(BlockLayout& layout, const curve::Chain& chain, int id, double f) {
   curve::ChainPoint at = chain.at(f);
   std::vector<ArcPiece> pieces = layout.arcs[id].pieces;
@@ -177,7 +177,7 @@ bool split_chord(BlockLayout& layout, int id, const std::vector<bool>& is_sound)
   const std::vector<Crossing> crossings = blocks_of(layout, id);
   if (!may_be_cut(layout, id) || crosses_itself(crossings)) return false;
   const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord)[id];
-  // Everything is measured on the layout as it is, then changed.
+  // All measures are taken before the layout is changed.
   const BlockLayout before = layout;
   const BlockMaps maps(before);
   const std::vector<double> fractions = cut_fractions(before, maps, chord, crossings);

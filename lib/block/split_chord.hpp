@@ -2,8 +2,8 @@
 // Cuts a whole chord of a layout lengthwise: every block of it becomes two, and the layout stays conforming.
 //
 // For blocks whose exact map folds because points of the same arc-length fraction of two long sides do not lie opposite
-// each other: strips that are thin at one end, or narrow to a neck. No order of arcs can mend that, least of all where
-// both sides are boundary; a cut between points that do lie opposite each other does.
+// each other: strips that are thin at one end, or narrow to a neck. No other parametrization by arc length avoids this;
+// a cut between points that do lie opposite each other does.
 //
 // The cut meets arc i of the chord at the fraction f_i that minimises
 //
@@ -20,8 +20,8 @@
 namespace quadrille::block {
 
 /// Cuts `chord`; `is_sound[b]`: the exact map of block b is good, and the cut may follow it; elsewhere the cut is
-/// shaped like the block's two other sides. New blocks, nodes and arcs are appended, measures are not kept up. Nothing
-/// is done, and false returned, where the chord crosses itself or prescribes integer lengths.
+/// shaped like the block's two other sides. New blocks, nodes and arcs are appended, measures are not updated. Returns
+/// false without any change if the chord crosses itself or prescribes integer lengths.
 bool split_chord(BlockLayout& layout, int chord, const std::vector<bool>& is_sound);
 
 }  // namespace quadrille::block
