@@ -1,5 +1,5 @@
 #pragma once
-// Where the elements along one arc of a block layout end.
+// The ends of the elements along one arc of a block layout.
 
 #include <vector>
 

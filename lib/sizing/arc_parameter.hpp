@@ -1,6 +1,6 @@
 #pragma once
-// Where the lines that cross a chord meet each of its arcs: a monotone map from the chord's parameter to the arc's own
-// arc-length fraction.
+// The points at which the lines across a chord meet each of its arcs: a monotone map from the chord's parameter to the
+// arc's own arc-length fraction.
 
 #include <vector>
 

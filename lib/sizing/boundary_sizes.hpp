@@ -2,8 +2,8 @@
 // Boundary curves as sources of sizes: the same size all along, or one that follows the curvature.
 //
 // Curves are cut into segments so short that neither their distance from the curve nor linear interpolation between
-// their ends changes the size by more than 1e-5 of itself: sizes of mirror images agree although their curves begin
-// elsewhere.
+// their ends changes the size by a relative amount above 1e-5: sizes of mirror images agree although the starts of
+// their curves differ.
 
 #include <string>
 #include <vector>
@@ -16,11 +16,11 @@ namespace quadrille::sizing {
 /// The curves of this name, else the curve of this number. Throws UsageError, listing the names, if there is none.
 std::vector<int> named_curves(const CadFace& face, const std::string& name);
 
-/// `size` along one curve. `slope` > 0: how fast sizes grow away from it.
+/// `size` along one curve. `slope` > 0: growth of sizes per distance from it.
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope);
 
 /// 2 pi / (elements_per_turn |curvature|) along one curve, between `least` and `greatest`; segments all at `greatest`
-/// are left out. Corners prescribe nothing.
+/// are omitted. Corners prescribe no size.
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope);
 

@@ -12,12 +12,12 @@ namespace {
 /// The size may change by this fraction between two lines through a block.
 constexpr double line_resolution = 0.5;
 constexpr int max_lines = 63;
-/// So many lines are tried to see how fine the lines must be.
+/// Number of lines that are sampled to determine the necessary number of lines.
 constexpr int trial_lines = 7;
 
 double power6(double x) { return x * x * x * x * x * x; }
 
-/// The mean, the greatest and what they are made of.
+/// The mean, the greatest value and the sums they result from.
 struct Sum {
   double weighted_log = 0, weight = 0, greatest = 0;
 

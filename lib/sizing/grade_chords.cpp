@@ -46,7 +46,7 @@ class LengthSamples {
   }
 
   void sample_between(double u0, const ElementDensity& low, double u1, const ElementDensity& high) {
-    // Where a section's density is rho, its size changes by the share slope rho step over a step.
+    // Where a section's density is rho, its size changes by the fraction slope rho step over a step.
     const double change = slope_ * std::max(low.greatest, high.greatest) * (u1 - u0);
     if (change <= sample_resolution || u1 - u0 <= least_step) return;
     const double u = (u0 + u1) / 2;

@@ -11,7 +11,7 @@
 
 namespace quadrille::sizing {
 
-/// How the one count of a chord follows prescribed lengths that differ from arc to arc.
+/// The rule for the single count of a chord whose arcs have different prescribed lengths.
 enum class SizeRule {
   nearest,  ///< least deviation (sizing/chord_sections)
   at_most   ///< no edge is longer than prescribed
@@ -33,13 +33,13 @@ struct ChordPlan {
   bool is_prescribed = false;  ///< the count is a prescribed one
 };
 
-/// One plan per chord. Counts go to the whole number whose deviation, by the logarithm, is least (at_most: upwards); of
-/// two equally good ones (within 1e-6) the greater, so that mirror images agree. Throws UsageError for a prescribed
-/// chord that is not there.
+/// One plan per chord. Counts are rounded to the integer with the least deviation of the logarithm (at_most: upwards);
+/// of two equally good ones (within 1e-6) the greater, so that mirror images agree. Throws UsageError for a prescribed
+/// chord that does not exist.
 std::vector<ChordPlan> grade_chords(const MeasuredLayout& measured, const SizeField& sizes, SizeRule rule,
                                     const std::vector<ChordCount>& prescribed);
 
-/// The whole number for a real one > 0, at least 1.
+/// The rounded count, at least 1, for a real number > 0.
 double whole_count(double count, SizeRule rule);
 
 }  // namespace quadrille::sizing

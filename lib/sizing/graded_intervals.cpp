@@ -60,7 +60,7 @@ int least_graded_count(const GradedEnds& ends, double length, double cap, double
   const auto suffices = [&](int count) {
     if (length > (1 + equal_tol) * count * cap) return false;
     const std::vector<double> intervals = graded_intervals(ends, count, length, cap);
-    // Too many intervals crowd a narrow place, which no larger count would mend.
+    // The intervals are already crowded, and a larger count would not change this.
     const double smallest = *std::min_element(intervals.begin(), intervals.end());
     const bool is_crowded = !ends.are_free() && smallest < std::min(ends.before > 0 ? ends.before : ends.after,
                                                                     ends.after > 0 ? ends.after : ends.before) *

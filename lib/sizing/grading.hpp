@@ -1,6 +1,6 @@
 #pragma once
-// A spacing across a chord: the monotone map between the chord's parameter u in [0, 1] and the cumulative part v of its
-// elements, those before u.
+// A spacing across a chord: the monotone map between the chord's parameter u in [0, 1] and the cumulative fraction v of
+// its elements before u.
 //
 // It is made from the prescribed length eta of an element, measured in u, at ascending u; eta is linear between. Then
 // v = n(u) / n(1) with n(u) the integral of 1 / eta: elements that are equal in v have the prescribed lengths, times
@@ -10,8 +10,8 @@
 
 namespace quadrille::sizing {
 
-/// No element between `low` and `high` may be longer than `max_length`, all in u, nor than 1 / reduction of what it
-/// was.
+/// No element between `low` and `high` may be longer than `max_length`, all in u, nor than its former length /
+/// reduction.
 struct MaxLengthConstraint {
   double low = 0, high = 0, max_length = 0, reduction = 1;
 };
@@ -37,8 +37,8 @@ class Grading {
   std::vector<double> u_, eta_, n_;
 };
 
-/// `count` elements by this grading, shortened to meet the constraints, and near them as far as |d eta / du| <= slope
-/// requires. The count of the result says how many elements that takes.
+/// `count` elements by this grading, shortened to meet the constraints, and near them as required by |d eta / du| <=
+/// slope. The count of the result is the number of elements that this needs.
 Grading refine_grading(const Grading& grading, double count, const std::vector<MaxLengthConstraint>& constraints,
                        double slope);
 

@@ -57,8 +57,8 @@ double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
 }
 
 /// A lower bound of the distance of the chain's breaks, and of the middles between them, from the interval's
-/// polynomial: there a bend that is short against the interval, a fillet, is farthest from it. Nodes and parameters do
-/// not see that.
+/// polynomial: there a short bend such as a fillet is farthest from it, which comparison at nodes or at equal
+/// parameters would miss.
 double bend_error(const curve::Chain& chain, double low, double high, const std::vector<curve::ChainPoint>& nodes,
                   int order) {
   std::vector<double> ends{low};
@@ -89,7 +89,8 @@ double bend_error(const curve::Chain& chain, double low, double high, const std:
 
 double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }
 
-/// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then that from the tangent.
+/// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then the distance from the
+/// tangent.
 double distance_from(const Nurbs& curve, Vec2 x, double t) {
   const auto d = curve::derivatives(curve, t);
   const double speed2 = norm2(d[1]);

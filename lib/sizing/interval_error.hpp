@@ -1,5 +1,5 @@
 #pragma once
-// How far the side of an element of order N lies from its curve.
+// Distance of the side of an element of order N from its curve.
 
 #include "curve/chain.hpp"
 

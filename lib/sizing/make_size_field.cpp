@@ -22,7 +22,7 @@ std::optional<Number> number_of(const std::string& text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional<Number>(value) : std::nullopt;
 }
 
-/// What stands before and behind the last =.
+/// The parts of a text before and behind the last =.
 std::pair<std::string, std::string> halves(const std::string& text) {
   const std::size_t at = text.rfind('=');
   return at == std::string::npos ? std::pair<std::string, std::string>{text, ""}

@@ -1,5 +1,5 @@
 #pragma once
-// The size field from options: one size for all elements, sizes near boundaries, by their curvature, from a file.
+// Makes the size field from options: one size for all elements, sizes near boundaries, by their curvature, from a file.
 
 #include <string>
 #include <vector>
@@ -18,10 +18,10 @@ struct NearSize {
 };
 
 struct SizeOptions {
-  double size = 0;  ///< where no source prescribes less; 0: diameter / 20
+  double size = 0;  ///< if no source prescribes less; 0: diameter / 20
   std::vector<NearSize> near;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
-  double growth = 0;     ///< from one element to the next, > 1; 0: that of `sources`, else SizeField::default_growth
+  double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
   SizeSources sources;
   void validate() const;  ///< throws UsageError
 };

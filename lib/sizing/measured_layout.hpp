@@ -3,7 +3,7 @@
 //
 // Sizes, divisions, wall layers and the split into elements all work on this value. A chord's parameter u in [0, 1]
 // runs over all of its arcs at once: a line across the chord meets each arc at the same u. On arc a, walked in its own
-// direction, that is the fraction parameter(a).fraction(u) of its length, or of 1 - u where the chord walks it
+// direction, that is the fraction parameter(a).fraction(u) of its length, or of 1 - u if the chord runs along it
 // backwards.
 
 #include <memory>

@@ -11,7 +11,7 @@
 namespace quadrille::sizing {
 namespace {
 
-/// Sums over edges; means are made of them.
+/// Sums over edges, from which means are computed.
 struct Sums {
   double length = 0, log_prescribed = 0, log_ratio = 0, log_ratio2 = 0;
   double least = std::numeric_limits<double>::infinity(), greatest = 0;

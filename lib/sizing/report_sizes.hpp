@@ -1,5 +1,5 @@
 #pragma once
-// Achieved against prescribed edge lengths, for the report.
+// Reports achieved and prescribed edge lengths.
 
 #include <vector>
 
@@ -21,11 +21,12 @@ struct EdgeSizes {
   double least_ratio = 0, greatest_ratio = 0;  ///< of achieved / prescribed
 };
 
-/// One for each chord, then that of all.
+/// One entry for each chord, then one for all chords.
 std::vector<EdgeSizes> edge_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
                                   const SizeField& sizes);
 
-/// Sets sizes.* (the chords as columns, sizes.chord.*) and warns of prescribed counts that had to rise.
+/// Sets sizes.* (the chords as columns, sizes.chord.*) and issues a warning for prescribed counts that had to be
+/// raised.
 void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions, const SizeField& sizes,
                   const std::vector<ChordCount>& prescribed, Report& report);
 

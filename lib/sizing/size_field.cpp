@@ -37,7 +37,7 @@ Bounds bounds_of(Vec2 a, Vec2 b, double least, double radius = 0) {
 
 enum class Kind { point, box, segment };
 
-/// One source of any kind: a point has a, size_a and radius; a box bounds and size_a; a segment all but the radius.
+/// One source of any kind: a point uses a, size_a and radius; a box bounds and size_a; a segment all except the radius.
 struct Source {
   Kind kind = Kind::point;
   Bounds bounds;
@@ -70,8 +70,8 @@ void require_size(double size, const char* what) {
 
 }  // namespace
 
-/// A tree of rectangles over the sources: children of node n follow each other from `first`; a leaf has none but
-/// `count` sources from there.
+/// A tree of rectangles over the sources: children of node n are consecutive from `first`; a leaf has no children but
+/// `count` sources from `first`.
 struct SizeField::Sources {
   struct Node {
     Bounds bounds;

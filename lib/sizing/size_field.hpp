@@ -24,7 +24,7 @@ class SizeField {
  public:
   static constexpr double default_growth = 1.2;
 
-  /// The same everywhere. `greatest` > 0.
+  /// A constant size. `greatest` > 0.
   explicit SizeField(double greatest);
   /// Sources of `greatest` or more have no effect. `growth` > 1. Throws UsageError for sizes that are not positive.
   SizeField(double greatest, const SizeSources& sources, const std::vector<SizeSegment>& segments, double growth);
@@ -32,7 +32,7 @@ class SizeField {
   /// Prescribed edge length at x, relative to face.origin. Cost: logarithmic in the number of sources.
   double at(Vec2 x) const;
   double greatest() const { return greatest_; }
-  /// d h / d x is at most that: ln(growth); 0 where the size is the same everywhere.
+  /// Bound of |dh / dx|: ln(growth); 0 if the size is constant.
   double slope() const { return slope_; }
   bool is_uniform() const { return !sources_; }
 

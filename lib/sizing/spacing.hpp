@@ -1,9 +1,10 @@
 #pragma once
-// Where the elements across a chord end: its parameter interval [0, 1] cut into as many intervals as it has elements.
+// The ends of the elements across a chord: its parameter interval [0, 1] is cut into one interval per element.
 //
 // The parameters where an interval must end (joints inside a side) split the chord into segments. Each segment has a
-// least number of intervals; the others go, one by one, to the segment whose intervals are longest. Within a segment
-// the intervals are equal. All choices are symmetric: a chord and its mirror image are cut in mirrored places.
+// least number of intervals; the others are added, one by one, to the segment whose intervals are longest. Within a
+// segment the intervals are equal. All choices are symmetric: a chord and its mirror image are cut at mirrored
+// positions.
 
 #include <vector>
 
@@ -16,8 +17,8 @@ struct Segments {
   int least_count() const;
 };
 
-/// Counts of the segments that sum to `count` >= segments.least_count(). Empty when equal segments compete for what is
-/// left, so that no choice would be symmetric, unless `break_ties`: then earlier segments come first.
+/// Counts of the segments that sum to `count` >= segments.least_count(). Empty if equal segments compete for the
+/// remaining intervals, so that no choice would be symmetric, unless `break_ties`: then earlier segments come first.
 std::vector<int> segment_counts(const Segments& segments, int count, bool break_ties);
 
 /// The count + 1 ends of the intervals, ascending from 0 to 1.
