@@ -18,7 +18,7 @@ std::pair<double, double> free_range(const LayeredChord& chord, int i, const std
           chord.parameter(i, ends[chord.own_step(i, count - 1 - high, count)])};
 }
 
-/// 0 between arcs with different layers: their intervals of one number lie at different heights.
+/// 0 between arcs with different layers: their intervals of equal number lie at different heights.
 double alignment_weight(const LayeredChord& chord, const OppositeArcs& pair) {
   const auto [a, b, distance] = pair;
   for (const int end : {0, 1})

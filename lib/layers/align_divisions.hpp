@@ -1,6 +1,6 @@
 #pragma once
-// Draws the divisions of opposite arcs of a chord together, so that lines stay upright across narrow blocks while they
-// change from one division to the other across wide ones.
+// Reduces the difference between the divisions of opposite arcs of a chord, so that lines are nearly normal to the arcs
+// across narrow blocks while they change from one division to the other across wide ones.
 //
 // Above the layers the divisions u of all arcs (in the chord's parameter, scaled to 0 and 1 where the layers end) solve
 //
@@ -16,7 +16,7 @@
 
 namespace quadrille::layers {
 
-/// `divisions`: by position in the chord, as from layered_divisions; layers stay where they are.
+/// `divisions`: by position in the chord, as from layered_divisions; layers are not moved.
 void align_divisions(const LayeredChord& chord, std::vector<sizing::ArcDivision>& divisions);
 
 }  // namespace quadrille::layers

@@ -8,7 +8,7 @@
 namespace quadrille::layers {
 
 struct ArcSizes {
-  std::vector<double> prescribed;  ///< by arc: harmonic mean of the size field, which fits most of its sizes in
+  std::vector<double> prescribed;  ///< by arc: harmonic mean of the size field
   std::vector<double> scale;       ///< by arc: factor by which the geometric tolerance shortens it; 1 at first
 
   double at(int arc) const { return prescribed[arc] * scale[arc]; }

@@ -14,7 +14,7 @@ ArcSides sides_of_arcs(const BlockLayout& layout) {
 BlockSide next_along_boundary(const BlockLayout& layout, const ArcSides& arc_sides, const BlockSide& side, int step) {
   const HalfEdge between = half_edge(layout, side.block, side.side + step);
   for (const BlockSide& other : arc_sides[between.arc]) {
-    if (half_edge(layout, other.block, other.side) == between) continue;  // this block itself
+    if (half_edge(layout, other.block, other.side) == between) continue;  // the other block is this block itself
     const int next = (other.side + step + 4) % 4;
     if (layout.arcs[half_edge(layout, other.block, next).arc].is_boundary) return {other.block, next};
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Sides of blocks: which lie on an arc, and which continue each other along the boundary.
+// Sides of blocks: the sides on an arc, and the sides that continue each other along the boundary.
 
 #include <vector>
 

@@ -40,7 +40,7 @@ void move_onto_breaks(const WallInput& input, int arc, std::vector<double>& ends
   }
 }
 
-/// Whether a boundary arc's intervals meet the tolerance, if need be after ends moved onto breaks.
+/// Whether a boundary arc's intervals meet the tolerance, if necessary after ends moved onto breaks.
 bool fit_to_boundary(const WallInput& input, int arc, std::vector<double>& ends) {
   if (!input.blocks().arcs[arc].is_boundary || meets_tolerance(input, arc, ends)) return true;
   move_onto_breaks(input, arc, ends);

@@ -10,9 +10,10 @@
 
 namespace quadrille::layers {
 
-/// Replaces the divisions of all arcs of the chord in `divisions` by layered_divisions. Where a boundary arc misses the
-/// tolerance, ends of intervals move onto its breaks, then its scale in `sizes` falls, until it meets it; at most
-/// LayerConstants::max_tolerance_rounds times. `spacings`: by arc; `lines`: more lines that the count must suit.
+/// Replaces the divisions of all arcs of the chord in `divisions` by layered_divisions. If a boundary arc misses the
+/// tolerance, ends of intervals move onto its breaks, then its scale in `sizes` is reduced until it meets the
+/// tolerance; at most LayerConstants::max_tolerance_rounds times. `spacings`: by arc; `lines`: more lines that the
+/// count must suit.
 void divide_chord(const WallInput& input, int chord, const std::vector<ArcSpacing>& spacings,
                   const std::vector<FreePart>& lines, ArcSizes& sizes, sizing::ArcDivisions& divisions);
 

@@ -64,8 +64,8 @@ std::vector<double> nodes_in_layers(const NormalLine& line, const SideLayers& si
   return u;
 }
 
-/// Intervals between the layers, in u: u measures length on the arcs beside the line, and on the line too but for a
-/// factor. So lines coincide with the arcs to the last digit where they are the arcs.
+/// Intervals between the layers, in u: u measures length on the arcs beside the line, and on the line up to a factor.
+/// So a line that is one of the arcs has exactly its division.
 std::vector<double> free_intervals(const LineFamily& family, const NormalLine& line, double low, double high,
                                    double blend) {
   const std::size_t first = family.low.heights.size(), last = family.left.size() - family.high.heights.size();

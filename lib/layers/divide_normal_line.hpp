@@ -33,7 +33,7 @@ LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vecto
                        std::vector<double> right, int order);
 
 /// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `blend`: 0 at the left,
-/// 1 at the right. Throws ComputeError, with the place plus `origin`, where the line turns back before its layers end
+/// 1 at the right. Throws ComputeError, with the position plus `origin`, if the line turns back before its layers end
 /// or the layers of both ends overlap.
 std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
                                        Vec2 origin);

@@ -7,8 +7,8 @@
 namespace quadrille::layers {
 namespace {
 
-/// Rule 21: where an arc is too short for first intervals as fine as its neighbours', its own would become ever
-/// finer from block to block. Layers are continued in any case.
+/// Rule 21: if an arc is too short for first intervals as fine as its neighbours', its own would become finer from
+/// block to block. Layers are always continued.
 void relax_crowding(const ArcSpacing& spacing, int count, FreePart& part) {
   const double most = layer_constants.greatest_crowding * part.length / (count - part.layers);
   if (spacing[0].layers() == 0) part.ends.before = std::min(part.ends.before, most);

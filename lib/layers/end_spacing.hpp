@@ -1,6 +1,6 @@
 #pragma once
-// What is prescribed at the ends of arcs - layers, or the first interval that continues a neighbour's - and the
-// division of one arc that follows from it.
+// The spacing prescribed at the ends of arcs (layers, or the first interval that continues a neighbour's), and the
+// resulting division of one arc.
 
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace quadrille::layers {
 
-/// What is prescribed at one end of an arc; nothing by default.
+/// The spacing prescribed at one end of an arc; none by default.
 struct EndSpacing {
   std::vector<double> layer_ends;  ///< upper ends of the layers, as rising fractions of the arc's length from this end
   double before = 0;               ///< length next to the first free interval: the last layer or a neighbour's; 0: none
@@ -23,10 +23,10 @@ struct EndSpacing {
 /// Both ends of an arc (0: from, 1: to).
 using ArcSpacing = std::array<EndSpacing, 2>;
 
-/// The part of an arc, or of a line across a block, between the layers at both ends; all of it where there are none.
+/// The part of an arc, or of a line across a block, between the layers at both ends; all of it if there are none.
 struct FreePart {
   sizing::GradedEnds ends;
-  double length = 0;  ///< negative where the layers leave none
+  double length = 0;  ///< negative if the layers overlap
   double size = 0;    ///< prescribed there
   int layers = 0;     ///< at both ends together
 };

@@ -15,15 +15,15 @@
 namespace quadrille::layers {
 namespace {
 
-/// What the count of a chord is judged by.
+/// The criterion for the count of a chord.
 enum class FitRule {
-  even,      ///< clearance, and no crowding in narrow places
+  even,      ///< clearance, and no crowding at narrow positions
   clearance  ///< clearance alone
 };
 
 struct FittedLayers {
   std::vector<int> counts;                   ///< by spec
-  std::vector<std::optional<Vec2>> misfits;  ///< by spec: a place where a greater number did not fit
+  std::vector<std::optional<Vec2>> misfits;  ///< by spec: a position where a greater number did not fit
 };
 
 /// Front and back wall of a line, by spec.
@@ -36,7 +36,7 @@ struct LineRange {
 };
 using ChordRanges = std::map<int, std::map<WallPair, LineRange>>;
 
-/// The prescribed number; for layers=fit so many as are lower than the lowest far side.
+/// The prescribed number; for layers=fit the number of layers lower than the lowest far side.
 int first_count(const WallSpec& spec, int number, const std::vector<NormalLineSample>& lines) {
   if (!spec.as_many_as_fit) return requested_layers(spec);
   double lowest = 1e300;
@@ -56,7 +56,7 @@ std::vector<std::vector<double>> heights_of(const std::vector<WallSpec>& specs, 
   return heights;
 }
 
-/// Whether intervals as long as the last layers find place above them.
+/// Whether intervals as long as the last layers fit above them.
 bool has_clearance(const FreePart& part) {
   return layer_constants.greatest_change * part.length >= std::max(part.ends.before, part.ends.after);
 }
@@ -74,7 +74,7 @@ bool is_crowded(const FreePart& part, int count, double growth) {
          (1 + layer_constants.equal_tol) * std::max(growth, layer_constants.greatest_change);
 }
 
-/// The narrowest lines of a chord that become crowded by the count which its widest lines need.
+/// The narrowest lines of a chord that become crowded by the count that its widest lines need.
 void find_crowded(const std::vector<WallSpec>& specs, const std::map<WallPair, LineRange>& ranges,
                   std::vector<const NormalLineSample*>& misfits) {
   int count = 0;
@@ -145,7 +145,7 @@ double growth_beyond(const WallSpec& spec) { return std::max(spec.growth, layer_
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
                                 Vec2 origin) {
   FittedLayers fitted = fit_layers(specs, lines, FitRule::even);
-  // Where a chord is far wider in one place than in another, no number of layers keeps its narrow places even.
+  // If the width of a chord varies strongly, no number of layers prevents crowding at narrow positions.
   if (std::count(fitted.counts.begin(), fitted.counts.end(), 0) > 0)
     fitted = fit_layers(specs, lines, FitRule::clearance);
   for (std::size_t i = 0; i < specs.size(); ++i) {

@@ -1,10 +1,11 @@
 #pragma once
-// How many layers fit between each wall and the far side of the blocks along it (rules 10 to 13 of layer_rules).
+// The number of layers that fit between each wall and the far side of the blocks along it (rules 10 to 13 of
+// layer_rules).
 //
-// Layers fit when every sampled normal line has clearance for them - for those of both walls, where the far side is one
-// too - and the intervals above change from one to the next by no more than the greater of the growth and
-// LayerConstants::greatest_change in the narrowest place: all lines of a chord have one number of intervals, that which
-// the widest place needs.
+// Layers fit when every sampled normal line has clearance for them - for the layers of both walls if the far side is
+// one too - and neighbouring intervals above differ by no more than the greater of the growth and
+// LayerConstants::greatest_change at the narrowest position: all lines of a chord have one number of intervals,
+// determined by the widest position.
 
 #include <vector>
 
@@ -13,8 +14,8 @@
 
 namespace quadrille::layers {
 
-/// The number of layers of each spec. Throws ComputeError with the greatest number that fits, and the place where the
-/// prescribed ones do not. Places in messages are relative to the file: `origin` is added to them.
+/// The number of layers of each spec. Throws ComputeError with the greatest number that fits, and the position where
+/// the prescribed ones do not. Positions in messages are in file coordinates: `origin` is added.
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
                                 Vec2 origin);
 

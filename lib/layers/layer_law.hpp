@@ -1,5 +1,5 @@
 #pragma once
-// Heights of the cuts between the layers along a wall.
+// Heights of the boundaries between the layers along a wall.
 
 #include <vector>
 

@@ -68,64 +68,65 @@ namespace quadrille::layers {
 /// Lengths are relative to other lengths and slopes are tangents: no constant has a unit.
 struct LayerConstants {
   // Clearance (layer_fit).
-  /// Normal lines looked at in each block along a wall, its two sides among them. Fewer miss the narrowest place of a
+  /// Normal lines sampled in each block along a wall, its two sides among them. Fewer miss the narrowest position of a
   /// bulging block.
   int lines_per_block = 9;
   /// Samples on each, denser at both ends (Chebyshev points), where layers are thin. Heights between are interpolated.
   int samples_per_line = 64;
-  /// Intervals above the layers may change by this factor in the narrowest place, if the wall's growth is less: the
-  /// number of layers must not hang on a narrow place. A little above the default growth of 1.2.
+  /// Intervals above the layers may change by this factor at the narrowest position, if the wall's growth is less: the
+  /// number of layers must not depend on one narrow position. A little above the default growth of 1.2.
   double greatest_change = 1.25;
   /// Growth beyond the layers is at least this: with less, nearly uniform layers reach the prescribed size only after
   /// dozens of intervals.
   double least_growth = 1.1;
-  /// No wall has more layers. A limit against mistyped heights.
+  /// Greatest number of layers of a wall. A limit against mistyped heights.
   int max_layers = 1000;
 
   // Counts (layered_divisions, divide_chord).
   /// The least count of a chord with layers: a boundary that is one arc needs three intervals for its edges to differ.
   int least_count = 3;
-  /// The greatest. A limit against mistyped sizes, as in refine/divide_arcs.
+  /// The greatest count. A limit against mistyped sizes, as in refine/divide_arcs.
   int max_intervals = 10000;
-  /// Intervals of arcs without prescribed ends may exceed the prescribed size by this factor, so that a chord does not
-  /// get another interval for a slight excess.
+  /// Intervals of arcs without prescribed ends may exceed the prescribed size by this factor, so that a slight excess
+  /// does not add an interval to a chord.
   double size_slack = 1.25;
   /// Samples of the prescribed size along an arc, for its harmonic mean.
   int size_samples = 32;
 
   // Beyond the end of a wall (layered_divisions).
-  /// Slope, against the wall, at which lines may run from the layers' divisions to free ones. Less carries needles far
-  /// into the domain; more skews the elements beside the wall's end.
+  /// Slope, against the wall, at which lines may run from the layers' divisions to free ones. With less, needles extend
+  /// far into the domain; with more, the elements beside the wall's end are skewed.
   double greatest_slope = 0.2;
   /// An arc that is crowded begins with at most this multiple of its mean interval: the shortest interval is then about
   /// a fifth of the mean.
   double greatest_crowding = 2.5;
 
   // Alignment of the divisions of opposite arcs (align_divisions).
-  /// Weight = (length / (2 distance))^alignment_power. The fourth power keeps lines upright across narrow blocks, and
-  /// leaves blocks as wide as long nearly free.
+  /// Weight = (length / (2 distance))^alignment_power. With the fourth power lines are nearly normal to the arcs across
+  /// narrow blocks, and nearly free in blocks as wide as long.
   double alignment_power = 4;
   /// Arcs with layers are aligned as if they were this many times as far apart: their own growth matters more.
   double layered_distance_factor = 2;
-  /// The greatest weight; beyond it two arcs are as good as one, and the linear system would lose digits.
+  /// The greatest weight; beyond it two arcs have practically one division, and the linear system would lose digits.
   double greatest_weight = 1e6;
 
   // Continuation into neighbouring chords (propagate_spacing).
   /// Neighbouring intervals across a node may differ by this factor, if the chord's growth is less: a little above the
   /// default growth, so that chords are not divided again for small differences.
   double greatest_jump = 1.3;
-  /// Passes over all chords. Every pass carries fine intervals one block further; they grow by the growth in each.
+  /// Number of passes over all chords. Every pass continues fine intervals by one block; they grow by the growth in
+  /// each.
   int max_sweeps = 12;
 
   // The boundary's accuracy (divide_chord).
-  /// An arc that misses the geometric tolerance gets its prescribed size multiplied by this, ...
+  /// Factor on the prescribed size of an arc that misses the geometric tolerance.
   double shrink = 0.8;
-  /// ... so often at most: in all by 0.8^30, about 1/800.
+  /// Greatest number of such reductions: in all by 0.8^30, about 1/800.
   int max_tolerance_rounds = 30;
 
   // Geometry of walls (wall_line).
-  /// The sine of the angle at which a joint of a wall is a bend. Well above what CAD programs leave between tangent
-  /// curves, well below any intended corner.
+  /// The sine of the angle at which a joint of a wall is a bend. Well above the angles that CAD programs have between
+  /// tangent curves, well below any intended corner.
   double least_bend = 1e-3;
 
   // Comparisons.

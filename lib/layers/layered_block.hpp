@@ -24,7 +24,7 @@ struct LayeredBlock {
 /// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Without a wall nodes lie where
 /// the straight lines between their ends cross in the block's (s, t): the blend of the ends themselves, which
 /// refine/split_isoparametric uses, leaves the block where the divisions of opposite sides differ much. Throws
-/// ComputeError, with the place plus `origin`, where a line turns back before its layers end.
+/// ComputeError, with the position plus `origin`, if a line turns back before its layers end.
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin);
 
 }  // namespace quadrille::layers

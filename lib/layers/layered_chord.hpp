@@ -1,5 +1,5 @@
 #pragma once
-// A chord with what is prescribed at the ends of its arcs, seen in the chord's own direction.
+// A chord with the spacings prescribed at the ends of its arcs, in the chord's own direction.
 
 #include <array>
 #include <vector>
@@ -16,8 +16,8 @@ struct OppositeArcs {
   double distance = 0;  ///< mean length of the sides that lead from one to the other
 };
 
-/// Arcs are named by their position i in the chord; ends by the chord's direction (0: beginning, 1: end). What it
-/// refers to must outlive it.
+/// Arcs are named by their position i in the chord; ends by the chord's direction (0: beginning, 1: end). The objects
+/// it refers to must outlive it.
 class LayeredChord {
  public:
   /// `spacings`: by arc. The sizes are copied.
@@ -27,9 +27,9 @@ class LayeredChord {
   double length(int i) const { return input_.measured.length(arc(i)); }
   double size(int i) const { return sizes_[i]; }
   double growth() const { return growth_; }  ///< least_growth
-  /// What is prescribed on arc i, by the arc's own ends.
+  /// The spacing prescribed on arc i, by the arc's own ends.
   const ArcSpacing& spacing(int i) const { return spacings_[arc(i)]; }
-  /// What is prescribed at the chord's beginning or end.
+  /// The spacing prescribed at the chord's beginning or end.
   const EndSpacing& at_end(int i, int chord_end) const { return spacing(i)[own_end(i, chord_end)]; }
   int own_end(int i, int chord_end) const { return chord_.backwards[i] ? 1 - chord_end : chord_end; }
   /// Step k of `count` steps along the chord, counted along arc i.
@@ -41,7 +41,7 @@ class LayeredChord {
   /// Whether refine/align_chords found equal fractions to skew the chord on this arc.
   bool is_aligned(int i) const { return !input_.measured.parameter(arc(i)).is_identity(); }
 
-  /// Ordered by block; a block that touches itself is left out.
+  /// Ordered by block; a block that touches itself is omitted.
   const std::vector<OppositeArcs>& opposite_arcs() const { return opposite_arcs_; }
 
  private:

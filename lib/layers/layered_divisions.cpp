@@ -76,7 +76,7 @@ std::vector<Source> nearest_sources(const LayeredChord& chord, int chord_end) {
   return sources;
 }
 
-/// Rule 16: the arc's own division, drawn towards the one that starts like the layers as far as the slope demands.
+/// Rule 16: the arc's own division, moved towards the one that starts like the layers as far as the slope requires.
 std::vector<double> ends_of_arc(const LayeredChord& chord, const std::array<std::vector<Source>, 2>& sources, int i,
                                 int count) {
   ArcSpacing like_source = chord.spacing(i);

@@ -1,6 +1,6 @@
 #pragma once
-// Where the intervals end on the arcs of one chord that has layers at its ends, or that continues intervals finer than
-// the prescribed size (rules 14 to 16 of layer_rules).
+// The ends of the intervals on the arcs of one chord that has layers at its ends, or that continues intervals finer
+// than the prescribed size (rules 14 to 16 of layer_rules).
 //
 // All arcs share one count. An arc that starts at a wall has the layers at that end, then intervals that grow by at
 // most the chord's growth up to the prescribed size (end_spacing). An arc beyond the end of the wall starts with the

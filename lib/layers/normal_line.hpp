@@ -15,7 +15,7 @@ using NormalLine = std::function<Vec2(double)>;
 std::vector<double> node_heights(const std::vector<double>& layer_heights, int order);
 
 /// The first u at which the line, which starts on the wall at `foot`, is at each of the rising heights, to 1e-11 of the
-/// height. Fewer where the line turns back to the wall, or ends, before the last one.
+/// height. Fewer parameters if the line turns back to the wall, or ends, before the last one.
 std::vector<double> parameters_at_heights(const NormalLine& line, const WallLine& wall, WallPoint foot,
                                           const std::vector<double>& heights);
 

@@ -61,7 +61,7 @@ std::vector<double> heights_along(const sizing::MeasuredLayout& measured, const 
   return heights;
 }
 
-/// Length at which the line first reaches the height, negative where it turns back before.
+/// Length at which the line first reaches the height, negative if it turns back before.
 double length_at(const std::vector<double>& heights, const std::vector<double>& lengths, double height) {
   for (std::size_t i = 1; i < heights.size(); ++i) {
     if (heights[i] <= heights[i - 1]) return -1;
@@ -72,14 +72,14 @@ double length_at(const std::vector<double>& heights, const std::vector<double>& 
   return -1;
 }
 
-/// Lengths from the other end.
+/// The lengths measured from the other end.
 std::vector<double> from_end(const std::vector<double>& lengths) {
   std::vector<double> result;
   for (std::size_t i = lengths.size(); i-- > 0;) result.push_back(lengths.back() - lengths[i]);
   return result;
 }
 
-/// Takes the layers of one end off the free part.
+/// Subtracts the layers of one end from the free part.
 void subtract_layers(const std::vector<double>& layers, const std::vector<double>& heights,
                      const std::vector<double>& lengths, FreePart& part, double& last_layer) {
   if (layers.empty() || part.length < 0) return;

@@ -1,5 +1,5 @@
 #pragma once
-// Sampled normal lines across the blocks along walls: how much clearance there is for layers.
+// Sampled normal lines across the blocks along walls: the clearance for layers.
 
 #include <vector>
 
@@ -25,7 +25,7 @@ struct NormalLineSample {
 std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& measured, const WallSides& walls,
                                                   const std::vector<double>& arc_sizes);
 
-/// What lies between the layers of a line, given the layers' heights by spec; its length is negative where they have no
+/// The part of a line between its layers, given the layers' heights by spec; its length is negative if they have no
 /// clearance.
 FreePart part_between_layers(const NormalLineSample& line, const std::vector<std::vector<double>>& spec_heights);
 

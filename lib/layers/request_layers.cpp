@@ -11,7 +11,7 @@
 namespace quadrille::layers {
 namespace {
 
-/// Where an arc starts on a wall: at the beginning or the end of the wall's side.
+/// The start of an arc on a wall: at the beginning or the end of the wall's side.
 WallPoint start_on_wall(const BlockLayout& layout, const WallSide& wall, const ArcEnd& at) {
   const ArcEnd before = ending(half_edge(layout, wall.block, wall.side - 1));
   return before.arc == at.arc && before.end == at.end ? wall.begin : wall.end;
@@ -52,7 +52,7 @@ std::vector<double> interval_nodes(const std::vector<double>& ends, int order) {
   return nodes;
 }
 
-/// False where the end of a layer had to move onto a break.
+/// False if the end of a layer had to move onto a break.
 bool keeps_layers(const ArcSpacing& spacing, const std::vector<double>& ends) {
   const std::vector<double>&low = spacing[0].layer_ends, &high = spacing[1].layer_ends;
   for (std::size_t k = 0; k < low.size(); ++k)

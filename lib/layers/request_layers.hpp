@@ -1,5 +1,5 @@
 #pragma once
-// What the layers of the walls prescribe on the arcs that start there.
+// The spacings that the layers of the walls prescribe on the arcs that start there.
 
 #include <array>
 #include <vector>
@@ -16,7 +16,7 @@ struct LayerRequests {
   std::vector<std::array<std::vector<double>, 2>> nodes;
 };
 
-/// `spec_heights`: by spec, upper ends of its layers. Throws ComputeError with the place where an arc turns back to the
+/// `spec_heights`: by spec, upper ends of its layers. Throws ComputeError with the position if an arc turns back to the
 /// wall before the layers end.
 LayerRequests request_layers(const WallInput& input, const WallSides& walls,
                              const std::vector<std::vector<double>>& spec_heights);

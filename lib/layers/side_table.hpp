@@ -1,6 +1,6 @@
 #pragma once
 // The points of a block's side as piecewise polynomials of the arc-length fraction. Placing the nodes of a layered
-// block evaluates its sides very often; the table is some twenty times as fast as the chain, which inverts its arc
+// block evaluates its sides very often; the table is about twenty times as fast as the chain, which inverts its arc
 // length for each point.
 
 #include <vector>
@@ -15,7 +15,7 @@ class SideTable {
   /// Panels of degree 10, halved until they are within 1e-13 of the chain's length of it, or 1/4096 long.
   SideTable(const curve::Chain& chain, bool backwards);
 
-  /// The point at the fraction f of the length, from the other end where `backwards`; exact at 0 and 1.
+  /// The point at the fraction f of the length, from the other end if `backwards`; exact at 0 and 1.
   Vec2 at(double f) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What wall layers are planned from.
+// The input of the planning of wall layers.
 
 #include <vector>
 

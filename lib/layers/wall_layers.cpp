@@ -24,7 +24,7 @@ std::vector<std::vector<double>> fitted_heights(const WallInput& input, const st
   return heights;
 }
 
-/// By chord: what lies between the layers of the sampled lines across its blocks.
+/// By chord: the parts between the layers of the sampled lines across its blocks.
 std::vector<std::vector<FreePart>> free_parts(const std::vector<NormalLineSample>& lines,
                                               const std::vector<std::vector<double>>& heights, std::size_t num_chords) {
   std::vector<std::vector<FreePart>> parts(num_chords);

@@ -1,6 +1,6 @@
 #pragma once
-// Layers along walls: how many, on which chords, and where they are cut. layer_rules has the objective, the rules and
-// the constants.
+// Layers along walls: their number, their chords and their positions. layer_rules has the objective, the rules and the
+// constants.
 //
 // The chords across the blocks along a wall get the layers at that end (request_layers). Every wall-normal line is
 // divided by its distance from the wall, so that a layer has one height everywhere, however wide its block is
@@ -29,14 +29,14 @@ struct WallPlan {
 };
 
 /// Replaces the divisions of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
-/// names, ComputeError where layers do not fit, with the greatest number that fits and the place.
+/// names, and ComputeError if layers do not fit, with the greatest number that fits and the position.
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 
 /// What layered_positions needs of a block; `fractions` of the nodes on its sides by rising s or t.
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
                            std::array<std::vector<double>, 4> fractions);
 
-/// Keys walls.<number>.names, .layers, .first, .thickness; warnings W-WAL-001 and -002 where walls meet.
+/// Keys walls.<number>.names, .layers, .first, .thickness; warnings W-WAL-001 and -002 if walls meet.
 void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);
 
 }  // namespace quadrille::layers

@@ -16,11 +16,11 @@ struct WallPoint {
 class WallLine {
  public:
   WallLine() = default;
-  /// Pieces follow each other. `table` must outlive the line.
+  /// Pieces are consecutive. `table` must outlive the line.
   WallLine(const curve::CurveTable& table, std::vector<ArcPiece> pieces);
 
   /// Distance from x to the line, its ends included. On entry `foot` is a start, on return the nearest point that is
-  /// reached from it continuously, or the nearest one beyond a bend next to it. Meant for points that move away from
+  /// reached from it continuously, or the nearest one beyond a bend next to it. Intended for points that move away from
   /// the wall, each with the foot of the last one. Newton's method, to round-off.
   double distance(Vec2 x, WallPoint& foot) const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }

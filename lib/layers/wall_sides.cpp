@@ -10,7 +10,7 @@
 namespace quadrille::layers {
 namespace {
 
-/// Decides between specs of one wall, and remembers which were overruled.
+/// Decides between specs of one wall, and records those that were overruled.
 struct FinestSpec {
   const std::vector<WallSpec>& specs;
   std::set<std::array<int, 2>> overruled = {};

@@ -1,5 +1,5 @@
 #pragma once
-// Which sides of blocks lie on walls, with which layers, and which arcs start there (rules 1 to 6 of layer_rules).
+// The sides of blocks on walls, their layers, and the arcs that start there (rules 1 to 6 of layer_rules).
 
 #include <array>
 #include <vector>
@@ -14,7 +14,7 @@ namespace quadrille::layers {
 struct WallSide {
   int block = 0, side = 0;
   int spec = 0;
-  WallLine line;    ///< the side between those that continue it along the boundary, walked as the side is
+  WallLine line;    ///< the side between those that continue it along the boundary, in the direction of the side
   WallPoint begin;  ///< the side's first point on that line
   WallPoint end;    ///< its last
 };

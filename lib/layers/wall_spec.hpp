@@ -15,7 +15,7 @@ struct WallSpec {
   double first = 0;                ///< height of the layer at the wall, > 0, file units
   double growth = 1.2;   ///< of one layer against the one below it, in 1..2; beyond the layers the greatest growth
   int layers = 0;        ///< 1..1000; 0: as many as reach `thickness`
-  double thickness = 0;  ///< file units; used where layers == 0
+  double thickness = 0;  ///< file units; used if layers == 0
   bool as_many_as_fit = false;  ///< layers=fit: the greatest number that fits into the first row of blocks
   LayerLaw law = LayerLaw::geometric;
 };
@@ -24,8 +24,8 @@ struct WallSpec {
 /// Throws UsageError with the text.
 WallSpec parse_wall_spec(const std::string& text);
 
-/// The spec number of each curve of the face, -1 where it is no wall. Names as in sizing/boundary_sizes. Throws
-/// UsageError for a name that no curve has, with the names that exist, and for a curve that is named twice.
+/// The spec number of each curve of the face, -1 if it is no wall. Names as in sizing/boundary_sizes. Throws UsageError
+/// for a name that no curve has, with the names that exist, and for a curve that is named twice.
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face);
 
 }  // namespace quadrille::layers
