@@ -1,15 +1,15 @@
 #pragma once
-// Parameters of arcs such that the lines across a chord stand upright on its arcs.
+// Parameters of arcs such that the lines across a chord are nearly normal to its arcs.
 //
 // Equal arc-length fractions skew the elements of a block that bends one way and back: its sides are equally long, but
-// each runs ahead of the other for a while. For neighbouring arcs a, b of a chord let d(u) be the part along the chord
-// of the step from a to b at parameter u, w(u) its length, and d* the linear function with d's values at both ends, so
-// that blocks with straight sides stay as they are. The parameters g minimise
+// each runs ahead of the other on a part of it. For neighbouring arcs a, b of a chord let d(u) be the part along the
+// chord of the step from a to b at parameter u, w(u) its length, and d* the linear function with d's values at both
+// ends, so that blocks with straight sides are not changed. The parameters g minimise
 //
 //   sum over pairs ( (d - d*) / w )^2  +  sum over arcs ( stiffness (w / L) g'' )^2   (integrals over u),
 //
-// L an arc's length: lines turn upright, while the spacing varies over no less than about the chord's width. Chords
-// whose lines are upright enough anyway keep equal fractions.
+// L an arc's length: lines become normal to the arcs, while the spacing varies over no less than about the chord's
+// width. Chords whose lines are already nearly normal keep equal fractions.
 
 #include <vector>
 
@@ -23,7 +23,7 @@ struct AlignOptions {
   double least_slope = 0.25;  ///< g' >= least_slope everywhere
 };
 
-/// One parameter for each arc. Linear in the number of arcs but for a sparse factorisation in each misaligned chord.
+/// One parameter for each arc. Linear in the number of arcs except for a sparse factorisation in each misaligned chord.
 std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& measured,
                                                const AlignOptions& options = {});
 

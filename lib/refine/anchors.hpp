@@ -20,8 +20,8 @@ struct Anchor {
   std::vector<Break> breaks;  ///< at most one for each arc
 };
 
-/// Sorted by u. Breaks go together whose neighbours in u are nearer than `reach`, or than reach / 2, reach / 4, ...
-/// where that would join two breaks of one arc, which must differ in u.
+/// Sorted by u. Breaks are grouped if their neighbours in u are nearer than `reach`, or than reach / 2, reach / 4, ...
+/// if this would group two breaks of one arc, which must differ in u.
 std::vector<Anchor> find_anchors(std::vector<Break> breaks, double reach);
 
 }  // namespace quadrille::refine

@@ -79,7 +79,7 @@ void BoundarySlide::add_loop(std::size_t first_edge, std::size_t end_edge) {
   }
 }
 
-/// By projection onto the curve of the edge that starts at x, or the one before; negative where it is on neither.
+/// By projection onto the curve of the edge that starts at x, or the one before; negative if it is on neither.
 double BoundarySlide::length_at(int loop, int curve, Vec2 x) const {
   const CadFace& face = mesh_->face;
   curve::Projection best;

@@ -1,8 +1,8 @@
 #pragma once
-// The vertices of a mesh on the boundary, by their position along the loops of CAD curves, and which of them may slide.
+// The vertices of a mesh on the boundary by their position along the loops of CAD curves, and whether they may slide.
 //
 // Fixed are vertices at joints between curves (corners and changes of name among them) and at breaks of a curve, and
-// the ends of an edge that passes a joint. The seam of a smooth closed curve fixes nothing.
+// the ends of an edge that passes a joint. The seam of a smooth closed curve fixes no vertex.
 
 #include <vector>
 
@@ -42,7 +42,7 @@ class BoundarySlide {
 
  private:
   struct Ends {
-    double low = 0, high = 0;  ///< fractions of the loop walked twice, so that no edge passes its end
+    double low = 0, high = 0;  ///< fractions of the doubled loop, so that no edge passes its end
   };
   Ends ends_of(int edge, double slide_from, double slide_to) const;
   void add_loop(std::size_t first_edge, std::size_t end_edge);
@@ -52,7 +52,7 @@ class BoundarySlide {
   const QuadMesh* mesh_;
   std::vector<Nurbs> no_splines_;
   curve::CurveTable table_;
-  std::vector<curve::Chain> loops_;  ///< each walked twice
+  std::vector<curve::Chain> loops_;  ///< each doubled: its curves twice in turn
   std::vector<double> curve_start_;  ///< length along its loop
   std::vector<SlidingVertex> vertices_;
   std::vector<SlidingEdge> edges_;

@@ -2,7 +2,7 @@
 // The division of one chord into elements: the state that refine/divide_arcs improves until every arc meets the
 // tolerance.
 //
-// Positions v in [0, 1] count elements: v is the part of the chord's elements that lies before a line across the chord
+// Positions v in [0, 1] count elements: v is the fraction of the chord's elements before a line across the chord
 // (sizing/grading: Grading::cumulative).
 
 #include <numeric>
@@ -16,7 +16,7 @@
 
 namespace quadrille::refine {
 
-/// More intervals than that are an error.
+/// More intervals than this are an error.
 constexpr int max_intervals = 10000;
 
 /// A chord that is to be divided. Arcs are numbered by their position in the chord.

@@ -11,17 +11,16 @@
 
 namespace quadrille::refine {
 
-/// Block numbers, ascending, from "3,inlet,7": numbers or names, which blocks may share (a name that is a number goes
-/// before the number).
-/// Throws UsageError for a block that is not there.
+/// Block numbers, ascending, from "3,inlet,7": numbers or names, which several blocks may have (a name that is a number
+/// takes precedence over the number). Throws UsageError for a block that does not exist.
 std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names);
 
 /// A count of 1 for every chord that passes no block of `chosen` and has none in `prescribed`.
 std::vector<sizing::ChordCount> coarse_counts(const sizing::MeasuredLayout& measured, const std::vector<int>& chosen,
                                               const std::vector<sizing::ChordCount>& prescribed);
 
-/// Doubles the counts of those chords of `coarse` that pass a block with an element that is not proved valid; false
-/// when there are none.
+/// Doubles the counts of those chords of `coarse` that pass a block with an element that is not proved valid; false if
+/// there are none.
 bool raise_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
                   std::vector<sizing::ChordCount>& coarse);
 

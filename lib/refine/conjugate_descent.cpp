@@ -42,7 +42,7 @@ Derivatives derivatives(const RelaxProblem& problem, const std::vector<Vec2>& no
   return sum;
 }
 
-/// Reduces the derivatives to what may move: 0 for fixed vertices, along the curve for those on the boundary.
+/// Restricts the derivatives to admissible moves: 0 for fixed vertices, along the curve for those on the boundary.
 void reduce(const RelaxProblem& problem, const VertexMoves& moves, Derivatives& d) {
   for (int v = 0; v < problem.num_vertices(); ++v) {
     if (problem.is_fixed[v]) d.gradient[v] = {};

@@ -1,6 +1,6 @@
 #pragma once
 // The direction in which relaxation moves all vertices at once: preconditioned conjugate gradients (Polak-Ribiere, with
-// a restart where the direction does not descend) for the shape energy.
+// a restart if the direction does not descend) for the shape energy.
 //
 // The preconditioner is the inverse of the Hessian's diagonal blocks, one for each vertex. On the boundary gradient and
 // block are reduced to the curve's tangent. No vertex moves by more than a quarter of the shortest edge at it.
@@ -14,7 +14,7 @@ class ConjugateDescent {
   /// `problem` must outlive it.
   explicit ConjugateDescent(const RelaxProblem& problem) : problem_(&problem) {}
 
-  /// The direction at these nodes, to which `moves` have led, conjugate to the one before. 0 for fixed vertices.
+  /// The direction at these nodes, which result from `moves`, conjugate to the one before. 0 for fixed vertices.
   VertexMoves next(const std::vector<Vec2>& nodes, const VertexMoves& moves);
 
  private:

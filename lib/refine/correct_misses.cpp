@@ -13,7 +13,7 @@ constexpr double same_fraction = 1e-9;
 constexpr double least_reduction = 1.05;
 constexpr double greatest_reduction = 4;
 
-/// So many intervals should stand in place of one.
+/// The number of intervals that should replace one.
 double reduction(const DivideOptions& options, double error) {
   return std::min(greatest_reduction, 1.02 * std::pow(error / options.tolerance, 1.0 / (options.order + 1)));
 }
@@ -28,8 +28,8 @@ std::size_t segment_of(const std::vector<int>& counts, int interval) {
   return s;
 }
 
-/// The anchors inside an interval of arc i at which elements should end; none where it is smooth, or where its breaks
-/// are many and spread.
+/// The anchors inside an interval of arc i at which elements should end; none if it is smooth, or if its breaks are
+/// many and spread.
 std::vector<int> curing_anchors(const std::vector<Anchor>& anchors, int i, double low, double high) {
   std::vector<int> inside;
   std::vector<double> fractions;
@@ -52,8 +52,8 @@ sizing::MaxLengthConstraint constraint(const ChordTask& task, int i, double low,
   return {std::min(a, b), std::max(a, b), std::abs(b - a) / factor, factor};
 }
 
-/// Segments have the numbers that they had when the counts were settled, also where an earlier arc has cut one since:
-/// then another one than the segment that misses may get more elements in this round, which the next one mends.
+/// Segments keep the numbers from the last settle_counts, also if an earlier arc has cut one since: then more elements
+/// may be added to another segment in this round, which the next round corrects.
 void apply(const Corrections& corrections, const DivideOptions& options, ChordDivision& division) {
   std::vector<int>& least = division.anchored.segments.least_counts;
   for (std::size_t s = 0; s < corrections.worst_errors.size(); ++s)

@@ -1,5 +1,5 @@
 #pragma once
-// What happens where the intervals of a boundary arc miss the tolerance.
+// Corrections for boundary arcs whose intervals miss the tolerance.
 //
 //   the interval that misses it                                              correction
 //   contains breaks: at most two, or all in less than half of its length     elements end at these breaks
@@ -8,7 +8,7 @@
 //
 // An interval over which many breaks are spread is too long to be cured at the breaks: it must become shorter first. In
 // a graded chord other intervals may be far shorter already. The error of a smooth interval falls with its length to
-// the power N + 1, which tells how much shorter it has to be; no step puts more than four intervals in place of one.
+// the power N + 1, which determines how much shorter it must be; no step replaces one interval by more than four.
 
 #include <vector>
 
@@ -26,8 +26,8 @@ struct Corrections {
 
 Corrections find_corrections(const ChordTask& task, const ChordDivision& division, int i);
 
-/// Changes what the next counts are settled from, by the corrections of all boundary arcs. False if all of them meet
-/// the tolerance.
+/// Applies the corrections of all boundary arcs to the state from which settle_counts starts. Returns false if all of
+/// them meet the tolerance.
 bool correct_misses(const ChordTask& task, ChordDivision& division);
 
 }  // namespace quadrille::refine

@@ -1,12 +1,11 @@
 #pragma once
-// How many elements each chord gets, and where on each arc they end.
-//
-// A chord's count starts from its plan (sizing/grade_chords), with elements that are equal by its grading. Then every
-// boundary arc is tried: the order-N polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length)
-// must stay within `tolerance` of the curve. Where it does not, elements end at the breaks of the curve (joints inside
-// the side, jumps of curvature), or become shorter (refine/correct_misses has the rules). All arcs of the chord share
-// the segments between breaks; a break opposite another (refine/anchors) costs no element of its own. Elements always
-// end where a curve of a given name ends.
+// The number of elements of each chord, and their ends on each arc. A chord's count starts from its plan
+// (sizing/grade_chords), with elements that are equal by its grading. Then every boundary arc is checked: the order-N
+// polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length) must stay within `tolerance` of the
+// curve. If it does not, elements end at the breaks of the curve (joints inside the side, jumps of curvature), or
+// become shorter (refine/correct_misses has the rules). All arcs of the chord have the same segments between breaks; a
+// break opposite another (refine/anchors) needs no additional element. Elements always end where a curve of a given
+// name ends.
 
 #include <vector>
 
@@ -18,9 +17,9 @@
 namespace quadrille::refine {
 
 /// The divisions of all arcs; arcs of one chord get the same number of intervals, between breaks equal by the chord's
-/// grading and the parameters of the arcs. Where breaks leave segments that do not divide well, intervals may be longer
-/// by a quarter than planned; prescribed counts rise only where breaks and tolerance cannot be met otherwise. `plans`:
-/// one per chord. Throws ComputeError, with the place, when a chord would need more than 10000 intervals.
+/// grading and the parameters of the arcs. If segments between breaks do not divide well, intervals may be longer by a
+/// quarter than planned; prescribed counts are raised only if breaks and tolerance cannot be met otherwise. `plans`:
+/// one per chord. Throws ComputeError with the position if a chord would need more than 10000 intervals.
 sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
                                  const DivideOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the divisions of arcs have to meet.
+// The requirements on the divisions of arcs.
 
 namespace quadrille::refine {
 

@@ -40,7 +40,7 @@ std::vector<Vec2> NodeFollow::nodes(const VertexMoves& moves) const {
   std::vector<Vec2> nodes = nodes_;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (shifts[i] != Vec2{}) nodes[i] += shifts[i];
-  // Sums round; the boundary's nodes are to lie on their curves.
+  // Sums have rounding errors; the boundary's nodes must lie on their curves.
   for (std::size_t e = 0; e < boundary_->edges().size(); ++e) {
     const SlidingEdge& edge = boundary_->edges()[e];
     const double from = moves[boundary2vertex_[edge.from]].x, to = moves[boundary2vertex_[edge.to]].x;

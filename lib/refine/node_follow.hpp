@@ -8,7 +8,7 @@
 
 namespace quadrille::refine {
 
-/// A vertex's move from where it was: on the boundary (slide, 0), a length along the loop; inside a shift.
+/// The move of a vertex from its first position: on the boundary (slide, 0), a length along the loop; inside a shift.
 using VertexMoves = std::vector<Vec2>;
 
 class NodeFollow {
@@ -24,7 +24,7 @@ class NodeFollow {
   /// The vertex of a boundary vertex.
   int vertex_of(int boundary_vertex) const { return boundary2vertex_[boundary_vertex]; }
 
-  /// All nodes. Those of elements whose vertices do not move are as they were, bit for bit.
+  /// All nodes. Nodes of elements whose vertices do not move keep their position bit for bit.
   std::vector<Vec2> nodes(const VertexMoves& moves) const;
 
  private:

@@ -36,7 +36,7 @@ PlacedIntervals place_intervals(const ChordTask& task, const ChordDivision& divi
 
   double longest = 0;
   for (std::size_t k = 1; k < u.size(); ++k) {
-    // By how much the arc's own parameter stretches the interval, where no edge may be longer than planned.
+    // The factor by which the arc's own parameter stretches the interval, if no edge may be longer than planned.
     const double stretch = task.plan.is_bound ? std::abs(ends[k] - ends[k - 1]) / (u[k] - u[k - 1]) : 1;
     longest = std::max(longest, stretch * (v[k] - v[k - 1]));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Where the intervals of one arc end, once the counts of the chord's segments are known.
+// The ends of the intervals of one arc, given the counts of the chord's segments.
 
 #include "refine/chord_division.hpp"
 
@@ -7,7 +7,7 @@ namespace quadrille::refine {
 
 struct PlacedIntervals {
   sizing::ArcDivision division;
-  double longest = 0;  ///< longest interval over the one that the plan has at its place on the chord's longest arc
+  double longest = 0;  ///< longest interval over the planned one at its position on the chord's longest arc
 };
 
 /// Arc i of the chord, in its own direction: its own breaks are met to the last digit; between them elements are equal

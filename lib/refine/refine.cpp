@@ -26,7 +26,7 @@ namespace {
 constexpr double max_element_nodes = 1e8;
 constexpr double default_size = 1.0 / 20;  ///< diameters
 
-/// The same for every attempt at a valid mesh.
+/// The data that every attempt at a valid mesh has in common.
 struct SplitRequest {
   const RefineOptions& options;
   sizing::SizeField sizes;
@@ -41,14 +41,14 @@ SplitRequest split_request(const RefineOptions& options, double diameter) {
           {options.order, tolerance * diameter}};
 }
 
-/// A measured mesh and the plans that it was made by.
+/// A measured mesh and the plans from which it was made.
 struct SplitMesh {
   QuadMesh mesh;
   sizing::ArcDivisions divisions;
   std::optional<layers::WallPlan> walls;
 };
 
-/// A mistyped size must not fill the memory.
+/// Limits the number of nodes, so that a mistyped size does not exhaust the memory.
 void require_bounded_size(const BlockLayout& layout, const sizing::ArcDivisions& divisions, int order) {
   double num_elems = 0;
   for (const auto& sides : layout.block2arcs)
@@ -87,7 +87,7 @@ SplitMesh split_aligned_or_equal(const sizing::MeasuredLayout& aligned, const Sp
   return equal.mesh.is_valid ? std::move(equal) : std::move(first);
 }
 
-/// Chords outside the chosen blocks start with one element, and get more until the mesh is valid.
+/// Chords outside the chosen blocks start with one element; their counts are raised until the mesh is valid.
 SplitMesh split_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request) {
   const RefineOptions& options = request.options;
   std::vector<sizing::ChordCount> coarse;

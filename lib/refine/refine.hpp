@@ -1,13 +1,13 @@
 #pragma once
-// From blocks to the final mesh.
+// Makes the final mesh from the blocks of a layout.
 //
 //   1. Measure the arcs of the layout (sizing/measured_layout) and align lines across chords (refine/align_chords).
 //   2. Plan one count and one grading for each chord from the size field (sizing/grade_chords).
 //   3. Divide the arcs so that the boundary meets its tolerance (refine/divide_arcs), and cut wall layers
 //      (layers/wall_layers).
 //   4. Sample elements from the exact maps of the blocks (refine/split_isoparametric) and bound det J from below
-//      (refine/validity). Chords outside chosen blocks get more elements until all elements are proved valid.
-//   5. Move vertices to where elements have better shapes (refine/relax).
+//      (refine/validity). The counts of chords outside chosen blocks are raised until all elements are proved valid.
+//   5. Move vertices so that elements have better shapes (refine/relax).
 
 #include <optional>
 #include <vector>

@@ -15,11 +15,11 @@ namespace {
 /// 1 for each element.
 constexpr double least_progress = 1e-7;
 constexpr int max_halvings = 6;
-/// So often may moves be reset in one trial.
+/// Greatest number of resets of moves in one trial.
 constexpr int max_resets = 12;
 constexpr double greatest_first_length = 8;
 
-/// Resets the moves that break a limit, and takes the rest as the new state if the energy falls.
+/// Resets the moves that break a limit, and accepts the others as the new state if the energy decreases.
 bool accept(const RelaxProblem& problem, double tolerance, VertexMoves moves, RelaxState& state) {
   RelaxState trial{state.mesh, std::move(moves), 0};
   for (int round = 0; round < max_resets; ++round) {
@@ -33,8 +33,8 @@ bool accept(const RelaxProblem& problem, double tolerance, VertexMoves moves, Re
   return false;
 }
 
-/// One sweep: a step along `direction`, halved until it is accepted; false when nothing could be moved. `first_length`
-/// is where the line search starts, and is adapted for the next sweep.
+/// One sweep: a step along `direction`, halved until it is accepted; false if no vertex could be moved. `first_length`
+/// is the first step length of the line search, and is adapted for the next sweep.
 bool step(const RelaxProblem& problem, double tolerance, const VertexMoves& direction, double& first_length,
           RelaxState& state) {
   double length = first_length;

@@ -13,7 +13,7 @@ namespace {
 constexpr double same_quality = 1e-6;
 constexpr double rounding = 1e-12;
 
-/// Margins below 0 break a limit. Where one does so by hardly anything, margins that are equal to it must do so too.
+/// Margins below 0 break a limit. If one does so only just, margins that are equal to it must do so too.
 double limit_for_equals(const std::vector<double>& margins) {
   const bool is_tie = std::any_of(margins.begin(), margins.end(), [](double x) { return x < 0 && x > -same_quality; });
   return is_tie ? same_quality : 0;

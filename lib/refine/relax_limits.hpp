@@ -1,6 +1,6 @@
 #pragma once
-// What no step of the relaxation may do: make an element worse than the worst of the mesh, leave one unproved, or move
-// the boundary out of its tolerance.
+// The limits of every step of the relaxation: no element becomes worse than the worst of the mesh, all stay proved
+// valid, and the boundary stays within its tolerance.
 
 #include "model/quad_mesh.hpp"
 #include "refine/relax_problem.hpp"
@@ -16,7 +16,7 @@ struct RelaxState {
 
 /// Measures those elements of `trial` that have moved since `state`, and resets the moves of all vertices at elements
 /// and boundary edges that break a limit to those of `state`. Values that are equal within 1e-6 break a limit together,
-/// so that mirror images are treated alike. False, with `trial` fully measured, if no vertex had to be reset.
+/// so that mirror images are treated equally. False, with `trial` fully measured, if no vertex had to be reset.
 /// `tolerance`: greatest distance between boundary and curves.
 bool reset_forbidden_moves(const RelaxProblem& problem, const RelaxState& state, double tolerance, RelaxState& trial);
 

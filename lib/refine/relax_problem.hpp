@@ -1,5 +1,5 @@
 #pragma once
-// A mesh that is relaxed: which of its vertices may move, how the other nodes follow them, and the energy to minimise.
+// A mesh to be relaxed: its movable vertices, the nodes that follow them, and the energy to minimise.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace quadrille::refine {
 
-/// Everything that does not change during the relaxation.
+/// The data that do not change during the relaxation.
 struct RelaxProblem {
   /// `frozen_elems` by element: keeps all nodes; empty: none does.
   RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems);
@@ -23,7 +23,7 @@ struct RelaxProblem {
   std::vector<bool> is_fixed;  ///< by vertex
 
   int num_vertices() const { return follow.num_vertices(); }
-  /// Sum over all elements, for these nodes; infinite where det J is not positive.
+  /// Sum over all elements, for these nodes; infinite if det J is not positive.
   double total_energy(const std::vector<Vec2>& nodes) const;
 };
 

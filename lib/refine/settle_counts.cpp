@@ -13,11 +13,11 @@ namespace quadrille::refine {
 namespace {
 
 constexpr double same_fraction = 1e-9;
-/// An interval may be longer than planned by this factor where breaks leave segments that do not divide well.
+/// An interval may be longer than planned by this factor if segments between breaks do not divide well.
 constexpr double length_slack = 1.25 + 1e-9;
 /// Breaks of opposite arcs share an anchor when they lie within this fraction of an interval.
 constexpr double anchor_reach = 0.5;
-/// A chord's count may rise so often by one in search of a symmetric division.
+/// Greatest number of increments of a chord's count in search of a symmetric division.
 constexpr int max_tie_rounds = 24;
 
 /// Two elements must not share two edges, and no element may share an edge with itself.

@@ -1,18 +1,18 @@
 #pragma once
-// How many elements a chord gets: the least count that suits all of its arcs.
+// The number of elements of a chord: the least count that suits all of its arcs.
 
 #include "refine/chord_division.hpp"
 
 namespace quadrille::refine {
 
-/// The division before any arc was tried: least count, and anchors at the breaks of boundary arcs, of which only those
-/// are required where a curve of a given name ends. Counts and arcs are not filled in. Throws ComputeError for a plan
-/// of more than `max_intervals`.
+/// The division before any arc was tried: least count, and anchors at the breaks of boundary arcs, of which only the
+/// ends of curves with a given name are required. Counts and arcs are not filled in. Throws ComputeError for a plan of
+/// more than `max_intervals`.
 ChordDivision begin_division(const ChordTask& task);
 
-/// Finds the least count that suits all arcs and fills in counts and arcs. A count suits if segments that are equal get
-/// equal counts (at least among the first 24 counts) and no interval is longer than planned by more than a quarter; a
-/// prescribed count always suits. Throws ComputeError, with a place, when it would exceed `max_intervals`.
+/// Finds the least count that suits all arcs and fills in counts and arcs. A count suits if equal segments have equal
+/// counts (at least among the first 24 counts) and no interval is longer than planned by more than a quarter; a
+/// prescribed count always suits. Throws ComputeError with a position if it would exceed `max_intervals`.
 void settle_counts(const ChordTask& task, ChordDivision& division);
 
 }  // namespace quadrille::refine

@@ -4,7 +4,8 @@
 // At each node of an element, a = x_xi1 / l1 and b = x_xi2 / l2 are the derivatives of its map over their lengths in
 // the mesh as it was, and mu = (|a|^2 + |b|^2) / (2 a x b) >= 1 is least where they are normal to each other and keep
 // the proportion of the prescribed edge lengths; it has no bound where det J tends to 0 (Knupp 2001, shape metric with
-// targets). The energy is the mean over nodes of mu^p, summed over elements: the power makes the worst count most.
+// targets). The energy is the mean over nodes of mu^p, summed over elements: the power gives the worst elements the
+// largest weight.
 
 #include <Eigen/Dense>
 #include <array>
@@ -24,10 +25,10 @@ struct ElementEnergy {
 
 class ShapeEnergy {
  public:
-  /// Lengths are taken from `mesh` as it is.
+  /// Reference lengths are computed from the present `mesh`.
   explicit ShapeEnergy(const QuadMesh& mesh);
 
-  /// Infinite where det J is not positive at a node.
+  /// Infinite if det J is not positive at a node.
   double value(int elem, const std::vector<Vec2>& nodes) const;
   ElementEnergy with_derivatives(int elem, const std::vector<Vec2>& nodes) const;
 

@@ -10,7 +10,7 @@
 namespace quadrille::refine {
 namespace {
 
-/// What the mesh is made from.
+/// The input from which the mesh is made.
 struct SplitInput {
   const sizing::MeasuredLayout& measured;
   const sizing::ArcDivisions& divisions;
@@ -19,7 +19,7 @@ struct SplitInput {
   const BlockLayout& layout() const { return measured.blocks(); }
 };
 
-/// A boundary edge with its place along the boundary.
+/// A boundary edge with its position along the boundary.
 struct PlacedEdge {
   QuadBoundaryEdge edge;
   double t = 0;  ///< parameter of its middle on its curve
@@ -111,7 +111,7 @@ void append_boundary(const SplitInput& in, int block, int first_elem, int column
   }
 }
 
-/// In the direction in which the loops are walked.
+/// In the direction of the loops.
 void sort_along_boundary(std::vector<PlacedEdge>& edges) {
   std::sort(edges.begin(), edges.end(), [](const PlacedEdge& a, const PlacedEdge& b) {
     return std::tie(a.edge.curve, a.t, a.edge.elem) < std::tie(b.edge.curve, b.t, b.edge.elem);

@@ -20,14 +20,14 @@ constexpr double same_quality = 1e-6;
 
 bool is_proved(const QuadMesh& mesh, int elem) { return mesh.elem_jacobian_bound[elem] > 0; }
 
-/// Elements in the sequence of worst_elements, but equals in none.
+/// Elements in the order of worst_elements, equal ones unordered.
 bool is_worse(const QuadMesh& mesh, int a, int b) {
   if (is_proved(mesh, a) != is_proved(mesh, b)) return !is_proved(mesh, a);
   const std::vector<double>& key = is_proved(mesh, a) ? mesh.elem_scaled_jacobian : mesh.elem_jacobian_bound;
   return key[a] != key[b] ? key[a] < key[b] : a < b;
 }
 
-/// Puts runs of equals, which rounding has shuffled, into the sequence of their numbers.
+/// Sorts runs of equal elements, whose order depends on rounding, by their numbers.
 void sort_equals(const QuadMesh& mesh, std::vector<int>& elems) {
   const auto is_equal = [&](int a, int b) {
     return is_proved(mesh, a) && is_proved(mesh, b) &&
@@ -47,7 +47,7 @@ WorstElement look_at(const QuadMesh& mesh, int elem) {
           mesh.elem_scaled_jacobian[elem], mesh.elem_jacobian_bound[elem]};
 }
 
-/// The ratio of one element where it is less than `known`; else something that is not.
+/// The ratio of one element if it is less than `known`; else a value that is not less.
 double jacobian_ratio(const spectral::BernsteinSquare& det, double known) {
   const auto [low, high] = std::minmax_element(det.coefs.begin(), det.coefs.end());
   if (*low > 0 && *low / *high >= known) return known;

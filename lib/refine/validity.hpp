@@ -1,6 +1,6 @@
 #pragma once
-// What is known of a mesh's elements: the proved lower bounds of det J, the scaled Jacobians (lib/method.md §7), and
-// which elements are the worst.
+// Validity of a mesh's elements: the proved lower bounds of det J, the scaled Jacobians (lib/method.md §7), and the
+// worst elements.
 
 #include <string>
 #include <vector>
@@ -16,30 +16,30 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 /// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid.
 void measure_elements(QuadMesh& mesh);
 
-/// An element that is worse than others, and where its scaled Jacobian is least, in the face's own coordinates (origin
+/// One of the worst elements, and the position of its least scaled Jacobian, in the face's own coordinates (origin
 /// included).
 struct WorstElement {
   int elem = 0;
   Vec2 position;
-  double scaled_jacobian = 0;  ///< -1 where det J <= 0
+  double scaled_jacobian = 0;  ///< -1 if det J <= 0
   double bound = 0;            ///< of det J
 };
 
 /// The `count` worst elements: those that are not proved valid by ascending bound, then the others by ascending scaled
-/// Jacobian; equals (within 1e-6) by number. All when there are fewer. Needs measured elements.
+/// Jacobian; equals (within 1e-6) by number. All if there are fewer. Elements must be measured.
 std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count);
 
 /// "element 7 of block-2 at (0.3, 0.1): scaled Jacobian 0.42, det J >= 0.0012"
 std::string describe(const WorstElement& worst, const QuadMesh& mesh);
 
-/// The least over all elements of the least det J of the element over its greatest one, to 1e-4 (what Gmsh calls
-/// minJ / maxJ); where det J is negative, over its greatest size instead: then in [-1, 0].
+/// The least over all elements of the least det J of the element over its greatest one, to 1e-4 (what Gmsh calls minJ /
+/// maxJ); if det J is negative, over its greatest absolute value instead: then in [-1, 0].
 double least_jacobian_ratio(const QuadMesh& mesh);
 
-/// Throws ComputeError with the place of the worst element when one is not proved valid.
+/// Throws ComputeError with the position of the worst element if one is not proved valid.
 void require_valid_elements(const QuadMesh& mesh);
 
-/// The least bound, scaled Jacobian and ratio, how many elements are not proved valid, and the worst elements
+/// Reports the least bound, scaled Jacobian and ratio, the number of elements not proved valid, and the worst elements
 /// (worst.1.*, ...).
 void report_validity(const QuadMesh& mesh, Report& report);
 
