@@ -1,4 +1,4 @@
-// cad2tri: from a CAD file with one planar face to the curved triangle mesh on which the field is solved.
+// cad2tri: makes the curved triangle mesh on which the field is solved from a CAD file with one planar face.
 
 #include <fmt/format.h>
 

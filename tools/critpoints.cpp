@@ -1,6 +1,5 @@
-// critpoints: the irregular nodes of the layout and the valences of the corners, from a guiding field.
-//
-// The steps, each of which changes what the one before it left and keeps the index sum (lib/method.md §3, §5):
+// critpoints: finds the irregular nodes of the layout and the valences of the corners from a guiding field. The steps,
+// each of which changes the result of the one before and keeps the index sum (lib/method.md §3, §5):
 //   find_critical_points        zeros, clusters, corners by angle or field, corners that absorb zeros
 //   resolve_clusters            clusters become nodes
 //   line_field_points           in place of both where the boundary data lie on one line
@@ -9,7 +8,7 @@
 //   resolve_features            --feature-size
 //   place_nodes                 --place
 //   complete_nodes              elements, order
-// Each change is recorded. A step that leaves a node which is no zero of the field sets the form `phase`.
+// Each change is recorded. A step whose result has a node that is no zero of the field sets the form `phase`.
 
 #include <fmt/format.h>
 

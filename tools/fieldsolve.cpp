@@ -1,4 +1,4 @@
-// fieldsolve: the guiding field on a triangle mesh, both Laplace problems at once.
+// fieldsolve: solves for the guiding field on a triangle mesh, both Laplace problems at once.
 
 #include <fmt/format.h>
 
@@ -20,8 +20,8 @@ using namespace quadrille;
 
 namespace {
 
-// Reads the irregular nodes and checks that a field on this mesh can have them. They may come from a field on another
-// mesh, or have been moved: then the elements that the file names have no meaning.
+// Reads the irregular nodes and checks that a field on this mesh can have them. They may be from a field on another
+// mesh, or have been moved: then the element numbers in the file are meaningless.
 CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
   CriticalPoints points = io::read_critical_points(file);
   check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);

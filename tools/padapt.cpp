@@ -1,4 +1,4 @@
-// padapt: the paper's Algorithm 1, which gives each element of a field the order that it needs.
+// padapt: the paper's Algorithm 1, which adapts the polynomial order of each element of a field.
 
 #include <fmt/format.h>
 

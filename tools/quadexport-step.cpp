@@ -1,5 +1,5 @@
-// Private helper of quadexport: writes blocks as STEP. Apart from it, because the CAD kernel's start-up time is paid
-// by every process that links it.
+// Private helper of quadexport: writes blocks as STEP. A separate program, because every process that links the CAD
+// kernel pays for its start-up.
 
 #include "cad/write_step.hpp"
 #include "check/check.hpp"

@@ -1,4 +1,4 @@
-// Writes a quad mesh, or the blocks it came from, in the formats of other programs.
+// Writes a quad mesh, or the blocks it was made from, in the formats of other programs.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ std::string format_of(const std::string& output, const std::string& wish) {
       fmt::format("the name {} does not determine the format: end it in one of {} or give --format", output, endings));
 }
 
-/// The program that is linked to the CAD kernel, beside our own: bin/../libexec.
+/// The path of the program that is linked to the CAD kernel, relative to this one: bin/../libexec.
 std::string step_helper() {
   std::array<char, PATH_MAX> path{};
   const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
@@ -64,7 +64,7 @@ std::string read_all(int fd) {
   }
 }
 
-/// Runs the helper on our standard input and output. Its message and exit code become ours.
+/// Runs the helper, which inherits standard input and output. Its message and exit code are passed on.
 void write_step(std::string input, std::string output) {
   std::string helper = step_helper(), flag = "-o";
   std::array<char*, 5> argv{helper.data(), input.data(), flag.data(), output.data(), nullptr};
@@ -72,7 +72,7 @@ void write_step(std::string input, std::string output) {
   const pid_t child = pipe2(ends.data(), O_CLOEXEC) == 0 ? fork() : -1;
   if (child < 0) throw OutputError(fmt::format("{} cannot be run: {}", helper, std::strerror(errno)));
   if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a signal that ends us alone must not leave a writer behind
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // the writer must end too if a signal ends this process alone
     dup2(ends[1], STDERR_FILENO);
     execv(helper.c_str(), argv.data());
     fmt::print(stderr, "{} cannot be run: {}\n", helper, std::strerror(errno));
@@ -101,7 +101,7 @@ std::string beside(const std::string& output, const std::string& ending) {
   return output.substr(0, has_ending ? dot : output.size()) + ending;
 }
 
-/// Standard output, a pipe or a device: there is no place beside it.
+/// Standard output, a pipe or a device: no side file can be written beside it.
 bool takes_one_file(const std::string& output) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::status(output, ignored);

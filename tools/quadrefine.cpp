@@ -17,7 +17,7 @@ using namespace quadrille;
 
 namespace {
 
-/// The prescribed sizes, as the command line states them.
+/// The prescribed sizes in the form of the command line.
 struct SizeArguments {
   sizing::SizeOptions options;
   std::vector<std::string> near, counts;
@@ -45,7 +45,7 @@ void declare(cli::Options& o, SizeArguments& sizes) {
           "BLOCKS show the numbers of the chords");
 }
 
-/// Reads what the size options name, and sets the sizes of `options`.
+/// Reads the files and names of the size options, and sets the sizes of `options`.
 void set_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
                refine::RefineOptions& options) {
   sizing::SizeOptions prescribed = sizes.options;

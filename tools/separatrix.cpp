@@ -65,8 +65,8 @@ int main(int argc, char** argv) {
     check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), points_file.name);
     check::require_valid(check::check_critical_points_of(points, field), points_file.name);
     const field::FieldEvaluator evaluator(field);
-    // A phase that was solved for other nodes does not have this file in its provenance either: the message that says
-    // what to do about it comes first.
+    // A phase that was solved for other nodes does not have this file in its provenance either: the message that states
+    // the remedy must be the first.
     if (field.kind == FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
     io::require_same_origin(field_file, field.provenance, points_file, points.provenance);
     if (field.kind != FieldKind::phase) trace::check_nodes_match_field(evaluator, points);

@@ -1,4 +1,4 @@
-// stagecheck: is this stage file what its format page says? Exit 0, or 3 with every broken rule.
+// stagecheck: checks a stage file against the rules of its format page. Exit 0, or 3 with every broken rule.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ using namespace quadrille;
 
 namespace {
 
-/// A mesh may keep all rules and yet not be valid: then it is marked as such.
+/// A mesh may satisfy all rules without being valid: then it is marked as not valid.
 std::vector<check::Violation> violations_of_quads(const io::InputFile& file, cli::Session& session) {
   const QuadMesh mesh = io::read_quad_mesh(file);
   std::vector<check::Violation> violations = check::check_quad_mesh(mesh, check::CheckDepth::full);
@@ -55,7 +55,7 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
                              violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
     return violations.size();
   } catch (const FormatError& e) {
-    fmt::print("{}\n", e.what());  // names the file itself
+    fmt::print("{}\n", e.what());  // the message contains the file name
     return 1;
   }
 }

@@ -1,4 +1,4 @@
-// stageview: a picture of any stage file.
+// stageview: draws a picture of any stage file.
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
