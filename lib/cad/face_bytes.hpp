@@ -9,6 +9,7 @@
 
 namespace quadrille::cad {
 
+/// Serialises the face and the report.
 std::string to_bytes(const CadFace& face, const Report& report);
 
 /// Returns the face and adds the contents of the serialised report to `report`. Throws Defect for bytes that were not

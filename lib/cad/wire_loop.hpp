@@ -22,6 +22,7 @@ Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol,
 /// The same loop in the opposite direction, starting with the same curve.
 Loop reversed(const Loop& loop);
 
+/// The curves of a loop without their labels.
 std::vector<Nurbs> curves_of(const Loop& loop);
 
 /// position_text, where a coordinate that is only a rounding error relative to the other one is written as 0.

@@ -9,6 +9,7 @@
 
 namespace quadrille::field {
 
+/// A boundary point with a prescribed valence.
 struct BoundaryApex {
   int curve = 0;              ///< the curve that begins at the joint, or the curve of the boundary node
   double t = 0;               ///< parameter on `curve`
@@ -35,6 +36,7 @@ int find_apex(const CadFace& face, const BoundaryApexes& apexes, int curve, doub
 struct ApexTangents {
   Vec2 in, out;
 };
+/// The tangents at an apex; at a joint, those of the two curves that meet there.
 ApexTangents tangents_at(const CadFace& face, const BoundaryApex& apex);
 
 }  // namespace quadrille::field

@@ -10,6 +10,7 @@
 
 namespace quadrille::field {
 
+/// Value and derivatives of the field and of the element map at a point of an element.
 struct FieldSample {
   Vec2 x;
   Mat2 dx_dxi;
@@ -24,6 +25,7 @@ struct PointSample {
   Mat2 dv_dx;
 };
 
+/// Evaluates a field on the elements of its mesh or at points of the plane.
 class FieldEvaluator {
  public:
   /// `field` must outlive the evaluator. Builds maps, topology and locator.
@@ -35,6 +37,8 @@ class FieldEvaluator {
   /// value depends on the direction of approach: the limit from the element's centroid is returned. No allocation; cost
   /// linear in the number of modes and of liftings.
   Vec2 value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
+  /// Value and gradient at reference coordinates xi of element `elem`. Liftings with their corner at this point do not
+  /// contribute to the gradient, which has no limit there.
   FieldSample sample(int elem, Vec2 xi) const;
   /// Value at a physical point; false when x lies outside the mesh.
   bool value_at(Vec2 x, Vec2& value) const;

@@ -13,6 +13,7 @@
 
 namespace quadrille::field {
 
+/// The focus of one bend of a hole.
 struct HoleFocus {
   Vec2 position;  ///< inside the hole
   int loop = 1;   ///< of the hole

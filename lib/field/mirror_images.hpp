@@ -11,6 +11,7 @@
 
 namespace quadrille::field {
 
+/// The mirror image of a node in one boundary curve.
 struct MirrorImage {
   Vec2 position;  ///< outside the domain
   int loop = 0;   ///< 0: outside the outline; j: inside hole j

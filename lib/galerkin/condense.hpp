@@ -5,6 +5,7 @@
 
 namespace quadrille::galerkin {
 
+/// An element matrix after elimination of the interior modes i; b are the boundary modes.
 struct CondensedElement {
   Eigen::MatrixXd schur;                   ///< K_bb - K_bi K_ii^-1 K_ib, over the boundary modes
   Eigen::MatrixXd interior_from_boundary;  ///< -K_ii^-1 K_ib: interior coefficients of least energy

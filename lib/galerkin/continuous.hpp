@@ -33,6 +33,7 @@ class ContinuousSystem {
   Eigen::MatrixXd modes(int elem, const Eigen::MatrixXd& dofs) const;
   /// modes() of all elements.
   std::vector<Eigen::MatrixXd> all_modes(const Eigen::MatrixXd& dofs) const;
+  /// Size of the condensed system for this order map.
   int num_unknowns(const std::vector<int>& elem_order) const;
 
  private:
@@ -48,6 +49,7 @@ class ContinuousSystem {
   double residual_ = 0;
 };
 
+/// The continuous discretisation of both Laplace problems.
 class ContinuousGalerkin : public Discretization {
  public:
   /// `data` must be continuous around every loop. `context` must outlive this.

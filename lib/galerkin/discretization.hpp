@@ -44,6 +44,7 @@ class StiffnessTable {
   std::vector<Integrals> curved_;
 };
 
+/// The solution of both Laplace problems for one order map.
 struct Solution {
   std::vector<Eigen::MatrixXd> elem_coefs;  ///< modified basis of the element's order, columns u, v
   int num_unknowns = 0;                     ///< of the condensed system
@@ -51,6 +52,7 @@ struct Solution {
   std::vector<Lap> laps;                    ///< time of each phase of the solution
 };
 
+/// A method that solves both Laplace problems on one mesh.
 class Discretization {
  public:
   virtual ~Discretization() = default;

@@ -10,6 +10,7 @@
 
 namespace quadrille::galerkin {
 
+/// The hybridised discontinuous discretisation of both Laplace problems.
 class HybridisedGalerkin : public Discretization {
  public:
   /// `context` must outlive this. `penalty` > 1, see trace_element.hpp.

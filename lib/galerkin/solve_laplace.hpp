@@ -36,6 +36,7 @@ constexpr int max_field_order(FieldMethod method) { return method == FieldMethod
 /// continuous elements.
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, const LaplaceOptions& options,
                     Report& report);
+/// The same with default options.
 Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Report& report);
 
 /// solve_laplace() for successive order maps on one mesh: elements whose order has not changed keep their matrices.

@@ -10,6 +10,7 @@
 
 namespace quadrille::triangulate {
 
+/// Arc length and its inverse on one piece of a curve.
 class ArcLengthTable {
  public:
   /// t0 < t1. The piece is divided at knots and where the interpolant is not accurate to round-off.

@@ -8,9 +8,11 @@
 
 namespace quadrille::triangulate {
 
+/// The size field of a set of boundary segments.
 class TriangleSizes {
  public:
   TriangleSizes(const std::vector<Segment>& segments, double size, double growth);
+  /// The prescribed element size at x, a length. Cost: linear in the number of segments.
   double at(Vec2 x) const;
 
  private:
