@@ -1,5 +1,5 @@
 #pragma once
-// Arithmetic of angles and crosses, in one place. Angles are radians, counter-clockwise.
+// Arithmetic of angles and crosses. Angles are in radians, counter-clockwise.
 // A cross is unchanged by quarter turns: C(psi) = { psi + k pi/2 } (paper, eq. 1).
 
 #include <cmath>

@@ -41,7 +41,7 @@ struct AdaptStep {
   std::vector<double> elem_sensor;
 };
 
-/// Data of a field of kind "phase", in place of u, v and liftings.
+/// Data of a field of kind "phase", instead of u, v and liftings.
 struct PhaseForm {
   PhaseNodes prescribed;
   PhaseTerms terms;
