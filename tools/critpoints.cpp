@@ -1,8 +1,9 @@
-// critpoints: finds the irregular nodes of the layout and the valences of the corners from a guiding field. The steps,
-// each of which changes the result of the one before and keeps the index sum (lib/method.md §3, §5):
+// critpoints: finds the irregular nodes of the layout and the valences of the corners from a guiding field.
+//
+// The steps, each of which changes the result of the one before and keeps the index sum (lib/method.md §3, §5):
 //   find_critical_points        zeros, clusters, corners by angle or field, corners that absorb zeros
 //   resolve_clusters            clusters become nodes
-//   line_field_points           in place of both where the boundary data lie on one line
+//   line_field_points           replaces both if the boundary data lie on one line
 //   override_corners            --corner-valence
 //   divide_degenerate_corners   --degenerate
 //   resolve_features            --feature-size

@@ -1,5 +1,5 @@
 #pragma once
-// Names of blocks: blocks that share a name are one region to a solver.
+// Names of blocks: blocks of equal name are one region to a solver.
 
 #include <vector>
 

@@ -31,7 +31,8 @@ struct SmallestBlock {
 
 SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockMeasure>& measures);
 
-/// "curve 3 'inlet'", "curve 7 (hole 1)", "the corner of curves 2 and 3"; the number of a hole is that of its loop.
+/// "curve 3 'inlet'", "curve 7 (hole 1)", "the corner of curves 2 and 3"; the number of a hole is the number of its
+/// loop.
 std::string name_of(const CadFace& face, const BoundaryFeature& feature);
 
 }  // namespace quadrille::block

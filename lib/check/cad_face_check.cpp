@@ -120,7 +120,7 @@ void tangents_agree(const CadFace& face, Findings& findings) {
     const Nurbs& before = face.curves[face.previous_in_loop(i)];
     const Nurbs& after = face.curves[i];
     const Vec2 in = before.poles.back() - before.poles[before.poles.size() - 2], out = after.poles[1] - after.poles[0];
-    // Where two poles coincide the tangent comes from a higher derivative: nothing to compare.
+    // If two poles coincide, the tangent results from a higher derivative and is not compared.
     const double least = 1e-9 * face.diameter;
     if (norm(in) > least && std::abs(wrap_pi(angle_of(in) - face.joints[i].tangent_in)) > 1e-4)
       findings.add("joint {}: tangent_in is not the direction in which its predecessor ends", i);

@@ -1,5 +1,5 @@
 #pragma once
-// Rules that a separatrix graph and a block layout share: their splines, nodes and arcs. Private to check.
+// Rules common to separatrix graphs and block layouts: their splines, nodes and arcs. Private to check.
 
 #include "check/rules.hpp"
 

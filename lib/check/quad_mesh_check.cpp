@@ -10,7 +10,7 @@ namespace {
 
 std::size_t nodes_per_elem(const QuadMesh& mesh) { return static_cast<std::size_t>(mesh.nodes_per_elem()); }
 
-/// Node j = 0..N of side k of an element, walked from corner k to corner k + 1.
+/// Node j = 0..N of side k of an element, from corner k to corner k + 1.
 int side_node(const QuadMesh& mesh, int elem, int side, int j) {
   const int n = mesh.order, stride = n + 1;
   const int local[4] = {j, j * stride + n, n * stride + n - j, (n - j) * stride};

@@ -203,7 +203,7 @@ Vec2 edge_node(const TriMesh& mesh, const HalfEdge& edge, int j) {
     return nodes[spectral::tri_edge_node(mesh.order, edge.edge, j)];
   const auto& vertices = mesh.elem2vertices[edge.elem];
   const Vec2 a = mesh.vertices[vertices[edge.edge]], b = mesh.vertices[vertices[(edge.edge + 1) % 3]];
-  // Fractions of the edge come from edge 0, on which only the first coordinate changes.
+  // Fractions of the edge are taken from edge 0, on which only the first coordinate changes.
   const double s = (spectral::tri_nodes(mesh.order)[spectral::tri_edge_node(mesh.order, 0, j)].x + 1) / 2;
   return (1 - s) * a + s * b;
 }

@@ -18,7 +18,7 @@ struct CommonOptions {
   int threads = 1;
 };
 
-/// What the command line requests.
+/// The action that the command line requests.
 enum class Request { run, show_help, show_version, list_options };
 
 class CommandLine : public Options {

@@ -6,7 +6,7 @@
 
 namespace quadrille::cli {
 
-/// An input or option and what it means.
+/// An input or option and its meaning.
 struct HelpRow {
   std::string left;   ///< "--order N"
   std::string right;  ///< any length; broken into lines

@@ -1,6 +1,6 @@
 #pragma once
-// The frame of every command: options, help, exit codes, signals, report (lib/README.md, "Invariants").
-// The only place that maps failures to exit codes, and the only folder that includes CLI11.
+// The frame of every command: options, help, exit codes, signals, report (lib/README.md, "Invariants"). The only code
+// that maps failures to exit codes, and the only folder that includes CLI11.
 
 #include <functional>
 #include <string>

@@ -6,7 +6,7 @@
 
 namespace quadrille::draw {
 
-/// "#rrggbb" of lightness in [0, 1], chroma in [0, 0.37] and hue in degrees; what a screen cannot show is clipped.
+/// "#rrggbb" of lightness in [0, 1], chroma in [0, 0.37] and hue in degrees; colours outside sRGB are clipped.
 std::string oklch(double lightness, double chroma, double hue);
 
 /// Colour `i` of an unlimited series of pale colours; consecutive ones are far apart in hue (golden angle).

@@ -1,5 +1,5 @@
-// Irregular nodes by valence with error bars, corners with their valences, and where the nodes come from; over the
-// field where it is given.
+// Irregular nodes by valence with error bars, corners with their valences, and the origin of the nodes; over the field
+// if it is known.
 
 #include <fmt/format.h>
 

@@ -34,7 +34,7 @@ class Picture {
   double scale() const { return scale_; }  ///< pixels per unit of length
   Vec2 size() const { return size_; }      ///< of the drawing, pixels
 
-  /// Markup inside the flipped group, in the order of the calls. Groups give a common class to many elements.
+  /// Markup inside the flipped group, in the order of the calls. Groups set a common class for many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
   void open_group(const std::string& css_class);
   /// A group clipped to `outline` (path data, fill rule evenodd).

@@ -14,7 +14,7 @@ struct CurvePoint {
 using PixelCurve = std::function<CurvePoint(double)>;
 
 /// Appends the curve from t0 to t1 (t0 > t1: backwards) to `path`, whose last point is its start. Straight parts become
-/// lines. The distance to the curve is below 0.05 pixels at the points where it is measured.
+/// lines. The distance to the curve is below 0.05 pixels at the sampled points.
 void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1);
 
 }  // namespace quadrille::draw

@@ -1,6 +1,6 @@
 #pragma once
-// An edge of a hexahedral block as OpenFOAM's blockMesh divides it: points of a spline, walked by the length of the
-// polygon through them, and the fraction of that length for each cell.
+// An edge of a hexahedral block as OpenFOAM's blockMesh divides it: points of a spline, parametrized by the length of
+// the polygon through them, and the fraction of that length for each cell.
 
 #include <vector>
 
@@ -23,10 +23,10 @@ struct DividedEdge {
 /// The edge along consecutive sides of elements.
 DividedEdge divided_edge(const QuadMesh& mesh, const std::vector<SkeletonEdge>& sides);
 
-/// Where blockMesh puts the points of a block whose edges in i direction at j = 0 and j = num_j are `bottom` and `top`,
-/// those in j direction at i = 0 and i = num_i `left` and `right`; i fastest. Each is a mean of points on the straight
-/// edges plus a mean deviation of the splines from them, with separate weights. Source: OpenFOAM, block::createPoints,
-/// in the plane.
+/// The points that blockMesh computes in a block whose edges in i direction at j = 0 and j = num_j are `bottom` and
+/// `top`, those in j direction at i = 0 and i = num_i `left` and `right`; i fastest. Each is a mean of points on the
+/// straight edges plus a mean deviation of the splines from them, with separate weights. Source: OpenFOAM,
+/// block::createPoints, in the plane.
 std::vector<Vec2> block_mesh_points(const DividedEdge& bottom, const DividedEdge& right, const DividedEdge& top,
                                     const DividedEdge& left);
 

@@ -1,7 +1,9 @@
 #pragma once
 // Vertices and edges of a quad mesh, numbered as formats with edge tables require: in the order in which a loop over
 // the elements meets them, corner by corner and side by side; an edge runs from its vertex of lower number to the
-// other. Index base 0. Two edges between the same two vertices stay separate: their inner nodes differ (order >= 2).
+// other.
+//
+// Index base 0. Two edges between the same two vertices stay separate: their inner nodes differ (order >= 2).
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What the writer of a solver format returns.
+// The result of the writer of a solver format.
 
 #include <string>
 #include <vector>

@@ -21,7 +21,7 @@ std::string nodes_section(const GmshModel& model) {
   return text;
 }
 
-/// "tag type 2 physical elementary nodes": in this version each element carries its groups itself.
+/// "tag type 2 physical elementary nodes": in this version each element lists its groups itself.
 std::string elements_section(const GmshModel& model, const QuadMesh& mesh) {
   std::string text = fmt::format("$Elements\n{}\n", mesh.boundary_edges.size() + mesh.elem_block.size());
   int tag = 0;

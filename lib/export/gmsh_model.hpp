@@ -1,9 +1,9 @@
 #pragma once
-// What both versions of Gmsh's MSH have in common: entities, numbers, types and orders of nodes. Private to gmsh*.
+// The common parts of both versions of Gmsh's MSH: entities, numbers, types and orders of nodes. Private to gmsh*.
 //
-// Points, curves and surfaces are those of the skeleton; a node belongs to the entity of lowest dimension that contains
-// it. Every tag is positive: entity e has tag e + 1, and physical groups count through both dimensions (some readers
-// require them to be unique), the boundaries first.
+// Points, curves and surfaces are taken from the skeleton; a node belongs to the entity of lowest dimension that
+// contains it. Every tag is positive: entity e has tag e + 1, and physical groups count through both dimensions (some
+// readers require them to be unique), the boundaries first.
 
 #include <array>
 #include <string>

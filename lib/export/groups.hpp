@@ -1,6 +1,6 @@
 #pragma once
-// Named groups, as solvers address them: boundaries by name, regions by name. Curves, and blocks, that share a name are
-// one group; curves without a name are called curve_<number>.
+// Named groups, as solvers address them: boundaries by name, regions by name. Curves, and blocks, of equal name are one
+// group; curves without a name are called curve_<number>.
 
 #include <string>
 #include <vector>

@@ -47,7 +47,7 @@ std::vector<int> boundaries_of_sides(const QuadMesh& mesh, const Groups& groups)
   return boundaries;
 }
 
-/// A grid with its sides as blockMesh divides them and its points where blockMesh puts them.
+/// A grid with its sides as blockMesh divides them and its points as blockMesh computes them.
 struct DividedGrid {
   BlockGrid grid;
   std::vector<int> vertices;

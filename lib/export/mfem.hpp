@@ -8,9 +8,9 @@
 
 namespace quadrille::exports {
 
-/// The format_table's writers. Positions are lossless; v1.0 has no names, they go to a table beside it. Three
-/// coordinates where the frame leaves the plane z = 0. Throws ComputeError where two edges join the same two vertices
-/// (MFEM identifies edges by their ends).
+/// The format_table's writers. Positions are lossless; v1.0 has no names, they are written to a table beside it. Three
+/// coordinates if the frame is not the plane z = 0. Throws ComputeError if two edges join the same two vertices (MFEM
+/// identifies edges by their ends).
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame);
 Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame);
 

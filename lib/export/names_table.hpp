@@ -13,7 +13,7 @@ namespace quadrille::exports {
 struct NamedGroup {
   int id = 0;        ///< the group's number in the main file
   std::string name;  ///< its name in the CAD model or from the user, UTF-8
-  std::string tag;   ///< what the main file calls it; empty if it has no names or uses this one unchanged
+  std::string tag;   ///< its name in the main file; empty if it has no names or uses this one unchanged
 };
 
 /// The table as a side file with the ending .names.json.

@@ -1,6 +1,6 @@
 #pragma once
-// A Nek5000 field file (0.f00000) that contains nothing but the geometry, in double precision, at
-// Gauss-Lobatto-Legendre points: Nek5000 uses them as the positions of its own points.
+// A Nek5000 field file (0.f00000) that contains only the geometry, in double precision, at Gauss-Lobatto-Legendre
+// points: Nek5000 uses them as the positions of its own points.
 
 #include <string>
 

@@ -9,8 +9,8 @@
 
 namespace quadrille::exports {
 
-/// The format_table's writer. Lossless but for control characters in names, which XML cannot represent. SPACE="3" where
-/// the frame leaves the plane z = 0.
+/// The format_table's writer. Lossless but for control characters in names, which XML cannot represent. SPACE="3" if
+/// the frame is not the plane z = 0.
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille::exports

@@ -1,5 +1,5 @@
 #pragma once
-// Names for formats that take single words only, or none for regions.
+// Names for formats that allow single words only, or none for regions.
 
 #include <string>
 #include <vector>

@@ -16,7 +16,7 @@ namespace quadrille::exports {
 double distance_from_side_blend(const QuadMesh& mesh, int elem);
 
 /// Largest distance of the nodes of an edge (at Gauss-Lobatto-Legendre points, ends included) from the straight line
-/// between its ends, walked at constant speed. Unit of the file.
+/// between its ends, at constant speed. Unit of the file.
 double distance_from_chord(const QuadMesh& mesh, const std::vector<int>& edge_nodes);
 
 }  // namespace quadrille::exports

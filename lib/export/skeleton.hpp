@@ -2,7 +2,7 @@
 // Points, curves and surfaces of a quad mesh, as solver formats define them: surfaces are the blocks, curves are
 // the pieces of the boundary and of the interfaces between blocks, points are where curves meet.
 //
-// Rebuilt from the elements alone. A boundary curve lies on one CAD curve and bounds one block; it is walked with the
+// Rebuilt from the elements alone. A boundary curve lies on one CAD curve and bounds one block; it is directed with the
 // domain on its left. A closed curve starts and ends in the same point.
 
 #include <array>

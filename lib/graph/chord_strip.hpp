@@ -40,7 +40,7 @@ ChordStrip strip_through(const Subdivision& subdivision, int arc);
 /// All strips, ordered by their lowest arcs; `lengths` of all arcs. Linear in the number of arcs.
 std::vector<ChordStrip> all_strips(const Subdivision& subdivision, const std::vector<double>& lengths);
 
-/// The side of a strip on which a rung's end stays in place when the rung is shrunk to a point.
+/// The side of a strip on which a rung's end does not move when the rung is shrunk to a point.
 enum class FixedSide { none, left, right };
 
 /// A node that no collapse may move: irregular inside, a corner, or irregular on the boundary.
@@ -49,7 +49,7 @@ bool is_fixed(const GraphNode& node);
 /// The fixed side of each rung of a strip that can be collapsed, else empty. Conditions: every rung has at most one
 /// fixed end; an inner rung has at most one end on the boundary (which it keeps), and only if the other end is not
 /// fixed; at least one end is fixed; no node, and so no block or arc, belongs to the strip twice. A regular node merged
-/// with one of valence V gives V, inside (V + 4 - 4) as on the boundary (V + 2 - 2).
+/// with one of valence V results in V, inside (V + 4 - 4) as on the boundary (V + 2 - 2).
 std::vector<FixedSide> fixed_sides(const Subdivision& subdivision, const ChordStrip& strip);
 
 }  // namespace quadrille::graph

@@ -1,8 +1,9 @@
 #pragma once
-// All crossings of spline curves with each other and with themselves. Every span is represented as a Bezier cubic;
-// pairs that cannot be separated are halved until they turn by less than the angle between them, then Newton's method
-// finds the only crossing that is possible. Curves are C2, so tangential contacts of one curve with itself do not
-// occur.
+// All crossings of spline curves with each other and with themselves.
+//
+// Every span is represented as a Bezier cubic; pairs that cannot be separated are halved until they turn by less than
+// the angle between them, then Newton's method finds the only crossing that is possible. Curves are C2, so tangential
+// contacts of one curve with itself do not occur.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// One description of a format's fields, walked in both directions: describe(Archive&, Struct&) names each member once,
+// One description of a format's fields, used in both directions: describe(Archive&, Struct&) names each member once,
 // and the same walk writes or reads it, as HDF5 or as JSON. So reading and writing cannot disagree. Private to io.
 //
 // HDF5: a list is a dataset, records become a group with one dataset per member, ragged members get `<name>_offsets`

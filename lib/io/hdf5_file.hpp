@@ -2,7 +2,7 @@
 // HDF5 files as images in memory, over the C API: groups, datasets and attributes of the few types that the formats
 // use. Private to io; no HDF5 type is exposed. Readers throw FormatError naming file and dataset, writers OutputError.
 //
-// The same content gives the same bytes: no time stamps, fixed library version bounds, contiguous datasets.
+// The same content results in the same bytes: no time stamps, fixed library version bounds, contiguous datasets.
 
 #include <cstdint>
 #include <memory>

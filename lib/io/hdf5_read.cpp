@@ -167,7 +167,7 @@ Hdf5Reader::Hdf5Reader(std::string_view bytes, const std::string& file_name) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Hdf5Id access = opened(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.get(), 1 << 18, false);
-  // The library copies the image: it never frees or changes ours.
+  // The library copies the image: it never frees or changes the original.
   H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()), bytes.size());
   file_ = opened(H5Fopen("image", H5F_ACC_RDONLY, access.get()), H5Fclose);
   Hdf5Id root = opened(file_ ? H5Gopen2(file_.get(), "/", H5P_DEFAULT) : -1, H5Gclose);

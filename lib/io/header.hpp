@@ -11,7 +11,7 @@ namespace quadrille::io {
 
 struct FormatVersion {
   const char* format;                        ///< "tri-mesh"
-  int major, minor;                          ///< what is written; any minor of this major and of the one before is read
+  int major, minor;                          ///< version written; any minor of this major and of the one before is read
   std::span<const RenamedKey> renamed = {};  ///< members that had another name in the previous major version
 };
 

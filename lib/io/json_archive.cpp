@@ -176,7 +176,7 @@ class Reader : public Archive {
   std::string file_, place_;
 };
 
-/// Printing a value recurses: a file of nothing but brackets must not use up the stack.
+/// Printing a value recurses: a file that consists of brackets must not exhaust the stack.
 void require_shallow(const std::string& bytes, const std::string& file_name) {
   constexpr int limit = 100;
   int depth = 0;

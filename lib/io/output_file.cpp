@@ -31,7 +31,7 @@ void write_all(int fd, const std::string& bytes, const std::string& name) {
   }
 }
 
-/// Pipes, devices and the like: nothing to rename.
+/// Whether the output is a pipe, a device or the like, which cannot be renamed.
 void write_directly(const std::string& path, const std::string& bytes) {
   const int fd = open(path.c_str(), O_WRONLY | O_TRUNC);
   if (fd < 0) fail(path);

@@ -40,7 +40,7 @@ void add_block(State& state, const unsigned char* block) {
            (std::rotr(b, 17) ^ std::rotr(b, 19) ^ (b >> 10));
   }
   auto [a, b, c, d, e, f, g, h] = state;
-#pragma GCC unroll 8  // after eight rounds every letter is back in its register: nothing has to be moved
+#pragma GCC unroll 8  // after eight rounds every letter is back in its register, so no moves are needed
   for (std::size_t t = 0; t < 64; ++t) {
     const std::uint32_t t1 =
         h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + ((e & f) ^ (~e & g)) + constants[t] + w[t];

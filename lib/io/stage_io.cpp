@@ -28,8 +28,8 @@ Hdf5Header read_header(const Hdf5GroupReader& root, const std::string& file_name
   return {root.text_attribute("format"), root.integer_attribute("version")};
 }
 
-/// Runs `read` on the image. Bytes that our own writer sealed are read at once; others, which may crash libhdf5, are
-/// first read in a child process.
+/// Runs `read` on the image. Bytes with the checksum of the library's own writer are read at once; others, which may
+/// crash libhdf5, are first read in a child process.
 template <typename Read>
 void read_safely(const InputFile& file, const Read& read) {
   if (!looks_like_hdf5(file.bytes)) throw FormatError(fmt::format("{}: not an HDF5 file", file.name));

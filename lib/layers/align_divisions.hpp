@@ -8,9 +8,8 @@
 //
 //   w_ab = (mean length of a and b / (2 distance))^4,
 //
-// with twice the distance where there are layers, unless refine/align_chords found equal fractions to skew the chord.
-// The matrix is an M-matrix with row sums 1: every u is a weighted mean of the arcs' own divisions, and rises as they
-// do.
+// with twice the distance if there are layers, unless refine/align_chords found equal fractions to skew the chord. The
+// matrix is an M-matrix with row sums 1: every u is a weighted mean of the arcs' own divisions, and rises as they do.
 
 #include "layers/layered_chord.hpp"
 

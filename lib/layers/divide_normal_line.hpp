@@ -1,9 +1,9 @@
 #pragma once
 // The nodes of one line across a block between two opposite sides, of which one or both are walls.
 //
-// In the layers nodes lie at their heights above the wall. Between them, intervals are those of the two arcs beside the
-// line, blended across the block, times e^(c w_i): w_i rises with the distance from the layers, and c is the one factor
-// with which they fill the line.
+// In the layers nodes lie at their heights above the wall. Between them, intervals are blended across the block from
+// the intervals of the two arcs beside the line, times e^(c w_i): w_i rises with the distance from the layers, and c is
+// the one factor with which they fill the line.
 
 #include <cstddef>
 #include <vector>

@@ -15,8 +15,8 @@ namespace quadrille::layers {
 ///   gll        the lower half of the 2 m + 1 Gauss-Lobatto-Legendre points, scaled to the first height
 std::vector<double> layer_heights(const WallSpec& spec, int layers);
 
-/// The number of layers: spec.layers, or the least number that reaches spec.thickness. Throws UsageError where that
-/// would be more than LayerConstants::max_layers.
+/// The number of layers: spec.layers, or the least number that reaches spec.thickness. Throws UsageError if that would
+/// be more than LayerConstants::max_layers.
 int requested_layers(const WallSpec& spec);
 
 }  // namespace quadrille::layers

@@ -2,8 +2,8 @@
 // The nodes inside a block that has walls among its sides, or whose chords continue layers.
 //
 // Each line of nodes runs along the image of the straight line between its ends on both sides of the block and is
-// divided anew (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
-// placed first, and those of the other run along them (rule 8 of layer_rules).
+// divided again (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
+// placed first, and the lines along the other's run along them (rule 8 of layer_rules).
 
 #include <array>
 #include <vector>
@@ -23,7 +23,7 @@ struct LayeredBlock {
 
 /// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Without a wall nodes lie where
 /// the straight lines between their ends cross in the block's (s, t): the blend of the ends themselves, which
-/// refine/split_isoparametric uses, leaves the block where the divisions of opposite sides differ much. Throws
+/// refine/split_isoparametric uses, may lie outside the block if the divisions of opposite sides differ much. Throws
 /// ComputeError, with the position plus `origin`, if a line turns back before its layers end.
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin);
 

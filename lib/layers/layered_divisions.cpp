@@ -45,7 +45,7 @@ double start_size(const LayeredChord& chord, int i, int chord_end) {
   return end.layer_ends.empty() ? end.before : end.layer_ends.front() * chord.length(i) / end.growth;
 }
 
-/// Replaces a source by that of an opposite arc if this is nearer, or as near and finer. Returns whether it did.
+/// Replaces a source by the source of an opposite arc if this is nearer, or as near and finer. Returns whether it did.
 bool update_source(const LayeredChord& chord, int chord_end, const Source& from, double distance, Source& to) {
   if (from.arc < 0) return false;
   const double longer = from.distance + distance;
@@ -76,7 +76,8 @@ std::vector<Source> nearest_sources(const LayeredChord& chord, int chord_end) {
   return sources;
 }
 
-/// Rule 16: the arc's own division, moved towards the one that starts like the layers as far as the slope requires.
+/// Rule 16: the arc's own division, moved towards the one that starts like the layers by the amount that the slope
+/// requires.
 std::vector<double> ends_of_arc(const LayeredChord& chord, const std::array<std::vector<Source>, 2>& sources, int i,
                                 int count) {
   ArcSpacing like_source = chord.spacing(i);

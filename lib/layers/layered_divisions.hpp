@@ -2,12 +2,11 @@
 // The ends of the intervals on the arcs of one chord that has layers at its ends, or that continues intervals finer
 // than the prescribed size (rules 14 to 16 of layer_rules).
 //
-// All arcs share one count. An arc that starts at a wall has the layers at that end, then intervals that grow by at
-// most the chord's growth up to the prescribed size (end_spacing). An arc beyond the end of the wall starts with the
-// same first interval, but returns to its own division as fast as LayerConstants::greatest_slope allows over the
-// distance from the wall's end: kept heights would leave needles all the way through the domain, and a division that is
-// free at once would skew the elements beside the wall. The divisions of opposite arcs are then drawn together
-// (align_divisions).
+// All arcs have one count. An arc that starts at a wall has the layers at that end, then intervals that grow by at most
+// the chord's growth up to the prescribed size (end_spacing). An arc beyond the end of the wall starts with the same
+// first interval, but returns to its own division as fast as LayerConstants::greatest_slope allows over the distance
+// from the wall's end: constant heights would result in needles throughout the domain, and an immediately free division
+// would skew the elements beside the wall. The divisions of opposite arcs are then aligned (align_divisions).
 
 #include <vector>
 

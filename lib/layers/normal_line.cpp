@@ -21,7 +21,8 @@ class HeightSearch {
  public:
   HeightSearch(const NormalLine& line, const WallLine& wall, WallPoint foot) : line_(line), wall_(wall), foot_(foot) {}
 
-  /// The first parameter beyond that of the last height at which this one is reached; -1 if there is none.
+  /// The first parameter, beyond the parameter of the last height, at which this height is reached; -1 if there is
+  /// none.
   double next(double height) {
     LineSample low = last_, high;
     double step = last_.u > 0 ? 1.1 * (height - last_.height) * rate_ : first_step(height);

@@ -32,7 +32,7 @@ struct WallPlan {
 /// names, and ComputeError if layers do not fit, with the greatest number that fits and the position.
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 
-/// What layered_positions needs of a block; `fractions` of the nodes on its sides by rising s or t.
+/// The input of layered_positions for a block; `fractions` of the nodes on its sides by rising s or t.
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
                            std::array<std::vector<double>, 4> fractions);
 

@@ -32,7 +32,7 @@ class WallLine {
   double distance_at(Vec2 x, const WallPoint& foot) const;
   /// The point where the piece before (-1) or after (+1) the foot's own begins, seen from there.
   WallPoint entry(const WallPoint& foot, int step) const;
-  /// Follows the line from piece to piece as long as that comes nearer; returns the distance.
+  /// Follows the line from piece to piece while the distance decreases; returns the distance.
   double follow_pieces(Vec2 x, WallPoint& foot) const;
   bool has_piece(int piece) const { return piece >= 0 && piece < static_cast<int>(pieces_.size()); }
 

@@ -24,14 +24,14 @@ struct WallSides {
   std::vector<std::array<int, 4>> of_block;  ///< by block and side: number in `sides` or -1
   std::vector<std::array<int, 2>>
       at_arc_end;  ///< by arc and end (0: from, 1: to): the wall side at which it starts or -1
-  std::vector<std::array<int, 2>> overruled;  ///< ascending pairs {spec, the finer one that is used in its place}
+  std::vector<std::array<int, 2>> overruled;  ///< ascending pairs {spec, the finer one that replaces it}
 };
 
 /// `curve_spec` as from curve_walls.
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
                           const std::vector<WallSpec>& specs);
 
-/// The point of the wall line at a point of the side's arc; `backwards`: the side is walked against its arc.
+/// The point of the wall line at a point of the side's arc; `backwards`: the side is directed against its arc.
 WallPoint wall_point(const WallSide& wall, const curve::ChainPoint& on_arc, bool backwards);
 
 }  // namespace quadrille::layers

@@ -21,7 +21,7 @@ constexpr auto enum_names(SimplifyLevel) {
       {{SimplifyLevel::none, "none"}, {SimplifyLevel::normal, "normal"}, {SimplifyLevel::coarsest, "coarsest"}});
 }
 
-/// How the layout is computed (layout/compute_layout.hpp).
+/// The method of computing the layout (layout/compute_layout.hpp).
 enum class LayoutChoice { traced, quantized, automatic, t_mesh };
 
 constexpr auto enum_names(LayoutChoice) {

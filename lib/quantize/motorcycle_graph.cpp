@@ -22,7 +22,7 @@ struct Arrival {
   int front = 0, crossing = 0, side = 0;
 };
 
-/// The fronts of all trails; those of trail i are first[i] ... first[i + 1] - 1.
+/// The fronts of all trails; trail i has the fronts first[i] ... first[i + 1] - 1.
 struct Fronts {
   std::vector<Front> all;
   std::vector<int> first;

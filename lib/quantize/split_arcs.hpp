@@ -15,8 +15,8 @@ struct SplitArcs {
   std::map<std::pair<int, int>, int> node_of_crossing;  ///< by arc of the T-mesh and number of the point
 };
 
-/// Appends the parts of all arcs, and a node for each crossing, to `graph`, whose nodes and curves are those of the
-/// T-mesh. `chains`: of the arcs.
+/// Appends the parts of all arcs, and a node for each crossing, to `graph`, whose nodes and curves must be the nodes
+/// and curves of the T-mesh. `chains`: of the arcs.
 SplitArcs split_arcs(const ArcGraph& t_mesh, const std::vector<curve::Chain>& chains,
                      const CrossingFractions& fractions, SeparatrixGraph& graph);
 

@@ -169,7 +169,7 @@ class Aligner {
     return u < 0 ? 0 : step[u];
   }
 
-  /// The greatest fraction of the step, at most 1, that leaves every slope at its least or more.
+  /// The greatest fraction of the step, at most 1, with which no slope falls below its least value.
   double admissible_fraction(const Fractions& g, const Eigen::VectorXd& step) const {
     const double least = options_.least_slope / fine_samples;
     double fraction = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// The segments of a chord between those of its anchors at which an element must end.
+// The segments of a chord between the anchors at which an element must end.
 
 #include <functional>
 #include <vector>

@@ -2,7 +2,7 @@
 // Positions inside the sides of a chord at which elements should end, because a side is not smooth there.
 //
 // A break is a point of one arc (a joint, a jump of curvature) that no element should straddle. Breaks of different
-// arcs opposite each other share one anchor: the same line across the chord passes through all of them.
+// arcs opposite each other have one common anchor: the same line across the chord passes through all of them.
 
 #include <vector>
 

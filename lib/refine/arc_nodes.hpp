@@ -1,5 +1,5 @@
 #pragma once
-// The nodes on the arcs of a layout, which the blocks on both sides share.
+// The nodes on the arcs of a layout, common to the blocks on both sides.
 
 #include <array>
 #include <vector>

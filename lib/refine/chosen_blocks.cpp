@@ -14,7 +14,7 @@ namespace {
 /// Counts are not raised beyond this if the mesh is still not valid.
 constexpr int max_coarse_count = 64;
 
-/// Blocks may share a name.
+/// Several blocks may have the same name.
 std::set<int> blocks_called(const std::string& word, const std::vector<std::string>& names) {
   std::set<int> blocks;
   for (std::size_t b = 0; b < names.size(); ++b)

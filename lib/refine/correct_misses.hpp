@@ -19,7 +19,7 @@ namespace quadrille::refine {
 /// The corrections that one arc needs.
 struct Corrections {
   std::vector<int> anchors;                              ///< where elements must end
-  std::vector<double> worst_errors;                      ///< by segment: greatest of those that a higher count cures
+  std::vector<double> worst_errors;                      ///< by segment: greatest error that a higher count corrects
   std::vector<sizing::MaxLengthConstraint> constraints;  ///< on intervals of a graded chord
   bool is_needed = false;                                ///< some interval misses the tolerance
 };

@@ -1,11 +1,12 @@
 #pragma once
-// The number of elements of each chord, and their ends on each arc. A chord's count starts from its plan
-// (sizing/grade_chords), with elements that are equal by its grading. Then every boundary arc is checked: the order-N
-// polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length) must stay within `tolerance` of the
-// curve. If it does not, elements end at the breaks of the curve (joints inside the side, jumps of curvature), or
-// become shorter (refine/correct_misses has the rules). All arcs of the chord have the same segments between breaks; a
-// break opposite another (refine/anchors) needs no additional element. Elements always end where a curve of a given
-// name ends.
+// The number of elements of each chord, and their ends on each arc.
+//
+// A chord's count starts from its plan (sizing/grade_chords), with elements that are equal by its grading. Then every
+// boundary arc is checked: the order-N polynomial through an interval's Gauss-Lobatto-Legendre points (by arc length)
+// must stay within `tolerance` of the curve. If it does not, elements end at the breaks of the curve (joints inside the
+// side, jumps of curvature), or become shorter (refine/correct_misses has the rules). All arcs of the chord have the
+// same segments between breaks; a break opposite another (refine/anchors) needs no additional element. Elements always
+// end where a curve of a given name ends.
 
 #include <vector>
 

@@ -19,7 +19,7 @@ class NodeFollow {
   int num_vertices() const { return static_cast<int>(vertex_nodes_.size()); }
   /// The vertices at the corners of each element.
   const std::vector<std::array<int, 4>>& elem_vertices() const { return elem_vertices_; }
-  /// The number of a vertex among those of the boundary, -1 inside.
+  /// The number of a vertex among the boundary vertices, -1 inside.
   int on_boundary(int vertex) const { return on_boundary_[vertex]; }
   /// The vertex of a boundary vertex.
   int vertex_of(int boundary_vertex) const { return boundary2vertex_[boundary_vertex]; }

@@ -40,7 +40,7 @@ struct RefineOptions {
   void validate() const;         ///< throws UsageError
 };
 
-/// If aligned lines leave an invalid element and equal arc-length fractions do not, the mesh has equal fractions.
+/// If aligned lines result in an invalid element and equal arc-length fractions do not, the mesh has equal fractions.
 /// Throws ComputeError with the position of the worst element if one cannot be proved valid (unless allow_invalid), and
 /// if the mesh would have more than 1e8 nodes.
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);

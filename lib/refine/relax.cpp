@@ -11,7 +11,7 @@
 namespace quadrille::refine {
 namespace {
 
-/// Relaxation ends after a sweep that lowers the energy by less than this fraction of what it is above its least value,
+/// Relaxation ends after a sweep that lowers the energy by less than this fraction of its excess over its least value,
 /// 1 for each element.
 constexpr double least_progress = 1e-7;
 constexpr int max_halvings = 6;

@@ -15,9 +15,9 @@ struct RelaxState {
 };
 
 /// Measures those elements of `trial` that have moved since `state`, and resets the moves of all vertices at elements
-/// and boundary edges that break a limit to those of `state`. Values that are equal within 1e-6 break a limit together,
-/// so that mirror images are treated equally. False, with `trial` fully measured, if no vertex had to be reset.
-/// `tolerance`: greatest distance between boundary and curves.
+/// and boundary edges that break a limit to their moves in `state`. Values that are equal within 1e-6 break a limit
+/// together, so that mirror images are treated equally. False, with `trial` fully measured, if no vertex had to be
+/// reset. `tolerance`: greatest distance between boundary and curves.
 bool reset_forbidden_moves(const RelaxProblem& problem, const RelaxState& state, double tolerance, RelaxState& trial);
 
 }  // namespace quadrille::refine

@@ -15,12 +15,12 @@ namespace {
 constexpr double same_fraction = 1e-9;
 /// An interval may be longer than planned by this factor if segments between breaks do not divide well.
 constexpr double length_slack = 1.25 + 1e-9;
-/// Breaks of opposite arcs share an anchor when they lie within this fraction of an interval.
+/// Breaks of opposite arcs have one anchor if they lie within this fraction of an interval.
 constexpr double anchor_reach = 0.5;
 /// Greatest number of increments of a chord's count in search of a symmetric division.
 constexpr int max_tie_rounds = 24;
 
-/// Two elements must not share two edges, and no element may share an edge with itself.
+/// Two elements must not have two common edges, and no element may be its own neighbour.
 int least_topological_count(const BlockLayout& layout, int arc) {
   const GraphArc& a = layout.arcs[arc];
   if (a.from == a.to) return 3;

@@ -100,7 +100,7 @@ void append_boundary(const SplitInput& in, int block, int first_elem, int column
     const int arc = directed.arc;
     if (!in.layout().arcs[arc].is_boundary) continue;
     const int count = side % 2 == 0 ? columns : rows;
-    for (int k = 0; k < count; ++k) {  // k along the side as it is walked
+    for (int k = 0; k < count; ++k) {  // k in the direction of the side
       const int i = side == 0 ? k : side == 1 ? columns - 1 : side == 2 ? columns - 1 - k : 0;
       const int j = side == 0 ? 0 : side == 1 ? k : side == 2 ? rows - 1 : rows - 1 - k;
       const int interval = directed.is_backwards ? count - 1 - k : k;

@@ -1,7 +1,8 @@
 #pragma once
-// Collapses one chord of blocks of a layout: the two ends of each rung become one node, the two rails one line. Fixed
-// nodes do not move; simplify/collapse_plan.hpp decides which rail is kept and which rails are blended. All lines that
-// cross the strip keep their curves: where the new line crosses a rung, the arcs on both sides of the rung are
+// Collapses one chord of blocks of a layout: the two ends of each rung become one node, the two rails one line.
+//
+// Fixed nodes do not move; simplify/collapse_plan.hpp decides which rail is kept and which rails are blended. All lines
+// that cross the strip keep their curves: where the new line crosses a rung, the arcs on both sides of the rung are
 // lengthened by its parts. So only the blends deviate from the field, and every inner arc stays a part of one spline.
 
 #include <optional>

@@ -36,7 +36,7 @@ std::vector<double> key_of(const ArcGraph& graph, const std::vector<ChordStrip>&
   return key;
 }
 
-// Offers groups of equal aspect to `take`, the thinnest first, until it takes one.
+// Calls `take` for groups of equal aspect, the thinnest first, until it accepts one.
 template <typename Item, typename Aspect, typename Take>
 bool take_thinnest(std::vector<Item> items, const Aspect& aspect, const Take& take) {
   std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return aspect(a) < aspect(b); });

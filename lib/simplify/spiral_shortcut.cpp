@@ -76,7 +76,7 @@ std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, cons
   return crossings;
 }
 
-// From the fixed end of the first rung to that of the last, block by block; the rungs between are divided.
+// From the fixed end of the first rung to the fixed end of the last, block by block; the rungs between are divided.
 //
 // The blend lies between the rungs and the rails that it replaces: at its two ends the whole sector remains on the side
 // of the rung.

@@ -18,7 +18,7 @@ struct SpiralShortcut {
   int spline = 0;                            ///< of the line, in the graph's splines
   std::vector<HalfEdge> rungs, left, right;  ///< as in ChordStrip
   bool from_left = true;                     ///< P is the left end of the first rung
-  double aspect = 0;                         ///< mean length of the rungs over that of the rails
+  double aspect = 0;                         ///< mean length of the rungs over the mean length of the rails
 };
 
 /// All shortcuts, in the order of their strips.

@@ -3,13 +3,13 @@
 //
 // A chord is sampled along its sections: its arcs, and in each block between two of them as many parallel lines as the
 // variation of the size field needs. A section of length L where the prescribed edge length is h needs L / h elements
-// per unit of u. All sections share one density rho(u), whose deviation is measured by
+// per unit of u. All sections have one density rho(u), whose deviation is measured by
 //
 //   sum over sections of weight L (greatest / h)^6 (ln(L / h) - ln rho)^2.
 //
 // The minimum is at the weighted mean of ln(L / h). Arcs have weight 1, the lines of one block together at most 1: a
-// size that is prescribed along a boundary must not be averaged away by the blocks behind it. The power lets local
-// sizes win: a section that needs edges half as long as the others weighs as much as 64 of them. Where the size is
+// size that is prescribed along a boundary must not be averaged away by the blocks behind it. The power favours small
+// local sizes: a section that needs edges half as long as the others weighs as much as 64 of them. Where the size is
 // uniform it has no effect.
 
 #include <array>

@@ -78,7 +78,7 @@ void prescribe(const std::vector<ChordCount>& counts, std::vector<ChordPlan>& pl
 
 double whole_count(double count, SizeRule rule) {
   if (rule == SizeRule::at_most) return std::max(1.0, std::ceil(count * (1 - equal_tol)));
-  // Of n and n + 1 the logarithms are equally far from that of sqrt(n (n + 1)).
+  // ln n and ln(n + 1) are equally far from ln sqrt(n (n + 1)).
   const double n = std::floor(count);
   return std::max(1.0, count >= (1 - equal_tol) * std::sqrt(n * (n + 1)) ? n + 1 : n);
 }

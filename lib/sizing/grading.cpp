@@ -16,7 +16,7 @@ double elements_in(double eta, double rise, double width) {
   return width / eta * (std::abs(growth) < 1e-8 ? 1 - growth / 2 : std::log1p(growth) / growth);
 }
 
-/// The width that holds n elements: the inverse of elements_in.
+/// The width that contains n elements: the inverse of elements_in.
 double width_of(double eta, double rise, double n) {
   const double growth = rise * n;
   return n * eta * (std::abs(growth) < 1e-8 ? 1 + growth / 2 : std::expm1(growth) / growth);

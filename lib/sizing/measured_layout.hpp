@@ -2,8 +2,8 @@
 // A block layout with its lengths: the curve, the chord and the parameter of each of its arcs.
 //
 // Sizes, divisions, wall layers and the split into elements all work on this value. A chord's parameter u in [0, 1]
-// runs over all of its arcs at once: a line across the chord meets each arc at the same u. On arc a, walked in its own
-// direction, that is the fraction parameter(a).fraction(u) of its length, or of 1 - u if the chord runs along it
+// runs over all of its arcs at once: a line across the chord meets each arc at the same u. On arc a, in its own
+// direction, this is the fraction parameter(a).fraction(u) of its length, or of 1 - u if the chord runs along it
 // backwards.
 
 #include <memory>
@@ -19,7 +19,7 @@ namespace quadrille::sizing {
 class MeasuredLayout {
  public:
   /// Equal parameters at equal fractions of the length. `layout` must outlive the value and all copies, and must not
-  /// change meanwhile; copies share lengths and chords.
+  /// change meanwhile; copies refer to the same lengths and chords.
   explicit MeasuredLayout(const BlockLayout& layout);
   explicit MeasuredLayout(BlockLayout&& layout) = delete;
   /// The same layout with other parameters, one per arc.

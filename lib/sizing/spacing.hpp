@@ -18,7 +18,7 @@ struct Segments {
 };
 
 /// Counts of the segments that sum to `count` >= segments.least_count(). Empty if equal segments compete for the
-/// remaining intervals, so that no choice would be symmetric, unless `break_ties`: then earlier segments come first.
+/// remaining intervals, so that no choice would be symmetric, unless `break_ties`: then earlier segments are preferred.
 std::vector<int> segment_counts(const Segments& segments, int count, bool break_ties);
 
 /// The count + 1 ends of the intervals, ascending from 0 to 1.

@@ -1,5 +1,6 @@
 #pragma once
 // Integration of streamlines of the guided cross angle, from their launch to the boundary curve, a node or a bound.
+//
 // Integration runs in reference space, element by element: a step beyond the reference triangle is cut at the edge
 // (root of its continuous extension) and continues in the neighbour at the same point of the shared edge. No search for
 // elements is needed.

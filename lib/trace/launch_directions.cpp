@@ -54,7 +54,7 @@ std::vector<double> launch_directions(const Mat2& j) {
   const auto g = [&](double phi) {
     return 4 * (phi + s.right) - s.left - sign * stretched_angle(phi, s.major, s.minor);
   };
-  // phi = 0, the greatest stretch, is where G rises fastest; with index +1 it may fall about phi = +-pi/2.
+  // phi = 0, the greatest stretch, is where G rises fastest; with index +1 it may decrease about phi = +-pi/2.
   std::vector<double> breaks{0};
   const double cos2 = s.minor * (s.major / 4 - s.minor) / ((s.major - s.minor) * (s.major + s.minor));
   if (sign > 0 && s.major > 4 * s.minor) {
@@ -92,8 +92,9 @@ std::vector<double> launch_directions_on_circle(const field::FieldEvaluator& eva
 }
 
 std::vector<double> corner_launch_directions(double interior_angle, int valence) {
-  // In the frame of the outgoing side v goes straight from (1, 0) to the value of the other side; the valence says on
-  // which side of 0 it passes (at a tie, 4 omega = pi mod 2 pi, through 0: the bisector is the limit of either).
+  // In the frame of the outgoing side v moves straight from (1, 0) to the value of the other side; the valence
+  // determines on which side of 0 it passes (at a tie, 4 omega = pi mod 2 pi, through 0: the bisector is the limit of
+  // either).
   const double omega = interior_angle, turn = 4 * omega - 2 * pi * valence;
   const bool has_chord = std::abs(turn) < pi + 1e-6;
   const double half_chord = std::tan(std::clamp(turn, -pi + 1e-9, pi - 1e-9) / 2);

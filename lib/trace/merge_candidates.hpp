@@ -1,10 +1,11 @@
 #pragma once
-// Pairs of separatrices that may be merged (paper, "Integration of Streamlines"; trace/merged_curve.hpp). The normal
-// rule is free of lengths: a head-on pair is merged if no part of the line changes its direction by more than a given
-// angle. The aggressive rule also merges pairs that pass within a given distance, at the position where fronts that
-// advance at equal speed meet, or at both nodes; and it joins a line A that passes a node Q within that distance, while
-// no line of Q that runs towards A passes A's node, to Q. A line that ends in Q is joined to it at any distance. Where
-// two nodes have nearly cancelled, whole bundles of lines do so along one and the same direction.
+// Pairs of separatrices that may be merged (paper, "Integration of Streamlines"; trace/merged_curve.hpp).
+//
+// The normal rule is free of lengths: a head-on pair is merged if no part of the line changes its direction by more
+// than a given angle. The aggressive rule also merges pairs that pass within a given distance, at the position where
+// fronts that advance at equal speed meet, or at both nodes; and it joins a line A that passes a node Q within that
+// distance, while no line of Q that runs towards A passes A's node, to Q. A line that ends in Q is joined to it at any
+// distance. Where two nodes have nearly cancelled, whole bundles of lines do so along one and the same direction.
 
 #include <numbers>
 #include <vector>

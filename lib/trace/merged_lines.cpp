@@ -98,7 +98,7 @@ std::vector<int> MergedLines::merges_across_their_family() const {
 }
 
 void MergedLines::require_family_order() const {
-  std::vector<bool> is_exempt;  // cuts that stop at each other may come from two sides and be one line
+  std::vector<bool> is_exempt;  // cuts that stop at each other may start on two sides and be one line
   for (const MergedLine& m : arrangement_.lines)
     is_exempt.push_back(m.merge >= 0 || (ends_ == LineEnds::optional && m.line.kind == LineKind::cut));
   graph::require_family_order(arrangement_.inner_crossings, is_exempt, evaluator_.field().mesh.face.origin);
