@@ -63,11 +63,11 @@ std::string hex_of(const Handle(StepVisual_Colour) & colour) {
 
 std::string curve_colour(const StepVisual_StyledItem& item) {
   for (int i = 1; i <= item.NbStyles(); ++i) {
-    const Handle(StepVisual_PresentationStyleAssignment) styles = item.StylesValue(i);
+    const Handle(StepVisual_PresentationStyleAssignment)& styles = item.StylesValue(i);
     if (styles.IsNull() || styles->Styles().IsNull()) continue;
     for (int k = 1; k <= styles->NbStyles(); ++k) {
       const auto style = Handle(StepVisual_CurveStyle)::DownCast(styles->StylesValue(k).Value());
-      const std::string hex = style.IsNull() ? std::string() : hex_of(style->CurveColour());
+      std::string hex = style.IsNull() ? std::string() : hex_of(style->CurveColour());
       if (!hex.empty()) return hex;
     }
   }
@@ -88,7 +88,7 @@ class Marks {
  public:
   explicit Marks(const StepData_StepModel& file) {
     for (int i = 1; i <= file.NbEntities(); ++i) {
-      const Entity entity = file.Value(i);
+      const Entity& entity = file.Value(i);
       if (const auto layer = Handle(StepVisual_PresentationLayerAssignment)::DownCast(entity); !layer.IsNull())
         add_layer(*layer);
       else if (const auto styled = Handle(StepVisual_StyledItem)::DownCast(entity); !styled.IsNull())
@@ -148,7 +148,7 @@ void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_Trans
                      OccModel& model) {
   const Marks marks(file);
   for (int i = 1; i <= file.NbEntities(); ++i) {
-    const Entity entity = file.Value(i);
+    const Entity& entity = file.Value(i);
     const auto edge = Handle(StepShape_EdgeCurve)::DownCast(entity);
     if (edge.IsNull() && !entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
     ShapeLabel label{text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name()), {}, {}};
