@@ -77,7 +77,7 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   if (common.verbosity >= 0)
     for (const auto& [code, message] : session.report().warnings())
       fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
-  const Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
+  Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
   if (outcome.code == ExitCode::done) return reporting;
   if (reporting.code != ExitCode::done) print_error(tool, reporting);
   return outcome;
@@ -91,7 +91,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
     CommonOptions common;
     CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
     Request request = Request::run;
-    const Outcome parsing = outcome_of([&] {
+    Outcome parsing = outcome_of([&] {
       if (tool.options) tool.options(line);
       line.add_common(common);
       request = line.parse(argc, argv);

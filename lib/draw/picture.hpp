@@ -54,7 +54,7 @@ class Picture {
  private:
   double scale_ = 1;
   Vec2 lower_, size_;
-  int width_ = 0, height_ = 0;
+  int width_ = 0;
   double legend_x_ = 0, legend_y_ = 0;
   std::string title_, caption_, drawing_, texts_, legend_, definitions_;
   void reserve_legend(double width);
