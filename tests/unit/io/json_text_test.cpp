@@ -36,7 +36,8 @@ TEST(JsonText, LongListsOfNumbersAndPointsAreWrappedWithinTheWidth) {
   }
   std::istringstream lines(json_text(json));
   int count = 0;
-  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 111u) << line << ": 110 and a comma";
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_LE(line.size(), 111u) << line << ": 110 and a comma";
   EXPECT_LT(count, 60) << "many items on a line";
   EXPECT_EQ(Json::parse(json_text(json)), json);
 }
