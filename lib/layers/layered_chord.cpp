@@ -1,6 +1,6 @@
 #include "layers/layered_chord.hpp"
 
-#include "layers/block_sides.hpp"
+#include "mesh/block_sides.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -11,7 +11,7 @@ std::vector<OppositeArcs> find_opposite_arcs(const WallInput& input, const mesh:
   std::vector<OppositeArcs> pairs;
   for (int block = 0; block < input.blocks().num_blocks(); ++block)
     for (int k = 0; k < 2; ++k) {
-      const auto arc = [&](int side) { return half_edge(input.blocks(), block, side).arc; };
+      const auto arc = [&](int side) { return mesh::half_edge(input.blocks(), block, side).arc; };
       const int a = position[arc(k)], b = position[arc(k + 2)];
       if (a < 0 || b < 0 || a == b) continue;
       pairs.push_back({a, b, (input.measured.length(arc(k + 1)) + input.measured.length(arc(k + 3))) / 2});

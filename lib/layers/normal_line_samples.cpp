@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "layers/block_sides.hpp"
 #include "layers/layer_rules.hpp"
+#include "mesh/block_sides.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::layers {
@@ -15,7 +15,7 @@ mesh::TransfiniteMap block_map(const sizing::MeasuredLayout& measured, int block
   std::array<const curve::Chain*, 4> sides{};
   std::array<bool, 4> backwards{};
   for (int k = 0; k < 4; ++k) {
-    const HalfEdge half = half_edge(measured.blocks(), block, k);
+    const HalfEdge half = mesh::half_edge(measured.blocks(), block, k);
     sides[k] = &measured.chain(half.arc);
     backwards[k] = half.is_backwards;
   }
@@ -54,7 +54,7 @@ std::vector<double> lengths_along(const std::vector<Vec2>& points) {
 /// Heights of the points of a line that starts at the fraction x of the wall's side.
 std::vector<double> heights_along(const sizing::MeasuredLayout& measured, const WallSide& wall,
                                   const std::vector<Vec2>& points, double x) {
-  const HalfEdge half = half_edge(measured.blocks(), wall.block, wall.side);
+  const HalfEdge half = mesh::half_edge(measured.blocks(), wall.block, wall.side);
   WallPoint foot = wall_point(wall, measured.chain(half.arc).at(half.is_backwards ? 1 - x : x), half.is_backwards);
   std::vector<double> heights;
   for (const Vec2 point : points) heights.push_back(wall.line.distance(point, foot));
@@ -99,8 +99,8 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
     const int far = walls.of_block[wall.block][(wall.side + 2) % 4];
     if (far >= 0 && wall.side >= 2) continue;  // sampled from the other side
     const mesh::TransfiniteMap map = block_map(measured, wall.block);
-    const int begin = half_edge(measured.blocks(), wall.block, wall.side - 1).arc;
-    const int end = half_edge(measured.blocks(), wall.block, wall.side + 1).arc;
+    const int begin = mesh::half_edge(measured.blocks(), wall.block, wall.side - 1).arc;
+    const int end = mesh::half_edge(measured.blocks(), wall.block, wall.side + 1).arc;
     for (int k = 0; k < layer_constants.lines_per_block; ++k) {
       const double x = static_cast<double>(k) / (layer_constants.lines_per_block - 1);
       std::vector<Vec2> points = line_points(map, wall.side, x);

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <set>
 
-#include "layers/arc_neighbours.hpp"
 #include "layers/divide_chord.hpp"
 #include "layers/layer_rules.hpp"
+#include "mesh/arc_neighbours.hpp"
 
 namespace quadrille::layers {
 namespace {
 
 /// Length of the interval at the end of an arc.
-double end_interval(const WallInput& input, const sizing::ArcDivisions& divisions, const ArcEnd& at) {
+double end_interval(const WallInput& input, const sizing::ArcDivisions& divisions, const mesh::ArcEnd& at) {
   const std::vector<double>& ends = divisions[at.arc].ends;
   return (at.end == 0 ? ends[1] : 1 - ends[ends.size() - 2]) * input.measured.length(at.arc);
 }
@@ -38,9 +38,9 @@ bool continue_spacing(double neighbour_interval, double own_interval, double gro
 std::vector<int> propagate_spacing(const WallInput& input, const std::vector<std::vector<FreePart>>& chord_lines,
                                    std::vector<ArcSpacing>& spacings, ArcSizes& sizes,
                                    sizing::ArcDivisions& divisions) {
-  const std::vector<ArcNeighbours> neighbours = arc_neighbours(input.blocks());
+  const std::vector<mesh::ArcNeighbours> neighbours = mesh::arc_neighbours(input.blocks());
   std::set<int> changed = chords_with_spacing(input, spacings), divided;
-  const auto pass = [&](const ArcEnd& from, const ArcEnd& to) {
+  const auto pass = [&](const mesh::ArcEnd& from, const mesh::ArcEnd& to) {
     const int chord = input.measured.chord_of(from.arc);
     if (!divided.count(chord)) return;
     if (continue_spacing(end_interval(input, divisions, from), end_interval(input, divisions, to),

@@ -3,23 +3,23 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "layers/block_sides.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/normal_line.hpp"
+#include "mesh/block_sides.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {
 namespace {
 
 /// The start of an arc on a wall: at the beginning or the end of the wall's side.
-WallPoint start_on_wall(const BlockLayout& layout, const WallSide& wall, const ArcEnd& at) {
-  const ArcEnd before = ending(half_edge(layout, wall.block, wall.side - 1));
+WallPoint start_on_wall(const BlockLayout& layout, const WallSide& wall, const mesh::ArcEnd& at) {
+  const mesh::ArcEnd before = mesh::ending(mesh::half_edge(layout, wall.block, wall.side - 1));
   return before.arc == at.arc && before.end == at.end ? wall.begin : wall.end;
 }
 
 /// The nodes of an arc in the layers of the wall at which it starts.
 std::vector<double> nodes_in_layers(const WallInput& input, const WallSide& wall, const std::vector<double>& layers,
-                                    const ArcEnd& at) {
+                                    const mesh::ArcEnd& at) {
   const curve::Chain& chain = input.measured.chain(at.arc);
   const NormalLine line = [&chain, &at](double u) { return chain.at(at.end == 0 ? u : 1 - u).position; };
   const std::vector<double> heights = node_heights(layers, input.order);

@@ -7,12 +7,12 @@
 
 #include "base/warning_codes.hpp"
 #include "layers/arc_sizes.hpp"
-#include "layers/block_sides.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
 #include "layers/normal_line_samples.hpp"
 #include "layers/propagate_spacing.hpp"
 #include "layers/request_layers.hpp"
+#include "mesh/block_sides.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -74,7 +74,7 @@ LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& m
                            std::array<std::vector<double>, 4> fractions) {
   LayeredBlock result;
   for (int side = 0; side < 4; ++side) {
-    const HalfEdge half = half_edge(measured.blocks(), block, side);
+    const HalfEdge half = mesh::half_edge(measured.blocks(), block, side);
     const int number = plan.walls.of_block[block][side];
     const bool backwards = half.is_backwards,
                against_arc = backwards != (side >= 2);  // sides 2, 3 run against s, t

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <set>
 
-#include "layers/block_sides.hpp"
 #include "layers/layer_rules.hpp"
+#include "mesh/block_sides.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -39,8 +39,8 @@ int spec_of_arc(const BlockLayout& layout, const curve::CurveTable& table, const
   return spec;
 }
 
-void append_pieces(const BlockLayout& layout, const BlockSide& side, std::vector<ArcPiece>& pieces) {
-  const HalfEdge half = half_edge(layout, side.block, side.side);
+void append_pieces(const BlockLayout& layout, const mesh::BlockSide& side, std::vector<ArcPiece>& pieces) {
+  const HalfEdge half = mesh::half_edge(layout, side.block, side.side);
   std::vector<ArcPiece> own = layout.arcs[half.arc].pieces;
   if (half.is_backwards) {
     std::reverse(own.begin(), own.end());
@@ -49,24 +49,24 @@ void append_pieces(const BlockLayout& layout, const BlockSide& side, std::vector
   pieces.insert(pieces.end(), own.begin(), own.end());
 }
 
-WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& table, const ArcSides& arc_sides,
-                        const BlockSide& side, int spec) {
+WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& table, const mesh::ArcSides& arc_sides,
+                        const mesh::BlockSide& side, int spec) {
   WallSide wall{side.block, side.side, spec, {}, {}, {}};
   std::vector<ArcPiece> pieces;
-  if (const BlockSide before = next_along_boundary(layout, arc_sides, side, -1); before.block >= 0)
+  if (const mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1); before.block >= 0)
     append_pieces(layout, before, pieces);
   const int first = static_cast<int>(pieces.size());
   append_pieces(layout, side, pieces);
   wall.begin = {first, pieces[first].t0};
   wall.end = {static_cast<int>(pieces.size()) - 1, pieces.back().t1};
-  if (const BlockSide after = next_along_boundary(layout, arc_sides, side, 1); after.block >= 0)
+  if (const mesh::BlockSide after = mesh::next_along_boundary(layout, arc_sides, side, 1); after.block >= 0)
     append_pieces(layout, after, pieces);
   wall.line = WallLine(table, std::move(pieces));
   return wall;
 }
 
 /// By wall side: the first side of its run, the wall sides that continue each other.
-std::vector<int> runs(const BlockLayout& layout, const ArcSides& arc_sides, const WallSides& walls) {
+std::vector<int> runs(const BlockLayout& layout, const mesh::ArcSides& arc_sides, const WallSides& walls) {
   std::vector<int> root(walls.sides.size());
   std::iota(root.begin(), root.end(), 0);
   const auto find_root = [&](int i) {
@@ -74,7 +74,8 @@ std::vector<int> runs(const BlockLayout& layout, const ArcSides& arc_sides, cons
     return i;
   };
   for (std::size_t i = 0; i < root.size(); ++i) {
-    const BlockSide next = next_along_boundary(layout, arc_sides, {walls.sides[i].block, walls.sides[i].side}, 1);
+    const mesh::BlockSide next =
+        mesh::next_along_boundary(layout, arc_sides, {walls.sides[i].block, walls.sides[i].side}, 1);
     const int other = next.block < 0 ? -1 : walls.of_block[next.block][next.side];
     if (other < 0) continue;
     const int a = find_root(static_cast<int>(i)), b = find_root(other);
@@ -101,8 +102,8 @@ void unify_runs(const std::vector<int>& run, std::vector<WallSide>& sides, Fines
 /// Marks the arcs that start at both ends of a side. Where two sides continue each other the first one counts.
 void mark_arcs(const BlockLayout& layout, int wall, WallSides& walls) {
   const WallSide& side = walls.sides[wall];
-  for (const ArcEnd& at : {ending(half_edge(layout, side.block, side.side - 1)),
-                           beginning(half_edge(layout, side.block, side.side + 1))}) {
+  for (const mesh::ArcEnd& at : {mesh::ending(mesh::half_edge(layout, side.block, side.side - 1)),
+                                 mesh::beginning(mesh::half_edge(layout, side.block, side.side + 1))}) {
     int& mark = walls.at_arc_end[at.arc][at.end];
     if (mark < 0) mark = wall;
   }
@@ -112,14 +113,14 @@ void mark_arcs(const BlockLayout& layout, int wall, WallSides& walls) {
 
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
                           const std::vector<WallSpec>& specs) {
-  const ArcSides arc_sides = sides_of_arcs(layout);
+  const mesh::ArcSides arc_sides = mesh::sides_of_arcs(layout);
   FinestSpec choice{specs};
   WallSides walls;
   walls.of_block.assign(layout.block2arcs.size(), {-1, -1, -1, -1});
   walls.at_arc_end.assign(layout.arcs.size(), {-1, -1});
   for (int block = 0; block < layout.num_blocks(); ++block)
     for (int side = 0; side < 4; ++side) {
-      const int spec = spec_of_arc(layout, table, curve_spec, half_edge(layout, block, side).arc, choice);
+      const int spec = spec_of_arc(layout, table, curve_spec, mesh::half_edge(layout, block, side).arc, choice);
       if (spec < 0) continue;
       walls.of_block[block][side] = static_cast<int>(walls.sides.size());
       walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec));

@@ -101,6 +101,31 @@ inline SeparatrixGraph quarter_annulus(double inner = 1, double outer = 2) {
                    {{0}, {1}, {2}, {3}});
 }
 
+/// Blocks of these widths side by side, 1 high from the origin on. Block i stands on curve i; then follow the right
+/// side, the whole top and the left side.
+inline SeparatrixGraph row(const std::vector<double>& widths) {
+  const int n = static_cast<int>(widths.size());
+  std::vector<double> x{0};
+  for (const double width : widths) x.push_back(x.back() + width);
+  std::vector<Nurbs> loop;
+  for (int i = 0; i < n; ++i) loop.push_back(curve::segment({x[i], 0}, {x[i + 1], 0}));
+  loop.push_back(curve::segment({x[n], 0}, {x[n], 1}));
+  loop.push_back(curve::segment({x[n], 1}, {0, 1}));
+  loop.push_back(curve::segment({0, 1}, {0, 0}));
+  SeparatrixGraph g;
+  g.face = face({loop}, norm(Vec2{x[n], 1}));
+  for (int i = 0; i <= n + 2; ++i) add_joint_node(g, i, i > 0 && i < n ? 2 : 1);
+  std::vector<int> top{n + 2};  // by block, from the left
+  for (int i = 1; i < n; ++i) top.push_back(add_boundary_node(g, n + 1, x[n] - x[i]));
+  top.push_back(n + 1);
+  for (int i = 0; i < n; ++i) add_arc(g, i, i + 1, true, {whole(g, i)});
+  add_arc(g, n, n + 1, true, {whole(g, n)});
+  for (int i = n; i-- > 0;) add_arc(g, top[i + 1], top[i], true, {{n + 1, x[n] - x[i + 1], x[n] - x[i]}});
+  add_arc(g, n + 2, 0, true, {whole(g, n + 2)});
+  for (int i = 1; i < n; ++i) add_cut(g, i, top[i]);
+  return g;
+}
+
 /// Three unit squares around the reflex corner (1, 1).
 inline SeparatrixGraph l_shape() {
   SeparatrixGraph g;

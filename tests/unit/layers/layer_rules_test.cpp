@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "base/error.hpp"
-#include "layers/arc_neighbours.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
 #include "layers/propagate_spacing.hpp"
+#include "mesh/arc_neighbours.hpp"
 #include "sizing/interval_error.hpp"
 #include "wall_samples.hpp"
 
@@ -424,7 +424,7 @@ TEST(LayerRules, R21_FirstIntervalsOfCrowdedArcsAreLimitedButNotNextToLayers) {
 TEST(LayerRules, R22_ABlockThatMeetsItselfIsNotItsOwnNeighbour) {
   const auto neighbours = [](int cuts) {
     Report report;
-    return arc_neighbours(block::extract_blocks(hand_made::cut_annulus(cuts), report)).size();
+    return mesh::arc_neighbours(block::extract_blocks(hand_made::cut_annulus(cuts), report)).size();
   };
   EXPECT_EQ(neighbours(1), 0u);
   EXPECT_EQ(neighbours(2), 4u);

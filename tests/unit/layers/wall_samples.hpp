@@ -14,30 +14,7 @@
 
 namespace quadrille::wall_samples {
 
-/// Blocks of these widths side by side, 1 high from the origin on. Block i stands on curve i; then follow the right
-/// side, the whole top and the left side.
-inline SeparatrixGraph row(const std::vector<double>& widths) {
-  const int n = static_cast<int>(widths.size());
-  std::vector<double> x{0};
-  for (const double width : widths) x.push_back(x.back() + width);
-  std::vector<Nurbs> loop;
-  for (int i = 0; i < n; ++i) loop.push_back(curve::segment({x[i], 0}, {x[i + 1], 0}));
-  loop.push_back(curve::segment({x[n], 0}, {x[n], 1}));
-  loop.push_back(curve::segment({x[n], 1}, {0, 1}));
-  loop.push_back(curve::segment({0, 1}, {0, 0}));
-  SeparatrixGraph g;
-  g.face = hand_made::face({loop}, norm(Vec2{x[n], 1}));
-  for (int i = 0; i <= n + 2; ++i) hand_made::add_joint_node(g, i, i > 0 && i < n ? 2 : 1);
-  std::vector<int> top{n + 2};  // by block, from the left
-  for (int i = 1; i < n; ++i) top.push_back(hand_made::add_boundary_node(g, n + 1, x[n] - x[i]));
-  top.push_back(n + 1);
-  for (int i = 0; i < n; ++i) hand_made::add_arc(g, i, i + 1, true, {hand_made::whole(g, i)});
-  hand_made::add_arc(g, n, n + 1, true, {hand_made::whole(g, n)});
-  for (int i = n; i-- > 0;) hand_made::add_arc(g, top[i + 1], top[i], true, {{n + 1, x[n] - x[i + 1], x[n] - x[i]}});
-  hand_made::add_arc(g, n + 2, 0, true, {hand_made::whole(g, n + 2)});
-  for (int i = 1; i < n; ++i) hand_made::add_cut(g, i, top[i]);
-  return g;
-}
+using hand_made::row;
 
 /// Radii 0.5 and 1, cut at the angles 0 and pi, where the inner circle's two curves meet: curve 1 below, 2 above.
 inline SeparatrixGraph annulus_of_half_circles() {

@@ -1,10 +1,11 @@
-#include "layers/block_sides.hpp"
+#include "mesh/block_sides.hpp"
 
 #include <gtest/gtest.h>
 
-#include "wall_samples.hpp"
+#include "../hand_made.hpp"
+#include "block/extract_blocks.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::mesh {
 namespace {
 
 BlockLayout blocks(const SeparatrixGraph& graph) {
@@ -23,7 +24,7 @@ BlockSide side_on(const BlockLayout& layout, int curve) {
 }
 
 TEST(BlockSides, ContinueEachOtherAtValenceTwoOnly) {
-  const BlockLayout row = blocks(wall_samples::row({1, 1, 1}));
+  const BlockLayout row = blocks(hand_made::row({1, 1, 1}));
   const ArcSides sides = sides_of_arcs(row);
   const BlockSide middle = side_on(row, 1), left = side_on(row, 0), right = side_on(row, 2);
   EXPECT_EQ(next_along_boundary(row, sides, middle, 1).block, right.block);
@@ -55,4 +56,4 @@ TEST(BlockSides, HalfEdgesBeginWhereTheOppositeOnesEnd) {
 }
 
 }  // namespace
-}  // namespace quadrille::layers
+}  // namespace quadrille::mesh

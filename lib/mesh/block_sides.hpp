@@ -5,7 +5,7 @@
 
 #include "model/block_layout.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::mesh {
 
 /// Side `side` (0 to 3, counter-clockwise) of a block; block -1: none.
 struct BlockSide {
@@ -32,4 +32,4 @@ struct ArcEnd {
 ArcEnd beginning(HalfEdge half_edge);
 ArcEnd ending(HalfEdge half_edge);
 
-}  // namespace quadrille::layers
+}  // namespace quadrille::mesh

@@ -1,6 +1,6 @@
-#include "layers/block_sides.hpp"
+#include "mesh/block_sides.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::mesh {
 
 HalfEdge half_edge(const BlockLayout& layout, int block, int side) { return layout.block2arcs[block][(side + 4) % 4]; }
 
@@ -24,4 +24,4 @@ BlockSide next_along_boundary(const BlockLayout& layout, const ArcSides& arc_sid
 ArcEnd beginning(HalfEdge half_edge) { return {half_edge.arc, half_edge.is_backwards ? 1 : 0}; }
 ArcEnd ending(HalfEdge half_edge) { return {half_edge.arc, half_edge.is_backwards ? 0 : 1}; }
 
-}  // namespace quadrille::layers
+}  // namespace quadrille::mesh

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "layers/block_sides.hpp"
+#include "mesh/block_sides.hpp"
 #include "model/block_layout.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::mesh {
 
 /// The first intervals at `a` and `b` are neighbours.
 struct ArcNeighbours {
@@ -16,4 +16,4 @@ struct ArcNeighbours {
 /// Both ends of every arc between two blocks, ordered by arc. A block that meets itself has no neighbour there.
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout);
 
-}  // namespace quadrille::layers
+}  // namespace quadrille::mesh

@@ -1,6 +1,6 @@
-#include "layers/arc_neighbours.hpp"
+#include "mesh/arc_neighbours.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::mesh {
 
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout) {
   std::vector<ArcNeighbours> pairs;
@@ -15,4 +15,4 @@ std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout) {
   return pairs;
 }
 
-}  // namespace quadrille::layers
+}  // namespace quadrille::mesh
