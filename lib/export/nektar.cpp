@@ -8,16 +8,18 @@
 #include <array>
 #include <iterator>
 
-#include "export/edge_numbering.hpp"
+#include "export/chord_directions.hpp"
 #include "export/groups.hpp"
 #include "export/side_blend.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-/// Curves that lie nearer than this (relative to the diameter) to the shape that Nektar++ assumes without them are
-/// omitted: far below the accuracy of a solver, far above the round-off of the blend.
-constexpr double straight_tol = 1e-14;
+/// An edge is straight if it lies within this part of its length from the segment between its ends (at constant speed),
+/// and an element is the blend of its sides within this part of its shortest one: round-off would cost elements that
+/// are listed as curved their constant Jacobian.
+constexpr double straight_tol = 1e-10;
+constexpr double round_off = 1e-14;  ///< of the blend, in diameters
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
@@ -59,24 +61,35 @@ struct CurvedParts {
   std::vector<bool> edges, faces;
 };
 
+double chord_length(const QuadMesh& mesh, const std::vector<int>& nodes) {
+  return distance(mesh.nodes[nodes.front()], mesh.nodes[nodes.back()]);
+}
+
 CurvedParts curved_parts(const QuadMesh& mesh, const EdgeNumbering& numbering) {
-  const double tol = straight_tol * mesh.face.diameter;
   CurvedParts curved{std::vector<bool>(numbering.num_edges()), std::vector<bool>(mesh.num_elems())};
   if (mesh.order == 1) return curved;
-  for (int edge = 0; edge < numbering.num_edges(); ++edge)
-    curved.edges[edge] = distance_from_chord(mesh, edge_nodes(mesh, numbering.edges[edge])) > tol;
+  std::vector<double> lengths;
+  for (int edge = 0; edge < numbering.num_edges(); ++edge) {
+    const std::vector<int> nodes = edge_nodes(mesh, numbering.edges[edge]);
+    lengths.push_back(chord_length(mesh, nodes));
+    curved.edges[edge] = distance_from_chord(mesh, nodes) > straight_tol * lengths.back();
+  }
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    if (distance_from_side_blend(mesh, elem) <= tol) continue;
+    const int* edges = &numbering.elem2edges[4 * elem];
+    const double shortest = std::min({lengths[edges[0]], lengths[edges[1]], lengths[edges[2]], lengths[edges[3]]});
+    if (distance_from_side_blend(mesh, elem) <= std::max(straight_tol * shortest, round_off * mesh.face.diameter))
+      continue;
     curved.faces[elem] = true;
-    for (int side = 0; side < 4; ++side) curved.edges[numbering.elem2edges[4 * elem + side]] = true;
+    for (int side = 0; side < 4; ++side) curved.edges[edges[side]] = true;
   }
   return curved;
 }
 
+/// Writes a mesh that is turned along its chords.
 class Writer {
  public:
   Writer(const QuadMesh& mesh, const Frame& frame)
-      : mesh_(mesh), frame_(frame), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {}
+      : mesh_(mesh), frame_(frame), edges_(number_directed_edges(mesh)), groups_(mesh_groups(mesh)) {}
 
   std::string text() {
     print("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<NEKTAR>\n");
@@ -206,7 +219,7 @@ std::vector<std::string> losses_of(const Groups& groups) {
 }  // namespace
 
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame) {
-  return {Writer(mesh, frame).text(), false, {}, losses_of(mesh_groups(mesh))};
+  return {Writer(turned_along_chords(mesh), frame).text(), false, {}, losses_of(mesh_groups(mesh))};
 }
 
 }  // namespace quadrille::exports

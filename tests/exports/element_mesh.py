@@ -46,6 +46,26 @@ def side_indices(n, side):
     return [starts[side] + k * strides[side] for k in range(n + 1)]
 
 
+def from_corner(n, nodes, corner):
+    """The nodes of an element in tensor order from another corner on, first coordinate along the side of its number."""
+    starts, strides = (0, n, (n + 1) ** 2 - 1, n * (n + 1)), (1, n + 1, -1, -(n + 1))
+    return [nodes[starts[corner] + i * strides[corner] + j * strides[(corner + 1) % 4]]
+            for j in range(n + 1) for i in range(n + 1)]
+
+
+def turned_to(found, wanted):
+    """Starts each element at the corner at which the wanted one starts, for formats that choose another corner."""
+    if len(found.elements) != len(wanted.elements):
+        return found
+    n = found.order
+    corners = (0, n, (n + 1) ** 2 - 1, n * (n + 1))
+    first = [min(range(4), key=lambda c: dist(got[corners[c]], want[0]))
+             for got, want in zip(found.elements, wanted.elements)]
+    found.elements = [from_corner(n, nodes, corner) for nodes, corner in zip(found.elements, first)]
+    found.boundaries = {(e, (side - first[e]) % 4): name for (e, side), name in found.boundaries.items()}
+    return found
+
+
 def differences(found, wanted, tolerance=1e-13):
     """Sentences on what differs; positions are compared to a share of the wanted mesh's diameter."""
     if found.order not in (wanted.order, None):

@@ -71,6 +71,13 @@ class Geometry:
             found.append(next(v for v in edges[j] if v not in shared))
         return found
 
+    def check_directions(self, quad):
+        """Opposite edges run the same way, and vertex 0 is where both directions begin: its HDG solver needs it."""
+        corners = self.corners(quad)
+        along = [self.edges[e][0] == corners[j] for j, e in enumerate(self.quads[quad])]
+        assert along[0] != along[2] and along[1] != along[3], "opposite edges are not parallel"
+        assert along[0] and not along[3], "the first vertex is not the start of both directions"
+
     def side(self, quad, j, start, points):
         """Positions along edge j from the vertex `start` on."""
         edge = self.quads[quad][j]
@@ -125,6 +132,8 @@ def read(path, order):
     expansion = root.find("EXPANSIONS").find("E")
     assert unrolled(expansion.get("COMPOSITE"), "C") == geometry.domain
     quads = sorted(geometry.quads)
+    for quad in quads:
+        geometry.check_directions(quad)
     return ElementMesh(order, [geometry.nodes(quad, order) for quad in quads], [regions[quad] for quad in quads],
                        boundaries, len(geometry.vertices),
                        numbers={"faces": len(geometry.faces), "curves": len(geometry.curves)})

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -17,7 +19,7 @@ std::string cut(const std::string& text, const std::string& from, const std::str
 
 TEST(Nektar, TwoQuadsInFull) {
   // Written by hand from the description of the format: vertices and edges as a loop over the quads meets them, edges
-  // from the lower vertex to the higher, composites numbered from 1.
+  // parallel along chords, composites numbered from 1.
   EXPECT_EQ(xml(two_quads()), R"(<?xml version="1.0" encoding="utf-8"?>
 <NEKTAR>
   <GEOMETRY DIM="2" SPACE="2">
@@ -32,7 +34,7 @@ TEST(Nektar, TwoQuadsInFull) {
     <EDGE>
       <E ID="0">0 1</E>
       <E ID="1">1 2</E>
-      <E ID="2">2 3</E>
+      <E ID="2">3 2</E>
       <E ID="3">0 3</E>
       <E ID="4">1 4</E>
       <E ID="5">4 5</E>
@@ -78,6 +80,30 @@ TEST(Nektar, WhatTheSidesDoNotTellIsAFaceAndAllItsEdgesAreCurved) {
                                                                                   "2 1 0  3.125 1.5 0  4 1 0  "
                                                                                   "2 2 0  3 2.5 0  4 2 0</F>\n"
                                                                                   "    </CURVED>");
+}
+
+TEST(Nektar, AnElementStartsWhereBothOfItsDirectionsBegin) {
+  QuadMesh mesh = two_quads_with_moved_middle();
+  // The second quad from its upper right corner on, and what is on its sides with it.
+  std::reverse(mesh.elem_nodes.begin() + 9, mesh.elem_nodes.end());
+  mesh.boundary_edges = {{0, 0, 0}, {1, 2, 0}, {1, 3, 1}, {1, 0, 2}, {0, 2, 2}, {0, 3, 3}};
+  const std::string text = xml(mesh);
+  // It meets its edges from its start on, which is the same as in two_quads().
+  EXPECT_EQ(cut(text, "    <EDGE>", "</ELEMENT>"), cut(xml(two_quads_with_moved_middle()), "    <EDGE>", "</ELEMENT>"));
+  EXPECT_EQ(cut(text, "<F", "</F>"), cut(xml(two_quads_with_moved_middle()), "<F", "</F>"));
+  EXPECT_EQ(cut(text, "    <COMPOSITE>", "</COMPOSITE>"), cut(xml(two_quads()), "    <COMPOSITE>", "</COMPOSITE>"));
+}
+
+TEST(Nektar, AnEdgeThatIsStraightButForRoundOffIsNotACurve) {
+  QuadMesh mesh = two_quads();
+  mesh.nodes[1].y = 1e-10;  // the middle of edge 0, of length 2
+  EXPECT_EQ(xml(mesh), xml([&] {
+              QuadMesh flat = mesh;
+              flat.nodes[1].y = 0;
+              return flat;
+            }()));
+  mesh.nodes[1].y = 3e-10;
+  EXPECT_NE(xml(mesh).find("EDGEID=\"0\""), std::string::npos);
 }
 
 TEST(Nektar, AStraightLineWalkedAtVaryingSpeedIsACurve) {
