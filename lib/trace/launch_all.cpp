@@ -22,6 +22,10 @@ constexpr double relative_radius = 1e-4;
 constexpr double stiff_turn_rate = 50;        // radians of the direction per radian of the bearing
 constexpr double max_relative_radius = 0.05;  // relative to the distance to the nearest feature
 constexpr int num_cuts = 4;
+// Lines of a corner that absorbed zeros start on an arc beyond these zeros: radius of the arc, relative to the distance
+// of the farthest of them, and its greatest radius, relative to the distance to the nearest feature.
+constexpr double arc_beyond_zeros = 2;
+constexpr double max_arc_radius = 0.4;
 
 // Distance to the nearest other node or joint, at most `limit`.
 double feature_distance(const CadFace& face, const std::vector<graph::FixedNode>& nodes, Vec2 x, double limit) {
@@ -60,6 +64,16 @@ double turn_rate(const field::FieldEvaluator& evaluator, const Launch& launch) {
   return std::abs(rate) * launch.radius;
 }
 
+// Distance from a corner to the farthest zero that it absorbed; 0 if it absorbed none.
+double distance_of_absorbed(const CriticalPoints& points, Vec2 corner) {
+  double farthest = 0;
+  for (const NodeChange& change : points.changes) {
+    if (change.kind != ChangeKind::absorb || change.after.size() != 1 || change.after[0].position != corner) continue;
+    for (const NodeMark& mark : change.before) farthest = std::max(farthest, distance(mark.position, corner));
+  }
+  return farthest;
+}
+
 /// The sector of the domain at a corner or boundary node.
 struct Sector {
   double tangent_out = 0;  ///< angle of the outgoing boundary tangent
@@ -74,6 +88,17 @@ Sector sector_at(const CadFace& face, const graph::FixedNode& node) {
 std::vector<double> directions_in(const field::FieldEvaluator& evaluator, const Sector& sector, int valence) {
   return is_phase(evaluator) ? phase_corner_launch_directions(sector.interior_angle, valence)
                              : corner_launch_directions(sector.interior_angle, valence);
+}
+
+// The harmonic field has an absorbed zero where it was, not at the corner: only beyond it are its directions those of
+// a corner of the new valence. `radius`: of the arc on which the lines start.
+std::vector<Launch> launch_beyond_absorbed(const field::FieldEvaluator& evaluator, int node,
+                                           const graph::FixedNode& corner, const Sector& sector, double radius) {
+  std::vector<Launch> launches;
+  for (const double angle : launch_directions_on_arc(evaluator, corner.position, sector.tangent_out,
+                                                     sector.interior_angle, radius, corner.valence))
+    launches.push_back(launch_line(evaluator, node, corner.position, sector.tangent_out + angle, radius, 1));
+  return launches;
 }
 
 Launch launch_from_sector(const field::FieldEvaluator& evaluator, int node, Vec2 apex, const Sector& sector,
@@ -103,6 +128,13 @@ std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const Cri
   for (int n = num_inner; n < num; ++n) {
     const Sector sector = sector_at(face, nodes[n]);
     const double feature = feature_distance(face, nodes, nodes[n].position, face.diameter / 10);
+    const double absorbed = is_phase(evaluator) ? 0 : distance_of_absorbed(points, nodes[n].position);
+    if (absorbed > 0 && absorbed < max_arc_radius * feature) {
+      const double radius = std::min(arc_beyond_zeros * absorbed, max_arc_radius * feature);
+      for (const Launch& launch : launch_beyond_absorbed(evaluator, n, nodes[n], sector, radius))
+        launches.push_back(launch);
+      continue;
+    }
     for (const double angle : directions_in(evaluator, sector, nodes[n].valence))
       launches.push_back(launch_from_sector(evaluator, n, nodes[n].position, sector, angle, feature));
   }

@@ -46,6 +46,44 @@ double stretched_angle(double phi, double major, double minor) {
   return 2 * pi * turns + std::atan2(minor * std::sin(rest), major * std::cos(rest));
 }
 
+/// G(alpha) = 4 alpha - arg v at distance `radius` from a point, unwrapped on a polygon of an arc; between its vertices
+/// linear, then by bisection. Outside the mesh, beside the ends of the arc, v is that of a boundary along the arc's
+/// end.
+class RadialPhase {
+ public:
+  RadialPhase(const field::FieldEvaluator& evaluator, Vec2 centre, double radius, double from, double to)
+      : evaluator_(evaluator), centre_(centre), radius_(radius), from_(from), to_(to) {
+    samples_.push_back(at(from, 0));
+    for (int i = 1; i <= num_samples; ++i) samples_.push_back(at(angle(i), samples_.back()));
+  }
+
+  double first() const { return samples_.front(); }
+
+  /// The first alpha with G(alpha) = target.
+  double solve(double target) const {
+    int i = 0;
+    while (i + 1 < num_samples && samples_[i + 1] < target) ++i;
+    return bisect([&](double alpha) { return at(alpha, target) - target; }, angle(i), angle(i + 1));
+  }
+
+ private:
+  static constexpr int num_samples = 256;
+
+  double angle(int i) const { return from_ + (to_ - from_) * i / num_samples; }
+
+  double at(double alpha, double near) const {
+    Vec2 value;
+    if (!evaluator_.value_at(centre_ + radius_ * unit(alpha), value))
+      value = unit(4 * (2 * alpha < from_ + to_ ? from_ : to_));
+    return near + wrap_pi(4 * alpha - angle_of(value) - near);
+  }
+
+  const field::FieldEvaluator& evaluator_;
+  Vec2 centre_;
+  double radius_, from_, to_;
+  std::vector<double> samples_;
+};
+
 }  // namespace
 
 std::vector<double> launch_directions(const Mat2& j) {
@@ -71,23 +109,19 @@ std::vector<double> launch_directions(const Mat2& j) {
 
 std::vector<double> launch_directions_on_circle(const field::FieldEvaluator& evaluator, Vec2 centre, double radius,
                                                 int valence) {
-  // G on a polygon of the circle, unwrapped; between its vertices linear in the angle, then by bisection.
-  constexpr int num_samples = 256;
-  const auto phase = [&](double alpha, double near) {
-    Vec2 value{1, 0};
-    evaluator.value_at(centre + radius * unit(alpha), value);
-    return near + wrap_pi(4 * alpha - angle_of(value) - near);
-  };
-  std::vector<double> g{phase(0, 0)}, directions;
-  for (int i = 1; i <= num_samples; ++i) g.push_back(phase(2 * pi * i / num_samples, g.back()));
-  const double first = std::ceil(g[0] / (2 * pi) - 1e-9);
-  for (int k = 0; k < valence; ++k) {
-    const double target = 2 * pi * (first + k);
-    int i = 0;
-    while (i + 1 < num_samples && g[i + 1] < target) ++i;
-    const auto f = [&](double alpha) { return phase(alpha, target) - target; };
-    directions.push_back(bisect(f, 2 * pi * i / num_samples, 2 * pi * (i + 1) / num_samples));
-  }
+  const RadialPhase g(evaluator, centre, radius, 0, 2 * pi);
+  const double first = std::ceil(g.first() / (2 * pi) - 1e-9);
+  std::vector<double> directions;
+  for (int k = 0; k < valence; ++k) directions.push_back(g.solve(2 * pi * (first + k)));
+  return directions;
+}
+
+std::vector<double> launch_directions_on_arc(const field::FieldEvaluator& evaluator, Vec2 apex, double tangent_out,
+                                             double interior_angle, double radius, int valence) {
+  const RadialPhase g(evaluator, apex, radius, tangent_out, tangent_out + interior_angle);
+  const double side = std::round(g.first() / (2 * pi));  // the side's direction is one of the cross
+  std::vector<double> directions;
+  for (int k = 1; k < valence; ++k) directions.push_back(g.solve(2 * pi * (side + k)) - tangent_out);
   return directions;
 }
 

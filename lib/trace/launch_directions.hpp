@@ -28,6 +28,12 @@ std::vector<double> launch_directions_on_circle(const field::FieldEvaluator& eva
 /// ascending in (0, interior_angle).
 std::vector<double> corner_launch_directions(double interior_angle, int valence);
 
+/// The V - 1 directions at a corner of valence V that absorbed zeros, from the field's values on an arc about it that
+/// encloses these zeros: as corner_launch_directions, from the outgoing tangent's angle `tangent_out`. The launched
+/// lines must start at the arc, since the field between it and the corner still has the zeros.
+std::vector<double> launch_directions_on_arc(const field::FieldEvaluator& evaluator, Vec2 apex, double tangent_out,
+                                             double interior_angle, double radius, int valence);
+
 /// The V directions at a node of a phase, radians, phi_0 as in field/node_phase.
 std::vector<double> phase_launch_directions(double phi_0, int valence);
 

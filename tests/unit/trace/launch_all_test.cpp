@@ -97,6 +97,43 @@ Field field_with_boundary_node() {
   return closed_phase(std::move(field.mesh), field.phase.terms, -there);
 }
 
+// v = conj((z^2 - w) (z^2 - conj(w))) is along both sides at the corner 0 of the unit square, which has V = 1, and has
+// a zero of index -1 at z = sqrt(w).
+Field field_with_zero_near_corner(Complex w) {
+  return interpolated_field(square_mesh({0, 0}, 1, 2), 4, [w](Vec2 x) {
+    const Complex square = complex(x) * complex(x), v = std::conj((square - w) * (square - std::conj(w)));
+    return Vec2{v.real(), v.imag()};
+  });
+}
+
+TEST(LaunchAll, ACornerThatAbsorbedAZeroLaunchesBeyondTheZero) {
+  const Complex zero = std::polar(0.02, 0.6);
+  const Field field = field_with_zero_near_corner(zero * zero);
+  const field::FieldEvaluator evaluator(field);
+  CriticalPoints points;
+  points.corners.push_back({0, {0, 0}, 90, 2, {3, 0}, NodeSource::absorb});
+  points.changes.push_back({ChangeKind::absorb,
+                            "near",
+                            {{{0, 0}, 1, NodeLocation::corner}, {{zero.real(), zero.imag()}, 5, NodeLocation::inside}},
+                            {{{0, 0}, 2, NodeLocation::corner}}});
+  const std::vector<Launch> launches = launch_all(evaluator, points);
+  ASSERT_EQ(launches.size(), 1u);
+  EXPECT_NEAR(launches[0].radius, 2 * std::abs(zero), 1e-15);
+  EXPECT_NEAR(angle_of(launches[0].x), launches[0].angle, 1e-9) << "straight from the corner";
+  Vec2 value;
+  ASSERT_TRUE(evaluator.value_at(launches[0].x, value));
+  EXPECT_NEAR(wrap_pi(4 * launches[0].angle - angle_of(value)), 0, 1e-9) << "along the field";
+  EXPECT_NEAR(wrap_pi(launches[0].angle_there - launches[0].angle), 0, 1e-9);
+}
+
+TEST(LaunchAll, DirectionsOnAnArcAreThoseOfTheCornerWithItsZero) {
+  // On an arc far beyond a zero of index -1 at 0.6 rad, the corner and the zero are like z^4: one line on the bisector.
+  const Field field = field_with_zero_near_corner(std::polar(1e-4, 1.2));
+  const std::vector<double> rays = launch_directions_on_arc(field::FieldEvaluator(field), {0, 0}, 0, half_pi, 0.5, 2);
+  ASSERT_EQ(rays.size(), 1u);
+  EXPECT_NEAR(rays[0], pi / 4, 1e-3);
+}
+
 TEST(PhaseLaunch, ABoundaryNodeDividesTheHalfPlane) {
   const Field field = field_with_boundary_node();
   const field::FieldEvaluator evaluator(field);
