@@ -84,15 +84,17 @@ double text_width(const std::string& text, double font_size) {
 
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : width_(options.width), title_(title), caption_(caption) {
+    : view_(view_of(box, options.width)),
+      legend_{margin, header + margin + view_.size.y + margin + 14, {}},
+      title_(title),
+      caption_(caption) {}
+
+Picture::View Picture::view_of(const PictureBox& box, int width) {
   const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
-  const double free_width = std::max(1.0, width_ - 2 * margin);
+  const double free_width = std::max(1.0, width - 2 * margin);
   const double tallest = 1.1 * free_width;
-  scale_ = std::min(free_width / std::max(extent.x, 1e-300), tallest / std::max(extent.y, 1e-300));
-  size_ = scale_ * extent;
-  lower_ = box.empty() ? Vec2{} : box.lower;
-  legend_x_ = margin;
-  legend_y_ = header + margin + size_.y + margin + 14;
+  const double scale = std::min(free_width / std::max(extent.x, 1e-300), tallest / std::max(extent.y, 1e-300));
+  return {scale, box.empty() ? Vec2{} : box.lower, scale * extent, width};
 }
 
 void Picture::open_group(const std::string& css_class) { add("<g class=\"" + xml_escaped(css_class) + "\">"); }
@@ -105,15 +107,16 @@ void Picture::open_clipped_group(const std::string& css_class, const std::string
 }
 
 void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
-  texts_ += svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(size_.y - x.y + 4)}},
-                        {}, xml_escaped(content)) +
-            '\n';
+  texts_ +=
+      svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(view_.size.y - x.y + 4)}}, {},
+                  xml_escaped(content)) +
+      '\n';
 }
 
 void Picture::reserve_legend(double width) {
-  if (legend_x_ > margin && legend_x_ + width > width_ - margin) {
-    legend_x_ = margin;
-    legend_y_ += legend_row;
+  if (legend_.x > margin && legend_.x + width > view_.width - margin) {
+    legend_.x = margin;
+    legend_.y += legend_row;
   }
 }
 
@@ -126,23 +129,24 @@ void Picture::legend_bar(const Ramp& ramp, const std::string& label, const std::
   for (const ColourStop& stop : ramp)
     stops += svg_element("stop", {{"offset", svg_number(stop.position, 4)}, {"stop-color", stop.colour}});
   definitions_ += svg_element("linearGradient", {{"id", id}}, {}, stops) + '\n';
-  legend_ += svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_x_)}, {"y", svg_number(legend_y_ + 4)}},
-                         {}, xml_escaped(label));
-  const double left = legend_x_ + text;
-  legend_ += svg_element("rect", {{"x", svg_number(left)},
-                                  {"y", svg_number(legend_y_ - height / 2)},
-                                  {"width", svg_number(bar)},
-                                  {"height", svg_number(height)},
-                                  {"rx", "2"},
-                                  {"fill", "url(#" + id + ")"}});
+  legend_.markup +=
+      svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_.x)}, {"y", svg_number(legend_.y + 4)}}, {},
+                  xml_escaped(label));
+  const double left = legend_.x + text;
+  legend_.markup += svg_element("rect", {{"x", svg_number(left)},
+                                         {"y", svg_number(legend_.y - height / 2)},
+                                         {"width", svg_number(bar)},
+                                         {"height", svg_number(height)},
+                                         {"rx", "2"},
+                                         {"fill", "url(#" + id + ")"}});
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double x = left + bar * static_cast<double>(i) / std::max<double>(1, static_cast<double>(ticks.size()) - 1);
-    legend_ += svg_element(
-        "text", {{"class", "tick"}, {"text-anchor", "middle"}, {"x", svg_number(x)}, {"y", svg_number(legend_y_ + 18)}},
+    legend_.markup += svg_element(
+        "text", {{"class", "tick"}, {"text-anchor", "middle"}, {"x", svg_number(x)}, {"y", svg_number(legend_.y + 18)}},
         {}, xml_escaped(ticks[i]));
   }
-  legend_ += '\n';
-  legend_x_ = left + bar + 34;
+  legend_.markup += '\n';
+  legend_.x = left + bar + 34;
 }
 
 void Picture::legend_mark(const std::string& markup, const std::string& label) {
@@ -150,34 +154,34 @@ void Picture::legend_mark(const std::string& markup, const std::string& label) {
   const double width = mark + text_width(label, 12);
   reserve_legend(width);
   const std::string place =
-      fmt::format("translate({} {}) scale(1 -1)", svg_number(legend_x_ + mark / 2 - 4), svg_number(legend_y_));
-  legend_ += svg_element("g", {{"transform", place}}, {}, markup);
-  legend_ +=
-      svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_x_ + mark)}, {"y", svg_number(legend_y_ + 4)}},
+      fmt::format("translate({} {}) scale(1 -1)", svg_number(legend_.x + mark / 2 - 4), svg_number(legend_.y));
+  legend_.markup += svg_element("g", {{"transform", place}}, {}, markup);
+  legend_.markup +=
+      svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_.x + mark)}, {"y", svg_number(legend_.y + 4)}},
                   {}, xml_escaped(label)) +
       '\n';
-  legend_x_ += width + 24;
+  legend_.x += width + 24;
 }
 
 std::string Picture::str() const {
   const double top = header + margin - 24;
-  const double left = margin + 0.5 * std::max(0.0, width_ - 2 * margin - size_.x);
-  const int height = static_cast<int>(std::ceil(legend_y_ + (legend_.empty() ? -14 : 32)));
+  const double left = margin + 0.5 * std::max(0.0, view_.width - 2 * margin - view_.size.x);
+  const int height = static_cast<int>(std::ceil(legend_.y + (legend_.markup.empty() ? -14 : 32)));
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",
-      width_, height);
+      view_.width, height);
   out += fmt::format("<title>{}</title>\n<style>{}</style>\n", xml_escaped(title_), style_sheet);
   if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));
   out += svg_element("text", {{"class", "caption"}, {"x", svg_number(margin)}, {"y", "52"}}, {}, xml_escaped(caption_));
   out += fmt::format("\n<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", svg_number(left),
-                     svg_number(top + size_.y));
+                     svg_number(top + view_.size.y));
   out += drawing_ + "</g>\n";
   out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left), svg_number(top),
                      texts_);
-  if (!legend_.empty()) out += "<g id=\"legend\">\n" + legend_ + "</g>\n";
+  if (!legend_.markup.empty()) out += "<g id=\"legend\">\n" + legend_.markup + "</g>\n";
   return out + "</svg>\n";
 }
 

@@ -30,9 +30,9 @@ class Picture {
   Picture(const PictureBox& box, const DrawOptions& options, const std::string& title, const std::string& caption);
 
   /// Pixels of a point, y up.
-  Vec2 at(Vec2 x) const { return scale_ * (x - lower_); }
-  double scale() const { return scale_; }  ///< pixels per unit of length
-  Vec2 size() const { return size_; }      ///< of the drawing, pixels
+  Vec2 at(Vec2 x) const { return view_.scale * (x - view_.lower); }
+  double scale() const { return view_.scale; }  ///< pixels per unit of length
+  Vec2 size() const { return view_.size; }      ///< of the drawing, pixels
 
   /// Markup inside the flipped group, in the order of the calls. Groups set a common class for many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
@@ -52,12 +52,23 @@ class Picture {
   std::string str() const;
 
  private:
-  double scale_ = 1;
-  Vec2 lower_, size_;
-  int width_ = 0;
-  double legend_x_ = 0, legend_y_ = 0;
-  std::string title_, caption_, drawing_, texts_, legend_, definitions_;
+  struct View {
+    double scale = 1;  ///< pixels per unit of length
+    Vec2 lower;        ///< the point at the drawing's lower left corner
+    Vec2 size;         ///< of the drawing, pixels
+    int width = 0;     ///< of the picture, pixels
+  };
+  struct Legend {
+    double x = 0, y = 0;  ///< of the next entry, pixels, y down
+    std::string markup;
+  };
+
+  static View view_of(const PictureBox& box, int width);
   void reserve_legend(double width);
+
+  View view_;
+  Legend legend_;
+  std::string title_, caption_, drawing_, texts_, definitions_;
 };
 
 /// Approximate width of a text in pixels.

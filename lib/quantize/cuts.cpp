@@ -30,7 +30,7 @@ BoundaryPoint cut_across_limit_cycle(const field::FieldEvaluator& evaluator, con
                                      const trace::Streamline& line) {
   for (const double turn : {half_pi, -half_pi}) {
     const trace::Streamline half = tracer.follow_from(line.end_position, line.end_angle + turn);
-    if (half.end == trace::Streamline::End::boundary) return {half.curve, half.t};
+    if (half.end == trace::Streamline::End::boundary) return {half.reached.curve, half.reached.t};
   }
   const Vec2 at = line.end_position + evaluator.field().mesh.face.origin;
   throw ComputeError(fmt::format("no line leads from the limit cycle at ({:.6g}, {:.6g}) to the boundary", at.x, at.y));

@@ -16,16 +16,9 @@ namespace {
 constexpr int max_nodes = 2000;
 constexpr double relative_gap = 1e-3;  // between the solution and its bound
 
-// The solver, loaded on first use: few layouts need it, and it depends on ten libraries, whose start-up takes as long
-// as tracing a small layout.
-class Cbc {
+// The solver's library, from the path of the build, else from the system's folders.
+class CbcLibrary {
  public:
-  static const Cbc& get() {
-    static const Cbc cbc;
-    return cbc;
-  }
-
- private:
   struct Symbol {
     void* address;
     template <class Function>
@@ -34,7 +27,13 @@ class Cbc {
     }
   };
 
-  // Loads from the path of the build, else from the system's folders.
+  Symbol symbol(const char* name) const {
+    const Symbol found{dlsym(library_, name)};
+    if (found.address == nullptr) throw Defect(fmt::format("the solver of integer programs lacks {}", name));
+    return found;
+  }
+
+ private:
   static void* load() {
     const std::string path = QUADRILLE_CBC_LIBRARY;
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -43,30 +42,56 @@ class Cbc {
     return library;
   }
 
-  Symbol symbol(const char* name) const {
-    const Symbol found{dlsym(library_, name)};
-    if (found.address == nullptr) throw Defect(fmt::format("the solver of integer programs lacks {}", name));
-    return found;
+  void* library_ = load();
+};
+
+struct ModelFunctions {
+  explicit ModelFunctions(const CbcLibrary& cbc)
+      : create(cbc.symbol("Cbc_newModel")),
+        destroy(cbc.symbol("Cbc_deleteModel")),
+        load_problem(cbc.symbol("Cbc_loadProblem")),
+        set_integer(cbc.symbol("Cbc_setInteger")) {}
+
+  decltype(&Cbc_newModel) create;
+  decltype(&Cbc_deleteModel) destroy;
+  decltype(&Cbc_loadProblem) load_problem;
+  decltype(&Cbc_setInteger) set_integer;
+};
+
+struct SearchFunctions {
+  explicit SearchFunctions(const CbcLibrary& cbc)
+      : set_log_level(cbc.symbol("Cbc_setLogLevel")),
+        set_maximum_nodes(cbc.symbol("Cbc_setMaximumNodes")),
+        set_allowable_fraction_gap(cbc.symbol("Cbc_setAllowableFractionGap")),
+        solve(cbc.symbol("Cbc_solve")),
+        best_solution(cbc.symbol("Cbc_bestSolution")),
+        is_proven_optimal(cbc.symbol("Cbc_isProvenOptimal")),
+        get_col_solution(cbc.symbol("Cbc_getColSolution")) {}
+
+  decltype(&Cbc_setLogLevel) set_log_level;
+  decltype(&Cbc_setMaximumNodes) set_maximum_nodes;
+  decltype(&Cbc_setAllowableFractionGap) set_allowable_fraction_gap;
+  decltype(&Cbc_solve) solve;
+  decltype(&Cbc_bestSolution) best_solution;
+  decltype(&Cbc_isProvenOptimal) is_proven_optimal;
+  decltype(&Cbc_getColSolution) get_col_solution;
+};
+
+// The solver, loaded on first use: few layouts need it, and it depends on ten libraries, whose start-up takes as long
+// as tracing a small layout.
+struct Cbc {
+  static const Cbc& get() {
+    static const Cbc cbc;
+    return cbc;
   }
 
-  void* library_ = load();
-
- public:
-  decltype(&Cbc_newModel) new_model = symbol("Cbc_newModel");
-  decltype(&Cbc_deleteModel) delete_model = symbol("Cbc_deleteModel");
-  decltype(&Cbc_loadProblem) load_problem = symbol("Cbc_loadProblem");
-  decltype(&Cbc_setInteger) set_integer = symbol("Cbc_setInteger");
-  decltype(&Cbc_setLogLevel) set_log_level = symbol("Cbc_setLogLevel");
-  decltype(&Cbc_setMaximumNodes) set_maximum_nodes = symbol("Cbc_setMaximumNodes");
-  decltype(&Cbc_setAllowableFractionGap) set_allowable_fraction_gap = symbol("Cbc_setAllowableFractionGap");
-  decltype(&Cbc_solve) solve = symbol("Cbc_solve");
-  decltype(&Cbc_bestSolution) best_solution = symbol("Cbc_bestSolution");
-  decltype(&Cbc_isProvenOptimal) is_proven_optimal = symbol("Cbc_isProvenOptimal");
-  decltype(&Cbc_getColSolution) get_col_solution = symbol("Cbc_getColSolution");
+  CbcLibrary library;
+  ModelFunctions model{library};
+  SearchFunctions search{library};
 };
 
 struct Deleter {
-  void operator()(Cbc_Model* model) const { Cbc::get().delete_model(model); }
+  void operator()(Cbc_Model* model) const { Cbc::get().model.destroy(model); }
 };
 
 using Model = std::unique_ptr<Cbc_Model, Deleter>;
@@ -90,13 +115,13 @@ Matrix matrix_of(const std::vector<std::vector<IntegerProgram::Term>>& columns) 
 }
 
 // The best solution found, or null.
-const double* best_solution(const Cbc& cbc, const Model& model) {
-  cbc.set_log_level(model.get(), 0);
-  cbc.set_maximum_nodes(model.get(), max_nodes);
-  cbc.set_allowable_fraction_gap(model.get(), relative_gap);
-  cbc.solve(model.get());
-  const double* best = cbc.best_solution(model.get());
-  if (best == nullptr && cbc.is_proven_optimal(model.get()) != 0) best = cbc.get_col_solution(model.get());
+const double* best_solution(const SearchFunctions& search, const Model& model) {
+  search.set_log_level(model.get(), 0);
+  search.set_maximum_nodes(model.get(), max_nodes);
+  search.set_allowable_fraction_gap(model.get(), relative_gap);
+  search.solve(model.get());
+  const double* best = search.best_solution(model.get());
+  if (best == nullptr && search.is_proven_optimal(model.get()) != 0) best = search.get_col_solution(model.get());
   return best;
 }
 
@@ -122,15 +147,15 @@ void IntegerProgram::add_equation(const std::vector<Term>& terms, double right_s
 
 std::vector<double> IntegerProgram::solve() const {
   const Cbc& cbc = Cbc::get();
-  const Model model(cbc.new_model());
+  const Model model(cbc.model.create());
   const Matrix matrix = matrix_of(column_);
   const int num = static_cast<int>(column_.size());
-  cbc.load_problem(model.get(), num, static_cast<int>(right_side_.size()), matrix.starts.data(), matrix.rows.data(),
-                   matrix.values.data(), low_.data(), high_.data(), cost_.data(), right_side_.data(),
-                   right_side_.data());
+  cbc.model.load_problem(model.get(), num, static_cast<int>(right_side_.size()), matrix.starts.data(),
+                         matrix.rows.data(), matrix.values.data(), low_.data(), high_.data(), cost_.data(),
+                         right_side_.data(), right_side_.data());
   for (int i = 0; i < num; ++i)
-    if (is_integer_[i]) cbc.set_integer(model.get(), i);
-  const double* best = best_solution(cbc, model);
+    if (is_integer_[i]) cbc.model.set_integer(model.get(), i);
+  const double* best = best_solution(cbc.search, model);
   if (best == nullptr) return {};
   std::vector<double> solution(best, best + num);
   for (int i = 0; i < num; ++i)

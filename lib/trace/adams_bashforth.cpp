@@ -133,15 +133,14 @@ class FixedStepIntegrator {
   void finish_on_boundary() {
     const BoundaryFoot foot = boundary_foot_near(evaluator_, at_.elem, x_);
     if (foot.curve < 0) fail();
-    line_.curve = foot.curve;
-    line_.t = foot.t;
+    line_.reached = {-1, foot.curve, foot.t};
     finish(Streamline::End::boundary, foot.position);
   }
 
   bool ends_at_node() {
     for (size_t n = 0; n < nodes_.size(); ++n) {
       if (nodes_[n] == line_.launch.origin || distance(x_, nodes_[n]) > options_.hit_distance) continue;
-      line_.end_node = static_cast<int>(n);
+      line_.reached = {static_cast<int>(n), -1, 0};
       finish(Streamline::End::node, nodes_[n]);
       return true;
     }
@@ -152,7 +151,7 @@ class FixedStepIntegrator {
     line_.end = how;
     line_.end_position = where;
     line_.end_angle = angle_;
-    line_.front = {at_.elem, at_.xi, angle_, {}};
+    line_.front.state = {at_.elem, at_.xi, angle_, {}};
   }
 
   [[noreturn]] void fail() const { fail_at(x_ + evaluator_.field().mesh.face.origin); }

@@ -23,7 +23,7 @@ constexpr double least_lap = 100;
 // before. Records the crossing.
 bool closes_lap(const field::FieldEvaluator& evaluator, const StreamState& state, double s, double hit_distance,
                 int edge_key, Streamline& line) {
-  const auto [pass, is_first] = line.passes.try_emplace(edge_key, Streamline::Pass{state, s});
+  const auto [pass, is_first] = line.front.passes.try_emplace(edge_key, Streamline::Pass{state, s});
   if (is_first) return false;
   const Streamline::Pass before = std::exchange(pass->second, Streamline::Pass{state, s});
   const spectral::TriMap& map = evaluator.maps()[state.elem];
@@ -74,9 +74,9 @@ class StreamlineIntegrator {
         options_(options),
         line_(line),
         proximity_(nodes, line.launch.origin, line.steps.empty()),
-        state_(line.front),
+        state_(line.front.state),
         s_(line.length()),
-        h_(line.next_step) {
+        h_(line.front.next_step) {
     proximity_.move_to(position());
   }
 
@@ -154,15 +154,14 @@ class StreamlineIntegrator {
     const BoundaryFoot foot = boundary_foot(evaluator_, step, exit);
     state_.angle = stream_state(evaluator_, step.elem, step.xi(exit.fraction), state_.angle).angle;
     if (ends_at_node(foot.position)) return;
-    line_.curve = foot.curve;
-    line_.t = foot.t;
+    line_.reached = {-1, foot.curve, foot.t};
     finish(Streamline::End::boundary, foot.position);
   }
 
   bool ends_at_node(Vec2 x) {
     const int node = proximity_.node_hit_at(x, options_.hit_distance);
     if (node < 0) return false;
-    line_.end_node = node;
+    line_.reached = {node, -1, 0};
     finish(Streamline::End::node, nodes_[node]);
     return true;
   }
@@ -171,8 +170,8 @@ class StreamlineIntegrator {
     line_.end = how;
     line_.end_position = where;
     line_.end_angle = state_.angle;
-    line_.front = state_;
-    line_.next_step = h_;
+    line_.front.state = state_;
+    line_.front.next_step = h_;
   }
 
   const field::FieldEvaluator& evaluator_;
@@ -190,8 +189,8 @@ Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch,
                    const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
-  line.front = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there);
-  line.next_step = std::max(launch.radius, 1e-3 * options.max_step);
+  line.front.state = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there);
+  line.front.next_step = std::max(launch.radius, 1e-3 * options.max_step);
   StreamlineIntegrator(evaluator, nodes, options, line).run();
   return line;
 }

@@ -54,7 +54,8 @@ Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin
     if (!bend_launch(evaluator, origin, angle, radius, power, beta)) continue;
     const mesh::Location at = evaluator.locator().find(origin + radius * unit(angle + beta));
     if (at.elem < 0) continue;
-    Launch launch{node, origin, angle, radius, at.elem, at.xi, evaluator.maps()[at.elem].position(at.xi), angle, -1, 0};
+    Launch launch{{node, -1, 0}, origin, angle, radius, at.elem, at.xi, evaluator.maps()[at.elem].position(at.xi),
+                  angle};
     if (!direction_at(evaluator, launch.x, angle, launch.angle_there)) continue;
     return launch;
   }
@@ -73,7 +74,7 @@ Launch launch_from_boundary(const field::FieldEvaluator& evaluator, int curve, d
     const double fraction = (t - edge.t0) / (edge.t1 - edge.t0);
     Vec2 xi = spectral::tri_edge_point(edge.edge, fraction);
     if (!evaluator.maps()[edge.elem].invert(x, xi)) xi = spectral::tri_edge_point(edge.edge, fraction);
-    return {-1, x, angle, 0, edge.elem, xi, x, angle, curve, t};
+    return {{-1, curve, t}, x, angle, 0, edge.elem, xi, x, angle};
   }
   throw Defect("launch_from_boundary: no boundary edge contains the parameter");
 }

@@ -3,21 +3,20 @@
 
 #include "base/vec2.hpp"
 #include "field/evaluate.hpp"
+#include "graph/build_graph.hpp"
 
 namespace quadrille::trace {
 
-/// The part of a line from its node to the point at which integration begins.
+/// The part of a line from its start to the point at which integration begins.
 struct Launch {
-  int node = 0;      ///< the node it starts at, numbered as the caller does; -1: it starts on the boundary
-  Vec2 origin;       ///< the node's position
-  double angle = 0;  ///< direction at the node, radians
+  graph::LineEnd start;  ///< a node, numbered as the caller does, or a position on the boundary
+  Vec2 origin;           ///< its position
+  double angle = 0;      ///< direction at it, radians
   double radius = 0;
   int elem = 0;  ///< element and reference coordinates of the first point
   Vec2 xi;
   Vec2 x;                  ///< its position
   double angle_there = 0;  ///< direction there
-  int curve = -1;          ///< for a line that starts on the boundary: CAD curve and parameter
-  double t = 0;
 };
 
 /// Moves by `radius` (a length) along the direction `angle`, or by less if the point is outside the domain, on the

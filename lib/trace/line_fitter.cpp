@@ -9,32 +9,22 @@ graph::CurveKey key_of(const MergeCandidate& c) {
   return {static_cast<double>(c.a), static_cast<double>(c.b), c.is_join ? -c.length() : c.length()};
 }
 
-graph::LineEnd start_of(const Launch& launch) {
-  if (launch.node < 0) return {-1, launch.curve, launch.t};
-  return {launch.node, -1, 0};
-}
-
 }  // namespace
 
 MergedLine LineFitter::single(int line) {
   const Streamline& l = lines_[line];
   const auto along = [&](double s, Vec2& direction) { return l.at(evaluator_, s, direction); };
   const graph::CurveKey key = key_of(line, l.length());
-  const bool is_cut = l.launch.node < 0;
+  const bool is_cut = l.launch.start.node < 0;
   const Nurbs& spline = fitted(key, along, l.length());
-  return {{start_of(l.launch), {l.end_node, l.curve, l.t}, spline, is_cut ? LineKind::cut : LineKind::traced},
-          l.length(),
-          -1,
-          line,
-          key};
+  return {{l.launch.start, l.reached, spline, is_cut ? LineKind::cut : LineKind::traced}, l.length(), -1, line, key};
 }
 
 MergedLine LineFitter::pair(const MergeCandidate& candidate, int merge) {
   const Streamline &a = lines_[candidate.a], &b = lines_[candidate.b];
   const graph::CurveKey key = key_of(candidate);
   const Nurbs& spline = fitted(key, merged_curve(evaluator_, a, b, candidate), candidate.length());
-  return {
-      {start_of(a.launch), start_of(b.launch), spline, LineKind::merged}, candidate.length(), merge, candidate.a, key};
+  return {{a.launch.start, b.launch.start, spline, LineKind::merged}, candidate.length(), merge, candidate.a, key};
 }
 
 const Nurbs& LineFitter::fitted(const graph::CurveKey& key, const curve::CurveFunction& curve, double length) {

@@ -46,7 +46,7 @@ class CandidateSearch {
     const size_t num_pairs = candidates_.size();
     if (!options_.only_endless)
       for (int i = 0; i < num_lines; ++i)
-        if (lines_[i].launch.node >= 0)
+        if (lines_[i].launch.start.node >= 0)
           for (int node = 0; node < static_cast<int>(nodes_.size()); ++node) add_joins(i, node, num_pairs);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const MergeCandidate& x, const MergeCandidate& y) { return x.meeting() < y.meeting(); });
@@ -55,12 +55,12 @@ class CandidateSearch {
 
  private:
   bool may_merge(int i, int j) const {
-    if (lines_[i].launch.node < 0 || lines_[j].launch.node < 0) return false;
+    if (lines_[i].launch.start.node < 0 || lines_[j].launch.start.node < 0) return false;
     return !options_.only_endless || lines_[i].is_endless() || lines_[j].is_endless();
   }
 
   void add_pairs(int i, int j) {
-    const int from_i = lines_[i].launch.node, from_j = lines_[j].launch.node;
+    const int from_i = lines_[i].launch.start.node, from_j = lines_[j].launch.start.node;
     for (LinePass& pass_i : passes_[i][from_j])
       for (LinePass& pass_j : passes_[j][from_i]) {
         if (are_unequal(pass_i, pass_j)) continue;
@@ -88,8 +88,8 @@ class CandidateSearch {
   // Adds the joins of a line that passes a node within the distance or ends in it. The first `num_pairs` candidates are
   // pairs: a join of the same two lines is not needed.
   void add_joins(int line, int node, size_t num_pairs) {
-    if (lines_[line].launch.node == node) return;
-    if (options_.distance == 0 && lines_[line].end_node != node) return;
+    if (lines_[line].launch.start.node == node) return;
+    if (options_.distance == 0 && lines_[line].reached.node != node) return;
     for (LinePass& pass : passes_[line][node]) {
       const double length = along_[line].foot(nodes_[node], pass);
       const double gap = distance(lines_[line].at(evaluator_, length), nodes_[node]);
@@ -111,7 +111,7 @@ class CandidateSearch {
     int best = -1;
     double least = head_on_angle;
     for (int j = 0; j < static_cast<int>(lines_.size()); ++j) {
-      if (lines_[j].launch.node != node) continue;
+      if (lines_[j].launch.start.node != node) continue;
       const double angle = meeting_angle(passing, length, j);
       if (angle < least) least = angle, best = j;
     }

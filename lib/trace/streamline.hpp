@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "field/evaluate.hpp"
+#include "graph/build_graph.hpp"
 #include "trace/launch.hpp"
 #include "trace/step.hpp"
 
@@ -15,25 +16,28 @@ inline constexpr int max_stream_steps = 100000;  ///< of one line
 class Streamline {
  public:
   enum class End { boundary, node, length };
-
-  Launch launch;
-  std::vector<StreamStep> steps;
-  End end = End::length;
-  int end_node = -1;  ///< End::node
-  int curve = -1;     ///< End::boundary: the CAD curve and the parameter on it
-  double t = 0;
-  Vec2 end_position;  ///< on the curve or the node, exactly
-  double end_angle = 0;
-  StreamState front;  ///< End::length: the state that integration continues from, and the step it tries first
-  double next_step = 0;
-  /// End::length: the line has returned to its crossing of an element's edge one lap before, within the hit distance
-  /// and in the same direction: further laps repeat this one.
-  bool is_limit_cycle = false;
+  /// A crossing of an element's edge, at arc length s.
   struct Pass {
     StreamState state;
     double s = 0;
   };
-  std::unordered_map<int, Pass> passes;  ///< where it last crossed each element edge, by 3 elem + edge
+  /// What integration continues from.
+  struct Front {
+    StreamState state;
+    double next_step = 0;                  ///< that is tried first
+    std::unordered_map<int, Pass> passes;  ///< where the line last crossed each element edge, by 3 elem + edge
+  };
+
+  Launch launch;
+  std::vector<StreamStep> steps;
+  End end = End::length;
+  graph::LineEnd reached;  ///< the node or the position on the boundary; neither for End::length
+  Vec2 end_position;       ///< on the curve or the node, exactly
+  double end_angle = 0;
+  Front front;
+  /// End::length: the line has returned to its crossing of an element's edge one lap before, within the hit distance
+  /// and in the same direction: further laps repeat this one.
+  bool is_limit_cycle = false;
 
   double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
   /// Whether it has reached neither boundary nor node: it was too long, or it is a limit cycle.

@@ -70,7 +70,7 @@ TEST(TraceSeparatrices, FiveRaysOfOneNodeEndOnTheBoundary) {
   EXPECT_THROW(trace_separatrices(evaluator, points, defaults, report), ComputeError);
   const std::vector<trace::Launch> launches = trace::launch_all(evaluator, points);
   ASSERT_EQ(launches.size(), 5u);
-  for (const trace::Launch& launch : launches) EXPECT_EQ(launch.node, 0);
+  for (const trace::Launch& launch : launches) EXPECT_EQ(launch.start.node, 0);
 }
 
 TEST(TraceSeparatrices, SixRaysOfADoubleZero) {

@@ -28,8 +28,8 @@ struct PolarCrosses : testing::Test {
 TEST_F(PolarCrosses, EndsOnTheBoundaryAndOnItsCurve) {
   const Streamline line = quarter_circle(0.6, 0.005);
   ASSERT_EQ(line.end, Streamline::End::boundary);
-  EXPECT_EQ(line.curve, 3);
-  EXPECT_EQ(line.end_position, curve::point(field.mesh.face.curves[3], line.t));
+  EXPECT_EQ(line.reached.curve, 3);
+  EXPECT_EQ(line.end_position, curve::point(field.mesh.face.curves[3], line.reached.t));
   EXPECT_LT(miss(line), 1e-8);
   EXPECT_NEAR(line.length(), 0.6 * half_pi, 1e-8);
 }

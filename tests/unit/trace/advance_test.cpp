@@ -22,7 +22,7 @@ AdvanceOptions options() { return {1e-11, 0.1, 20, 1e-7}; }
 // From a point inside, without a node.
 Launch launch_at(const field::FieldEvaluator& evaluator, Vec2 x, double angle) {
   const mesh::Location at = evaluator.locator().find(x);
-  return {-1, x, angle, 0, at.elem, at.xi, x, angle, -1, 0};
+  return {{}, x, angle, 0, at.elem, at.xi, x, angle};
 }
 
 // Where a ray from 0 leaves the square [-1, 1]^2.
@@ -42,7 +42,7 @@ void expect_straight_rays(const Mat2& j) {
     EXPECT_NEAR(line.length(), norm(on_square(angle)), 1e-9);
     EXPECT_EQ(line.at(evaluator, 0), (Vec2{0, 0}));
     // The end lies on the curve exactly, at the parameter it names.
-    EXPECT_EQ(line.end_position, curve::point(field.mesh.face.curves[line.curve], line.t));
+    EXPECT_EQ(line.end_position, curve::point(field.mesh.face.curves[line.reached.curve], line.reached.t));
   }
 }
 
@@ -91,7 +91,7 @@ TEST(Advance, EndsInANodeThatItMeets) {
   const Launch launch = launch_line(evaluator, 0, nodes[0], 0, 1e-4, 1);
   const Streamline line = advance(evaluator, launch, nodes, options());
   ASSERT_EQ(line.end, Streamline::End::node);
-  EXPECT_EQ(line.end_node, 1);
+  EXPECT_EQ(line.reached.node, 1);
   EXPECT_EQ(line.end_position, nodes[1]);
   EXPECT_NEAR(line.length(), 1, 2e-7);
 }
@@ -106,7 +106,7 @@ TEST(Advance, EndsOnACurvedLineOnlyAtTheBoundary) {
   EXPECT_NEAR(launch.angle, half_pi, 1e-15);
   const Streamline line = advance(evaluator, launch, {}, options());
   ASSERT_EQ(line.end, Streamline::End::boundary);
-  EXPECT_EQ(line.curve, 3);
+  EXPECT_EQ(line.reached.curve, 3);
   EXPECT_LT(distance(line.end_position, {0, 0.6}), 1e-9);
   EXPECT_NEAR(wrap_pi(line.end_angle - pi), 0, 1e-9);
 }

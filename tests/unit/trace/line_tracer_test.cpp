@@ -52,8 +52,8 @@ TEST_F(FiveRays, ACutStartsOnTheBoundary) {
   tracer.follow_all_to(10);
   tracer.add_cut(0, 0.3, 10);
   ASSERT_EQ(tracer.lines().size(), 6u);
-  EXPECT_EQ(tracer.lines()[5].launch.node, -1);
-  EXPECT_EQ(tracer.lines()[5].launch.curve, 0);
+  EXPECT_EQ(tracer.lines()[5].launch.start.node, -1);
+  EXPECT_EQ(tracer.lines()[5].launch.start.curve, 0);
 }
 
 TEST_F(FiveRays, ALineFromAPointIsNotAmongTheLines) {

@@ -18,12 +18,12 @@ TEST_F(TwoNodes, ALineThatEndsInANodeTakesThePlaceOfTheOneThatComesItsWay) {
     return std::cos(a.launch.angle) > std::cos(b.launch.angle);
   });
   *towards = advance(*evaluator, towards->launch, nodes, {1e-11, 0.1, 10, 0.1});
-  ASSERT_EQ(towards->end_node, 1);
+  ASSERT_EQ(towards->reached.node, 1);
   const auto found = candidates(1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].is_join);
   EXPECT_EQ(found[0].a, towards - lines.begin());
-  EXPECT_EQ(lines[found[0].b].launch.node, 1);
+  EXPECT_EQ(lines[found[0].b].launch.start.node, 1);
   Vec2 d;
   EXPECT_EQ(merged_curve(*evaluator, lines[found[0].a], lines[found[0].b], found[0])(found[0].length(), d), nodes[1]);
 }
