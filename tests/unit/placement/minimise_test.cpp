@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "minimands.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -13,11 +14,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using Sample = Minimand::Sample;
-
-Minimand unbounded(std::function<std::optional<Sample>(const VectorXd&)> sample) {
-  return {std::move(sample), [](const VectorXd&, const VectorXd&) { return 1.0; },
-          [](const VectorXd& step) { return step.norm(); }};
-}
 
 Sample rosenbrock(const VectorXd& x) {
   const double a = 1 - x[0], b = x[1] - x[0] * x[0];

@@ -1,0 +1,87 @@
+#include "placement/placement_objective.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../triangulate/faces.hpp"
+
+namespace quadrille::placement {
+namespace {
+
+using namespace testing_faces;
+
+/// A node of each valence, in order.
+CriticalPoints nodes_at(const std::vector<Vec2>& places, const std::vector<int>& valences) {
+  CriticalPoints points;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    points.critical_points.emplace_back();
+    points.critical_points.back().position = places[k];
+    points.critical_points.back().valence = valences[k];
+  }
+  return points;
+}
+
+/// The sum of 3 |x|^2 over all nodes.
+NodeEnergy energy_of_squares(const CriticalPoints& points) {
+  NodeEnergy sum;
+  for (const CriticalPoint& node : points.critical_points) {
+    sum.value += 3 * norm2(node.position);
+    sum.gradient.push_back(6 * node.position);
+  }
+  return sum;
+}
+
+struct InADisc : testing::Test {
+  CadFace face = make_face({circle({0, 0}, 2)});
+  SmoothBoundaryDistance boundary{face};
+  EnergyFunction energy = energy_of_squares;
+};
+
+TEST_F(InADisc, the_boundary_term_is_the_logarithm_of_the_smooth_distance_times_the_squared_index) {
+  const PlacementObjective objective{energy, boundary, 0.1, {0, 2}, {}};
+  const CriticalPoints points = nodes_at({{1, 0}, {0, 1.5}, {0, -0.5}}, {3, 5, 6});
+  // delta = (R^2 - r^2) / (2 R), with d^2 = 1 for valence 3 and 4 for valence 6; node 1 is not free.
+  const double expected = 3 * (1 + 2.25 + 0.25) - 0.1 * pi * (std::log(3.0 / 4) + 4 * std::log((4 - 0.25) / 4));
+  const NodeEnergy sum = objective.at(points);
+  EXPECT_NEAR(sum.value, expected, 1e-11);
+  EXPECT_NEAR(distance(sum.gradient[0], {6 + 0.1 * pi * 2 / 3, 0}), 0, 1e-11);
+  EXPECT_EQ(sum.gradient[1], (Vec2{0, 9}));
+  EXPECT_NEAR(distance(sum.gradient[2], {0, -3 - 0.1 * pi * 4 / 3.75}), 0, 1e-11);
+}
+
+TEST_F(InADisc, repulsion_terms_are_added_with_their_gradient) {
+  const RepulsionTerm term{0, 1, {}, 0.5, 2};
+  const PlacementObjective with{energy, boundary, 0.1, {0, 1}, {term}}, without{energy, boundary, 0.1, {0, 1}, {}};
+  const CriticalPoints points = nodes_at({{0, 0}, {0.25, 0}}, {3, 5});
+  const NodeEnergy a = with.at(points), b = without.at(points);
+  EXPECT_NEAR(a.value - b.value, 2, 1e-12);  // (reach / r - 1)^3 = 1
+  std::vector<Vec2> repulsion(2);
+  repulsion_energy(term, points, repulsion);
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(distance(a.gradient[k] - b.gradient[k], repulsion[k]), 0, 1e-12);
+  EXPECT_GT(norm(repulsion[0]), 1);
+}
+
+TEST_F(InADisc, no_node_covers_more_than_half_of_its_distance_to_the_boundary) {
+  const PlacementObjective objective{energy, boundary, 0.1, {0, 1}, {}};
+  const CriticalPoints points = nodes_at({{1, 0}, {-1, 0}}, {3, 3});
+  EXPECT_EQ(objective.allowed_part(points, {{0.4, 0}, {0.4, 0}}), 1);
+  EXPECT_NEAR(objective.allowed_part(points, {{2, 0}, {2, 0}}), 0.25, 1e-6);
+  EXPECT_NEAR(objective.allowed_part(points, {{2, 0}, {2, 4}}), 0.5 / std::sqrt(20.0), 1e-6);
+}
+
+TEST_F(InADisc, no_node_covers_more_than_half_of_its_distance_to_another) {
+  const CriticalPoints points = nodes_at({{0.1, 0}, {-0.1, 0}}, {3, 3});
+  const PlacementObjective both{energy, boundary, 0.1, {0, 1}, {}}, one{energy, boundary, 0.1, {0}, {}};
+  EXPECT_NEAR(both.allowed_part(points, {{-0.2, 0}, {0.2, 0}}), 0.25, 1e-12);
+  EXPECT_EQ(both.allowed_part(points, {{0.2, 0}, {0.2, 0}}), 1);  // the distance stays
+  EXPECT_NEAR(one.allowed_part(points, {{-0.2, 0}, {}}), 0.5, 1e-12);
+}
+
+TEST_F(InADisc, no_node_covers_more_than_half_of_its_distance_to_a_corner_that_attracts_it) {
+  const CriticalPoints points = nodes_at({{0, 0}}, {3});
+  const RepulsionTerm corner{0, {}, {0.4, 0}, 0.1, 1};
+  const PlacementObjective objective{energy, boundary, 0.1, {0}, {corner}};
+  EXPECT_NEAR(objective.allowed_part(points, {{0.8, 0}}), 0.25, 1e-12);
+}
+
+}  // namespace
+}  // namespace quadrille::placement
