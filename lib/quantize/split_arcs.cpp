@@ -7,6 +7,9 @@ void split_arc(const ArcGraph& t_mesh, int a, const curve::Chain& chain, const s
                SplitArcs& split, SeparatrixGraph& graph) {
   const GraphArc& arc = t_mesh.arcs[a];
   GraphArc part{arc.from, arc.to, arc.is_boundary, 0, {}};
+  const auto add = [&](const ArcPiece& piece) {  // a crossing at a joint leaves nothing of the piece before it
+    if (piece.t0 != piece.t1) part.pieces.push_back(piece);
+  };
   const auto finish = [&](int to) {
     part.to = to;
     split.parts[a].push_back(static_cast<int>(graph.arcs.size()));
@@ -18,8 +21,8 @@ void split_arc(const ArcGraph& t_mesh, int a, const curve::Chain& chain, const s
   size_t k = 0;  // the piece of which `rest` is the remaining part
   for (const auto& [number, fraction] : fractions) {
     const curve::ChainPoint at = chain.at(fraction);
-    for (; static_cast<int>(k) < at.piece; rest = arc.pieces[++k]) part.pieces.push_back(rest);
-    if (rest.t0 != at.t) part.pieces.push_back({rest.curve, rest.t0, at.t});
+    for (; static_cast<int>(k) < at.piece; rest = arc.pieces[++k]) add(rest);
+    add({rest.curve, rest.t0, at.t});
     rest.t0 = at.t;
     const int node = static_cast<int>(graph.nodes.size());
     graph.nodes.push_back(arc.is_boundary ? GraphNode{at.position, NodeKind::boundary, 2, rest.curve, at.t}
@@ -27,7 +30,7 @@ void split_arc(const ArcGraph& t_mesh, int a, const curve::Chain& chain, const s
     split.node_of_crossing[{a, number}] = node;
     finish(node);
   }
-  part.pieces.push_back(rest);
+  add(rest);
   for (++k; k < arc.pieces.size(); ++k) part.pieces.push_back(arc.pieces[k]);
   finish(arc.to);
 }

@@ -73,7 +73,9 @@ std::optional<Trial> collapse_group(const field::FieldEvaluator& evaluator, cons
   if (share_a_rail(strips)) return std::nullopt;
   std::vector<Blend> blends;
   for (const ChordStrip& strip : strips) {
-    auto own = blends_of(evaluator, subdivision, strip, graph::fixed_sides(subdivision, strip), options);
+    const std::vector<FixedSide> fixed = graph::fixed_sides(subdivision, strip);
+    if (fixed.empty()) return std::nullopt;
+    auto own = blends_of(evaluator, subdivision, strip, fixed, options);
     if (!own) return std::nullopt;
     for (Blend& b : *own) blends.push_back(std::move(b));
   }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quantize/integer_program.hpp"
+#include "t_faces.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -13,34 +13,8 @@ int sum(const std::vector<HalfEdge>& side, const std::vector<int>& lengths) {
   return total;
 }
 
-/// A face from its sides, each a list of arcs as files hold them: -1 - a is arc a backwards.
-TFace face(const std::array<std::vector<int>, 4>& sides) {
-  TFace result;
-  for (int k = 0; k < 4; ++k)
-    for (const int code : sides[k]) result[k].push_back(half_edge_of_code(code));
-  return result;
-}
-
 // Arcs 0, 1, 2 across a strip of two faces that closes on itself: 0 = 1 and 1 = 0 + 2. Arcs 3 to 6 run along it.
 const std::vector<TFace> spiral{face({{{0}, {3}, {1}, {4}}}), face({{{-2}, {5}, {-1, 2}, {6}}})};
-
-TEST(IntegerProgram, FindsWholeNumbersWhereTheRealOptimumHasNone) {
-  // Maximise x + y with 2 x + 2 y + slack = 5.
-  IntegerProgram program;
-  const int x = program.add_variable(0, 10, -1, true), y = program.add_variable(0, 10, -1, true);
-  const int slack = program.add_variable(0, 10, 0, false);
-  program.add_equation({{x, 2}, {y, 2}, {slack, 1}}, 5);
-  const std::vector<double> solution = program.solve();
-  ASSERT_EQ(solution.size(), 3u);
-  EXPECT_EQ(solution[x] + solution[y], 2);
-}
-
-TEST(IntegerProgram, ReturnsNothingWhereThereIsNoSolution) {
-  IntegerProgram program;
-  const int x = program.add_variable(0, 10, 1, true);
-  program.add_equation({{x, 2}}, 5);
-  EXPECT_TRUE(program.solve().empty());
-}
 
 TEST(Quantize, OppositeSidesAreEqualAndNearTheirTargets) {
   // One face: side 0 of three arcs, the others of one.

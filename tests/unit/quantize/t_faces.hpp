@@ -1,0 +1,20 @@
+#pragma once
+// Faces of T-meshes from the integers of the file format, for tests of this folder.
+
+#include <array>
+#include <vector>
+
+#include "model/half_edge.hpp"
+#include "quantize/t_mesh_faces.hpp"
+
+namespace quadrille::quantize {
+
+/// A face from its sides, each a list of arcs as files hold them: -1 - a is arc a backwards.
+inline TFace face(const std::array<std::vector<int>, 4>& sides) {
+  TFace result;
+  for (int k = 0; k < 4; ++k)
+    for (const int code : sides[k]) result[k].push_back(half_edge_of_code(code));
+  return result;
+}
+
+}  // namespace quadrille::quantize

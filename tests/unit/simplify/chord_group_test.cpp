@@ -1,0 +1,144 @@
+#include "simplify/chord_group.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "../support/grid_layout.hpp"
+#include "../support/hall.hpp"
+#include "../support/snail.hpp"
+#include "../support/square_field.hpp"
+#include "graph/face_corners.hpp"
+
+namespace quadrille::simplify {
+namespace {
+
+/// Two columns of three unit squares: no line in it has a fixed node, so that strips are collapsed onto the boundary.
+struct Grid : testing::Test {
+  Field field = interpolated_field(square_mesh({-4, -4}, 8, 3), 1, [](Vec2) { return Vec2{1, 0}; });
+  field::FieldEvaluator evaluator{field};
+  graph::Subdivision subdivision{grid_layout(2, 3)};
+  BlendOptions options{1, 1e-9};
+
+  /// The arc between two grid points.
+  int arc(Vec2 a, Vec2 b) const {
+    const ArcGraph& g = subdivision.graph();
+    for (int i = 0; i < subdivision.arc_bound(); ++i) {
+      const Vec2 from = g.nodes[g.arcs[i].from].position, to = g.nodes[g.arcs[i].to].position;
+      if (std::min(distance(from, a) + distance(to, b), distance(from, b) + distance(to, a)) < 1e-9) return i;
+    }
+    ADD_FAILURE() << "no such arc";
+    return -1;
+  }
+  graph::ChordStrip column(int i) const { return graph::strip_through(subdivision, arc({i + 0.0, 0}, {i + 1.0, 0})); }
+  graph::ChordStrip row(int j) const { return graph::strip_through(subdivision, arc({0, j + 0.0}, {0, j + 1.0})); }
+
+  std::optional<Trial> collapse(const std::vector<graph::ChordStrip>& strips) const {
+    return collapse_group(evaluator, subdivision, strips, options);
+  }
+  static void expect_blocks(const std::optional<Trial>& trial, int num) {
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(trial->subdivision.num_faces(), num);
+    EXPECT_TRUE(graph::faces_without_four_corners(trial->subdivision).empty());
+    EXPECT_EQ(trial->deviation, 0);  // nothing is blended
+  }
+};
+
+TEST_F(Grid, NoStripIsNoChange) {
+  const auto trial = collapse({});
+  expect_blocks(trial, 6);
+  for (int a = 0; a < subdivision.arc_bound(); ++a) EXPECT_EQ(trial->arc2arc[a], a);
+}
+
+TEST_F(Grid, AStripIsCollapsedOntoTheBoundary) {
+  const auto trial = collapse({column(0)});
+  expect_blocks(trial, 3);
+  for (int j = 0; j < 4; ++j) EXPECT_EQ(trial->arc2arc[arc({0, j + 0.0}, {1, j + 0.0})], -1) << "a rung";
+  for (int j = 0; j < 3; ++j)
+    EXPECT_EQ(trial->arc2arc[arc({0, j + 0.0}, {0, j + 1.0})], trial->arc2arc[arc({1, j + 0.0}, {1, j + 1.0})]);
+}
+
+TEST_F(Grid, ArcsThatBecameLongerAreMarked) {
+  const auto trial = collapse({column(0)});
+  ASSERT_TRUE(trial);
+  std::set<int> changed;
+  for (std::size_t a = 0; a < trial->is_changed.size(); ++a)
+    if (trial->is_changed[a]) changed.insert(static_cast<int>(a));
+  std::set<int> longer;
+  for (int j = 0; j < 4; ++j) longer.insert(trial->arc2arc[arc({1, j + 0.0}, {2, j + 0.0})]);
+  EXPECT_EQ(changed, longer);
+}
+
+TEST_F(Grid, StripsSideBySideWithACommonRailAreNotCollapsedTogether) {
+  EXPECT_FALSE(collapse({column(0), column(1)}));
+  EXPECT_FALSE(collapse({row(0), row(1)}));
+  EXPECT_FALSE(collapse({column(0), column(0)}));
+}
+
+TEST_F(Grid, StripsWithoutACommonRailAreCollapsedTogether) {
+  expect_blocks(collapse({row(0), row(2)}), 2);
+  expect_blocks(collapse({row(2), row(0)}), 2);
+}
+
+TEST_F(Grid, StripsThatCrossAreCollapsedInAnyOrderToTheSame) {
+  const auto a = collapse({column(0), row(0)}), b = collapse({row(0), column(0)});
+  expect_blocks(a, 2);
+  expect_blocks(b, 2);
+  const auto places = [](const Trial& trial) {
+    std::set<std::pair<double, double>> set;
+    for (const GraphNode& node : trial.subdivision.graph().nodes) set.insert({node.position.x, node.position.y});
+    return set;
+  };
+  EXPECT_EQ(places(*a), places(*b));
+  EXPECT_EQ(a->arc2arc[arc({1, 0}, {1, 1})], -1) << "a rung of the row, where the column collapsed first";
+}
+
+TEST_F(Grid, AStripBetweenBoundariesIsNotCollapsedNorAnyWithIt) {
+  subdivision = graph::Subdivision(grid_layout(1, 3));
+  EXPECT_FALSE(collapse({graph::strip_through(subdivision, arc({0, 0}, {1, 0}))}));
+  EXPECT_FALSE(collapse({row(0), graph::strip_through(subdivision, arc({0, 0}, {1, 0}))}));
+  expect_blocks(collapse({row(0)}), 2);
+}
+
+TEST_F(Grid, BlendsDeviateByTheGreatestOfThem) {
+  const double step = 0.1;
+  subdivision = hall(step).subdivision;
+  const graph::ChordStrip strip = thin_strip_of_hall(subdivision, step);
+  const auto trial = collapse({strip});
+  ASSERT_TRUE(trial);
+  EXPECT_NEAR(trial->deviation, deviation_of_hall(step), 1e-3);
+  EXPECT_EQ(trial->subdivision.num_faces(), subdivision.num_faces() - 2);
+  options.max_deviation = 0.9 * deviation_of_hall(step);
+  EXPECT_FALSE(collapse({strip}));
+}
+
+// ---- Shortcuts of spirals
+
+struct ShortenSnail : testing::Test {
+  Field field = interpolated_field(square_mesh({-3, -3}, 6, 6), 4, [](Vec2 x) {
+    const Vec2 z2{x.x * x.x - x.y * x.y, 2 * x.x * x.y};
+    return Vec2{z2.x * z2.x - z2.y * z2.y, 2 * z2.x * z2.y};
+  });
+  field::FieldEvaluator evaluator{field};
+  graph::Subdivision subdivision = snail::layout().subdivision;
+  std::vector<SpiralShortcut> shortcuts = find_shortcuts(subdivision, graph::arc_lengths(subdivision.graph()));
+};
+
+TEST_F(ShortenSnail, AShortcutLeavesFewerBlocks) {
+  const auto trial = shorten_group(evaluator, subdivision, shortcuts, {1, 1e-9});
+  ASSERT_TRUE(trial);
+  EXPECT_EQ(trial->subdivision.num_faces(), 3);
+  EXPECT_NEAR(trial->deviation, snail::deviation_at_middle(), 0.02);
+}
+
+TEST_F(ShortenSnail, TwoShortcutsOfOneLineAreNone) {
+  shortcuts.push_back(shortcuts.at(0));
+  EXPECT_FALSE(shorten_group(evaluator, subdivision, shortcuts, {1, 1e-9}));
+}
+
+TEST_F(ShortenSnail, AShortcutThatDeviatesTooFarIsNone) {
+  EXPECT_FALSE(shorten_group(evaluator, subdivision, shortcuts, {0.9 * snail::deviation_at_middle(), 1e-9}));
+}
+
+}  // namespace
+}  // namespace quadrille::simplify
