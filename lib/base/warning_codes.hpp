@@ -29,6 +29,7 @@ inline constexpr const char* block_not_proved_valid = "W-BLK-001";
 // quadrefine and the tools that read its meshes
 inline constexpr const char* mesh_not_valid = "W-QUA-001";
 inline constexpr const char* chord_count_missed = "W-QUA-002";
+inline constexpr const char* geometry_tol_missed = "W-QUA-003";
 inline constexpr const char* walls_share_a_chord = "W-WAL-001";  ///< each prescribes heights of its own
 inline constexpr const char* walls_disagree = "W-WAL-002";       ///< wall layers that continue each other
 

@@ -10,6 +10,7 @@
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "layers/wall_layers.hpp"
+#include "mesh/boundary_distance.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
@@ -25,6 +26,10 @@ namespace {
 
 constexpr double max_element_nodes = 1e8;
 constexpr double default_size = 1.0 / 20;  ///< diameters
+/// Divisions are made anew if the finished mesh misses the tolerance: their own samples are fewer. The stricter
+/// tolerance of the next attempt, relative to the ratio by which the last one missed.
+constexpr int max_attempts = 3;
+constexpr double stricter = 0.8;
 
 /// The data that every attempt at a valid mesh has in common.
 struct SplitRequest {
@@ -98,6 +103,29 @@ SplitMesh split_until_valid(const sizing::MeasuredLayout& aligned, const SplitRe
   return result;
 }
 
+struct MeasuredSplit {
+  SplitMesh split;
+  mesh::BoundaryDistance distance;
+};
+
+/// With more elements where the mesh, measured by projection, leaves the CAD curves by more than the tolerance.
+MeasuredSplit split_within_tolerance(const sizing::MeasuredLayout& aligned, const SplitRequest& request) {
+  const double tolerance = request.division.tolerance;
+  SplitRequest attempt = request;
+  MeasuredSplit result{split_until_valid(aligned, attempt), {}};
+  result.distance = mesh::boundary_distance(result.split.mesh);
+  for (int i = 1; i < max_attempts && !result.distance.is_within(tolerance); ++i) {
+    attempt.division.tolerance *= stricter * tolerance / result.distance.worst().distance;
+    SplitMesh next = split_until_valid(aligned, attempt);
+    const mesh::BoundaryDistance distance = mesh::boundary_distance(next.mesh);
+    if (distance.worst().distance >= result.distance.worst().distance ||
+        next.mesh.is_valid < result.split.mesh.is_valid)
+      break;
+    result = {std::move(next), distance};
+  }
+  return result;
+}
+
 /// By element: whether it lies in a block that has layers, which relaxation does not move.
 std::vector<bool> elements_in_layered_blocks(const SplitMesh& split) {
   std::vector<bool> is_layered;
@@ -147,11 +175,14 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   options.validate();
   const sizing::MeasuredLayout measured(layout);
   const SplitRequest request = split_request(options, layout.face.diameter);
-  SplitMesh split = split_until_valid(measured.with_parameters(align_chords(measured)), request);
-  if (options.relax > 0)
+  auto [split, distance] = split_within_tolerance(measured.with_parameters(align_chords(measured)), request);
+  if (options.relax > 0) {
     relax_and_report(split.mesh, {options.relax, request.division.tolerance, elements_in_layered_blocks(split)},
                      report);
+    distance = mesh::boundary_distance(split.mesh);
+  }
   report_mesh(split.mesh, measured.chords().size(), report);
+  mesh::report_distance(distance, layout.face, request.division.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);

@@ -50,15 +50,32 @@ const PolygonSamples& polygon_samples(int order) {
   return cache[order];
 }
 
-double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
-  const double length2 = norm2(b - a);
-  const double fraction = length2 > 0 ? std::clamp(dot(x - a, b - a) / length2, 0.0, 1.0) : 0;
-  return distance(x, a + fraction * (b - a));
+/// Distance of x from the parabola through three points at s = -1, 0, 1, for s in [-1, 1]. On a polynomial of a smooth
+/// side it is that polynomial but for terms of third order in the spacing of the points.
+double distance_to_parabola(Vec2 x, Vec2 a, Vec2 b, Vec2 c) {
+  const Vec2 slope = (c - a) / 2, bend = a - 2 * b + c;
+  const double length2 = norm2(c - a);
+  double s = length2 > 0 ? std::clamp(2 * dot(x - (a + c) / 2, c - a) / length2, -1.0, 1.0) : 0;
+  const auto at = [&](double u) { return b + u * slope + (u * u / 2) * bend; };
+  for (int step = 0; step < 4; ++step) {
+    const Vec2 tangent = slope + s * bend, off = at(s) - x;
+    const double curvature = norm2(tangent) + dot(off, bend);
+    if (!(curvature > 0)) break;
+    s = std::clamp(s - dot(off, tangent) / curvature, -1.0, 1.0);
+  }
+  return distance(x, at(s));
 }
 
-/// A lower bound of the distance of the chain's breaks, and of the middles between them, from the interval's
-/// polynomial: there a short bend such as a fillet is farthest from it, which comparison at nodes or at equal
-/// parameters would miss.
+double distance_to_parabolas(Vec2 x, const std::vector<Vec2>& points) {
+  double nearest = distance(x, points[0]);
+  for (std::size_t k = 1; k + 1 < points.size(); ++k)
+    if (distance(x, points[k]) - distance(points[k - 1], points[k + 1]) < nearest)
+      nearest = std::min(nearest, distance_to_parabola(x, points[k - 1], points[k], points[k + 1]));
+  return nearest;
+}
+
+/// Distance of the chain's breaks, and of points between them, from the interval's polynomial: there a kink or a short
+/// bend such as a fillet is farthest from it, which comparison at nodes or at equal parameters would miss.
 double bend_error(const curve::Chain& chain, double low, double high, const std::vector<curve::ChainPoint>& nodes,
                   int order) {
   std::vector<double> ends{low};
@@ -71,20 +88,13 @@ double bend_error(const curve::Chain& chain, double low, double high, const std:
   std::vector<Vec2> polygon(from_nodes.rows());
   for (std::size_t i = 0; i < polygon.size(); ++i)
     for (int k = 0; k <= order; ++k) polygon[i] += from_nodes(static_cast<int>(i), k) * nodes[k].position;
-  double sagitta = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sagitta = std::max(sagitta, norm(polygon[i - 1] - 2 * polygon[i] + polygon[i + 1]) / 8);
 
   double worst = 0;
   for (std::size_t i = 1; i < ends.size(); ++i)
-    for (const double f : {ends[i - 1], (ends[i - 1] + ends[i]) / 2}) {
-      const Vec2 x = chain.at(f).position;
-      double nearest = distance(x, polygon[0]);
-      for (std::size_t k = 1; k < polygon.size(); ++k)
-        nearest = std::min(nearest, distance_to_segment(x, polygon[k - 1], polygon[k]));
-      worst = std::max(worst, nearest);
-    }
-  return worst - sagitta;
+    for (const double part : {0.0, 0.25, 0.5, 0.75})
+      worst = std::max(worst,
+                       distance_to_parabolas(chain.at(ends[i - 1] + part * (ends[i] - ends[i - 1])).position, polygon));
+  return worst;
 }
 
 double between(double low, double high, double xi) { return low * (1 - xi) / 2 + high * (1 + xi) / 2; }

@@ -34,5 +34,22 @@ TEST(IntervalError, SeesABendThatIsShortAgainstTheInterval) {
   EXPECT_LT(interval_error(table, curve::Chain(table, {{1, 0, 2}}), 0, 1, 1), 1e-15);
 }
 
+TEST(IntervalError, SeesAKinkBetweenArcs) {
+  // Two arcs that meet at an angle of 1.66e-3 instead of in one tangent. The kink is farthest from the polynomial of
+  // a side that passes it, which few samples at equal parameters miss.
+  const double kink = 1.66e-3;
+  const CadFace face =
+      hand_made::face({{curve::circular_arc({0, 0}, 250, -0.5, 0),
+                        curve::circular_arc({250 - 250 * std::cos(kink), 250 * std::sin(-kink)}, 250, kink, 0.5)}},
+                      500);
+  const std::vector<Nurbs> no_splines;
+  const curve::CurveTable table(face, no_splines);
+  const curve::Chain chain(table, {{0, 0, 0.5}, {1, 0, 0.5 - kink}});
+  // A side of length 143.6, of which 0.638 lie before the kink, and the distance of the kink from the polynomial
+  // through five of its points, computed by another program.
+  const double joint = chain.joint_fractions()[0], length = 143.6 / chain.length();
+  EXPECT_NEAR(interval_error(table, chain, joint - 0.638 * length, joint + 0.362 * length, 4), 0.01255, 2e-5);
+}
+
 }  // namespace
 }  // namespace quadrille::sizing
