@@ -102,7 +102,7 @@ BoundaryApexes boundary_apexes(const CadFace& face, const PhaseNodes& prescribed
     apexes.push_back(make_apex(face, c, curve.begin(), face.joints[c].interior_angle, valences[c]));
     for (; next != inner.end() && next->curve == c; ++next) {
       if (next->t - apexes.back().t <= same_position_tol * range_of(curve))
-        throw ComputeError(fmt::format("two boundary nodes are at the same place of curve {}", c));
+        throw ComputeError(fmt::format("two boundary nodes are at the same position on curve {}", c));
       apexes.push_back(make_apex(face, c, next->t, pi, next->valence));
     }
   }

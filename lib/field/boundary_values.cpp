@@ -16,38 +16,38 @@ Vec2 fourth_power(Vec2 d) {
   return {square.x * square.x - square.y * square.y, 2 * square.x * square.y};
 }
 
-enum class Place { begin, inside, end };
+enum class CurvePart { begin, inside, end };
 
 // Parameters within round-off of an end are snapped to it: the direction from the joint to a nearer point is noise.
-Place place_on(const Nurbs& curve, double t) {
+CurvePart part_of(const Nurbs& curve, double t) {
   const double tol = 1e-12 * (curve.end() - curve.begin());
-  if (t <= curve.begin() + tol) return Place::begin;
-  return t >= curve.end() - tol ? Place::end : Place::inside;
+  if (t <= curve.begin() + tol) return CurvePart::begin;
+  return t >= curve.end() - tol ? CurvePart::end : CurvePart::inside;
 }
 
 // The direction from the joint at one end of the curve into the curve.
-Vec2 direction_from_joint(const Nurbs& curve, Place place) {
-  return place == Place::begin ? curve::tangent(curve, curve.begin()) : -curve::tangent(curve, curve.end(), true);
+Vec2 direction_from_joint(const Nurbs& curve, CurvePart part) {
+  return part == CurvePart::begin ? curve::tangent(curve, curve.begin()) : -curve::tangent(curve, curve.end(), true);
 }
 
 }  // namespace
 
 Vec2 boundary_value(const CadFace& face, int curve, double t) {
   const Nurbs& nurbs = face.curves[curve];
-  return fourth_power(curve::tangent(nurbs, t, place_on(nurbs, t) == Place::end));
+  return fourth_power(curve::tangent(nurbs, t, part_of(nurbs, t) == CurvePart::end));
 }
 
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
   const Nurbs& nurbs = face.curves[curve];
   Vec2 value = boundary_value(face, curve, t);
   if (liftings.empty()) return value;
-  const Place place = place_on(nurbs, t);
-  const int joint = place == Place::begin ? curve : place == Place::end ? face.next_in_loop(curve) : -1;
+  const CurvePart part = part_of(nurbs, t);
+  const int joint = part == CurvePart::begin ? curve : part == CurvePart::end ? face.next_in_loop(curve) : -1;
   const Vec2 x = curve::point(nurbs, t);
   for (const Lifting& lifting : liftings) {
     const bool at_apex = lifting.joint == joint;
     value -= lifting.jump *
-             (at_apex ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, place)) : lifting_angle(lifting, x));
+             (at_apex ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, part)) : lifting_angle(lifting, x));
   }
   return value;
 }

@@ -85,16 +85,16 @@ double weight(const Source& s, Vec2 x) {
 // The sources with the greatest contributions, in descending order; equal ones by element number.
 std::vector<int> strongest(const std::vector<Source>& sources) {
   constexpr std::size_t most = 512;
-  std::vector<int> sequence(sources.size());
-  std::iota(sequence.begin(), sequence.end(), 0);
+  std::vector<int> ranking(sources.size());
+  std::iota(ranking.begin(), ranking.end(), 0);
   const auto sends_more = [&](int a, int b) {
     const double left = sources[a].tail * sources[a].radius, right = sources[b].tail * sources[b].radius;
     return left != right ? left > right : a < b;
   };
-  const auto end = sequence.begin() + static_cast<std::ptrdiff_t>(std::min(most, sequence.size()));
-  std::partial_sort(sequence.begin(), end, sequence.end(), sends_more);
-  sequence.erase(end, sequence.end());
-  return sequence;
+  const auto end = ranking.begin() + static_cast<std::ptrdiff_t>(std::min(most, ranking.size()));
+  std::partial_sort(ranking.begin(), end, ranking.end(), sends_more);
+  ranking.erase(end, ranking.end());
+  return ranking;
 }
 
 }  // namespace

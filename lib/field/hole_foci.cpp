@@ -111,8 +111,8 @@ Vec2 focus_of(const CadFace& face, const std::vector<Part>& parts, Run run) {
   const Vec2 middle = (parts[i].middle + parts[j].middle) / 2;
   const Vec2 inward = -left_of(normalized(parts[i].tangent + parts[j].tangent));
   const double radius = (parts[i].length + parts[j].length) / (parts[i].turn + parts[j].turn);
-  const double room = distance(half_way(face, parts[i].middle, inward), parts[i].middle);
-  return middle + std::min(radius / 2, room) * inward;
+  const double clearance = distance(half_way(face, parts[i].middle, inward), parts[i].middle);
+  return middle + std::min(radius / 2, clearance) * inward;
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Vec2 centroid(const Polygon& polygon) {
 }
 
 // Distance to the polygon, negative outside.
-double clearance(const Polygon& polygon, Vec2 x) {
+double signed_clearance(const Polygon& polygon, Vec2 x) {
   double nearest = INFINITY;
   bool is_inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -62,11 +62,11 @@ Vec2 hole_point(const CadFace& face, int loop) {
     for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
       const double t = curve.begin() + f * (curve.end() - curve.begin());
       const Vec2 x = half_way(face, curve::point(curve, t), -left_of(curve::tangent(curve, t)));
-      const double room = clearance(polygon, x);
-      if (room > most * (1 + 1e-6)) most = room, best = x;
+      const double clearance = signed_clearance(polygon, x);
+      if (clearance > most * (1 + 1e-6)) most = clearance, best = x;
     }
   }
-  return clearance(polygon, centre) >= good_clearance * most ? centre : best;
+  return signed_clearance(polygon, centre) >= good_clearance * most ? centre : best;
 }
 
 }  // namespace

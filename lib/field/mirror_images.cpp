@@ -51,8 +51,9 @@ void add_candidate(const CadFace& face, int c, Vec2 x, std::vector<Candidate>& c
   const double shrink = 1 - curve::curvature(curve, foot.t, foot.t >= curve.end()) * depth;
   if (shrink * farthest_image < 1 || shrink > greatest_shrink) return;
   const Vec2 outward = -left_of(along);
-  const double beyond = depth / shrink, room = 2 * distance(half_way(face, foot.position, outward), foot.position);
-  if (beyond > 0.9 * room) return;
+  const double beyond = depth / shrink;
+  const double to_boundary = 2 * distance(half_way(face, foot.position, outward), foot.position);
+  if (beyond > 0.9 * to_boundary) return;
   const Vec2 image = foot.position + beyond * outward;
   for (int other = 0; other < face.num_curves(); ++other) {
     if (other != c && curve::project(face.curves[other], image).distance < least_clearance * std::min(depth, beyond))

@@ -97,12 +97,12 @@ Eigen::MatrixXd make_to_orthogonal(int order) {
 }
 
 std::vector<int> make_subset(int order, int higher_order) {
-  std::vector<int> places{0, 1, 2};
+  std::vector<int> modes{0, 1, 2};
   for (int edge = 0; edge < 3; ++edge) {
-    for (int d = 2; d <= order; ++d) places.push_back(edge_mode(higher_order, edge, d));
+    for (int d = 2; d <= order; ++d) modes.push_back(edge_mode(higher_order, edge, d));
   }
-  for (int i = 0; i < num_interior_modes(order); ++i) places.push_back(num_boundary_modes(higher_order) + i);
-  return places;
+  for (int i = 0; i < num_interior_modes(order); ++i) modes.push_back(num_boundary_modes(higher_order) + i);
+  return modes;
 }
 
 }  // namespace

@@ -71,9 +71,9 @@ void fill_rows(Order order, Vec2 xi, double* __restrict f) {
 }
 
 template <int order = 2>
-void fill_unrolled(int wanted, Vec2 xi, double* f) {
-  if (wanted == order) return fill_rows(std::integral_constant<int, order>{}, xi, f);
-  if constexpr (order < 12) fill_unrolled<order + 1>(wanted, xi, f);
+void fill_unrolled(int requested, Vec2 xi, double* f) {
+  if (requested == order) return fill_rows(std::integral_constant<int, order>{}, xi, f);
+  if constexpr (order < 12) fill_unrolled<order + 1>(requested, xi, f);
 }
 
 void fill_values(int order, Vec2 xi, double* f) {
