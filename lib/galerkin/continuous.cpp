@@ -32,15 +32,15 @@ void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
 }
 
 int ContinuousSystem::num_unknowns(const std::vector<int>& elem_order) const {
-  return make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order).num_unknowns;
+  return make_dof_map(*context_->mesh, context_->topology, context_->tree.elimination_order, elem_order).num_unknowns;
 }
 
 void ContinuousSystem::set_orders(const std::vector<int>& elem_order, Stopwatch& watch) {
   cholesky_.reset();
   update_elements(elem_order);
   watch.lap("elements");
-  map_ =
-      std::make_unique<DofMap>(make_dof_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order));
+  map_ = std::make_unique<DofMap>(
+      make_dof_map(*context_->mesh, context_->topology, context_->tree.elimination_order, elem_order));
   cholesky_ = std::make_unique<CondensedCholesky>(context_->tree, *map_, num_threads_);
   watch.lap("structure");
   cholesky_->factor(elements_);

@@ -23,11 +23,12 @@ bool is_backwards(const TriMesh& mesh, int elem, int edge) {
   return mesh.elem2vertices[elem][edge] > mesh.elem2vertices[elem][(edge + 1) % 3];
 }
 
-// Numbers all entities whose boundary flag equals `wanted`, in elimination order.
-void number(const std::vector<int>& sequence, const std::vector<bool>& on_boundary, bool wanted, DofMap& map) {
+// Numbers all entities on the boundary, or all others, in elimination order.
+void number(const std::vector<int>& elimination_order, const std::vector<bool>& on_boundary, bool number_boundary,
+            DofMap& map) {
   const int num_vertices = static_cast<int>(map.vertex2dof.size());
-  for (const int entity : sequence) {
-    if (on_boundary[entity] != wanted) continue;
+  for (const int entity : elimination_order) {
+    if (on_boundary[entity] != number_boundary) continue;
     if (entity < num_vertices) {
       map.vertex2dof[entity] = map.num_dofs++;
     } else {
@@ -55,7 +56,7 @@ void add_element(const TriMesh& mesh, const mesh::TriTopology& topology, int ele
 
 }  // namespace
 
-DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                     const std::vector<int>& elem_order) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   const int num_edges = static_cast<int>(topology.edge2vertices.size());
@@ -69,22 +70,22 @@ DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, cons
     on_boundary[num_vertices + edge] = true;
     for (const int vertex : topology.edge2vertices[edge]) on_boundary[vertex] = true;
   }
-  number(sequence, on_boundary, false, map);
+  number(elimination_order, on_boundary, false, map);
   map.num_unknowns = map.num_dofs;
-  number(sequence, on_boundary, true, map);
+  number(elimination_order, on_boundary, true, map);
   map.elem2offset.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) add_element(mesh, topology, e, elem_order[e], map);
   return map;
 }
 
-DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                       const std::vector<int>& elem_order) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   DofMap map;
   map.edge2order = edge_orders(topology, elem_order, std::max<int>);
   map.edge2dof.assign(map.edge2order.size(), -1);
   for (const bool on_boundary : {false, true}) {
-    for (const int entity : sequence) {
+    for (const int entity : elimination_order) {
       const int edge = entity - num_vertices;
       if (edge < 0 || (topology.edge2elems[edge][1] < 0) != on_boundary) continue;
       map.edge2dof[edge] = map.num_dofs;

@@ -22,15 +22,15 @@ struct DofMap {
   std::vector<double> elem2signs;  ///< +1 or -1: the mode is this times the shape function of the dof
 };
 
-/// `sequence`: elimination order of the vertices and edges (EliminationTree::sequence). The free dofs are numbered in
-/// this order, then the boundary dofs.
-DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
+/// `elimination_order`: vertices and edges as in EliminationTree. The free dofs are numbered in this order, then the
+/// boundary dofs.
+DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                     const std::vector<int>& elem_order);
 
 /// Numbers of the trace unknowns of the hybridised method: edge modes of degree 0..order, where order is the greater
-/// one of both elements (edge2order); vertices have none. Free edges are numbered in the order of `sequence`, then the
+/// one of both elements (edge2order); vertices have none. Free edges are numbered in elimination order, then the
 /// boundary edges.
-DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& sequence,
+DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                       const std::vector<int>& elem_order);
 
 }  // namespace quadrille::galerkin

@@ -122,8 +122,8 @@ Eigen::MatrixXd stiffness_matrix(const spectral::TriMap& map, int order, int ext
 
 Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int order) {
   if (order == higher_order) return stiffness;
-  const std::vector<int>& places = spectral::modified_subset(order, higher_order);
-  return stiffness(places, places);
+  const std::vector<int>& modes = spectral::modified_subset(order, higher_order);
+  return stiffness(modes, modes);
 }
 
 }  // namespace quadrille::galerkin

@@ -21,7 +21,7 @@ class Dissection {
 
  private:
   struct Cut {
-    int num_edges = 0, direction = 0, place = 0;
+    int num_edges = 0, direction = 0, position = 0;
   };
   Cut best_cut(int begin, int end);
   void divide(int begin, int end, const Cut& cut);
@@ -36,15 +36,15 @@ class Dissection {
 
 Dissection::Dissection(const TriMesh& mesh, const mesh::TriTopology& topology)
     : topology_(&topology), part_(mesh.num_elems(), 0), swept_(mesh.num_elems(), 0) {
-  std::vector<double> places(mesh.num_elems());
+  std::vector<double> positions(mesh.num_elems());
   for (std::size_t d = 0; d < directions.size(); ++d) {
     for (int e = 0; e < mesh.num_elems(); ++e) {
-      places[e] = 0;
-      for (const int v : mesh.elem2vertices[e]) places[e] += dot(directions[d], mesh.vertices[v]);
+      positions[e] = 0;
+      for (const int v : mesh.elem2vertices[e]) positions[e] += dot(directions[d], mesh.vertices[v]);
     }
     sorted_[d].resize(mesh.num_elems());
     std::iota(sorted_[d].begin(), sorted_[d].end(), 0);
-    std::stable_sort(sorted_[d].begin(), sorted_[d].end(), [&](int a, int b) { return places[a] < places[b]; });
+    std::stable_sort(sorted_[d].begin(), sorted_[d].end(), [&](int a, int b) { return positions[a] < positions[b]; });
   }
 }
 
@@ -67,10 +67,10 @@ Dissection::Cut Dissection::best_cut(int begin, int end) {
 }
 
 void Dissection::divide(int begin, int end, const Cut& cut) {
-  for (int i = cut.place; i < end; ++i) part_[sorted_[cut.direction][i]] = cut.place;
+  for (int i = cut.position; i < end; ++i) part_[sorted_[cut.direction][i]] = cut.position;
   for (std::vector<int>& elements : sorted_) {
     std::stable_partition(elements.begin() + begin, elements.begin() + end,
-                          [&](int e) { return part_[e] != cut.place; });
+                          [&](int e) { return part_[e] != cut.position; });
   }
 }
 
@@ -79,8 +79,8 @@ int Dissection::dissect(int begin, int end) {
   if (end - begin > leaf_size) {
     const Cut cut = best_cut(begin, end);
     divide(begin, end, cut);
-    node.first = dissect(begin, cut.place);
-    node.second = dissect(cut.place, end);
+    node.first = dissect(begin, cut.position);
+    node.second = dissect(cut.position, end);
   } else {
     tree_.elements.insert(tree_.elements.end(), sorted_[0].begin() + begin, sorted_[0].begin() + end);
   }
@@ -100,12 +100,12 @@ struct Span {
 std::vector<Span> spans(const EliminationTree& tree, const TriMesh& mesh, const mesh::TriTopology& topology) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   std::vector<Span> spans(num_vertices + topology.edge2vertices.size());
-  for (int place = 0; place < static_cast<int>(tree.elements.size()); ++place) {
-    const int elem = tree.elements[place];
+  for (int position = 0; position < static_cast<int>(tree.elements.size()); ++position) {
+    const int elem = tree.elements[position];
     for (int k = 0; k < 3; ++k) {
       for (const int entity : {mesh.elem2vertices[elem][k], num_vertices + topology.elem2edges[elem][k]}) {
-        if (spans[entity].first < 0) spans[entity].first = place;
-        spans[entity].last = place;
+        if (spans[entity].first < 0) spans[entity].first = position;
+        spans[entity].last = position;
       }
     }
   }
@@ -113,7 +113,8 @@ std::vector<Span> spans(const EliminationTree& tree, const TriMesh& mesh, const 
 }
 
 // Entities sorted by the smallest part that contains all their elements.
-std::vector<int> sequence_of(const EliminationTree& tree, const TriMesh& mesh, const mesh::TriTopology& topology) {
+std::vector<int> elimination_order(const EliminationTree& tree, const TriMesh& mesh,
+                                   const mesh::TriTopology& topology) {
   const std::vector<Span> entity2span = spans(tree, mesh, topology);
   std::vector<int> leaf(tree.elements.size()), owner(entity2span.size(), 0);
   for (int n = 0; n < static_cast<int>(tree.nodes.size()); ++n) {
@@ -126,10 +127,10 @@ std::vector<int> sequence_of(const EliminationTree& tree, const TriMesh& mesh, c
     while (entity2span[i].last >= tree.nodes[node].end) node = tree.nodes[node].parent;
     owner[i] = node;
   }
-  std::vector<int> sequence(owner.size());
-  std::iota(sequence.begin(), sequence.end(), 0);
-  std::stable_sort(sequence.begin(), sequence.end(), [&](int a, int b) { return owner[a] < owner[b]; });
-  return sequence;
+  std::vector<int> order(owner.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return owner[a] < owner[b]; });
+  return order;
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ EliminationTree nested_dissection(const TriMesh& mesh, const mesh::TriTopology& 
   Dissection dissection(mesh, topology);
   dissection.dissect(0, mesh.num_elems());
   EliminationTree tree = std::move(dissection.tree());
-  tree.sequence = sequence_of(tree, mesh, topology);
+  tree.elimination_order = elimination_order(tree, mesh, topology);
   return tree;
 }
 

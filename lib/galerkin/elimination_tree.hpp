@@ -23,7 +23,7 @@ struct EliminationTree {
   std::vector<int> elements;  ///< all elements, part by part
 
   /// Elimination order of vertices (numbers from 0) and edges (numbers after the vertices).
-  std::vector<int> sequence;
+  std::vector<int> elimination_order;
 };
 
 /// Cuts by straight lines in four directions, each time where the fewest edges are cut and both halves are of

@@ -84,14 +84,14 @@ class BoundaryIntegral {
         sum += weight * length * integrand(piece.t0 + length * u, -1, 0);
         continue;
       }
-      const double share = std::pow(u, 6), slope = 6 * std::pow(u, 5);
-      const double t = at_begin ? piece.t0 + length * share : piece.t1 - length * share;
-      sum += weight * length * slope * integrand(t, at_begin ? piece.apex0 : piece.apex1, share);
+      const double fraction = std::pow(u, 6), slope = 6 * std::pow(u, 5);
+      const double t = at_begin ? piece.t0 + length * fraction : piece.t1 - length * fraction;
+      sum += weight * length * slope * integrand(t, at_begin ? piece.apex0 : piece.apex1, fraction);
     }
     return sum;
   }
 
-  double integrand(double t, int apex, double share) const {
+  double integrand(double t, int apex, double fraction) const {
     constexpr double too_near = 3e-6;  // below this, the direction from the apex is rounding error
     const double least2 = 1e-34 * face_.diameter * face_.diameter;  // a point near an apex may be rounded onto it
     const auto [x, d1, d2, d3] = curve::derivatives(*curve_, t);
@@ -101,7 +101,7 @@ class BoundaryIntegral {
       const Vec2 r = x - sources_[i].position;
       const double r2 = std::max(norm2(r), least2);
       log_sum += sources_[i].weight * std::log(r2) / 2;
-      turning += sources_[i].weight * (i == apex && share < too_near ? bend / 2 : cross(r, d1) / r2);
+      turning += sources_[i].weight * (i == apex && fraction < too_near ? bend / 2 : cross(r, d1) / r2);
     }
     return log_sum * (4 * bend - turning / 2);
   }

@@ -1,4 +1,4 @@
-#include "galerkin/twists.hpp"
+#include "galerkin/hole_winding.hpp"
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ std::vector<Step> steps(int size) {
 
 }  // namespace
 
-std::vector<int> nearest_twists(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target) {
+std::vector<int> nearest_hole_winding(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target) {
   const int size = static_cast<int>(target.size());
   Eigen::VectorXd m(size);
   for (int i = 0; i < size; ++i) m[i] = std::ceil(target[i] - 0.5 - tie_tol);
@@ -49,9 +49,9 @@ std::vector<int> nearest_twists(const Eigen::MatrixXd& gram, const Eigen::Vector
       improved = true;
     }
   }
-  std::vector<int> twists;
-  for (const double x : m) twists.push_back(static_cast<int>(std::lround(x)));
-  return twists;
+  std::vector<int> winding;
+  for (const double x : m) winding.push_back(static_cast<int>(std::lround(x)));
+  return winding;
 }
 
 }  // namespace quadrille::galerkin

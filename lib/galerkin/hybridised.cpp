@@ -37,12 +37,12 @@ void HybridisedGalerkin::update_elements(const std::vector<int>& elem_order, con
 }
 
 int HybridisedGalerkin::num_unknowns(const std::vector<int>& elem_order) const {
-  return make_trace_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order).num_unknowns;
+  return make_trace_map(*context_->mesh, context_->topology, context_->tree.elimination_order, elem_order).num_unknowns;
 }
 
 Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   Stopwatch watch;
-  const DofMap map = make_trace_map(*context_->mesh, context_->topology, context_->tree.sequence, elem_order);
+  const DofMap map = make_trace_map(*context_->mesh, context_->topology, context_->tree.elimination_order, elem_order);
   update_elements(elem_order, map);
   watch.lap("elements");
   const Eigen::MatrixXd given = trace_data(*context_->mesh, context_->topology, map, data_);

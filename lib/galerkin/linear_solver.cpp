@@ -11,31 +11,32 @@ namespace quadrille::galerkin {
 CondensedCholesky::CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads)
     : tree_(&tree), map_(&map), num_threads_(num_threads), parts_(tree.nodes.size()) {
   find_dofs();
-  find_places();
+  find_positions_in_parent();
   divide_work();
 }
 
 // A dof is eliminated with the smallest part that contains all its elements.
 void CondensedCholesky::find_dofs() {
   std::vector<int> dof2last(map_->num_unknowns, -1), dof2first(map_->num_unknowns, -1);  // positions in tree.elements
-  const auto free_dofs = [&](int place, auto&& use) {
-    const int elem = tree_->elements[place];
+  const auto free_dofs = [&](int position, auto&& use) {
+    const int elem = tree_->elements[position];
     for (int i = map_->elem2offset[elem]; i < map_->elem2offset[elem + 1]; ++i) {
       const int dof = map_->elem2dofs[i];
       if (dof >= 0 && dof < map_->num_unknowns) use(dof);
     }
   };
-  for (int place = 0; place < static_cast<int>(tree_->elements.size()); ++place) {
-    free_dofs(place, [&](int dof) {
-      if (dof2first[dof] < 0) dof2first[dof] = place;
-      dof2last[dof] = place;
+  for (int position = 0; position < static_cast<int>(tree_->elements.size()); ++position) {
+    free_dofs(position, [&](int dof) {
+      if (dof2first[dof] < 0) dof2first[dof] = position;
+      dof2last[dof] = position;
     });
   }
   for (std::size_t n = 0; n < parts_.size(); ++n) {
     const EliminationTree::Node& node = tree_->nodes[n];
     std::vector<int>& dofs = parts_[n].dofs;
     if (node.first < 0) {
-      for (int place = node.begin; place < node.end; ++place) free_dofs(place, [&](int dof) { dofs.push_back(dof); });
+      for (int position = node.begin; position < node.end; ++position)
+        free_dofs(position, [&](int dof) { dofs.push_back(dof); });
       std::sort(dofs.begin(), dofs.end());
       dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
     } else {
@@ -51,33 +52,33 @@ void CondensedCholesky::find_dofs() {
   }
 }
 
-void CondensedCholesky::find_places() {
+void CondensedCholesky::find_positions_in_parent() {
   for (std::size_t n = 0; n < parts_.size(); ++n) {
     const int parent = tree_->nodes[n].parent;
     if (parent < 0) continue;
     Part& part = parts_[n];
     const std::vector<int>& there = parts_[parent].dofs;
-    part.places.resize(part.num_shared());
-    for (int i = 0, place = 0; i < part.num_shared(); ++i, ++place) {
-      while (there[place] != part.dofs[part.num_eliminated + i]) ++place;
-      part.places[i] = place;
+    part.positions_in_parent.resize(part.num_shared());
+    for (int i = 0, position = 0; i < part.num_shared(); ++i, ++position) {
+      while (there[position] != part.dofs[part.num_eliminated + i]) ++position;
+      part.positions_in_parent[i] = position;
     }
   }
 }
 
 // Divides the tree into subtrees of about 1/32 of the elements each.
 void CondensedCholesky::divide_work() {
-  const int num_nodes = static_cast<int>(parts_.size()), share = static_cast<int>(tree_->elements.size()) / 32;
+  const int num_nodes = static_cast<int>(parts_.size()), subtree_size = static_cast<int>(tree_->elements.size()) / 32;
   const auto size = [&](int node) { return tree_->nodes[node].end - tree_->nodes[node].begin; };
   std::vector<std::size_t> height(num_nodes, 0);  // of the nodes above the subtrees
   int begin = 0;
   for (int n = 0; n < num_nodes; ++n) {
     const EliminationTree::Node& node = tree_->nodes[n];
-    if (size(n) > share && node.first >= 0) {
+    if (size(n) > subtree_size && node.first >= 0) {
       height[n] = 1 + std::max(height[node.first], height[node.second]);
       if (levels_.size() < height[n]) levels_.emplace_back();
       levels_[height[n] - 1].push_back(n);
-    } else if (node.parent < 0 || size(node.parent) > share) {
+    } else if (node.parent < 0 || size(node.parent) > subtree_size) {
       subtrees_.push_back({begin, n + 1});
     } else {
       continue;
@@ -109,25 +110,25 @@ void CondensedCholesky::downwards(const std::function<void(int)>& f) const {
 void CondensedCholesky::add_elements(const std::vector<CondensedElement>& elements, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated;
-  std::vector<int> places;  // positions of the element's modes in part.dofs, -1: not free
-  for (int place = tree_->nodes[node].begin; place < tree_->nodes[node].end; ++place) {
-    const int elem = tree_->elements[place], offset = map_->elem2offset[elem];
+  std::vector<int> positions;  // of the element's modes in part.dofs, -1: not free
+  for (int position = tree_->nodes[node].begin; position < tree_->nodes[node].end; ++position) {
+    const int elem = tree_->elements[position], offset = map_->elem2offset[elem];
     const int n = map_->elem2offset[elem + 1] - offset;
     const Eigen::MatrixXd& schur = elements[elem].schur;
     const double* signs = &map_->elem2signs[offset];
-    places.assign(n, -1);
+    positions.assign(n, -1);
     for (int i = 0; i < n; ++i) {
       const int dof = map_->elem2dofs[offset + i];
       if (dof < 0 || dof >= map_->num_unknowns) continue;
-      places[i] = static_cast<int>(std::lower_bound(part.dofs.begin(), part.dofs.end(), dof) - part.dofs.begin());
+      positions[i] = static_cast<int>(std::lower_bound(part.dofs.begin(), part.dofs.end(), dof) - part.dofs.begin());
     }
     for (int j = 0; j < n; ++j) {
-      const int column = places[j];
+      const int column = positions[j];
       if (column < 0) continue;
       double* const target =
           column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
       for (int i = 0; i < n; ++i) {
-        if (places[i] >= column) target[places[i]] += signs[i] * signs[j] * schur(i, j);
+        if (positions[i] >= column) target[positions[i]] += signs[i] * signs[j] * schur(i, j);
       }
     }
   }
@@ -135,13 +136,13 @@ void CondensedCholesky::add_elements(const std::vector<CondensedElement>& elemen
 
 void CondensedCholesky::add_half(Part& half, Part& part) {
   const int n = half.num_shared(), k = part.num_eliminated;
-  const std::vector<int>& places = half.places;
+  const std::vector<int>& positions = half.positions_in_parent;
   for (int j = 0; j < n; ++j) {
-    const int column = places[j];
+    const int column = positions[j];
     const double* const source = half.front.rest.col(j).data();
     double* const target =
         column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
-    for (int i = j; i < n; ++i) target[places[i]] += source[i];
+    for (int i = j; i < n; ++i) target[positions[i]] += source[i];
   }
   half.front.rest.resize(0, 0);
 }
@@ -170,7 +171,7 @@ void CondensedCholesky::substitute_forward(const Eigen::MatrixXd& rhs, int n) {
     if (half < 0) continue;
     const Part& from = parts_[half];
     for (int i = 0; i < from.num_shared(); ++i)
-      part.values.row(from.places[i]) += from.values.row(from.num_eliminated + i);
+      part.values.row(from.positions_in_parent[i]) += from.values.row(from.num_eliminated + i);
   }
   if (k == 0) return;
   part.front.panel.topRows(k).triangularView<Eigen::Lower>().solveInPlace(part.values.topRows(k));

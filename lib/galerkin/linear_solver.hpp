@@ -18,7 +18,7 @@ namespace quadrille::galerkin {
 /// on the number of threads. For n elements: time n^1.5, memory n log n.
 class CondensedCholesky {
  public:
-  /// Symbolic factorisation. `map` numbers its dofs in the order of tree.sequence; both must outlive this.
+  /// Symbolic factorisation. `map` numbers its dofs in the order of tree.elimination_order; both must outlive this.
   CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads = 1);
   /// Throws ComputeError if the sum is not positive definite.
   void factor(const std::vector<CondensedElement>& elements);
@@ -30,13 +30,13 @@ class CondensedCholesky {
   struct Part {
     std::vector<int> dofs;
     int num_eliminated = 0;
-    std::vector<int> places;  ///< positions of the shared dofs in the parent's dofs
-    Front front;              ///< the panel is kept, the rest is added to the parent
-    Eigen::MatrixXd values;   ///< over dofs: right-hand side, then solution
+    std::vector<int> positions_in_parent;  ///< of the shared dofs in the parent's dofs
+    Front front;                           ///< the panel is kept, the rest is added to the parent
+    Eigen::MatrixXd values;                ///< over dofs: right-hand side, then solution
     int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
   };
   void find_dofs();
-  void find_places();
+  void find_positions_in_parent();
   void divide_work();
   void add_elements(const std::vector<CondensedElement>& elements, int node);
   void add_half(Part& half, Part& part);

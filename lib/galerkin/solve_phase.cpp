@@ -10,8 +10,8 @@
 #include "field/phase_boundary.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/explicit_energy.hpp"
+#include "galerkin/hole_winding.hpp"
 #include "galerkin/phase_gradient.hpp"
-#include "galerkin/twists.hpp"
 #include "mesh/locate.hpp"
 #include "spectral/modified_basis.hpp"
 
@@ -125,7 +125,7 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   const Eigen::VectorXd r = parts_->given_measures.transpose() * reaction;
   const Eigen::VectorXd best = -k.ldlt().solve(r) / (2 * pi);
   if (!best.allFinite()) throw ComputeError("the winding of the holes is not finite: some element has a folded shape");
-  form.hole_winding = nearest_twists(k, best);
+  form.hole_winding = nearest_hole_winding(k, best);
   for (std::size_t j = 0; j < options.hole_winding_offsets.size(); ++j)
     form.hole_winding[j] += options.hole_winding_offsets[j];
   const Eigen::VectorXd m = as_vector(form.hole_winding);

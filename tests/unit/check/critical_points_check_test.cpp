@@ -129,7 +129,7 @@ TEST(CriticalPointsCheck, CrtR12FormsAreKnown) {
   EXPECT_EQ(broken([](auto& c) { c.hole_winding_offsets = {1}; }), Rules{"CRT-R12"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.form = NodeForm::harmonic; }), Rules{"CRT-R12"});
 }
-TEST(CriticalPointsCheck, CrtR13BoundaryNodesAndTwistsAreSound) {
+TEST(CriticalPointsCheck, CrtR13BoundaryNodesAndHoleWindingOffsetsAreSound) {
   EXPECT_EQ(broken_resolved([](auto& c) { c.boundary_nodes[0].curve = -1; }), Rules{"CRT-R13"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.hole_winding_offsets = {2000000}; }), Rules{"CRT-R13"});
   EXPECT_EQ(broken_resolved([](auto& c) { c.hole_winding_offsets = {least}; }), Rules{"CRT-R13"});

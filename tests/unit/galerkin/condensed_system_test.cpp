@@ -20,9 +20,9 @@ struct System {
 
   System() {
     const mesh::TriTopology topology = mesh::tri_topology(mesh);
-    std::vector<int> sequence(mesh.vertices.size() + topology.edge2vertices.size());
-    std::iota(sequence.begin(), sequence.end(), 0);
-    map = make_dof_map(mesh, topology, sequence, std::vector<int>(mesh.num_elems(), 4));
+    std::vector<int> elimination_order(mesh.vertices.size() + topology.edge2vertices.size());
+    std::iota(elimination_order.begin(), elimination_order.end(), 0);
+    map = make_dof_map(mesh, topology, elimination_order, std::vector<int>(mesh.num_elems(), 4));
     for (const spectral::TriMap& tri : mesh::tri_maps(mesh)) elements.push_back(condense(4, stiffness_matrix(tri, 4)));
     dofs = Eigen::MatrixXd::Zero(map.num_dofs, 2);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)

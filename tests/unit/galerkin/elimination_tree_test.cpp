@@ -23,7 +23,7 @@ bool is_permutation_of_all(std::vector<int> numbers, std::size_t n) {
 
 TEST(EliminationTree, HoldsEveryElementVertexAndEdgeOnce) {
   EXPECT_TRUE(is_permutation_of_all(tree.elements, mesh.elem2vertices.size()));
-  EXPECT_TRUE(is_permutation_of_all(tree.sequence, mesh.vertices.size() + topology.edge2vertices.size()));
+  EXPECT_TRUE(is_permutation_of_all(tree.elimination_order, mesh.vertices.size() + topology.edge2vertices.size()));
 }
 
 TEST(EliminationTree, HalvesComeFirstAndMakeUpTheWhole) {
@@ -41,13 +41,13 @@ TEST(EliminationTree, HalvesComeFirstAndMakeUpTheWhole) {
 }
 
 TEST(EliminationTree, EliminatesTheFirstCutLast) {
-  // What both halves of the mesh share stands at the end of the sequence.
+  // What both halves of the mesh share stands at the end of the elimination order.
   const EliminationTree::Node& root = tree.nodes.back();
   const int num_vertices = static_cast<int>(mesh.vertices.size()), middle = tree.nodes[root.first].end;
   std::vector<bool> in_first(mesh.num_elems(), false);
   for (int place = 0; place < middle; ++place) in_first[tree.elements[place]] = true;
   bool cut_begun = false;
-  for (const int entity : tree.sequence) {
+  for (const int entity : tree.elimination_order) {
     if (entity < num_vertices) continue;
     const auto& [a, b] = topology.edge2elems[entity - num_vertices];
     const bool is_cut = b >= 0 && in_first[a] != in_first[b];

@@ -15,7 +15,8 @@ struct Problem {
   explicit Problem(int n, int order)
       : mesh(parallelogram_mesh({-0.4, -0.3}, {0.9, 0.2}, {-0.3, 0.8}, n)),
         context(mesh),
-        map(make_dof_map(mesh, context.topology, context.tree.sequence, std::vector<int>(mesh.num_elems(), order))) {
+        map(make_dof_map(mesh, context.topology, context.tree.elimination_order,
+                         std::vector<int>(mesh.num_elems(), order))) {
     StiffnessTable stiffness(context);
     for (int e = 0; e < mesh.num_elems(); ++e) elements.push_back(condense(order, stiffness(e, order)));
   }

@@ -87,7 +87,7 @@ TEST(PhaseEnergy, OnTheDiscIsTheClosedForm) {
   }
 }
 
-// Corners of all kinds, curved sides, a boundary node, a hole and its twist.
+// Corners of all kinds, curved sides, a boundary node, a hole and its winding.
 TEST(PhaseEnergy, GradientIsThatOfTheValue) {
   Energy energy(
       fine_mesh(make_face({{curve::segment({-2, -1}, {2, -0.8}), curve::circular_arc({2, 0.2}, 1, -half_pi, half_pi),
@@ -113,7 +113,7 @@ TEST(PhaseEnergy, GradientIsThatOfTheValue) {
   }
 }
 
-// A gradient's own derivatives are symmetric: with corners of all kinds, a hole and its twist.
+// A gradient's own derivatives are symmetric: with corners of all kinds, a hole and its winding.
 TEST(PhaseEnergy, GradientIsOneOfAFunctionWhereThereAreHolesAndCorners) {
   Energy energy(fine_mesh(
       make_face({polygon({{0, 0}, {4, 0.3}, {3.6, 3}, {0.4, 3.3}}), polygon({{2.4, 1.3}, {2.6, 2}, {3, 1.5}})})));

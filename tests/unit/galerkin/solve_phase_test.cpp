@@ -161,7 +161,7 @@ TEST(SolvePhase, OnTheHalfDiscIsTheClosedFormOfNodesAndMirrorImages) {
   half.expect_indices();
 }
 
-TEST(SolvePhase, OnTheAnnulusIsTheClosedFormForEveryTwist) {
+TEST(SolvePhase, OnTheAnnulusIsTheClosedFormForEveryHoleWinding) {
   for (const int m : {0, 1, -2}) {
     const Solved ring(annulus(), {}, {{m}});
     const auto exact = [m](Vec2 x) { return 4 * angle_of(x) + 2 * pi * m * std::log(norm(x)) / std::log(0.5); };

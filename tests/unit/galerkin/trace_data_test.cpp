@@ -14,9 +14,9 @@ namespace {
 TEST(TraceData, OfTheCurvesThemselvesRunAlongEachEdgeFromItsLowerVertex) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 2);
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
-  std::vector<int> sequence(mesh.vertices.size() + topology.edge2vertices.size());
-  std::iota(sequence.begin(), sequence.end(), 0);
-  const DofMap map = make_trace_map(mesh, topology, sequence, std::vector<int>(mesh.num_elems(), 3));
+  std::vector<int> elimination_order(mesh.vertices.size() + topology.edge2vertices.size());
+  std::iota(elimination_order.begin(), elimination_order.end(), 0);
+  const DofMap map = make_trace_map(mesh, topology, elimination_order, std::vector<int>(mesh.num_elems(), 3));
   const Eigen::MatrixXd values =
       trace_data(mesh, topology, map, [&](int curve, double t) { return curve::point(mesh.face.curves[curve], t); });
   ASSERT_EQ(values.rows(), map.num_dofs - map.num_unknowns);

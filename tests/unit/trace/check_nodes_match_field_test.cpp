@@ -131,7 +131,7 @@ TEST_F(AskedPhase, RefusesOtherValencesAndNumbers) {
   expect_refused(p);
 }
 
-TEST_F(AskedPhase, NoTwistsAreTwistsOfZero) {
+TEST_F(AskedPhase, NoHoleWindingOffsetsAreOffsetsOfZero) {
   field.phase.hole_winding_offsets = {0};
   EXPECT_EQ(message_of(evaluator, points()), "");
 }
