@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/numbered_names.hpp"
+#include "base/position_text.hpp"
 #include "graph/face_corners.hpp"
 #include "mesh/chords.hpp"
 
@@ -12,9 +13,9 @@ namespace {
 
 void require_conforming(const SeparatrixGraph& graph) {
   if (graph.t_junctions.empty()) return;
-  const Vec2 place = graph.nodes[graph.t_junctions.front()].position + graph.face.origin;
-  throw ComputeError(fmt::format("a separatrix ends on the side of a block at ({:.6g}, {:.6g}); blocks must conform",
-                                 place.x, place.y));
+  const Vec2 position = graph.nodes[graph.t_junctions.front()].position + graph.face.origin;
+  throw ComputeError(
+      fmt::format("a separatrix ends on the side of a block at {}; blocks must conform", position_text(position)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "block/extract_blocks.hpp"
 #include "block/report_layout.hpp"
@@ -61,10 +62,10 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
     const BlockMeasure& m = blocks.measures[b];
     if (is_proved(m)) continue;
-    const Vec2 place = m.scaled_jacobian_place + blocks.layout.face.origin;
     report.warn(warning::block_not_proved_valid,
-                fmt::format("{} cannot be proved valid near ({:.6g}, {:.6g}): its exact map folds there, or nearly so",
-                            blocks.layout.block_names[b], place.x, place.y));
+                fmt::format("{} cannot be proved valid near {}: its exact map folds there, or nearly so",
+                            blocks.layout.block_names[b],
+                            position_text(m.scaled_jacobian_position + blocks.layout.face.origin)));
   }
 }
 

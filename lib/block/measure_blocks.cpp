@@ -74,7 +74,7 @@ void measure_boundary_distance(const BlockLayout& layout, const curve::Chain& ch
     // The distance to the point of the same fraction is an upper bound; only a greater one is worth a projection.
     if (distance(x, chain.at((1 + samples[i]) / 2).position) <= m.boundary_distance) continue;
     const double d = distance_to_arc(layout, arc, x);
-    if (d > m.boundary_distance) m.boundary_distance = d, m.boundary_distance_place = x;
+    if (d > m.boundary_distance) m.boundary_distance = d, m.boundary_distance_position = x;
   }
 }
 
@@ -97,7 +97,7 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int
   const mesh::BlockShape shape = mesh::block_shape(map);
   m.jacobian_bound = shape.jacobian_bound;
   m.scaled_jacobian = shape.scaled_jacobian;
-  m.scaled_jacobian_place = shape.scaled_jacobian_place;
+  m.scaled_jacobian_position = shape.scaled_jacobian_position;
   prove(map, m);
   m.shortest_side = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {

@@ -11,11 +11,11 @@
 namespace quadrille::block {
 
 struct BlockMeasure {
-  double jacobian_bound = 0;     ///< least Bernstein bound of det J of the quad, length^2 (spectral/quad_map.hpp)
-  double scaled_jacobian = 0;    ///< least sampled scaled Jacobian of the quad, -1 if det J <= 0
-  Vec2 scaled_jacobian_place;    ///< its position, relative to the face's origin
-  double boundary_distance = 0;  ///< greatest distance of the quad's boundary sides from their CAD curves, length
-  Vec2 boundary_distance_place;
+  double jacobian_bound = 0;      ///< least Bernstein bound of det J of the quad, length^2 (spectral/quad_map.hpp)
+  double scaled_jacobian = 0;     ///< least sampled scaled Jacobian of the quad, -1 if det J <= 0
+  Vec2 scaled_jacobian_position;  ///< its position, relative to the face's origin
+  double boundary_distance = 0;   ///< greatest distance of the quad's boundary sides from their CAD curves, length
+  Vec2 boundary_distance_position;
   /// The block is proved valid when its exact map is cut into n x n equal quads of order 8, n = 1, 2, 4, 8 or 16 the
   /// least such number; 0 if no such number is found: the exact map folds, or nearly so.
   int divisions = 0;

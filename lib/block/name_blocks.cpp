@@ -60,10 +60,10 @@ std::vector<int> blocks_that_touch(const BlockLayout& layout, Vec2 x) {
 }
 
 int block_at(const BlockLayout& layout, const NameRule& rule) {
-  const Vec2 x = curve::face_position(layout.face, rule.place, rule.where);
-  const std::string place = fmt::format("({:.6g})", fmt::join(rule.place, ", "));
+  const Vec2 x = curve::face_position(layout.face, rule.position, rule.where);
+  const std::string text = fmt::format("({:.6g})", fmt::join(rule.position, ", "));
   if (const std::vector<int> touching = blocks_that_touch(layout, x); !touching.empty())
-    throw FormatError(fmt::format("{}: {} lies on a side of block {}, not inside a block", rule.where, place,
+    throw FormatError(fmt::format("{}: {} lies on a side of block {}, not inside a block", rule.where, text,
                                   fmt::join(touching, " and of block ")));
   const std::vector<double> angles = swept_angles(layout, x);
   for (int b = 0; b < layout.num_blocks(); ++b) {
@@ -71,11 +71,11 @@ int block_at(const BlockLayout& layout, const NameRule& rule) {
     for (const HalfEdge h : layout.block2arcs[b]) angle += h.is_backwards ? -angles[h.arc] : angles[h.arc];
     if (angle > pi) return b;
   }
-  throw FormatError(fmt::format("{}: {} lies in no block", rule.where, place));
+  throw FormatError(fmt::format("{}: {} lies in no block", rule.where, text));
 }
 
 int block_of(const BlockLayout& layout, const NameRule& rule) {
-  if (rule.kind == NameRule::Kind::place) return block_at(layout, rule);
+  if (rule.kind == NameRule::Kind::position) return block_at(layout, rule);
   if (rule.number < 0 || rule.number >= layout.num_blocks())
     throw FormatError(
         fmt::format("{}: no block has this number; they go from 0 to {}", rule.where, layout.num_blocks() - 1));

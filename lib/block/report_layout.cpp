@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/position_text.hpp"
+
 namespace quadrille::block {
 namespace {
 
@@ -22,10 +24,6 @@ Report::Value in_file(const BlockLayout& layout, Vec2 x) {
   return std::vector<double>{x.x + layout.face.origin.x, x.y + layout.face.origin.y};
 }
 
-std::string place_words(const BlockLayout& layout, Vec2 x) {
-  return fmt::format("({:.6g}, {:.6g})", x.x + layout.face.origin.x, x.y + layout.face.origin.y);
-}
-
 void report_counts(const BlockLayout& layout, Report& report) {
   report.set("blocks", layout.num_blocks());
   report.set("arcs", layout.arcs.size());
@@ -42,12 +40,12 @@ void report_worst(const BlockLayout& layout, const std::vector<BlockMeasure>& me
   const int shape = worst_shape(measures);
   report.set("least_scaled_jacobian", measures[shape].scaled_jacobian);
   report.set("least_scaled_jacobian_block", layout.block_names[shape]);
-  report.set("least_scaled_jacobian_place", in_file(layout, measures[shape].scaled_jacobian_place));
+  report.set("least_scaled_jacobian_place", in_file(layout, measures[shape].scaled_jacobian_position));
   const int far = worst(measures, [](const BlockMeasure& m) { return -m.boundary_distance; });
   report.set("greatest_boundary_distance", measures[far].boundary_distance);
   report.set("greatest_boundary_distance_block", layout.block_names[far]);
   if (measures[far].boundary_distance > 0)
-    report.set("greatest_boundary_distance_place", in_file(layout, measures[far].boundary_distance_place));
+    report.set("greatest_boundary_distance_place", in_file(layout, measures[far].boundary_distance_position));
 }
 
 /// The criterion that a block fails: as one quad only, or by its exact map too.
@@ -69,7 +67,7 @@ void report_feature(const BlockLayout& layout, const BoundaryFeature& feature, c
   report.set(key + ".curve", feature.curve);
   report.set(key + ".name", face.curve_names[feature.curve]);
   report.set(key + ".loop", face.loop_of(feature.curve));
-  report.set(key + ".place", in_file(layout, feature.place));
+  report.set(key + ".place", in_file(layout, feature.position));
 }
 
 }  // namespace
@@ -82,7 +80,7 @@ void report_layout(const BlockLayout& layout, const std::vector<BlockMeasure>& m
   const BlockMeasure& m = measures[smallest.block];
   report.set("smallest_block.block", layout.block_names[smallest.block]);
   report.set("smallest_block.shortest_side", m.shortest_side);
-  report.set("smallest_block.place", in_file(layout, smallest.place));
+  report.set("smallest_block.place", in_file(layout, smallest.position));
   report.set("smallest_block.area", m.area);
   report.set("smallest_block.least_area", measures[worst(measures, [](const BlockMeasure& b) { return b.area; })].area);
   report_feature(layout, smallest.between[0], "smallest_block.first", report);
@@ -98,8 +96,8 @@ std::string summarise_layout(const BlockLayout& layout, const std::vector<BlockM
       "{} block{}, least scaled Jacobian {:.2f} (block {} near {}), smallest block {}: a side of {:.3g} "
       "near {} {}",
       layout.num_blocks(), layout.num_blocks() == 1 ? "" : "s", measures[shape].scaled_jacobian, shape,
-      place_words(layout, measures[shape].scaled_jacobian_place), smallest.block,
-      measures[smallest.block].shortest_side, place_words(layout, smallest.place),
+      position_text(measures[shape].scaled_jacobian_position + layout.face.origin), smallest.block,
+      measures[smallest.block].shortest_side, position_text(smallest.position + layout.face.origin),
       first == second ? "at " + first : "between " + first + " and " + second);
 }
 

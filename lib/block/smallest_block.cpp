@@ -53,9 +53,9 @@ class Rails {
   void walk(HalfEdge directed, std::array<int, 2> rail) {
     std::array<double, 2> walked{0, 0};
     for (int steps = 0; steps <= layout_.num_blocks(); ++steps) {
-      const int place = beside_[directed.is_backwards][directed.arc];
-      if (place < 0) return;
-      const int block = place / 4, k = place % 4;
+      const int beside = beside_[directed.is_backwards][directed.arc];
+      if (beside < 0) return;
+      const int block = beside / 4, k = beside % 4;
       const std::array<HalfEdge, 4>& sides = layout_.block2arcs[block];
       const std::array<HalfEdge, 2> along{sides[(k + 3) % 4], sides[(k + 1) % 4]};  // at the start and at the end
       for (int end = 0; end < 2; ++end) {
@@ -124,7 +124,7 @@ SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockM
     if (measures[b].shortest_side < (1 - same_length) * least)
       least = measures[b].shortest_side, smallest.block = b, smallest.side = measures[b].shortest_side_index;
   const BlockMaps maps(layout);
-  smallest.place = maps.arc(layout.block2arcs[smallest.block][smallest.side].arc).at(0.5).position;
+  smallest.position = maps.arc(layout.block2arcs[smallest.block][smallest.side].arc).at(0.5).position;
   smallest.between = Rails(layout, maps).around(smallest.block, smallest.side);
   return smallest;
 }

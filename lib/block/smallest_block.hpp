@@ -18,13 +18,13 @@ namespace quadrille::block {
 struct BoundaryFeature {
   int curve = -1;          ///< at a corner: the curve that starts there
   bool is_corner = false;  ///< the joint at the start of `curve`
-  Vec2 place;              ///< on the boundary, relative to the face's origin
+  Vec2 position;           ///< on the boundary, relative to the face's origin
 };
 
 struct SmallestBlock {
   int block = -1;  ///< the lowest number of blocks equal within 1e-6
   int side = 0;
-  Vec2 place;  ///< the middle of the shortest side, relative to the face's origin
+  Vec2 position;  ///< the middle of the shortest side, relative to the face's origin
   /// The features of the rails through the start and the end of the side.
   std::array<BoundaryFeature, 2> between;
 };

@@ -47,8 +47,8 @@ bool crosses_itself(const std::vector<Crossing>& crossings) {
 std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& maps, const mesh::Chord& chord,
                                   const std::vector<Crossing>& crossings) {
   const int n = static_cast<int>(chord.arcs.size());
-  std::vector<int> place(layout.arcs.size(), -1);
-  for (int i = 0; i < n; ++i) place[chord.arcs[i]] = i;
+  std::vector<int> arc2index(layout.arcs.size(), -1);
+  for (int i = 0; i < n; ++i) arc2index[chord.arcs[i]] = i;
   const auto walk = [&](int i) { return DirectedCurve{&maps.arc(chord.arcs[i]), chord.backwards[i]}; };
   Eigen::VectorXd f = Eigen::VectorXd::Constant(n, 0.5);
   for (int round = 0; round < 4; ++round) {  // d depends on the middle, but weakly
@@ -56,7 +56,7 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
     Eigen::VectorXd right = Eigen::VectorXd::Constant(n, anchor_weight / 2);
     for (const Crossing& c : crossings) {
       const std::array<HalfEdge, 4>& sides = layout.block2arcs[c.block];
-      const int i = place[sides[c.side].arc], j = place[sides[c.side + 2].arc];
+      const int i = arc2index[sides[c.side].arc], j = arc2index[sides[c.side + 2].arc];
       if (i == j) continue;
       const double length = maps.arc(sides[c.side].arc).length() + maps.arc(sides[c.side + 2].arc).length();
       const double width = maps.arc(sides[c.side + 1].arc).length() + maps.arc(sides[(c.side + 3) % 4].arc).length();

@@ -12,9 +12,9 @@ namespace quadrille::mesh {
 constexpr int block_order = 8;
 
 struct BlockShape {
-  double jacobian_bound = 0;   ///< least Bernstein bound of det J, length^2 (spectral/quad_map.hpp)
-  double scaled_jacobian = 0;  ///< least sampled value, -1 where det J <= 0
-  Vec2 scaled_jacobian_place;  ///< position of that sample, relative to face.origin
+  double jacobian_bound = 0;      ///< least Bernstein bound of det J, length^2 (spectral/quad_map.hpp)
+  double scaled_jacobian = 0;     ///< least sampled value, -1 where det J <= 0
+  Vec2 scaled_jacobian_position;  ///< position of that sample, relative to face.origin
 
   /// Whether det J is proved positive over the whole block.
   bool is_valid() const { return scaled_jacobian > 0 && jacobian_bound > 0; }

@@ -35,24 +35,24 @@ std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& b
       links[b].push_back({a, flips});
     }
   std::vector<Chord> chords(num_arcs == 0 ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
-  std::vector<int> place(num_arcs, -1);
+  std::vector<int> arc2index(num_arcs, -1);
   for (int first = 0; first < num_arcs; ++first) {
-    if (place[first] >= 0) continue;
+    if (arc2index[first] >= 0) continue;
     Chord& chord = chords[arc_chord[first]];
     const auto add = [&](int arc, bool backwards) {
-      place[arc] = static_cast<int>(chord.arcs.size());
+      arc2index[arc] = static_cast<int>(chord.arcs.size());
       chord.arcs.push_back(arc);
       chord.backwards.push_back(backwards);
     };
     add(first, false);
     for (std::size_t k = 0; k < chord.arcs.size(); ++k)
       for (const Link& link : links[chord.arcs[k]])
-        if (place[link.arc] < 0) add(link.arc, chord.backwards[k] != link.flips);
+        if (arc2index[link.arc] < 0) add(link.arc, chord.backwards[k] != link.flips);
   }
   for (const std::array<HalfEdge, 4>& sides : block2arcs)
     for (int k = 0; k < 2; ++k) {
       const int a = sides[k].arc, b = sides[k + 2].arc;
-      if (a != b) chords[arc_chord[a]].pairs.push_back({place[a], place[b]});
+      if (a != b) chords[arc_chord[a]].pairs.push_back({arc2index[a], arc2index[b]});
     }
   return chords;
 }

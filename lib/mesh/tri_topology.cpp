@@ -72,9 +72,9 @@ void place_boundary_edges(const TriMesh& mesh, TriTopology& topology) {
       throw FormatError(fmt::format("boundary edge {} lies between elements {} and {}", b, elem,
                                     topology.elem2neighbors[elem][edge]));
     }
-    int& place = topology.elem2boundary_edge[elem][edge];
-    if (place >= 0) throw FormatError(fmt::format("boundary edges {} and {} are the same edge", place, b));
-    place = b;
+    int& known = topology.elem2boundary_edge[elem][edge];
+    if (known >= 0) throw FormatError(fmt::format("boundary edges {} and {} are the same edge", known, b));
+    known = b;
   }
   for (int e = 0; e < mesh.num_elems(); ++e) {
     for (int k = 0; k < 3; ++k) {

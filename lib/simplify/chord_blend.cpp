@@ -32,16 +32,16 @@ curve::CurveFunction blended_curve(const curve::Chain& from, const curve::Chain&
 
 double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to) {
   const curve::CurveFunction curve = blended_curve(from, to);
-  std::vector<Vec2> places, directions;
+  std::vector<Vec2> positions, directions;
   std::vector<double> guides;
   for (int i = 1; i < num_samples; ++i) {
     const double f = static_cast<double>(i) / num_samples, c = std::cos(half_pi * f), w = c * c;
     Vec2 along;
-    places.push_back(curve(blend_length(from, to) * f, along));
+    positions.push_back(curve(blend_length(from, to) * f, along));
     directions.push_back(along);
     guides.push_back(angle_of(w * from.at(f).tangent + (1 - w) * to.at(f).tangent));
   }
-  const std::vector<field::PointSample> samples = evaluator.values_at(places);
+  const std::vector<field::PointSample> samples = evaluator.values_at(positions);
   double deviation = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].at.elem < 0) continue;

@@ -38,7 +38,7 @@ TEST(MeasureBlocks, ScaledJacobianIsFoundAtItsPlace) {
                                 curve::segment({2, 1.5}, {1, 1}), curve::segment({1, 1}, {0, 0})};
   const BlockMeasure m = only_block(hand_made::one_block(hand_made::face({loop}, 2.5), {{0}, {1}, {2}, {3}}));
   EXPECT_NEAR(m.scaled_jacobian, 1 / std::sqrt(10.0), 1e-12);
-  EXPECT_NEAR(distance(m.scaled_jacobian_place, {1, 1}), 0, 1e-12);
+  EXPECT_NEAR(distance(m.scaled_jacobian_position, {1, 1}), 0, 1e-12);
   EXPECT_NEAR(m.area, 1.75, 1e-13);
 }
 
@@ -47,8 +47,8 @@ TEST(MeasureBlocks, BoundaryDistanceIsTheGreatestErrorOfTheSides) {
   // Half straight, half bent: a polynomial of order 8 misses the jump of the curvature by about a thousandth.
   EXPECT_GT(m.boundary_distance, 1e-4);
   EXPECT_LT(m.boundary_distance, 1e-2);
-  EXPECT_GT(m.boundary_distance_place.x, -1e-3);
-  EXPECT_LT(m.boundary_distance_place.x, 3.01);
+  EXPECT_GT(m.boundary_distance_position.x, -1e-3);
+  EXPECT_LT(m.boundary_distance_position.x, 3.01);
 }
 
 TEST(MeasureBlocks, FoldedBlockCannotBeProved) {

@@ -15,7 +15,7 @@ using Kind = NameRule::Kind;
 using Names = std::vector<std::string>;
 
 NameRule at(double x, double y, const std::string& name = "new") {
-  return {Kind::place, "", -1, {x, y}, name, "n: entry 0"};
+  return {Kind::position, "", -1, {x, y}, name, "n: entry 0"};
 }
 
 NameRule numbered(int number, const std::string& name) { return {Kind::number, "", number, {}, name, "n: number"}; }

@@ -16,7 +16,7 @@ SmallestBlock smallest_of(const SeparatrixGraph& graph) {
 TEST(SmallestBlock, AlongTheBoundaryIsForcedByTheCurvesOnBothSides) {
   const SmallestBlock s = smallest_of(hand_made::quarter_annulus());
   EXPECT_EQ(s.block, 0);
-  EXPECT_NEAR(distance(s.place, {1.5, 0}), 0, 1e-12);
+  EXPECT_NEAR(distance(s.position, {1.5, 0}), 0, 1e-12);
   EXPECT_EQ(s.between[0].curve, 3);
   EXPECT_EQ(s.between[1].curve, 1);
   EXPECT_FALSE(s.between[0].is_corner || s.between[1].is_corner);
@@ -29,7 +29,7 @@ TEST(SmallestBlock, ReflexCornerForcesItsLines) {
   EXPECT_FALSE(s.between[0].is_corner);
   EXPECT_EQ(s.between[1].curve, 3);
   EXPECT_TRUE(s.between[1].is_corner);
-  EXPECT_EQ(s.between[1].place, (Vec2{1, 1}));
+  EXPECT_EQ(s.between[1].position, (Vec2{1, 1}));
 }
 
 TEST(SmallestBlock, FeaturesHaveNames) {

@@ -34,7 +34,7 @@ TEST(BlockShape, AFoldedBlockIsWorstWhereItFolds) {
   const BlockShape shape = shape_of({{0, 0}, {1, 0}, {0.1, 0.1}, {0, 1}});
   EXPECT_FALSE(shape.is_valid());
   EXPECT_EQ(shape.scaled_jacobian, -1);
-  EXPECT_LT(distance(shape.scaled_jacobian_place, {0.1, 0.1}), 0.3);
+  EXPECT_LT(distance(shape.scaled_jacobian_position, {0.1, 0.1}), 0.3);
 }
 
 }  // namespace
