@@ -41,12 +41,12 @@ std::string name_of(const IGESData_IGESEntity& entity) {
 // One of the eight colour numbers of IGES 5.3, table 4, or a colour entity with components in percent.
 std::string colour_of(const IGESData_IGESEntity& entity) {
   if (const auto own = Handle(IGESGraph_Color)::DownCast(entity.Color()); !own.IsNull()) {
-    std::array<double, 3> share{};
-    own->RGBIntensity(share[0], share[1], share[2]);
+    std::array<double, 3> rgb{};
+    own->RGBIntensity(rgb[0], rgb[1], rgb[2]);
     const auto level = [](double percent) {
       return std::isfinite(percent) ? std::lround(255 * std::clamp(percent / 100, 0.0, 1.0)) : 0;
     };
-    return fmt::format("{:02x}{:02x}{:02x}", level(share[0]), level(share[1]), level(share[2]));
+    return fmt::format("{:02x}{:02x}{:02x}", level(rgb[0]), level(rgb[1]), level(rgb[2]));
   }
   constexpr std::array<const char*, 9> known{"",       "000000", "ff0000", "00ff00", "0000ff",
                                              "ffff00", "ff00ff", "00ffff", "ffffff"};

@@ -41,8 +41,8 @@ std::string text_of(const Handle(TCollection_HAsciiString) & s) {
 // 10303-46.
 std::string hex_of(const Handle(StepVisual_Colour) & colour) {
   if (const auto rgb = Handle(StepVisual_ColourRgb)::DownCast(colour); !rgb.IsNull()) {
-    const auto level = [](double share) {
-      return std::isfinite(share) ? std::lround(255 * std::clamp(share, 0.0, 1.0)) : 0;
+    const auto level = [](double component) {
+      return std::isfinite(component) ? std::lround(255 * std::clamp(component, 0.0, 1.0)) : 0;
     };
     return fmt::format("{:02x}{:02x}{:02x}", level(rgb->Red()), level(rgb->Green()), level(rgb->Blue()));
   }

@@ -32,14 +32,14 @@ std::string known_curves(const CadFace& face) {
 }
 
 std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
-  const Vec2 x = curve::face_position(face, rule.place, rule.where);
-  const std::string place = fmt::format("({:.6g})", fmt::join(rule.place, ", "));
+  const Vec2 x = curve::face_position(face, rule.position, rule.where);
+  const std::string text = fmt::format("({:.6g})", fmt::join(rule.position, ", "));
   std::vector<double> distances;
   for (const Nurbs& curve : face.curves) distances.push_back(curve::project(curve, x).distance);
   const double least = *std::min_element(distances.begin(), distances.end());
   if (!(least <= face.diameter))
     throw FormatError(fmt::format("{}: {} lies {:.3g} away from the boundary, whose diameter is {:.3g}", rule.where,
-                                  place, least, face.diameter));
+                                  text, least, face.diameter));
   std::vector<std::string> equals;
   std::vector<int> curves;
   for (int c = 0; c < face.num_curves(); ++c)
@@ -49,12 +49,12 @@ std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
     }
   if (curves.size() > 1)
     throw FormatError(
-        fmt::format("{}: {} is equally near to the curves {}", rule.where, place, fmt::join(equals, " and ")));
+        fmt::format("{}: {} is equally near to the curves {}", rule.where, text, fmt::join(equals, " and ")));
   return curves;
 }
 
 std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
-  if (rule.kind == NameRule::Kind::place) return nearest_curve(face, rule);
+  if (rule.kind == NameRule::Kind::position) return nearest_curve(face, rule);
   std::vector<int> curves;
   if (rule.kind == NameRule::Kind::key || rule.kind == NameRule::Kind::old_name)
     curves = curves_of_name(face, rule.text);

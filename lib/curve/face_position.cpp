@@ -8,12 +8,12 @@
 
 namespace quadrille::curve {
 
-Vec2 face_position(const CadFace& face, const std::vector<double>& place, const std::string& where) {
-  if (place.size() == 2) return Vec2{place[0], place[1]} - face.origin;
+Vec2 face_position(const CadFace& face, const std::vector<double>& coordinates, const std::string& where) {
+  if (coordinates.size() == 2) return Vec2{coordinates[0], coordinates[1]} - face.origin;
   std::array<double, 3> rest{};
   Vec2 x;
   for (int k = 0; k < 3; ++k) {
-    rest[k] = place[k] - face.plane_origin[k];
+    rest[k] = coordinates[k] - face.plane_origin[k];
     x += rest[k] * Vec2{face.plane_x[k], face.plane_y[k]};
   }
   double height2 = 0;
@@ -22,8 +22,8 @@ Vec2 face_position(const CadFace& face, const std::vector<double>& place, const 
     height2 += h * h;
   }
   if (!(std::sqrt(height2) <= 1e-3 * face.diameter))
-    throw FormatError(fmt::format("{}: ({:.6g}, {:.6g}, {:.6g}) lies {:.3g} off the plane of the face", where, place[0],
-                                  place[1], place[2], std::sqrt(height2)));
+    throw FormatError(fmt::format("{}: ({:.6g}, {:.6g}, {:.6g}) lies {:.3g} off the plane of the face", where,
+                                  coordinates[0], coordinates[1], coordinates[2], std::sqrt(height2)));
   return x - face.origin;
 }
 

@@ -8,9 +8,9 @@
 
 namespace quadrille::curve {
 
-/// `place` is x, y of the plane, with face.origin, or x, y, z of the CAD model's space. The result is relative to
+/// `coordinates`: x, y of the plane, with face.origin, or x, y, z of the CAD model's space. The result is relative to
 /// face.origin, as all positions are. Throws FormatError, with a message that begins with `where`, if a position in
 /// space lies more than a thousandth of the diameter off the plane.
-Vec2 face_position(const CadFace& face, const std::vector<double>& place, const std::string& where);
+Vec2 face_position(const CadFace& face, const std::vector<double>& coordinates, const std::string& where);
 
 }  // namespace quadrille::curve

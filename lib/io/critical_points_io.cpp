@@ -9,8 +9,8 @@ constexpr RenamedKey renamed[] = {{"hole_winding_offsets", "twist_offsets"}};
 constexpr FormatVersion critical_points_version{"critical-points", 2, 0, renamed};
 
 /// `id` is informative: the position in the list when the file was written. Edited lists need not keep it.
-void describe_id(Archive& archive, std::size_t place) {
-  int id = static_cast<int>(place);
+void describe_id(Archive& archive, std::size_t index) {
+  int id = static_cast<int>(index);
   if (!archive.is_reading()) archive.field("id", id);
 }
 
@@ -18,8 +18,8 @@ void describe_id(Archive& archive, std::size_t place) {
 int index_of(int valence) { return valence < -1000 ? 1000 : 4 - valence; }
 
 /// A node added by hand needs no more than its position and valence.
-void describe_critical_point(Archive& a, CriticalPoint& point, std::size_t place) {
-  describe_id(a, place);
+void describe_critical_point(Archive& a, CriticalPoint& point, std::size_t index) {
+  describe_id(a, index);
   a.field("position", point.position);
   a.field("valence", point.valence);
   point.index = a.is_reading() ? index_of(point.valence) : point.index;

@@ -40,7 +40,7 @@ class Hdf5Id {
 class Hdf5GroupWriter {
  public:
   using Shape = std::vector<std::size_t>;
-  Hdf5GroupWriter(Hdf5Id group, std::string place) : group_(std::move(group)), place_(std::move(place)) {}
+  Hdf5GroupWriter(Hdf5Id group, std::string path) : group_(std::move(group)), path_(std::move(path)) {}
 
   Hdf5GroupWriter group(const std::string& name) const;
   void integers(const std::string& name, const int* values, const Shape& shape, const char* units,
@@ -54,7 +54,7 @@ class Hdf5GroupWriter {
 
  private:
   Hdf5Id group_;
-  std::string place_;
+  std::string path_;
 };
 
 class Hdf5Writer {
@@ -72,8 +72,8 @@ class Hdf5Writer {
 /// A group being read. Lists are checked for their class (integer, number, string) and shape [n] or [n, width].
 class Hdf5GroupReader {
  public:
-  Hdf5GroupReader(Hdf5Id group, std::string file, std::string place)
-      : group_(std::move(group)), file_(std::move(file)), place_(std::move(place)) {}
+  Hdf5GroupReader(Hdf5Id group, std::string file, std::string path)
+      : group_(std::move(group)), file_(std::move(file)), path_(std::move(path)) {}
 
   [[noreturn]] void fail(const std::string& name, const std::string& problem) const;
   Hdf5GroupReader group(const std::string& name) const;
@@ -88,7 +88,7 @@ class Hdf5GroupReader {
 
  private:
   Hdf5Id group_;
-  std::string file_, place_;
+  std::string file_, path_;
 };
 
 class Hdf5Reader {

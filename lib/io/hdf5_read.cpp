@@ -35,8 +35,8 @@ Dataset open_dataset(const Hdf5GroupReader& reader, hid_t group, const std::stri
   const Hdf5Id space = opened(H5Dget_space(data.id.get()), H5Sclose);
   if (!data.type || !space) reader.fail(name, "is damaged");
   hsize_t sizes[2] = {1, 1};
-  const int wanted_rank = width == 0 ? 0 : width == 1 ? 1 : 2;
-  if (H5Sget_simple_extent_ndims(space.get()) != wanted_rank ||
+  const int expected_rank = width == 0 ? 0 : width == 1 ? 1 : 2;
+  if (H5Sget_simple_extent_ndims(space.get()) != expected_rank ||
       H5Sget_simple_extent_dims(space.get(), sizes, nullptr) < 0 || (width > 1 && sizes[1] != width))
     reader.fail(name, width == 0   ? "must be one value"
                       : width == 1 ? "must have the shape [n]"
@@ -85,14 +85,14 @@ std::vector<std::string> fixed_texts(const std::string& padded, std::size_t widt
 }  // namespace
 
 void Hdf5GroupReader::fail(const std::string& name, const std::string& problem) const {
-  throw FormatError(fmt::format("{}: '{}{}' {}", file_, place_, name, problem));
+  throw FormatError(fmt::format("{}: '{}{}' {}", file_, path_, name, problem));
 }
 
 Hdf5GroupReader Hdf5GroupReader::group(const std::string& name) const {
   if (!is_hard_link(group_.get(), name)) fail(name, "is missing");
   Hdf5Id id = opened(H5Gopen2(group_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id) fail(name, "is not a group, or damaged");
-  return {std::move(id), file_, place_ + name + '/'};
+  return {std::move(id), file_, path_ + name + '/'};
 }
 
 std::vector<int> Hdf5GroupReader::integers(const std::string& name, std::size_t width) const {

@@ -49,7 +49,7 @@ void write_text_attribute(hid_t owner, const std::string& name, const std::strin
 /// Small data live in the object header: no block of their own, and one read less.
 constexpr std::size_t compact_limit = 8192;
 
-void write_dataset(hid_t group, const std::string& place, const std::string& name, hid_t file_type, hid_t memory_type,
+void write_dataset(hid_t group, const std::string& path, const std::string& name, hid_t file_type, hid_t memory_type,
                    const Hdf5GroupWriter::Shape& shape, const void* data, const char* units, const char* long_name) {
   const Hdf5Id properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
   H5Pset_obj_track_times(properties.get(), false);
@@ -59,9 +59,9 @@ void write_dataset(hid_t group, const std::string& place, const std::string& nam
   const Hdf5Id space = space_of(shape);
   const Hdf5Id dataset =
       checked(H5Dcreate2(group, name.c_str(), file_type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
-              H5Dclose, "dataset " + place + name);
+              H5Dclose, "dataset " + path + name);
   if (bytes > 0)
-    check(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "dataset " + place + name);
+    check(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "dataset " + path + name);
   if (*units) write_text_attribute(dataset.get(), "units", units);
   if (*long_name) write_text_attribute(dataset.get(), "long_name", long_name);
 }
@@ -78,18 +78,18 @@ Hdf5GroupWriter Hdf5GroupWriter::group(const std::string& name) const {
   const Hdf5Id properties = checked(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "properties");
   keep_compact(properties.get());
   return {checked(H5Gcreate2(group_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose,
-                  "group " + place_ + name),
-          place_ + name + '/'};
+                  "group " + path_ + name),
+          path_ + name + '/'};
 }
 
 void Hdf5GroupWriter::integers(const std::string& name, const int* values, const Shape& shape, const char* units,
                                const char* long_name) const {
-  write_dataset(group_.get(), place_, name, H5T_STD_I32LE, H5T_NATIVE_INT, shape, values, units, long_name);
+  write_dataset(group_.get(), path_, name, H5T_STD_I32LE, H5T_NATIVE_INT, shape, values, units, long_name);
 }
 
 void Hdf5GroupWriter::reals(const std::string& name, const double* values, const Shape& shape, const char* units,
                             const char* long_name) const {
-  write_dataset(group_.get(), place_, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, shape, values, units, long_name);
+  write_dataset(group_.get(), path_, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, shape, values, units, long_name);
 }
 
 void Hdf5GroupWriter::texts(const std::string& name, const std::vector<std::string>& values, bool is_scalar,
@@ -100,7 +100,7 @@ void Hdf5GroupWriter::texts(const std::string& name, const std::vector<std::stri
   for (const std::string& value : values) padded += value + std::string(width - value.size(), '\0');
   const Hdf5Id type = text_type(width);
   const Shape shape = is_scalar ? Shape{} : Shape{values.size()};
-  write_dataset(group_.get(), place_, name, type.get(), type.get(), shape, padded.data(), units, long_name);
+  write_dataset(group_.get(), path_, name, type.get(), type.get(), shape, padded.data(), units, long_name);
 }
 
 void Hdf5GroupWriter::text_attribute(const std::string& name, const std::string& value) const {

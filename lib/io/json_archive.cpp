@@ -75,15 +75,15 @@ class Writer : public Archive {
 
 class Reader : public Archive {
  public:
-  Reader(const Json& object, std::string file, std::string place)
-      : object_(object), file_(std::move(file)), place_(std::move(place)) {
+  Reader(const Json& object, std::string file, std::string path)
+      : object_(object), file_(std::move(file)), path_(std::move(path)) {
     if (!object_.is_object()) throw FormatError(fmt::format("{}: {} must be an object", file_, here()));
   }
 
   bool is_reading() const override { return true; }
   bool has(const char* name) const override { return object_.contains(name); }
   [[noreturn]] void fail(const char* name, const std::string& problem) const override {
-    throw FormatError(fmt::format("{}: '{}{}' {}", file_, place_, name, problem));
+    throw FormatError(fmt::format("{}: '{}{}' {}", file_, path_, name, problem));
   }
   void integers(const char* name, int* values, std::size_t count, Doc) override {
     const Json& json = row(name, get(name), count);
@@ -112,7 +112,7 @@ class Reader : public Archive {
     rows(name, values, 1, [&](const Json& json) { return string(name, json); });
   }
   void object(const char* name, const std::function<void(Archive&)>& describe) override {
-    Reader inner(get(name), file_, fmt::format("{}{}.", place_, name));
+    Reader inner(get(name), file_, fmt::format("{}{}.", path_, name));
     describe(inner);
   }
   void records(const char* name, std::size_t, const std::function<void(std::size_t)>& resize,
@@ -120,14 +120,14 @@ class Reader : public Archive {
     const Json& list = array(name);
     resize(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-      Reader inner(list[i], file_, fmt::format("{}{}[{}].", place_, name, i));
+      Reader inner(list[i], file_, fmt::format("{}{}[{}].", path_, name, i));
       each(inner, i);
     }
   }
 
  private:
   std::string here() const {
-    return place_.empty() ? "the top level" : fmt::format("'{}'", place_.substr(0, place_.size() - 1));
+    return path_.empty() ? "the top level" : fmt::format("'{}'", path_.substr(0, path_.size() - 1));
   }
   const Json& get(const char* name) const {
     const auto found = object_.find(name);
@@ -173,7 +173,7 @@ class Reader : public Archive {
   }
 
   const Json& object_;
-  std::string file_, place_;
+  std::string file_, path_;
 };
 
 /// Printing a value recurses: a file that consists of brackets must not exhaust the stack.

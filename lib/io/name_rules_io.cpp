@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Dialect {
-  const char* place_key;
+  const char* position_key;
   bool has_old_names;
 };
 constexpr Dialect boundary{"near", true}, block{"at", false};
@@ -64,23 +64,23 @@ NameRule rule_of_id(const Json& id, const std::string& where) {
   return rule;
 }
 
-NameRule rule_of_place(const Json& place, const char* key, const std::string& where) {
+NameRule rule_of_position(const Json& position, const char* key, const std::string& where) {
   NameRule rule;
-  rule.kind = NameRule::Kind::place;
-  if (place.is_array())
-    for (const Json& x : place)
-      if (x.is_number()) rule.place.push_back(x.get<double>());
-  const std::size_t size = rule.place.size();
-  if (size != place.size() || size < 2 || size > 3)
+  rule.kind = NameRule::Kind::position;
+  if (position.is_array())
+    for (const Json& x : position)
+      if (x.is_number()) rule.position.push_back(x.get<double>());
+  const std::size_t size = rule.position.size();
+  if (size != position.size() || size < 2 || size > 3)
     throw FormatError(fmt::format("{}: \"{}\" must be [x, y] or [x, y, z]", where, key));
-  for (const double x : rule.place)
+  for (const double x : rule.position)
     if (!std::isfinite(x)) throw FormatError(fmt::format("{}: \"{}\" is not finite", where, key));
   return rule;
 }
 
 /// An entry must have exactly one key that selects, the key `name`, and no other.
 NameRule rule_of_entry(const Json& entry, const Dialect& dialect, const std::string& where) {
-  std::vector<std::string> keys{"id", dialect.place_key};
+  std::vector<std::string> keys{"id", dialect.position_key};
   if (dialect.has_old_names) keys.push_back("old_name");
   const std::string expected = fmt::format(R"(one of "{}", and "name")", fmt::join(keys, R"(", ")"));
   if (!entry.is_object() || entry.size() != 2 || !entry.contains("name"))
@@ -90,8 +90,8 @@ NameRule rule_of_entry(const Json& entry, const Dialect& dialect, const std::str
     if (key == "name") continue;
     if (key == "id") {
       rule = rule_of_id(value, where);
-    } else if (key == dialect.place_key) {
-      rule = rule_of_place(value, dialect.place_key, where);
+    } else if (key == dialect.position_key) {
+      rule = rule_of_position(value, dialect.position_key, where);
     } else if (dialect.has_old_names && key == "old_name" && value.is_string()) {
       rule.kind = NameRule::Kind::old_name;
       rule.text = value.get<std::string>();

@@ -9,8 +9,8 @@ namespace {
 /// Forwards every call to another archive, with the former names of members.
 class FormerNames : public Archive {
  public:
-  FormerNames(Archive& inner, std::span<const RenamedKey> renamed, std::string place)
-      : inner_(inner), renamed_(renamed), place_(std::move(place)) {}
+  FormerNames(Archive& inner, std::span<const RenamedKey> renamed, std::string path)
+      : inner_(inner), renamed_(renamed), path_(std::move(path)) {}
 
   bool is_reading() const override { return inner_.is_reading(); }
   bool has(const char* name) const override { return inner_.has(former(name)); }
@@ -38,21 +38,21 @@ class FormerNames : public Archive {
   }
   void object(const char* name, const std::function<void(Archive&)>& describe) override {
     inner_.object(former(name), [&](Archive& archive) {
-      FormerNames members(archive, renamed_, place_ + name + '.');
+      FormerNames members(archive, renamed_, path_ + name + '.');
       describe(members);
     });
   }
   void records(const char* name, std::size_t count, const std::function<void(std::size_t)>& resize,
                const Each& each) override {
     inner_.records(former(name), count, resize, [&](Archive& archive, std::size_t i) {
-      FormerNames members(archive, renamed_, place_ + name + '.');
+      FormerNames members(archive, renamed_, path_ + name + '.');
       each(members, i);
     });
   }
 
  private:
   const char* former(const char* name) const {
-    const std::string key = place_ + name;
+    const std::string key = path_ + name;
     for (const RenamedKey& renamed : renamed_)
       if (renamed.key == key) return renamed.former;
     return name;
@@ -60,7 +60,7 @@ class FormerNames : public Archive {
 
   Archive& inner_;
   std::span<const RenamedKey> renamed_;
-  std::string place_;
+  std::string path_;
 };
 
 }  // namespace

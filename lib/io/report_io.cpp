@@ -10,14 +10,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The value of a dotted key; inner objects are made where they are missing.
-Json& place_of(Json& root, const std::string& key) {
-  Json* place = &root;
+Json& member_of(Json& root, const std::string& key) {
+  Json* member = &root;
   std::size_t begin = 0;
   for (std::size_t dot; (dot = key.find('.', begin)) != std::string::npos; begin = dot + 1) {
-    place = &(*place)[key.substr(begin, dot - begin)];
-    if (!place->is_object()) *place = Json::object();
+    member = &(*member)[key.substr(begin, dot - begin)];
+    if (!member->is_object()) *member = Json::object();
   }
-  return (*place)[key.substr(begin)];
+  return (*member)[key.substr(begin)];
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ void write_report(const std::string& path, const std::string& tool, const std::s
   root["tool"] = tool;
   root["version"] = version;
   for (const auto& [key, value] : report.entries())
-    std::visit([&, place = &place_of(root, key)](const auto& v) { *place = v; }, value);
+    std::visit([&, member = &member_of(root, key)](const auto& v) { *member = v; }, value);
   root["warnings"] = Json::array();
   for (const auto& [code, message] : report.warnings())
     root["warnings"].push_back({{"code", code}, {"message", message}});

@@ -33,14 +33,14 @@ void read_size(Archive& archive, double& size) {
   require(archive, "size", size > 0 && std::isfinite(size), "must be a length greater than 0 (SIZ-R01)");
 }
 
-void read_place(Archive& archive, const char* name, Vec2& place, Vec2 origin) {
-  archive.field(name, place);
-  require(archive, name, std::isfinite(place.x) && std::isfinite(place.y), "must be two numbers");
-  place -= origin;
+void read_position(Archive& archive, const char* name, Vec2& position, Vec2 origin) {
+  archive.field(name, position);
+  require(archive, name, std::isfinite(position.x) && std::isfinite(position.y), "must be two numbers");
+  position -= origin;
 }
 
 void read_point(Archive& archive, SizePoint& point, Vec2 origin) {
-  read_place(archive, "position", point.position, origin);
+  read_position(archive, "position", point.position, origin);
   read_size(archive, point.size);
   if (!archive.has("radius")) return;
   archive.field("radius", point.radius);
@@ -49,8 +49,8 @@ void read_point(Archive& archive, SizePoint& point, Vec2 origin) {
 }
 
 void read_box(Archive& archive, SizeBox& box, Vec2 origin) {
-  read_place(archive, "low", box.low, origin);
-  read_place(archive, "high", box.high, origin);
+  read_position(archive, "low", box.low, origin);
+  read_position(archive, "high", box.high, origin);
   require(archive, "high", box.low.x <= box.high.x && box.low.y <= box.high.y, "must not lie below 'low' (SIZ-R02)");
   read_size(archive, box.size);
 }

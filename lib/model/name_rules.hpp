@@ -12,15 +12,15 @@ struct NameRule {
     key,       ///< `text` is an old name or, if no curve has that name, a number
     number,    ///< number of a curve or block, base 0
     old_name,  ///< all curves of the name `text`
-    place,     ///< the curve nearest to the position `place`, or the block around it
+    position,  ///< the curve nearest to the position `position`, or the block around it
     rest,      ///< all that no other rule names
   };
   Kind kind = Kind::rest;
   std::string text{};
   int number = -1;
-  std::vector<double> place{};  ///< x, y of the face's plane (with face.origin), or x, y, z of the CAD model's space
-  std::string name{};           ///< valid UTF-8, trimmed, not empty
-  std::string where{};          ///< the file and the entry, for messages
+  std::vector<double> position{};  ///< x, y of the face's plane (with face.origin), or x, y, z of the CAD model's space
+  std::string name{};              ///< valid UTF-8, trimmed, not empty
+  std::string where{};             ///< the file and the entry, for messages
 };
 
 }  // namespace quadrille

@@ -25,8 +25,8 @@ CadFace half_disc() {
   return face;
 }
 
-NameRule rule(Kind kind, const std::string& text, int number, std::vector<double> place = {}) {
-  return {kind, text, number, std::move(place), "new", "n: entry 0"};
+NameRule rule(Kind kind, const std::string& text, int number, std::vector<double> position = {}) {
+  return {kind, text, number, std::move(position), "new", "n: entry 0"};
 }
 
 Names renamed(const NameRule& r) {
@@ -77,25 +77,25 @@ TEST(RenameCurves, OldNamesAreThoseBeforeTheFirstChange) {
 }
 
 TEST(RenameCurves, ByTheNearestPointInTheFacesCoordinatesOrInSpace) {
-  EXPECT_EQ(renamed(rule(Kind::place, "", -1, {100.2, -0.3})), (Names{"new", "arc", "arc"}));
-  EXPECT_EQ(renamed(rule(Kind::place, "", -1, {100.6, 0.7})), (Names{"axis", "new", "arc"}));
-  EXPECT_EQ(renamed(rule(Kind::place, "", -1, {1, 2 + 99.4, 3 + 0.7})), (Names{"axis", "arc", "new"}));
+  EXPECT_EQ(renamed(rule(Kind::position, "", -1, {100.2, -0.3})), (Names{"new", "arc", "arc"}));
+  EXPECT_EQ(renamed(rule(Kind::position, "", -1, {100.6, 0.7})), (Names{"axis", "new", "arc"}));
+  EXPECT_EQ(renamed(rule(Kind::position, "", -1, {1, 2 + 99.4, 3 + 0.7})), (Names{"axis", "arc", "new"}));
 }
 
 TEST(RenameCurves, PlacesThatDoNotTellAreRefused) {
-  EXPECT_EQ(refusal(rule(Kind::place, "", -1, {101, 0})),
+  EXPECT_EQ(refusal(rule(Kind::position, "", -1, {101, 0})),
             "n: entry 0: (101, 0) is equally near to the curves 0 \"axis\" and 1 \"arc\"");
-  EXPECT_NE(refusal(rule(Kind::place, "", -1, {100, 1})).find("1 \"arc\" and 2 \"arc\""), std::string::npos);
-  EXPECT_EQ(refusal(rule(Kind::place, "", -1, {0.6, 0.7})),
+  EXPECT_NE(refusal(rule(Kind::position, "", -1, {100, 1})).find("1 \"arc\" and 2 \"arc\""), std::string::npos);
+  EXPECT_EQ(refusal(rule(Kind::position, "", -1, {0.6, 0.7})),
             "n: entry 0: (0.6, 0.7) lies 98.4 away from the boundary, whose diameter is 2");
-  EXPECT_EQ(refusal(rule(Kind::place, "", -1, {1.5, 102, 3.5})),
+  EXPECT_EQ(refusal(rule(Kind::position, "", -1, {1.5, 102, 3.5})),
             "n: entry 0: (1.5, 102, 3.5) lies 0.5 off the plane of the face");
 }
 
 TEST(RenameCurves, TwoRulesForOneCurveAreRefused) {
   CadFace face = half_disc();
   try {
-    rename_curves(face, {{Kind::key, "arc", -1, {}, "wall", "n: entry 0"}, rule(Kind::place, "", -1, {100.6, 0.7})});
+    rename_curves(face, {{Kind::key, "arc", -1, {}, "wall", "n: entry 0"}, rule(Kind::position, "", -1, {100.6, 0.7})});
     FAIL() << "no refusal";
   } catch (const FormatError& e) {
     EXPECT_NE(std::string(e.what()).find("names curve 1, as n: entry 0 does"), std::string::npos) << e.what();

@@ -46,9 +46,9 @@ TEST(NameRules, AListNamesByIdOldNameOrPlace) {
   EXPECT_EQ(rules[1].kind, Kind::old_name);
   EXPECT_EQ(rules[1].text, "3");
   EXPECT_EQ(rules[1].name, "b");
-  EXPECT_EQ(rules[2].kind, Kind::place);
-  EXPECT_EQ(rules[2].place, (std::vector<double>{0.5, -1e-3}));
-  EXPECT_EQ(rules[3].place.size(), 3U);
+  EXPECT_EQ(rules[2].kind, Kind::position);
+  EXPECT_EQ(rules[2].position, (std::vector<double>{0.5, -1e-3}));
+  EXPECT_EQ(rules[3].position.size(), 3U);
   EXPECT_EQ(rules[4].kind, Kind::rest);
   EXPECT_EQ(rules[4].where, "names.json: entry 4");
 }
@@ -64,7 +64,7 @@ TEST(NameRules, ATextNamesAll) {
 TEST(NameRules, BlocksHaveNumbersAndPlaces) {
   const auto rules = blocks(R"([{"at": [0.1, 0.2], "name": "fluid"}, {"id": 0, "name": "solid"}])");
   ASSERT_EQ(rules.size(), 2U);
-  EXPECT_EQ(rules[0].kind, Kind::place);
+  EXPECT_EQ(rules[0].kind, Kind::position);
   EXPECT_EQ(rules[1].kind, Kind::number);
   EXPECT_EQ(blocks(R"({"7": "x"})")[0].kind, Kind::number);
   EXPECT_NE(refusal(R"({"fluid": "x"})", true).find("number of a block"), std::string::npos);
