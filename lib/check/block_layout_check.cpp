@@ -87,7 +87,7 @@ void valences_are_blocks(const BlockLayout& layout, Findings& findings) {
   for (std::size_t i = 0; i < count.size(); ++i)
     if (count[i] != layout.nodes[i].valence)
       findings.add("node {} has {} blocks but valence {}, at {}", i, count[i], layout.nodes[i].valence,
-                   place(layout.face, layout.nodes[i].position));
+                   position_text(layout.face, layout.nodes[i].position));
 }
 
 void index_sum_holds(const BlockLayout& layout, Findings& findings) {

@@ -63,11 +63,11 @@ void curves_meet(const CadFace& face, Findings& findings) {
       const double gap = distance(face.curves[i].poles.back(), face.curves[next].poles.front());
       if (gap > gap_tol * face.diameter)
         findings.add("curve {} ends {:.3g} away from the start of curve {}, at {}", i, gap, next,
-                     place(face, face.curves[next].poles.front()));
+                     position_text(face, face.curves[next].poles.front()));
       const double off = distance(face.joints[i].position, face.curves[i].poles.front());
       if (off > gap_tol * face.diameter)
         findings.add("joint {} lies {:.3g} away from the start of its curve, at {}", i, off,
-                     place(face, face.joints[i].position));
+                     position_text(face, face.joints[i].position));
     }
 }
 

@@ -243,7 +243,7 @@ void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
     if (!face.joints[j].is_corner) continue;
     if (next == corners.size() || corners[next].joint != j)
       return findings.add("the corner at {} (joint {}) is missing or out of order",
-                          place(face, face.joints[j].position), j);
+                          position_text(face, face.joints[j].position), j);
     const Corner& c = corners[next++];
     if (c.curves[0] != face.previous_in_loop(j) || c.curves[1] != j)
       findings.add("corner {}: its curves are {} and {}", next - 1, face.previous_in_loop(j), j);

@@ -69,7 +69,8 @@ void arcs_are_chains(const GraphView& graph, Findings& findings) {
     Vec2 end = graph.nodes[arc.from].position;
     const auto meet = [&](Vec2 next) {
       if (distance(end, next) > tol)
-        findings.add("arc {} is broken: {} and {} do not meet", i, place(graph.face, end), place(graph.face, next));
+        findings.add("arc {} is broken: {} and {} do not meet", i, position_text(graph.face, end),
+                     position_text(graph.face, next));
     };
     for (const ArcPiece& piece : arc.pieces) {
       meet(clamped_point(graph.curve(piece.curve), piece.t0));
@@ -115,7 +116,7 @@ void node_kinds_fit(const GraphView& graph, Findings& findings) {
     if (node.t < curve.begin() - tol || node.t > curve.end() + tol ||
         distance(clamped_point(curve, node.t), node.position) > 1e-5 * graph.face.diameter)
       findings.add("node {} does not lie on curve {} at its parameter, near {}", i, node.curve,
-                   place(graph.face, node.position));
+                   position_text(graph.face, node.position));
   }
 }
 

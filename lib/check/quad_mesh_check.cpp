@@ -57,7 +57,7 @@ void stored_bounds_are_positive(const QuadMesh& mesh, Findings& findings) {
     if (!(mesh.elem_jacobian_bound[e] > 0) || !(mesh.elem_scaled_jacobian[e] > 0) ||
         mesh.elem_scaled_jacobian[e] > 1 + 1e-12)
       findings.add("element {}: its Jacobian bound must be positive, its scaled Jacobian in (0, 1], at {}", e,
-                   place(mesh.face, mesh.nodes[side_node(mesh, static_cast<int>(e), 0, 0)]));
+                   position_text(mesh.face, mesh.nodes[side_node(mesh, static_cast<int>(e), 0, 0)]));
 }
 
 /// A side of an element, with its corners as the sort key.
@@ -179,7 +179,7 @@ void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings) {
     const double bound = spectral::quad_jacobian_lower_bound(mesh.order, nodes.data());
     if (!(bound > 0))
       findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", e, bound,
-                   place(mesh.face, nodes[0]));
+                   position_text(mesh.face, nodes[0]));
   }
 }
 
@@ -206,7 +206,7 @@ std::string validity_warning(const QuadMesh& mesh) {
   const int elem = static_cast<int>(worst - mesh.elem_jacobian_bound.begin());
   return fmt::format("the mesh is not valid: {} of {} elements are not proved, the worst is element {} of {} at {}",
                      mesh.num_unproved(), mesh.num_elems(), elem, mesh.block_names[mesh.elem_block[elem]],
-                     place(mesh.face, mesh.nodes[side_node(mesh, elem, 0, 0)]));
+                     position_text(mesh.face, mesh.nodes[side_node(mesh, elem, 0, 0)]));
 }
 
 std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth) {

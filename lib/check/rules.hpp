@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/position_text.hpp"
 #include "base/vec2.hpp"
 #include "check/check.hpp"
 
@@ -73,8 +74,6 @@ inline bool are_ascending_indices(const std::vector<int>& list, std::size_t coun
   return true;
 }
 /// "(x, y)" in the coordinates of the CAD model's plane: with the face's origin added.
-inline std::string place(const CadFace& face, Vec2 p) {
-  return fmt::format("({:.6g}, {:.6g})", p.x + face.origin.x, p.y + face.origin.y);
-}
+inline std::string position_text(const CadFace& face, Vec2 p) { return quadrille::position_text(p + face.origin); }
 
 }  // namespace quadrille::check

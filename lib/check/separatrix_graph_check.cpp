@@ -55,7 +55,7 @@ void valences_are_arcs(const SeparatrixGraph& graph, Findings& findings) {
     const int expected = node.curve < 0 ? node.valence : std::max(node.valence, 1) + 1;
     if (count[i] != expected)
       findings.add("node {} has {} arcs, not the {} that valence {} requires, at {}", i, count[i], expected,
-                   node.valence, place(graph.face, node.position));
+                   node.valence, position_text(graph.face, node.position));
   }
 }
 

@@ -94,7 +94,7 @@ void boundary_vertices_lie_on_curves(const TriMesh& mesh, Findings& findings) {
     if (distance(start_vertex(mesh, edge), curve_point(curve, edge.t0)) > tol ||
         distance(end_vertex(mesh, edge), curve_point(curve, edge.t1)) > tol)
       findings.add("boundary edge {} does not end on curve {} at its parameters, near {}", i, edge.curve,
-                   place(mesh.face, start_vertex(mesh, edge)));
+                   position_text(mesh.face, start_vertex(mesh, edge)));
   }
 }
 
@@ -116,7 +116,7 @@ void elements_are_counter_clockwise(const TriMesh& mesh, Findings& findings) {
     }
     const auto& [a, b, c] = mesh.elem2vertices[e];
     if (!(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]) > 0))
-      findings.add("element {} is not counter-clockwise, at {}", e, place(mesh.face, mesh.vertices[a]));
+      findings.add("element {} is not counter-clockwise, at {}", e, position_text(mesh.face, mesh.vertices[a]));
   }
 }
 
@@ -214,7 +214,7 @@ void neighbours_share_shapes(const TriMesh& mesh, Findings& findings) {
     for (int j = 1; j < mesh.order; ++j)
       if (distance(edge_node(mesh, a, j), edge_node(mesh, b, mesh.order - j)) > 1e-12 * mesh.face.diameter)
         return findings.add("elements {} and {} disagree on the shape of their common edge, at {}", a.elem, b.elem,
-                            place(mesh.face, edge_node(mesh, a, j)));
+                            position_text(mesh.face, edge_node(mesh, a, j)));
   };
   for_each_edge(sorted_half_edges(mesh), compare, [](const HalfEdge&) {});
 }
@@ -228,7 +228,7 @@ void jacobians_are_positive(const TriMesh& mesh, Findings& findings) {
                                        spectral::bernstein_from_orthogonal(mesh.order, map.coefs_y()));
     if (!(bound > 0))
       findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", mesh.curved_elems[i],
-                   bound, place(mesh.face, nodes[0]));
+                   bound, position_text(mesh.face, nodes[0]));
   }
 }
 

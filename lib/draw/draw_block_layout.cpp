@@ -75,7 +75,7 @@ bool is_irregular_on_boundary(const GraphNode& node) { return node.kind == NodeK
 void draw_irregular_nodes(Picture& picture, const BlockLayout& layout) {
   for (const GraphNode& node : layout.nodes) {
     const std::string about =
-        fmt::format("of valence {} at {}", node.valence, place_text(node.position, layout.face.origin));
+        fmt::format("of valence {} at {}", node.valence, position_text(node.position, layout.face.origin));
     if (node.kind == NodeKind::irregular)
       picture.add(valence_mark(picture.at(node.position), node.valence, 8, "irregular node " + about));
     if (is_irregular_on_boundary(node))

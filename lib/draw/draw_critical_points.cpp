@@ -80,7 +80,7 @@ void draw_corner_valences(Picture& picture, const CriticalPoints& points, const 
     if (is_taker) picture.add(circle_mark("taker", at, 8));
     picture.add(circle_mark(
         "corner", at, 4.5,
-        fmt::format("corner at {}, {:.4g} degrees, valence {}{}{}", place_text(corner.position, points.origin),
+        fmt::format("corner at {}, {:.4g} degrees, valence {}{}{}", position_text(corner.position, points.origin),
                     corner.angle_degrees, corner.valence, corner.valence == 0 ? ", degenerate" : "",
                     source_text(corner.source, NodeSource::angle))));
     picture.text(at + 17 * outwards(picture, face, corner), "label", std::to_string(corner.valence));
@@ -96,7 +96,7 @@ void draw_boundary_nodes(Picture& picture, const CriticalPoints& points) {
     const Vec2 at = picture.at(node.position);
     picture.add(boundary_mark(
         at, node.valence, node_radius,
-        fmt::format("boundary node of valence {} at {}{}", node.valence, place_text(node.position, points.origin),
+        fmt::format("boundary node of valence {} at {}{}", node.valence, position_text(node.position, points.origin),
                     source_text(node.source, NodeSource::hand))));
     picture.text(at, "inner", std::to_string(node.valence));
   }
@@ -125,7 +125,8 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
     picture.add(valence_mark(
         at, p.valence, mark_radius(p.valence),
         fmt::format("{} of valence {} at {}{}{}", p.source == NodeSource::zero ? "critical point" : "irregular node",
-                    p.valence, place_text(p.position, points.origin), error, source_text(p.source, NodeSource::zero))));
+                    p.valence, position_text(p.position, points.origin), error,
+                    source_text(p.source, NodeSource::zero))));
     picture.text(at, "inner", std::to_string(p.valence));
     has_error_bar = draw_error_bar(picture, p) || has_error_bar;
   }

@@ -116,7 +116,7 @@ void draw_nodes_asked(Picture& picture, const Field& field) {
     valences.push_back(node.valence);
     picture.add(valence_mark(picture.at(node.position), node.valence, 9,
                              fmt::format("node of valence {} asked for at {}", node.valence,
-                                         place_text(node.position, field.mesh.face.origin))));
+                                         position_text(node.position, field.mesh.face.origin))));
   }
   for (const BoundaryNode& node : field.phase.prescribed.boundary_nodes) {
     const Nurbs& curve = field.mesh.face.curves[node.curve];

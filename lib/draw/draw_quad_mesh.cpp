@@ -20,8 +20,8 @@ std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int side = 0; side < 4; ++side) {
       const int a = quad_side_node(mesh, e, side, 0), b = quad_side_node(mesh, e, side, mesh.order);
-      const auto [place, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
-      if (!is_new && mesh.elem_block[place->second.first] != mesh.elem_block[e]) borders.push_back(place->second);
+      const auto [known, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
+      if (!is_new && mesh.elem_block[known->second.first] != mesh.elem_block[e]) borders.push_back(known->second);
     }
   return borders;
 }
@@ -104,7 +104,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   for (const int e : worst_elems(mesh)) {
     const Vec2 c = centre(mesh, e);
     picture.add(circle_mark("ring", picture.at(c), ring_radius(picture, mesh, e),
-                            fmt::format("quad {} at {}: scaled Jacobian {:.3f}", e, place_text(c, mesh.face.origin),
+                            fmt::format("quad {} at {}: scaled Jacobian {:.3f}", e, position_text(c, mesh.face.origin),
                                         mesh.elem_scaled_jacobian[e])));
   }
   picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});

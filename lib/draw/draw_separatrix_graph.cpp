@@ -61,7 +61,7 @@ void draw_node(Picture& picture, const SeparatrixGraph& graph, int id) {
   const GraphNode& node = graph.nodes[id];
   const Vec2 at = picture.at(node.position);
   const std::string title = fmt::format("node {}, {}, valence {}, at {}", id, kind_name(node.kind), node.valence,
-                                        place_text(node.position, graph.face.origin));
+                                        position_text(node.position, graph.face.origin));
   switch (node.kind) {
     case NodeKind::irregular:
       return picture.add(valence_mark(at, node.valence, 8, title));

@@ -86,7 +86,7 @@ void draw_corners(Picture& picture, const CadFace& face) {
     const Joint& joint = face.joints[j];
     if (!joint.is_corner) continue;
     picture.add(circle_mark("corner", picture.at(joint.position), 4,
-                            fmt::format("corner at {}, {:.4g} degrees", place_text(joint.position, face.origin),
+                            fmt::format("corner at {}, {:.4g} degrees", position_text(joint.position, face.origin),
                                         degrees(joint.interior_angle))));
   }
 }
@@ -138,7 +138,7 @@ void legend_valences(Picture& picture, std::vector<int> valences) {
     picture.legend_mark(valence_mark({0, 0}, v, 7), fmt::format("irregular node, valence {}", v));
 }
 
-std::string place_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }
+std::string position_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }
 
 std::string counted(int count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");

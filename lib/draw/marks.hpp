@@ -36,7 +36,7 @@ std::string circle_mark(const std::string& css_class, Vec2 centre, double radius
 void legend_valences(Picture& picture, std::vector<int> valences);
 
 /// "(0.5, -0.25)" with the face's origin added.
-std::string place_text(Vec2 x, Vec2 origin);
+std::string position_text(Vec2 x, Vec2 origin);
 
 /// "1 block", "2 blocks".
 std::string counted(int count, const std::string& noun);

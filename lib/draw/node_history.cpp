@@ -134,10 +134,10 @@ void draw_clusters(Picture& picture, const std::vector<Cluster>& clusters, Vec2 
   for (const Cluster& cluster : clusters) {
     const Vec2 at = picture.at(cluster.centre);
     const double radius = std::max(cluster_radius, picture.scale() * cluster.radius);
-    picture.add(circle_mark(
-        "cluster", at, radius,
-        fmt::format("cluster of index {} at {}, radius {:.3g}, {}", cluster.index, place_text(cluster.centre, origin),
-                    cluster.radius, counted(static_cast<int>(cluster.members.size()), "member"))));
+    picture.add(circle_mark("cluster", at, radius,
+                            fmt::format("cluster of index {} at {}, radius {:.3g}, {}", cluster.index,
+                                        position_text(cluster.centre, origin), cluster.radius,
+                                        counted(static_cast<int>(cluster.members.size()), "member"))));
     for (const Vec2 member : cluster.members) picture.add(circle_mark("member", picture.at(member), 2));
     picture.text(at + (radius + 12) * normalized({1, 1}), "label", fmt::format("{:+}", cluster.index));
   }

@@ -153,9 +153,9 @@ void Picture::legend_mark(const std::string& markup, const std::string& label) {
   constexpr double mark = 22;
   const double width = mark + text_width(label, 12);
   reserve_legend(width);
-  const std::string place =
+  const std::string transform =
       fmt::format("translate({} {}) scale(1 -1)", svg_number(legend_.x + mark / 2 - 4), svg_number(legend_.y));
-  legend_.markup += svg_element("g", {{"transform", place}}, {}, markup);
+  legend_.markup += svg_element("g", {{"transform", transform}}, {}, markup);
   legend_.markup +=
       svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_.x + mark)}, {"y", svg_number(legend_.y + 4)}},
                   {}, xml_escaped(label)) +
