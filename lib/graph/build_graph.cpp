@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::graph {
@@ -156,9 +157,8 @@ void add_crossing(Building& build, const Crossing& c) {
   const int end_a = end_near(build, c.a, c.position), end_b = end_near(build, c.b, c.position);
   if (end_a >= 0 && end_a == end_b) return;
   if (end_a >= 0 || end_b >= 0) {
-    const Vec2 place = c.position + build.face.origin;
-    throw ComputeError(
-        fmt::format("a separatrix passes through the end of another at ({:.6g}, {:.6g})", place.x, place.y));
+    throw ComputeError(fmt::format("a separatrix passes through the end of another at {}",
+                                   position_text(c.position + build.face.origin)));
   }
   int node = crossing_near(build, c.a, c.position);
   if (node < 0) node = crossing_near(build, c.b, c.position);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::graph {
@@ -131,11 +132,11 @@ class Counter {
 
   void count(const Box& at) {
     if (++num_ <= bounds_.max_pairs) return;
-    const Vec2 place = (at.low + at.high) / 2 + bounds_.origin;
+    const Vec2 position = (at.low + at.high) / 2 + bounds_.origin;
     throw ComputeError(
         fmt::format("separatrices run beside each other too often: more than {} pairs of their pieces could cross, the "
-                    "last near ({:.6g}, {:.6g})",
-                    bounds_.max_pairs, place.x, place.y));
+                    "last near {}",
+                    bounds_.max_pairs, position_text(position)));
   }
 
  private:

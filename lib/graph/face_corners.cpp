@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/node_rotation.hpp"
 
@@ -36,16 +37,14 @@ int require_four_corners(const Subdivision& subdivision) {
   const int num_faces = subdivision.num_faces();
   const std::vector<int> bad = faces_without_four_corners(subdivision);
   if (!bad.empty()) {
-    const Vec2 place = middle_of_face(subdivision, bad.front());
-    throw ComputeError(fmt::format(
-        "{} of {} faces of the separatrix graph {} not four corners; the one around ({:.6g}, {:.6g}) has {}",
-        bad.size(), num_faces, bad.size() == 1 ? "has" : "have", place.x, place.y,
-        subdivision.num_corners(bad.front())));
+    throw ComputeError(
+        fmt::format("{} of {} faces of the separatrix graph {} not four corners; the one around {} has {}", bad.size(),
+                    num_faces, bad.size() == 1 ? "has" : "have",
+                    position_text(middle_of_face(subdivision, bad.front())), subdivision.num_corners(bad.front())));
   }
   if (subdivision.num_components() > 1)
-    throw ComputeError(
-        fmt::format("the separatrix graph falls into {} parts that nothing connects: a face of it has a hole",
-                    subdivision.num_components()));
+    throw ComputeError(fmt::format("the separatrix graph has {} unconnected parts: one of its faces has a hole",
+                                   subdivision.num_components()));
   return num_faces;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -17,11 +18,10 @@ bool is_of_one_family(const Crossing& crossing) { return crossing.angle < pi / 4
 void require_family_order(const std::vector<Crossing>& crossings, const std::vector<bool>& is_exempt, Vec2 origin) {
   for (const Crossing& c : crossings) {
     if (!is_of_one_family(c) || c.angle < touching || is_exempt[c.a] || is_exempt[c.b]) continue;
-    const Vec2 place = c.position + origin;
     throw ComputeError(
-        fmt::format("two separatrices of one family cross at ({:.6g}, {:.6g}), at {:.3g} degrees: --tolerance is too "
+        fmt::format("two separatrices of one family cross at {}, at {:.3g} degrees: --tolerance is too "
                     "coarse for the field there",
-                    place.x, place.y, degrees(c.angle)));
+                    position_text(c.position + origin), degrees(c.angle)));
   }
 }
 
