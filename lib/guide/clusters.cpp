@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "guide/cluster_centre.hpp"
 #include "zeros/winding.hpp"
 
@@ -154,9 +155,9 @@ class ClusterFinder {
     }
     if (result) return *result;
     const Vec2 x = circle.centre + evaluator_->field().mesh.face.origin;
-    throw ComputeError(fmt::format(
-        "the guiding field vanishes to higher order near ({:.6g}, {:.6g}), within {:.2g}: its index is not known", x.x,
-        x.y, circle.radius));
+    throw ComputeError(
+        fmt::format("the guiding field vanishes to higher order near {}, within {:.2g}: its index is not known",
+                    position_text(x), circle.radius));
   }
 
   Cluster cluster(const std::vector<int>& group) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "guide/sort_by_position.hpp"
 
 namespace quadrille::guide {
@@ -26,10 +27,9 @@ void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& poin
   for (CriticalPoint& p : points.critical_points) {
     if (p.source == NodeSource::zero) continue;
     const mesh::Location at = evaluator.locator().find(p.position);
-    if (at.elem < 0) {
-      const Vec2 x = p.position + face.origin;
-      throw ComputeError(fmt::format("the irregular node at ({:.6g}, {:.6g}) lies outside the face", x.x, x.y));
-    }
+    if (at.elem < 0)
+      throw ComputeError(
+          fmt::format("the irregular node at {} lies outside the face", position_text(p.position + face.origin)));
     p.elem = at.elem;
     p.xi = at.xi;
   }

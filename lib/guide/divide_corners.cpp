@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/angle.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/node_ring.hpp"
@@ -43,13 +44,11 @@ void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
     if (corner.valence != 0 || !is_admissible_valence(corner.angle_degrees, 1)) continue;
     if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = others;
     const CriticalPoint node = made_node(centre_of_division(face, corner, others), 1, NodeSource::divide);
-    const Vec2 x = corner.position + face.origin;
     points.changes.push_back(
         {ChangeKind::divide,
-         fmt::format("midpoint division: a corner of {:.6g} degrees at ({:.6g}, {:.6g}) is too sharp for a block of "
-                     "four sides; a "
+         fmt::format("midpoint division: a corner of {:.6g} degrees at {} is too sharp for a block of four sides; a "
                      "node of valence 3 divides the block of three sides there into three of four",
-                     corner.angle_degrees, x.x, x.y),
+                     corner.angle_degrees, position_text(corner.position + face.origin)),
          {{corner.position, 0, NodeLocation::corner}},
          {{corner.position, 1, NodeLocation::corner}, {node.position, node.valence, NodeLocation::inside}}});
     points.critical_points.push_back(node);

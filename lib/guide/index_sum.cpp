@@ -6,6 +6,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::guide {
@@ -29,9 +30,8 @@ void require_index_sum(const CriticalPoints& points) {
   const auto nearest = std::min_element(points.corners.begin(), points.corners.end(),
                                         [&](const Corner& a, const Corner& b) { return from_tie(a) < from_tie(b); });
   if (nearest != points.corners.end()) {
-    const Vec2 x = nearest->position + points.origin;
-    message += fmt::format("; the least certain corner is the one of {:.6g} degrees at ({:.6g}, {:.6g}), valence {}",
-                           nearest->angle_degrees, x.x, x.y, nearest->valence);
+    message += fmt::format("; the least certain corner is the one of {:.6g} degrees at {}, valence {}",
+                           nearest->angle_degrees, position_text(nearest->position + points.origin), nearest->valence);
   }
   throw ComputeError(message);
 }

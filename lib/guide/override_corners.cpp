@@ -9,6 +9,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/tie_classes.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/node_ring.hpp"
@@ -20,9 +21,8 @@ namespace {
 constexpr double equal = 1e-6;  // relative to the diameter
 
 std::string name_of(const CadFace& face, const Corner& c) {
-  const Vec2 x = c.position + face.origin;
-  return fmt::format("the corner of {:.6g} degrees at ({:.6g}, {:.6g}), between curves {} and {},", c.angle_degrees,
-                     x.x, x.y, c.curves[0], c.curves[1]);
+  return fmt::format("the corner of {:.6g} degrees at {}, between curves {} and {},", c.angle_degrees,
+                     position_text(c.position + face.origin), c.curves[0], c.curves[1]);
 }
 
 [[noreturn]] void refuse_curves(const CadFace& face, const CornerOverride& o) {

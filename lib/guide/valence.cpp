@@ -6,6 +6,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "zeros/winding.hpp"
 
@@ -71,10 +72,8 @@ std::optional<int> valence_at_tie(const field::FieldEvaluator& evaluator, int jo
 }
 
 [[noreturn]] void refuse(const Joint& joint, Vec2 origin) {
-  const Vec2 x = joint.position + origin;
-  throw ComputeError(
-      fmt::format("the guiding field does not decide the valence of the corner of {:.6g} degrees at ({:.6g}, {:.6g})",
-                  degrees(joint.interior_angle), x.x, x.y));
+  throw ComputeError(fmt::format("the guiding field does not decide the valence of the corner of {:.6g} degrees at {}",
+                                 degrees(joint.interior_angle), position_text(joint.position + origin)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "placement/minimise.hpp"
 #include "placement/node_symmetry.hpp"
@@ -100,9 +101,7 @@ Minimum find_minimum(Problem& problem, const PlacementOptions& options) {
   return result;
 }
 
-std::string position_text(const CadFace& face, Vec2 x) {
-  return fmt::format("({:.6g}, {:.6g})", x.x + face.origin.x, x.y + face.origin.y);
-}
+std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
 
 void report_minimum(const Minimum& minimum, Report& report) {
   report.set("placement.energy_after", minimum.value);
