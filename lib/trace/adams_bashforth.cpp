@@ -7,6 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::trace {
@@ -43,9 +44,9 @@ BoundaryFoot boundary_foot_near(const field::FieldEvaluator& evaluator, int elem
 
 [[noreturn]] void fail_at(Vec2 x) {
   throw ComputeError(
-      fmt::format("a separatrix cannot be followed beyond ({:.6g}, {:.6g}): the field has no direction there, or a "
+      fmt::format("a separatrix cannot be followed beyond {}: the field has no direction there, or a "
                   "step jumps over the boundary",
-                  x.x, x.y));
+                  position_text(x)));
 }
 
 class FixedStepIntegrator {

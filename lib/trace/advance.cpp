@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/project.hpp"
 #include "trace/element_exit.hpp"
 #include "trace/node_proximity.hpp"
@@ -57,11 +58,10 @@ BoundaryFoot boundary_foot(const field::FieldEvaluator& evaluator, const StreamS
 
 [[noreturn]] void fail_without_direction(const field::FieldEvaluator& evaluator, const Streamline& line, Vec2 x) {
   const Vec2 origin = evaluator.field().mesh.face.origin;
-  const Vec2 from = line.launch.origin + origin, at = x + origin;
-  throw ComputeError(
-      fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees cannot be followed beyond "
-                  "({:.6g}, {:.6g}): the field has no direction there",
-                  from.x, from.y, degrees(wrap_pi(line.launch.angle)), at.x, at.y));
+  throw ComputeError(fmt::format(
+      "the separatrix from {} at {:.2f} degrees cannot be followed beyond {}: "
+      "the field has no direction there",
+      position_text(line.launch.origin + origin), degrees(wrap_pi(line.launch.angle)), position_text(x + origin)));
 }
 
 // Begins at the line's front.

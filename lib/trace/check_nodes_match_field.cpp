@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::trace {
@@ -30,9 +31,7 @@ bool is_zero(const field::FieldEvaluator& evaluator, const CriticalPoint& p) {
   return norm(off) <= relative_zero_tol * diameter;
 }
 
-std::string position_text(const CadFace& face, Vec2 x) {
-  return fmt::format("({:.6g}, {:.6g})", x.x + face.origin.x, x.y + face.origin.y);
-}
+std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
 
 void check_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::trace {
@@ -10,21 +11,19 @@ namespace {
 
 graph::FixedNode irregular_node(const CadFace& face, const CriticalPoint& p) {
   if (p.valence > 2) return {p.position, NodeKind::irregular, p.valence, -1};
-  const Vec2 x = p.position + face.origin;
   throw ComputeError(
-      fmt::format("the zero of the field at ({:.6g}, {:.6g}) has index {:+d}: it has to be split into "
-                  "nodes of valence 3, which critpoints does",
-                  x.x, x.y, p.index));
+      fmt::format("the zero of the field at {} has index {:+d}: it must be split into nodes of valence "
+                  "3: run critpoints",
+                  position_text(p.position + face.origin), p.index));
 }
 
 graph::FixedNode corner_node(const CadFace& face, const Corner& c) {
   if (c.valence > 0) return {face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint};
-  const Vec2 x = c.position + face.origin;
-  throw ComputeError(fmt::format(
-      "the corner of {:.1f} degrees at ({:.6g}, {:.6g}) has valence 0 and leaves a block of three sides: {}",
-      c.angle_degrees, x.x, x.y,
-      c.angle_degrees < 15 ? "below 15 degrees there is no good block"
-                           : "critpoints --degenerate divide makes three of four sides of it"));
+  throw ComputeError(
+      fmt::format("the corner of {:.1f} degrees at {} has valence 0 and makes a block of three sides: {}",
+                  c.angle_degrees, position_text(c.position + face.origin),
+                  c.angle_degrees < 15 ? "below 15 degrees there is no good block"
+                                       : "critpoints --degenerate divide splits it into three blocks of four sides"));
 }
 
 graph::FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
@@ -35,11 +34,10 @@ graph::FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint
   if (b.t >= curve.end() - tol) node.joint = face.next_in_loop(b.curve);
   if (node.joint >= 0) node.position = face.joints[node.joint].position;
   if (b.valence >= 3) return node;
-  const Vec2 x = node.position + face.origin;
   throw ComputeError(
-      fmt::format("a node of valence {} on the smooth boundary at ({:.6g}, {:.6g}) makes a block whose "
+      fmt::format("a node of valence {} on the smooth boundary at {} makes a block whose "
                   "sides form a straight angle there: no valid element has such a corner",
-                  b.valence, x.x, x.y));
+                  b.valence, position_text(node.position + face.origin)));
 }
 
 }  // namespace

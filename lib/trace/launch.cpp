@@ -7,6 +7,7 @@
 #include "base/angle.hpp"
 #include "base/bracketed_root.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::trace {
@@ -59,9 +60,8 @@ Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin
     if (!direction_at(evaluator, launch.x, angle, launch.angle_there)) continue;
     return launch;
   }
-  const Vec2 place = origin + evaluator.field().mesh.face.origin;
-  throw ComputeError(fmt::format("the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees starts outside the mesh",
-                                 place.x, place.y, degrees(wrap_pi(angle))));
+  throw ComputeError(fmt::format("the separatrix from {} at {:.2f} degrees starts outside the mesh",
+                                 position_text(origin + evaluator.field().mesh.face.origin), degrees(wrap_pi(angle))));
 }
 
 Launch launch_from_boundary(const field::FieldEvaluator& evaluator, int curve, double t) {

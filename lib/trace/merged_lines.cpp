@@ -8,19 +8,20 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "graph/family_order.hpp"
 
 namespace quadrille::trace {
 namespace {
 
 [[noreturn]] void fail_endless(const CadFace& face, const Streamline& line) {
-  const Vec2 from = line.launch.origin + face.origin, to = line.end_position + face.origin;
   const size_t count = line.steps.size();
   const std::string steps = count < max_stream_steps ? "" : fmt::format(" and {} steps, the most allowed", count);
-  throw ComputeError(fmt::format(
-      "the separatrix from ({:.6g}, {:.6g}) at {:.2f} degrees has reached neither boundary "
-      "nor node after {:.3g} diameters{}, near ({:.6g}, {:.6g})",
-      from.x, from.y, degrees(wrap_pi(line.launch.angle)), line.length() / face.diameter, steps, to.x, to.y));
+  throw ComputeError(
+      fmt::format("the separatrix from {} at {:.2f} degrees has reached neither boundary "
+                  "nor node after {:.3g} diameters{}, near {}",
+                  position_text(line.launch.origin + face.origin), degrees(wrap_pi(line.launch.angle)),
+                  line.length() / face.diameter, steps, position_text(line.end_position + face.origin)));
 }
 
 }  // namespace
