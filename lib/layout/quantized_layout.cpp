@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "quantize/extend_lines.hpp"
@@ -34,11 +35,11 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
 [[noreturn]] void fail_to_quantize(const ArcGraph& t_mesh, const std::vector<int>& zero_arcs) {
   if (zero_arcs.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
   const ArcPiece& piece = t_mesh.arcs[zero_arcs.front()].pieces.front();
-  const Vec2 at = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
+  const Vec2 position = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
   throw ComputeError(fmt::format(
       "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the "
-      "T-mesh can have no length but zero, the first at ({:.6g}, {:.6g})",
-      zero_arcs.size(), at.x, at.y));
+      "T-mesh can have no length but zero, the first at {}",
+      zero_arcs.size(), position_text(position)));
 }
 
 struct QuantizedTMesh {

@@ -7,6 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -33,7 +34,7 @@ BoundaryPoint cut_across_limit_cycle(const field::FieldEvaluator& evaluator, con
     if (half.end == trace::Streamline::End::boundary) return {half.reached.curve, half.reached.t};
   }
   const Vec2 at = line.end_position + evaluator.field().mesh.face.origin;
-  throw ComputeError(fmt::format("no line leads from the limit cycle at ({:.6g}, {:.6g}) to the boundary", at.x, at.y));
+  throw ComputeError(fmt::format("no line leads from the limit cycle at {} to the boundary", position_text(at)));
 }
 
 std::vector<int> unconnected_loops(const SeparatrixGraph& graph) {

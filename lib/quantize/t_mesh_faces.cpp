@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "graph/face_corners.hpp"
 
 namespace quadrille::quantize {
@@ -40,16 +41,14 @@ std::vector<TFace> t_mesh_faces(const graph::Subdivision& subdivision) {
   for (int f = 0; f < subdivision.face_bound(); ++f) {
     std::optional<TFace> sides = sides_of(subdivision, f);
     if (!sides) {
-      const Vec2 place = graph::middle_of_face(subdivision, f);
-      throw ComputeError(
-          fmt::format("the face of the T-mesh around ({:.6g}, {:.6g}) is not four-sided: {} arcs, the corners make {}",
-                      place.x, place.y, subdivision.cycle(f).size(), subdivision.num_corners(f)));
+      throw ComputeError(fmt::format("the face of the T-mesh around {} is not four-sided: {} arcs, the corners make {}",
+                                     position_text(graph::middle_of_face(subdivision, f)), subdivision.cycle(f).size(),
+                                     subdivision.num_corners(f)));
     }
     all.push_back(std::move(*sides));
   }
   if (subdivision.num_components() > 1)
-    throw ComputeError(
-        fmt::format("the T-mesh falls into {} parts that nothing connects", subdivision.num_components()));
+    throw ComputeError(fmt::format("the T-mesh has {} unconnected parts", subdivision.num_components()));
   return all;
 }
 
