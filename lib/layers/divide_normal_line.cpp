@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {
 namespace {
 
-[[noreturn]] void refuse(Vec2 place) {
-  throw ComputeError(fmt::format("--wall: the layers do not fit into the block beside the wall at ({:.6g}, {:.6g})",
-                                 place.x, place.y));
+[[noreturn]] void refuse(Vec2 position) {
+  throw ComputeError(
+      fmt::format("--wall: the layers do not fit into the block beside the wall at {}", position_text(position)));
 }
 
 void append(std::vector<double>& to, const std::vector<double>& more) { to.insert(to.end(), more.begin(), more.end()); }

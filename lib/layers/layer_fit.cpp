@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "layers/layer_law.hpp"
 #include "layers/layer_rules.hpp"
 
@@ -128,14 +129,13 @@ FittedLayers fit_layers(const std::vector<WallSpec>& specs, const std::vector<No
   }
 }
 
-[[noreturn]] void refuse(const WallSpec& spec, int count, Vec2 place) {
+[[noreturn]] void refuse(const WallSpec& spec, int count, Vec2 position) {
   const std::string most =
       count == 0 ? "not even one fits"
                  : fmt::format("at most {} fit, with a thickness of {:.6g}", count, layer_heights(spec, count).back());
-  throw ComputeError(fmt::format(
-      "--wall {}: the layers do not fit between the wall and the far side of its blocks at ({:.6g}, {:.6g}); "
-      "{}",
-      fmt::join(spec.names, ","), place.x, place.y, most));
+  throw ComputeError(
+      fmt::format("--wall {}: the layers do not fit between the wall and the far side of its blocks at {}; {}",
+                  fmt::join(spec.names, ","), position_text(position), most));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/normal_line.hpp"
 #include "mesh/block_sides.hpp"
@@ -25,11 +26,10 @@ std::vector<double> nodes_in_layers(const WallInput& input, const WallSide& wall
   const std::vector<double> heights = node_heights(layers, input.order);
   std::vector<double> nodes = parameters_at_heights(line, wall.line, start_on_wall(input.blocks(), wall, at), heights);
   if (nodes.size() == heights.size()) return nodes;
-  const Vec2 place = line(0) + input.blocks().face.origin;
   throw ComputeError(
-      fmt::format("--wall: the line between blocks that starts at the wall at ({:.6g}, {:.6g}) turns back to it before "
+      fmt::format("--wall: the line between blocks that starts at the wall at {} turns back to it before "
                   "the layers end: use fewer or thinner layers",
-                  place.x, place.y));
+                  position_text(line(0) + input.blocks().face.origin)));
 }
 
 EndSpacing layer_spacing(const std::vector<double>& nodes, int order, double length, double growth) {

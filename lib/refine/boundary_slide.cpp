@@ -13,7 +13,7 @@ namespace quadrille::refine {
 namespace {
 
 /// In diameters: a vertex is at a break, or on its curve.
-constexpr double same_place = 1e-9;
+constexpr double same_position = 1e-9;
 constexpr double smooth_turn = 1e-6;  ///< radians
 
 int corner_node(const QuadMesh& mesh, int elem, int corner) {
@@ -69,7 +69,7 @@ void BoundarySlide::add_loop(std::size_t first_edge, std::size_t end_edge) {
   for (int e = first; e < first + count; ++e) {
     const curve::Chain& chain = loops_[vertices_[edges_[e].from].loop];
     const Ends ends = ends_of(e, 0, 0);
-    const double slack = 2 * same_place * mesh_->face.diameter / chain.length();
+    const double slack = 2 * same_position * mesh_->face.diameter / chain.length();
     for (const double joint : chain.joint_fractions()) {
       const bool is_inside = joint > ends.low + slack && joint < ends.high - slack;
       const int curve = chain.at(joint).piece % static_cast<int>(chain.pieces().size() / 2);
@@ -88,9 +88,9 @@ double BoundarySlide::length_at(int loop, int curve, Vec2 x) const {
   for (int c = curve, k = 0; k < std::min(num_curves, 3); ++k, c = face.previous_in_loop(c)) {
     const curve::Projection p = curve::project(face.curves[c], x);
     if (nearest < 0 || p.distance < best.distance) best = p, nearest = c;
-    if (best.distance < same_place * face.diameter) break;
+    if (best.distance < same_position * face.diameter) break;
   }
-  if (best.distance > same_place * face.diameter) return -1;
+  if (best.distance > same_position * face.diameter) return -1;
   return curve_start_[nearest] + table_.arc_length(nearest).at(best.t);
 }
 
@@ -105,10 +105,10 @@ void BoundarySlide::fix_at_breaks(int vertex) {
   }
   const int first_curve = mesh_->face.loop_offsets[v.loop];
   for (const double f : chain.break_fractions()) {
-    const double place = f * 2 * total;
-    const double apart = std::abs(std::remainder(v.length - place, total));
-    const bool is_start = std::abs(std::remainder(place, total)) < same_place * mesh_->face.diameter;
-    if (apart < same_place * mesh_->face.diameter && !(is_start && is_seam(mesh_->face, first_curve)))
+    const double position = f * 2 * total;
+    const double apart = std::abs(std::remainder(v.length - position, total));
+    const bool is_start = std::abs(std::remainder(position, total)) < same_position * mesh_->face.diameter;
+    if (apart < same_position * mesh_->face.diameter && !(is_start && is_seam(mesh_->face, first_curve)))
       v.is_fixed = true;
   }
 }

@@ -54,8 +54,8 @@ std::vector<Vec2> NodeFollow::nodes(const VertexMoves& moves) const {
 
 int NodeFollow::side_node(const SlidingEdge& edge, int k) const {
   const int n = mesh_->order;
-  const std::array<std::array<int, 2>, 4> places{{{k, 0}, {n, k}, {n - k, n}, {0, n - k}}};
-  return node_of(edge.elem, places[edge.side][0], places[edge.side][1]);
+  const std::array<std::array<int, 2>, 4> grid_positions{{{k, 0}, {n, k}, {n - k, n}, {0, n - k}}};
+  return node_of(edge.elem, grid_positions[edge.side][0], grid_positions[edge.side][1]);
 }
 
 void NodeFollow::shift_sides(const VertexMoves& moves, std::vector<Vec2>& shifts) const {

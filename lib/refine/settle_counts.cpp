@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "refine/place_intervals.hpp"
 #include "sizing/name_joints.hpp"
 
@@ -32,8 +33,8 @@ int least_topological_count(const BlockLayout& layout, int arc) {
 void require_bounded(const ChordTask& task, int count, const char* cause, const char* remedy) {
   if (count <= max_intervals) return;
   const Vec2 position = task.chain(0).at(0.5).position + task.measured.blocks().face.origin;
-  throw ComputeError(fmt::format("{} requires more than {} elements along the arc through ({:.6g}, {:.6g}): {}", cause,
-                                 max_intervals, position.x, position.y, remedy));
+  throw ComputeError(fmt::format("{} requires more than {} elements along the arc through {}: {}", cause, max_intervals,
+                                 position_text(position), remedy));
 }
 
 int first_count(const ChordTask& task) {

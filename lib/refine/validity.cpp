@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "spectral/quad_bernstein.hpp"
 #include "spectral/quad_map.hpp"
 
@@ -91,8 +92,8 @@ std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count) {
 }
 
 std::string describe(const WorstElement& worst, const QuadMesh& mesh) {
-  return fmt::format("element {} of {} at ({:.6g}, {:.6g}): scaled Jacobian {:.4f}, det J >= {:.3g}", worst.elem,
-                     mesh.block_names[mesh.elem_block[worst.elem]], worst.position.x, worst.position.y,
+  return fmt::format("element {} of {} at {}: scaled Jacobian {:.4f}, det J >= {:.3g}", worst.elem,
+                     mesh.block_names[mesh.elem_block[worst.elem]], position_text(worst.position),
                      worst.scaled_jacobian, worst.bound);
 }
 
@@ -107,11 +108,11 @@ double least_jacobian_ratio(const QuadMesh& mesh) {
 void require_valid_elements(const QuadMesh& mesh) {
   if (mesh.is_valid) return;
   const WorstElement worst = worst_elements(mesh, 1).front();
-  throw ComputeError(fmt::format(
-      "{} of {} elements cannot be proved valid; the worst lies at ({:.6g}, {:.6g}) in {}: det J is only known to be "
-      "at least {:.3g} (--allow-invalid writes the mesh all the same)",
-      mesh.num_unproved(), mesh.num_elems(), worst.position.x, worst.position.y,
-      mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
+  throw ComputeError(
+      fmt::format("{} of {} elements cannot be proved valid; the worst lies at {} in {}: det J is only known to be "
+                  "at least {:.3g} (--allow-invalid writes the mesh all the same)",
+                  mesh.num_unproved(), mesh.num_elems(), position_text(worst.position),
+                  mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
 }
 
 void report_validity(const QuadMesh& mesh, Report& report) {

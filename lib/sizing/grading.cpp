@@ -7,7 +7,7 @@ namespace quadrille::sizing {
 namespace {
 
 constexpr double same_length = 1e-9;
-constexpr double same_place = 1e-12;
+constexpr double same_position = 1e-12;
 
 /// The integral of 1 / (eta + rise x) over x in [0, width].
 double elements_in(double eta, double rise, double width) {
@@ -74,7 +74,7 @@ std::vector<double> refined_samples(const Grading& grading, const std::vector<Ma
       if (c.high + away < 1) u.push_back(c.high + away);
     }
   std::sort(u.begin(), u.end());
-  u.erase(std::unique(u.begin(), u.end(), [](double a, double b) { return b - a < same_place; }), u.end());
+  u.erase(std::unique(u.begin(), u.end(), [](double a, double b) { return b - a < same_position; }), u.end());
   u.back() = 1;
   return u;
 }
@@ -87,8 +87,8 @@ Grading refine_grading(const Grading& grading, double count, const std::vector<M
   for (const double at : u) before.push_back(grading.element_length(at) * grading.count() / count);
   std::vector<double> lengths = before;
   for (const MaxLengthConstraint& c : constraints)
-    for (auto k = std::lower_bound(u.begin(), u.end(), c.low - same_place) - u.begin();
-         k < std::ssize(u) && u[k] <= c.high + same_place; ++k)
+    for (auto k = std::lower_bound(u.begin(), u.end(), c.low - same_position) - u.begin();
+         k < std::ssize(u) && u[k] <= c.high + same_position; ++k)
       lengths[k] = std::min({lengths[k], c.max_length, before[k] / c.reduction});
   lengths = limited(u, std::move(lengths), slope);
   return {std::move(u), std::move(lengths)};
