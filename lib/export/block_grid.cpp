@@ -67,7 +67,7 @@ class Walker {
 };
 
 /// A mesh node inside a side of a grid: the line through it has `position` elements before it.
-struct Place {
+struct GridPosition {
   std::size_t grid = 0;
   bool is_i = true;  ///< i = position; else j = position
   int position = 0;
@@ -80,18 +80,18 @@ class Cutter {
       vertices_.push_back(grids[g].vertices(mesh));
       const int num_i = grids[g].num_i, num_j = grids[g].num_j;
       for (int i = 1; i < num_i; ++i)
-        for (const int j : {0, num_j}) places_[vertex(g, i, j)].push_back({g, true, i});
+        for (const int j : {0, num_j}) positions_[vertex(g, i, j)].push_back({g, true, i});
       for (int j = 1; j < num_j; ++j)
-        for (const int i : {0, num_i}) places_[vertex(g, i, j)].push_back({g, false, j});
+        for (const int i : {0, num_i}) positions_[vertex(g, i, j)].push_back({g, false, j});
     }
   }
 
   void cut(std::vector<int> nodes) {
     while (!nodes.empty()) {
-      const auto places = places_.find(nodes.back());
+      const auto positions = positions_.find(nodes.back());
       nodes.pop_back();
-      if (places == places_.end()) continue;
-      for (const Place& p : places->second) {
+      if (positions == positions_.end()) continue;
+      for (const GridPosition& p : positions->second) {
         if (!cuts_[p.grid][p.is_i ? 0 : 1].insert(p.position).second) continue;
         const BlockGrid& g = grids_[p.grid];
         nodes.push_back(p.is_i ? vertex(p.grid, p.position, 0) : vertex(p.grid, 0, p.position));
@@ -129,8 +129,8 @@ class Cutter {
 
   const std::vector<BlockGrid>& grids_;
   std::vector<std::vector<int>> vertices_;
-  std::map<int, std::vector<Place>> places_;        ///< by mesh node
-  std::vector<std::array<std::set<int>, 2>> cuts_;  ///< by grid: in i and in j
+  std::map<int, std::vector<GridPosition>> positions_;  ///< by mesh node
+  std::vector<std::array<std::set<int>, 2>> cuts_;      ///< by grid: in i and in j
 };
 
 }  // namespace

@@ -98,8 +98,8 @@ class Writer {
 
   static bool is_even(const DividedEdge& edge) {
     const double even = 1.0 / edge.num_cells();
-    return std::all_of(edge.shares.begin(), edge.shares.end(),
-                       [&](double share) { return std::abs(share - even) < 1e-12; });
+    return std::all_of(edge.fractions.begin(), edge.fractions.end(),
+                       [&](double fraction) { return std::abs(fraction - even) < 1e-12; });
   }
 
   void write_sections(const DividedEdge& edge) {
@@ -109,7 +109,7 @@ class Writer {
       return;
     }
     print("(");
-    for (const double share : edge.shares) print("({} 1 1)", share);
+    for (const double fraction : edge.fractions) print("({} 1 1)", fraction);
     print(")\n");
   }
 

@@ -34,7 +34,7 @@ TwoEdges mean(double low_weight, Vec2 low_chord, Vec2 low, double high_weight, V
 
 std::vector<double> DividedEdge::weights() const {
   std::vector<double> sums{0};
-  for (const double share : shares) sums.push_back(sums.back() + share);
+  for (const double fraction : fractions) sums.push_back(sums.back() + fraction);
   sums.back() = 1;
   return sums;
 }
@@ -42,7 +42,7 @@ std::vector<double> DividedEdge::weights() const {
 DividedEdge DividedEdge::reversed() const {
   DividedEdge other = *this;
   std::reverse(other.vertices.begin(), other.vertices.end());
-  std::reverse(other.shares.begin(), other.shares.end());
+  std::reverse(other.fractions.begin(), other.fractions.end());
   std::reverse(other.inner.begin(), other.inner.end());
   return other;
 }
@@ -67,11 +67,11 @@ DividedEdge divided_edge(const QuadMesh& mesh, const std::vector<SkeletonEdge>& 
     }
     go_to(mesh.nodes[nodes.back()]);
     edge.vertices.push_back(previous);
-    edge.shares.push_back(length);
+    edge.fractions.push_back(length);
   }
   edge.inner.pop_back();
-  const double sum = std::accumulate(edge.shares.begin(), edge.shares.end(), 0.0);
-  for (double& share : edge.shares) share /= sum;
+  const double sum = std::accumulate(edge.fractions.begin(), edge.fractions.end(), 0.0);
+  for (double& fraction : edge.fractions) fraction /= sum;
   edge.is_straight = is_straight(mesh, edge);
   return edge;
 }

@@ -9,12 +9,12 @@
 namespace quadrille::exports {
 
 struct DividedEdge {
-  std::vector<Vec2> vertices;  ///< ends of the cells, one more than there are cells
-  std::vector<double> shares;  ///< length fraction of each cell; the sum is 1
-  std::vector<Vec2> inner;     ///< points of the spline between the ends, the inner vertices among them
-  bool is_straight = false;    ///< within 1e-10 of its length: no spline is needed
+  std::vector<Vec2> vertices;     ///< ends of the cells, one more than there are cells
+  std::vector<double> fractions;  ///< length fraction of each cell; the sum is 1
+  std::vector<Vec2> inner;        ///< points of the spline between the ends, the inner vertices among them
+  bool is_straight = false;       ///< within 1e-10 of its length: no spline is needed
 
-  int num_cells() const { return static_cast<int>(shares.size()); }
+  int num_cells() const { return static_cast<int>(fractions.size()); }
   /// By vertex: the sum of the fractions before it, added up as blockMesh does.
   std::vector<double> weights() const;
   DividedEdge reversed() const;

@@ -85,9 +85,9 @@ void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numb
   std::sort(ends.begin(), ends.end());
   const auto twice = std::adjacent_find(ends.begin(), ends.end());
   if (twice == ends.end()) return;
-  const auto place = [&](int vertex) { return mesh.nodes[numbering.vertices[vertex]] + mesh.face.origin; };
+  const auto position = [&](int vertex) { return mesh.nodes[numbering.vertices[vertex]] + mesh.face.origin; };
   throw ComputeError(fmt::format("two edges join {} and {}, and {} identifies edges by their ends: refine the mesh",
-                                 position_text(place((*twice)[0])), position_text(place((*twice)[1])), reader));
+                                 position_text(position((*twice)[0])), position_text(position((*twice)[1])), reader));
 }
 
 }  // namespace quadrille::exports

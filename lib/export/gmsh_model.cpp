@@ -16,9 +16,9 @@ constexpr std::array<int, max_order + 1> line_types{0, 1, 8, 26, 27, 28, 62, 63,
 constexpr std::array<int, max_order + 1> quad_types{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
 
 /// Corners, then sides counter-clockwise, then the same recursively for the inner nodes.
-std::vector<int> quad_node_sequence(int order) {
-  std::vector<int> sequence;
-  const auto add = [&](int i, int j) { sequence.push_back(j * (order + 1) + i); };
+std::vector<int> quad_node_order(int order) {
+  std::vector<int> node_order;
+  const auto add = [&](int i, int j) { node_order.push_back(j * (order + 1) + i); };
   for (int low = 0, high = order; low <= high; ++low, --high) {
     if (low == high) {
       add(low, low);
@@ -30,7 +30,7 @@ std::vector<int> quad_node_sequence(int order) {
     for (int k = high - 1; k > low; --k) add(k, high);
     for (int k = high - 1; k > low; --k) add(low, k);
   }
-  return sequence;
+  return node_order;
 }
 
 void classify_nodes(const QuadMesh& mesh, GmshModel& model) {
@@ -85,7 +85,7 @@ GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
   number_nodes(mesh, model);
   model.block_elems.resize(mesh.block_names.size());
   for (int elem = 0; elem < mesh.num_elems(); ++elem) model.block_elems[mesh.elem_block[elem]].push_back(elem);
-  model.quad_sequence = quad_node_sequence(mesh.order);
+  model.quad_node_order = quad_node_order(mesh.order);
   model.line_type = line_types[mesh.order], model.quad_type = quad_types[mesh.order];
   return model;
 }
@@ -108,7 +108,7 @@ void append_gmsh_line(const GmshModel& model, const QuadMesh& mesh, const Skelet
 
 void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, std::string& text) {
   const int* nodes = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
-  for (const int local : model.quad_sequence) append_tag(model.node_tags[nodes[local]], text);
+  for (const int local : model.quad_node_order) append_tag(model.node_tags[nodes[local]], text);
   text += '\n';
 }
 

@@ -22,7 +22,7 @@ struct GmshModel {
   std::array<std::vector<std::vector<int>>, 3> entity_nodes;  ///< mesh nodes by dimension and entity
   std::vector<int> node_tags;                                 ///< by mesh node: its position in entity_nodes, from 1
   std::vector<std::vector<int>> block_elems;                  ///< elements of each block
-  std::vector<int> quad_sequence;                             ///< Gmsh's order of the local nodes of a quad
+  std::vector<int> quad_node_order;                           ///< Gmsh's order of the local nodes of a quad
   int line_type = 0, quad_type = 0;
 
   int boundary_group(int cad_curve) const { return 1 + groups.curve2boundary[cad_curve]; }

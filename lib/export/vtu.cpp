@@ -18,9 +18,9 @@ constexpr CellTypes lagrange_cells{68, 70}, bezier_cells{75, 77};
 
 /// VTK's order of the local nodes: corners, the sides bottom, right, top, left all in the direction of rising xi, then
 /// the inner ones, xi1 fastest.
-std::vector<int> quad_node_sequence(int order) {
-  std::vector<int> sequence;
-  const auto add = [&](int i, int j) { sequence.push_back(j * (order + 1) + i); };
+std::vector<int> quad_node_order(int order) {
+  std::vector<int> node_order;
+  const auto add = [&](int i, int j) { node_order.push_back(j * (order + 1) + i); };
   add(0, 0), add(order, 0), add(order, order), add(0, order);
   for (int k = 1; k < order; ++k) add(k, 0);
   for (int k = 1; k < order; ++k) add(order, k);
@@ -28,7 +28,7 @@ std::vector<int> quad_node_sequence(int order) {
   for (int k = 1; k < order; ++k) add(0, k);
   for (int j = 1; j < order; ++j)
     for (int i = 1; i < order; ++i) add(i, j);
-  return sequence;
+  return node_order;
 }
 
 std::vector<std::string> provenance_lines(const Provenance& chain) {
@@ -61,9 +61,9 @@ class Writer {
     grid.cell_type = types_.quad;
     grid.nodes_per_cell = mesh_.nodes_per_elem();
     grid.connectivity.reserve(mesh_.elem_nodes.size());
-    const std::vector<int> sequence = quad_node_sequence(mesh_.order);
+    const std::vector<int> node_order = quad_node_order(mesh_.order);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem)
-      for (const int local : sequence)
+      for (const int local : node_order)
         grid.connectivity.push_back(mesh_.elem_nodes[elem * mesh_.nodes_per_elem() + local]);
     VtkIntegers ids{"element_id", {}}, regions{"region_id", {}}, attributes{"attribute", {}};
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {

@@ -7,9 +7,9 @@
 namespace quadrille::exports {
 namespace {
 
-DividedEdge line(Vec2 a, Vec2 b, const std::vector<double>& shares) {
+DividedEdge line(Vec2 a, Vec2 b, const std::vector<double>& fractions) {
   DividedEdge edge;
-  edge.shares = shares;
+  edge.fractions = fractions;
   for (const double w : edge.weights()) edge.vertices.push_back(a + w * (b - a));
   edge.is_straight = true;
   return edge;
@@ -18,7 +18,7 @@ DividedEdge line(Vec2 a, Vec2 b, const std::vector<double>& shares) {
 TEST(DividedEdge, StraightSideOfTwoElements) {
   const DividedEdge edge = divided_edge(two_quads(), {{0, 0}, {1, 0}});
   EXPECT_TRUE(edge.is_straight);
-  EXPECT_EQ(edge.shares, (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(edge.fractions, (std::vector<double>{0.5, 0.5}));
   EXPECT_EQ(edge.weights(), (std::vector<double>{0, 0.5, 1}));
   EXPECT_EQ(edge.vertices, (std::vector<Vec2>{{0, 0}, {2, 0}, {4, 0}}));
 }
@@ -38,9 +38,9 @@ TEST(DividedEdge, SplinePassesTheVerticesAtTheirShares) {
     length += distance(polygon[k - 1], polygon[k]);
     if (k == 4) before = length;
   }
-  EXPECT_NEAR(edge.shares[0], before / length, 1e-15);
+  EXPECT_NEAR(edge.fractions[0], before / length, 1e-15);
   EXPECT_EQ(edge.reversed().inner[3], (Vec2{2, 2}));
-  EXPECT_EQ(edge.reversed().shares[1], edge.shares[0]);
+  EXPECT_EQ(edge.reversed().fractions[1], edge.fractions[0]);
 }
 
 TEST(BlockMeshPoints, RectangleWithEqualSharesIsAGrid) {
