@@ -118,13 +118,13 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
   if (num_missing == 0) return;
   const auto& [a, b, c] = field.mesh.elem2vertices[worst];
   const std::vector<Vec2>& x = field.mesh.vertices;
-  const Vec2 place = (x[a] + x[b] + x[c]) / 3 + field.mesh.face.origin;
+  const Vec2 position = (x[a] + x[b] + x[c]) / 3 + field.mesh.face.origin;
   report.warn(
       warning::target_error_missed,
       fmt::format("the estimated error of the field is up to {:.1e}, above the target {:.1e}, although the order "
                   "is at its highest, {}: {} {}, the worst near {}",
                   greatest, options.target_error, options.max_order, num_missing,
-                  num_missing == 1 ? "element" : "elements", position_text(place)));
+                  num_missing == 1 ? "element" : "elements", position_text(position)));
 }
 
 }  // namespace

@@ -68,11 +68,11 @@ std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale
 
 std::vector<double> equalized(std::vector<double> sensors) {
   constexpr double same = 0.95;
-  std::vector<int> sequence(sensors.size());
-  std::iota(sequence.begin(), sequence.end(), 0);
-  std::stable_sort(sequence.begin(), sequence.end(), [&](int a, int b) { return sensors[a] > sensors[b]; });
+  std::vector<int> ranking(sensors.size());
+  std::iota(ranking.begin(), ranking.end(), 0);
+  std::stable_sort(ranking.begin(), ranking.end(), [&](int a, int b) { return sensors[a] > sensors[b]; });
   double greatest = INFINITY;
-  for (const int e : sequence) {
+  for (const int e : ranking) {
     if (sensors[e] < same * greatest) greatest = sensors[e];
     sensors[e] = greatest;
   }

@@ -162,9 +162,9 @@ void BoundaryMesh::refuse_contact() const {
   const auto shortest = std::min_element(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
     return a.is_rim() != b.is_rim() ? b.is_rim() : a.length() < b.length();
   });
-  const Vec2 place = shortest->samples[2] + fit_->outline().face().origin;
+  const Vec2 position = shortest->samples[2] + fit_->outline().face().origin;
   throw ComputeError(
-      fmt::format("the boundary touches or crosses itself, or nearly, at ({:.9g}, {:.9g})", place.x, place.y));
+      fmt::format("the boundary touches or crosses itself, or nearly, at ({:.9g}, {:.9g})", position.x, position.y));
 }
 
 void BoundaryMesh::grade(double growth) {

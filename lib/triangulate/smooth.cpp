@@ -37,13 +37,13 @@ class Mover {
   void improve(int vertex) {
     const Vec2 old = draft_->vertices[vertex], goal = mean_of_neighbours(vertex);
     double best = least_shape(vertex);
-    Vec2 best_place = old;
+    Vec2 best_position = old;
     for (const double step : {1.0, 0.5, 0.25}) {
       draft_->vertices[vertex] = old + step * (goal - old);
       const double shape = least_shape(vertex);
-      if (shape > best + least_gain) best = shape, best_place = draft_->vertices[vertex];
+      if (shape > best + least_gain) best = shape, best_position = draft_->vertices[vertex];
     }
-    draft_->vertices[vertex] = best_place;
+    draft_->vertices[vertex] = best_position;
   }
 
  private:

@@ -81,7 +81,7 @@ bool split_at(const TriMesh& mesh, const std::vector<int>& elems, DomainRefiner&
   return did_split;
 }
 
-Vec2 place_of(const TriMesh& mesh, int elem) {
+Vec2 position_of(const TriMesh& mesh, int elem) {
   const auto& [a, b, c] = mesh.elem2vertices[elem];
   return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3 + mesh.face.origin;
 }
@@ -111,8 +111,8 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
     const auto elems = doubtful_elements(result.ratios);
     if (elems.empty()) return result;
     if (round == max_proof_rounds || !split_at(result.mesh, elems, refiner)) {
-      const Vec2 place = place_of(result.mesh, elems.front());
-      throw ComputeError(fmt::format("no valid curved element at ({:.9g}, {:.9g})", place.x, place.y));
+      const Vec2 position = position_of(result.mesh, elems.front());
+      throw ComputeError(fmt::format("no valid curved element at ({:.9g}, {:.9g})", position.x, position.y));
     }
   }
 }

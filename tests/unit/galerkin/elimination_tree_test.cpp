@@ -45,7 +45,7 @@ TEST(EliminationTree, EliminatesTheFirstCutLast) {
   const EliminationTree::Node& root = tree.nodes.back();
   const int num_vertices = static_cast<int>(mesh.vertices.size()), middle = tree.nodes[root.first].end;
   std::vector<bool> in_first(mesh.num_elems(), false);
-  for (int place = 0; place < middle; ++place) in_first[tree.elements[place]] = true;
+  for (int position = 0; position < middle; ++position) in_first[tree.elements[position]] = true;
   bool cut_begun = false;
   for (const int entity : tree.elimination_order) {
     if (entity < num_vertices) continue;
