@@ -27,9 +27,9 @@ struct OccModel {
   /// shape keeps it alive.
   std::map<const TopoDS_TShape*, std::pair<TopoDS_Shape, ShapeLabel>> labels;
 
-  /// The label of `shape`, independent of its orientation and location.
-  ShapeLabel label_of(const TopoDS_Shape& shape) const {
-    const auto found = labels.find(shape.TShape().get());
+  /// The label of `part`, independent of its orientation and location.
+  ShapeLabel label_of(const TopoDS_Shape& part) const {
+    const auto found = labels.find(part.TShape().get());
     return found == labels.end() ? ShapeLabel() : found->second.second;
   }
 };
