@@ -112,7 +112,7 @@ std::vector<std::string> Hdf5GroupReader::texts(const std::string& name, std::si
   if (data.count == 0) return {};
   if (H5Tis_variable_str(data.type.get()) > 0) {
     const Hdf5Id space = opened(H5Dget_space(data.id.get()), H5Sclose);
-    const auto values = variable_texts(data.count, data.type, space.get(), read);
+    auto values = variable_texts(data.count, data.type, space.get(), read);
     if (values.empty()) fail(name, "cannot be read: damaged");
     return values;
   }

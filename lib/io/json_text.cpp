@@ -56,7 +56,7 @@ std::string pretty(const Json& value, std::size_t indent) {
   if (!value.is_structured() || value.empty()) return one_line(value);
   // Only a leaf or a shallow structure can be short; testing the size first keeps this linear.
   if (value.size() <= 12) {
-    const std::string line = one_line(value);
+    std::string line = one_line(value);
     if (line.size() + indent <= line_width) return line;
   }
   if (value.is_array() && std::all_of(value.begin(), value.end(), is_point_or_number))

@@ -38,7 +38,7 @@ Json parsed(const InputFile& file) {
 }
 
 std::string new_name(const Json& value, const std::string& where) {
-  const std::string name = value.is_string() ? clean_name(value.get<std::string>()) : std::string();
+  std::string name = value.is_string() ? clean_name(value.get<std::string>()) : std::string();
   if (name.empty()) throw FormatError(where + ": the new name must be a text that is not empty");
   return name;
 }

@@ -50,7 +50,7 @@ std::vector<int> parsed(const InputFile& file) {
 
 std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order) {
   const bool is_hdf5 = file.bytes.starts_with("\x89HDF");
-  const std::vector<int> elem_order = is_hdf5 ? read_field(file).elem_order : parsed(file);
+  std::vector<int> elem_order = is_hdf5 ? read_field(file).elem_order : parsed(file);
   if (static_cast<int>(elem_order.size()) != num_elems)
     throw FormatError(
         fmt::format("{}: {} orders, but the mesh has {} elements", file.name, elem_order.size(), num_elems), "ORD-R01");
