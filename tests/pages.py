@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Checks the pages of the project against each other and against the sources. Used by tests/pages.bats:
 
-    pages.py ROOT links | citations | options | folders | schemas | warnings | keys | terms
+    pages.py ROOT links [PAGE...]     links between pages, of all or of these only
+    pages.py ROOT citations | options | folders | schemas | warnings | keys | terms
     pages.py ROOT keys TOOL REPORT...     the members of these reports are on the page
 
 Prints a line for each fault; exit code 1 if there are any."""
@@ -62,9 +63,9 @@ def anchors(page):
     return found
 
 
-def check_links():
+def check_links(*names):
     count = 0
-    for page in pages():
+    for page in [ROOT / name for name in names] or pages():
         prose = re.sub(r"`[^`\n]*`", "", without_code(page.read_text()))
         for target in re.findall(r"\]\(([^)\s]+)\)", prose):
             if re.match(r"[a-z]+:", target):
@@ -340,7 +341,8 @@ def check_options():
 
 CHECKS = {"options": check_options, "links": check_links, "citations": check_citations, "folders": check_folders, "schemas": check_schemas,
           "warnings": check_warnings, "keys": check_keys, "terms": check_terms}
-count = check_reports(sys.argv[3], sys.argv[4:]) if len(sys.argv) > 4 else CHECKS[sys.argv[2]]()
+check, names = sys.argv[2], sys.argv[3:]
+count = check_reports(names[0], names[1:]) if check == "keys" and names else CHECKS[check](*names)
 for text in sorted(set(faults)):
     print(text)
 if not count:

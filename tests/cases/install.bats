@@ -49,3 +49,13 @@ setup() {
   done
   assert_file_exists "$usr/share/doc/quadrille/LICENSE"
 }
+
+@test "links of the installed README, of the method and of the formats lead to installed pages" {
+  cd "$usr/share/doc/quadrille"
+  run -0 python3 "$ROOT/tests/pages.py" "$PWD" links README.md lib/method.md formats/*.md formats/export/*.md
+  assert_output ''
+  mv lib/method.md moved
+  run -1 python3 "$ROOT/tests/pages.py" "$PWD" links formats/glossary.md
+  assert_output --partial 'leads nowhere'
+  mv moved lib/method.md
+}
