@@ -19,7 +19,7 @@ bool leads_down(const Descent& descent, const Minimand::Sample& next, const Vect
 std::optional<Minimand::Sample> line_search(Descent& descent, VectorXd& step) {
   step *= descent.f.allowed(descent.found.x, step);
   for (int halving = 0; halving < 40; ++halving, step /= 2) {
-    const auto next = evaluate(descent, descent.found.x + step);
+    auto next = evaluate(descent, descent.found.x + step);
     if (next && leads_down(descent, *next, step, descent.here.gradient.dot(step))) return next;
   }
   return std::nullopt;
