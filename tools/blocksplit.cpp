@@ -18,11 +18,11 @@ int main(int argc, char** argv) {
   tool.summary = "turns a separatrix graph into four-sided blocks";
   tool.description =
       "Reads a separatrix graph and makes a block of each of its faces. Each face must have four sides; otherwise the "
-      "exit code is 1 and the message names the position. A block is its four exact sides and their transfinite blend: "
-      "no order is chosen here. A block whose blend cannot be proved valid, or whose scaled Jacobian is below 0.1, is "
-      "split across its long sides, together with all blocks of its chord, if that improves it. -v reports the worst "
-      "and the smallest block, and which boundary features force the smallest one. Blocks have the name of the CAD "
-      "face, so that they are one region; if it has none, they are called block_N.";
+      "exit code is 1 and the message names the position. A block is defined by its four exact sides and their "
+      "transfinite blend; no order is chosen here. A block whose blend cannot be proved valid, or whose scaled "
+      "Jacobian is below 0.1, is split across its long sides, together with all blocks of its chord, if that improves "
+      "it. -v reports the worst and the smallest block, and which boundary features force the smallest one. Blocks "
+      "have the name of the CAD face, so that they are one region; if it has none, they are called block_N.";
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5",
                    "echo '{\"*\": \"fluid\"}' | blocksplit half_disc.sep.json --block-names - -o half_disc.blocks.h5"};

@@ -47,10 +47,10 @@ int main(int argc, char** argv) {
   tool.description =
       "Reads SHAPE (STEP, IGES or BREP), which must contain exactly one planar face, with any number of holes, and "
       "writes the triangle mesh on which fieldsolve solves, with the exact boundary curves as NURBS. The mesh is "
-      "coarse: "
-      "its elements follow the curves with polynomials of a high order, are small only where the boundary is strongly "
-      "curved or two of its parts are close to each other, and are graded geometrically towards corners at which the "
-      "field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own unit.";
+      "coarse: its elements follow the curves with polynomials of a high order, are small only where the boundary is "
+      "strongly curved or two of its parts are close to each other, and are graded geometrically towards corners at "
+      "which the field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own "
+      "unit.";
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};

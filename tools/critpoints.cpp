@@ -106,16 +106,16 @@ int main(int argc, char** argv) {
   tool.name = "critpoints";
   tool.summary = "chooses the irregular nodes of the layout and the valences of the corners";
   tool.description =
-      "Reads a field and finds every zero of it once, with its index and valence, and the valence of every corner. "
-      "A proof shows that none is missing: each element is cut into cells until a bound shows that a cell holds no "
+      "Reads a field and finds each of its zeros once, with its index and valence, and the valence of every corner. A "
+      "proof shows that none is missing: each element is cut into cells until a bound shows that a cell contains no "
       "zero, or at most one, which is then computed. Each zero has an error bar, from the estimated error of the field "
       "there.\n\n"
       "Zeros that no layout can use are replaced: multiple zeros and zeros nearer to each other than any block are "
       "split symmetrically, merged or cancelled; corners absorb adjacent zeros; nodes of small fillets and holes move "
       "onto the boundary or away from it; corner valences may be prescribed. Where all sides lie at multiples of 45 "
       "degrees and the field vanishes on curves, valences are chosen by rule. Each change is listed in the output with "
-      "its reason. Unless \"form\" is \"harmonic\" there, the later stages need a field solved for these nodes: "
-      "fieldsolve --nodes.\n\n"
+      "its reason. Unless \"form\" is \"harmonic\" in the output, the later stages need a field solved for these "
+      "nodes: fieldsolve --nodes.\n\n"
       "The sum of 4 - V over the nodes and of 2 - V over the corners must be four times the face's Euler "
       "characteristic (1 less the number of holes); otherwise nothing is written and the exit code is 1.";
   tool.examples = {"critpoints half_disc.field.h5 -o half_disc.crit.json",

@@ -64,8 +64,7 @@ int main(int argc, char** argv) {
   tool.description =
       "Reads the triangle mesh TRI and writes the guiding field v = (u, v): harmonic inside, the cross (cos 4 theta, "
       "sin 4 theta) of the tangent angle theta on the boundary. The elements of the Galerkin method are continuous "
-      "(cg) "
-      "or discontinuous (dg, hybridised); interior modes are condensed, and one sparse factorisation serves both "
+      "(cg) or discontinuous (dg, hybridised); interior modes are condensed, and one sparse factorisation serves both "
       "components. Boundary data come from the exact curves; every tangent discontinuity is represented by an exact "
       "harmonic function, so that corners do not reduce the accuracy. --corners dg leaves the discontinuities in the "
       "data, as the paper does, for comparison; only --method dg can represent them. With --nodes the field is a unit "

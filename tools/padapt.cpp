@@ -36,8 +36,7 @@ int main(int argc, char** argv) {
       "solution one order lower (the sensor), raise the order by one if the sensor exceeds --raise-above, lower it by "
       "one if it is below --lower-below, and solve again, until no order changes. An order that was raised is not "
       "lowered again. The sensor is a squared ratio: 1e-20 is a relative tail of 1e-10. A field that was adapted "
-      "before "
-      "is adapted further and keeps its history, so that --max-steps 1 performs one step at a time. A field for "
+      "before is adapted further and keeps its history, so that --max-steps 1 performs one step at a time. A field for "
       "prescribed nodes (x.phase.h5) is solved for them again; its sensor uses its only unknown, the phase in radians, "
       "and ignores --sensor.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",

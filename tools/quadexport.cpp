@@ -131,8 +131,9 @@ void write_mesh(const std::string& input, const std::string& output, const std::
   for (const std::string& loss : exported.losses) s.report().warn(warning::format_loss, loss);
   for (const exports::SideFile& side : exported.side_files) {
     if (takes_one_file(output))
-      s.report().warn(warning::side_file_not_written, fmt::format("*{} is not written: {} takes one file", side.ending,
-                                                                  output == "-" ? "standard output" : output));
+      s.report().warn(warning::side_file_not_written,
+                      fmt::format("*{} is not written: {} can contain one file only", side.ending,
+                                  output == "-" ? "standard output" : output));
     else
       io::write_output(beside(output, side.ending), side.bytes, side.is_binary);
   }
@@ -161,11 +162,9 @@ int main(int argc, char** argv) {
   tool.summary = "writes a mesh or its blocks for other programs";
   tool.description =
       "Writes a quad mesh in the format of a solver, with the names of boundaries and blocks and with the nodes that "
-      "the "
-      "format defines. What the format cannot represent is reported on standard error, with the magnitude of the loss. "
-      "A block layout is written as a STEP model of faces that share their edges. The format follows from the ending "
-      "of "
-      "the output, or from --format; standard output is MSH by default. Formats: " +
+      "the format defines. What the format cannot represent is reported on standard error, with the magnitude of the "
+      "loss. A block layout is written as a STEP model of faces that share their edges. The format follows from the "
+      "ending of the output, or from --format; standard output is MSH by default. Formats: " +
       format_list() + ".";
   tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
                    "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",

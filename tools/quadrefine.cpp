@@ -37,12 +37,10 @@ void declare(cli::Options& o, SizeArguments& sizes) {
            "greatest ratio of adjacent edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
   o.choice("--size-rule", sizes.rule,
            "the number of elements of a chord whose arcs prescribe different ones: nearest deviates least from the "
-           "prescribed "
-           "lengths in the mean; at-most makes no edge longer than prescribed");
+           "prescribed lengths in the mean; at-most makes no edge longer than prescribed");
   o.texts("--count", sizes.counts, "CHORD=N",
           "N elements across a chord, instead of the number from the sizes; the pictures of stageview BLOCKS and "
-          "arc_chord in "
-          "BLOCKS show the numbers of the chords");
+          "arc_chord in BLOCKS show the numbers of the chords");
 }
 
 /// Reads the files and names of the size options, and sets the sizes of `options`.
@@ -74,15 +72,13 @@ int main(int argc, char** argv) {
   tool.description =
       "Reads a block layout and chooses one number of elements for each chord (blocks that are linked through opposite "
       "sides), so that the logarithms of the edge lengths deviate least from those of the prescribed ones, in the mean "
-      "square over the length of the chord's arcs. Where several sizes are prescribed at one place, finer ones are "
+      "square over the length of the chord's arcs. Where several sizes are prescribed at one point, finer ones are "
       "weighted more (by the sixth power) and so determine the result; sizes grow from there to --size at the rate "
       "--growth. More elements are used where the boundary would deviate by more than --geometry-tol, and element "
       "corners are moved onto joints inside a side. --report lists the prescribed and the achieved sizes of each "
-      "chord. "
-      "Each element is sampled from the exact map of its block and proved valid by a lower bound of det J; otherwise "
-      "the "
-      "exit code is 1 and the message names the position, unless --allow-invalid is given. --report and -v list the "
-      "worst elements and their positions.";
+      "chord. Each element is sampled from the exact map of its block and proved valid by a lower bound of det J; "
+      "otherwise the exit code is 1 and the message names the position, unless --allow-invalid is given. --report and "
+      "-v list the worst elements and their positions.";
   tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
                    "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
                    "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",

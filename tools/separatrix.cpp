@@ -17,11 +17,10 @@ int main(int argc, char** argv) {
   tool.summary = "traces the separatrices of a guiding field";
   tool.description =
       "Starts a separatrix in each direction of the cross at the irregular nodes and corners of CRIT, traces it "
-      "through "
-      "FIELD to the boundary, merges separatrices that meet head-on and writes the planar graph of separatrices and "
-      "boundary. If the nodes of CRIT are not the zeros of the field, FIELD must be the phase that fieldsolve --nodes "
-      "solved for them. Every face of the graph must have four corners; otherwise the exit code is 1 and the message "
-      "names the position.";
+      "through FIELD to the boundary, merges separatrices that meet head-on and writes the planar graph of "
+      "separatrices and boundary. If the nodes of CRIT are not the zeros of the field, FIELD must be the phase that "
+      "fieldsolve --nodes solved for them. Every face of the graph must have four corners; otherwise the exit code is "
+      "1 and the message names the position.";
   tool.examples = {
       "separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json",
       "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5"};
@@ -50,9 +49,9 @@ int main(int argc, char** argv) {
     o.formerly("--max-turn", "--max-deviation");
     o.choice(
         "--layout", options.layout,
-        "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses "
-        "it (motorcycle graph), and an integer program decides how they continue; auto: quantized if traced fails "
-        "or needs more blocks; t-mesh: only the stopped separatrices, no layout");
+        "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses it "
+        "(motorcycle graph), and an integer program decides how they continue; auto: quantized if traced fails or "
+        "needs more blocks; t-mesh: only the stopped separatrices, no layout");
     o.integer("--max-lines", options.max_lines, 1, 1000000, "greatest number of arcs of separatrices in the graph");
     o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
   };

@@ -69,9 +69,8 @@ int main(int argc, char** argv) {
   tool.description =
       "The format of FILE is detected from its content: triangle mesh, guiding field, critical points, separatrices, "
       "blocks or quads. Critical points are drawn over the field that --field names, with error bars, clusters, "
-      "changes "
-      "and the cells of the certificate. In a browser, elements, blocks and points show their numbers and figures, and "
-      "changes their reasons, under the mouse pointer.";
+      "changes and the cells of the certificate. In a browser, elements, blocks and points show their numbers and "
+      "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg"};

@@ -49,11 +49,11 @@ setup() {
   run --separate-stderr quadexport --format vtu "$quad"
   assert_success
   assert_equal "$output" "$(cat a.vtu)"
-  assert_equal "$stderr" "quadexport: warning W-EXP-002: *.curves.vtu is not written: standard output takes one file"
+  assert_equal "$stderr" "quadexport: warning W-EXP-002: *.curves.vtu is not written: standard output can contain one file only"
   mkfifo pipe
   cat pipe > through_pipe &
   run quadexport --format vtu "$quad" -o pipe
-  assert_output --partial "pipe takes one file"
+  assert_output --partial "pipe can contain one file only"
   wait
   cmp a.vtu through_pipe
   quadexport --format vtu-bezier "$quad" -o b.vtu
