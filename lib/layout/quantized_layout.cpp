@@ -58,7 +58,8 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
     const ArcGraph& graph = q.t_mesh.graph();
     q.lengths = quantize::quantize(q.faces, arc_lengths(graph), relative_unit * graph.face.diameter);
     if (!q.lengths.empty()) {
-      report.set("quantize.merges_given_up", num_rejected);
+      report.set("quantize.rejected_merges", num_rejected);
+      report.set("quantize.merges_given_up", num_rejected);  // former name
       report.set("quantize.longest_arc", *std::max_element(q.lengths.begin(), q.lengths.end()));
       return q;
     }

@@ -218,9 +218,11 @@ certificate() { jq -c '.certificate | [.method, .index_sum, [.face_valence_histo
     .faces_of_4_corners == $c.face_valence_histogram[0].faces, .merged_lines == 1, $c.merged_lines == 1,
     .largest_turn_degrees == $c.largest_deviation_degrees, $c.largest_deviation_degrees < 1e-6]' a.sep.json a.json
   assert_output '[true,true,true,true,true,true,true]'
-  separatrix "$field" "$crit" --layout quantized -o q.sep.json
+  run -0 jq -e '.trace | .largest_merge_deviation_degrees == .largest_merge_turn_degrees' a.json
+  separatrix "$field" "$crit" --layout quantized -o q.sep.json --report q.json
   run -0 certificate q.sep.json
   assert_output '["quantized",4,[[4,4]],0]'
+  run -0 jq -e '.quantize | .rejected_merges == 0 and .merges_given_up == 0' q.json
   run -0 separatrix -q "$field" "$crit" --max-lines 3 -o r.sep.json
   run -0 jq -r '.certificate | .method, .reason' r.sep.json
   assert_output $'quantized\n5 separatrices cut each other into 5 arcs, more than the 3 allowed'
