@@ -38,7 +38,7 @@ std::string digest_format(cad::CadFormat format) {
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names;
-  double corner_angle = 1;
+  double corner_angle = 1, heal_tolerance = -1;
   triangulate::TriangulateOptions options;
 
   cli::Tool tool;
@@ -61,6 +61,10 @@ int main(int argc, char** argv) {
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees",
              "tangent discontinuities greater than this are corners of the layout");
+    o.number(
+        "--heal-tolerance", heal_tolerance, -1, 5e-3, "diameters",
+        "the most that edges and vertices which do not meet, or leave the plane, are moved; edges shorter than this "
+        "are removed; 0: no healing; -1: 1e-5, or the tolerances of the shape if they are larger");
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
              "growth of the element size with the distance from small features");
@@ -76,7 +80,9 @@ int main(int argc, char** argv) {
   tool.run = [&](cli::Session& s) {
     const io::InputFile file = io::read_input(input);
     s.begin_phase("load");
-    CadFace face = cad::load_face_guarded(file.bytes, file.name, {radians(corner_angle)}, s.report());
+    cad::LoadedFace loaded =
+        cad::load_face_guarded(file.bytes, file.name, {radians(corner_angle), heal_tolerance}, s.report());
+    CadFace& face = loaded.face;
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
     if (!names.empty()) {

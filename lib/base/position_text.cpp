@@ -2,8 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace quadrille {
 
 std::string position_text(Vec2 x) { return fmt::format("({:.6g}, {:.6g})", x.x, x.y); }
+
+std::string rounded_position_text(Vec2 x) {
+  const double rounding = 1e-12 * std::max({std::abs(x.x), std::abs(x.y), 1e-3});
+  const auto shown = [&](double c) { return std::abs(c) < rounding ? 0.0 : c; };
+  return position_text({shown(x.x), shown(x.y)});
+}
 
 }  // namespace quadrille

@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/numbered_names.hpp"
+#include "base/position_text.hpp"
 #include "cad/extent.hpp"
 #include "cad/outline_checks.hpp"
 #include "cad/wire_loop.hpp"
@@ -19,24 +20,26 @@ namespace quadrille::cad {
 namespace {
 
 // Distance below which points coincide: the tolerance of the file, clamped in case it is wrong.
-double gap_tolerance(const RawFace& raw, double size) { return std::clamp(raw.tolerance, 1e-7 * size, 1e-5 * size); }
+double gap_tolerance(const heal::RawFace& raw, double size) {
+  return std::clamp(raw.tolerance, 1e-7 * size, 1e-5 * size);
+}
 
-double size_of(const RawFace& raw) {
+std::vector<Nurbs> finite_curves(const heal::RawFace& raw) {
   std::vector<Nurbs> curves;
   for (const auto& wire : raw.wires)
-    for (const RawEdge& edge : wire) curves.push_back(edge.curve);
+    for (const heal::RawEdge& edge : wire) curves.push_back(edge.curve);
   if (curves.empty()) throw FormatError(raw.file + ": the face has no boundary");
   for (const Nurbs& curve : curves)
     for (const Vec2 p : curve.poles)
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw FormatError(raw.file + ": a coordinate is not a number");
-  return pole_box(curves).diagonal();
+  return curves;
 }
 
 std::string loop_name(size_t l) { return l == 0 ? "the outline" : fmt::format("hole {}", l); }
 
 // Refuses a degenerate face whose boundary is a line traversed forth and back; otherwise it would be reported as
 // touching itself everywhere.
-void require_width(const RawFace& raw, const std::vector<Nurbs>& curves, double size) {
+void require_width(const heal::RawFace& raw, const std::vector<Nurbs>& curves, double size) {
   const Vec2 a = curves.front().poles.front();
   Vec2 b = a;
   for (const Nurbs& curve : curves)
@@ -63,7 +66,7 @@ std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   return sorted;
 }
 
-void require_simple(const RawFace& raw, const std::vector<Loop>& loops, double tol) {
+void require_simple(const heal::RawFace& raw, const std::vector<Loop>& loops, double tol) {
   std::vector<std::vector<Nurbs>> curves;
   for (const Loop& loop : loops) curves.push_back(curves_of(loop));
   if (const auto c = find_contact(curves, tol)) {
@@ -128,6 +131,19 @@ std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
   return joints;
 }
 
+// An angle of zero holds no quad.
+void refuse_cusps(const heal::RawFace& raw, const CadFace& face) {
+  constexpr double rounding = 1e-6;
+  for (int i = 0; i < face.num_curves(); ++i) {
+    if (face.joints[i].interior_angle > rounding) continue;
+    const int in = face.curve_cad_edges[face.previous_in_loop(i)], out = face.curve_cad_edges[i];
+    throw FormatError(
+        fmt::format("{}: edges {} and {} meet in a cusp at {}, an angle of zero, which holds no quad: cut "
+                    "its tip off in the drawing",
+                    raw.file, in, out, rounded_position_text(face.joints[i].position + face.origin)));
+  }
+}
+
 std::vector<std::string> names_of(const std::vector<Loop>& loops) {
   std::vector<std::string> names;
   for (const Loop& loop : loops)
@@ -137,8 +153,10 @@ std::vector<std::string> names_of(const std::vector<Loop>& loops) {
 
 }  // namespace
 
-CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
-  const double size = size_of(raw), tol = gap_tolerance(raw, size);
+double raw_diameter(const heal::RawFace& raw) { return diameter(finite_curves(raw)); }
+
+CadFace assemble_face(const heal::RawFace& raw, double corner_angle, Report& report) {
+  const double size = pole_box(finite_curves(raw)).diagonal(), tol = gap_tolerance(raw, size);
   std::vector<Loop> loops;
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
   loops = sorted_loops(std::move(loops));
@@ -167,6 +185,7 @@ CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report) {
   face.curve_names = names_of(loops);
   face.unnamed_curves = replace_empty_names(face.curve_names, "curve");
   face.joints = joints_of(face, corner_angle);
+  refuse_cusps(raw, face);
 
   double area = 0;
   for (int l = 0; l < face.num_loops(); ++l)

@@ -2,14 +2,18 @@
 // From the edges of a face as read from the file to the checked boundary of model/cad_face.hpp. No OpenCASCADE types.
 
 #include "base/report.hpp"
-#include "cad/raw_face.hpp"
+#include "heal/raw_face.hpp"
 
 namespace quadrille::cad {
+
+/// The greatest distance between two points of the edges. Throws FormatError if there are no edges, or a coordinate is
+/// not a number.
+double raw_diameter(const heal::RawFace& raw);
 
 /// Chains the edges of each wire, splits curves at tangent jumps, makes the ends of neighbours identical, orients loops
 /// so that the face lies on the left, sorts the outline first, and computes joints, names, diameter and origin. Throws
 /// FormatError, with the error and its position, for an open or self-intersecting wire, vertices off their edges, holes
 /// outside or across the outline, or a face without area. `corner_angle` in radians.
-CadFace assemble_face(const RawFace& raw, double corner_angle, Report& report);
+CadFace assemble_face(const heal::RawFace& raw, double corner_angle, Report& report);
 
 }  // namespace quadrille::cad

@@ -1,7 +1,7 @@
 #pragma once
 // Selects the name of an edge among the labels in a CAD file. No OpenCASCADE types.
 
-#include "cad/raw_face.hpp"
+#include "heal/raw_face.hpp"
 
 namespace quadrille::cad {
 
@@ -12,6 +12,6 @@ namespace quadrille::cad {
 ///
 /// A face without a name gets the name of its layer, unless an edge is on the same layer. Without any label, names stay
 /// empty.
-void choose_names(RawFace& raw);
+void choose_names(heal::RawFace& raw);
 
 }  // namespace quadrille::cad

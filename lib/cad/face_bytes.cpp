@@ -30,6 +30,7 @@ class Writer {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(const Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
+  void operator()(const Repair& r) { (*this)(r.kind), (*this)(r.cad_edge), (*this)(r.position), (*this)(r.distance); }
 };
 
 class Reader {
@@ -57,6 +58,7 @@ class Reader {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
+  void operator()(Repair& r) { (*this)(r.kind), (*this)(r.cad_edge), (*this)(r.position), (*this)(r.distance); }
 
   bool at_end() const { return at_ == bytes_.size(); }
 
@@ -111,9 +113,10 @@ Report::Value read_value(Reader& r) {
 
 }  // namespace
 
-std::string to_bytes(const CadFace& face, const Report& report) {
+std::string to_bytes(const LoadedFace& loaded, const Report& report) {
   Writer w;
-  members(w, face);
+  members(w, loaded.face);
+  w(loaded.repairs);
   w(static_cast<std::uint64_t>(report.entries().size()));
   for (const auto& [key, value] : report.entries()) w(key), write_value(w, value);
   w(static_cast<std::uint64_t>(report.warnings().size()));
@@ -121,10 +124,11 @@ std::string to_bytes(const CadFace& face, const Report& report) {
   return w.bytes;
 }
 
-CadFace from_bytes(const std::string& bytes, Report& report) {
+LoadedFace from_bytes(const std::string& bytes, Report& report) {
   Reader r(bytes);
-  CadFace face;
-  members(r, face);
+  LoadedFace loaded;
+  members(r, loaded.face);
+  r(loaded.repairs);
   std::uint64_t entries = 0, warnings = 0;
   r(entries);
   for (std::uint64_t i = 0; i < entries; ++i) {
@@ -139,7 +143,7 @@ CadFace from_bytes(const std::string& bytes, Report& report) {
     report.warn(code, message);
   }
   if (!r.at_end()) throw Defect("from_bytes: too long");
-  return face;
+  return loaded;
 }
 
 }  // namespace quadrille::cad

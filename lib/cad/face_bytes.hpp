@@ -1,19 +1,19 @@
 #pragma once
-// Exact serialisation of a CadFace and a Report, used to pass them from a child process to its parent. Not a file
+// Exact serialisation of a LoadedFace and a Report, used to pass them from a child process to its parent. Not a file
 // format.
 
 #include <string>
 
 #include "base/report.hpp"
-#include "model/cad_face.hpp"
+#include "cad/loaded_face.hpp"
 
 namespace quadrille::cad {
 
 /// Serialises the face and the report.
-std::string to_bytes(const CadFace& face, const Report& report);
+std::string to_bytes(const LoadedFace& loaded, const Report& report);
 
 /// Returns the face and adds the contents of the serialised report to `report`. Throws Defect for bytes that were not
 /// written by to_bytes.
-CadFace from_bytes(const std::string& bytes, Report& report);
+LoadedFace from_bytes(const std::string& bytes, Report& report);
 
 }  // namespace quadrille::cad

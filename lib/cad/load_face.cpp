@@ -14,6 +14,7 @@
 #include "cad/occ_face.hpp"
 #include "cad/occ_load.hpp"
 #include "cad/step_faults.hpp"
+#include "heal/heal_face.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -32,14 +33,17 @@ constexpr int most_seconds = 60;
 
 }  // namespace
 
-CadFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report) {
+LoadedFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report) {
   const CadFormat format = cad_format(bytes, name);
   report.set("input.format", format_name(format));
   try {
     const OccModel model = occ_load(format, bytes, name);
-    RawFace raw = occ_face(model, name, report);
+    heal::RawFace raw = occ_face(model, name, report);
     choose_names(raw);
-    return assemble_face(raw, options.corner_angle, report);
+    LoadedFace loaded;
+    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, raw_diameter(raw), report);
+    loaded.face = assemble_face(raw, options.corner_angle, report);
+    return loaded;
   } catch (const Standard_Failure& e) {
     const std::string message = e.GetMessageString();
     throw FormatError(name + ": the shape in the " + format_name(format) +
@@ -49,14 +53,13 @@ CadFace load_face(const std::string& bytes, const std::string& name, const LoadO
   }
 }
 
-CadFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
-                          Report& report) {
+LoadedFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                             Report& report) {
   const CadFormat format = cad_format(bytes, name);
   const auto work = [&] {
     silence();
     Report inner;
-    const CadFace face = load_face(bytes, name, options, inner);
-    return to_bytes(face, inner);
+    return to_bytes(load_face(bytes, name, options, inner), inner);
   };
   const std::string crash =
       name + ": the file is malformed: the " + format_name(format) + " reader crashed or did not end";

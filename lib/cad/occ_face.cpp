@@ -92,7 +92,8 @@ std::string kind_of_surface(const TopoDS_Face& face) {
 // Traverses the wires of one face and converts their edges to NURBS in its plane.
 class FaceReader {
  public:
-  FaceReader(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, RawFace& raw, Report& report)
+  FaceReader(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, heal::RawFace& raw,
+             Report& report)
       : model_(model), face_(face), frame_(frame), raw_(raw), report_(report) {}
 
   void read() {
@@ -109,7 +110,7 @@ class FaceReader {
 
  private:
   void read_wire(const TopoDS_Wire& wire) {
-    std::vector<RawEdge> edges;
+    std::vector<heal::RawEdge> edges;
     if (wire.Orientation() == TopAbs_INTERNAL || wire.Orientation() == TopAbs_EXTERNAL)
       throw FormatError(fmt::format("{}: the face has an inner wire that bounds nothing", raw_.file));
     for (TopoDS_Iterator i(wire.Oriented(TopAbs_FORWARD)); i.More(); i.Next()) {
@@ -122,14 +123,14 @@ class FaceReader {
     raw_.wires.push_back(std::move(edges));
   }
 
-  RawEdge read_edge(const TopoDS_Edge& edge) {
+  heal::RawEdge read_edge(const TopoDS_Edge& edge) {
     double first = 0, last = 0;
     Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
     if (curve.IsNull() && BRepLib::BuildCurve3d(edge)) curve = BRep_Tool::Curve(edge, first, last);
     if (curve.IsNull()) throw FormatError(fmt::format("{}: edge {} has no curve", raw_.file, num_edges_));
     require_plain(edge, *curve, first);
 
-    RawEdge result;
+    heal::RawEdge result;
     result.cad_edge = num_edges_;
     const ShapeLabel label = model_.label_of(edge);
     result.name = label.name, result.layer = label.layer, result.colour = label.colour;
@@ -139,9 +140,7 @@ class FaceReader {
     } catch (const FormatError& e) {
       throw FormatError(fmt::format("{}: edge {}: {}", raw_.file, num_edges_, e.what()));
     }
-    if (plane.height > raw_.tolerance)
-      throw FormatError(
-          fmt::format("{}: edge {} leaves the plane of the face by {:.3g}", raw_.file, num_edges_, plane.height));
+    result.height = plane.height;
     if (plane.error > raw_.tolerance / 10)
       report_.warn(warning::edge_approximated,
                    fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}", raw_.file,
@@ -150,6 +149,7 @@ class FaceReader {
     result.curve = backwards ? curve::reversed(plane.curve) : plane.curve;
     result.start = vertex(TopExp::FirstVertex(edge, true), result.curve.poles.front());
     result.end = vertex(TopExp::LastVertex(edge, true), result.curve.poles.back());
+    raw_.shape_tolerance = std::max(raw_.shape_tolerance, BRep_Tool::Tolerance(edge));
     return result;
   }
 
@@ -165,14 +165,16 @@ class FaceReader {
     seen_.push_back(edge);
   }
 
-  Vec2 vertex(const TopoDS_Vertex& v, Vec2 otherwise) const {
-    return v.IsNull() ? otherwise : frame_.position(BRep_Tool::Pnt(v));
+  Vec2 vertex(const TopoDS_Vertex& v, Vec2 otherwise) {
+    if (v.IsNull()) return otherwise;
+    raw_.shape_tolerance = std::max(raw_.shape_tolerance, BRep_Tool::Tolerance(v));
+    return frame_.position(BRep_Tool::Pnt(v));
   }
 
   const OccModel& model_;
   TopoDS_Face face_;
   const PlaneFrame& frame_;
-  RawFace& raw_;
+  heal::RawFace& raw_;
   Report& report_;
   std::vector<TopoDS_Edge> seen_;
   int num_edges_ = 0;
@@ -200,18 +202,19 @@ void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, co
 
 }  // namespace
 
-RawFace occ_face(const OccModel& model, const std::string& file, Report& report) {
+heal::RawFace occ_face(const OccModel& model, const std::string& file, Report& report) {
   const TopoDS_Face face = only_face(model, file);
   const auto plane = plane_of(face);
   if (!plane) throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(face)));
   const PlaneFrame frame = frame_of(*plane);
-  RawFace raw;
+  heal::RawFace raw;
   raw.file = file;
   const ShapeLabel label = model.label_of(face);
   raw.name = label.name, raw.layer = label.layer;
   raw.length_unit = model.length_unit;
   raw.metres_per_unit = model.metres_per_unit;
   raw.tolerance = model.tolerance;
+  raw.shape_tolerance = BRep_Tool::Tolerance(face);
   raw.plane_origin = frame.origin;
   raw.plane_x = frame.e_x;
   raw.plane_y = frame.e_y;

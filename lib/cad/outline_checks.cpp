@@ -6,6 +6,7 @@
 #include "base/angle.hpp"
 #include "base/segments.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/project.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -82,38 +83,64 @@ std::vector<Piece> simple_pieces(const std::vector<Nurbs>& loop, int loop_id) {
   return pieces;
 }
 
+// Whether a, which ends where b starts, and b leave their common point in one direction, within rounding.
+bool form_cusp(const Nurbs& a, const Nurbs& b) {
+  constexpr double rounding = 1e-6;
+  const Vec2 back = -curve::tangent(a, a.end(), true), ahead = curve::tangent(b, b.begin());
+  return std::abs(std::atan2(cross(back, ahead), dot(back, ahead))) <= rounding;
+}
+
 class ContactSearch {
  public:
   explicit ContactSearch(double tol) : tol_(tol) {}
 
   // A position where a and b are closer than the tolerance; std::nullopt if there is none.
-  std::optional<Vec2> meet(const Piece& a, const Piece& b) {
+  std::optional<Vec2> meet(const Piece& a, const Piece& b) { return meet(a, b, tol_); }
+
+  std::optional<Vec2> meet(const Piece& a, const Piece& b, double tol) {
     const double d = distance_of_segments(a.a(), a.b(), b.a(), b.b());
-    if (d > a.width + b.width + tol_) return std::nullopt;
+    if (d > a.width + b.width + tol) return std::nullopt;
     // For coincident curves the bisection never decides: an exhausted budget means contact.
-    if (a.width + b.width <= tol_ / 4 || --budget_ < 0) return place(a, b);
+    if (a.width + b.width <= tol / 4 || --budget_ < 0) return place(a, b);
     const bool first = a.width >= b.width;
     const auto [p, q] = halves(first ? a : b);
-    if (const auto hit = first ? meet(p, b) : meet(a, p)) return hit;
-    return first ? meet(q, b) : meet(a, q);
+    if (const auto hit = first ? meet(p, b, tol) : meet(a, p, tol)) return hit;
+    return first ? meet(q, b, tol) : meet(a, q, tol);
   }
 
   // The same if b starts at the end of a: a contact elsewhere than at the common point.
   std::optional<Vec2> meet_again(const Piece& a, const Piece& b) {
-    if (apart(a.curve, b.curve)) return std::nullopt;
-    if (std::max(size(a), size(b)) < 10 * tol_) return std::nullopt;
-    const auto [a_far, a_near] = halves(a);
-    const auto [b_near, b_far] = halves(b);
-    if (const auto hit = meet(a_far, b_far)) return hit;
-    if (const auto hit = meet(a_far, b_near)) return hit;
-    if (const auto hit = meet(a_near, b_far)) return hit;
-    return meet_again(a_near, b_near);
+    return meet_again(a, b, form_cusp(a.curve, b.curve));
   }
 
   void restart() { budget_ = 20000; }
 
  private:
   static double size(const Piece& p) { return distance(p.low, p.high); }
+
+  std::optional<Vec2> meet_again(const Piece& a, const Piece& b, bool is_cusp) {
+    if (apart(a.curve, b.curve)) return std::nullopt;
+    if (std::max(size(a), size(b)) < 10 * tol_) return std::nullopt;
+    const auto [a_far, a_near] = halves(a);
+    const auto [b_near, b_far] = halves(b);
+    const double tol = is_cusp ? tolerance_in_cusp(a_near, b_near) : tol_;
+    if (tol == 0) return std::nullopt;
+    if (const auto hit = meet(a_far, b_far, tol)) return hit;
+    if (const auto hit = meet(a_far, b_near, tol)) return hit;
+    if (const auto hit = meet(a_near, b_far, tol)) return hit;
+    return meet_again(a_near, b_near, is_cusp);
+  }
+
+  // The curves of a cusp come nearer to each other than the tolerance; they are in contact only if they come much
+  // nearer than at the far ends of a and b. 0: these ends are so near to the tip that their separation is a rounding
+  // error.
+  double tolerance_in_cusp(const Piece& a, const Piece& b) const {
+    constexpr double largest_tip = 1e6;  // in tolerances: pieces of this size that are as near lie upon each other
+    const double separation =
+        std::min(curve::project(b.curve, a.a()).distance, curve::project(a.curve, b.b()).distance);
+    if (separation > 1e-4 * tol_ + 1e-14 * norm(b.a())) return std::min(tol_, 1e-3 * separation);
+    return std::max(size(a), size(b)) > largest_tip * tol_ ? tol_ : 0;
+  }
 
   static Vec2 place(const Piece& a, const Piece& b) {
     const Vec2 d = a.b() - a.a(), e = b.b() - b.a();

@@ -9,6 +9,7 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
+#include "heal/chain_edges.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -22,7 +23,7 @@ double polygon_length(const Nurbs& curve) {
   return length;
 }
 
-void require_vertices_on_ends(const RawFace& raw, const RawEdge& edge, double tol) {
+void require_vertices_on_ends(const heal::RawFace& raw, const heal::RawEdge& edge, double tol) {
   for (const auto& [vertex, end] :
        {std::pair{edge.start, edge.curve.poles.front()}, std::pair{edge.end, edge.curve.poles.back()}}) {
     const double gap = distance(vertex, end);
@@ -30,27 +31,6 @@ void require_vertices_on_ends(const RawFace& raw, const RawEdge& edge, double to
       throw FormatError(fmt::format("{}: edge {}: its vertex at {} lies {:.3g} off its curve", raw.file, edge.cad_edge,
                                     rounded_position_text(vertex), gap));
   }
-}
-
-// The edges in the order of the wire: as listed if they are connected; otherwise each next edge is the first one that
-// starts at the end of the previous edge.
-std::vector<const RawEdge*> chained(const RawFace& raw, const std::vector<const RawEdge*>& edges, double tol) {
-  std::vector<const RawEdge*> rest(edges.begin() + 1, edges.end()), chain{edges.front()};
-  while (!rest.empty()) {
-    const Vec2 end = chain.back()->curve.poles.back();
-    const auto follows = [&](const RawEdge* e) { return distance(e->curve.poles.front(), end) <= tol; };
-    const auto next = std::find_if(rest.begin(), rest.end(), follows);
-    if (next == rest.end())
-      throw FormatError(fmt::format("{}: the wire is open: no edge continues edge {} at {}", raw.file,
-                                    chain.back()->cad_edge, rounded_position_text(end)));
-    chain.push_back(*next);
-    rest.erase(next);
-  }
-  const Vec2 begin = chain.front()->curve.poles.front(), end = chain.back()->curve.poles.back();
-  if (!(distance(begin, end) <= tol))
-    throw FormatError(fmt::format("{}: the wire is open: it begins at {} and ends at {}", raw.file,
-                                  rounded_position_text(begin), rounded_position_text(end)));
-  return chain;
 }
 
 // Inner knots at which the tangent jumps. Below full multiplicity the tangent can jump only where the derivative
@@ -69,7 +49,7 @@ std::vector<double> jumps(const Nurbs& curve) {
   return result;
 }
 
-void add_pieces(const RawEdge& edge, Loop& loop) {
+void add_pieces(const heal::RawEdge& edge, Loop& loop) {
   double begin = edge.curve.begin();
   for (const double t : jumps(edge.curve)) {
     loop.push_back({curve::trimmed(edge.curve, begin, t), edge.cad_edge, edge.name});
@@ -93,15 +73,9 @@ void close_gaps(Loop& loop) {
 
 }  // namespace
 
-std::string rounded_position_text(Vec2 x) {
-  const double rounding = 1e-12 * std::max({std::abs(x.x), std::abs(x.y), 1e-3});
-  const auto shown = [&](double c) { return std::abs(c) < rounding ? 0.0 : c; };
-  return position_text({shown(x.x), shown(x.y)});
-}
-
-Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol, Report& report) {
-  std::vector<const RawEdge*> edges;
-  for (const RawEdge& edge : wire) {
+Loop wire_loop(const heal::RawFace& raw, const std::vector<heal::RawEdge>& wire, double tol, Report& report) {
+  std::vector<const heal::RawEdge*> edges;
+  for (const heal::RawEdge& edge : wire) {
     require_vertices_on_ends(raw, edge, tol);
     if (polygon_length(edge.curve) > tol)
       edges.push_back(&edge);
@@ -114,7 +88,7 @@ Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol,
     throw FormatError(fmt::format("{}: the face has no area: its wire at {} is a point", raw.file,
                                   rounded_position_text(wire.front().start)));
   Loop loop;
-  for (const RawEdge* edge : chained(raw, edges, tol)) add_pieces(*edge, loop);
+  for (const heal::RawEdge* edge : heal::chain_edges(edges, tol, 0, raw.file)) add_pieces(*edge, loop);
   close_gaps(loop);
   return loop;
 }

@@ -2,7 +2,7 @@
 // Converts one wire of the file to a closed loop of curves, in the order and direction of the wire.
 
 #include "base/report.hpp"
-#include "cad/raw_face.hpp"
+#include "heal/raw_face.hpp"
 
 namespace quadrille::cad {
 
@@ -17,15 +17,12 @@ using Loop = std::vector<LoopCurve>;
 
 /// `tol`, a length: gaps up to `tol` are closed, edges shorter than `tol` are dropped with a warning. Throws
 /// FormatError for a wider gap and for vertices that do not lie at the ends of their edge.
-Loop wire_loop(const RawFace& raw, const std::vector<RawEdge>& wire, double tol, Report& report);
+Loop wire_loop(const heal::RawFace& raw, const std::vector<heal::RawEdge>& wire, double tol, Report& report);
 
 /// The same loop in the opposite direction, starting with the same curve.
 Loop reversed(const Loop& loop);
 
 /// The curves of a loop without their labels.
 std::vector<Nurbs> curves_of(const Loop& loop);
-
-/// position_text, where a coordinate that is only a rounding error relative to the other one is written as 0.
-std::string rounded_position_text(Vec2 x);
 
 }  // namespace quadrille::cad

@@ -25,7 +25,7 @@ CadFace loaded(const std::string& shape) {
   std::ostringstream bytes;
   bytes << std::ifstream(test_data() + "/" + shape, std::ios::binary).rdbuf();
   Report report;
-  return cad::load_face(bytes.str(), shape, {}, report);
+  return cad::load_face(bytes.str(), shape, {}, report).face;
 }
 
 Field adapted(const CadFace& face, const PhaseNodes& asked, Report& report) {

@@ -26,7 +26,7 @@ std::string read(const std::string& name) {
 Field adapted(const std::string& shape, const galerkin::LaplaceOptions& options) {
   Report report;
   const TriMesh mesh =
-      triangulate::triangulate(cad::load_face(read(shape + ".step"), shape + ".step", {}, report), {}, report);
+      triangulate::triangulate(cad::load_face(read(shape + ".step"), shape + ".step", {}, report).face, {}, report);
   return adapt_loop(galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), options, report), {}, report);
 }
 

@@ -11,12 +11,12 @@
 namespace quadrille::cad {
 namespace {
 
-RawEdge edge(const Nurbs& curve, int cad_edge, const std::string& name = {}) {
+heal::RawEdge edge(const Nurbs& curve, int cad_edge, const std::string& name = {}) {
   return {curve, curve.poles.front(), curve.poles.back(), cad_edge, name};
 }
 
-RawFace polygon(const std::vector<Vec2>& p) {
-  RawFace raw;
+heal::RawFace polygon(const std::vector<Vec2>& p) {
+  heal::RawFace raw;
   raw.file = "f.step";
   raw.wires.emplace_back();
   for (size_t i = 0; i < p.size(); ++i)
@@ -24,7 +24,7 @@ RawFace polygon(const std::vector<Vec2>& p) {
   return raw;
 }
 
-CadFace assembled(const RawFace& raw, double corner_angle = radians(1)) {
+CadFace assembled(const heal::RawFace& raw, double corner_angle = radians(1)) {
   Report report;
   return assemble_face(raw, corner_angle, report);
 }
@@ -39,7 +39,7 @@ TEST(AssembleFace, turns_clockwise_wires_but_keeps_their_first_edge) {
 }
 
 TEST(AssembleFace, puts_the_outline_first_whatever_the_file_does) {
-  RawFace raw = polygon(square);
+  heal::RawFace raw = polygon(square);
   raw.wires.insert(raw.wires.begin(), {edge(curve::circular_arc({0.5, 0.5}, 0.1, 0, 2 * pi), 4)});
   const CadFace face = assembled(raw);
   EXPECT_EQ(face.loop_offsets, (std::vector<int>{0, 4, 5}));
@@ -47,13 +47,13 @@ TEST(AssembleFace, puts_the_outline_first_whatever_the_file_does) {
 }
 
 TEST(AssembleFace, chains_edges_that_come_in_any_sequence) {
-  RawFace raw = polygon(square);
+  heal::RawFace raw = polygon(square);
   std::swap(raw.wires[0][1], raw.wires[0][3]);
   EXPECT_EQ(assembled(raw).curve_cad_edges, (std::vector<int>{0, 1, 2, 3}));
 }
 
 TEST(AssembleFace, closes_gaps_below_the_tolerance_bit_for_bit_and_no_others) {
-  RawFace raw = polygon(square);
+  heal::RawFace raw = polygon(square);
   raw.wires[0][1] = edge(curve::segment({1 + 1e-8, 1e-8}, {1, 1}), 1);
   const CadFace face = assembled(raw);
   EXPECT_EQ(face.curves[0].poles.back(), face.curves[1].poles.front());
@@ -62,7 +62,7 @@ TEST(AssembleFace, closes_gaps_below_the_tolerance_bit_for_bit_and_no_others) {
 }
 
 TEST(AssembleFace, drops_edges_without_length_with_a_warning) {
-  RawFace raw = polygon(square);
+  heal::RawFace raw = polygon(square);
   raw.wires[0].insert(raw.wires[0].begin() + 1, edge(curve::segment({1, 0}, {1, 1e-9}), 4));
   Report report;
   EXPECT_EQ(assemble_face(raw, 0.01, report).num_curves(), 4);
@@ -88,7 +88,7 @@ TEST(AssembleFace, small_tangent_jumps_are_kept_but_are_no_corners) {
 }
 
 TEST(AssembleFace, default_names_avoid_those_of_the_file) {
-  RawFace raw = polygon(square);
+  heal::RawFace raw = polygon(square);
   raw.wires[0][3].name = "curve_1";
   const CadFace face = assembled(raw);
   EXPECT_EQ(face.curve_names, (std::vector<std::string>{"curve_0", "curve_1_", "curve_2", "curve_1"}));
@@ -100,7 +100,7 @@ TEST(AssembleFace, is_the_same_at_any_scale) {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     std::vector<Vec2> p = square;
     for (Vec2& x : p) x *= scale;
-    RawFace raw = polygon(p);
+    heal::RawFace raw = polygon(p);
     raw.tolerance = 1e-7;
     const CadFace face = assembled(raw);
     EXPECT_EQ(face.num_curves(), 4);
@@ -109,7 +109,7 @@ TEST(AssembleFace, is_the_same_at_any_scale) {
 }
 
 TEST(AssembleFace, refuses_coordinates_that_are_not_numbers) {
-  RawFace raw = polygon(square);
+  heal::RawFace raw = polygon(square);
   raw.wires[0][2].curve.poles[0].x = std::nan("");
   EXPECT_THROW(assembled(raw), FormatError);
 }

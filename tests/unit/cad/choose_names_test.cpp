@@ -5,8 +5,8 @@
 namespace quadrille::cad {
 namespace {
 
-RawEdge edge(const std::string& name, const std::string& layer, const std::string& colour) {
-  RawEdge e;
+heal::RawEdge edge(const std::string& name, const std::string& layer, const std::string& colour) {
+  heal::RawEdge e;
   e.name = name, e.layer = layer, e.colour = colour;
   return e;
 }
@@ -14,10 +14,10 @@ RawEdge edge(const std::string& name, const std::string& layer, const std::strin
 using Names = std::vector<std::string>;
 
 /// The names of the edges, and that of the face at the end.
-Names chosen(std::vector<RawEdge> edges, const std::string& face_name = "", const std::string& face_layer = "") {
-  RawFace raw;
+Names chosen(std::vector<heal::RawEdge> edges, const std::string& face_name = "", const std::string& face_layer = "") {
+  heal::RawFace raw;
   raw.name = face_name, raw.layer = face_layer;
-  for (RawEdge& e : edges) raw.wires.push_back({std::move(e)});
+  for (heal::RawEdge& e : edges) raw.wires.push_back({std::move(e)});
   choose_names(raw);
   Names names;
   for (const auto& wire : raw.wires) names.push_back(wire.front().name);

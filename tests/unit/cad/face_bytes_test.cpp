@@ -10,8 +10,9 @@
 namespace quadrille::cad {
 namespace {
 
-CadFace some_face() {
-  CadFace face;
+LoadedFace some_face() {
+  LoadedFace loaded;
+  CadFace& face = loaded.face;
   face.length_unit = "inch";
   face.metres_per_unit = 0.0254;
   face.plane_origin = {1, 2, 1.0 / 3};
@@ -24,7 +25,8 @@ CadFace some_face() {
   face.loop_offsets = {0, 2};
   face.joints = {{{1, 2}, 0.5, -0.5, 3, true}, {{0, std::numeric_limits<double>::denorm_min()}, 1, 1, 3.1, false}};
   face.name = "plate";
-  return face;
+  loaded.repairs = {{"joint", 3, {1, 2}, 0.25}};
+  return loaded;
 }
 
 Report some_report() {
@@ -40,12 +42,17 @@ Report some_report() {
 
 TEST(FaceBytes, come_back_as_they_were) {
   Report report;
-  const CadFace face = from_bytes(to_bytes(some_face(), some_report()), report);
-  EXPECT_EQ(to_bytes(face, report), to_bytes(some_face(), some_report()));
-  EXPECT_EQ(face.curve_names, some_face().curve_names);
-  EXPECT_EQ(face.unnamed_curves, some_face().unnamed_curves);
-  EXPECT_EQ(face.curves[1].poles, some_face().curves[1].poles);
-  EXPECT_EQ(face.joints[1].position, some_face().joints[1].position);
+  const LoadedFace loaded = from_bytes(to_bytes(some_face(), some_report()), report);
+  EXPECT_EQ(to_bytes(loaded, report), to_bytes(some_face(), some_report()));
+  const LoadedFace original = some_face();
+  const CadFace &face = loaded.face, &written = original.face;
+  EXPECT_EQ(face.curve_names, written.curve_names);
+  EXPECT_EQ(face.unnamed_curves, written.unnamed_curves);
+  EXPECT_EQ(face.curves[1].poles, written.curves[1].poles);
+  EXPECT_EQ(face.joints[1].position, written.joints[1].position);
+  ASSERT_EQ(loaded.repairs.size(), 1U);
+  EXPECT_EQ(loaded.repairs[0].kind, "joint");
+  EXPECT_EQ(loaded.repairs[0].position, (Vec2{1, 2}));
   EXPECT_EQ(report.entries(), some_report().entries());
   ASSERT_EQ(report.warnings().size(), 1U);
   EXPECT_EQ(report.warnings()[0].message, "beside");

@@ -41,7 +41,7 @@ struct Loaded {
 
 Loaded load(const std::string& file, double corner_angle = radians(1)) {
   Loaded l;
-  l.face = load_face_guarded(bytes_of(file), file, LoadOptions{corner_angle}, l.report);
+  l.face = load_face_guarded(bytes_of(file), file, LoadOptions{corner_angle}, l.report).face;
   return l;
 }
 
@@ -148,8 +148,8 @@ TEST(LoadFace, loading_twice_in_one_process_gives_the_same) {
   Report report;
   const std::string inches = bytes_of("bad/inches.step"), millimetres = bytes_of("bad/rectangle.step");
   for (int round = 0; round < 2; ++round) {
-    EXPECT_EQ(load_face(inches, "a.step", {}, report).joints[2].position, (Vec2{2.1, 0.7}));
-    EXPECT_EQ(load_face(millimetres, "b.step", {}, report).joints[2].position, (Vec2{2, 1}));
+    EXPECT_EQ(load_face(inches, "a.step", {}, report).face.joints[2].position, (Vec2{2.1, 0.7}));
+    EXPECT_EQ(load_face(millimetres, "b.step", {}, report).face.joints[2].position, (Vec2{2, 1}));
   }
 }
 
@@ -227,7 +227,7 @@ CadFace load_changed(const std::string& file, const std::string& from, const std
   for (size_t at = 0; (at = bytes.find(from, at)) != std::string::npos; at += to.size())
     bytes.replace(at, from.size(), to);
   Report report;
-  return load_face_guarded(bytes, file, LoadOptions{radians(1)}, report);
+  return load_face_guarded(bytes, file, LoadOptions{radians(1)}, report).face;
 }
 
 TEST(LoadFace, layers_and_colours_name_edges_without_name) {

@@ -21,7 +21,7 @@ std::pair<int, int> order_of(const std::string& file) {
   std::ostringstream bytes;
   bytes << stream.rdbuf();
   Report report;
-  const CadFace face = load_face_guarded(bytes.str(), file, {}, report);
+  const CadFace face = load_face_guarded(bytes.str(), file, {}, report).face;
   std::pair<int, int> order;
   for (const curve::Isometry& g : curve::symmetries(face)) ++(g.is_mirrored ? order.second : order.first);
   return order;

@@ -8,20 +8,22 @@
 namespace quadrille::cad {
 namespace {
 
-RawEdge edge(const Nurbs& curve, int cad_edge) { return {curve, curve.poles.front(), curve.poles.back(), cad_edge}; }
+heal::RawEdge edge(const Nurbs& curve, int cad_edge) {
+  return {curve, curve.poles.front(), curve.poles.back(), cad_edge};
+}
 
-std::vector<RawEdge> triangle() {
+std::vector<heal::RawEdge> triangle() {
   return {edge(curve::segment({0, 0}, {4, 0}), 10), edge(curve::segment({4, 0}, {4, 3}), 11),
           edge(curve::segment({4, 3}, {0, 0}), 12)};
 }
 
-RawFace named() {
-  RawFace raw;
+heal::RawFace named() {
+  heal::RawFace raw;
   raw.file = "f.step";
   return raw;
 }
 
-std::string refusal(const std::vector<RawEdge>& wire) {
+std::string refusal(const std::vector<heal::RawEdge>& wire) {
   Report report;
   try {
     wire_loop(named(), wire, 1e-3, report);
@@ -38,7 +40,7 @@ std::vector<int> edges_of(const Loop& loop) {
 }
 
 TEST(WireLoop, ClosesGapsInTheMiddle) {
-  std::vector<RawEdge> wire = triangle();
+  std::vector<heal::RawEdge> wire = triangle();
   wire[1] = edge(curve::segment({4, 4e-4}, {4, 3}), 11);
   Report report;
   const std::vector<Nurbs> curves = curves_of(wire_loop(named(), wire, 1e-3, report));
@@ -47,7 +49,7 @@ TEST(WireLoop, ClosesGapsInTheMiddle) {
 }
 
 TEST(WireLoop, DropsShortEdgesWithAWarning) {
-  std::vector<RawEdge> wire = triangle();
+  std::vector<heal::RawEdge> wire = triangle();
   wire.insert(wire.begin() + 1, edge(curve::segment({4, 0}, {4, 1e-4}), 99));
   Report report;
   EXPECT_EQ(edges_of(wire_loop(named(), wire, 1e-3, report)), (std::vector<int>{10, 11, 12}));
@@ -67,13 +69,13 @@ TEST(WireLoop, SplitsCurvesWhereTheirTangentJumps) {
 }
 
 TEST(WireLoop, RefusesOpenWiresAndVerticesOffTheirCurves) {
-  std::vector<RawEdge> open = triangle();
+  std::vector<heal::RawEdge> open = triangle();
   open.pop_back();
   EXPECT_NE(refusal(open).find("the wire is open: it begins at (0, 0) and ends at (4, 3)"), std::string::npos);
-  std::vector<RawEdge> apart = triangle();
+  std::vector<heal::RawEdge> apart = triangle();
   apart[1] = edge(curve::segment({4, 0.1}, {4, 3}), 11);
   EXPECT_NE(refusal(apart).find("no edge continues edge 10 at (4, 0)"), std::string::npos);
-  std::vector<RawEdge> off = triangle();
+  std::vector<heal::RawEdge> off = triangle();
   off[2].start = {4, 3.5};
   EXPECT_NE(refusal(off).find("edge 12: its vertex at (4, 3.5) lies 0.5 off its curve"), std::string::npos);
   EXPECT_NE(refusal({edge(curve::segment({1, 1}, {1, 1.0001}), 3)}).find("is a point"), std::string::npos);

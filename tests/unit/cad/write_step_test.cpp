@@ -92,7 +92,7 @@ TEST(WriteStep, one_block_is_read_again_with_its_numbers) {
   layout.block2arcs.pop_back();
   layout.face.origin = {10, 0};
   Report report;
-  const CadFace face = load_face_guarded(step_of_blocks(layout), "block.step", {}, report);
+  const CadFace face = load_face_guarded(step_of_blocks(layout), "block.step", {}, report).face;
   EXPECT_EQ(face.name, "left");
   EXPECT_EQ(face.length_unit, "inch");
   ASSERT_EQ(face.num_curves(), 4);

@@ -1,6 +1,6 @@
 #pragma once
-// A face between the CAD kernel and the model: its edges as NURBS in its plane, wire by wire, not yet checked. Private
-// to this folder; no OpenCASCADE types.
+// A face between the CAD kernel and the model: its edges as NURBS in its plane, wire by wire, not yet healed nor
+// checked. No OpenCASCADE types.
 
 #include <array>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::heal {
 
 /// One edge of the file, in the direction of its wire.
 struct RawEdge {
@@ -18,6 +18,8 @@ struct RawEdge {
   std::string name{};    ///< empty if the file has none; likewise layer and colour
   std::string layer{};   ///< name of the layer of the edge
   std::string colour{};  ///< "ff0000" for red
+  double height = 0;     ///< greatest distance of the edge in space from the plane of the face
+  double start_gap = 0;  ///< gap that healing closed at its start, a length; 0 if none
 };
 
 struct RawFace {
@@ -25,9 +27,10 @@ struct RawFace {
   std::string name, layer;
   std::string length_unit = "unknown";
   double metres_per_unit = 0;
-  double tolerance = 1e-7;  ///< tolerance of the file, a length: closer points coincide
+  double tolerance = 1e-7;     ///< tolerance of the file, a length: closer points coincide
+  double shape_tolerance = 0;  ///< greatest tolerance of the face, an edge or a vertex, a length
   std::array<double, 3> plane_origin{0, 0, 0}, plane_x{1, 0, 0}, plane_y{0, 1, 0};
   std::vector<std::vector<RawEdge>> wires;  ///< in the order of the file
 };
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::heal

@@ -1,0 +1,133 @@
+#include "heal/heal_face.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
+#include "heal/chain_edges.hpp"
+#include "heal/heal_rules.hpp"
+#include "heal/join_wire.hpp"
+#include "heal/short_edges.hpp"
+
+namespace quadrille::heal {
+namespace {
+
+using Wires = std::vector<std::vector<RawEdge>>;
+
+HealScale scale_of(const RawFace& raw, const HealOptions& options, double diameter) {
+  HealScale scale;
+  scale.file = raw.file;
+  scale.diameter = diameter;
+  const bool is_asked = options.tolerance >= 0;
+  // Two curves that lie within the tolerance of their vertex may be twice as far apart. OpenCASCADE sets the tolerance
+  // of a vertex to any gap that it finds, hence the upper bound.
+  const double of_shape = std::clamp(2 * std::max(raw.tolerance, raw.shape_tolerance),
+                                     heal_rules.default_tolerance * diameter, heal_rules.most_tolerance * diameter);
+  scale.tolerance = is_asked ? options.tolerance * diameter : of_shape;
+  scale.most_off_curve = std::max(scale.tolerance, raw.tolerance);
+  // A projection to the plane moves nothing in the plane, and the file says that the face is planar.
+  scale.most_off_plane = std::max(is_asked ? scale.tolerance : heal_rules.most_tolerance * diameter, raw.tolerance);
+  scale.short_fraction = is_asked ? options.tolerance : heal_rules.default_tolerance;
+  scale.rounding = heal_rules.rounding * diameter;
+  return scale;
+}
+
+// The curves are in the plane already: their heights were dropped when they were converted.
+void project_edges(const Wires& wires, const HealScale& scale, std::vector<Repair>& repairs) {
+  for (const auto& wire : wires)
+    for (const RawEdge& edge : wire) {
+      if (!(edge.height <= scale.most_off_plane))
+        throw FormatError(fmt::format("{}: edge {} leaves the plane of the face by {:.3g}{}", scale.file, edge.cad_edge,
+                                      edge.height, remedy(scale, edge.height)));
+      if (edge.height > scale.rounding)
+        repairs.push_back({"plane", edge.cad_edge, edge.curve.poles.front(), edge.height});
+    }
+}
+
+void put_in_order(std::vector<RawEdge>& wire, const HealScale& scale) {
+  std::vector<const RawEdge*> edges;
+  for (const RawEdge& edge : wire) edges.push_back(&edge);
+  std::vector<RawEdge> ordered;
+  for (const RawEdge* edge : chain_edges(edges, scale.rounding, 2 * scale.tolerance, scale.file))
+    ordered.push_back(*edge);
+  wire = std::move(ordered);
+}
+
+// The diagonal of the box of the wire's poles: what is short in a large outline may be a detail of a small hole.
+double size_of(const std::vector<MeasuredEdge>& wire) {
+  Vec2 low = wire.front().raw->curve.poles.front(), high = low;
+  for (const MeasuredEdge& edge : wire)
+    for (const Vec2 p : edge.raw->curve.poles) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  return distance(low, high);
+}
+
+void report_removed(const MeasuredEdge& edge, double length, const HealScale& scale, std::vector<Repair>& repairs,
+                    Report& report) {
+  report.warn(warning::short_edge_ignored,
+              fmt::format("{}: ignored edge {} at {}: shorter than the tolerance {:.3g}", scale.file,
+                          edge.raw->cad_edge, rounded_position_text(edge.raw->start), length));
+  repairs.push_back({"edge", edge.raw->cad_edge, edge.raw->start, edge.length});
+}
+
+void remove_short_edges(Wires& wires, const HealScale& scale, std::vector<Repair>& repairs, Report& report) {
+  const JointLimit limit(wires, scale.tolerance);
+  Wires kept;
+  for (const auto& wire : measured(wires)) {
+    const double length = scale.short_fraction * std::min(scale.diameter, size_of(wire));
+    const std::vector<bool> removed = short_edges(wire, length, limit);
+    kept.emplace_back();
+    for (size_t i = 0; i < wire.size(); ++i)
+      if (removed[i])
+        report_removed(wire[i], length, scale, repairs, report);
+      else
+        kept.back().push_back(*wire[i].raw);
+  }
+  wires = std::move(kept);
+}
+
+void join_ends(Wires& wires, const HealScale& scale, std::vector<Repair>& repairs) {
+  const JointLimit limit(wires, scale.tolerance);
+  Wires joined;
+  for (const auto& wire : measured(wires)) joined.push_back(join_wire(wire, scale, limit, repairs));
+  wires = std::move(joined);
+}
+
+void report_repairs(const std::vector<Repair>& repairs, const HealScale& scale, Report& report) {
+  double greatest = 0;
+  for (const Repair& repair : repairs) greatest = std::max(greatest, repair.distance);
+  report.set("heal.tolerance", scale.tolerance / scale.diameter);
+  report.set("heal.repairs", repairs.size());
+  report.set("heal.greatest", greatest / scale.diameter);
+  if (greatest > heal_rules.large_tolerance * scale.diameter)
+    report.warn(
+        warning::large_repair,
+        fmt::format("{}: the edges do not meet, or leave the plane, by up to {:.2g} diameters; they were healed: "
+                    "look at the result, or give --heal-tolerance",
+                    scale.file, greatest / scale.diameter));
+}
+
+}  // namespace
+
+std::vector<Repair> heal_face(RawFace& raw, const HealOptions& options, double diameter, Report& report) {
+  const HealScale scale = scale_of(raw, options, diameter);
+  std::vector<Repair> repairs;
+  project_edges(raw.wires, scale, repairs);
+  if (scale.tolerance == 0) return {};
+  for (auto& wire : raw.wires) put_in_order(wire, scale);
+  for (int pass = 0; pass < heal_rules.most_passes; ++pass) {
+    const size_t before = repairs.size();
+    remove_short_edges(raw.wires, scale, repairs, report);
+    join_ends(raw.wires, scale, repairs);
+    if (repairs.size() == before) break;
+  }
+  report_repairs(repairs, scale, report);
+  return repairs;
+}
+
+}  // namespace quadrille::heal

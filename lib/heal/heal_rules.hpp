@@ -1,0 +1,35 @@
+#pragma once
+// The tuned constants of healing.
+
+#include "base/angle.hpp"
+
+namespace quadrille::heal {
+
+struct HealRules {
+  // Parts of the diameter.
+  double rounding = 1e-7;           ///< smaller gaps are rounding errors, closed when the loop is assembled
+  double default_tolerance = 1e-5;  ///< unless the tolerances of the shape are larger
+  double most_tolerance = 5e-3;     ///< the tolerances of the shape are believed up to here
+  double large_tolerance = 1e-3;    ///< larger repairs are made with a warning
+
+  // How far the end of a curve may move, besides the tolerance.
+  double edge_fraction = 0.1;        ///< of its edge's length
+  double sliding_fraction = 0.25;    ///< of a line's length, where the end stays on the line
+  double clearance_fraction = 0.25;  ///< of the distance to other edges
+
+  // Which point two curves are moved to.
+  double tangential = radians(1);   ///< curves that meet at a smaller angle have no well-posed intersection
+  double kept_angle = radians(15);  ///< lines at a multiple of this angle are not turned
+  double same_angle = 1e-6;         ///< radians: angles that differ by less are equal
+
+  // How a curve yields.
+  double least_chord = 0.5;  ///< of the curve's reach; a curve with a shorter chord is cut in its middle
+  int most_cuts = 3;         ///< how often a curve is halved
+  int most_passes = 4;       ///< a pass can make an edge shorter than the tolerance, which the next one removes
+
+  double smooth_kink = radians(0.1);  ///< a healed joint with a smaller tangent jump is no corner
+};
+
+inline constexpr HealRules heal_rules;
+
+}  // namespace quadrille::heal

@@ -1,0 +1,49 @@
+#include "heal/joint_limit.hpp"
+
+#include <algorithm>
+
+#include "curve/project.hpp"
+#include "heal/heal_rules.hpp"
+
+namespace quadrille::heal {
+
+JointLimit::JointLimit(const std::vector<std::vector<RawEdge>>& wires, double tolerance) : tolerance_(tolerance) {
+  for (const auto& wire : wires)
+    for (const RawEdge& edge : wire) {
+      Box box{&edge, edge.curve.poles.front(), edge.curve.poles.front()};
+      for (const Vec2 p : edge.curve.poles) {
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+      }
+      boxes_.push_back(box);
+    }
+}
+
+LimitedJoint JointLimit::joint(const MeasuredEdge& in, const MeasuredEdge& out,
+                               const std::vector<const RawEdge*>& near) const {
+  LimitedJoint joint{end_of(in), start_of(out)};
+  const double most = tolerance_ / heal_rules.clearance_fraction;
+  const double free = clearance(0.5 * (joint.in.end + joint.out.end), near, most);
+  const double limit = std::min(tolerance_, heal_rules.clearance_fraction * free);
+  joint.in.most = std::min(limit, heal_rules.edge_fraction * in.length);
+  joint.out.most = std::min(limit, heal_rules.edge_fraction * out.length);
+  joint.in.most_sliding = std::min(limit, heal_rules.sliding_fraction * in.length);
+  joint.out.most_sliding = std::min(limit, heal_rules.sliding_fraction * out.length);
+  joint.reason = std::min(joint.in.most, joint.out.most) < limit ? LimitReason::edge
+                 : limit < tolerance_                            ? LimitReason::clearance
+                                                                 : LimitReason::tolerance;
+  return joint;
+}
+
+// The distance of x from the edges that are not ignored, or `most` if that is less.
+double JointLimit::clearance(Vec2 x, const std::vector<const RawEdge*>& ignored, double most) const {
+  for (const Box& box : boxes_) {
+    const Vec2 inside{std::clamp(x.x, box.low.x, box.high.x), std::clamp(x.y, box.low.y, box.high.y)};
+    if (distance(x, inside) >= most) continue;
+    if (std::find(ignored.begin(), ignored.end(), box.edge) != ignored.end()) continue;
+    most = std::min(most, curve::project(box.edge->curve, x).distance);
+  }
+  return most;
+}
+
+}  // namespace quadrille::heal

@@ -1,0 +1,19 @@
+#pragma once
+// What healing changed in the boundary of a CAD face (formats/tri-mesh.md, `repairs`).
+
+#include <string>
+
+#include "base/vec2.hpp"
+
+namespace quadrille {
+
+struct Repair {
+  /// "joint": the ends of two edges were moved to one point; "vertex": the vertex in the file lies off its edges, which
+  /// meet; "plane": the edge was projected to the plane of the face; "edge": a short edge was removed.
+  std::string kind;
+  int cad_edge = 0;     ///< number of the edge in the file; of the edge that ends there for a joint or vertex
+  Vec2 position;        ///< in the coordinates of the file, face.origin included
+  double distance = 0;  ///< how far it was moved, a length
+};
+
+}  // namespace quadrille

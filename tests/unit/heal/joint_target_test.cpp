@@ -1,0 +1,110 @@
+#include "heal/joint_target.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "heal/measured_edge.hpp"
+#include "raw_samples.hpp"
+
+namespace quadrille::heal {
+namespace {
+
+// Where the end of `in` and the start of `out` are joined, if both may move by `most`.
+std::optional<Vec2> joined(const Nurbs& in, const Nurbs& out, double most = 1) {
+  const RawFace raw = raw_face({in, out});
+  const auto wires = measured(raw.wires);
+  JointSide a = end_of(wires[0][0]), b = start_of(wires[0][1]);
+  a.most = b.most = a.most_sliding = b.most_sliding = most;
+  return joint_target(a, b);
+}
+
+const Nurbs flat = curve::segment({0, 0}, {10, 0});
+const Nurbs bow{2, {0, 0, 0, 1, 1, 1}, {{10, 0.01}, {12, 1}, {13, 3}}, {1, 1, 1}};
+
+void expect_at(const std::optional<Vec2>& x, Vec2 place) {
+  ASSERT_TRUE(x);
+  EXPECT_NEAR(distance(*x, place), 0, 1e-12) << x->x << ", " << x->y;
+}
+
+TEST(JointTarget, TwoLinesMeetAtTheirIntersection) {
+  expect_at(joined(flat, curve::segment({10.01, 0.02}, {10.01, 5})), {10.01, 0});
+}
+
+TEST(JointTarget, NearlyParallelLinesMeetOnTheOneThatIsKept) {
+  const Vec2 far = Vec2{10, 0.01} + 7 * unit(radians(0.5));
+  expect_at(joined(flat, curve::segment({10, 0.01}, far)), {10, 0});
+  expect_at(joined(curve::segment({0, 0}, {10, 0.1}), curve::segment({10, 0.11}, {17, 0.2})), {10, 0.105});
+}
+
+TEST(JointTarget, ATangentialArcEndsAtTheFootOfItsCentre) {
+  // The circle overlaps the line by 1e-3: their crossings are 0.045 away from the foot, where the drawing meant them to
+  // meet.
+  const Nurbs arc = curve::circular_arc({10.03, 0.999}, 1, -half_pi - 0.01, 0);
+  expect_at(joined(flat, arc), {10.03, 0});
+}
+
+TEST(JointTarget, AnArcThatCrossesALineMeetsItThere) {
+  const Nurbs arc = curve::circular_arc({11, 0}, 1, pi - 0.01, half_pi);
+  expect_at(joined(flat, arc), {10, 0});
+}
+
+TEST(JointTarget, TwoArcsMeetAtTheirIntersectionOrInTheMiddle) {
+  const Nurbs arc = curve::circular_arc({0, 0}, 5, 0, std::atan2(4.01, 3));
+  expect_at(joined(arc, curve::circular_arc({6, 0}, 5, pi - std::atan2(3.99, 3), half_pi)), {3, 4});
+  const Vec2 top{0, 5}, start{0.02, 5.01};
+  const Nurbs quarter = curve::circular_arc({0, 0}, 5, 0, half_pi);
+  expect_at(joined(quarter, curve::circular_arc(start - Vec2{0, 2}, 2, half_pi, pi)), 0.5 * (top + start));
+}
+
+TEST(JointTarget, ASplineYieldsToALineAndToAnArc) {
+  expect_at(joined(flat, bow), {10, 0});
+  const Nurbs arc = curve::circular_arc({9, 0}, 1, -half_pi, 0);
+  const Vec2 on = joined(arc, bow).value();
+  EXPECT_NEAR(distance(on, {9, 0}), 1, 1e-15);
+  EXPECT_NEAR(on.y, 0.005, 1e-4);
+}
+
+TEST(JointTarget, AShortLineMaySlideFurtherThanItMayTurn) {
+  JointSide a{carrier_of(flat), Rank::line, {10, 0}, {1, 0}, 0.01, 0.03};
+  JointSide b{carrier_of(curve::segment({10.02, 0}, {10.02, 1})), Rank::line, {10.02, 0}, {0, 1}, 0.01, 0.03};
+  expect_at(joint_target(a, b), {10.02, 0});
+  a.most_sliding = 0.015;
+  expect_at(joint_target(a, b), {10.01, 0});
+  a.rank = b.rank = Rank::kept_line;
+  EXPECT_FALSE(joint_target(a, b));
+}
+
+TEST(JointTarget, IsTheSameFromBothSides) {
+  const Nurbs other = curve::segment({10.01, 0.02}, {12, 5});
+  expect_at(joined(curve::reversed(other), curve::reversed(flat)), *joined(flat, other));
+}
+
+TEST(JointTarget, LeavesTheRuleWhosePointIsTooFar) {
+  // The intersection is 0.57 away, the middle of the gap 0.005.
+  const Vec2 far = Vec2{10, 0.01} + 7 * unit(radians(1.0001));
+  const auto x = joined(flat, curve::segment({10, 0.01}, far), 0.02);
+  ASSERT_TRUE(x);
+  EXPECT_LT(distance(*x, {10, 0}), 1e-3);
+  EXPECT_FALSE(joined(flat, curve::segment({10, 0.01}, far), 0.002));
+}
+
+TEST(JointTarget, TheCurveThatMayNotMoveKeepsItsEnd) {
+  JointSide a, b;
+  a.end = {0, 0}, b.end = {0.1, 0}, a.most = 0.01, b.most = 0.2;
+  EXPECT_EQ(joint_target(a, b), (Vec2{0, 0}));
+}
+
+TEST(JointTarget, KeepsLinesAtMultiplesOf15DegreesAndParallels) {
+  std::vector<Carrier> lines;
+  for (const double degrees_of : {45.0, 17.0, 80.0, 17.0 + 180, 90.0, 165.0})
+    lines.push_back(carrier_of(curve::segment({0, 0}, unit(radians(degrees_of)))));
+  lines.push_back(carrier_of(bow));
+  using enum Rank;
+  EXPECT_EQ(ranks_of(lines), (std::vector<Rank>{kept_line, kept_line, line, kept_line, kept_line, kept_line, spline}));
+}
+
+}  // namespace
+}  // namespace quadrille::heal
