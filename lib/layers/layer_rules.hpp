@@ -16,51 +16,54 @@
 // end of an arc. tests/unit/layers/layer_rules_test.cpp has a test for each, and for rules that meet.
 //
 // clang-format off
-//   which layers a side gets (wall_spec, wall_sides)
+//   specification of the layers of each side (wall_spec, wall_sides)
 //    1 a curve named twice, or a name without a curve   UsageError
-//    2 a side that only partly follows a wall           has the layers in full
-//    3 sides with different specs that continue each    the finest first height along all of them (of equal ones the
-//      other (a node with V = 2 between them), or one   spec given first); W-WAL-002
-//      side along curves of different specs
-//    4 walls that meet in a corner (V = 1, 3, 4)        each keeps its own spec. Where only one of the sides is a wall,
-//                                                       the arc that starts at the corner carries its cuts, and the
-//                                                       other side at most continues them (rule 19)
-//    5 a closed wall                                    layers all around; no end, no first side
+//    2 a side that follows a wall only in part          layers along the whole side
+//    3 sides that continue each other (a node with      the specification with the finest first height for all of them
+//      V = 2 between them) with different               (of equal ones that given first); W-WAL-002
+//      specifications, or one side along such curves
+//    4 walls that meet in a corner (V = 1, 3, 4)        each keeps its own specification. If only one of the sides is a
+//                                                       wall, its layers divide the arc that starts at the corner, and
+//                                                       the other side at most continues them (rule 19)
+//    5 a closed wall                                    layers along its whole length, without ends
 //
-//   distances (wall_line, layered_block)
-//    6 the boundary from which heights are measured     the side with its neighbours along the boundary as far as
-//                                                       V = 2, walls or not; beyond its ends, distance to the end point
-//    7 a corner below 180 degrees inside that boundary  distance to the nearer of both parts
+//   heights (wall_line, layered_block)
+//    6 the boundary from which heights are measured     the side and its neighbours along the boundary, walls or not,
+//                                                       up to the first node with V other than 2; beyond that node,
+//                                                       the distance from it
+//    7 a corner below 180 degrees in that boundary      distance from the nearer of both parts
 //    8 a block with walls on adjacent sides (V = 1)     the lines along one wall's normals are placed first, and those
-//                                                       of the other run along them. Each wall's boundary arc carries
-//                                                       the cuts of the other wall's layers
-//    9 a line that turns back before its layers end     ComputeError with the place
+//                                                       of the other run along them. The layers of each wall divide the
+//                                                       boundary arc of the other wall
+//    9 a line that turns back before its layers end     ComputeError with the position
 //
-//   how many layers (layer_fit)
-//   10 layers=N, or thickness=T (the least number that  ComputeError with the greatest number that fits, and the place
-//      reaches T), without clearance
+//   number of layers (layer_fit)
+//   10 layers=N, or thickness=T (the least number that  ComputeError with the greatest number that fits, and the
+//      reaches T), if they do not fit                   position
 //   11 layers=fit                                       the greatest number that fits; ComputeError if that is 0
-//   12 walls at both ends of a line without clearance   both lose layers, one each at a time
-//   13 a chord whose narrow blocks become crowded by    counts as not fitting. If for some wall no number of layers
-//      the count of its wide ones                       avoids it, only the clearance counts, for all walls
+//   12 walls at both ends of a line, if not all fit     the number at both ends is reduced by one until they fit
+//   13 a number that crowds the narrow blocks of a      does not fit. If every number of layers of some wall crowds
+//      chord, because its wide blocks need the count    blocks, crowding is ignored for all walls
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
-//   14 walls with different specs on one chord          each keeps its heights at its end; the count suits both;
-//                                                       W-WAL-001
-//   15 several growths on one chord                     the least; each at least `least_growth`
-//   16 an arc of the chord beyond the end of the wall   starts like the nearest layered arc (of equally near ones the
-//                                                       finest), and returns to its own division with the distance
-//   17 an interval of the boundary off its curve        its nearer end moves onto a break inside it; if that does not
-//                                                       suffice, the chord gets smaller intervals. A cut of a layer
-//                                                       that moved takes the exact heights of its arc with it
-//   18 a given name that ends inside an interval        as 17: no edge belongs to two names
+//   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;
+//      chord                                            W-WAL-001
+//   15 several growths on one chord                     the least; each is at least `least_growth`
+//   16 an arc of the chord beyond the end of the wall   starts like the nearest arc with layers (of equally near ones
+//                                                       the finest) and returns to its own division with the distance
+//   17 a boundary interval that misses the tolerance    its nearer end moves onto a break of the curve inside it; if
+//      against its CAD curve                            that does not suffice, the chord gets smaller intervals. A
+//                                                       layer's end that moved keeps the exact heights of its arc
+//   18 an interval in which a given name ends           as 17: no edge belongs to two names
 //
-//   what continues the layers (propagate_spacing)
-//   19 an arc beyond the layers' block that starts far  its chord is divided again, starting from the fine interval;
-//      coarser than its neighbour ends                  and so on from chord to chord
-//   20 that arc has layers of its own at this end       nothing: layers are never changed by a neighbour
-//   21 an arc too short for such fine first intervals   they are limited (greatest_crowding), but not next to layers
-//   22 a block that meets itself                        no neighbour of itself
+//   continuation of the layers (propagate_spacing)
+//   19 an arc beyond the block with layers whose first  its chord is divided again, starting with that last interval;
+//      interval is far longer than the last one of its  and so on from chord to chord
+//      neighbour
+//   20 such an arc with layers of its own at this end   no change: neighbours never change layers
+//   21 an arc too short for such a first interval       the interval is limited (greatest_crowding), but not next to
+//                                                       layers
+//   22 a block that is adjacent to itself               is no neighbour of itself
 // clang-format on
 
 namespace quadrille::layers {
