@@ -78,7 +78,7 @@ int block_of(const BlockLayout& layout, const NameRule& rule) {
   if (rule.kind == NameRule::Kind::position) return block_at(layout, rule);
   if (rule.number < 0 || rule.number >= layout.num_blocks())
     throw FormatError(
-        fmt::format("{}: no block has this number; they go from 0 to {}", rule.where, layout.num_blocks() - 1));
+        fmt::format("{}: no block has this number; blocks are numbered 0 to {}", rule.where, layout.num_blocks() - 1));
   return rule.number;
 }
 

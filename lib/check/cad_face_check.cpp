@@ -56,7 +56,7 @@ constexpr double gap_tol = 1e-5;  // relative to the diameter
 
 void curves_meet(const CadFace& face, Findings& findings) {
   for (std::size_t i = 0; i < face.curves.size(); ++i)
-    if (has_far_pole(face.curves[i], face)) findings.add("curve {} leaves the neighbourhood of the face", i);
+    if (has_far_pole(face.curves[i], face)) findings.add("curve {} has a pole farther out than 1000 diameters", i);
   for (int l = 0; l < face.num_loops(); ++l)
     for (int i = face.loop_offsets[l]; i < face.loop_offsets[l + 1]; ++i) {
       const int next = i + 1 < face.loop_offsets[l + 1] ? i + 1 : face.loop_offsets[l];

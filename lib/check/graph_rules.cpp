@@ -62,7 +62,8 @@ Vec2 clamped_point(const Nurbs& curve, double t) {
 
 void arcs_are_chains(const GraphView& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.splines.size(); ++i)
-    if (has_far_pole(graph.splines[i], graph.face)) findings.add("spline {} leaves the neighbourhood of the face", i);
+    if (has_far_pole(graph.splines[i], graph.face))
+      findings.add("spline {} has a pole farther out than 1000 diameters", i);
   const double tol = 1e-5 * graph.face.diameter;  // the gap that FAC-R06 allows at joints
   for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
     const GraphArc& arc = graph.arcs[i];

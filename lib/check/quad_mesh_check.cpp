@@ -138,7 +138,7 @@ void boundary_walks_the_loops(const QuadMesh& mesh, Findings& findings) {
     }
   }
   if (num_loops != mesh.face.num_loops())
-    findings.add("boundary_edges walk {} loops, the face has {}", num_loops, mesh.face.num_loops());
+    findings.add("boundary_edges form {} loops, the face has {}", num_loops, mesh.face.num_loops());
 }
 
 void euler_count_holds(const QuadMesh& mesh, Findings& findings) {

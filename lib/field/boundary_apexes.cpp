@@ -84,8 +84,7 @@ void require_index_sum(const CadFace& face, const PhaseNodes& prescribed) {
   if (sum == expected) return;
   throw ComputeError(
       fmt::format("the valences do not add up: sum (4 - V) over {} interior nodes is {}, sum (2 - V) over {} corners "
-                  "is {}, over {} "
-                  "boundary nodes {}; together {}, but a face with {} {} needs {}",
+                  "is {}, over {} boundary nodes {}; together {}, but a face with {} {} needs {}",
                   prescribed.nodes.size(), inside, prescribed.corners.size(), corners, prescribed.boundary_nodes.size(),
                   boundary, sum, face.num_loops() - 1, face.num_loops() == 2 ? "hole" : "holes", expected));
 }

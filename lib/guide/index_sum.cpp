@@ -22,8 +22,7 @@ void require_index_sum(const CriticalPoints& points) {
   if (excess == 0) return;
   std::string message = fmt::format(
       "the sum of 4 - V over {} critical points and of 2 - V over {} corners is {}, but it must be {} for this face: "
-      "{} too "
-      "{}",
+      "{} too {}",
       points.critical_points.size(), points.corners.size(), points.index_sum, points.index_sum_expected,
       std::abs(excess), excess > 0 ? "many" : "few");
   const auto from_tie = [](const Corner& c) { return degrees(tie_distance(radians(c.angle_degrees))); };

@@ -37,8 +37,8 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
   const ArcPiece& piece = t_mesh.arcs[zero_arcs.front()].pieces.front();
   const Vec2 position = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
   throw ComputeError(fmt::format(
-      "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the "
-      "T-mesh can have no length but zero, the first at {}",
+      "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the T-mesh "
+      "have length 0 in every solution, the first at {}",
       zero_arcs.size(), position_text(position)));
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 #include "spectral/lagrange.hpp"
@@ -124,9 +125,9 @@ void report_distance(const BoundaryDistance& distance, const CadFace& face, doub
   report.set("boundary.tolerance", tolerance);
   if (!distance.is_within(tolerance))
     report.warn(warning::geometry_tol_missed,
-                fmt::format("the boundary of the mesh deviates from the CAD curves by up to {:.2g} diameters at "
-                            "({:.6g}, {:.6g}), more than the geometric tolerance {:.2g}: raise --order or lower --size",
-                            worst.distance / face.diameter, position.x, position.y, tolerance / face.diameter));
+                fmt::format("the boundary of the mesh deviates from the CAD curves by up to {:.2g} diameters at {}, "
+                            "more than the geometric tolerance {:.2g}: raise --order or lower --size",
+                            worst.distance / face.diameter, position_text(position), tolerance / face.diameter));
 }
 
 }  // namespace quadrille::mesh

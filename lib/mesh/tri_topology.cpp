@@ -52,7 +52,7 @@ void add_edge(TriTopology& topology, const HalfEdge* first, const HalfEdge* last
   topology.elem2edges[first->elem][first->local] = edge;
   if (last - first == 1) return;
   if (first[0].is_forward == first[1].is_forward) {
-    throw FormatError(fmt::format("elements {} and {} walk the edge of vertices {} and {} in the same direction",
+    throw FormatError(fmt::format("elements {} and {} traverse the edge of vertices {} and {} in the same direction",
                                   first[0].elem, first[1].elem, first->low, first->high));
   }
   topology.edge2elems.back()[1] = first[1].elem;

@@ -123,7 +123,8 @@ bool TMeshTracer::connect_loops(const SeparatrixGraph& graph) {
 }
 
 void TMeshTracer::add_cut(const BoundaryPoint& start, double head_start) {
-  if (++cuts_.num > max_cuts) throw ComputeError(fmt::format("more than {} cuts do not make a layout", max_cuts));
+  if (++cuts_.num > max_cuts)
+    throw ComputeError(fmt::format("holes and limit cycles need more than {} cuts", max_cuts));
   cuts_.head_starts.push_back(head_start);
   tracer_.add_cut(start.curve, start.t, relative_first_length * evaluator_.field().mesh.face.diameter);
 }

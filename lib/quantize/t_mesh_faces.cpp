@@ -41,7 +41,7 @@ std::vector<TFace> t_mesh_faces(const graph::Subdivision& subdivision) {
   for (int f = 0; f < subdivision.face_bound(); ++f) {
     std::optional<TFace> sides = sides_of(subdivision, f);
     if (!sides) {
-      throw ComputeError(fmt::format("the face of the T-mesh around {} is not four-sided: {} arcs, the corners make {}",
+      throw ComputeError(fmt::format("the face of the T-mesh around {} is not four-sided: {} arcs, {} corners",
                                      position_text(graph::middle_of_face(subdivision, f)), subdivision.cycle(f).size(),
                                      subdivision.num_corners(f)));
     }

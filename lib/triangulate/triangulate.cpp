@@ -134,8 +134,8 @@ void write_report(const Result& result, const EdgeFit& fit, double curve_tol, Re
   report.set("mesh.proof_rounds", result.rounds);
   if (error > curve_tol) {
     report.warn(warning::curve_tolerance_missed,
-                fmt::format("element edges of order {} leave the curves by up to {:.1e} of the diameter", mesh.order,
-                            error / mesh.face.diameter));
+                fmt::format("element edges of order {} deviate from the curves by up to {:.1e} of the diameter",
+                            mesh.order, error / mesh.face.diameter));
   }
 }
 

@@ -105,7 +105,7 @@ regions() {
     run -3 blocksplit "$sep" --block-names names.json -o a.blocks.h5
     assert_output --partial "blocksplit: names.json: $2"
   }
-  refused '{"4": "x"}' '"4": no block has this number; they go from 0 to 3'
+  refused '{"4": "x"}' '"4": no block has this number; blocks are numbered 0 to 3'
   refused '{"core": "x"}' '"core": must be the number of a block'
   refused '[{"at": [2, 0], "name": "x"}]' 'entry 0: (2, 0) lies in no block'
   refused '[{"at": [0, 0], "name": "x"}]' 'entry 0: (0, 0) lies on a side of block'

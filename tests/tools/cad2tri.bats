@@ -60,7 +60,7 @@ shapes="half_disc square l_shape quarter_annulus annulus eccentric_annulus plate
   assert_success
 }
 
-@test "a low order warns that its edges leave the curves" {
+@test "a low order warns that its edges deviate from the curves" {
   run cad2tri "$DATA/half_disc.step" -o a.tri.h5 --order 2
   assert_success
   assert_output --partial "W-TRI-001"

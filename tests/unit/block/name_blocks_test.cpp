@@ -61,7 +61,7 @@ TEST(NameBlocks, ByNumberAndTheRest) {
   Names expected(layout.num_blocks(), "rest");
   expected[0] = "first";
   EXPECT_EQ(named(layout, {{Kind::rest, "", -1, {}, "rest", "n"}, numbered(0, "first")}), expected);
-  EXPECT_EQ(refusal(layout, {numbered(3, "x")}), "n: number: no block has this number; they go from 0 to 2");
+  EXPECT_EQ(refusal(layout, {numbered(3, "x")}), "n: number: no block has this number; blocks are numbered 0 to 2");
   EXPECT_NE(refusal(layout, {numbered(-1, "x")}), "no refusal");
 }
 
