@@ -3,7 +3,8 @@
 // The steps, each of which changes the result of the one before and keeps the index sum (lib/method.md §3, §5):
 //   find_critical_points        zeros, clusters, corners by angle or field, corners that absorb zeros
 //   resolve_clusters            clusters become nodes
-//   line_field_points           replaces both if the boundary data lie on one line
+//   choose_at_ties              replaces both if corners lie near 45 + 90 k degrees
+//   line_field_points           replaces all these if the zeros cannot be isolated
 //   override_corners            --corner-valence
 //   divide_degenerate_corners   --degenerate
 //   resolve_features            --feature-size
@@ -16,12 +17,13 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "features/resolve_features.hpp"
-#include "field/boundary_values.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_energy.hpp"
+#include "galerkin/solve_parts.hpp"
 #include "guide/complete_nodes.hpp"
 #include "guide/divide_corners.hpp"
 #include "guide/find_critical_points.hpp"
@@ -32,6 +34,7 @@
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "placement/place_nodes.hpp"
+#include "ties/choose_at_ties.hpp"
 
 using namespace quadrille;
 
@@ -76,13 +79,34 @@ void declare(cli::Options& o, NodeOptions& options) {
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
 }
 
-/// The field's zeros as they are, or on a line field the nodes by rule.
-CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, Report& report) {
+/// The field's zeros as they are, or with ties those of the field tilted at them.
+CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, int num_threads,
+                        Report& report) {
   const CadFace& face = evaluator.field().mesh.face;
-  if (field::is_line_field(face)) return guide::line_field_points(face, options.max_valence);
+  const ties::TieOrbits ties = ties::tie_orbits(face);
+  if (!ties.ties.empty()) {
+    const auto solve = [&](const std::vector<field::LiftedData>& data) {
+      return galerkin::solve_parts(evaluator.field(), data, num_threads);
+    };
+    return ties::choose_at_ties(evaluator, ties, solve, {options.search, options.max_valence}, report);
+  }
   CriticalPoints points = guide::find_critical_points(evaluator, options.search, report);
   guide::resolve_clusters(face, options.max_valence, points);
   return points;
+}
+
+/// Nodes and corners: by rule where the zeros of the field cannot be isolated.
+CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, int num_threads,
+                        Report& report) {
+  try {
+    return zeros_of(evaluator, options, num_threads, report);
+  } catch (const ComputeError& error) {
+    report.warn(warning::nodes_by_rule,
+                fmt::format("{}: corner valences and nodes are chosen by rule instead; look at the layout, and improve "
+                            "it with --corner-valence or by editing the nodes",
+                            error.what()));
+  }
+  return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
 }
 
 void place(const Field& field, const NodeOptions& options, int num_threads, CriticalPoints& points, Report& report) {
@@ -112,10 +136,11 @@ int main(int argc, char** argv) {
       "there.\n\n"
       "Zeros that no layout can use are replaced: multiple zeros and zeros nearer to each other than any block are "
       "split symmetrically, merged or cancelled; corners absorb adjacent zeros; nodes of small fillets and holes move "
-      "onto the boundary or away from it; corner valences may be prescribed. Where all sides lie at multiples of 45 "
-      "degrees and the field vanishes on curves, valences are chosen by rule. Each change is listed in the output with "
-      "its reason. Unless \"form\" is \"harmonic\" in the output, the later stages need a field solved for these "
-      "nodes: fieldsolve --nodes.\n\n"
+      "onto the boundary or away from it; corner valences may be prescribed. Where a corner lies within 2 degrees of "
+      "45, 135, 225 or 315 degrees, the field does not decide between two valences: they are chosen by rule, and the "
+      "nodes are the zeros of the field with its data turned accordingly. Each change is listed in the output with its "
+      "reason. Unless \"form\" is \"harmonic\" in the output, the later stages need a field solved for these nodes: "
+      "fieldsolve --nodes.\n\n"
       "The sum of 4 - V over the nodes and of 2 - V over the corners must be four times the face's Euler "
       "characteristic (1 less the number of holes); otherwise nothing is written and the exit code is 1.";
   tool.examples = {"critpoints half_disc.field.h5 -o half_disc.crit.json",
@@ -139,7 +164,7 @@ int main(int argc, char** argv) {
     if (field.elem_error.empty()) field.elem_error = field::error_estimate(field);
     s.begin_phase("search");
     const field::FieldEvaluator evaluator(field);
-    CriticalPoints points = nodes_of(evaluator, options, s.report());
+    CriticalPoints points = nodes_of(evaluator, options, s.threads(), s.report());
     s.begin_phase("resolve");
     const CadFace& face = field.mesh.face;
     guide::override_corners(face, overrides, points);

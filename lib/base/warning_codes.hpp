@@ -20,6 +20,8 @@ inline constexpr const char* orders_still_change = "W-ADAPT-001";
 inline constexpr const char* target_error_missed = "W-ADAPT-002";
 
 // critpoints
+inline constexpr const char* mirror_images_differ = "W-NODE-001";
+inline constexpr const char* nodes_by_rule = "W-NODE-002";
 inline constexpr const char* least_energy_not_found = "W-PLACE-001";
 inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
 

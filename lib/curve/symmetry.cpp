@@ -13,8 +13,7 @@
 namespace quadrille::curve {
 namespace {
 
-constexpr double isometry_tol = 1e-7;  // relative to the diameter
-constexpr double angle_tol = 1e-6;     // radians, between crossings: only to rule out candidates
+constexpr double radians_per_diameter = 10;  // tolerance of the angles of crossings
 
 template <class Visit>
 void for_each_span(const Nurbs& curve, Visit visit) {
@@ -107,7 +106,7 @@ std::vector<Crossing> crossings(const CadFace& face, Vec2 centre, const std::vec
 
 /// Crossings of the circle whose radius is farthest from any tangency: every isometry permutes them. Empty if all loops
 /// are circles about the centre.
-std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre) {
+std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre, double tolerance) {
   const std::vector<RadiusSamples> spans = radius_samples(face, centre);
   const std::vector<double> radii = critical_radii(face, centre, spans);
   std::vector<std::pair<double, double>> gaps;  // width, middle
@@ -115,7 +114,7 @@ std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre) {
     gaps.push_back({radii[i] - radii[i - 1], (radii[i] + radii[i - 1]) / 2});
   std::stable_sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [width, middle] : gaps) {
-    if (width < 2 * isometry_tol * face.diameter) break;
+    if (width < 2 * tolerance * face.diameter) break;
     std::vector<Crossing> found = crossings(face, centre, spans, middle);
     if (!found.empty()) return found;
   }
@@ -124,7 +123,7 @@ std::vector<Crossing> best_crossings(const CadFace& face, Vec2 centre) {
 
 /// Mean signed angle between the images of the crossings and the crossings next to them; std::nullopt if an image is at
 /// no crossing.
-std::optional<double> mean_miss(const Isometry& g, const std::vector<Crossing>& crossings) {
+std::optional<double> mean_miss(const Isometry& g, const std::vector<Crossing>& crossings, double angle_tol) {
   double sum = 0;
   for (const Crossing& c : crossings) {
     const double image = g.is_mirrored ? g.angle - c.angle : g.angle + c.angle;
@@ -156,7 +155,8 @@ struct BoxedCurve {
 /// Whether an isometry maps sampled points of all curves onto the boundary.
 class BoundaryMap {
  public:
-  explicit BoundaryMap(const CadFace& face) : tol_(isometry_tol * face.diameter) {
+  BoundaryMap(const CadFace& face, double tolerance)
+      : tol_(tolerance * face.diameter), angle_tol_(radians_per_diameter * tolerance) {
     constexpr int steps = 5;  // odd, and different from the samples of the projection
     for (const Nurbs& curve : face.curves) {
       boxes_.emplace_back(curve, tol_);
@@ -165,6 +165,8 @@ class BoundaryMap {
       });
     }
   }
+  /// Between crossings: only to rule out candidates.
+  double angle_tol() const { return angle_tol_; }
   bool is_onto(const Isometry& g) const {
     return std::all_of(points_.begin(), points_.end(), [&](Vec2 x) { return is_on_boundary(g(x)); });
   }
@@ -175,7 +177,7 @@ class BoundaryMap {
                        [&](const BoxedCurve& b) { return b.may_hold(x) && project(*b.curve, x).distance <= tol_; });
   }
 
-  double tol_;
+  double tol_, angle_tol_;
   std::vector<BoxedCurve> boxes_;
   std::vector<Vec2> points_;
 };
@@ -185,7 +187,7 @@ int rotation_order(Vec2 centre, const std::vector<Crossing>& crossings, const Bo
   const int most = static_cast<int>(crossings.size()) / 2;  // as many crossings are outward as inward
   for (int n = most; n > 1; --n) {
     const Isometry g{centre, 2 * pi / n, false};
-    if (most % n == 0 && mean_miss(g, crossings) && boundary.is_onto(g)) return n;
+    if (most % n == 0 && mean_miss(g, crossings, boundary.angle_tol()) && boundary.is_onto(g)) return n;
   }
   return 1;
 }
@@ -200,11 +202,11 @@ std::optional<double> mirror_angle(Vec2 centre, int n, const std::vector<Crossin
     const double sum = crossings[0].angle + other.angle;
     Isometry g{centre, sum - period * std::floor(sum / period), true};
     const bool is_known = std::any_of(tried.begin(), tried.end(), [&](double t) {
-      return std::abs(std::remainder(t - g.angle, period)) < angle_tol;
+      return std::abs(std::remainder(t - g.angle, period)) < boundary.angle_tol();
     });
     if (is_known) continue;
     tried.push_back(g.angle);
-    const std::optional<double> miss = mean_miss(g, crossings);
+    const std::optional<double> miss = mean_miss(g, crossings, boundary.angle_tol());
     if (!miss) continue;
     g.angle += *miss;
     if (boundary.is_onto(g)) return g.angle;
@@ -232,14 +234,14 @@ Vec2 Isometry::operator()(Vec2 x) const {
   return centre + turned(x - centre);
 }
 
-std::vector<Isometry> symmetries(const CadFace& face) {
+std::vector<Isometry> symmetries(const CadFace& face, double tolerance) {
   const Vec2 centre = centroid(face);
-  const std::vector<Crossing> crossed = best_crossings(face, centre);
+  const std::vector<Crossing> crossed = best_crossings(face, centre, tolerance);
   if (crossed.empty()) {
     const double axis = wrap_two_pi(2 * angle_of(face.joints[0].position - centre));
     return group(centre, 4, axis - half_pi * std::floor(axis / half_pi));
   }
-  const BoundaryMap boundary(face);
+  const BoundaryMap boundary(face, tolerance);
   const int n = rotation_order(centre, crossed, boundary);
   return group(centre, n, mirror_angle(centre, n, crossed, boundary));
 }

@@ -22,9 +22,9 @@ struct Isometry {
 /// The largest finite group that can be detected: identity first, then rotations by ascending angle, then mirrored
 /// isometries by ascending angle. Their common centre is the face's centroid. A face bounded by concentric circles has
 /// infinitely many; for it the dihedral group of order 8 with one axis through joint 0 is returned. An isometry is
-/// accepted if it maps every curve onto the boundary within 1e-7 diameters. This is tested for the smallest rotation
-/// and for one mirrored isometry; the others are their products, exact to round-off. Cost: a projection of a few points
-/// of each knot span for each candidate that the crossings of one circle about the centre do not rule out.
-std::vector<Isometry> symmetries(const CadFace& face);
+/// accepted if it maps every curve onto the boundary within `tolerance` diameters. This is tested for the smallest
+/// rotation and for one mirrored isometry; the others are their products, exact to round-off. Cost: a projection of a
+/// few points of each knot span for each candidate that the crossings of one circle about the centre do not rule out.
+std::vector<Isometry> symmetries(const CadFace& face, double tolerance = 1e-7);
 
 }  // namespace quadrille::curve

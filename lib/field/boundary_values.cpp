@@ -37,19 +37,23 @@ Vec2 boundary_value(const CadFace& face, int curve, double t) {
   return fourth_power(curve::tangent(nurbs, t, part_of(nurbs, t) == CurvePart::end));
 }
 
-Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
+Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
+  if (liftings.empty()) return {};
   const Nurbs& nurbs = face.curves[curve];
-  Vec2 value = boundary_value(face, curve, t);
-  if (liftings.empty()) return value;
   const CurvePart part = part_of(nurbs, t);
   const int joint = part == CurvePart::begin ? curve : part == CurvePart::end ? face.next_in_loop(curve) : -1;
   const Vec2 x = curve::point(nurbs, t);
+  Vec2 sum;
   for (const Lifting& lifting : liftings) {
     const bool at_apex = lifting.joint == joint;
-    value -= lifting.jump *
-             (at_apex ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, part)) : lifting_angle(lifting, x));
+    sum += lifting.jump *
+           (at_apex ? lifting_angle_at_apex(lifting, direction_from_joint(nurbs, part)) : lifting_angle(lifting, x));
   }
-  return value;
+  return sum;
+}
+
+Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
+  return boundary_value(face, curve, t) - liftings_on_boundary(face, liftings, curve, t);
 }
 
 bool is_line_field(const CadFace& face) {

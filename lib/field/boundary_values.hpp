@@ -11,8 +11,11 @@ namespace quadrille::field {
 /// (cos 4 theta, sin 4 theta) of the curve's tangent at t; one-sided at the curve's ends.
 Vec2 boundary_value(const CadFace& face, int curve, double t);
 
-/// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop. At an end of the curve,
-/// the lifting of that joint is evaluated as its limit along the curve.
+/// The sum of the liftings at parameter t of `curve`. At an end of the curve, the lifting of that joint is evaluated as
+/// its limit along the curve.
+Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
+
+/// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop.
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
 
 /// Whether all boundary values lie on one line through 0, on both sides of 0: straight sides at odd and at even

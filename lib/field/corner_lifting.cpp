@@ -68,17 +68,20 @@ Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double inte
   return half_way(face, apex, -interior_bisector);
 }
 
+Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing) {
+  const double angle = face.joints[joint].interior_angle;
+  const Vec2 out = curve::tangent(face.curves[joint], face.curves[joint].begin());
+  const Vec2 apex = face.joints[joint].position;
+  return {joint, apex, exterior_pole(face, apex, out, angle), (incoming - outgoing) / angle};
+}
+
 std::vector<Lifting> corner_liftings(const CadFace& face) {
   std::vector<Lifting> liftings;
   for (int joint = 0; joint < face.num_curves(); ++joint) {
     const int before = face.previous_in_loop(joint);
     const Vec2 v_in = boundary_value(face, before, face.curves[before].end());
     const Vec2 v_out = boundary_value(face, joint, face.curves[joint].begin());
-    if (norm(v_in - v_out) <= jump_tol) continue;
-    const double angle = face.joints[joint].interior_angle;
-    const Vec2 out = curve::tangent(face.curves[joint], face.curves[joint].begin());
-    const Vec2 apex = face.joints[joint].position;
-    liftings.push_back({joint, apex, exterior_pole(face, apex, out, angle), (v_in - v_out) / angle});
+    if (norm(v_in - v_out) > jump_tol) liftings.push_back(lifting_at(face, joint, v_in, v_out));
   }
   return liftings;
 }

@@ -20,7 +20,11 @@ Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction);
 /// side of the boundary at the apex; `interior_angle` in radians.
 Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double interior_angle);
 
-/// One lifting for every joint at which the data jump by more than round-off; its pole is the exterior_pole.
+/// The lifting at a joint where the function that it is made for jumps from `incoming` to `outgoing`; its pole is the
+/// exterior_pole.
+Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing);
+
+/// One lifting for every joint at which the data jump by more than round-off.
 std::vector<Lifting> corner_liftings(const CadFace& face);
 
 }  // namespace quadrille::field

@@ -56,12 +56,14 @@ const std::vector<double>& BoundaryPoints::parameters(int b, int order) {
 }
 
 DirichletData::DirichletData(const TriMesh& mesh, BoundaryData data)
-    : DirichletData(std::make_shared<BoundaryPoints>(mesh), 2,
-                    [data = std::move(data)](int curve, double t, double* values) {
-                      const Vec2 value = data(curve, t);
-                      values[0] = value.x;
-                      values[1] = value.y;
-                    }) {}
+    : DirichletData(std::make_shared<BoundaryPoints>(mesh), std::move(data)) {}
+
+DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryData data)
+    : DirichletData(std::move(points), 2, [data = std::move(data)](int curve, double t, double* values) {
+        const Vec2 value = data(curve, t);
+        values[0] = value.x;
+        values[1] = value.y;
+      }) {}
 
 DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data)
     : DirichletData(std::move(points), 1,

@@ -43,7 +43,9 @@ class DirichletData {
  public:
   /// `mesh` must outlive this.
   DirichletData(const TriMesh& mesh, BoundaryData data);
-  /// One scalar function; `points` may be shared with other data on the same mesh.
+  /// `points` may be shared with other data on the same mesh.
+  DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryData data);
+  /// One scalar function.
   DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data);
   /// Values of the dofs [num_unknowns, num_dofs): columns u, v, or one column for a scalar function.
   Eigen::MatrixXd values(const mesh::TriTopology& topology, const DofMap& map);

@@ -95,7 +95,8 @@ std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator, co
   const double tol = 1e-6 * length;
   const std::vector<Candidates> candidates = candidates_of(evaluator, zeros, length, tol, corners);
   for (std::size_t c = 0; c < corners.size(); ++c)
-    absorb_into(corners[c], zeros, candidates[c], length, tol, is_absorbed, changes);
+    if (corners[c].source != NodeSource::line)
+      absorb_into(corners[c], zeros, candidates[c], length, tol, is_absorbed, changes);
   return is_absorbed;
 }
 

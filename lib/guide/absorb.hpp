@@ -4,9 +4,9 @@
 // A zero no farther than `length` from a corner, with the segment between them in the domain, is absorbed if the new
 // valence is admissible (guide/admissible_valence). Close to a tie both neighbouring valences are admissible, and the
 // result is the count of quarter turns along an arc of radius `length`. Only corners of the layout absorb zeros, smooth
-// boundary points do not. A zero equally near to two corners is absorbed by neither; zeros equally near to one corner
-// are absorbed together or not at all; nearer zeros are decided first. Distances within 1e-6 of `length` count as
-// equal.
+// boundary points do not, nor corners whose valence was chosen by rule (source `line`). A zero equally near to two
+// corners is absorbed by neither; zeros equally near to one corner are absorbed together or not at all; nearer zeros
+// are decided first. Distances within 1e-6 of `length` count as equal.
 
 #include <vector>
 

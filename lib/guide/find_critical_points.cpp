@@ -11,7 +11,6 @@
 #include "guide/clusters.hpp"
 #include "guide/index_sum.hpp"
 #include "guide/sort_by_position.hpp"
-#include "guide/valence.hpp"
 #include "zeros/distinct_zeros.hpp"
 
 namespace quadrille::guide {
@@ -114,12 +113,9 @@ void SearchOptions::validate() const {
 }
 
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
-                                    Report& report) {
-  options.validate();
+                                    CornerValences valences, Report& report) {
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
-
-  CornerValences valences = corner_valences(evaluator, options.noise);
   zeros::ZeroSearch search(evaluator, valences.discs, options.noise);
   search_all(search, mesh);
   const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros());
@@ -145,6 +141,12 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   points.index_sum_expected = 4 * face.euler_characteristic();
   report_proof(search, points, report);
   return points;
+}
+
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
+                                    Report& report) {
+  options.validate();
+  return find_critical_points(evaluator, options, corner_valences(evaluator, options.noise), report);
 }
 
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report) {

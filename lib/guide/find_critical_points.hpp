@@ -4,6 +4,7 @@
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
+#include "guide/valence.hpp"
 #include "model/critical_points.hpp"
 #include "zeros/zero_search.hpp"
 
@@ -40,5 +41,8 @@ struct SearchOptions {
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report);
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report);
+/// The same with given valences of the corners; corners with the source `line` absorb no zeros.
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
+                                    CornerValences valences, Report& report);
 
 }  // namespace quadrille::guide

@@ -12,7 +12,6 @@ namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1e-6;
-constexpr double tie = 1e-6;  // radians
 
 /// The costs to minimise; the first that differs decides: angle defect, minus adjacent lengths, minus distances.
 using Cost = std::array<double, 3>;
@@ -32,14 +31,14 @@ double angle_defect(double angle, int valence) {
 }
 
 bool is_tie(const Corner& corner) {
-  return corner.angle_degrees > 90 && tie_distance(radians(corner.angle_degrees)) < tie;
+  return corner.angle_degrees > 90 && tie_distance(radians(corner.angle_degrees)) < tie_window;
 }
 
 /// A corner at a tie starts with the larger valence, and so does a corner of 45 degrees.
 Corner corner_at(const CadFace& face, int joint) {
   const double angle = face.joints[joint].interior_angle;
   Corner corner{joint, face.joints[joint].position, degrees(angle), 0, {face.previous_in_loop(joint), joint}};
-  corner.valence = static_cast<int>(std::floor(angle / half_pi + 0.5 + tie));
+  corner.valence = static_cast<int>(std::floor(angle / half_pi + 0.5 + tie_window / half_pi));
   if (is_tie(corner)) corner.source = NodeSource::line;
   return corner;
 }

@@ -1,10 +1,10 @@
 #pragma once
-// Corner valences by rule, for faces whose sides are all straight at multiples of 45 degrees (lib/method.md §3): the
-// field vanishes on curves and does not determine any valence.
+// Corner valences by rule (lib/method.md §3), for faces whose field does not determine them: it vanishes on curves, as
+// where all sides are straight at multiples of 45 degrees.
 //
-// A corner of 135, 225 or 315 degrees may have either integer next to 2 omega / pi. (A corner of 45 degrees has V = 1:
-// V = 0 is no block, and an interior node can always replace it.) All start with the larger; each smaller valence
-// raises sum (2 - V) by one. Symmetry orbits of corners are decided as a whole. Among the choices with
+// A corner within 2 degrees of 135, 225 or 315 degrees may have either integer next to 2 omega / pi. (A corner of 45
+// degrees has V = 1: V = 0 is no block, and an interior node can always replace it.) All start with the larger; each
+// smaller valence raises sum (2 - V) by one. Symmetry orbits of corners are decided as a whole. Among the choices with
 // sum (2 - V) = 4 chi:
 //   1. the least angle defect, sum V |omega / V - 90 degrees|^2,
 //   2. smaller valences where the adjacent sides are longest (the sum over these corners),

@@ -11,10 +11,9 @@ namespace quadrille::guide {
 namespace {
 
 NodeChange corner_change(const Corner& corner) {
-  const std::string reason = fmt::format(
-      "the field vanishes on curves, because all sides are straight at multiples of 45 degrees: valence {} by rule at "
-      "the corner of {:.6g} degrees",
-      corner.valence, corner.angle_degrees);
+  const std::string reason =
+      fmt::format("the zeros of the field cannot be isolated: valence {} by rule at the corner of {:.6g} degrees",
+                  corner.valence, corner.angle_degrees);
   return {ChangeKind::line, reason, {}, {{corner.position, corner.valence, NodeLocation::corner}}};
 }
 

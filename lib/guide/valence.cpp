@@ -83,27 +83,29 @@ double tie_distance(double interior_angle) {
   return std::abs(quarters - std::floor(quarters) - 0.5) * half_pi;
 }
 
-CornerValences corner_valences(const field::FieldEvaluator& evaluator, double noise) {
-  const CadFace& face = evaluator.field().mesh.face;
+CornerValences corner_valences_by_angle(const CadFace& face) {
   CornerValences result;
   for (int j = 0; j < face.num_curves(); ++j) {
     const Joint& joint = face.joints[j];
     if (!joint.is_corner) continue;
-    int valence = static_cast<int>(std::lround(joint.interior_angle / half_pi));
-    const bool is_tie = tie_distance(joint.interior_angle) < tie;
-    if (is_tie) {
-      zeros::Disc disc;
-      const auto by_arc = valence_at_tie(evaluator, j, noise, disc);
-      if (!by_arc) refuse(joint, face.origin);
-      result.discs.push_back(disc);
-      valence = *by_arc;
-    }
-    result.corners.push_back({j,
-                              joint.position,
-                              degrees(joint.interior_angle),
-                              valence,
-                              {face.previous_in_loop(j), j},
-                              is_tie ? NodeSource::field : NodeSource::angle});
+    const int valence = static_cast<int>(std::lround(joint.interior_angle / half_pi));
+    result.corners.push_back(
+        {j, joint.position, degrees(joint.interior_angle), valence, {face.previous_in_loop(j), j}, NodeSource::angle});
+  }
+  return result;
+}
+
+CornerValences corner_valences(const field::FieldEvaluator& evaluator, double noise) {
+  const CadFace& face = evaluator.field().mesh.face;
+  CornerValences result = corner_valences_by_angle(face);
+  for (Corner& corner : result.corners) {
+    if (tie_distance(face.joints[corner.joint].interior_angle) >= tie) continue;
+    zeros::Disc disc;
+    const auto by_arc = valence_at_tie(evaluator, corner.joint, noise, disc);
+    if (!by_arc) refuse(face.joints[corner.joint], face.origin);
+    result.discs.push_back(disc);
+    corner.valence = *by_arc;
+    corner.source = NodeSource::field;
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "base/angle.hpp"
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
 #include "zeros/zero_search.hpp"
@@ -15,6 +16,9 @@ namespace quadrille::guide {
 /// Radians from a tie below which both neighbouring valences are equally good.
 inline constexpr double near_tie = 0.02;
 
+/// Radians from a tie below which the field is not asked for the valence: it is chosen by rule.
+inline constexpr double tie_window = 2 * pi / 180;
+
 /// Distance of the interior angle from the nearest tie, radians in [0, pi/4].
 double tie_distance(double interior_angle);
 
@@ -22,6 +26,9 @@ struct CornerValences {
   std::vector<Corner> corners;     ///< in the order of the joints
   std::vector<zeros::Disc> discs;  ///< about the corners at ties: zeros inside are part of the valence
 };
+
+/// All corners of the layout, with the valence nearest to angle / 90 degrees.
+CornerValences corner_valences_by_angle(const CadFace& face);
 
 /// All corners of the layout. Within 1e-6 radians of a tie, V counts the quarter turns of the cross along an arc about
 /// the corner (source "field"). It is the smallest arc on which |v| exceeds its errors: max(10 noise, 3 e), e the error

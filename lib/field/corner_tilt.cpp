@@ -1,0 +1,86 @@
+#include "field/corner_tilt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "curve/arc_length.hpp"
+#include "field/boundary_values.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille::field {
+namespace {
+
+/// The turn of the phase at the corner. The window of ties is 2 degrees wide, 8 degrees of phase: this is well above.
+constexpr double greatest_tilt = 40 * pi / 180;
+
+/// Falls from 1 to 0 with two continuous derivatives.
+double ramp(double x) {
+  if (x >= 1) return 0;
+  return 1 - x * x * x * (10 + x * (6 * x - 15));
+}
+
+/// The tilts along one curve: at its start, the outgoing side of a corner, and at its end. A reach of 0: no tilt.
+struct CurveTilts {
+  curve::ArcLength lengths;
+  double reach_at_start = 0, reach_at_end = 0;
+
+  explicit CurveTilts(const Nurbs& curve) : lengths(curve) {}
+  /// For the sign 1.
+  double turn(double t) const {
+    const double from_start = lengths.at(t);
+    if (from_start < reach_at_start) return greatest_tilt * ramp(from_start / reach_at_start);
+    const double from_end = lengths.total() - from_start;
+    return from_end < reach_at_end ? -greatest_tilt * ramp(from_end / reach_at_end) : 0;
+  }
+};
+
+/// The tilts at some corners of a face.
+class Tilts {
+ public:
+  Tilts(const CadFace& face, const std::vector<int>& joints, TiltPart part)
+      : face_(&face), part_(part), curves_(face.num_curves()) {
+    for (const int joint : joints) {
+      CurveTilts &in = tilts_of(face.previous_in_loop(joint)), &out = tilts_of(joint);
+      in.reach_at_end = out.reach_at_start = 0.5 * std::min(in.lengths.total(), out.lengths.total());
+    }
+  }
+
+  Vec2 value(int curve, double t) const {
+    const double turn = curves_[curve] ? curves_[curve]->turn(t) : 0;
+    if (turn == 0) return {};
+    const Vec2 v = boundary_value(*face_, curve, t);
+    return part_ == TiltPart::even ? (std::cos(turn) - 1) * v : std::sin(turn) * left_of(v);
+  }
+
+ private:
+  CurveTilts& tilts_of(int curve) {
+    if (!curves_[curve]) curves_[curve].emplace(face_->curves[curve]);
+    return *curves_[curve];
+  }
+
+  const CadFace* face_;
+  TiltPart part_;
+  std::vector<std::optional<CurveTilts>> curves_;
+};
+
+}  // namespace
+
+LiftedData tilt_data(const CadFace& face, const std::vector<int>& joints, TiltPart part) {
+  const auto tilts = std::make_shared<const Tilts>(face, joints, part);
+  LiftedData data;
+  for (const int joint : joints) {
+    const int before = face.previous_in_loop(joint);
+    data.liftings.push_back(lifting_at(face, joint, tilts->value(before, face.curves[before].end()),
+                                       tilts->value(joint, face.curves[joint].begin())));
+  }
+  data.values = [&face, tilts, liftings = data.liftings](int curve, double t) {
+    return tilts->value(curve, t) - liftings_on_boundary(face, liftings, curve, t);
+  };
+  return data;
+}
+
+}  // namespace quadrille::field

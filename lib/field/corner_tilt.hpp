@@ -1,0 +1,34 @@
+#pragma once
+// Boundary data tilted at a corner (lib/method.md §3, ties).
+//
+// At an interior angle of 45 + 90 k degrees the data on the two sides are opposite, and the harmonic field does not
+// know which way to turn. A tilt turns the phase of the data near the corner, by -s tau on the incoming and by +s tau
+// on the outgoing side, s = 1 for the smaller valence and -1 for the larger; tau falls from 40 degrees at the corner to
+// 0 at half of the shorter adjacent curve, with continuous second derivatives. So tilts of different corners do not
+// meet, and the tilted data are
+//
+//   v (cos tau - 1)  (even part)  +  s i v (+- sin tau)  (odd part)   on top of v:
+//
+// linear in the signs s of all corners.
+
+#include <functional>
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/field.hpp"
+
+namespace quadrille::field {
+
+/// Boundary data of a harmonic function: `values` at parameter t of a curve, continuous round every loop, are what is
+/// left without `liftings`.
+struct LiftedData {
+  std::function<Vec2(int curve, double t)> values;
+  std::vector<Lifting> liftings;
+};
+
+enum class TiltPart { even, odd };
+
+/// The sum of one part of the tilts at these joints. `face` must outlive the result.
+LiftedData tilt_data(const CadFace& face, const std::vector<int>& joints, TiltPart part);
+
+}  // namespace quadrille::field

@@ -1,0 +1,48 @@
+#pragma once
+// What a choice of valences at ties costs. The first figure that differs decides.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "field/evaluate.hpp"
+#include "model/critical_points.hpp"
+#include "ties/tilted_field.hpp"
+
+namespace quadrille::ties {
+
+/// In the order of their weight.
+enum class Criterion {
+  crowded,    ///< nodes with hardly any room
+  halved,     ///< orbits whose mirror images differ
+  narrow,     ///< nodes with little room
+  defect,     ///< sum V (omega / (90 V) - 1)^2, and a tenth for each node
+  far_field,  ///< ties that turn against the field away from the corner
+  sides,      ///< minus the lengths of the sides at ties with the smaller valence, in diameters
+  middle      ///< minus their distances from the middle of the face, in diameters
+};
+using Cost = std::array<double, 7>;
+
+/// The first criterion by which both differ; std::nullopt if they are equal.
+std::optional<Criterion> difference(const Cost& a, const Cost& b);
+/// A clause for people: "there are fewer nodes ...".
+std::string text_of(Criterion criterion);
+
+/// Measures choices on one face.
+class CostMeasure {
+ public:
+  /// `field`: without tilts. Both must outlive this.
+  CostMeasure(const field::FieldEvaluator& field, const TieOrbits& ties);
+  /// `points`: what the choice leads to.
+  Cost operator()(const Choice& choice, const CriticalPoints& points) const;
+
+ private:
+  int far_sign(const field::FieldEvaluator& field, const Tie& tie) const;
+
+  const CadFace* face_;
+  const TieOrbits* ties_;
+  Vec2 middle_;
+  std::vector<int> far_signs_;  ///< of each tie; 1: the smaller valence, -1: the larger, 0: undecided
+};
+
+}  // namespace quadrille::ties

@@ -1,0 +1,232 @@
+#include "ties/choose_at_ties.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
+#include "guide/resolve_clusters.hpp"
+#include "ties/choice_cost.hpp"
+
+namespace quadrille::ties {
+namespace {
+
+constexpr std::size_t most_compared_together = 4;  // orbits
+
+struct Outcome {
+  CriticalPoints points;
+  Cost cost{};
+};
+
+/// Follows choices to their nodes. Each is tried once.
+class Trials {
+ public:
+  Trials(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve, const TieOptions& options)
+      : face_(field.field().mesh.face),
+        ties_(ties),
+        options_(options),
+        tilted_(field.field(), ties, solve),
+        measure_(field, ties) {}
+
+  /// Null if the choice leads to no admissible set of nodes.
+  const Outcome* of(const Choice& choice) {
+    const auto known = outcomes_.find(choice);
+    if (known != outcomes_.end()) return known->second ? &*known->second : nullptr;
+    std::optional<Outcome>& outcome = outcomes_[choice];
+    try {
+      outcome = attempt(choice);
+    } catch (const ComputeError&) {
+    }
+    return outcome ? &*outcome : nullptr;
+  }
+  /// Null if it was not tried, or leads to nothing.
+  const Outcome* known(const Choice& choice) const {
+    const auto found = outcomes_.find(choice);
+    return found != outcomes_.end() && found->second ? &*found->second : nullptr;
+  }
+  std::size_t count() const { return outcomes_.size(); }
+
+ private:
+  guide::CornerValences valences(const Choice& choice) const {
+    guide::CornerValences result = guide::corner_valences_by_angle(face_);
+    const auto set = [&](const Tie& tie, int valence) {
+      for (Corner& corner : result.corners)
+        if (corner.joint == tie.joint) corner.valence = valence, corner.source = NodeSource::line;
+    };
+    for (const Tie& tie : ties_.ties) set(tie, tie.smaller + 1);
+    for (std::size_t u = 0; u < choice.size(); ++u)
+      for (const int t : ties_.units[u])
+        if (choice[u]) set(ties_.ties[t], ties_.ties[t].smaller);
+    return result;
+  }
+
+  std::optional<Outcome> attempt(const Choice& choice) {
+    Outcome outcome;
+    Report of_this_choice;
+    outcome.points =
+        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), of_this_choice);
+    guide::resolve_clusters(face_, options_.max_valence, outcome.points);
+    if (outcome.points.index_sum != outcome.points.index_sum_expected) return {};
+    outcome.cost = measure_(choice, outcome.points);
+    return outcome;
+  }
+
+  const CadFace& face_;
+  const TieOrbits& ties_;
+  TieOptions options_;
+  TiltedField tilted_;
+  CostMeasure measure_;
+  std::map<Choice, std::optional<Outcome>> outcomes_;
+};
+
+/// The search for the best choice.
+class Chooser {
+ public:
+  Chooser(const CadFace& face, const TieOrbits& ties, Trials& trials)
+      : face_(face), ties_(ties), trials_(trials), best_(ties.units.size(), false) {}
+
+  Choice run() {
+    const std::vector<std::vector<int>> sets = compared_sets();
+    trials_.of(best_);
+    for (int sweep = 0; sweep < 3 && improve(sets); ++sweep) continue;
+    halve();
+    return best_;
+  }
+
+ private:
+  /// Sets of orbits whose choices are compared with each other.
+  std::vector<std::vector<int>> compared_sets() const {
+    std::vector<std::vector<int>> sets;
+    if (ties_.orbits.size() <= most_compared_together) {
+      sets.emplace_back();
+      for (std::size_t o = 0; o < ties_.orbits.size(); ++o) sets.back().push_back(static_cast<int>(o));
+      return sets;
+    }
+    sets = chamfers(face_, ties_);
+    std::vector<bool> is_paired(ties_.orbits.size(), false);
+    for (const std::vector<int>& pair : sets)
+      for (const int o : pair) is_paired[o] = true;
+    for (std::size_t o = 0; o < is_paired.size(); ++o)
+      if (!is_paired[o]) sets.push_back({static_cast<int>(o)});
+    return sets;
+  }
+
+  /// Whether `choice` is better than the best so far; it then becomes the best.
+  bool take_if_better(const Choice& choice) {
+    const Outcome *now = trials_.of(best_), *then = trials_.of(choice);
+    if (!then) return false;
+    if (now) {
+      const auto criterion = difference(then->cost, now->cost);
+      if (!criterion) return false;
+      const auto i = static_cast<std::size_t>(*criterion);
+      if (then->cost[i] > now->cost[i]) return false;
+    }
+    best_ = choice;
+    return true;
+  }
+
+  Choice with_orbit(Choice choice, int orbit, bool is_smaller) const {
+    for (const int u : ties_.orbits[orbit]) choice[u] = is_smaller;
+    return choice;
+  }
+
+  bool improve(const std::vector<std::vector<int>>& sets) {
+    const Choice before = best_;
+    for (const std::vector<int>& set : sets) {
+      const Choice start = best_;
+      for (unsigned bits = 0; bits < (1U << set.size()); ++bits) {
+        Choice choice = start;
+        for (std::size_t i = 0; i < set.size(); ++i) choice = with_orbit(choice, set[i], bits >> i & 1U);
+        take_if_better(choice);
+      }
+    }
+    return best_ != before && sets.size() > 1;
+  }
+
+  /// Lets mirror images differ where a node would have hardly any room.
+  void halve() {
+    for (const std::vector<int>& orbit : ties_.orbits) {
+      const Outcome* now = trials_.of(best_);
+      if (orbit.size() < 2 || (now && now->cost[static_cast<std::size_t>(Criterion::crowded)] == 0)) continue;
+      for (const bool is_first : {true, false}) {
+        Choice choice = best_;
+        choice[orbit[0]] = is_first;
+        choice[orbit[1]] = !is_first;
+        take_if_better(choice);
+      }
+    }
+  }
+
+  const CadFace& face_;
+  const TieOrbits& ties_;
+  Trials& trials_;
+  Choice best_;
+};
+
+/// Why a unit has its valence: what would be worse with the other one.
+std::string reason(const Choice& choice, const TieOrbits& ties, const Trials& trials, std::size_t unit) {
+  Choice other = choice;
+  for (const int u : ties.orbits[ties.unit2orbit[unit]]) other[u] = !choice[u];
+  const Outcome *chosen = trials.known(choice), *instead = trials.known(other);
+  if (!instead) return "by rule";
+  const auto criterion = difference(chosen->cost, instead->cost);
+  return criterion ? "because " + text_of(*criterion) : "because it comes first in the file";
+}
+
+void record(const CadFace& face, const Choice& choice, const TieOrbits& ties, const Trials& trials,
+            CriticalPoints& points) {
+  for (std::size_t u = 0; u < choice.size(); ++u) {
+    const Tie& first = ties.ties[ties.units[u].front()];
+    NodeChange change{ChangeKind::line, "", {}, {}};
+    change.reason = fmt::format(
+        "{} corners near {:g} degrees, where the field does not decide between two valences: valence {}, {}",
+        ties.units[u].size(), degrees(first.angle), first.smaller + (choice[u] ? 0 : 1),
+        reason(choice, ties, trials, u));
+    for (const int t : ties.units[u])
+      change.after.push_back(
+          {face.joints[ties.ties[t].joint].position, first.smaller + (choice[u] ? 0 : 1), NodeLocation::corner});
+    points.changes.push_back(change);
+  }
+}
+
+void warn_of_halves(const CadFace& face, const Choice& choice, const TieOrbits& ties, Report& report) {
+  for (const std::vector<int>& orbit : ties.orbits) {
+    if (choice[orbit.front()] == choice[orbit.back()]) continue;
+    const int joint = ties.ties[ties.units[orbit.front()].front()].joint;
+    report.warn(
+        warning::mirror_images_differ,
+        fmt::format("the chamfer at {} is too small for a node: corners that are mirror images of each other get "
+                    "different valences there, and the mesh is not symmetric; suppress the chamfer, or choose "
+                    "with --corner-valence",
+                    position_text(face.joints[joint].position + face.origin)));
+  }
+}
+
+}  // namespace
+
+CriticalPoints choose_at_ties(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve,
+                              const TieOptions& options, Report& report) {
+  options.search.validate();
+  const CadFace& face = field.field().mesh.face;
+  Trials trials(field, ties, solve, options);
+  const Choice choice = Chooser(face, ties, trials).run();
+  report.set("ties.corners", ties.ties.size());
+  report.set("ties.orbits", ties.orbits.size());
+  report.set("ties.searches", trials.count());
+  const Outcome* outcome = trials.of(choice);
+  if (!outcome)
+    throw ComputeError(fmt::format(
+        "no choice of valences at the {} corners near 45, 135, 225 or 315 degrees leads to nodes", ties.ties.size()));
+  warn_of_halves(face, choice, ties, report);
+  CriticalPoints points = outcome->points;
+  record(face, choice, ties, trials, points);
+  points.form = NodeForm::phase;
+  return points;
+}
+
+}  // namespace quadrille::ties

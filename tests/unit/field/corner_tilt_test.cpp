@@ -1,0 +1,63 @@
+#include "field/corner_tilt.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/polygon_field.hpp"
+#include "field/boundary_values.hpp"
+#include "field/corner_lifting.hpp"
+
+namespace quadrille::field {
+namespace {
+
+/// A plate with one chamfer: joints 2 and 3 have 135 degrees, the chamfer is curve 2.
+CadFace plate() { return polygon_face({{0, 0}, {4, 0}, {4, 2}, {3, 3}, {0, 3}}); }
+
+/// The data themselves.
+Vec2 value(const CadFace& face, const LiftedData& data, int curve, double t) {
+  return data.values(curve, t) + liftings_on_boundary(face, data.liftings, curve, t);
+}
+
+TEST(CornerTilt, turns_the_phase_at_the_corner_by_40_degrees_backward_before_and_forward_behind) {
+  const CadFace face = plate();
+  const LiftedData even = tilt_data(face, {2}, TiltPart::even), odd = tilt_data(face, {2}, TiltPart::odd);
+  for (const double sign : {1.0, -1.0}) {
+    const auto tilted = [&](int curve, double t) {
+      return boundary_value(face, curve, t) + value(face, even, curve, t) + sign * value(face, odd, curve, t);
+    };
+    const Vec2 before = tilted(1, face.curves[1].end()), behind = tilted(2, face.curves[2].begin());
+    EXPECT_NEAR(degrees(angle_of(before)), -40 * sign, 1e-9);
+    EXPECT_NEAR(degrees(wrap_two_pi(angle_of(behind))), 180 + 40 * sign, 1e-9);
+    EXPECT_NEAR(norm(before), 1, 1e-12);
+  }
+}
+
+TEST(CornerTilt, ends_at_half_of_the_shorter_curve) {
+  const CadFace face = plate();
+  const LiftedData odd = tilt_data(face, {2}, TiltPart::odd);
+  const double begin = face.curves[2].begin(), end = face.curves[2].end();
+  EXPECT_GT(norm(value(face, odd, 2, begin + 0.4 * (end - begin))), 1e-4);
+  for (const double f : {0.5, 0.75, 1.0}) EXPECT_NEAR(norm(value(face, odd, 2, begin + f * (end - begin))), 0, 1e-12);
+  EXPECT_NEAR(norm(value(face, odd, 0, face.curves[0].begin())), 0, 1e-12);
+}
+
+TEST(CornerTilt, is_continuous_round_the_loop_without_its_liftings) {
+  const CadFace face = plate();
+  for (const TiltPart part : {TiltPart::even, TiltPart::odd}) {
+    const LiftedData data = tilt_data(face, {2, 3}, part);
+    EXPECT_EQ(data.liftings.size(), 2u);
+    for (int joint = 0; joint < face.num_curves(); ++joint) {
+      const int before = face.previous_in_loop(joint);
+      const Vec2 in = data.values(before, face.curves[before].end());
+      EXPECT_NEAR(norm(in - data.values(joint, face.curves[joint].begin())), 0, 1e-12);
+    }
+  }
+}
+
+TEST(CornerTilt, only_the_even_part_jumps_at_an_exact_tie) {
+  const CadFace face = plate();
+  EXPECT_GT(norm(tilt_data(face, {2}, TiltPart::even).liftings[0].jump), 0.1);
+  EXPECT_NEAR(norm(tilt_data(face, {2}, TiltPart::odd).liftings[0].jump), 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace quadrille::field
