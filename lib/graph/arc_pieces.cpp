@@ -36,6 +36,8 @@ std::pair<Pieces, Pieces> cut(const Pieces& pieces, const curve::ChainPoint& at)
   Pieces before(pieces.begin(), pieces.begin() + at.piece + 1), behind(pieces.begin() + at.piece, pieces.end());
   before.back().t1 = at.t;
   behind.front().t0 = at.t;
+  if (before.size() > 1 && before.back().t0 == at.t) before.pop_back();
+  if (behind.size() > 1 && behind.front().t1 == at.t) behind.erase(behind.begin());
   return {before, behind};
 }
 

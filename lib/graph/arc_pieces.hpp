@@ -20,7 +20,7 @@ Pieces pieces_along(const ArcGraph& graph, HalfEdge h);
 /// One path after the other; pieces that continue each other on one curve become one piece.
 Pieces joined(Pieces first, const Pieces& second);
 
-/// The part of a path before a point of it, and the part behind.
+/// The part of a path before a point of it, and the part behind; neither has a piece of length zero at a joint.
 std::pair<Pieces, Pieces> cut(const Pieces& pieces, const curve::ChainPoint& at);
 
 }  // namespace quadrille::graph

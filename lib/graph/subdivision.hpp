@@ -61,8 +61,9 @@ class Subdivision {
   /// starts there to the one that ends there.
   std::vector<HalfEdge> around(int node) const;
 
-  /// Divides an arc at a new node: interior of valence 4, or of valence 2 on the boundary. The arc is removed; new are
-  /// the arcs `first` and `second`, in the direction of h, and the node. A boundary arc is divided forwards.
+  /// Divides an arc at a new node: interior of valence 4, or of valence 2 on the boundary. `first` and `second` are the
+  /// two parts of h, in its direction, with these pieces. The arc keeps its number and becomes its part before the node
+  /// in its own direction; the other part is new.
   struct Division {
     int node = -1;
     HalfEdge first, second;

@@ -28,30 +28,30 @@ void Subdivision::retire(int arc) {
 
 Subdivision::Division Subdivision::divide_arc(HalfEdge h, const GraphNode& node, std::vector<ArcPiece> first,
                                               std::vector<ArcPiece> second) {
+  if (h.is_backwards) {
+    const Division forwards =
+        divide_arc(h.reversed(), node, reversed_pieces(std::move(second)), reversed_pieces(std::move(first)));
+    return {forwards.node, forwards.second.reversed(), forwards.first.reversed()};
+  }
   const HalfEdge back = h.reversed();
   const bool is_boundary = graph_.arcs[h.arc].is_boundary;
-  if (is_boundary && h.is_backwards) throw Defect("Subdivision: a boundary arc is divided forwards");
   const Record left = record(h), right = record(back);
-  const HalfEdge before = previous(h), behind = is_boundary ? HalfEdge{} : previous(back);
-  const int n = node_bound(), from = start(h), to = end(h);
-  const HalfEdge a = add_arc(from, n, is_boundary, std::move(first)),
-                 b = add_arc(n, to, is_boundary, std::move(second));
+  const HalfEdge behind = is_boundary ? HalfEdge{} : previous(back);
+  const int n = node_bound(), to = end(h);
   graph_.nodes.push_back(node);
-  node_start_.push_back(b);
-  // If the arc follows itself around a face, so do its parts.
-  const auto renamed = [&](HalfEdge x) { return x == h ? a : x == back ? b.reversed() : x; };
-  record(before).next = a;
-  record(a) = {b, left.face, straight};
-  record(b) = {renamed(left.next), left.face, left.quarters};
+  const HalfEdge rest = add_arc(n, to, is_boundary, std::move(second));
+  node_start_.push_back(rest);
+  graph_.arcs[h.arc].to = n;
+  graph_.arcs[h.arc].pieces = std::move(first);
+  // The arc may end at a node without other arcs: then its reverse follows it.
+  record(rest) = {left.next == back ? rest.reversed() : left.next, left.face, left.quarters};
+  record(h) = {rest, left.face, straight};
   if (!is_boundary) {
-    record(behind).next = b.reversed();
-    record(b.reversed()) = {a.reversed(), right.face, straight};
-    record(a.reversed()) = {renamed(right.next), right.face, right.quarters};
+    record(behind == h ? rest : behind).next = rest.reversed();
+    record(rest.reversed()) = {back, right.face, straight};
   }
-  for (HalfEdge* anchor : {&node_start_[from], &node_start_[to], &face_start_[left.face]}) *anchor = renamed(*anchor);
-  if (right.face >= 0) face_start_[right.face] = renamed(face_start_[right.face]);
-  retire(h.arc);
-  return {n, a, b};
+  if (node_start_[to] == back) node_start_[to] = rest.reversed();
+  return {n, h, rest};
 }
 
 HalfEdge Subdivision::insert_arc(const Sector& from, const Sector& to, std::vector<ArcPiece> pieces) {

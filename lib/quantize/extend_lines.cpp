@@ -9,24 +9,13 @@
 namespace quadrille::quantize {
 namespace {
 
-// Copies the T-mesh without its arcs and lines.
-SeparatrixGraph without_arcs(const graph::CandidateLayout& t_mesh) {
-  SeparatrixGraph graph;
-  graph.provenance = t_mesh.provenance;
-  graph.face = t_mesh.graph().face;
-  graph.certificate = t_mesh.certificate;
-  graph.splines = t_mesh.graph().splines;
-  graph.nodes = t_mesh.graph().nodes;
-  return graph;
-}
-
-void add_split_lines(const std::vector<SeparatrixLine>& lines, const SplitArcs& split, SeparatrixGraph& graph) {
-  for (SeparatrixLine line : lines) {
+std::vector<SeparatrixLine> split_lines(std::vector<SeparatrixLine> lines, const ArcParts& parts) {
+  for (SeparatrixLine& line : lines) {
     std::vector<int> arcs;
-    for (const int a : line.arcs) arcs.insert(arcs.end(), split.parts[a].begin(), split.parts[a].end());
+    for (const int a : line.arcs) arcs.insert(arcs.end(), parts[a].begin(), parts[a].end());
     line.arcs = std::move(arcs);
-    graph.lines.push_back(std::move(line));
   }
+  return lines;
 }
 
 }  // namespace
@@ -42,12 +31,13 @@ graph::CandidateLayout extend_lines(const graph::CandidateLayout& layout, const 
     arc_lengths.push_back(chains.back().length());
   }
   const QuantizedParametrization parametrization(t_mesh, faces, lengths, std::move(arc_lengths));
-  SeparatrixGraph graph = without_arcs(layout);
-  const SplitArcs split = split_arcs(t_mesh, chains, parametrization.crossing_fractions(), graph);
-  add_split_lines(layout.lines, split, graph);
+  graph::CandidateLayout extended = layout;
+  const ArcParts parts = split_arcs(chains, parametrization.crossing_fractions(), extended.subdivision);
+  extended.lines = split_lines(layout.lines, parts);
+  extended.t_junctions.clear();
   for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-    draw_iso_lines(t_mesh, parametrization, split, table, f, graph);
-  graph::CandidateLayout extended = graph::candidate_layout(std::move(graph), layout.num_built);
+    draw_iso_lines({t_mesh, table, parametrization, parts}, f, extended);
+  extended.subdivision.compact();
   graph::require_four_corners(extended.subdivision);
   return extended;
 }

@@ -1,49 +1,41 @@
 #include "quantize/split_arcs.hpp"
 
+#include <algorithm>
+#include <iterator>
+
+#include "graph/divide_at_point.hpp"
+
 namespace quadrille::quantize {
 namespace {
 
-void split_arc(const ArcGraph& t_mesh, int a, const curve::Chain& chain, const std::map<int, double>& fractions,
-               SplitArcs& split, SeparatrixGraph& graph) {
-  const GraphArc& arc = t_mesh.arcs[a];
-  GraphArc part{arc.from, arc.to, arc.is_boundary, 0, {}};
-  const auto add = [&](const ArcPiece& piece) {  // a crossing at a joint leaves nothing of the piece before it
-    if (piece.t0 != piece.t1) part.pieces.push_back(piece);
-  };
-  const auto finish = [&](int to) {
-    part.to = to;
-    split.parts[a].push_back(static_cast<int>(graph.arcs.size()));
-    graph.arcs.push_back(part);
-    part.pieces.clear();
-    part.from = to;
-  };
-  ArcPiece rest = arc.pieces.front();
-  size_t k = 0;  // the piece of which `rest` is the remaining part
-  for (const auto& [number, fraction] : fractions) {
-    const curve::ChainPoint at = chain.at(fraction);
-    for (; static_cast<int>(k) < at.piece; rest = arc.pieces[++k]) add(rest);
-    add({rest.curve, rest.t0, at.t});
-    rest.t0 = at.t;
-    const int node = static_cast<int>(graph.nodes.size());
-    graph.nodes.push_back(arc.is_boundary ? GraphNode{at.position, NodeKind::boundary, 2, rest.curve, at.t}
-                                          : GraphNode{at.position, NodeKind::crossing, 4, -1, 0});
-    split.node_of_crossing[{a, number}] = node;
-    finish(node);
-  }
-  add(rest);
-  for (++k; k < arc.pieces.size(); ++k) part.pieces.push_back(arc.pieces[k]);
-  finish(arc.to);
+// From the last crossing to the first: what remains of the arc begins with the pieces of the chain.
+std::vector<int> split_arc(int arc, const curve::Chain& chain, const std::map<int, double>& fractions,
+                           graph::Subdivision& subdivision) {
+  std::vector<int> parts;
+  for (auto crossing = fractions.rbegin(); crossing != fractions.rend(); ++crossing)
+    parts.push_back(graph::divide_at_point(subdivision, {arc}, chain.at(crossing->second)).second.arc);
+  parts.push_back(arc);
+  std::reverse(parts.begin(), parts.end());
+  return parts;
 }
 
 }  // namespace
 
-SplitArcs split_arcs(const ArcGraph& t_mesh, const std::vector<curve::Chain>& chains,
-                     const CrossingFractions& fractions, SeparatrixGraph& graph) {
-  SplitArcs split;
-  split.parts.resize(t_mesh.arcs.size());
-  for (int a = 0; a < static_cast<int>(t_mesh.arcs.size()); ++a)
-    split_arc(t_mesh, a, chains[a], fractions[a], split, graph);
-  return split;
+ArcParts split_arcs(const std::vector<curve::Chain>& chains, const CrossingFractions& fractions,
+                    graph::Subdivision& subdivision) {
+  ArcParts parts;
+  for (size_t a = 0; a < chains.size(); ++a)
+    parts.push_back(split_arc(static_cast<int>(a), chains[a], fractions[a], subdivision));
+  return parts;
+}
+
+HalfEdge part_before(const QuantizedParametrization& parametrization, const ArcParts& parts, int face, int side,
+                     int position) {
+  const auto [h, number] = parametrization.sides().half_edge_at(face, side, position);
+  const std::map<int, double>& crossings = parametrization.crossing_fractions()[h.arc];
+  const auto next = h.is_backwards ? crossings.upper_bound(parametrization.sides().arc(h.arc) - number)
+                                   : crossings.lower_bound(number);
+  return {parts[h.arc][std::distance(crossings.begin(), next)], h.is_backwards};
 }
 
 }  // namespace quadrille::quantize

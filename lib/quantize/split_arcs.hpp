@@ -1,23 +1,23 @@
 #pragma once
 // Splits the arcs of a T-mesh at their crossings with iso-lines.
 
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "curve/chain.hpp"
+#include "graph/subdivision.hpp"
 #include "quantize/quantized_parametrization.hpp"
 
 namespace quadrille::quantize {
 
-struct SplitArcs {
-  std::vector<std::vector<int>> parts;  ///< of each arc of the T-mesh: arcs of the graph, in its direction
-  std::map<std::pair<int, int>, int> node_of_crossing;  ///< by arc of the T-mesh and number of the point
-};
+/// Of each arc of the T-mesh: the arcs that it is split into, in its direction.
+using ArcParts = std::vector<std::vector<int>>;
 
-/// Appends the parts of all arcs, and a node for each crossing, to `graph`, whose nodes and curves must be the nodes
-/// and curves of the T-mesh. `chains`: of the arcs.
-SplitArcs split_arcs(const ArcGraph& t_mesh, const std::vector<curve::Chain>& chains,
-                     const CrossingFractions& fractions, SeparatrixGraph& graph);
+/// Splits the arcs of `subdivision`, a T-mesh, at these fractions of their lengths. `chains`: of the arcs.
+ArcParts split_arcs(const std::vector<curve::Chain>& chains, const CrossingFractions& fractions,
+                    graph::Subdivision& subdivision);
+
+/// The half-edge that ends at a position on a side of a face: at a crossing, or at the end of an arc.
+HalfEdge part_before(const QuantizedParametrization& parametrization, const ArcParts& parts, int face, int side,
+                     int position);
 
 }  // namespace quadrille::quantize

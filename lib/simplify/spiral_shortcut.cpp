@@ -6,6 +6,7 @@
 
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
+#include "graph/divide_at_point.hpp"
 
 namespace quadrille::simplify {
 namespace {
@@ -51,9 +52,8 @@ std::optional<SpiralShortcut> shortcut_between(const ArcGraph& graph, const Chor
 
 // A crossing of a blend with an inner rung.
 struct RungCrossing {
-  double s = 0;  // on the blend
-  curve::ChainPoint at;
-  graph::Pieces before, behind;  // of the rung
+  double s = 0;          // on the blend
+  curve::ChainPoint at;  // on the rung
 };
 
 // One crossing for each rung but the first and the last; std::nullopt if they are not in order.
@@ -64,13 +64,10 @@ std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, cons
   std::vector<RungCrossing> crossings;
   double s = spline.begin();
   for (int i = 1; i < last; ++i) {
-    const graph::Pieces pieces = graph::pieces_along(graph, shortcut.rungs[i]);
-    const curve::Chain chain(table, pieces);
+    const curve::Chain chain(table, graph::pieces_along(graph, shortcut.rungs[i]));
     double at = spline.begin() + (spline.end() - spline.begin()) * i / last, fraction = 0.5;
     if (!cross_chain(spline, chain, at, fraction) || at <= s) return std::nullopt;
-    const curve::ChainPoint x = chain.at(fraction);
-    auto [before, behind] = graph::cut(pieces, x);
-    crossings.push_back({at, x, std::move(before), std::move(behind)});
+    crossings.push_back({at, chain.at(fraction)});
     s = at;
   }
   return crossings;
@@ -80,7 +77,7 @@ std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, cons
 //
 // The blend lies between the rungs and the rails that it replaces: at its two ends the whole sector remains on the side
 // of the rung.
-void insert_blend(Subdivision& subdivision, const SpiralShortcut& shortcut, std::vector<RungCrossing> crossings,
+void insert_blend(Subdivision& subdivision, const SpiralShortcut& shortcut, const std::vector<RungCrossing>& crossings,
                   Nurbs spline) {
   const int last = static_cast<int>(shortcut.rungs.size()) - 1;
   const HalfEdge first_rung = shortcut.rungs.front(), last_rung = shortcut.rungs.back();
@@ -93,10 +90,8 @@ void insert_blend(Subdivision& subdivision, const SpiralShortcut& shortcut, std:
   const double s_end = spline.end();
   const int curve = subdivision.add_spline(std::move(spline));
   for (int i = 1; i < last; ++i) {
-    RungCrossing& crossing = crossings[i - 1];
-    const Subdivision::Division divided =
-        subdivision.divide_arc(shortcut.rungs[i], {crossing.at.position, NodeKind::crossing, 4, -1, 0},
-                               std::move(crossing.before), std::move(crossing.behind));
+    const RungCrossing& crossing = crossings[i - 1];
+    const Subdivision::Division divided = graph::divide_at_point(subdivision, shortcut.rungs[i], crossing.at);
     subdivision.insert_arc(from, {divided.second.reversed(), 1}, {{curve, s, crossing.s}});
     from = {divided.first, 1};
     s = crossing.s;
@@ -158,9 +153,9 @@ std::optional<Subdivision> with_shortcut(Subdivision subdivision, const SpiralSh
   }
   for (const HalfEdge h : shortcut.rungs)
     if (removed.contains(h.arc)) return std::nullopt;  // the line crosses itself
-  auto crossings = cross_rungs(subdivision.graph(), shortcut, spline);
+  const auto crossings = cross_rungs(subdivision.graph(), shortcut, spline);
   if (!crossings) return std::nullopt;
-  insert_blend(subdivision, shortcut, std::move(*crossings), std::move(spline));
+  insert_blend(subdivision, shortcut, *crossings, std::move(spline));
   for (const int a : removed)
     if (!subdivision.remove_arc(a)) return std::nullopt;
   for (const int n : crossed)

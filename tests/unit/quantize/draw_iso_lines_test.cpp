@@ -12,9 +12,11 @@ using square_t_mesh::Line;
 
 /// The T-mesh of some lines in the square, with the iso-lines of all faces drawn.
 struct Drawn {
-  SeparatrixGraph t_mesh, graph;
+  SeparatrixGraph t_mesh;
+  ArcGraph graph;
+  std::vector<SeparatrixLine> lines;  ///< those that were drawn
 
-  explicit Drawn(const std::vector<Line>& lines) : t_mesh(square_t_mesh::make(lines)), graph(t_mesh) {
+  explicit Drawn(const std::vector<Line>& stopped) : t_mesh(square_t_mesh::make(stopped)) {
     const std::vector<TFace> faces = t_mesh_faces(graph::Subdivision(t_mesh));
     const std::vector<int> lengths = square_t_mesh::lengths_of_one_t(t_mesh, faces);
     const curve::CurveTable table(t_mesh.face, t_mesh.splines);
@@ -23,19 +25,21 @@ struct Drawn {
     for (const GraphArc& arc : t_mesh.arcs) chains.emplace_back(table, arc.pieces);
     for (const curve::Chain& chain : chains) arc_lengths.push_back(chain.length());
     const QuantizedParametrization parametrization(t_mesh, faces, lengths, arc_lengths);
-    graph.arcs.clear();
-    graph.lines.clear();
-    const SplitArcs split = split_arcs(t_mesh, chains, parametrization.crossing_fractions(), graph);
-    num_split = static_cast<int>(graph.arcs.size());
+    graph::CandidateLayout layout = graph::candidate_layout(t_mesh);
+    layout.lines.clear();
+    const ArcParts parts = split_arcs(chains, parametrization.crossing_fractions(), layout.subdivision);
+    num_split = layout.subdivision.arc_bound();
     for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-      draw_iso_lines(t_mesh, parametrization, split, table, f, graph);
+      draw_iso_lines({t_mesh, table, parametrization, parts}, f, layout);
+    graph = layout.graph();
+    lines = layout.lines;
   }
   int num_split = 0;  ///< arcs before lines were drawn
 
   Vec2 at(int node) const { return graph.nodes[node].position; }
   /// The drawn line between these points, in either direction.
   const SeparatrixLine* line_between(Vec2 a, Vec2 b) const {
-    for (const SeparatrixLine& line : graph.lines)
+    for (const SeparatrixLine& line : lines)
       if (std::min(distance(at(line.origin), a) + distance(at(line.end), b),
                    distance(at(line.origin), b) + distance(at(line.end), a)) < 1e-9)
         return &line;
@@ -45,14 +49,14 @@ struct Drawn {
 
 TEST(DrawIsoLines, AFaceWithoutLinesStaysAsItIs) {
   const Drawn drawn({{{0.3, 0}, {0.3, 1}, 0, 2}});
-  EXPECT_TRUE(drawn.graph.lines.empty());
+  EXPECT_TRUE(drawn.lines.empty());
   EXPECT_EQ(drawn.graph.arcs.size(), drawn.t_mesh.arcs.size());
   EXPECT_EQ(drawn.graph.splines.size(), 1u);
 }
 
 TEST(DrawIsoLines, AStoppedLineIsExtendedStraightToTheOppositeSide) {
   const Drawn drawn(square_t_mesh::one_t);
-  ASSERT_EQ(drawn.graph.lines.size(), 1u);
+  ASSERT_EQ(drawn.lines.size(), 1u);
   const SeparatrixLine* line = drawn.line_between({0.3, 0.4}, {0, 0.4});
   ASSERT_NE(line, nullptr);
   EXPECT_EQ(line->kind, LineKind::extended);
@@ -70,7 +74,7 @@ const std::vector<Line> crossing_lines{{{0.6, 0}, {0.6, 1}, 0, 2},
 
 TEST(DrawIsoLines, LinesOfBothDirectionsShareANodeWhereTheyCross) {
   const Drawn drawn(crossing_lines);
-  ASSERT_EQ(drawn.graph.lines.size(), 3u);
+  ASSERT_EQ(drawn.lines.size(), 3u);
   const SeparatrixLine *along = drawn.line_between({0.6, 0.3}, {0, 0.3}),
                        *up = drawn.line_between({0.2, 0.8}, {0.2, 0});
   ASSERT_TRUE(along && up);

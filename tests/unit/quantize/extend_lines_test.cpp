@@ -27,6 +27,7 @@ TEST(ExtendLines, TheStoppedLineGoesStraightOnToTheBoundary) {
   const std::vector<TFace> faces = t_mesh_faces(layout.subdivision);
   const graph::CandidateLayout whole = extend_lines(layout, faces, square_t_mesh::lengths_of_one_t(graph, faces));
   EXPECT_EQ(num_t_junctions(whole), 0);
+  EXPECT_EQ(whole.num_built, layout.num_built) << "updated locally";
   EXPECT_EQ(graph::require_four_corners(whole.subdivision), 4);
   EXPECT_TRUE(has_node(whole.graph(), {0, 0.4}));
   EXPECT_EQ(whole.lines.back().kind, LineKind::extended);

@@ -10,23 +10,24 @@ namespace {
 // The unit square. Arc 0 is its floor and its right side, arc 1 the rest, arc 2 a line from (0, 0) to (1, 1).
 struct SplitSquare : testing::Test {
   SeparatrixGraph graph = hand_made::unit_square();
-  SeparatrixGraph whole;
-  SplitArcs split;
+  ArcGraph whole;  ///< with split arcs
+  ArcParts parts;
 
   void make(const CrossingFractions& fractions) {
     graph.arcs.clear();
     graph.nodes = {graph.nodes[0], graph.nodes[2]};
+    for (GraphNode& node : graph.nodes) node.valence = 2;
     hand_made::add_arc(graph, 0, 1, true, {{0, 0, 1}, {1, 0, 1}});
     hand_made::add_arc(graph, 1, 0, true, {{2, 0, 1}, {3, 0, 1}});
     hand_made::add_cut(graph, 0, 1);
     const curve::CurveTable table(graph.face, graph.splines);
     std::vector<curve::Chain> chains;
     for (const GraphArc& arc : graph.arcs) chains.emplace_back(table, arc.pieces);
-    whole = graph;
-    whole.arcs.clear();
-    split = split_arcs(graph, chains, fractions, whole);
+    graph::Subdivision subdivision(graph);
+    parts = split_arcs(chains, fractions, subdivision);
+    whole = subdivision.graph();
   }
-  const GraphArc& part(int arc, int k) const { return whole.arcs[split.parts[arc][k]]; }
+  const GraphArc& part(int arc, int k) const { return whole.arcs[parts[arc][k]]; }
 
   static void expect_piece(const ArcPiece& piece, int curve, double t0, double t1) {
     EXPECT_EQ(piece.curve, curve);
@@ -40,7 +41,7 @@ TEST_F(SplitSquare, WithoutCrossingsEveryArcIsOnePart) {
   ASSERT_EQ(whole.arcs.size(), 3u);
   EXPECT_EQ(whole.nodes.size(), 2u);
   for (int a = 0; a < 3; ++a) {
-    ASSERT_EQ(split.parts[a].size(), 1u);
+    ASSERT_EQ(parts[a].size(), 1u);
     EXPECT_EQ(part(a, 0).from, graph.arcs[a].from);
     EXPECT_EQ(part(a, 0).to, graph.arcs[a].to);
     EXPECT_EQ(part(a, 0).is_boundary, a < 2);
@@ -50,17 +51,17 @@ TEST_F(SplitSquare, WithoutCrossingsEveryArcIsOnePart) {
 
 TEST_F(SplitSquare, ABoundaryArcIsCutInsideItsPieces) {
   make({{{1, 0.25}, {4, 0.75}}, {}, {}});
-  ASSERT_EQ(split.parts[0].size(), 3u);
+  ASSERT_EQ(parts[0].size(), 3u);
   expect_piece(part(0, 0).pieces.at(0), 0, 0, 0.5);
   ASSERT_EQ(part(0, 1).pieces.size(), 2u);
   expect_piece(part(0, 1).pieces[0], 0, 0.5, 1);
   expect_piece(part(0, 1).pieces[1], 1, 0, 0.5);
   ASSERT_EQ(part(0, 2).pieces.size(), 1u);
   expect_piece(part(0, 2).pieces[0], 1, 0.5, 1);
-  const int first = split.node_of_crossing.at({0, 1}), second = split.node_of_crossing.at({0, 4});
-  EXPECT_EQ(part(0, 0).to, first);
-  EXPECT_EQ(part(0, 1).from, first);
-  EXPECT_EQ(part(0, 1).to, second);
+  const int second = part(0, 1).to;
+  EXPECT_EQ(part(0, 1).from, part(0, 0).to);
+  EXPECT_EQ(part(0, 2).from, second);
+  EXPECT_EQ(part(0, 0).from, 0);
   EXPECT_EQ(part(0, 2).to, 1);
   const GraphNode& node = whole.nodes[second];
   EXPECT_EQ(node.kind, NodeKind::boundary);
@@ -71,7 +72,7 @@ TEST_F(SplitSquare, ABoundaryArcIsCutInsideItsPieces) {
 
 TEST_F(SplitSquare, TwoCrossingsMayLieOnOnePiece) {
   make({{{1, 0.1}, {2, 0.2}}, {}, {}});
-  ASSERT_EQ(split.parts[0].size(), 3u);
+  ASSERT_EQ(parts[0].size(), 3u);
   ASSERT_EQ(part(0, 1).pieces.size(), 1u);
   expect_piece(part(0, 1).pieces[0], 0, 0.2, 0.4);
   EXPECT_EQ(part(0, 2).pieces.size(), 2u);
@@ -79,7 +80,7 @@ TEST_F(SplitSquare, TwoCrossingsMayLieOnOnePiece) {
 
 TEST_F(SplitSquare, ACutAtAJointLeavesNoPieceOfNoLength) {
   make({{{1, 0.5}}, {}, {}});
-  ASSERT_EQ(split.parts[0].size(), 2u);
+  ASSERT_EQ(parts[0].size(), 2u);
   for (const int k : {0, 1}) {
     ASSERT_EQ(part(0, k).pieces.size(), 1u);
     expect_piece(part(0, k).pieces[0], k, 0, 1);
@@ -88,8 +89,8 @@ TEST_F(SplitSquare, ACutAtAJointLeavesNoPieceOfNoLength) {
 
 TEST_F(SplitSquare, ALineInsideGetsRegularNodes) {
   make({{}, {}, {{2, 0.5}}});
-  ASSERT_EQ(split.parts[2].size(), 2u);
-  const GraphNode& node = whole.nodes[split.node_of_crossing.at({2, 2})];
+  ASSERT_EQ(parts[2].size(), 2u);
+  const GraphNode& node = whole.nodes[part(2, 0).to];
   EXPECT_EQ(node.kind, NodeKind::crossing);
   EXPECT_EQ(node.valence, 4);
   EXPECT_EQ(node.curve, -1);
