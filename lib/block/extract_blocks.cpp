@@ -20,12 +20,16 @@ void require_conforming(const SeparatrixGraph& graph) {
 
 }  // namespace
 
-BlockLayout extract_blocks(const SeparatrixGraph& graph) {
+graph::Subdivision subdivision_into_blocks(const SeparatrixGraph& graph) {
   require_conforming(graph);
   graph::Subdivision subdivision(graph);
   if (graph::require_four_corners(subdivision) == 0) throw ComputeError("the graph has no faces");
+  return subdivision;
+}
+
+BlockLayout blocks_of(const graph::Subdivision& subdivision) {
   BlockLayout layout;
-  layout.provenance = graph.provenance;
+  static_cast<ArcGraph&>(layout) = subdivision.graph();
   for (int f = 0; f < subdivision.face_bound(); ++f) {
     const std::vector<HalfEdge> cycle = subdivision.cycle(f);
     std::array<HalfEdge, 4> arcs;
@@ -35,9 +39,14 @@ BlockLayout extract_blocks(const SeparatrixGraph& graph) {
     layout.block2nodes.push_back(nodes);
     layout.block_names.emplace_back();
   }
-  static_cast<ArcGraph&>(layout) = subdivision.release();
   layout.unnamed_blocks = replace_empty_names(layout.block_names, "block");
   layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
+  return layout;
+}
+
+BlockLayout extract_blocks(const SeparatrixGraph& graph) {
+  BlockLayout layout = blocks_of(subdivision_into_blocks(graph));
+  layout.provenance = graph.provenance;
   return layout;
 }
 

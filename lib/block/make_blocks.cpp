@@ -11,7 +11,6 @@
 #include "block/extract_blocks.hpp"
 #include "block/report_layout.hpp"
 #include "block/split_chord.hpp"
-#include "mesh/chords.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -45,16 +44,28 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
   return arcs;
 }
 
-/// Cuts each of these chords once. Returns false if none can be cut.
-bool cut_once(Blocks& blocks) {
-  std::vector<bool> sound;
-  for (const BlockMeasure& m : blocks.measures) sound.push_back(is_good(m));
-  bool has_cut = false;
-  for (const int arc : arcs_to_cut(blocks)) {
-    has_cut |= split_chord(blocks.layout, blocks.layout.arc_chord[arc], sound);
-    sound.resize(blocks.layout.block2nodes.size(), false);
+/// The blocks of a subdivision, measured.
+struct Trial {
+  explicit Trial(graph::Subdivision s) : subdivision(std::move(s)) { measure(); }
+  void measure() {
+    blocks.layout = blocks_of(subdivision);
+    blocks.measures = measure_blocks(blocks.layout);
   }
-  if (has_cut) blocks.measures = measure_blocks(blocks.layout);
+
+  graph::Subdivision subdivision;
+  Blocks blocks;
+};
+
+/// Cuts each of these chords once. Returns false if none can be cut.
+bool cut_once(Trial& trial) {
+  std::vector<bool> sound;
+  for (const BlockMeasure& m : trial.blocks.measures) sound.push_back(is_good(m));
+  bool has_cut = false;
+  for (const int arc : arcs_to_cut(trial.blocks)) {
+    has_cut |= split_chord(trial.subdivision, arc, sound);
+    sound.resize(trial.subdivision.face_bound(), false);
+  }
+  if (has_cut) trial.measure();
   return has_cut;
 }
 
@@ -71,16 +82,15 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
 
 }  // namespace
 
-Blocks mend_blocks(BlockLayout layout, Report& report) {
-  Blocks best{std::move(layout), {}};
-  best.measures = measure_blocks(best.layout);
-  const int blocks_before = best.layout.num_blocks();
-  Blocks trial = best;
+Blocks mend_blocks(graph::Subdivision subdivision, Report& report) {
+  const int blocks_before = subdivision.num_faces();
+  Trial trial(std::move(subdivision));
+  Blocks best = trial.blocks;
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < 2; ++round) {
-    if (faults(trial.measures).second == 0 || !cut_once(trial)) break;
-    const bool helps = faults(trial.measures) < faults(best.measures);
-    if (helps) best = trial;
+    if (faults(trial.blocks.measures).second == 0 || !cut_once(trial)) break;
+    const bool helps = faults(trial.blocks.measures) < faults(best.measures);
+    if (helps) best = trial.blocks;
     in_vain = helps ? 0 : in_vain + 1;
   }
   keep_measures(best.measures, best.layout);
@@ -90,7 +100,8 @@ Blocks mend_blocks(BlockLayout layout, Report& report) {
 }
 
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report) {
-  Blocks blocks = mend_blocks(extract_blocks(graph), report);
+  Blocks blocks = mend_blocks(subdivision_into_blocks(graph), report);
+  blocks.layout.provenance = graph.provenance;
   report_layout(blocks.layout, blocks.measures, report);
   return blocks;
 }

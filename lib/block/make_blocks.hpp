@@ -3,6 +3,7 @@
 
 #include "base/report.hpp"
 #include "block/measure_blocks.hpp"
+#include "graph/subdivision.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::block {
@@ -12,14 +13,14 @@ struct Blocks {
   std::vector<BlockMeasure> measures;
 };
 
-/// extract_blocks, then mend_blocks, then all measures, which are written to `report`.
+/// subdivision_into_blocks, then mend_blocks, then all measures, which are written to `report`.
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report);
 
-/// Cuts the chords of bad blocks lengthwise through their long sides, up to four times, or until two consecutive cuts
-/// bring no improvement. A block is bad if its exact map cannot be proved valid (BlockMeasure::divisions == 0) or has a
-/// scaled Jacobian below 0.1. Keeps the result with the fewest blocks of the first kind, among these the fewest bad
-/// ones, among these the fewest cuts. Layouts without bad blocks are not changed. Issues a warning with the position
-/// for blocks that remain invalid.
-Blocks mend_blocks(BlockLayout layout, Report& report);
+/// The faces of `subdivision` are the blocks. Cuts the chords of bad blocks lengthwise through their long sides, up to
+/// four times, or until two consecutive cuts bring no improvement. A block is bad if its exact map cannot be proved
+/// valid (BlockMeasure::divisions == 0) or has a scaled Jacobian below 0.1. Keeps the result with the fewest blocks of
+/// the first kind, among these the fewest bad ones, among these the fewest cuts. Layouts without bad blocks are not
+/// changed. Issues a warning with the position for blocks that remain invalid.
+Blocks mend_blocks(graph::Subdivision subdivision, Report& report);
 
 }  // namespace quadrille::block

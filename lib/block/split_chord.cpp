@@ -1,14 +1,16 @@
 #include "block/split_chord.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "block/block_maps.hpp"
+#include "block/extract_blocks.hpp"
 #include "block/opposite_points.hpp"
 #include "curve/fit_line.hpp"
 #include "curve/nurbs.hpp"
+#include "graph/divide_at_point.hpp"
 #include "mesh/chords.hpp"
 
 namespace quadrille::block {
@@ -29,7 +31,7 @@ bool may_be_cut(const BlockLayout& layout, int chord) {
   return true;
 }
 
-std::vector<Crossing> blocks_of(const BlockLayout& layout, int chord) {
+std::vector<Crossing> blocks_of_chord(const BlockLayout& layout, int chord) {
   std::vector<Crossing> crossings;
   for (int b = 0; b < layout.num_blocks(); ++b)
     for (int k = 0; k < 2; ++k)
@@ -123,84 +125,43 @@ Nurbs cut_curve(const BlockLayout& layout, const BlockMaps& maps, const Crossing
   return curve::fit_line(curve, length, tolerance);
 }
 
-/// Divides an arc at the fraction f in its own direction: it keeps the first part. Returns the number of the second.
-int divide_arc(BlockLayout& layout, const curve::Chain& chain, int id, double f) {
-  curve::ChainPoint at = chain.at(f);
-  std::vector<ArcPiece> pieces = layout.arcs[id].pieces;
-  const ArcPiece& piece = pieces[at.piece];
-  const double tiny = 1e-9 * std::abs(piece.t1 - piece.t0);
-  if (std::abs(at.t - piece.t1) <= tiny && at.piece + 1 < static_cast<int>(pieces.size()))
-    ++at.piece, at.t = pieces[at.piece].t0;
-  const bool at_joint = at.piece > 0 && std::abs(at.t - pieces[at.piece].t0) <= tiny;
-  if (at_joint) at.t = pieces[at.piece].t0;
-  const bool is_boundary = layout.arcs[id].is_boundary;
-  const int node = static_cast<int>(layout.nodes.size()), second = static_cast<int>(layout.arcs.size());
-  layout.nodes.push_back({at.position, is_boundary ? NodeKind::boundary : NodeKind::crossing, is_boundary ? 2 : 4,
-                          is_boundary ? pieces[at.piece].curve : -1, is_boundary ? at.t : 0});
-  layout.arcs.push_back({node, layout.arcs[id].to, is_boundary, 0, {}});
-  GraphArc &before = layout.arcs[id], &after = layout.arcs[second];
-  before.to = node;
-  before.pieces.assign(pieces.begin(), pieces.begin() + at.piece + (at_joint ? 0 : 1));
-  after.pieces.assign(pieces.begin() + at.piece, pieces.end());
-  if (!at_joint) before.pieces.back().t1 = after.pieces.front().t0 = at.t;
-  return second;
+/// The fraction of a half-edge of which `fractions` has that of its arc.
+double along(HalfEdge h, const std::vector<double>& fractions) {
+  return h.is_backwards ? 1 - fractions[h.arc] : fractions[h.arc];
 }
 
-/// The two parts of a half-edge, in its direction.
-std::array<HalfEdge, 2> parts(HalfEdge h, int second) {
-  const HalfEdge other{second, h.is_backwards};
-  return h.is_backwards ? std::array{other, h} : std::array{h, other};
-}
-
-void divide_block(BlockLayout& layout, const Crossing& c, const std::vector<int>& second, int cut) {
-  const int k0 = c.side, k1 = k0 + 1, k2 = k0 + 2, k3 = (k0 + 3) % 4;
-  const std::array<int, 4> nodes = layout.block2nodes[c.block];
-  const std::array<HalfEdge, 4> sides = layout.block2arcs[c.block];
-  const std::array<HalfEdge, 2> near = parts(sides[k0], second[sides[k0].arc]);
-  const std::array<HalfEdge, 2> far = parts(sides[k2], second[sides[k2].arc]);
-  const int p = layout.arcs[cut].from, q = layout.arcs[cut].to;
-  std::array<int, 4> left_nodes = nodes, right_nodes = nodes;
-  std::array<HalfEdge, 4> left = sides, right = sides;
-  left_nodes[k1] = p, left_nodes[k2] = q;
-  left[k0] = near[0], left[k1] = {cut}, left[k2] = far[1];
-  right_nodes[k0] = p, right_nodes[k3] = q;
-  right[k0] = near[1], right[k2] = far[0], right[k3] = {cut, true};
-  layout.block2nodes[c.block] = left_nodes, layout.block2arcs[c.block] = left;
-  layout.block2nodes.push_back(right_nodes), layout.block2arcs.push_back(right);
-  layout.unnamed_blocks.push_back(layout.num_blocks() - 1);
-  layout.block_names.push_back(fmt::format("block_{}", layout.num_blocks() - 1));
+/// By arc of the layout, along the arc: the fraction at which the cut meets it.
+std::vector<double> arc_fractions(const BlockLayout& layout, const BlockMaps& maps, const mesh::Chord& chord,
+                                  const std::vector<Crossing>& crossings) {
+  const std::vector<double> fractions = cut_fractions(layout, maps, chord, crossings);
+  std::vector<double> by_arc(layout.arcs.size(), 0);
+  for (std::size_t i = 0; i < chord.arcs.size(); ++i)
+    by_arc[chord.arcs[i]] = chord.backwards[i] ? 1 - fractions[i] : fractions[i];
+  return by_arc;
 }
 
 }  // namespace
 
-bool split_chord(BlockLayout& layout, int id, const std::vector<bool>& is_sound) {
-  const std::vector<Crossing> crossings = blocks_of(layout, id);
+bool split_chord(graph::Subdivision& subdivision, int arc, const std::vector<bool>& is_sound) {
+  // All measures are taken before the subdivision is changed.
+  const BlockLayout layout = blocks_of(subdivision);
+  const int id = layout.arc_chord[arc];
+  const std::vector<Crossing> crossings = blocks_of_chord(layout, id);
   if (!may_be_cut(layout, id) || crosses_itself(crossings)) return false;
   const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord)[id];
-  // All measures are taken before the layout is changed.
-  const BlockLayout before = layout;
-  const BlockMaps maps(before);
-  const std::vector<double> fractions = cut_fractions(before, maps, chord, crossings);
-  std::vector<double> own(before.arcs.size(), 0);  // along the arc's own direction
-  for (std::size_t i = 0; i < chord.arcs.size(); ++i)
-    own[chord.arcs[i]] = chord.backwards[i] ? 1 - fractions[i] : fractions[i];
-  std::vector<int> second(before.arcs.size(), -1);
-  for (const int a : chord.arcs) second[a] = divide_arc(layout, maps.arc(a), a, own[a]);
+  const BlockMaps maps(layout);
+  const std::vector<double> fractions = arc_fractions(layout, maps, chord, crossings);
+  std::vector<int> second(layout.arcs.size(), -1);  // part of each divided arc
+  for (const int a : chord.arcs)
+    second[a] = graph::divide_at_point(subdivision, {a}, maps.arc(a).at(fractions[a])).second.arc;
+  const auto first_part = [&](HalfEdge h) { return HalfEdge{h.is_backwards ? second[h.arc] : h.arc, h.is_backwards}; };
   for (const Crossing& c : crossings) {
-    const HalfEdge near = before.block2arcs[c.block][c.side], far = before.block2arcs[c.block][c.side + 2];
-    const double f = near.is_backwards ? 1 - own[near.arc] : own[near.arc];
-    const double g = far.is_backwards ? own[far.arc] : 1 - own[far.arc];
-    layout.splines.push_back(cut_curve(before, maps, c, f, g, is_sound[c.block]));
-    const Nurbs& spline = layout.splines.back();
-    const int curve = layout.face.num_curves() + static_cast<int>(layout.splines.size()) - 1;
-    layout.arcs.push_back({layout.arcs[second[near.arc]].from,
-                           layout.arcs[second[far.arc]].from,
-                           false,
-                           0,
-                           {{curve, spline.begin(), spline.end()}}});
-    divide_block(layout, c, second, static_cast<int>(layout.arcs.size()) - 1);
+    const HalfEdge near = layout.block2arcs[c.block][c.side], far = layout.block2arcs[c.block][c.side + 2];
+    Nurbs cut = cut_curve(layout, maps, c, along(near, fractions), 1 - along(far, fractions), is_sound[c.block]);
+    const double begin = cut.begin(), end = cut.end();
+    const int curve = subdivision.add_spline(std::move(cut));
+    subdivision.insert_arc({first_part(near)}, {first_part(far)}, {{curve, begin, end}});
   }
-  layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
   return true;
 }
 

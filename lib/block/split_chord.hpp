@@ -15,13 +15,14 @@
 
 #include <vector>
 
-#include "block/block_maps.hpp"
+#include "graph/subdivision.hpp"
 
 namespace quadrille::block {
 
-/// Cuts `chord`; `is_sound[b]`: the exact map of block b is good, and the cut may follow it; elsewhere the cut is
-/// shaped like the block's two other sides. New blocks, nodes and arcs are appended, measures are not updated. Returns
-/// false without any change if the chord crosses itself or prescribes integer lengths.
-bool split_chord(BlockLayout& layout, int chord, const std::vector<bool>& is_sound);
+/// Cuts the chord of an arc; the faces of `subdivision` are blocks (block/extract_blocks.hpp), all numbers are in use.
+/// `is_sound[b]`: the exact map of block b is good, and the cut may follow it; elsewhere the cut is shaped like the
+/// block's two other sides. Blocks, arcs and nodes keep their numbers, new ones are numbered after them. Returns false
+/// without any change if the chord crosses itself or prescribes integer lengths.
+bool split_chord(graph::Subdivision& subdivision, int arc, const std::vector<bool>& is_sound);
 
 }  // namespace quadrille::block

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "block/extract_blocks.hpp"
 #include "block/make_blocks.hpp"
 #include "block_samples.hpp"
 #include "check/check.hpp"
@@ -16,9 +19,16 @@ std::string faults(const BlockLayout& layout) {
   return all;
 }
 
+int arc_of(const BlockLayout& layout, int chord) {
+  return static_cast<int>(std::find(layout.arc_chord.begin(), layout.arc_chord.end(), chord) -
+                          layout.arc_chord.begin());
+}
+
 BlockLayout cut(const SeparatrixGraph& graph, int chord) {
-  BlockLayout layout = extract_blocks(graph);
-  EXPECT_TRUE(split_chord(layout, chord, std::vector<bool>(layout.block2nodes.size(), true)));
+  graph::Subdivision subdivision = subdivision_into_blocks(graph);
+  EXPECT_TRUE(split_chord(subdivision, arc_of(blocks_of(subdivision), chord),
+                          std::vector<bool>(subdivision.num_faces(), true)));
+  BlockLayout layout = blocks_of(subdivision);
   keep_measures(measure_blocks(layout), layout);
   return layout;
 }
@@ -51,12 +61,13 @@ TEST(SplitChord, CutOfASoundBlockIsALineOfItsMap) {
 }
 
 TEST(SplitChord, LeavesPrescribedLengthsAlone) {
-  BlockLayout layout = extract_blocks(hand_made::unit_square());
-  layout.arcs[2].length = 3;
+  SeparatrixGraph square = hand_made::unit_square();
+  square.arcs[2].length = 3;
+  graph::Subdivision subdivision(square);
   const std::vector<bool> sound{true};
-  EXPECT_FALSE(split_chord(layout, 0, sound));
-  EXPECT_EQ(layout.num_blocks(), 1);
-  EXPECT_TRUE(split_chord(layout, 1, sound));
+  EXPECT_FALSE(split_chord(subdivision, 0, sound));
+  EXPECT_EQ(subdivision.num_faces(), 1);
+  EXPECT_TRUE(split_chord(subdivision, 1, sound));
 }
 
 TEST(MakeBlocks, LeavesSoundLayoutsAlone) {
