@@ -49,6 +49,14 @@ bool is_break(const Nurbs& curve, double before, double after, double length, do
   return std::abs(sa - sb) > tol * std::max({std::abs(sa), std::abs(sb), k * k});
 }
 
+/// The first of the longest spans [knots[j], knots[j + 1]] with j from first to last.
+int longest_span(const std::vector<double>& knots, int first, int last) {
+  int longest = first;
+  for (int j = first + 1; j <= last; ++j)
+    if (knots[j + 1] - knots[j] > knots[longest + 1] - knots[longest]) longest = j;
+  return longest;
+}
+
 }  // namespace
 
 Vec2 point(const Nurbs& curve, double t) {
@@ -139,11 +147,11 @@ Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
     if (knot > t0 + negligible && knot < t1 - negligible) part.knots.push_back(knot);
   part.knots.insert(part.knots.end(), p + 1, t1);
 
-  // Pole i is the blossom, at its p inner knots, of any polynomial piece that depends on it.
+  // Pole i is the blossom, at its p inner knots, of any polynomial piece that depends on it: of the longest, because a
+  // knot may lie next to t0 or t1, and what is extrapolated from a tiny piece is noise.
   const int num_poles = static_cast<int>(part.knots.size()) - p - 1;
   for (int i = 0; i < num_poles; ++i) {
-    int j = std::max(i, p);
-    while (part.knots[j + 1] == part.knots[j]) ++j;
+    const int j = longest_span(part.knots, std::max(i, p), std::min(i + p, num_poles - 1));
     const int k = find_span(curve, (part.knots[j] + part.knots[j + 1]) / 2);
     const Homogeneous h = de_boor(curve, k, p, local_poles(curve, k), [&](int r) { return part.knots[i + r]; });
     part.poles.push_back(projected(h));

@@ -106,6 +106,17 @@ TEST(Nurbs, trimming_keeps_parameters_and_points) {
   EXPECT_EQ(trimmed(arc, 0.2, 0.9).poles.front(), point(arc, 0.2));
 }
 
+TEST(Nurbs, trimming_beside_a_knot_and_again_keeps_the_poles) {
+  const double beside = 0.5 + 2e-12;
+  const Nurbs spline{3,
+                     {0, 0, 0, 0, 0.25, beside, 0.75, 1, 1, 1, 1},
+                     {{0, 0}, {0.1, 0.2}, {0.3, 0.3}, {0.5, 0.2}, {0.7, 0.3}, {0.9, 0.2}, {1, 0}},
+                     {1, 1, 1, 1, 1, 1, 1}};
+  const Nurbs once = trimmed(spline, 0.5, 1), twice = trimmed(once, 0.5, 0.875), direct = trimmed(spline, 0.5, 0.875);
+  ASSERT_EQ(twice.poles.size(), direct.poles.size());
+  for (std::size_t i = 0; i < twice.poles.size(); ++i) expect_near(twice.poles[i], direct.poles[i], 1e-14);
+}
+
 TEST(Nurbs, the_tangent_at_a_vanishing_derivative_is_its_limit) {
   // C = (t^2, t^3): a cusp at 0.
   const Nurbs curve{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0, 0}, {1.0 / 3, 0}, {1, 1}}, {1, 1, 1, 1}};
