@@ -52,8 +52,13 @@ int main(int argc, char** argv) {
         "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses it "
         "(motorcycle graph), and an integer program decides how they continue; auto: quantized if traced fails or "
         "needs more blocks; t-mesh: only the stopped separatrices, no layout");
-    o.integer("--max-lines", options.max_lines, 1, 1000000, "greatest number of arcs of separatrices in the graph");
+    o.integer("--max-lines", options.max_lines, 1, 1000000,
+              "traced layout: greatest number of arcs into which separatrices cut each other");
     o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
+    o.number(
+        "--max-total-length", options.trace.max_total_length, 0.01, 1e6, "diameters",
+        "traced layout: greatest sum of the lengths of all separatrices; with auto, the quantized layout is computed "
+        "if this or --max-lines is exceeded");
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");

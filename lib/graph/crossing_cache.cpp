@@ -6,10 +6,10 @@
 namespace quadrille::graph {
 
 const std::vector<Crossing>& CrossingCache::find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines,
-                                                 double same, Vec2 origin) {
+                                                 double same, CrossingBounds bounds) {
   std::map<CurveKey, int> numbers;
   std::vector<int> new_number(numbers_.size(), -1);
-  CrossingBounds bounds{.origin = origin, .sought = {}};
+  bounds.sought.clear();
   for (int i = 0; i < static_cast<int>(keys.size()); ++i) {
     numbers[keys[i]] = i;
     const auto known = numbers_.find(keys[i]);

@@ -14,10 +14,10 @@ using CurveKey = std::array<double, 3>;
 
 class CrossingCache {
  public:
-  /// find_crossings(splines, same), searched only for pairs with a new curve. Curves that occur again must keep their
-  /// order.
+  /// find_crossings(splines, same, bounds), searched only for pairs with a new curve; bounds.sought is not used. Curves
+  /// that occur again must keep their order.
   const std::vector<Crossing>& find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines, double same,
-                                    Vec2 origin);
+                                    CrossingBounds bounds);
 
  private:
   std::map<CurveKey, int> numbers_;

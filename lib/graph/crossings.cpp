@@ -125,7 +125,7 @@ struct Bands {
   int of(double y) const { return std::clamp(static_cast<int>((y - low) / height), 0, count - 1); }
 };
 
-/// Counts pairs of pieces up to the bound.
+/// Compares the numbers of pairs of pieces and of crossings with their bounds.
 class Counter {
  public:
   explicit Counter(const CrossingBounds& bounds) : bounds_(bounds) {}
@@ -137,6 +137,15 @@ class Counter {
         fmt::format("separatrices run beside each other too often: more than {} pairs of their pieces could cross, the "
                     "last near {}",
                     bounds_.max_pairs, position_text(position)));
+  }
+
+  void require_few_crossings(const std::vector<Crossing>& found) const {
+    if (found.size() <= bounds_.max_crossings) return;
+    const Vec2 place = found.back().position + bounds_.origin;
+    throw ComputeError(
+        fmt::format("separatrices cross each other more than the {} times allowed, the last near "
+                    "({:.6g}, {:.6g})",
+                    bounds_.max_crossings, place.x, place.y));
   }
 
  private:
@@ -241,6 +250,7 @@ class Finder {
       if (distance(found[i].position, position) <= same_) return true;
     const double angle = std::abs(std::atan2(cross(da, db), dot(da, db)));
     found.push_back({a, b, s, t, position, std::min(angle, std::numbers::pi - angle)});
+    counter_.require_few_crossings(found);
     return true;
   }
 

@@ -5,6 +5,7 @@
 // the angle between them, then Newton's method finds the only crossing that is possible. Curves are C2, so tangential
 // contacts of one curve with itself do not occur.
 
+#include <limits>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -25,7 +26,8 @@ struct Crossing {
 struct CrossingBounds {
   /// Pairs of pieces whose boxes meet, halved ones included. The plates of 100 holes need half a million.
   long long max_pairs = 10'000'000;
-  Vec2 origin{};             ///< added to positions in messages
+  std::size_t max_crossings = std::numeric_limits<std::size_t>::max();  ///< of the pairs searched
+  Vec2 origin{};                                                        ///< added to positions in messages
   std::vector<bool> sought;  ///< only pairs with a marked curve are searched; empty: all pairs are
 };
 

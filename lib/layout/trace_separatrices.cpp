@@ -21,12 +21,23 @@ namespace {
 // Lengths, in diameters, to which lines are traced in turn, until the choice of merges is decided.
 constexpr double reaches[] = {1, 4, std::numeric_limits<double>::infinity()};
 
+// Every crossing ends two arcs, but lines that meet at a node are counted as crossings too.
+constexpr std::size_t max_crossings_per_arc = 10;
+
 void require_few_arcs(const SeparatrixGraph& graph, int max_lines) {
   const auto count =
       std::count_if(graph.arcs.begin(), graph.arcs.end(), [](const GraphArc& arc) { return !arc.is_boundary; });
   if (count > max_lines)
     throw ComputeError(fmt::format("{} separatrices cut each other into {} arcs, more than the {} allowed",
                                    graph.lines.size(), count, max_lines));
+}
+
+void require_total_length(const trace::LineTracer& tracer, double diameter, double most) {
+  double total = 0;
+  for (const trace::Streamline& line : tracer.lines()) total += line.length() / diameter;
+  if (total > most)
+    throw ComputeError(fmt::format("{} separatrices are {:.3g} diameters long together, more than the {:g} allowed",
+                                   tracer.lines().size(), total, most));
 }
 
 struct Partition {
@@ -41,7 +52,8 @@ std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const
                                    const LayoutOptions& options) {
   const CadFace& face = evaluator.field().mesh.face;
   trace::MergedLines lines(evaluator, tracer.lines(), nodes, radians(options.trace.merge_angle),
-                           options.trace.merge_distance, trace::LineEnds::required, tracer.reach());
+                           options.trace.merge_distance, trace::LineEnds::required,
+                           {tracer.reach(), max_crossings_per_arc * options.max_lines});
   graph::CandidateLayout layout;
   // An aggressive merge may result in a face without four corners: such merges are rejected, the worst first.
   do {
@@ -69,6 +81,7 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   std::optional<Partition> found;
   for (const double reach : reaches) {
     tracer.follow_all_to(reach * face.diameter);
+    require_total_length(tracer, face.diameter, options.trace.max_total_length);
     found = partition(evaluator, fixed, nodes, tracer, options);
     if (found) break;
   }

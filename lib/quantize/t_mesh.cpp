@@ -38,6 +38,14 @@ std::vector<MotorcycleTrail> trails_of(const trace::LineArrangement& arrangement
   return trails;
 }
 
+[[noreturn]] void fail_stuck(const CadFace& face, const trace::Streamline& line) {
+  const Vec2 from = line.launch.origin + face.origin, to = line.end_position + face.origin;
+  throw ComputeError(
+      fmt::format("{} steps, the most allowed, take the separatrix from ({:.6g}, {:.6g}) no farther than {:.3g} "
+                  "diameters, to ({:.6g}, {:.6g}): the field turns too fast there",
+                  line.steps.size(), from.x, from.y, line.length() / face.diameter, to.x, to.y));
+}
+
 std::ptrdiff_t num_stopped(const std::vector<CoveredPart>& covered) {
   return std::count_if(covered.begin(), covered.end(), [](const CoveredPart& part) { return !part.is_whole(); });
 }
@@ -104,6 +112,7 @@ bool TMeshTracer::follow_unstopped_lines(const std::vector<CoveredPart>& covered
     const trace::MergedLine& merged = lines_.arrangement().lines[i];
     const trace::Streamline& line = tracer_.lines()[merged.streamline];
     if (merged.merge >= 0 || !line.is_endless() || !covered[i].is_whole()) continue;
+    if (line.is_stuck()) fail_stuck(evaluator_.field().mesh.face, line);
     any = true;
     if (line.is_limit_cycle || line.length() >= tracer_.max_length() * (1 - 1e-9)) {
       add_cut(cut_across_limit_cycle(evaluator_, tracer_, line), tracer_.max_length());

@@ -28,7 +28,7 @@ class TMeshTracer {
   TMeshTracer& operator=(const TMeshTracer&) = delete;
 
   /// The T-mesh, with merged_lines and the largest deviation of its certificate. Reports t_mesh.*. Throws ComputeError
-  /// if a line cannot be traced or if 100 cuts are not enough.
+  /// if a line cannot be traced, if one that no other stops needs too many steps, or if 100 cuts are not enough.
   graph::CandidateLayout trace(Report& report);
 
   /// Rejects, among the merges of lines with one of these arcs (`lines`: of the T-mesh traced last), those whose

@@ -98,6 +98,13 @@ std::optional<std::vector<int>> MergePlan::choose() {
   return chosen;
 }
 
+// The two lengths of a pair differ so little (trace/merge_candidates.cpp) that all pairs of such a line are known.
+std::optional<int> MergePlan::stuck_without_partner() const {
+  for (const int line : endless_without_partner(choose_by_rules()))
+    if (lines_[line].is_stuck() && 2 * lines_[line].length() < reach_) return line;
+  return std::nullopt;
+}
+
 bool MergePlan::reject_worst(const std::vector<int>& candidates, double least_deviation) {
   double worst = -1;
   for (const int c : candidates) worst = std::max(worst, candidates_[c].deviation);

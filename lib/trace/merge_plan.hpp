@@ -27,6 +27,10 @@ class MergePlan {
   /// for it. std::nullopt if continued lines might change the choice.
   std::optional<std::vector<int>> choose();
 
+  /// The first line that cannot be continued (Streamline::is_stuck), is far shorter than the reach and has no partner
+  /// by the rules; std::nullopt if there is none. Longer lines do not help it.
+  std::optional<int> stuck_without_partner() const;
+
   /// Rejects those of these candidates whose deviation is within 1e-6 of the largest: a symmetry orbit together.
   /// Returns false and rejects none if the largest is below `least_deviation` (radians).
   bool reject_worst(const std::vector<int>& candidates, double least_deviation);

@@ -28,11 +28,12 @@ namespace {
 
 MergedLines::MergedLines(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                          const std::vector<Vec2>& nodes, double merge_angle, double merge_distance, LineEnds ends,
-                         double reach)
+                         const LineBounds& bounds)
     : evaluator_(evaluator),
       lines_(lines),
       ends_(ends),
-      plan_(evaluator, lines, nodes, {std::max(merge_angle, same_line_angle), merge_distance}, reach),
+      max_crossings_(bounds.max_crossings),
+      plan_(evaluator, lines, nodes, {std::max(merge_angle, same_line_angle), merge_distance}, bounds.reach),
       fitter_(evaluator, lines) {}
 
 bool MergedLines::merge() {
@@ -41,7 +42,10 @@ bool MergedLines::merge() {
       chosen_ = plan_.choose_by_rules();
     } else {
       const std::optional<std::vector<int>> chosen = plan_.choose();
-      if (!chosen) return false;
+      if (!chosen) {
+        if (const auto stuck = plan_.stuck_without_partner()) fail_endless(face(), lines_[*stuck]);
+        return false;
+      }
       chosen_ = *chosen;
     }
     arrange();
@@ -63,8 +67,7 @@ void MergedLines::arrange() {
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
     const int c = merge_of[i];
     if (c >= 0 && plan_.candidate(c).b == i) continue;
-    if (c < 0 && ends_ == LineEnds::required && lines_[i].is_endless())
-      fail_endless(evaluator_.field().mesh.face, lines_[i]);
+    if (c < 0 && ends_ == LineEnds::required && lines_[i].is_endless()) fail_endless(face(), lines_[i]);
     arrangement_.lines.push_back(c >= 0 ? fitter_.pair(plan_.candidate(c), c) : fitter_.single(i));
   }
   std::vector<graph::CurveKey> keys;
@@ -73,15 +76,15 @@ void MergedLines::arrange() {
     keys.push_back(m.key);
     splines.push_back(m.line.spline);
   }
-  const CadFace& face = evaluator_.field().mesh.face;
-  arrangement_.crossings = cache_.find(keys, splines, relative_snap_tol * face.diameter, face.origin);
+  arrangement_.crossings = cache_.find(keys, splines, relative_snap_tol * face().diameter,
+                                       {.max_crossings = max_crossings_, .origin = face().origin, .sought = {}});
   arrangement_.inner_crossings.clear();
   for (const graph::Crossing& c : arrangement_.crossings)
     if (!is_common_end(c)) arrangement_.inner_crossings.push_back(c);
 }
 
 bool MergedLines::is_common_end(const graph::Crossing& crossing) const {
-  const double near = 2 * (relative_snap_tol * evaluator_.field().mesh.face.diameter);
+  const double near = 2 * (relative_snap_tol * face().diameter);
   const auto ends_there = [&](int i) {
     const Nurbs& spline = arrangement_.lines[i].line.spline;
     return distance(spline.poles.front(), crossing.position) <= near ||
@@ -102,7 +105,7 @@ void MergedLines::require_family_order() const {
   std::vector<bool> is_exempt;  // cuts that stop at each other may start on two sides and be one line
   for (const MergedLine& m : arrangement_.lines)
     is_exempt.push_back(m.merge >= 0 || (ends_ == LineEnds::optional && m.line.kind == LineKind::cut));
-  graph::require_family_order(arrangement_.inner_crossings, is_exempt, evaluator_.field().mesh.face.origin);
+  graph::require_family_order(arrangement_.inner_crossings, is_exempt, face().origin);
 }
 
 double MergedLines::largest_deviation() const {

@@ -2,6 +2,7 @@
 // Traced lines with their merge decisions, curves and crossings: the input of both the graph of whole lines and the
 // motorcycle graph.
 
+#include <limits>
 #include <vector>
 
 #include "graph/crossing_cache.hpp"
@@ -15,6 +16,12 @@ inline constexpr double relative_snap_tol = 1e-9;
 
 /// Lines that meet head on within this angle (radians) are always merged, independent of the options.
 inline constexpr double same_line_angle = 1e-4;
+
+/// Limits of the lines that are merged.
+struct LineBounds {
+  double reach = 0;  ///< as for MergePlan
+  std::size_t max_crossings = std::numeric_limits<std::size_t>::max();
+};
 
 /// The lines with the present merges, in the order of their streamlines, and their crossings.
 struct LineArrangement {
@@ -32,10 +39,10 @@ enum class LineEnds {
 class MergedLines {
  public:
   /// `evaluator`, `lines` and `nodes` (the positions of the nodes that lines start at) must outlive it. `merge_angle`
-  /// in radians, `merge_distance` a length. `reach`: as for MergePlan.
+  /// in radians, `merge_distance` a length.
   MergedLines(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
               const std::vector<Vec2>& nodes, double merge_angle, double merge_distance, LineEnds ends,
-              double reach = 0);
+              const LineBounds& bounds = {});
 
   /// Chooses merges, computes curves and crossings, and rejects merges that have bent a line across its own family
   /// until there are none. Returns false if lines must be continued to decide. Throws ComputeError if a line has no end
@@ -55,6 +62,7 @@ class MergedLines {
   double largest_deviation() const;  ///< of the chosen merges, radians
 
  private:
+  const CadFace& face() const { return evaluator_.field().mesh.face; }
   void arrange();
   bool is_common_end(const graph::Crossing& crossing) const;
   std::vector<int> merges_across_their_family() const;
@@ -63,6 +71,7 @@ class MergedLines {
   const field::FieldEvaluator& evaluator_;
   const std::vector<Streamline>& lines_;
   LineEnds ends_;
+  std::size_t max_crossings_;
   MergePlan plan_;
   LineFitter fitter_;
   graph::CrossingCache cache_;

@@ -11,7 +11,8 @@
 
 namespace quadrille::trace {
 
-inline constexpr int max_stream_steps = 100000;  ///< of one line
+/// Of one line. Lines of 20 diameters need up to 18,000.
+inline constexpr int max_stream_steps = 40000;
 
 class Streamline {
  public:
@@ -42,6 +43,8 @@ class Streamline {
   double length() const { return steps.empty() ? launch.radius : steps.back().s + steps.back().length; }
   /// Whether it has reached neither boundary nor node: it was too long, or it is a limit cycle.
   bool is_endless() const { return end == End::length; }
+  /// Whether it has no end because its steps became too short: it cannot be continued.
+  bool is_stuck() const { return is_endless() && steps.size() >= max_stream_steps; }
   /// Position at arc length s in [0, length()].
   Vec2 at(const field::FieldEvaluator& evaluator, double s) const;
   /// Position and unit direction.

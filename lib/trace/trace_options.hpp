@@ -27,7 +27,10 @@ struct TraceOptions {
   double merge_angle = 15;
   double merge_distance = 0;  ///< file units: also separatrices that pass within this distance are merged
   double max_length = 20;     ///< of one line, in diameters
-  void validate() const;      ///< throws UsageError
+  /// Of all lines that are traced to their ends, in diameters. Few lines of plates with many holes are longer than one
+  /// diameter; spirals have many.
+  double max_total_length = 500;
+  void validate() const;  ///< throws UsageError
 };
 
 }  // namespace quadrille::trace

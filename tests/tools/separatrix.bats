@@ -57,6 +57,16 @@ setup() {
   assert_nothing_left
 }
 
+@test "a bound on the total length exits 1 with the sum, and leads to the quantized layout" {
+  run separatrix "$field" "$crit" --layout traced --max-total-length 0.1 -o a.sep.json
+  assert_failure 1
+  assert_output --regexp "^separatrix: 6 separatrices are [0-9.]+ diameters long together, more than the 0.1 allowed"
+  assert_nothing_left
+  run -0 separatrix "$field" "$crit" --max-total-length 0.1 -o a.sep.json --report a.json
+  run jq -r '.layout.method' a.json
+  assert_output quantized
+}
+
 @test "lines that meet exactly are one whatever the options say" {
   separatrix "$field" "$crit" --merge-angle 0 -o a.sep.json --report a.json
   run jq -c '.trace | [.merged, .faces]' a.json

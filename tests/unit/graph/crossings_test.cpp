@@ -138,6 +138,15 @@ TEST(Crossings, TooManyPairsOfPiecesAreSaidWithAPlace) {
   }
 }
 
+TEST(Crossings, MoreThanTheBoundAreRefused) {
+  const std::vector<Nurbs> lines{straight({0, 1}, {4, 1}), straight({0, 2}, {4, 2}), straight({1, 0}, {1, 3})};
+  CrossingBounds bounds;
+  bounds.max_crossings = 2;
+  EXPECT_EQ(find_crossings(lines, 1e-9, bounds).size(), 2u);
+  bounds.max_crossings = 1;
+  EXPECT_THROW(find_crossings(lines, 1e-9, bounds), ComputeError);
+}
+
 TEST(Crossings, OnlyPairsWithAMarkedCurveAreSought) {
   const std::vector<Nurbs> lines{straight({0, 1}, {4, 1}), straight({0, 2}, {4, 2}), straight({1, 0}, {1, 3}),
                                  straight({2, 0}, {2, 3})};

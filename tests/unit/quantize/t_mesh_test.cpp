@@ -8,6 +8,7 @@
 #include "../hand_made.hpp"
 #include "../support/square_field.hpp"
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "curve/nurbs.hpp"
 #include "trace/advance.hpp"
 #include "trace/launch_all.hpp"
@@ -97,6 +98,19 @@ TEST(TMesh, ALimitCycleThatMeetsNobodyIsCutAcross) {
     EXPECT_NE(spiral.field.mesh.face.loop_of(t_mesh.graph().nodes[t_mesh.lines[1].origin].curve),
               spiral.field.mesh.face.loop_of(t_mesh.graph().nodes[t_mesh.lines[1].end].curve));
     EXPECT_EQ(t_mesh.subdivision.num_components(), 1);
+  }
+}
+
+TEST(TMesh, ALineWithoutEndWhoseStepsAreTooShortIsRefused) {
+  const Spiral spiral(1);
+  trace::TraceOptions options;
+  options.step = 1e-6;
+  Report report;
+  try {
+    TMeshTracer(spiral.evaluator, spiral.points, options).trace(report);
+    FAIL() << "it was traced";
+  } catch (const ComputeError& error) {
+    EXPECT_NE(std::string(error.what()).find("steps, the most allowed, take the separatrix"), std::string::npos);
   }
 }
 

@@ -55,6 +55,20 @@ TEST_F(Passing, EndlessLinesAreMergedWhateverTheirDeviation) {
   EXPECT_EQ(lines[plan.candidate(chosen[0]).b].end, Streamline::End::length);
 }
 
+TEST_F(Passing, AStuckLineWithoutPartnerIsFoundBeforeLinesAreContinued) {
+  auto lines = traced(1.2);
+  MergePlan plan(evaluator, lines, nodes, {radians(0.1), 0}, 4);
+  EXPECT_FALSE(plan.choose()) << "longer lines might have partners";
+  EXPECT_FALSE(plan.stuck_without_partner());
+  int endless = 0;
+  while (!lines[endless].is_endless()) ++endless;
+  const StreamStep last = lines[endless].steps.back();
+  lines[endless].steps.resize(max_stream_steps, last);
+  EXPECT_EQ(plan.stuck_without_partner(), endless);
+  const auto merged_by_rules = MergePlan(evaluator, traced(1.2), nodes, {radians(20), 0}, 4).stuck_without_partner();
+  EXPECT_FALSE(merged_by_rules);
+}
+
 TEST_F(Passing, RejectedMergesAreNotChosenAgain) {
   const auto lines = traced(10);
   MergePlan plan(evaluator, lines, nodes, {radians(20), 0});

@@ -12,7 +12,7 @@ namespace {
 
 struct MergedTwoNodes : TwoNodes {
   MergedLines merged(double degrees_allowed, LineEnds ends = LineEnds::required, double reach = 0) const {
-    return MergedLines(*evaluator, lines, nodes, radians(degrees_allowed), 0, ends, reach);
+    return MergedLines(*evaluator, lines, nodes, radians(degrees_allowed), 0, ends, {reach});
   }
   void follow_only_to(double length) {
     for (Streamline& line : lines) line = advance(*evaluator, line.launch, nodes, {1e-11, 0.1, length, 1e-7});
