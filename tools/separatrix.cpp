@@ -5,13 +5,66 @@
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "layout/compute_layout.hpp"
+#include "layout/midpoint_layout.hpp"
 #include "trace/check_nodes_match_field.hpp"
 
 using namespace quadrille;
 
-int main(int argc, char** argv) {
-  std::string field_path, points_path = "-", output = "-";
+namespace {
+
+struct Settings {
+  std::string field, points = "-", output = "-";
   layout::LayoutOptions options;
+};
+
+/// Without a field there are no separatrices.
+SeparatrixGraph layout_of_triangles(const io::InputFile& file, const Settings& settings, cli::Session& session) {
+  const TriMesh mesh = io::read_tri_mesh(file);
+  check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), file.name);
+  session.begin_phase("divide");
+  SeparatrixGraph graph = layout::layout_without_field(mesh, settings.options.layout, session.report());
+  graph.provenance = session.provenance(mesh.provenance, {file.digest("tri-mesh")});
+  return graph;
+}
+
+CriticalPoints read_points_of(const field::FieldEvaluator& evaluator, const io::InputFile& field_file,
+                              const io::InputFile& file) {
+  const Field& field = evaluator.field();
+  CriticalPoints points = io::read_critical_points(file);
+  check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
+  check::require_valid(check::check_critical_points_of(points, field), file.name);
+  // A phase that was solved for other nodes does not have this file in its provenance either: the message that states
+  // the remedy must be the first.
+  if (field.kind == FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
+  io::require_same_origin(field_file, field.provenance, file, points.provenance);
+  if (field.kind != FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
+  return points;
+}
+
+SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings& settings, cli::Session& session) {
+  const Field field = io::read_field(field_file);
+  check::require_valid(check::check_field(field, check::CheckDepth::quick), field_file.name);
+  if (settings.options.layout == layout::LayoutChoice::midpoint) {  // needs no nodes
+    session.begin_phase("divide");
+    SeparatrixGraph graph = layout::layout_without_field(field.mesh, settings.options.layout, session.report());
+    graph.provenance = session.provenance(field.provenance, {field_file.digest("field")});
+    return graph;
+  }
+  const io::InputFile points_file = io::read_input(settings.points);
+  const field::FieldEvaluator evaluator(field);
+  const CriticalPoints points = read_points_of(evaluator, field_file, points_file);
+  session.begin_phase("trace");
+  SeparatrixGraph graph = layout::compute_layout(evaluator, points, settings.options, session.report());
+  graph.provenance =
+      session.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
+  return graph;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  layout::LayoutOptions& options = settings.options;
   cli::Tool tool;
   tool.name = "separatrix";
   tool.summary = "traces the separatrices of a guiding field";
@@ -20,14 +73,18 @@ int main(int argc, char** argv) {
       "through FIELD to the boundary, merges separatrices that meet head-on and writes the planar graph of "
       "separatrices and boundary. If the nodes of CRIT are not the zeros of the field, FIELD must be the phase that "
       "fieldsolve --nodes solved for them. Every face of the graph must have four corners; otherwise the exit code is "
-      "1 and the message names the position.";
+      "1 and the message names the position, unless --layout auto or midpoint divides triangles into blocks instead, "
+      "which need no field.";
   tool.examples = {
       "separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json",
-      "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5"};
+      "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5",
+      "separatrix --layout midpoint half_disc.tri.h5 -o half_disc.sep.json"};
   tool.options = [&](cli::Options& o) {
-    o.input("FIELD", field_path, "guiding field (x.field.h5, x.phase.h5 or x.solve.h5)", true);
-    o.input("CRIT", points_path, "its critical points (x.crit.json)");
-    o.output(output, "separatrix graph to write (x.sep.json)");
+    o.input("FIELD", settings.field,
+            "guiding field (x.field.h5, x.phase.h5 or x.solve.h5), or only triangles (x.tri.h5)", true);
+    o.input("CRIT", settings.points,
+            "its critical points (x.crit.json); not read with --layout midpoint or for triangles");
+    o.output(settings.output, "separatrix graph to write (x.sep.json)");
     o.number("--tolerance", options.trace.tolerance, 1e-14, 1e-3, "diameters",
              "greatest error of one integration step");
     o.choice(
@@ -50,8 +107,9 @@ int main(int argc, char** argv) {
     o.choice(
         "--layout", options.layout,
         "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses it "
-        "(motorcycle graph), and an integer program decides how they continue; auto: quantized if traced fails or "
-        "needs more blocks; t-mesh: only the stopped separatrices, no layout");
+        "(motorcycle graph), and an integer program decides how they continue; midpoint: no separatrices, "
+        "but new triangles, each divided into three blocks; auto: quantized if traced fails or needs more blocks, "
+        "midpoint if both fail or there is no field; t-mesh: only the stopped separatrices, no layout");
     o.integer("--max-lines", options.max_lines, 1, 1000000,
               "traced layout: greatest number of arcs into which separatrices cut each other");
     o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
@@ -62,24 +120,11 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
-    const io::InputFile field_file = io::read_input(field_path), points_file = io::read_input(points_path);
-    const Field field = io::read_field(field_file);
-    const CriticalPoints points = io::read_critical_points(points_file);
-    check::require_valid(check::check_field(field, check::CheckDepth::quick), field_file.name);
-    check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), points_file.name);
-    check::require_valid(check::check_critical_points_of(points, field), points_file.name);
-    const field::FieldEvaluator evaluator(field);
-    // A phase that was solved for other nodes does not have this file in its provenance either: the message that states
-    // the remedy must be the first.
-    if (field.kind == FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
-    io::require_same_origin(field_file, field.provenance, points_file, points.provenance);
-    if (field.kind != FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
-    s.begin_phase("trace");
-    SeparatrixGraph graph = layout::compute_layout(evaluator, points, options, s.report());
-    graph.provenance =
-        s.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
+    const io::InputFile file = io::read_input(settings.field);
+    const SeparatrixGraph graph = io::stage_format(file) == "tri-mesh" ? layout_of_triangles(file, settings, s)
+                                                                       : layout_of_field(file, settings, s);
     s.begin_phase("write");
-    io::write_separatrix_graph(output, graph);
+    io::write_separatrix_graph(settings.output, graph);
     s.end_phase();
   };
   tool.report_writer = io::write_report;

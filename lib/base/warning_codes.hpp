@@ -27,6 +27,7 @@ inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
 
 // separatrix, blocksplit
 inline constexpr const char* quantized_instead_of_traced = "W-SEP-001";
+inline constexpr const char* midpoint_instead_of_separatrices = "W-SEP-002";
 inline constexpr const char* block_not_proved_valid = "W-BLK-001";
 
 // quadrefine and the tools that read its meshes

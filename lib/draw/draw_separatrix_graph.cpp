@@ -82,6 +82,7 @@ std::string certificate_text(const LayoutCertificate& certificate) {
   if (certificate.merged_lines > 0) text += fmt::format(", {} merged", counted(certificate.merged_lines, "pair"));
   const int num_collapsed = certificate.collapsed_chords + certificate.shortened_spirals;
   if (num_collapsed > 0) text += fmt::format(", {} taken out", counted(num_collapsed, "strip"));
+  if (certificate.method == LayoutMethod::midpoint) return text + ", triangles divided into three blocks each";
   return text + fmt::format(", turned by {:.1f}° at most", certificate.largest_deviation_degrees);
 }
 

@@ -33,13 +33,17 @@ void report_certificate(const LayoutCertificate& certificate, Report& report) {
 
 void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
              Report& report) {
+  double& deviation = layout.certificate.largest_deviation_degrees;
+  deviation = std::max(deviation, degrees(deviation_of_extended_lines(evaluator, layout)));
+  certify(method, layout, report);
+}
+
+void certify(LayoutMethod method, graph::CandidateLayout& layout, Report& report) {
   LayoutCertificate& certificate = layout.certificate;
   certificate.method = method;
   certificate.index_sum = static_cast<int>(index_sum_of(layout.graph()));
   certificate.face_valence_histogram = graph::face_valence_histogram(layout.subdivision);
   certificate.t_junctions = static_cast<int>(layout.t_junctions.size());
-  certificate.largest_deviation_degrees =
-      std::max(certificate.largest_deviation_degrees, degrees(deviation_of_extended_lines(evaluator, layout)));
   report_certificate(certificate, report);
 }
 

@@ -13,6 +13,8 @@ namespace quadrille::layout {
 /// changed. The report repeats the certificate (certificate.*).
 void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
              Report& report);
+/// The same for a layout that was made without a field.
+void certify(LayoutMethod method, graph::CandidateLayout& layout, Report& report);
 
 /// The largest angle between lines of kind LineKind::extended and the nearest direction of the field's cross, radians,
 /// at equal steps inside their arcs: at most pi / 4.

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "base/error.hpp"
 #include "simplify/block_quality.hpp"
 
 namespace quadrille::layout {
@@ -51,10 +50,22 @@ ChosenLayout traced_or_preferable(graph::CandidateLayout traced, const LayoutCom
   return chosen;
 }
 
-ChosenLayout quantized_instead(const std::string& reason, const LayoutComputation& quantized, Report& report) {
-  report_choice(LayoutMethod::quantized, reason, report);
+ChosenLayout midpoint_instead(const std::string& reason, const CertainLayout& midpoint, Report& report) {
+  report_choice(LayoutMethod::midpoint, reason, report);
+  ChosenLayout chosen{midpoint(report), LayoutMethod::midpoint, midpoint_warning(reason)};
+  chosen.layout.certificate.reason = reason;
+  return chosen;
+}
+
+ChosenLayout quantized_instead(const std::string& reason, const LayoutComputation& quantized,
+                               const CertainLayout& midpoint, Report& report) {
   LayoutAttempt attempt = quantized(report);
-  if (!attempt.layout) throw ComputeError(reason + "; stopped where they meet: " + attempt.reason);
+  if (!attempt.layout) {
+    const bool is_same = attempt.reason == reason;
+    return midpoint_instead(is_same ? reason : reason + "; stopped where they meet: " + attempt.reason, midpoint,
+                            report);
+  }
+  report_choice(LayoutMethod::quantized, reason, report);
   attempt.layout->certificate.reason = reason;
   return {
       std::move(*attempt.layout), LayoutMethod::quantized,
@@ -63,13 +74,18 @@ ChosenLayout quantized_instead(const std::string& reason, const LayoutComputatio
 
 }  // namespace
 
+std::string midpoint_warning(const std::string& reason) {
+  return reason +
+         ": the face was divided into triangles, and each of them into three blocks, with many irregular nodes";
+}
+
 ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
-                           Report& report) {
+                           const CertainLayout& midpoint, Report& report) {
   if (num_separatrices > max_traced_lines)
     return quantized_instead(fmt::format("{} separatrices are too many to be followed to their ends", num_separatrices),
-                             quantized, report);
+                             quantized, midpoint, report);
   LayoutAttempt attempt = traced(report);
-  if (!attempt.layout) return quantized_instead(attempt.reason, quantized, report);
+  if (!attempt.layout) return quantized_instead(attempt.reason, quantized, midpoint, report);
   return traced_or_preferable(std::move(*attempt.layout), quantized, report);
 }
 

@@ -3,9 +3,9 @@
 //
 //   separatrices   traced layout   quantized layout           taken
 //   more than 500  not computed    exists                     quantized, with a warning
-//   more than 500  not computed    none                       none: error
+//   more than 500  not computed    none                       midpoint division, with a warning
 //   at most 500    none            exists                     quantized, with a warning
-//   at most 500    none            none                       none: error
+//   at most 500    none            none                       midpoint division, with a warning
 //   at most 500    few blocks      not computed               traced
 //   at most 500    many blocks     fewer blocks, none worse   quantized
 //   at most 500    many blocks     any other, or none         traced
@@ -28,16 +28,22 @@ struct LayoutAttempt {
 /// Computes a layout and reports its counts.
 using LayoutComputation = std::function<LayoutAttempt(Report&)>;
 
+/// Computes the layout that exists in any case.
+using CertainLayout = std::function<graph::CandidateLayout(Report&)>;
+
 struct ChosenLayout {
   graph::CandidateLayout layout;  ///< certificate.reason: why not the traced one
   LayoutMethod method = LayoutMethod::traced;
   std::string warning;  ///< empty if there is none
 };
 
+/// What is said of a midpoint division that was made for this reason.
+std::string midpoint_warning(const std::string& reason);
+
 /// Chooses by the table above and computes only the layouts that it needs. Reports layout.way, layout.method and
-/// layout.reason. Throws ComputeError with both reasons if there is no layout.
+/// layout.reason.
 ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
-                           Report& report);
+                           const CertainLayout& midpoint, Report& report);
 
 /// Whether a layout has more than 1.2 times as many blocks as would result from lines that stop at each other.
 bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic);

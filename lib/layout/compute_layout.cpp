@@ -7,10 +7,10 @@
 #include "base/warning_codes.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
+#include "layout/midpoint_layout.hpp"
 #include "layout/quantized_layout.hpp"
 #include "layout/trace_separatrices.hpp"
 #include "quantize/t_mesh.hpp"
-#include "trace/fixed_nodes.hpp"
 #include "trace/launch_all.hpp"
 
 namespace quadrille::layout {
@@ -30,12 +30,16 @@ LayoutComputation attempting(const Layout& layout) {
 
 graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report) {
-  trace::fixed_nodes(evaluator.field().mesh.face, points);  // throws at once if no method could use the nodes
   const auto traced = [&](Report& r) { return trace_separatrices(evaluator, points, options, r); };
   const auto quantized = [&](Report& r) { return quantized_layout(evaluator, points, options, r); };
-  ChosenLayout chosen = choose_layout(trace::num_launches(points), attempting(traced), attempting(quantized), report);
+  const auto midpoint = [&](Report& r) { return midpoint_layout(evaluator.field().mesh, r); };
+  ChosenLayout chosen =
+      choose_layout(trace::num_launches(points), attempting(traced), attempting(quantized), midpoint, report);
   certify(evaluator, chosen.method, chosen.layout, report);
-  if (!chosen.warning.empty()) report.warn(warning::quantized_instead_of_traced, chosen.warning);
+  if (!chosen.warning.empty())
+    report.warn(chosen.method == LayoutMethod::midpoint ? warning::midpoint_instead_of_separatrices
+                                                        : warning::quantized_instead_of_traced,
+                chosen.warning);
   return std::move(chosen.layout);
 }
 
@@ -47,6 +51,8 @@ graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator,
         return quantize::TMeshTracer(evaluator, points, options.trace).trace(report);
       case LayoutMethod::quantized:
         return quantized_layout(evaluator, points, options, report);
+      case LayoutMethod::midpoint:
+        return midpoint_layout(evaluator.field().mesh, report);
       case LayoutMethod::traced:
         break;
     }
@@ -66,6 +72,8 @@ std::optional<LayoutMethod> prescribed_method(LayoutChoice choice) {
       return LayoutMethod::quantized;
     case LayoutChoice::t_mesh:
       return LayoutMethod::t_mesh;
+    case LayoutChoice::midpoint:
+      return LayoutMethod::midpoint;
     case LayoutChoice::automatic:
       break;
   }

@@ -22,13 +22,14 @@ constexpr auto enum_names(SimplifyLevel) {
 }
 
 /// The method of computing the layout (layout/compute_layout.hpp).
-enum class LayoutChoice { traced, quantized, automatic, t_mesh };
+enum class LayoutChoice { traced, quantized, automatic, t_mesh, midpoint };
 
 constexpr auto enum_names(LayoutChoice) {
   return std::to_array<EnumName<LayoutChoice>>({{LayoutChoice::traced, "traced"},
                                                 {LayoutChoice::quantized, "quantized"},
                                                 {LayoutChoice::automatic, "auto"},
-                                                {LayoutChoice::t_mesh, "t-mesh"}});
+                                                {LayoutChoice::t_mesh, "t-mesh"},
+                                                {LayoutChoice::midpoint, "midpoint"}});
 }
 
 struct LayoutOptions {

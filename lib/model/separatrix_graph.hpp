@@ -44,12 +44,15 @@ struct FaceCount {
 enum class LayoutMethod {
   traced,     ///< separatrices are traced to their ends
   quantized,  ///< they stop at each other and are continued by an integer program
-  t_mesh      ///< they stop at each other, with T-junctions
+  t_mesh,     ///< they stop at each other, with T-junctions
+  midpoint    ///< without separatrices: triangles, each divided into three blocks
 };
 
 constexpr auto enum_names(LayoutMethod) {
-  return std::to_array<EnumName<LayoutMethod>>(
-      {{LayoutMethod::traced, "traced"}, {LayoutMethod::quantized, "quantized"}, {LayoutMethod::t_mesh, "t-mesh"}});
+  return std::to_array<EnumName<LayoutMethod>>({{LayoutMethod::traced, "traced"},
+                                                {LayoutMethod::quantized, "quantized"},
+                                                {LayoutMethod::t_mesh, "t-mesh"},
+                                                {LayoutMethod::midpoint, "midpoint"}});
 }
 
 /// Counts of a graph and the method that made it.

@@ -15,6 +15,12 @@ constexpr double acute_angle = radians(75.0);
 constexpr double sector_angle = radians(60.0);
 constexpr double slack = 1 + 1e-9;
 
+/// Whether the curves at a corner are so close to each other, inside or outside the face, that segments along them
+/// would be bisected without end.
+bool is_sharp(const Junction& junction) {
+  return junction.interior_angle < acute_angle || junction.interior_angle > 2 * pi - acute_angle;
+}
+
 /// The parameter at which the piece, followed from its start (`from_start`) or its end, leaves the circle of this
 /// radius around the apex.
 double parameter_at_radius(const Outline& outline, const SmoothPiece& piece, bool from_start, double radius) {
@@ -73,14 +79,13 @@ bool shape_fan(const EdgeFit& fit, const TriangulateOptions& options, const Edge
   const SmoothPiece& out = outline.pieces()[fan.junction];
   const SmoothPiece& in = outline.pieces()[out.previous];
   fan.radius = std::min({limits.size, clearance / 3, out.length() / 3, in.length() / 3});
-  const bool is_acute = junction.interior_angle < acute_angle;
   fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junction.interior_angle / (sector_angle * slack))));
   constexpr int max_rounds = 40;
   for (int round = 0; round < max_rounds; ++round) {
     const double exponent_layers = fan_layers(junction_singularity(junction, fan.radius), options.fan_factor);
     int layers = static_cast<int>(exponent_layers);
     if (layers > 0 && options.fan_layers >= 0) layers = options.fan_layers;
-    if (layers == 0 && !is_acute) return false;
+    if (layers == 0 && !is_sharp(junction)) return false;
     fan.radii = ring_radii(fan.radius, layers, options.fan_factor);
     place_sides(outline, fan);
     if (keeps_limits(fit, fan, limits)) break;
@@ -133,7 +138,7 @@ std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options
   for (int j = 0; j < static_cast<int>(outline.junctions().size()); ++j) {
     const Junction& junction = outline.junctions()[j];
     const bool may_be_singular = fan_layers(junction_singularity(junction, limits.size), options.fan_factor) > 0;
-    if (!may_be_singular && junction.interior_angle >= acute_angle) continue;
+    if (!may_be_singular && !is_sharp(junction)) continue;
     Fan fan;
     fan.junction = j;
     if (shape_fan(fit, options, limits, clearance.at_junction(j), fan)) fans.push_back(fan);

@@ -3,9 +3,9 @@
 // quads, each split in two, with radii R, R sigma, R sigma^2, ...
 //
 //        rim ______      Sectors of at most 60 degrees. Side vertices lie ON the two curves at the ring's distance from
-//           /\  /\       the apex. The rim is a fixed constraint of the triangulation around it. A corner below 75
-//          /__\/__\      degrees gets a single ring in any case: it keeps the refinement away from its small angle.
-//    curve   apex  curve
+//           /\  /\       the apex. The rim is a fixed constraint of the triangulation around it. A corner below 75 or
+//          /__\/__\      above 285 degrees gets a single ring in any case: it keeps the refinement away from the small
+//    curve   apex  curve angle between its curves.
 
 #include <vector>
 

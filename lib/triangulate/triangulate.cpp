@@ -93,7 +93,8 @@ struct Result {
   int rounds = 0;
 };
 
-Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits) {
+Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits,
+                   const Doubts& doubts) {
   const Outline& outline = fit.outline();
   Draft draft;
   std::vector<Fan> fans = plan_fans(fit, options, limits);
@@ -108,10 +109,12 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
     result.num_fans = static_cast<int>(fans.size());
     curve_elements(fit, result.mesh);
     result.ratios = jacobian_ratio_bounds(result.mesh);
-    const auto elems = doubtful_elements(result.ratios);
+    const auto invalid = doubtful_elements(result.ratios);
+    const auto elems = invalid.empty() && doubts ? doubts(result.mesh) : invalid;
     if (elems.empty()) return result;
     if (round == max_proof_rounds || !split_at(result.mesh, elems, refiner)) {
-      const Vec2 position = position_of(result.mesh, elems.front());
+      if (invalid.empty()) return result;
+      const Vec2 position = position_of(result.mesh, invalid.front());
       throw ComputeError(fmt::format("no valid curved element at ({:.9g}, {:.9g})", position.x, position.y));
     }
   }
@@ -150,7 +153,7 @@ void TriangulateOptions::validate() const {
   if (!(fan_factor > 0 && fan_factor < 1)) throw UsageError("the fan factor must lie in (0, 1)");
 }
 
-TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report) {
+TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report, const Doubts& doubts) {
   options.validate();
   const Outline outline(face, straight_share * face.diameter);
   const EdgeFit fit(outline, options.order);
@@ -158,7 +161,7 @@ TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Repo
   limits.size = options.size > 0 ? options.size : default_share * face.diameter;
   limits.turn = edge_turn;
   limits.curve_tol = options.curve_tol * face.diameter;
-  Result result = proved_mesh(fit, options, limits);
+  Result result = proved_mesh(fit, options, limits, doubts);
   write_report(result, fit, limits.curve_tol, report);
   return std::move(result.mesh);
 }

@@ -1,14 +1,21 @@
 #pragma once
 // Generates the curved triangle mesh of a CAD face on which the field is solved.
 
+#include <functional>
+#include <vector>
+
 #include "base/report.hpp"
 #include "model/tri_mesh.hpp"
 #include "triangulate/triangulate_options.hpp"
 
 namespace quadrille::triangulate {
 
+/// Which elements of a mesh are not fit for a purpose of the caller, ascending: a further reason to refine them.
+using Doubts = std::function<std::vector<int>(const TriMesh&)>;
+
 /// Sizes by curvature and local feature size, Delaunay refinement, fans at singular joints, curved elements, each
-/// proved valid. Throws ComputeError, with the position, if this is impossible.
-TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report);
+/// proved valid. Elements that `doubts` names are refined as well; some may remain. Throws ComputeError, with the
+/// position, if no valid mesh is found.
+TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report, const Doubts& doubts = {});
 
 }  // namespace quadrille::triangulate

@@ -4,11 +4,12 @@
 def report($start; $nodes):
   [inputs | . + {stage: (input_filename | split(".")[-2])}] as $runs | ($runs | map({(.tool): .}) | add) as $of |
   { tool: "quadmesh", version: $runs[0].version,
-    form: ($nodes.form // "harmonic"),
+    form: (if $nodes then $nodes.form // "harmonic" else null end),
     critical_points: ($nodes.critical_points | length),
     irregular_nodes: $of.quadrefine.irregular_nodes,
     blocks: $of.quadrefine.blocks,
     certificate: $of.separatrix.certificate,
+    given_up: ([$runs[] | select(.exit_code != 0) | "\(.tool): \(.error)"] | first),
     quads: $of.quadrefine.quads,
     least_jacobian_bound: $of.quadrefine.least_jacobian_bound,
     valid: $of.quadrefine.valid,
@@ -30,4 +31,5 @@ def times:
 
 def summary:
   "\(count(.blocks; "block")), \(count(.irregular_nodes; "irregular node")), \(count(.quads; "quad")), " +
-    "worst scaled Jacobian \(.least_scaled_jacobian | places(2))";
+    "worst scaled Jacobian \(.least_scaled_jacobian | places(2))" +
+    (if .certificate.method == "midpoint" then ", by midpoint division of triangles" else "" end);

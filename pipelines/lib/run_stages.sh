@@ -5,6 +5,8 @@
 number=10       # counts stages, for the names of their reports: $scratch/NUMBER.STAGE.json
 last=''         # the file of the last stage that succeeded
 child=''        # the process of the running stage
+prefix=''       # of the names of stages in the report
+failed_stage='' # the stage without a valid result after which the pipeline went on
 scratch='' dir='' # the folders of temporary files and of stage files
 part=''         # a file that is being written
 trap 'stop INT' INT
@@ -41,15 +43,20 @@ make_folders() {
   if (exec 3<&0) 2>/dev/null; then exec 3<&0; else exec 3</dev/null; fi
 }
 
-# stage TOOL OUTPUT ARGUMENT...
+# stage TOOL OUTPUT ARGUMENT...: returns 1 only if it finds no valid result and has_other_way, which the
+# pipeline defines.
 stage() {
-  tool=$1 result=$2 name=$1 number=$((number + 1))
+  tool=$1 result=$2 name=$prefix$1 number=$((number + 1))
   case $result in "$stem".phase.*) name=phase_$tool ;; esac
   shift 2
   with_options "$tool" start_tool "$@"
   wait "$child"
   code=$?
   child=''
+  if [ "$code" -eq 1 ] && has_other_way "$tool" "$scratch/$number.$name.json"; then
+    failed_stage=$tool
+    return 1
+  fi
   [ "$code" -eq 0 ] || fail "$code" "$tool"
   last=$result
 }

@@ -23,6 +23,15 @@ choose_option() {
   done
 }
 
+# chosen_value TOOL OPTION: prints the value that was chosen for the tool.
+chosen_value() {
+  case $separator$chosen in
+    *"$separator$1 $2$separator"*)
+      value=${chosen#*"$1 $2$separator$1 "}
+      printf '%s\n' "${value%%"$separator"*}" ;;
+  esac
+}
+
 # with_options TOOL COMMAND...: runs the command with the options behind it that were chosen for the tool.
 with_options() {
   receiver=$1

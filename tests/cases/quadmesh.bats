@@ -160,6 +160,60 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_file_exists "$picture"
 }
 
+# failing TOOL REPORT: a folder `fake` in which the tool finds no valid result, and reports this JSON.
+failing() {
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm "fake/$1"
+  cat >"fake/$1" <<END
+#!/bin/sh
+[ "\$1" != --list-options ] || exec "$BIN/$1" "\$1"
+case " \$* " in *" -o "*) ;; *) exit 3 ;; esac # only asked whether its options are right
+[ ! -e begun ] || exec "$BIN/$1" "\$@" # the second time it succeeds
+touch begun
+while [ "\$1" != --report ]; do shift; done
+echo '$2' >"\$2"
+echo "$1: no luck" >&2
+exit 1
+END
+  chmod +x "fake/$1"
+}
+
+@test "where the field has no result, the quads are made from triangles, with a warning" {
+  failing critpoints '{"tool": "critpoints", "exit_code": 1, "error": "no luck", "timings": {"total":
+    {"cpu_seconds": 1, "wall_seconds": 1}}, "warnings": []}'
+  QUADRILLE_BIN=$PWD/fake run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh \
+    --report report.json
+  assert_output --regexp ', by midpoint division of triangles$'
+  assert_equal "${stderr_lines[0]}" "critpoints: no luck"
+  assert_equal "${stderr_lines[1]}" "quadmesh: critpoints found no valid result: the quads are made without a field"
+  assert_regex "${stderr_lines[2]}" '^separatrix: warning W-SEP-002: '
+  run -0 jq -c '[.certificate.method, .given_up, .form, .critical_points, .valid, (.stages | keys_unsorted)[-4:]]' \
+    report.json
+  assert_output '["midpoint","critpoints: no luck",null,0,true,["midpoint_separatrix","midpoint_blocksplit","midpoint_quadrefine","quadexport"]]'
+  rm -r fake begun
+  assert_nothing_left out.msh report.json
+}
+
+@test "elements without a proof are replaced by those of triangles, requests that cannot be met are refused" {
+  failing quadrefine '{"tool": "quadrefine", "exit_code": 1, "error": "no luck", "valid": false, "timings": {"total":
+    {"cpu_seconds": 1, "wall_seconds": 1}}, "warnings": []}'
+  QUADRILLE_BIN=$PWD/fake run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  assert_output --regexp ', by midpoint division of triangles$'
+  rm begun
+  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o other.msh --layout traced
+  run -1 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o other.msh --wall curve_0:first=1e-2,layers=60
+  [[ $stderr != *"without a field"* ]] || fail "$stderr"
+  assert_file_not_exists other.msh
+}
+
+@test "--layout midpoint solves for no field" {
+  run -0 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh --layout=midpoint --report report.json
+  assert_equal "$stderr" ""
+  run -0 jq -c '[.certificate.method, .given_up, (.stages | keys_unsorted)]' report.json
+  assert_output '["midpoint",null,["cad2tri","separatrix","blocksplit","quadrefine","quadexport"]]'
+}
+
 # fake/critpoints: writes its arguments to `arguments`, and asks for the first node 0.1 to the left of the field's own.
 moving_critpoints() {
   mkdir fake

@@ -51,7 +51,7 @@ setup() {
 }
 
 @test "a bound on the length exits 1 with the place" {
-  run separatrix "$field" "$crit" --max-length 0.01 -o a.sep.json
+  run separatrix "$field" "$crit" --layout traced --max-length 0.01 -o a.sep.json
   assert_failure 1
   assert_output --partial "has reached neither boundary nor node after"
   assert_nothing_left
@@ -278,4 +278,47 @@ certificate() { jq -c '.certificate | [.method, .index_sum, [.face_valence_histo
   assert_output $'20\nnull'
   run -0 separatrix --help
   refute_output --partial --max-turn
+}
+
+@test "--layout midpoint needs triangles only: the same graph from x.tri.h5 and x.field.h5" {
+  separatrix --layout midpoint "$BATS_FILE_TMPDIR/half_disc.tri.h5" -o a.sep.json --report a.json
+  run --separate-stderr separatrix --layout midpoint "$field" -o b.sep.json
+  assert_success
+  assert_equal "$stderr" ""
+  run cmp <(jq -c 'del(.provenance)' a.sep.json) <(jq -c 'del(.provenance)' b.sep.json)
+  assert_success
+  run -0 stagecheck a.sep.json b.sep.json
+  run jq -c '[.certificate.method, .certificate.reason, (.lines | length)]' a.sep.json
+  assert_output '["midpoint","",0]'
+  run jq -c '[.midpoint.blocks == 3 * .midpoint.triangles, .midpoint.origin]' a.json
+  assert_output '[true,"coarse"]'
+}
+
+@test "blocks of a midpoint division make valid meshes of every order and size" {
+  separatrix --layout midpoint "$BATS_FILE_TMPDIR/half_disc.tri.h5" | blocksplit -o a.blocks.h5
+  for options in "--order 1" "--order 2 --geometry-tol 5e-7" "--order 7" "--size 1" "--size 0.03 --order 3"; do
+    # shellcheck disable=SC2086 # words
+    quadrefine $options a.blocks.h5 -o a.quad.h5
+    run -0 stagecheck a.quad.h5
+  done
+}
+
+@test "auto ends with a midpoint division: where both other layouts fail, and without a field" {
+  run --separate-stderr separatrix "$field" "$crit" --max-length 0.01 -o a.sep.json
+  assert_success
+  assert_regex "$stderr" '^separatrix: warning W-SEP-002: .*has reached neither boundary nor node after.*three blocks'
+  run jq -c '[.certificate.method, (.certificate.reason | length > 0)]' a.sep.json
+  assert_output '["midpoint",true]'
+  run --separate-stderr separatrix "$BATS_FILE_TMPDIR/half_disc.tri.h5" -o b.sep.json
+  assert_success
+  assert_regex "$stderr" '^separatrix: warning W-SEP-002: there is no field'
+}
+
+@test "a layout of separatrices from triangles alone is a mistake" {
+  for layout in traced quantized t-mesh; do
+    run separatrix --layout $layout "$BATS_FILE_TMPDIR/half_disc.tri.h5" -o a.sep.json
+    assert_failure 2
+    assert_line "separatrix: --layout $layout needs a field, not a triangle mesh"
+  done
+  assert_nothing_left
 }

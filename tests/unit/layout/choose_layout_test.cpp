@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "../hand_made.hpp"
-#include "base/error.hpp"
 
 namespace quadrille::layout {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 /// Computations with known results, and how often they were called.
 struct Computations {
   LayoutAttempt traced, quantized;
-  int num_traced = 0, num_quantized = 0;
+  int num_traced = 0, num_quantized = 0, num_midpoint = 0;
   Report report = {};
 
   ChosenLayout choose(int num_separatrices = 10) {
@@ -27,6 +26,10 @@ struct Computations {
           ++num_quantized;
           r.set("quantize.faces", 7);
           return quantized;
+        },
+        [this](Report&) {
+          ++num_midpoint;
+          return graph::candidate_layout(hand_made::cut_annulus(5));
         },
         report);
   }
@@ -82,6 +85,7 @@ TEST(ChooseLayout, WithoutATracedLayoutTheQuantizedOneIsTakenWithAWarning) {
   EXPECT_EQ(chosen.method, LayoutMethod::quantized);
   EXPECT_EQ(chosen.layout.certificate.reason, "a spiral");
   EXPECT_EQ(chosen.warning.find("a spiral: "), 0u);
+  EXPECT_EQ(c.num_midpoint, 0);
 }
 
 TEST(ChooseLayout, TooManySeparatricesAreNotTraced) {
@@ -94,18 +98,22 @@ TEST(ChooseLayout, TooManySeparatricesAreNotTraced) {
   EXPECT_EQ(fewer.num_traced, 1);
 }
 
-TEST(ChooseLayout, WithoutAnyLayoutBothReasonsAreNamed) {
+TEST(ChooseLayout, WithoutAnyLayoutTrianglesAreDividedAndBothReasonsAreNamed) {
   for (const int num_separatrices : {10, 501}) {
     Computations c{none("a spiral"), none("no lengths")};
-    try {
-      c.choose(num_separatrices);
-      FAIL();
-    } catch (const ComputeError& error) {
-      const std::string message = error.what();
-      EXPECT_NE(message.find(num_separatrices == 10 ? "a spiral" : "501 separatrices"), std::string::npos) << message;
-      EXPECT_NE(message.find("no lengths"), std::string::npos) << message;
-    }
+    const ChosenLayout chosen = c.choose(num_separatrices);
+    EXPECT_EQ(chosen.method, LayoutMethod::midpoint);
+    EXPECT_EQ(chosen.layout.subdivision.num_faces(), 5);
+    const std::string& reason = chosen.layout.certificate.reason;
+    EXPECT_NE(reason.find(num_separatrices == 10 ? "a spiral" : "501 separatrices"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("no lengths"), std::string::npos) << reason;
+    EXPECT_EQ(chosen.warning.find(reason + ": "), 0u) << chosen.warning;
   }
+}
+
+TEST(ChooseLayout, AReasonThatIsTheSameForBothIsNamedOnce) {
+  Computations c{none("a corner of valence 0"), none("a corner of valence 0")};
+  EXPECT_EQ(c.choose().layout.certificate.reason, "a corner of valence 0");
 }
 
 TEST(ChooseLayout, ManyBlocksAreMoreThanAFifthAboveTheLeast) {

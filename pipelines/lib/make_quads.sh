@@ -1,0 +1,49 @@
+# shellcheck shell=sh
+# From the triangles to the quads, by the stages between cad2tri and quadexport. Sets $nodes, the file of critical points.
+field=''
+nodes=/dev/null # if there is none
+way=''          # "field or triangles" as long as there is a choice
+
+# make_quads LAYOUT: the value of separatrix --layout. With "auto" (or none) the quads are made from the triangles alone
+# where a stage finds no valid result.
+make_quads() {
+  case $1 in
+    midpoint) quads_of_triangles; return ;;
+    '' | auto) way='field or triangles' ;;
+  esac
+  quads_of_field && return
+  [ -n "$quiet" ] || echo "${0##*/}: $failed_stage found no valid result: the quads are made without a field" >&2
+  way='' prefix=midpoint_
+  quads_of_triangles
+  prefix=''
+}
+
+# has_other_way TOOL REPORT: whether quads may be found without the tool after it found no valid result. What a user asks
+# of the quads, such as layers that do not fit, is refused.
+has_other_way() {
+  [ -n "$way" ] || return
+  case $1 in
+    fieldsolve | padapt | critpoints | separatrix) ;;
+    quadrefine) [ "$(jq .valid "$2" 2>/dev/null)" = false ] ;;
+    *) false ;;
+  esac
+}
+
+quads_of_field() {
+  field=$stem.field.h5
+  stage fieldsolve "$stem.solve.h5" "$stem.tri.h5" && stage padapt "$field" "$stem.solve.h5" &&
+    stage critpoints "$stem.crit.json" "$field" || return
+  nodes=$stem.crit.json
+  if grep -q '^ *"form": *"phase"' "$nodes"; then # the nodes are not those of the field: solve for one with them
+    stage fieldsolve "$stem.phase.solve.h5" --nodes "$nodes" --orders "$field" "$stem.tri.h5" &&
+      stage padapt "$stem.phase.h5" "$stem.phase.solve.h5" || return
+    field=$stem.phase.h5 last=$nodes
+  fi
+  stage separatrix "$stem.sep.json" "$field" "$nodes" && quads_of_graph
+}
+
+quads_of_triangles() { stage separatrix "$stem.sep.json" "$stem.tri.h5" && quads_of_graph; }
+
+quads_of_graph() {
+  stage blocksplit "$stem.blocks.h5" "$stem.sep.json" && stage quadrefine "$stem.quad.h5" "$stem.blocks.h5"
+}
