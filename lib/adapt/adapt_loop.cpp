@@ -145,7 +145,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   std::vector<AdaptStep> steps = history_of(start, was_raised);
   std::vector<double> seconds;  // CPU time of each new solution
   for (int round = 0;; ++round) {
-    std::vector<double> sensors = sense(field, options.sensor, options.scale);
+    std::vector<double> sensors = element_sensors(field, options.sensor, options.scale);
     steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));
     steps.back().num_unknowns = solver.num_unknowns(field.elem_order);
     steps.back().elem_order = field.elem_order;

@@ -43,7 +43,7 @@ std::vector<double> fan_weights(const TriMesh& mesh) {
   return weights;
 }
 
-std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale) {
+std::vector<double> element_sensors(const Field& field, SensorKind kind, SensorScale scale) {
   const bool is_absolute = scale == SensorScale::absolute;
   const bool is_phase = field.kind == FieldKind::phase;
   const double least_norm = is_absolute ? 2 : std::numeric_limits<double>::min();  // 2: |1|^2, reference triangle

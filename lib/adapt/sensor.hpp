@@ -35,7 +35,7 @@ constexpr auto enum_names(SensorScale) {
 }
 
 /// S_e of every element, by element number.
-std::vector<double> sense(const Field& field, SensorKind kind, SensorScale scale = SensorScale::absolute);
+std::vector<double> element_sensors(const Field& field, SensorKind kind, SensorScale scale = SensorScale::absolute);
 
 /// The weights of squared errors in the sensor: 1 outside fans, in fans the element's area divided by the largest
 /// element area.

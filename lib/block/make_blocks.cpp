@@ -82,7 +82,7 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
 
 }  // namespace
 
-Blocks mend_blocks(graph::Subdivision subdivision, Report& report) {
+Blocks split_bad_chords(graph::Subdivision subdivision, Report& report) {
   const int blocks_before = subdivision.num_faces();
   Trial trial(std::move(subdivision));
   Blocks best = trial.blocks;
@@ -93,14 +93,14 @@ Blocks mend_blocks(graph::Subdivision subdivision, Report& report) {
     if (helps) best = trial.blocks;
     in_vain = helps ? 0 : in_vain + 1;
   }
-  keep_measures(best.measures, best.layout);
+  store_measures(best.measures, best.layout);
   report.set("blocks_added_to_mend", best.layout.num_blocks() - blocks_before);
   warn_of_invalid(best, report);
   return best;
 }
 
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report) {
-  Blocks blocks = mend_blocks(subdivision_into_blocks(graph), report);
+  Blocks blocks = split_bad_chords(subdivision_into_blocks(graph), report);
   blocks.layout.provenance = graph.provenance;
   report_layout(blocks.layout, blocks.measures, report);
   return blocks;

@@ -13,7 +13,7 @@ struct Blocks {
   std::vector<BlockMeasure> measures;
 };
 
-/// subdivision_into_blocks, then mend_blocks, then all measures, which are written to `report`.
+/// subdivision_into_blocks, then split_bad_chords, then all measures, which are written to `report`.
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report);
 
 /// The faces of `subdivision` are the blocks. Cuts the chords of bad blocks lengthwise through their long sides, up to
@@ -21,6 +21,6 @@ Blocks make_blocks(const SeparatrixGraph& graph, Report& report);
 /// valid (BlockMeasure::divisions == 0) or has a scaled Jacobian below 0.1. Keeps the result with the fewest blocks of
 /// the first kind, among these the fewest bad ones, among these the fewest cuts. Layouts without bad blocks are not
 /// changed. Issues a warning with the position for blocks that remain invalid.
-Blocks mend_blocks(graph::Subdivision subdivision, Report& report);
+Blocks split_bad_chords(graph::Subdivision subdivision, Report& report);
 
 }  // namespace quadrille::block

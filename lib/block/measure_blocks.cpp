@@ -119,7 +119,7 @@ std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout) {
   return measures;
 }
 
-void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout) {
+void store_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout) {
   layout.block_jacobian_bound.clear();
   layout.block_scaled_jacobian.clear();
   layout.block_boundary_distance.clear();

@@ -29,6 +29,6 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int
 std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout);
 
 /// Copies the measures that the file contains into the layout.
-void keep_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);
+void store_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);
 
 }  // namespace quadrille::block

@@ -130,7 +130,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   const std::vector<bool> is_absorbed =
       absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points.corners, points.changes);
   const std::vector<zeros::FoundZero> free = filtered(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
-  Clustering clustering = find_clusters(evaluator, free, zeros::unexplained(search.open_cells(), zeros),
+  Clustering clustering = find_clusters(evaluator, free, zeros::cells_without_zero(search.open_cells(), zeros),
                                         {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
   sort_by_position(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });

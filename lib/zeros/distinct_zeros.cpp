@@ -30,7 +30,7 @@ std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, co
   return result;
 }
 
-std::vector<OpenCell> unexplained(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros) {
+std::vector<OpenCell> cells_without_zero(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros) {
   std::vector<OpenCell> result;
   for (const OpenCell& cell : open_cells) {
     const bool is_explained = std::any_of(zeros.begin(), zeros.end(), [&](const FoundZero& zero) {

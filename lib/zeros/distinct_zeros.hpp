@@ -17,6 +17,6 @@ std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, co
 
 /// The open cells without those that lie no farther from a zero than rounding may shift it: next to a zero with small J
 /// the smallest cells cannot be isolated, and they contain that zero.
-std::vector<OpenCell> unexplained(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros);
+std::vector<OpenCell> cells_without_zero(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros);
 
 }  // namespace quadrille::zeros

@@ -23,7 +23,7 @@ Field empty_field() {
 TEST(Sensor, IsZeroForAComponentThatVanishes) {
   const Field field = empty_field();
   for (const SensorKind kind : {SensorKind::vector, SensorKind::u, SensorKind::v}) {
-    EXPECT_EQ(sense(field, kind), std::vector<double>({0, 0}));
+    EXPECT_EQ(element_sensors(field, kind), std::vector<double>({0, 0}));
   }
 }
 
@@ -34,12 +34,12 @@ TEST(Sensor, IsTheShareOfTheHighestDegree) {
   field.v[5] = 12;  // degree 2
   field.v[16] = 1e-3;
   field.u[14] = 0.5;  // element 1 is shorter than a unit field, whose square is 2 on the reference triangle
-  const std::vector<double> both = sense(field, SensorKind::vector);
+  const std::vector<double> both = element_sensors(field, SensorKind::vector);
   EXPECT_NEAR(both[0], 16.0 / (25 + 144), 1e-15);
   EXPECT_NEAR(both[1], 1e-6 / 2, 1e-20);
-  EXPECT_NEAR(sense(field, SensorKind::u)[0], 16.0 / 25, 1e-15);
-  EXPECT_EQ(sense(field, SensorKind::u)[1], 0);
-  EXPECT_EQ(sense(field, SensorKind::v)[0], 0);
+  EXPECT_NEAR(element_sensors(field, SensorKind::u)[0], 16.0 / 25, 1e-15);
+  EXPECT_EQ(element_sensors(field, SensorKind::u)[1], 0);
+  EXPECT_EQ(element_sensors(field, SensorKind::v)[0], 0);
 }
 
 TEST(Sensor, OfFanElementsCountsBySize) {
@@ -48,7 +48,7 @@ TEST(Sensor, OfFanElementsCountsBySize) {
   field.mesh.elem2vertices = {{0, 1, 2}, {0, 3, 4}};
   field.mesh.elem_layer = {-1, 0};
   field.u[9] = field.u[19] = 1;
-  const std::vector<double> sensors = sense(field, SensorKind::vector);
+  const std::vector<double> sensors = element_sensors(field, SensorKind::vector);
   EXPECT_NEAR(sensors[0], 0.5, 1e-15);
   EXPECT_NEAR(sensors[1], 0.005, 1e-15);
 }
@@ -66,9 +66,10 @@ TEST(Sensor, RelativeToTheElementAloneIsThePapers) {
   field.u[0] = 1;
   field.v[9] = 1e-12;  // all there is of v
   field.v[10] = field.v[19] = 1e-6;
-  EXPECT_EQ(sense(field, SensorKind::v, SensorScale::relative), std::vector<double>({1, 0.5}));
-  EXPECT_EQ(sense(field, SensorKind::u, SensorScale::relative), std::vector<double>({0, 0}));  // 0/0 on element 1
-  EXPECT_NEAR(sense(field, SensorKind::vector, SensorScale::relative)[0], 1e-24, 1e-36);
+  EXPECT_EQ(element_sensors(field, SensorKind::v, SensorScale::relative), std::vector<double>({1, 0.5}));
+  EXPECT_EQ(element_sensors(field, SensorKind::u, SensorScale::relative),
+            std::vector<double>({0, 0}));  // 0/0 on element 1
+  EXPECT_NEAR(element_sensors(field, SensorKind::vector, SensorScale::relative)[0], 1e-24, 1e-36);
 }
 
 TEST(Sensor, ScalesHaveNames) {

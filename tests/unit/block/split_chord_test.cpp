@@ -29,7 +29,7 @@ BlockLayout cut(const SeparatrixGraph& graph, int chord) {
   EXPECT_TRUE(split_chord(subdivision, arc_of(blocks_of(subdivision), chord),
                           std::vector<bool>(subdivision.num_faces(), true)));
   BlockLayout layout = blocks_of(subdivision);
-  keep_measures(measure_blocks(layout), layout);
+  store_measures(measure_blocks(layout), layout);
   return layout;
 }
 

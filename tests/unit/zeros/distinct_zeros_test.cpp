@@ -53,9 +53,9 @@ TEST_F(DistinctZeros, KeepsAZeroThatFallsIntoTheGapButNoneBeyondTheMesh) {
 
 TEST_F(DistinctZeros, UnexplainedAreOpenCellsThatNoZeroReaches) {
   const OpenCell cell{0, {0.6, 0.2}, 1e-6, {}};
-  EXPECT_EQ(unexplained({cell}, {zero(0, {0.6, 0.2}, 1, 1e-7)}).size(), 1u);
-  EXPECT_TRUE(unexplained({cell}, {zero(0, {0.6, 0.2}, 1, 1e-6)}).empty());
-  EXPECT_EQ(unexplained({cell}, {}).size(), 1u);
+  EXPECT_EQ(cells_without_zero({cell}, {zero(0, {0.6, 0.2}, 1, 1e-7)}).size(), 1u);
+  EXPECT_TRUE(cells_without_zero({cell}, {zero(0, {0.6, 0.2}, 1, 1e-6)}).empty());
+  EXPECT_EQ(cells_without_zero({cell}, {}).size(), 1u);
 }
 
 }  // namespace
