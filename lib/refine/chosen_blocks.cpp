@@ -36,6 +36,18 @@ std::vector<bool> passes(const sizing::MeasuredLayout& measured, const std::set<
   return does_pass;
 }
 
+/// By chord: whether it passes a block with an element that is not proved valid.
+std::vector<bool> passes_unproved(const sizing::MeasuredLayout& measured, const QuadMesh& mesh) {
+  std::set<int> blocks;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    if (!(mesh.elem_jacobian_bound[elem] > 0)) blocks.insert(mesh.elem_block[elem]);
+  return passes(measured, blocks);
+}
+
+bool contains(const std::vector<sizing::ChordCount>& counts, int chord) {
+  return std::any_of(counts.begin(), counts.end(), [&](const sizing::ChordCount& c) { return c.chord == chord; });
+}
+
 }  // namespace
 
 std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names) {
@@ -61,13 +73,25 @@ std::vector<sizing::ChordCount> coarse_counts(const sizing::MeasuredLayout& meas
 
 bool raise_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
                   std::vector<sizing::ChordCount>& coarse) {
-  std::set<int> blocks;
-  for (int elem = 0; elem < mesh.num_elems(); ++elem)
-    if (!(mesh.elem_jacobian_bound[elem] > 0)) blocks.insert(mesh.elem_block[elem]);
-  const std::vector<bool> is_concerned = passes(measured, blocks);
+  const std::vector<bool> is_concerned = passes_unproved(measured, mesh);
   bool is_any = false;
   for (sizing::ChordCount& c : coarse)
     if (is_concerned[c.chord] && c.count < max_coarse_count) c.count *= 2, is_any = true;
+  return is_any;
+}
+
+bool double_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh, const sizing::ArcDivisions& divisions,
+                   const std::vector<sizing::ChordCount>& prescribed, std::vector<sizing::ChordCount>& counts) {
+  std::vector<bool> is_concerned = passes_unproved(measured, mesh);
+  std::erase_if(counts, [&](const sizing::ChordCount& c) { return is_concerned[c.chord]; });
+  bool is_any = false;
+  for (int arc = 0; arc < measured.num_arcs(); ++arc) {
+    const int chord = measured.chord_of(arc);
+    if (!is_concerned[chord] || contains(prescribed, chord)) continue;
+    counts.push_back({chord, 2 * divisions[arc].num_intervals()});
+    is_concerned[chord] = false;
+    is_any = true;
+  }
   return is_any;
 }
 

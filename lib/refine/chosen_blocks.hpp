@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/quad_mesh.hpp"
+#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/measured_layout.hpp"
 
@@ -23,5 +24,10 @@ std::vector<sizing::ChordCount> coarse_counts(const sizing::MeasuredLayout& meas
 /// there are none.
 bool raise_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
                   std::vector<sizing::ChordCount>& coarse);
+
+/// Counts for all chords that pass a block with an element that is not proved valid: twice the present number of
+/// elements, without those in `prescribed`; other counts of `counts` stay. Returns false if there are none.
+bool double_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh, const sizing::ArcDivisions& divisions,
+                   const std::vector<sizing::ChordCount>& prescribed, std::vector<sizing::ChordCount>& counts);
 
 }  // namespace quadrille::refine

@@ -26,6 +26,7 @@ namespace {
 
 constexpr double max_element_nodes = 1e8;
 constexpr double default_size = 1.0 / 20;  ///< diameters
+constexpr int max_doublings = 3;           ///< of the counts of chords whose elements are not proved valid
 /// Divisions are made anew if the finished mesh misses the tolerance: their own samples are fewer. The stricter
 /// tolerance of the next attempt, relative to the ratio by which the last one missed.
 constexpr int max_attempts = 3;
@@ -51,6 +52,7 @@ struct SplitMesh {
   QuadMesh mesh;
   sizing::ArcDivisions divisions;
   std::optional<layers::WallPlan> walls;
+  int doublings = 0;  ///< of counts beyond the prescribed sizes, until the mesh was valid
 };
 
 /// Limits the number of nodes, so that a mistyped size does not exhaust the memory.
@@ -92,6 +94,17 @@ SplitMesh split_aligned_or_equal(const sizing::MeasuredLayout& aligned, const Sp
   return equal.mesh.is_valid ? std::move(equal) : std::move(first);
 }
 
+/// Doubles the counts of all chords whose blocks need it, beyond the prescribed sizes: a block whose exact map is valid
+/// has valid elements once these are small.
+void double_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request,
+                        std::vector<sizing::ChordCount> counts, SplitMesh& result) {
+  for (int doublings = 1; !result.mesh.is_valid && doublings <= max_doublings; ++doublings) {
+    if (!double_counts(aligned, result.mesh, result.divisions, request.options.counts, counts)) return;
+    result = split_aligned_or_equal(aligned, request, counts);
+    result.doublings = doublings;
+  }
+}
+
 /// Chords outside the chosen blocks start with one element; their counts are raised until the mesh is valid.
 SplitMesh split_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request) {
   const RefineOptions& options = request.options;
@@ -100,6 +113,7 @@ SplitMesh split_until_valid(const sizing::MeasuredLayout& aligned, const SplitRe
   SplitMesh result = split_aligned_or_equal(aligned, request, coarse);
   while (!result.mesh.is_valid && raise_counts(aligned, result.mesh, coarse))
     result = split_aligned_or_equal(aligned, request, coarse);
+  if (!options.allow_invalid) double_until_valid(aligned, request, coarse, result);
   return result;
 }
 
@@ -181,6 +195,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
                      report);
     distance = mesh::boundary_distance(split.mesh);
   }
+  report.set("count_doublings", split.doublings);
   report_mesh(split.mesh, measured.chords().size(), report);
   mesh::report_distance(distance, layout.face, request.division.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);

@@ -92,5 +92,29 @@ TEST(ChosenBlocks, CountsRiseWhereElementsAreNotProved) {
   EXPECT_LT(rounds, 20) << "it ends";
 }
 
+TEST(DoubleCounts, OfChordsThroughBlocksWithoutAProofOnly) {
+  const BlockLayout layout = layout_of(hand_made::l_shape());
+  const sizing::MeasuredLayout measured(layout);
+  QuadMesh mesh;
+  mesh.elem_block = {0, 1, 2};
+  mesh.elem_jacobian_bound = {-1, 1, 1};
+  sizing::ArcDivisions divisions(measured.num_arcs());
+  for (sizing::ArcDivision& division : divisions) division.ends = {0, 0.3, 0.6, 1};
+  const int first = measured.chord_of(layout.block2arcs[0][0].arc),
+            second = measured.chord_of(layout.block2arcs[0][1].arc);
+  std::vector<sizing::ChordCount> counts{{first, 1}};
+  EXPECT_TRUE(double_counts(measured, mesh, divisions, {}, counts));
+  ASSERT_EQ(counts.size(), 2u);
+  for (const sizing::ChordCount& c : counts) {
+    EXPECT_TRUE(c.chord == first || c.chord == second);
+    EXPECT_EQ(c.count, 6);
+  }
+  counts.clear();
+  EXPECT_TRUE(double_counts(measured, mesh, divisions, {{first, 3}}, counts));
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts.front().chord, second);
+  EXPECT_FALSE(double_counts(measured, mesh, divisions, {{first, 3}, {second, 3}}, counts));
+}
+
 }  // namespace
 }  // namespace quadrille::refine
