@@ -7,6 +7,7 @@
 #include "base/warning_codes.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
+#include "layout/fine_tolerance.hpp"
 #include "layout/midpoint_layout.hpp"
 #include "layout/quantized_layout.hpp"
 #include "layout/trace_separatrices.hpp"
@@ -30,8 +31,14 @@ LayoutComputation attempting(const Layout& layout) {
 
 graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report) {
-  const auto traced = [&](Report& r) { return trace_separatrices(evaluator, points, options, r); };
-  const auto quantized = [&](Report& r) { return quantized_layout(evaluator, points, options, r); };
+  const auto traced = [&](Report& r) {
+    return with_fine_tolerance(options, r,
+                               [&](const LayoutOptions& o) { return trace_separatrices(evaluator, points, o, r); });
+  };
+  const auto quantized = [&](Report& r) {
+    return with_fine_tolerance(options, r,
+                               [&](const LayoutOptions& o) { return quantized_layout(evaluator, points, o, r); });
+  };
   const auto midpoint = [&](Report& r) { return midpoint_layout(evaluator.field().mesh, r); };
   ChosenLayout chosen =
       choose_layout(trace::num_launches(points), attempting(traced), attempting(quantized), midpoint, report);
@@ -45,20 +52,20 @@ graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, 
 
 graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                          const LayoutOptions& options, LayoutMethod method, Report& report) {
-  const auto compute = [&] {
+  const auto compute = [&](const LayoutOptions& o) {
     switch (method) {
       case LayoutMethod::t_mesh:
-        return quantize::TMeshTracer(evaluator, points, options.trace).trace(report);
+        return quantize::TMeshTracer(evaluator, points, o.trace).trace(report);
       case LayoutMethod::quantized:
-        return quantized_layout(evaluator, points, options, report);
+        return quantized_layout(evaluator, points, o, report);
       case LayoutMethod::midpoint:
         return midpoint_layout(evaluator.field().mesh, report);
       case LayoutMethod::traced:
         break;
     }
-    return trace_separatrices(evaluator, points, options, report);
+    return trace_separatrices(evaluator, points, o, report);
   };
-  graph::CandidateLayout layout = compute();
+  graph::CandidateLayout layout = with_fine_tolerance(options, report, compute);
   certify(evaluator, method, layout, report);
   return layout;
 }

@@ -21,7 +21,7 @@ TEST(FamilyOrder, ACrossingAtASmallAngleIsNamedUnlessAMergeHasMadeIt) {
   try {
     require_family_order(crossings, {true, false, false}, {100, 0});
     FAIL();
-  } catch (const ComputeError& error) {
+  } catch (const FamilyOrderError& error) {
     EXPECT_NE(std::string(error.what()).find("(104, 5)"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("11.5 degrees"), std::string::npos) << error.what();
   }
