@@ -236,6 +236,11 @@ setup() {
 @test "an invalid mesh is written with --allow-invalid only, and says so from then on" {
   stage_chain eccentric_annulus
   ask="--order 1 --size 1000 --geometry-tol 1 eccentric_annulus.blocks.h5"
+  # There would be more elements, did not every chord have a prescribed number.
+  run -0 quadrefine $ask -o good.quad.h5 --report good.json
+  run -0 jq -c '[.valid, .count_doublings > 0]' good.json
+  assert_output '[true,true]'
+  for ((chord = 0; chord < $(jq .chords good.json); ++chord)); do ask+=" --count $chord=1"; done
   run -1 quadrefine $ask -o bad.quad.h5 --report bad.json
   assert_output --partial "cannot be proved valid; the worst lies at ("
   assert_output --partial "--allow-invalid"
