@@ -119,3 +119,20 @@ symmetric() {
   run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" node.sep.json
   assert_line "kept 1 of 2"
 }
+
+@test "a corner that absorbed a node launches lines beyond it: every face has four corners" {
+  # A triangular hole in a narrow strip: its lowest corner absorbs a node of valence 5.
+  printf '%s\n' '-3 -0.3' '3 -0.3' '3 0.3' '-3 0.3' '' '-1.7 0.2' '-1.3 0.2' '-1.5 -0.2' |
+    "$ROOT/pipelines/points2step" --straight -o hole.step
+  cad2tri hole.step | fieldsolve - | padapt - -o hole.field.h5
+  critpoints hole.field.h5 -o hole.crit.json
+  run -0 jq -c '[.corners[] | select(.source == "absorb") | .valence]' hole.crit.json
+  assert_output '[4]'
+  for layout in traced quantized; do
+    separatrix hole.field.h5 hole.crit.json --layout $layout -o hole.sep.json
+    run -0 jq -c '[.certificate.face_valence_histogram[].corners]' hole.sep.json
+    assert_output '[4]'
+    run -0 --separate-stderr blocksplit hole.sep.json -o hole.blocks.h5
+    run -0 --separate-stderr quadrefine hole.blocks.h5 -o hole.quad.h5
+  done
+}
