@@ -1,13 +1,19 @@
 // cad2tri: makes the curved triangle mesh on which the field is solved from a CAD file with one planar face.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <map>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
 #include "cad/rename_curves.hpp"
+#include "cad/write_cad.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
@@ -30,6 +36,30 @@ void report_face(const CadFace& face, Report& report) {
   report.set("face.length_unit", face.length_unit);
 }
 
+std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs) {
+  std::map<RepairKind, int> counts;
+  double greatest = 0;
+  for (const Repair& repair : repairs) ++counts[repair.kind], greatest = std::max(greatest, repair.distance);
+  std::vector<std::string> parts;
+  const auto add = [&](RepairKind kind, const char* one, const char* many) {
+    if (counts[kind] > 0) parts.push_back(fmt::format("{} {}", counts[kind], counts[kind] == 1 ? one : many));
+  };
+  add(RepairKind::joint, "joint", "joints");
+  add(RepairKind::vertex, "vertex off its edges", "vertices off their edges");
+  add(RepairKind::plane, "edge off the plane", "edges off the plane");
+  add(RepairKind::edge, "short edge removed", "short edges removed");
+  return fmt::format("healed {}; by at most {:.2g} {} ({:.1g} diameters)", fmt::join(parts, ", "), greatest,
+                     face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
+}
+
+// The healed face as a CAD file, in the format that the ending of `path` names.
+void write_healed(const std::string& path, const CadFace& face) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending != ".step" && ending != ".stp" && ending != ".brep")
+    throw UsageError("--write-healed " + path + ": the file must end in .step, .stp or .brep");
+  io::write_output(path, ending == ".brep" ? cad::brep_of_face(face) : cad::step_of_face(face), false);
+}
+
 std::string digest_format(cad::CadFormat format) {
   return format == cad::CadFormat::step ? "step" : format == cad::CadFormat::iges ? "iges" : "brep";
 }
@@ -37,7 +67,7 @@ std::string digest_format(cad::CadFormat format) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-", names;
+  std::string input = "-", output = "-", names, healed;
   double corner_angle = 1, heal_tolerance = -1;
   triangulate::TriangulateOptions options;
 
@@ -65,6 +95,7 @@ int main(int argc, char** argv) {
         "--heal-tolerance", heal_tolerance, -1, 5e-3, "diameters",
         "the most that edges and vertices which do not meet, or leave the plane, are moved; edges shorter than this "
         "are removed; 0: no healing; -1: 1e-5, or the tolerances of the shape if they are larger");
+    o.text("--write-healed", healed, "FILE", "also write the healed face as a CAD file: x.step or x.brep", false);
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
              "growth of the element size with the distance from small features");
@@ -91,10 +122,13 @@ int main(int argc, char** argv) {
       inputs.push_back(names_file.digest("boundary-names"));
     }
     report_face(face, s.report());
+    if (!loaded.repairs.empty()) s.info(repairs_text(face, loaded.repairs), 0);
+    if (!healed.empty()) write_healed(healed, face);
     s.begin_phase("triangulate");
     TriMesh mesh = triangulate::triangulate(face, options, s.report());
     s.end_phase();
     mesh.provenance = s.provenance({}, inputs);
+    mesh.repairs = loaded.repairs;
     s.info(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
                        mesh.curved_elems.size()));
     io::write_tri_mesh(output, mesh);

@@ -1,7 +1,7 @@
 // Private helper of quadexport: writes blocks as STEP. A separate program, because every process that links the CAD
 // kernel pays for its start-up.
 
-#include "cad/write_step.hpp"
+#include "cad/write_cad.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"

@@ -30,7 +30,6 @@ class Writer {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(const Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
-  void operator()(const Repair& r) { (*this)(r.kind), (*this)(r.cad_edge), (*this)(r.position), (*this)(r.distance); }
 };
 
 class Reader {
@@ -58,7 +57,6 @@ class Reader {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
-  void operator()(Repair& r) { (*this)(r.kind), (*this)(r.cad_edge), (*this)(r.position), (*this)(r.distance); }
 
   bool at_end() const { return at_ == bytes_.size(); }
 

@@ -11,10 +11,14 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <gp_Ax3.hxx>
+#include <gp_Pln.hxx>
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
@@ -23,11 +27,16 @@
 namespace quadrille::cad {
 namespace {
 
-// The point x of the face's plane, in the space of the CAD model; `scale` converts the length unit.
 gp_Pnt point_in_space(const CadFace& face, double scale, Vec2 x) {
   const Vec2 p = x + face.origin;
   const auto c = [&](int k) { return scale * (face.plane_origin[k] + p.x * face.plane_x[k] + p.y * face.plane_y[k]); };
   return {c(0), c(1), c(2)};
+}
+
+gp_Pln plane_in_space(const CadFace& face, double scale) {
+  const auto &e_x = face.plane_x, &e_y = face.plane_y;
+  const gp_Dir x(e_x[0], e_x[1], e_x[2]), y(e_y[0], e_y[1], e_y[2]);
+  return gp_Pln(gp_Ax3(point_in_space(face, scale, {0, 0}), x.Crossed(y), x));
 }
 
 Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs& curve) {
@@ -49,27 +58,67 @@ Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs&
   return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
 }
 
+// An edge from vertex to vertex: a line if the curve is one, else an exact B-spline.
+TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve, const TopoDS_Vertex& from,
+                          const TopoDS_Vertex& to, double tolerance) {
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  double first = curve.begin(), last = curve.end();
+  if (curve.degree == 1 && curve.poles.size() == 2) {
+    const gp_Pnt a = point_in_space(face, scale, curve.poles.front());
+    const gp_Pnt b = point_in_space(face, scale, curve.poles.back());
+    builder.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance);
+    first = 0, last = a.Distance(b);
+  } else {
+    builder.MakeEdge(edge, spline(face, scale, curve), tolerance);
+  }
+  builder.Add(edge, from.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, to.Oriented(TopAbs_REVERSED));
+  builder.Range(edge, first, last);
+  return edge;
+}
+
+// The wire of a loop; adds the names of its edges to `result`.
+TopoDS_Wire wire_of(const CadFace& face, int loop, double scale, OccShape& result) {
+  const BRep_Builder builder;
+  const double tolerance = 1e-7 * face.diameter * scale;
+  const int first = face.loop_offsets[loop], n = face.loop_offsets[loop + 1] - first;
+  std::vector<TopoDS_Vertex> vertices(n);
+  for (int i = 0; i < n; ++i)
+    builder.MakeVertex(vertices[i], point_in_space(face, scale, face.curves[first + i].poles.front()), tolerance);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (int i = 0; i < n; ++i) {
+    const TopoDS_Edge edge =
+        edge_in_space(face, scale, face.curves[first + i], vertices[i], vertices[(i + 1) % n], tolerance);
+    builder.Add(wire, edge);
+    if (face.has_given_name(first + i)) result.names.emplace_back(edge, face.curve_names[first + i]);
+  }
+  wire.Closed(true);
+  return wire;
+}
+
 class ShellBuilder {
  public:
   ShellBuilder(const BlockLayout& layout, double scale) : layout_(layout), scale_(scale) {
     tolerance_ = 1e-7 * layout.face.diameter * scale;
   }
 
-  OccBlocks build() {
+  OccShape build() {
     for (const GraphNode& node : layout_.nodes) vertices_.push_back(vertex(node.position));
     for (int a = 0; a < static_cast<int>(layout_.arcs.size()); ++a) edges_.push_back(edges_of_arc(a));
-    const auto& e_x = layout_.face.plane_x;
-    const auto& e_y = layout_.face.plane_y;
-    const gp_Dir x(e_x[0], e_x[1], e_x[2]), y(e_y[0], e_y[1], e_y[2]);
-    const Handle(Geom_Plane) plane = new Geom_Plane(gp_Ax3(in_space({0, 0}), x.Crossed(y), x));
-    builder_.MakeShell(result_.shell);
-    for (const auto& arcs : layout_.block2arcs) {
+    const Handle(Geom_Plane) plane = new Geom_Plane(plane_in_space(layout_.face, scale_));
+    TopoDS_Shell shell;
+    builder_.MakeShell(shell);
+    for (size_t b = 0; b < layout_.block2arcs.size(); ++b) {
       TopoDS_Face face;
       builder_.MakeFace(face, plane, tolerance_);
-      builder_.Add(face, wire_of(arcs));
-      builder_.Add(result_.shell, face);
-      result_.faces.push_back(face);
+      builder_.Add(face, wire_of(layout_.block2arcs[b]));
+      builder_.Add(shell, face);
+      const bool has_name = b < layout_.block_names.size();
+      result_.names.emplace_back(face, has_name ? layout_.block_names[b] : fmt::format("block_{}", b));
     }
+    result_.shape = shell;
     return std::move(result_);
   }
 
@@ -112,19 +161,7 @@ class ShellBuilder {
         throw ComputeError(fmt::format("arc {} ends {:.3g} off its node at {}", arc, gap / scale_,
                                        position_text(end + layout_.face.origin)));
     }
-    TopoDS_Edge edge;
-    double first = part.begin(), last = part.end();
-    if (part.degree == 1 && part.poles.size() == 2) {
-      const gp_Pnt a = in_space(part.poles.front()), b = in_space(part.poles.back());
-      builder_.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance_);
-      first = 0, last = a.Distance(b);
-    } else {
-      builder_.MakeEdge(edge, spline(layout_.face, scale_, part), tolerance_);
-    }
-    builder_.Add(edge, from.Oriented(TopAbs_FORWARD));
-    builder_.Add(edge, to.Oriented(TopAbs_REVERSED));
-    builder_.Range(edge, first, last);
-    return edge;
+    return edge_in_space(layout_.face, scale_, part, from, to, tolerance_);
   }
 
   TopoDS_Wire wire_of(const std::array<HalfEdge, 4>& arcs) {
@@ -145,11 +182,22 @@ class ShellBuilder {
   BRep_Builder builder_;
   std::vector<TopoDS_Vertex> vertices_;
   std::vector<std::vector<TopoDS_Edge>> edges_;
-  OccBlocks result_;
+  OccShape result_;
 };
 
 }  // namespace
 
-OccBlocks occ_blocks(const BlockLayout& layout, double scale) { return ShellBuilder(layout, scale).build(); }
+OccShape occ_blocks(const BlockLayout& layout, double scale) { return ShellBuilder(layout, scale).build(); }
+
+OccShape occ_face_shape(const CadFace& face, double scale) {
+  OccShape result;
+  const BRep_Builder builder;
+  TopoDS_Face shape;
+  builder.MakeFace(shape, new Geom_Plane(plane_in_space(face, scale)), 1e-7 * face.diameter * scale);
+  for (int l = 0; l < face.num_loops(); ++l) builder.Add(shape, wire_of(face, l, scale, result));
+  if (!face.name.empty()) result.names.emplace_back(shape, face.name);
+  result.shape = shape;
+  return result;
+}
 
 }  // namespace quadrille::cad

@@ -1,9 +1,7 @@
 #pragma once
-// A block layout as an OpenCASCADE shell with shared edges and vertices.
+// A block layout or a face as an OpenCASCADE shape with shared edges and vertices.
 
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Shell.hxx>
+#include <TopoDS_Shape.hxx>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,13 +10,15 @@
 
 namespace quadrille::cad {
 
-struct OccBlocks {
-  TopoDS_Shell shell;
-  std::vector<TopoDS_Face> faces;                          ///< one per block
-  std::vector<std::pair<TopoDS_Edge, std::string>> names;  ///< of boundary edges
+struct OccShape {
+  TopoDS_Shape shape;
+  std::vector<std::pair<TopoDS_Shape, std::string>> names;  ///< of faces and boundary edges
 };
 
-/// `scale`: factor from the length unit of the layout to the unit of the shell.
-OccBlocks occ_blocks(const BlockLayout& layout, double scale);
+/// A shell with one face for each block. `scale`: factor from the length unit of the layout to the unit of the shell.
+OccShape occ_blocks(const BlockLayout& layout, double scale);
+
+/// A face with one edge for each curve; only edges with a given name are named.
+OccShape occ_face_shape(const CadFace& face, double scale);
 
 }  // namespace quadrille::cad

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepTools.hxx>
 #include <Interface_Static.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
@@ -20,17 +19,17 @@
 #include "base/error.hpp"
 #include "cad/occ_blocks.hpp"
 #include "cad/occ_quiet.hpp"
-#include "cad/write_step.hpp"
+#include "cad/write_cad.hpp"
 
 namespace quadrille::cad {
 namespace {
 
 struct WrittenUnit {
   const char* name;  ///< name of the unit in the writer
-  double scale;      ///< factor from the unit of the layout
+  double scale;      ///< factor from the unit of the face
 };
 
-// The unit of the layout if the writer supports it; coordinates in other units are converted to millimetres.
+// The unit of the face if the writer supports it; coordinates in other units are converted to millimetres.
 WrittenUnit written_unit(const CadFace& face) {
   static const std::pair<const char*, double> known[] = {
       {"MM", 1e-3}, {"M", 1.0},       {"INCH", 0.0254}, {"CM", 1e-2}, {"FT", 0.3048},
@@ -52,9 +51,9 @@ void set_up(STEPControl_Writer& writer, const char* unit) {
   Interface_Static::SetIVal("write.precision.mode", 0);
 }
 
-void set_header(const Handle(StepData_StepModel) & model) {
+void set_header(const Handle(StepData_StepModel) & model, const std::string& name) {
   APIHeaderSection_MakeHeader header(model);
-  header.SetName(text("blocks"));
+  header.SetName(text(name));
   header.SetTimeStamp(text("1970-01-01T00:00:00"));
   header.SetAuthorValue(1, text(""));
   header.SetOrganizationValue(1, text(""));
@@ -64,24 +63,21 @@ void set_header(const Handle(StepData_StepModel) & model) {
   header.Apply(model);
 }
 
-void set_names(const STEPControl_Writer& writer, const OccBlocks& blocks, const BlockLayout& layout) {
+void set_names(const STEPControl_Writer& writer, const OccShape& shape) {
   const Handle(Transfer_FinderProcess) process = writer.WS()->TransferWriter()->FinderProcess();
-  const auto name = [&](const TopoDS_Shape& shape, const std::string& s) {
-    const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(process, shape);
-    if (!item.IsNull()) item->SetName(text(s));
-  };
-  for (size_t b = 0; b < blocks.faces.size(); ++b)
-    name(blocks.faces[b], b < layout.block_names.size() ? layout.block_names[b] : fmt::format("block_{}", b));
-  for (const auto& [edge, s] : blocks.names) name(edge, s);
+  for (const auto& [named, name] : shape.names) {
+    const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(process, named);
+    if (!item.IsNull()) item->SetName(text(name));
+  }
 }
 
-// Replaces the product name, because the writer numbers the products of a process and equal layouts must produce equal
+// Replaces the product name, because the writer numbers the products of a process and equal shapes must produce equal
 // bytes.
-void set_product_name(const StepData_StepModel& model) {
+void set_product_name(const StepData_StepModel& model, const std::string& name) {
   for (int i = 1; i <= model.NbEntities(); ++i)
     if (const auto product = Handle(StepBasic_Product)::DownCast(model.Value(i)); !product.IsNull()) {
-      product->SetId(text("blocks"));
-      product->SetName(text("blocks"));
+      product->SetId(text(name));
+      product->SetName(text(name));
     }
 }
 
@@ -96,26 +92,52 @@ std::string written(const STEPControl_Writer& writer, const Handle(StepData_Step
   return stream.str();
 }
 
+// `product`: name of the product, and of the file in its header; `tolerance`: a length in the unit of the file.
+std::string step_text(const OccShape& shape, const WrittenUnit& unit, const std::string& product, double tolerance) {
+  STEPControl_Writer writer;
+  set_up(writer, unit.name);
+  writer.SetTolerance(tolerance);
+  if (writer.Transfer(shape.shape, STEPControl_ShellBasedSurfaceModel) != IFSelect_RetDone)
+    throw ComputeError("the " + product + " cannot be turned into a STEP model");
+  const Handle(StepData_StepModel) model = writer.Model();
+  set_header(model, product);
+  set_names(writer, shape);
+  set_product_name(*model, product);
+  return written(writer, model);
+}
+
+template <class Write>
+std::string guarded(const std::string& what, Write write) {
+  quiet_kernel();
+  try {
+    return write();
+  } catch (const Standard_Failure& e) {
+    throw ComputeError(what + " cannot be written as a CAD file: " + e.GetMessageString());
+  }
+}
+
 }  // namespace
 
 std::string step_of_blocks(const BlockLayout& layout) {
-  quiet_kernel();
-  try {
+  return guarded("the blocks", [&] {
     const WrittenUnit unit = written_unit(layout.face);
-    STEPControl_Writer writer;
-    set_up(writer, unit.name);
-    writer.SetTolerance(1e-7 * layout.face.diameter * unit.scale);
-    const OccBlocks blocks = occ_blocks(layout, unit.scale);
-    if (writer.Transfer(blocks.shell, STEPControl_ShellBasedSurfaceModel) != IFSelect_RetDone)
-      throw ComputeError("the blocks cannot be turned into a STEP model");
-    const Handle(StepData_StepModel) model = writer.Model();
-    set_header(model);
-    set_names(writer, blocks, layout);
-    set_product_name(*model);
-    return written(writer, model);
-  } catch (const Standard_Failure& e) {
-    throw ComputeError(std::string("the blocks cannot be turned into a STEP model: ") + e.GetMessageString());
-  }
+    return step_text(occ_blocks(layout, unit.scale), unit, "blocks", 1e-7 * layout.face.diameter * unit.scale);
+  });
+}
+
+std::string step_of_face(const CadFace& face) {
+  return guarded("the face", [&] {
+    const WrittenUnit unit = written_unit(face);
+    return step_text(occ_face_shape(face, unit.scale), unit, "face", 1e-7 * face.diameter * unit.scale);
+  });
+}
+
+std::string brep_of_face(const CadFace& face) {
+  return guarded("the face", [&] {
+    std::ostringstream stream;
+    BRepTools::Write(occ_face_shape(face, 1).shape, stream);
+    return stream.str();
+  });
 }
 
 }  // namespace quadrille::cad

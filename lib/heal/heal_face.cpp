@@ -43,7 +43,7 @@ void project_edges(const Wires& wires, const HealScale& scale, std::vector<Repai
         throw FormatError(fmt::format("{}: edge {} leaves the plane of the face by {:.3g}{}", scale.file, edge.cad_edge,
                                       edge.height, remedy(scale, edge.height)));
       if (edge.height > scale.rounding)
-        repairs.push_back({"plane", edge.cad_edge, edge.curve.poles.front(), edge.height});
+        repairs.push_back({RepairKind::plane, edge.cad_edge, edge.curve.poles.front(), edge.height});
     }
 }
 
@@ -72,7 +72,7 @@ void report_removed(const MeasuredEdge& edge, double length, const HealScale& sc
   report.warn(warning::short_edge_ignored,
               fmt::format("{}: ignored edge {} at {}: shorter than the tolerance {:.3g}", scale.file,
                           edge.raw->cad_edge, rounded_position_text(edge.raw->start), length));
-  repairs.push_back({"edge", edge.raw->cad_edge, edge.raw->start, edge.length});
+  repairs.push_back({RepairKind::edge, edge.raw->cad_edge, edge.raw->start, edge.length});
 }
 
 void remove_short_edges(Wires& wires, const HealScale& scale, std::vector<Repair>& repairs, Report& report) {
@@ -104,6 +104,13 @@ void report_repairs(const std::vector<Repair>& repairs, const HealScale& scale, 
   report.set("heal.tolerance", scale.tolerance / scale.diameter);
   report.set("heal.repairs", repairs.size());
   report.set("heal.greatest", greatest / scale.diameter);
+  for (size_t i = 0; i < repairs.size(); ++i) {
+    const std::string key = fmt::format("heal.repair.{}.", i);
+    report.set(key + "kind", enum_name(repairs[i].kind));
+    report.set(key + "edge", repairs[i].cad_edge);
+    report.set(key + "position", Report::Value(std::vector<double>{repairs[i].position.x, repairs[i].position.y}));
+    report.set(key + "distance", repairs[i].distance);
+  }
   if (greatest > heal_rules.large_tolerance * scale.diameter)
     report.warn(
         warning::large_repair,

@@ -47,13 +47,13 @@ NewJoint new_joint(const std::vector<MeasuredEdge>& wire, size_t i, const HealSc
   const double gap = distance(end, start);
   if (gap <= scale.rounding) {
     const double off = std::max(distance(in.raw->end, end), distance(out.raw->start, start));
-    if (off > scale.rounding) repairs.push_back({"vertex", in.raw->cad_edge, end, off});
+    if (off > scale.rounding) repairs.push_back({RepairKind::vertex, in.raw->cad_edge, end, off});
     return {end, start, 0};
   }
   const LimitedJoint joint = limit.joint(in, out, {wire[(i + n - 1) % n].raw, in.raw, out.raw, wire[(i + 2) % n].raw});
   const auto x = joint_target(joint.in, joint.out);
   if (!x) refuse(in, out, scale, joint);
-  repairs.push_back({"joint", in.raw->cad_edge, *x, std::max(distance(end, *x), distance(start, *x))});
+  repairs.push_back({RepairKind::joint, in.raw->cad_edge, *x, std::max(distance(end, *x), distance(start, *x))});
   return {*x, *x, gap};
 }
 

@@ -7,8 +7,20 @@
 namespace quadrille::io {
 
 namespace {
-constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 1};
+constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 2};
+
+// Not in the files of later stages, which hold the mesh as a group.
+void describe_repairs(Archive& archive, std::vector<Repair>& repairs) {
+  if (!archive.has("repairs")) return;
+  archive.field("repairs", repairs, [](Archive& a, Repair& repair) {
+    a.field("kind", repair.kind, {"", "joint, vertex, plane or edge"});
+    a.field("cad_edge", repair.cad_edge, {"", "number of the edge in the CAD file"});
+    a.field("position", repair.position, {"length", "in the coordinates of the CAD file"});
+    a.field("distance", repair.distance, {"length", "how far it was moved"});
+  });
 }
+
+}  // namespace
 
 void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
   describe_face(archive, mesh.face);
@@ -29,13 +41,19 @@ void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
 
 TriMesh read_tri_mesh(const InputFile& file) {
   TriMesh mesh;
-  mesh.provenance = read_hdf5_stage(file, tri_mesh_version, [&](Archive& a) { describe_tri_mesh(a, mesh); });
+  mesh.provenance = read_hdf5_stage(file, tri_mesh_version, [&](Archive& a) {
+    describe_tri_mesh(a, mesh);
+    describe_repairs(a, mesh.repairs);
+  });
   return mesh;
 }
 
 void write_tri_mesh(const std::string& path, const TriMesh& mesh) {
   TriMesh copy = mesh;  // a description needs a mutable object, since it may also read
-  write_hdf5_stage(path, tri_mesh_version, mesh.provenance, [&](Archive& a) { describe_tri_mesh(a, copy); });
+  write_hdf5_stage(path, tri_mesh_version, mesh.provenance, [&](Archive& a) {
+    describe_tri_mesh(a, copy);
+    describe_repairs(a, copy.repairs);
+  });
 }
 
 }  // namespace quadrille::io

@@ -1,19 +1,31 @@
 #pragma once
 // What healing changed in the boundary of a CAD face (formats/tri-mesh.md, `repairs`).
 
-#include <string>
+#include <array>
 
+#include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 
 namespace quadrille {
 
+enum class RepairKind {
+  joint,   ///< the ends of two edges were moved to one point
+  vertex,  ///< the vertex in the file lies off its edges, which meet
+  plane,   ///< the edge was projected to the plane of the face
+  edge,    ///< a short edge was removed
+};
+
+constexpr auto enum_names(RepairKind) {
+  using enum RepairKind;
+  return std::array{EnumName{joint, "joint"}, EnumName{vertex, "vertex"}, EnumName{plane, "plane"},
+                    EnumName{edge, "edge"}};
+}
+
 struct Repair {
-  /// "joint": the ends of two edges were moved to one point; "vertex": the vertex in the file lies off its edges, which
-  /// meet; "plane": the edge was projected to the plane of the face; "edge": a short edge was removed.
-  std::string kind;
+  RepairKind kind = RepairKind::joint;
   int cad_edge = 0;     ///< number of the edge in the file; of the edge that ends there for a joint or vertex
   Vec2 position;        ///< in the coordinates of the file, face.origin included
-  double distance = 0;  ///< how far it was moved, a length
+  double distance = 0;  ///< how far it was moved; the length of a removed edge
 };
 
 }  // namespace quadrille

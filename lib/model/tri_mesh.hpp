@@ -12,6 +12,7 @@
 #include "base/vec2.hpp"
 #include "model/cad_face.hpp"
 #include "model/provenance.hpp"
+#include "model/repair.hpp"
 
 namespace quadrille {
 
@@ -34,6 +35,7 @@ struct TriMesh {
   std::vector<int> curved_elems;             ///< ascending
   std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the order of spectral/tri_nodes
   std::vector<BoundaryEdge> boundary_edges;  ///< sorted by curve, then t0: each loop in turn
+  std::vector<Repair> repairs;               ///< what healing changed in the boundary of the CAD file
   std::vector<int> elem_layer;               ///< -1, or the layer of the corner fan of the element: 0 is at the apex
 
   int num_elems() const { return static_cast<int>(elem2vertices.size()); }

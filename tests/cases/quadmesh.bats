@@ -326,3 +326,12 @@ END
   run -0 "$quadmesh" --version
   assert_output --regexp '^quadmesh .*[0-9]+\.[0-9]+\.[0-9]+$'
 }
+
+@test "edges that do not meet are healed on the way, by as much as --heal-tolerance allows" {
+  sed -E "s/^(#[0-9]+ = CIRCLE\('',#[0-9]+,)1\.\)/\11.0001)/" "$DATA/stadium.step" > slot.step
+  run -0 --separate-stderr "$quadmesh" slot.step -o slot.msh --write-healed healed.brep
+  assert_regex "$stderr" 'healed 4 joints'
+  [[ -s healed.brep ]]
+  run -3 --separate-stderr "$quadmesh" slot.step -o other.msh --heal-tolerance 1e-5
+  assert_regex "$stderr" 'give --heal-tolerance'
+}

@@ -171,3 +171,55 @@ curve_names() {
   refused 'x' 'not JSON'
   assert_nothing_left names.json
 }
+
+# rounder FACTOR: the stadium with a radius FACTOR times as large as its lines ask for, so that its edges do not meet.
+rounder() {
+  sed -E "s/^(#[0-9]+ = CIRCLE\('',#[0-9]+,)1\.\)/\1$1)/" "$DATA/stadium.step"
+}
+
+@test "edges that do not meet are healed, and the message, the report and the file tell where" {
+  for radius in 1.0000007 1.000005 1.00001; do
+    rounder $radius > slot.step
+    run cad2tri slot.step -o slot.tri.h5 --report slot.json
+    assert_success
+    assert_output --regexp '^cad2tri: healed 4 joints; by at most [0-9.e-]+ millimetre \([0-9e-]+ diameters\)$'
+    assert_equal "$(jq -c '[.heal.repairs, .heal.repair["3"].kind, .face.corners]' slot.json)" '[4,"joint",0]'
+    run h5dump -d repairs/kind slot.tri.h5
+    assert_output --partial '"joint", "joint", "joint", "joint"'
+    run stagecheck slot.tri.h5
+    assert_success
+  done
+}
+
+@test "--heal-tolerance bounds what is healed, and 0 turns it off" {
+  rounder 1.0003 > slot.step
+  run cad2tri slot.step -o slot.tri.h5 --heal-tolerance 1e-5
+  assert_failure 3
+  assert_output --regexp 'slot.step: edge [0-9]: its vertex at .* lies 0.0003 off its curve .*: give --heal-tolerance 7.5e-05$'
+  cad2tri slot.step -o slot.tri.h5 --heal-tolerance 7.6e-5
+  rounder 1.000005 > slot.step
+  run cad2tri slot.step -o none.tri.h5 --heal-tolerance 0
+  assert_failure 3
+  assert_output --partial 'off its curve'
+  for value in -2 0.006; do
+    run cad2tri slot.step -o none.tri.h5 --heal-tolerance $value
+    assert_failure 2
+    assert_output --partial '--heal-tolerance'
+  done
+  assert_nothing_left slot.step slot.tri.h5
+}
+
+@test "--write-healed writes a face that needs no healing" {
+  rounder 1.000005 > slot.step
+  cad2tri slot.step -o slot.tri.h5 --write-healed healed.step
+  cad2tri slot.step -o slot.tri.h5 --write-healed healed.brep
+  for file in healed.step healed.brep; do
+    run cad2tri $file -o again.tri.h5 --report again.json
+    assert_success
+    assert_output ''
+    assert_equal "$(jq '.heal.repairs' again.json)" 0
+  done
+  run cad2tri slot.step -o slot.tri.h5 --write-healed healed.txt
+  assert_failure 2
+  assert_output --partial '--write-healed healed.txt: the file must end in .step, .stp or .brep'
+}

@@ -51,6 +51,7 @@ inline TriMesh tri_mesh() {
   m.curved_nodes = {{0, 0}, {1, 0}, {0.5, 0.5}, {0.5, 0}, {0.75, 0.25}, {0.25, 0.25}};
   for (int k = 0; k < 4; ++k) m.boundary_edges.push_back({k, 0, k, 0, 1});
   m.elem_layer = {-1, -1, -1, -1};
+  m.repairs = {{RepairKind::joint, 1, {1, 1}, 1e-6}};
   return m;
 }
 

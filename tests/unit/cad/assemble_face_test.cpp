@@ -79,6 +79,28 @@ TEST(AssembleFace, knows_angles_close_to_zero_and_to_a_full_turn) {
   EXPECT_NEAR(spike.joints[3].interior_angle, 2 * std::atan(h / 2), 1e-15);
 }
 
+TEST(AssembleFace, knows_cusps) {
+  heal::RawFace raw = polygon(square);
+  // Interior angle 2 pi: the face goes round the tip (2, 2) of a notch between the edge and a quarter circle.
+  raw.wires[0] = {edge(curve::segment({0, 0}, {6, 0}), 0), edge(curve::segment({6, 0}, {6, 2}), 1),
+                  edge(curve::segment({6, 2}, {2, 2}), 2), edge(curve::circular_arc({2, 4}, 2, -half_pi, 0), 3),
+                  edge(curve::segment({4, 4}, {0, 4}), 4), edge(curve::segment({0, 4}, {0, 0}), 5)};
+  const CadFace face = assembled(raw);
+  EXPECT_NEAR(face.joints[3].interior_angle, 2 * pi, 1e-6);
+  EXPECT_TRUE(face.joints[3].is_corner);
+  // Interior angle 0: the notch itself.
+  raw.wires[0] = {edge(curve::segment({2, 2}, {6, 2}), 0), edge(curve::segment({6, 2}, {4, 4}), 1),
+                  edge(curve::circular_arc({2, 4}, 2, 0, -half_pi), 2)};
+  try {
+    assembled(raw);
+    FAIL();
+  } catch (const FormatError& error) {
+    EXPECT_NE(std::string(error.what()).find("edges 2 and 0 meet in a cusp at (2, 2), an angle of zero"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(AssembleFace, small_tangent_jumps_are_kept_but_are_no_corners) {
   const double h = 1e-3;
   const CadFace face = assembled(polygon({{0, 0}, {1, -h}, {2, 0}, {2, 1}, {0, 1}}));

@@ -25,7 +25,7 @@ LoadedFace some_face() {
   face.loop_offsets = {0, 2};
   face.joints = {{{1, 2}, 0.5, -0.5, 3, true}, {{0, std::numeric_limits<double>::denorm_min()}, 1, 1, 3.1, false}};
   face.name = "plate";
-  loaded.repairs = {{"joint", 3, {1, 2}, 0.25}};
+  loaded.repairs = {{RepairKind::joint, 3, {1, 2}, 0.25}};
   return loaded;
 }
 
@@ -51,7 +51,7 @@ TEST(FaceBytes, come_back_as_they_were) {
   EXPECT_EQ(face.curves[1].poles, written.curves[1].poles);
   EXPECT_EQ(face.joints[1].position, written.joints[1].position);
   ASSERT_EQ(loaded.repairs.size(), 1U);
-  EXPECT_EQ(loaded.repairs[0].kind, "joint");
+  EXPECT_EQ(loaded.repairs[0].kind, RepairKind::joint);
   EXPECT_EQ(loaded.repairs[0].position, (Vec2{1, 2}));
   EXPECT_EQ(report.entries(), some_report().entries());
   ASSERT_EQ(report.warnings().size(), 1U);

@@ -38,6 +38,23 @@ TEST(OutlineChecks, thin_gaps_are_no_contact_and_touching_is) {
   EXPECT_NEAR(distance(contact->position, {1, 0}), 0, 1e-4);
 }
 
+TEST(OutlineChecks, the_tip_of_a_cusp_is_no_contact) {
+  // A line and an arc that meet with opposite tangents; then a curve whose curvature at the tip is 0, too.
+  const Nurbs arc = curve::circular_arc({0, 1}, 1, -half_pi, half_pi);
+  EXPECT_FALSE(find_contact(
+      {{curve::segment({2, 0}, {0, 0}), arc, curve::segment({0, 2}, {2, 3}), curve::segment({2, 3}, {2, 0})}}, tol));
+  const Nurbs cubic{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {1, 0}, {2, 0}, {3, 1}}, {1, 1, 1, 1}};
+  EXPECT_FALSE(find_contact({{curve::segment({3, 0}, {0, 0}), cubic, curve::segment({3, 1}, {3, 0})}}, tol));
+}
+
+TEST(OutlineChecks, curves_that_cross_beyond_the_tip_of_a_cusp_are_in_contact) {
+  const Nurbs wave{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {1, 0}, {2, 1}, {3, -1}}, {1, 1, 1, 1}};
+  const auto crossing = find_contact({{curve::segment({3, 0}, {0, 0}), wave, curve::segment({3, -1}, {3, 0})}}, tol);
+  ASSERT_TRUE(crossing);
+  EXPECT_NEAR(crossing->position.y, 0, 1e-8);
+  EXPECT_TRUE(find_contact({{curve::segment({3, 0}, {0, 0}), curve::segment({0, 0}, {3, 0})}}, tol));
+}
+
 TEST(OutlineChecks, crossings_are_located) {
   const auto bow = find_contact({polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})}, tol);
   ASSERT_TRUE(bow);

@@ -67,7 +67,7 @@ TEST(HealFace, LinesMeetExactlyAndDoNotTurn) {
   RawFace raw = with_gap({3e-5, 4e-5});
   const auto repairs = heal(raw, 1e-4);
   ASSERT_EQ(repairs.size(), 1U);
-  EXPECT_EQ(repairs[0].kind, "joint");
+  EXPECT_EQ(repairs[0].kind, RepairKind::joint);
   EXPECT_EQ(repairs[0].cad_edge, 0);
   EXPECT_NEAR(repairs[0].distance, 4e-5, 1e-9);
   EXPECT_EQ(greatest_gap(raw), 0);
@@ -106,7 +106,7 @@ TEST(HealFace, ChamfersBelowTheToleranceBecomeCorners) {
   Report report;
   const auto repairs = heal_face(raw, {}, diameter, report);
   ASSERT_EQ(repairs.size(), 2U);
-  EXPECT_EQ(repairs[0].kind, "edge");
+  EXPECT_EQ(repairs[0].kind, RepairKind::edge);
   EXPECT_EQ(report.warnings()[0].code, "W-CAD-005");
   EXPECT_EQ(raw.wires[0].size(), 4U);
   EXPECT_EQ(raw.wires[0][0].curve.poles[1], (Vec2{8, 0}));
@@ -124,7 +124,7 @@ TEST(HealFace, VerticesOffCurvesThatMeetAreMoved) {
   raw.wires[0][0].end = raw.wires[0][1].start = {8, 9e-5};
   const auto repairs = heal(raw);
   ASSERT_EQ(repairs.size(), 1U);
-  EXPECT_EQ(repairs[0].kind, "vertex");
+  EXPECT_EQ(repairs[0].kind, RepairKind::vertex);
   EXPECT_EQ(raw.wires[0][0].end, (Vec2{8, 0}));
   RawFace far = raw_polygon(plate);
   far.wires[0][0].end = {8, 0.02};
@@ -138,7 +138,7 @@ TEST(HealFace, EdgesAreProjectedToThePlane) {
   raw.wires[0][2].height = 0.01;
   const auto repairs = heal(raw);
   ASSERT_EQ(repairs.size(), 1U);
-  EXPECT_EQ(repairs[0].kind, "plane");
+  EXPECT_EQ(repairs[0].kind, RepairKind::plane);
   EXPECT_EQ(repairs[0].distance, 0.01);
   expect_contains(refusal(raw, 1e-4), "edge 2 leaves the plane of the face by 0.01");
   expect_contains(refusal(raw, 1e-4), "give --heal-tolerance 0.0011");

@@ -26,7 +26,8 @@ TEST(ShortEdges, AChainCountsTheSumOfItsLengths) {
 
 TEST(ShortEdges, AnEdgeBetweenParallelsThatCannotBeJoinedStays) {
   // A step of 0.02: the short lines beside it may move by 0.005 only.
-  const std::vector<Vec2> step{{0, 0}, {4, 0}, {4, 3}, {2.1, 3}, {2.1, 4}, {2.05, 4}, {2.05, 3.98}, {2, 3.98}, {2, 3}, {0, 3}};
+  const std::vector<Vec2> step{{0, 0},    {4, 0},       {4, 3},    {2.1, 3}, {2.1, 4},
+                               {2.05, 4}, {2.05, 3.98}, {2, 3.98}, {2, 3},   {0, 3}};
   EXPECT_EQ(removed(step, 0.02), std::vector<bool>(10, false));
 }
 

@@ -1,4 +1,4 @@
-#include "cad/write_step.hpp"
+#include "cad/write_cad.hpp"
 
 #include <gtest/gtest.h>
 

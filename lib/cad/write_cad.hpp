@@ -1,5 +1,5 @@
 #pragma once
-// Writes blocks as a STEP model of topologically connected planar faces. No OpenCASCADE types.
+// Writes blocks and faces as CAD files. No OpenCASCADE types.
 
 #include <string>
 
@@ -13,5 +13,11 @@ namespace quadrille::cad {
 /// are lines, the others are exact rational B-splines. Equal layouts produce equal bytes. Throws ComputeError if the
 /// arcs of a layout do not meet.
 std::string step_of_blocks(const BlockLayout& layout);
+
+/// The face, with one edge for each curve, in the same way. Only edges with a given name are named.
+std::string step_of_face(const CadFace& face);
+
+/// The same in OpenCASCADE's own format, which has no names and no unit.
+std::string brep_of_face(const CadFace& face);
 
 }  // namespace quadrille::cad
