@@ -136,3 +136,12 @@ symmetric() {
     run -0 --separate-stderr quadrefine hole.blocks.h5 -o hole.quad.h5
   done
 }
+
+@test "a plate with unequal chamfers around a large hole has a layout of separatrices, soon" {
+  printf '%s\n' '10 -3.6' '10 4.2' '8.3 5.868' '7.2 5.868' '3.6 9.468' '-10 9.468' '-10 -9.4' '3.3 -9.4' \
+    '7.432 -5.268' '8.3 -5.268' '' '-6 -5.2' '6 -5.2' '6 5.2' '-6 5.2' |
+    "$ROOT/pipelines/points2step" --straight --corner-angle 1 -o spiral.step
+  run -0 --separate-stderr timeout 60 "$ROOT/pipelines/quadmesh" spiral.step -o spiral.msh --report spiral.json
+  run -0 jq -r '.certificate.method' spiral.json
+  assert_output --regexp '^(traced|quantized)$'
+}
