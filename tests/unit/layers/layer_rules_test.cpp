@@ -12,9 +12,9 @@
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
 #include "layers/propagate_spacing.hpp"
+#include "line_samples.hpp"
 #include "mesh/arc_neighbours.hpp"
 #include "sizing/interval_error.hpp"
-#include "wall_samples.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -175,19 +175,6 @@ TEST(LayerRules, R8WithR14_WallsOnAllSidesOfABlock) {
 
 // ---- How many layers
 
-/// A straight line at right angles to its walls.
-NormalLineSample straight(int chord, double length, int front, int back = -1, double size = 0.1) {
-  NormalLineSample line{chord, front, back, size, {}, {}, {}, {1, 2}};
-  for (int i = 0; i <= 64; ++i) line.lengths.push_back(length * i / 64);
-  line.front_heights = line.lengths;
-  if (back >= 0) line.back_heights = line.lengths;
-  return line;
-}
-
-int fitting(const std::string& wall, const std::vector<NormalLineSample>& lines) {
-  return fitting_layers(parse({wall}), lines, {0, 0}).front();
-}
-
 TEST(LayerRules, R10_LayersWithoutClearanceAreRefusedWithNumberAndPlace) {
   for (const std::string count : {"layers=11", "thickness=1.05"}) {
     const std::string message = message_of<ComputeError>([&] {
@@ -251,6 +238,24 @@ TEST(LayerRules, R13_WhereNoNumberAvoidsCrowdingOnlyTheClearanceCounts) {
   EXPECT_EQ(fitting_layers(parse({thick, thin}), narrow_and_wide, {0, 0}), (std::vector<int>{1, thin_alone}));
   const std::string thinner = "a:first=0.02,layers=fit";
   EXPECT_LT(fitting_layers(parse({thinner, thin}), narrow_and_wide, {0, 0})[1], thin_alone);
+}
+
+TEST(LayerRules, R10WithR13_APrescribedNumberThatCrowdsNarrowBlocksIsRefused) {
+  const std::vector<NormalLineSample> lines{straight(0, 0.3, 0), straight(0, 3, 0)};
+  const int most = fitting("a:first=0.01,layers=fit", lines);
+  const auto prescribed = [&](int count) { return "a:first=0.01,layers=" + std::to_string(count); };
+  EXPECT_EQ(fitting(prescribed(most), lines), most);
+  const std::string message = message_of<ComputeError>([&] { fitting(prescribed(most + 1), lines); });
+  EXPECT_TRUE(contains(message, "at most " + std::to_string(most) + " fit")) << message;
+  EXPECT_EQ(fitting(prescribed(most + 1), {lines[0]}), most + 1) << "without the wide block";
+}
+
+TEST(LayerRules, R12WithR13_FacingWallsBothLoseLayersToTheirWideBlocks) {
+  const std::vector<WallSpec> walls = parse({"a:first=0.01,layers=fit", "b:first=0.01,layers=fit"});
+  const std::vector<NormalLineSample> narrow{straight(0, 0.6, 0, 1)}, both{narrow[0], straight(0, 6, 0, 1)};
+  const std::vector<int> alone = fitting_layers(walls, narrow, {}), beside_wide = fitting_layers(walls, both, {});
+  EXPECT_EQ(beside_wide[0], beside_wide[1]);
+  EXPECT_LT(beside_wide[0], alone[0]);
 }
 
 // ---- Divisions of chords
@@ -429,6 +434,12 @@ TEST(LayerRules, R22_ABlockThatMeetsItselfIsNotItsOwnNeighbour) {
   EXPECT_EQ(neighbours(1), 0u);
   EXPECT_EQ(neighbours(2), 4u);
   EXPECT_EQ(neighbours(3), 6u);
+}
+
+TEST(LayerRules, R22WithR5_ARingOfOneBlockDoesNotContinueItsOwnLayers) {
+  const PlannedWalls p(hand_made::cut_annulus(1), 0.3, {"side_1:first=0.01,layers=5"});
+  EXPECT_EQ(p.plan.chords.size(), 1u);
+  EXPECT_NEAR(p.first_step({0.5, 0}, {1, 0}), 0.01, 1e-9);
 }
 
 }  // namespace

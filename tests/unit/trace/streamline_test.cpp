@@ -74,14 +74,15 @@ TEST_F(InASquare, TheLeadInHasTheDirectionsAtBothEnds) {
 }
 
 TEST_F(InASquare, StepsInAnElementAreMappedIntoThePlane) {
-  // Element 0 has the corners (-1, -1), (1, -1), (1, 1): the step runs along its reference coordinate 1.
+  // Element 0 has the corners (-1, -1), (1, -1), (1, 1): along its reference coordinate 2 a step
+  // runs at 45 degrees.
   Streamline line;
-  line.steps = {{0, 0, 1, 1, {Vec2{-0.8, -0.9}, {1, 0}, {}, {}, {}}}};
-  line.end_position = evaluator.maps()[0].position({0.2, -0.9});
+  line.steps = {{0, 0, 1, 1, {Vec2{-0.8, -0.9}, {0, 1}, {}, {}, {}}}};
+  line.end_position = evaluator.maps()[0].position({-0.8, 0.1});
   const Vec2 a = evaluator.maps()[0].position({-0.8, -0.9});
   Vec2 direction;
   EXPECT_NEAR(distance(line.at(evaluator, 0.5, direction), (a + line.end_position) / 2), 0, 1e-15);
-  EXPECT_NEAR(distance(direction, normalized(line.end_position - a)), 0, 1e-15);
+  EXPECT_NEAR(distance(direction, unit(pi / 4)), 0, 1e-15);
 }
 
 TEST_F(InASquare, OnlyALineThatWasTooLongIsEndless) {

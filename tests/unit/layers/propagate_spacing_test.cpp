@@ -1,0 +1,93 @@
+// Rules 19 to 22 and all cases of continue_spacing have their tests in layer_rules_test.
+#include "layers/propagate_spacing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wall_samples.hpp"
+
+namespace quadrille::layers {
+namespace {
+
+using namespace wall_samples;
+
+/// A row of blocks, 1 high, divided into equal intervals; spacings are prescribed by hand.
+struct Row {
+  explicit Row(const std::vector<double>& widths, double size = 0.25)
+      : planned(row(widths), size, {}),
+        spacings(planned.layout.arcs.size()),
+        sizes(arc_sizes(planned.input)),
+        lines(planned.measured.chords().size()),
+        divisions(planned.divisions) {}
+
+  void prescribe(Vec2 at, Vec2 to, double before, double growth = 1.2) {
+    const int arc = planned.arc_between(at, to);
+    const bool is_end = distance(planned.layout.nodes[planned.layout.arcs[arc].from].position, at) > 1e-9;
+    spacings[arc][is_end ? 1 : 0] = {{}, before, growth};
+  }
+  std::vector<int> propagate() {
+    const std::vector<int> divided = propagate_spacing(planned.input, lines, spacings, sizes, divisions);
+    planned.divisions = divisions;
+    return divided;
+  }
+  int chord(Vec2 a, Vec2 b) const { return planned.measured.chord_of(planned.arc_between(a, b)); }
+
+  PlannedWalls planned;
+  std::vector<ArcSpacing> spacings;
+  ArcSizes sizes;
+  std::vector<std::vector<FreePart>> lines;
+  sizing::ArcDivisions divisions;
+};
+
+TEST(PropagateSpacing, WithoutPrescribedEndsNothingIsDivided) {
+  Row r({1, 1, 1});
+  EXPECT_TRUE(r.propagate().empty());
+}
+
+TEST(PropagateSpacing, OnlyTheChordWithAFineEndIsDividedWhereItReachesTheSize) {
+  Row r({2, 2}, 0.1);
+  r.prescribe({0, 0}, {2, 0}, 0.05);
+  r.prescribe({0, 1}, {2, 1}, 0.05);
+  EXPECT_EQ(r.propagate(), std::vector<int>{r.chord({0, 0}, {2, 0})});
+  EXPECT_LE(r.planned.first_step({0, 0}, {2, 0}), 0.05 * 1.2 * (1 + 1e-6));
+  EXPECT_NEAR(r.planned.first_step({2, 0}, {4, 0}), 0.1, 1e-9) << "untouched";
+}
+
+TEST(PropagateSpacing, TheNextChordStartsFromTheIntervalThatItContinues) {
+  Row r({0.1, 2});
+  r.prescribe({0, 0}, {0.1, 0}, 0.01);
+  const std::vector<int> divided = r.propagate();
+  EXPECT_EQ(divided.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(divided.begin(), divided.end()));
+  const double last = r.planned.first_step({0.1, 0}, {0, 0}), next = r.planned.first_step({0.1, 0}, {2.1, 0});
+  EXPECT_LE(next, 1.3 * last);
+  EXPECT_LT(next, 0.1);
+}
+
+TEST(PropagateSpacing, TheGrowthIsHandedOn) {
+  for (const double growth : {1.15, 1.4}) {
+    Row r({0.1, 3});
+    r.prescribe({0, 0}, {0.1, 0}, 0.01, growth);
+    r.propagate();
+    const std::vector<double> ends = r.planned.steps({0.1, 0}, {3.1, 0});
+    double greatest = 1;
+    for (std::size_t k = 2; k < ends.size(); ++k)
+      greatest = std::max(greatest, (ends[k] - ends[k - 1]) / (ends[k - 1] - (k > 1 ? ends[k - 2] : 0)));
+    EXPECT_LE(greatest, growth * (1 + 1e-6)) << growth;
+    EXPECT_EQ(r.spacings[r.planned.arc_between({0.1, 0}, {3.1, 0})][0].growth +
+                  r.spacings[r.planned.arc_between({0.1, 0}, {3.1, 0})][1].growth,
+              growth);
+  }
+}
+
+TEST(PropagateSpacing, ASymmetricRowIsDividedSymmetrically) {
+  Row r({2, 0.2, 2});
+  r.prescribe({2, 0}, {2.2, 0}, 0.02);
+  r.prescribe({2.2, 0}, {2, 0}, 0.02);
+  EXPECT_EQ(r.propagate().size(), 3u);
+  const std::vector<double> left = r.planned.steps({2, 0}, {0, 0}), right = r.planned.steps({2.2, 0}, {4.2, 0});
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t k = 0; k < left.size(); ++k) EXPECT_NEAR(left[k], right[k], 1e-9);
+}
+
+}  // namespace
+}  // namespace quadrille::layers
