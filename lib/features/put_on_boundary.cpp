@@ -55,7 +55,8 @@ std::string reason(const FeatureState& state, const SmallFeature& feature, doubl
                      what, state.size, distance);
 }
 
-/// Moves the node into the corner if its new valence is admissible; returns whether it did.
+/// Moves the node into the corner if its new valence is admissible; returns whether it did. Until it is removed it lies
+/// at the corner, where it stops no other node.
 bool put_into_corner(FeatureState& state, int joint, int node, const std::string& why) {
   const auto corner =
       std::find_if(state.corners.begin(), state.corners.end(), [&](const Corner& c) { return c.joint == joint; });
@@ -67,6 +68,7 @@ bool put_into_corner(FeatureState& state, int joint, int node, const std::string
   corner->source = NodeSource::feature;
   const NodeMark after{corner->position, corner->valence, NodeLocation::corner};
   state.changes.push_back({ChangeKind::feature, why, {mark(state.nodes[node]), before}, {after}});
+  state.nodes[node].position = corner->position;
   return true;
 }
 

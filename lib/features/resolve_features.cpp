@@ -48,7 +48,7 @@ void move_nodes_of_features(const CadFace& face, const BoundaryClearance& cleara
     }
     for (const OwnedNode& own : owned[f]) moves.push_back(inward_move(face, state.nodes[own.node], features[f], own));
   }
-  // All moves are decided together, so nodes that moved into corners still repel others from their old positions.
+  // Moves refer to nodes by number: those that corners took are removed only afterwards.
   move_inward(state, clearance, moves);
   remove_nodes(state, taken_by_corners);
 }

@@ -29,10 +29,9 @@
 //             changed ones to the boundary (separate_nodes)            for that it is recorded
 //
 // Reasons for this order. Opposite pairs first: a pair that cancels needs no feature, and a node put onto the boundary
-// could no longer find its partner. Boundary before inward: a node that moves onto the boundary does not stop nodes
-// that move inward. Cancelling again, because moves bring nodes together that were apart. Merging before separating:
-// boundary nodes cannot be pushed.
-// All constants are in features/feature_constants.
+// could no longer find its partner. Boundary and corner before inward: a node that moves onto the boundary or into a
+// corner does not stop nodes that move inward. Cancelling again, because moves bring nodes together that were apart.
+// Merging before separating: boundary nodes cannot be pushed. All constants are in features/feature_constants.
 
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"

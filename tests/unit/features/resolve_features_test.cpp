@@ -540,5 +540,43 @@ TEST(RulePairs, MergeBeforeSeparate_AnInnerNodeIsPushedOffTheMergedOne) {
   EXPECT_NEAR(points.critical_points[0].position.y, 0, 1e-9);
 }
 
+TEST(RulePairs, CancelBeforeSeparate_OppositeNodesAreRemovedAndNotPushedApart) {
+  const CadFace face = plate(4);
+  const CriticalPoints points = resolved(face, {node({0, 0}, 3), node({0.1, 0}, 5), node({0.3, 0}, 3)}, 0.5);
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  EXPECT_EQ(points.critical_points[0].valence, 3);
+  EXPECT_EQ(count_changes(points, ChangeKind::cancel), static_cast<int>(points.changes.size()));
+}
+
+TEST(RulePairs, CornerBeforeInward_ACornerThatTookItsNodeDoesNotStopAMovingOne) {
+  // The tip of a triangular hole points at the outline's fillet.
+  const Vec2 tip{0.9, 0.9};
+  const CadFace face =
+      hand_made::face({filleted({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {0.1, 0, 0, 0}),
+                       filleted({tip, tip + 0.2 * unit(radians(75)), tip + 0.2 * unit(radians(15))}, {0, 0, 0})},
+                      std::sqrt(32.0));
+  const CriticalPoints points = resolved(face, {node(fillet_node(0.1), 3), node(tip - 0.08 * unit(pi / 4), 5)}, 0.6);
+  EXPECT_TRUE(points.boundary_nodes.empty());
+  ASSERT_EQ(points.critical_points.size(), 1u);
+  // Midway between outline and tip, t = sqrt(2) (0.9 - t); the node before the tip would stop it at 0.494.
+  const double t = 0.9 * std::sqrt(2.0) / (1 + std::sqrt(2.0));
+  EXPECT_TRUE(has_node_at(points, {t, t}, 3, 1e-6)) << points.critical_points[0].position.x;
+}
+
+TEST(RulePairs, CancelBeforeMerge_ABoundaryNodeThatCancelsIsNotMerged) {
+  // Both nodes of a slot's end move onto it, 0.17 apart. Only then one of them is near its opposite.
+  const CadFace face = plate(4, {window({-1, -0.1}, {1, 0.1}, 0.05)});
+  const Vec2 out_up = unit(pi / 4), out_low = unit(-pi / 4);
+  const Vec2 up = Vec2{0.95, 0.05} + 0.05 * out_up, low = Vec2{0.95, -0.05} + 0.05 * out_low;
+  const Vec2 before_up = up + 0.3 * out_up - 0.2 * left_of(out_up), before_low = low + 0.3 * out_low;
+  const Vec2 other = up + 0.02 * out_up + 0.14 * left_of(out_up);
+  ASSERT_GT(std::min(distance(before_up, other), distance(before_low, other)), 0.4);
+  ASSERT_LT(std::max(distance(up, other), distance(up, low)), 0.2);
+  const CriticalPoints points = resolved(face, {node(before_up, 5), node(before_low, 5), node(other, 3)}, 0.4);
+  EXPECT_TRUE(points.critical_points.empty());
+  ASSERT_EQ(points.boundary_nodes.size(), 1u);
+  EXPECT_TRUE(has_boundary_node_at(points, low, 3, 1e-9));
+}
+
 }  // namespace
 }  // namespace quadrille::features
