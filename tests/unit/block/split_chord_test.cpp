@@ -70,59 +70,5 @@ TEST(SplitChord, LeavesPrescribedLengthsAlone) {
   EXPECT_TRUE(split_chord(subdivision, 1, sound));
 }
 
-TEST(MakeBlocks, LeavesSoundLayoutsAlone) {
-  for (const SeparatrixGraph& graph : {hand_made::l_shape(), hand_made::s_bend(), hand_made::elbow()}) {
-    Report report;
-    const BlockLayout plain = extract_blocks(graph), made = make_blocks(graph, report).layout;
-    EXPECT_EQ(made.block2arcs, plain.block2arcs);
-    EXPECT_EQ(made.splines.size(), plain.splines.size());
-    EXPECT_TRUE(report.warnings().empty());
-  }
-}
-
-TEST(MakeBlocks, CutsAStripWhoseMapFolds) {
-  ASSERT_EQ(measure_blocks(extract_blocks(block_samples::near_tangent_strip()))[0].divisions, 0);
-  Report report;
-  const Blocks mended = make_blocks(block_samples::near_tangent_strip(), report);
-  EXPECT_GE(mended.layout.num_blocks(), 2);
-  for (const BlockMeasure& m : mended.measures) EXPECT_GT(m.divisions, 0);
-  EXPECT_EQ(faults(mended.layout), "");
-  EXPECT_TRUE(report.warnings().empty());
-}
-
-TEST(MakeBlocks, CutsAValidStripOfPoorShape) {
-  const SeparatrixGraph graph = block_samples::near_tangent_strip(false, 0.003);
-  const BlockMeasure before = measure_blocks(extract_blocks(graph))[0];
-  EXPECT_EQ(before.divisions, 1);
-  EXPECT_LT(before.map_scaled_jacobian, 0.1);
-  Report report;
-  const Blocks mended = make_blocks(graph, report);
-  EXPECT_EQ(mended.layout.num_blocks(), 2);
-  for (const BlockMeasure& m : mended.measures) EXPECT_GT(m.map_scaled_jacobian, 0.5);
-}
-
-TEST(MakeBlocks, CutsAMirroredStripInTheMirroredPlaces) {
-  Report report;
-  const BlockLayout a = make_blocks(block_samples::near_tangent_strip(), report).layout;
-  const BlockLayout b = make_blocks(block_samples::near_tangent_strip(true), report).layout;
-  ASSERT_EQ(a.num_blocks(), b.num_blocks());
-  for (const GraphNode& node : a.nodes) {
-    double nearest = 1;
-    for (const GraphNode& other : b.nodes)
-      nearest = std::min(nearest, distance(other.position, {node.position.x, -node.position.y}));
-    EXPECT_LT(nearest, 1e-10);
-  }
-}
-
-TEST(MakeBlocks, WarnsOfWhatNoCutMakesValid) {
-  Report report;
-  const Blocks blocks = make_blocks(block_samples::dart(), report);
-  EXPECT_EQ(blocks.layout.num_blocks(), 1);
-  ASSERT_EQ(report.warnings().size(), 1u);
-  EXPECT_EQ(report.warnings()[0].code, "W-BLK-001");
-  EXPECT_NE(report.warnings()[0].message.find("block_0 cannot be proved valid near ("), std::string::npos)
-      << report.warnings()[0].message;
-}
-
 }  // namespace
 }  // namespace quadrille::block
