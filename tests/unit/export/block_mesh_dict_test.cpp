@@ -5,7 +5,6 @@
 #include "../hand_made.hpp"
 #include "base/error.hpp"
 #include "block/extract_blocks.hpp"
-#include "export/hex_blocks.hpp"
 #include "refine/refine.hpp"
 #include "two_quads.hpp"
 
@@ -125,41 +124,6 @@ TEST(BlockMeshDict, OneBlockWithSplines) {
   std::size_t num_splines = 0;
   for (std::size_t at = text.find("spline"); at != std::string::npos; at = text.find("spline", at + 1)) ++num_splines;
   EXPECT_EQ(num_splines, 4u);  // two arcs in two planes
-}
-
-TEST(HexBlocks, NamesThatEndWithinASideCutBlocks) {
-  const QuadMesh mesh = refined(hand_made::elbow(), 0.3, 3);
-  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-  EXPECT_EQ(hexes.blocks.size(), 2u);
-  ASSERT_EQ(hexes.patches.size(), 6u);
-  for (const auto& patch : hexes.patches) EXPECT_EQ(patch.size(), 1u);
-}
-
-TEST(HexBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
-  for (const int cuts : {1, 2}) {
-    const QuadMesh mesh = refined(hand_made::cut_annulus(cuts), 0.2, 3);
-    const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-    EXPECT_GE(hexes.blocks.size(), 3u);
-    std::size_t on_boundary = 0;
-    for (const auto& patch : hexes.patches) on_boundary += patch.size();
-    EXPECT_GE(on_boundary, 6u);
-    int cells = 0;
-    for (const HexBlock& block : hexes.blocks) cells += block.edges[0].num_cells() * block.edges[1].num_cells();
-    EXPECT_EQ(cells, mesh.num_elems());
-  }
-}
-
-TEST(HexBlocks, RefusesSidesOfQuadsWithTheSameEnds) {
-  const QuadMesh mesh = ring_of_two_quads();
-  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
-}
-
-TEST(HexBlocks, RefusesCellsThatAreNotConvex) {
-  QuadMesh mesh = two_straight_quads();
-  mesh.nodes[4] = {3.5, 0.5};
-  mesh.nodes[5] = {4, 3};
-  EXPECT_NO_THROW(hex_blocks(two_straight_quads(), mesh_groups(two_straight_quads())));
-  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
 }
 
 }  // namespace

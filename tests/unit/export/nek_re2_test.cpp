@@ -2,31 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "base/error.hpp"
 #include "export/nek_field.hpp"
+#include "nek_numbers.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-/// Little-endian doubles, put together byte by byte.
-std::vector<double> numbers(const std::string& bytes, std::size_t at, std::size_t count) {
-  std::vector<double> found;
-  for (std::size_t n = 0; n < count; ++n) {
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < 8; ++k)
-      bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes.at(at + 8 * n + k))) << (8 * k);
-    double number = 0;
-    std::memcpy(&number, &bits, 8);
-    found.push_back(number);
-  }
-  return found;
-}
-
 using Numbers = std::vector<double>;
-const std::string mark = "\xFA\x61\xD1\x40";  // 6.54321 in single precision
 
 TEST(NekRe2, TwoQuadsByteByByte) {
   const QuadMesh mesh = two_quads();
@@ -68,21 +52,6 @@ TEST(NekRe2, OrderOneNeedsNoField) {
 TEST(NekRe2, RefusesEdgesThatNek5000CannotTellApart) {
   const QuadMesh mesh = ring_of_two_quads();
   EXPECT_THROW(nek_re2(mesh, plane_frame(mesh.face)), ComputeError);
-}
-
-TEST(NekField, TwoQuadsByteByByte) {
-  const QuadMesh mesh = two_quads();
-  const std::string bytes = nek_geometry_field(mesh, plane_frame(mesh.face));
-  ASSERT_EQ(bytes.size(), 132u + 4 + 2 * 4 + 2 * 2 * 9 * 8);
-  EXPECT_EQ(bytes.substr(0, 132),
-            "#std 8  3  3  1          2          2  0.0000000000000E+00         0      0      1 X           "
-            "1.0000000E+00 F" +
-                std::string(132 - 110, ' '));
-  EXPECT_EQ(bytes.substr(132, 4), mark);
-  EXPECT_EQ(bytes.substr(136, 8), std::string("\1\0\0\0\2\0\0\0", 8));
-  EXPECT_EQ(numbers(bytes, 144, 9), (Numbers{0, 1, 2, 0, 1, 2, 0, 1, 2}));
-  EXPECT_EQ(numbers(bytes, 144 + 72, 9), (Numbers{0, 0, 0, 1, 1, 1, 2, 2, 2}));
-  EXPECT_EQ(numbers(bytes, 144 + 3 * 72, 9), (Numbers{0, 0, 0, 1, 1.25, 1, 2, 2.5, 2}));
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+#include "export/hex_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "../hand_made.hpp"
+#include "base/error.hpp"
+#include "block/extract_blocks.hpp"
+#include "refine/refine.hpp"
+#include "two_quads.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
+  Report report;
+  refine::RefineOptions options;
+  options.size = size;
+  options.order = order;
+  return refine::refine(block::extract_blocks(graph, report), options, report);
+}
+
+TEST(HexBlocks, ABlockThatBlockMeshCanBuildStaysWhole) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), 0.2, 3);
+  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
+  ASSERT_EQ(hexes.blocks.size(), 1u);
+  EXPECT_EQ(hexes.vertices.size(), 4u);
+  EXPECT_EQ(hexes.blocks[0].edges[0].num_cells() * hexes.blocks[0].edges[1].num_cells(), mesh.num_elems());
+  EXPECT_TRUE(hexes.splines.empty()) << "straight";
+  EXPECT_EQ(hexes.patches, (std::vector<std::vector<std::array<int, 2>>>{{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}}));
+  EXPECT_NEAR(hexes.moved, 0, 1e-12);
+}
+
+TEST(HexBlocks, ACurvedSideIsASplineThroughItsVertices) {
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.3, 4);
+  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
+  ASSERT_EQ(hexes.blocks.size(), 1u);
+  ASSERT_EQ(hexes.splines.size(), 2u);
+  std::set<double> radii;
+  for (const HexSpline& spline : hexes.splines) {
+    const double radius = norm(mesh.nodes[hexes.vertices[spline.from]]);
+    for (const Vec2 x : spline.inner) EXPECT_NEAR(norm(x), radius, 1e-4);
+    radii.insert(std::round(radius));
+  }
+  EXPECT_EQ(radii, (std::set<double>{1, 2}));
+  EXPECT_LT(hexes.moved, 0.03);
+}
+
+TEST(HexBlocks, CornersAreCounterClockwiseAndPatchesHaveTheDomainOnTheirLeft) {
+  const QuadMesh mesh = refined(hand_made::l_shape(), 0.5, 2);
+  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
+  const auto at = [&](int vertex) { return mesh.nodes[hexes.vertices[vertex]]; };
+  ASSERT_EQ(hexes.blocks.size(), 3u);
+  std::set<std::array<int, 2>> sides;
+  for (const HexBlock& block : hexes.blocks)
+    for (int k = 0; k < 4; ++k) {
+      const int from = block.corners[k], to = block.corners[(k + 1) % 4];
+      EXPECT_GT(cross(at(to) - at(from), at(block.corners[(k + 2) % 4]) - at(to)), 0);
+      EXPECT_TRUE(sides.insert({from, to}).second);
+    }
+  std::size_t num_patch_sides = 0;
+  for (const auto& patch : hexes.patches)
+    for (const std::array<int, 2>& side : patch) {
+      ++num_patch_sides;
+      EXPECT_TRUE(sides.contains(side));
+      EXPECT_FALSE(sides.contains({side[1], side[0]}));
+    }
+  EXPECT_EQ(num_patch_sides, 8u);
+}
+
+TEST(HexBlocks, NamesThatEndWithinASideCutBlocks) {
+  const QuadMesh mesh = refined(hand_made::elbow(), 0.3, 3);
+  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
+  EXPECT_EQ(hexes.blocks.size(), 2u);
+  ASSERT_EQ(hexes.patches.size(), 6u);
+  for (const auto& patch : hexes.patches) EXPECT_EQ(patch.size(), 1u);
+}
+
+TEST(HexBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
+  for (const int cuts : {1, 2}) {
+    const QuadMesh mesh = refined(hand_made::cut_annulus(cuts), 0.2, 3);
+    const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
+    EXPECT_GE(hexes.blocks.size(), 3u);
+    std::size_t on_boundary = 0;
+    for (const auto& patch : hexes.patches) on_boundary += patch.size();
+    EXPECT_GE(on_boundary, 6u);
+    int cells = 0;
+    for (const HexBlock& block : hexes.blocks) cells += block.edges[0].num_cells() * block.edges[1].num_cells();
+    EXPECT_EQ(cells, mesh.num_elems());
+  }
+}
+
+TEST(HexBlocks, RefusesSidesOfQuadsWithTheSameEnds) {
+  const QuadMesh mesh = ring_of_two_quads();
+  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
+}
+
+TEST(HexBlocks, RefusesCellsThatAreNotConvex) {
+  QuadMesh mesh = two_straight_quads();
+  mesh.nodes[4] = {3.5, 0.5};
+  mesh.nodes[5] = {4, 3};
+  EXPECT_NO_THROW(hex_blocks(two_straight_quads(), mesh_groups(two_straight_quads())));
+  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
+}
+
+}  // namespace
+}  // namespace quadrille::exports
