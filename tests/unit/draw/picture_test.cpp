@@ -1,0 +1,109 @@
+#include "draw/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "../hand_made.hpp"
+
+namespace quadrille::draw {
+namespace {
+
+DrawOptions wide(int width) {
+  DrawOptions options;
+  options.width = width;
+  return options;
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(PictureBox, GrowsFromNothing) {
+  PictureBox box = empty_box();
+  EXPECT_TRUE(box.empty());
+  box.include({2, 3});
+  EXPECT_FALSE(box.empty());
+  box.include({1, 5});
+  EXPECT_EQ(box.lower, (Vec2{1, 3}));
+  EXPECT_EQ(box.upper, (Vec2{2, 5}));
+}
+
+TEST(PictureBox, OfAFaceHoldsItsCurvesNotTheirPoles) {
+  const PictureBox box = bounding_box(hand_made::cut_annulus(1).face);
+  EXPECT_NEAR(distance(box.lower, {-1, -1}), 0, 1e-3);
+  EXPECT_NEAR(distance(box.upper, {1, 1}), 0, 1e-3);
+}
+
+TEST(Picture, OneScaleForBothDirectionsWithMarginsAround) {
+  const Picture flat({{10, 20}, {14, 21}}, wide(472), "", "");  // 400 pixels between the margins
+  EXPECT_EQ(flat.scale(), 100);
+  EXPECT_EQ(flat.size(), (Vec2{400, 100}));
+  EXPECT_EQ(flat.at({10, 20}), (Vec2{0, 0}));
+  EXPECT_EQ(flat.at({11, 20.5}), (Vec2{100, 50}));
+}
+
+TEST(Picture, ATallFaceIsAtMostATenthHigherThanThePictureIsWide) {
+  const Picture tall({{0, 0}, {1, 10}}, wide(472), "", "");
+  EXPECT_NEAR(tall.size().y, 1.1 * 400, 1e-9);
+  EXPECT_NEAR(tall.scale(), 44, 1e-9);
+}
+
+TEST(Picture, NothingToDrawIsAPictureToo) {
+  const Picture none(empty_box(), wide(472), "", "");
+  EXPECT_EQ(none.size(), (Vec2{400, 400}));
+  EXPECT_FALSE(contains(none.str(), "inf"));
+}
+
+TEST(Picture, TheDrawingIsFlippedAndTextsAreNot) {
+  Picture picture({{0, 0}, {4, 1}}, wide(472), "a < b", "c & d");
+  picture.add("<drawn/>");
+  picture.text({100, 30}, "label", "x > y");
+  const std::string svg = picture.str();
+  EXPECT_TRUE(contains(svg, "<title>a &lt; b</title>"));
+  EXPECT_TRUE(contains(svg, "c &amp; d"));
+  const std::size_t drawing = svg.find("<g id=\"drawing\" transform=\"translate(36 176) scale(1 -1)\">");
+  const std::size_t texts = svg.find("<g id=\"texts\" transform=\"translate(36 76)\">");
+  ASSERT_NE(drawing, std::string::npos) << svg.substr(svg.find("<g id"));
+  ASSERT_NE(texts, std::string::npos);
+  EXPECT_LT(drawing, svg.find("<drawn/>"));
+  EXPECT_LT(svg.find("<drawn/>"), texts);
+  EXPECT_TRUE(contains(svg.substr(texts), "x=\"100\" y=\"74\"")) << "100 - 30, and 4 to the middle of the letters";
+  EXPECT_TRUE(contains(svg.substr(texts), "x &gt; y"));
+}
+
+TEST(Picture, ClippedGroupsReferToOutlinesOfTheirOwn) {
+  Picture picture({{0, 0}, {1, 1}}, wide(200), "", "");
+  EXPECT_FALSE(contains(picture.str(), "<defs>"));
+  picture.open_clipped_group("cells", "M0 0L1 0z");
+  picture.close_group();
+  picture.open_clipped_group("cells", "M0 0L2 0z");
+  picture.close_group();
+  const std::string svg = picture.str();
+  std::vector<std::string> ids;
+  for (std::size_t at = svg.find("url(#"); at != std::string::npos; at = svg.find("url(#", at + 1))
+    ids.push_back(svg.substr(at + 5, svg.find(')', at) - at - 5));
+  ASSERT_EQ(ids.size(), 2u);
+  EXPECT_NE(ids[0], ids[1]);
+  for (const std::string& id : ids) EXPECT_TRUE(contains(svg, "id=\"" + id + "\"")) << id;
+}
+
+TEST(Picture, LegendEntriesThatDoNotFitBeginANewRow) {
+  const auto height = [](int entries) {
+    Picture picture({{0, 0}, {4, 1}}, wide(472), "", "");
+    for (int k = 0; k < entries; ++k) picture.legend_mark("<mark/>", "nineteen letters ..");
+    const std::string svg = picture.str(), key = "height=\"";
+    return std::stoi(svg.substr(svg.find(key) + key.size()));
+  };
+  // An entry is about 150 pixels wide.
+  EXPECT_EQ(height(1), height(2));
+  EXPECT_EQ(height(3) - height(2), 34);
+  EXPECT_GT(height(1), height(0));
+}
+
+TEST(TextWidth, CountsLettersNotBytes) {
+  EXPECT_EQ(text_width("abcd", 10), text_width("\xc3\xa4\xc3\xb6\xc3\xbc\xc3\x9f", 10));
+  EXPECT_EQ(text_width("", 10), 0);
+  EXPECT_EQ(text_width("ab", 20), 2 * text_width("ab", 10));
+}
+
+}  // namespace
+}  // namespace quadrille::draw
