@@ -104,7 +104,7 @@ TEST(GraphRules, ASplineFarFromTheFaceIsNamed) {
   const Texts texts = findings_of(arcs_are_chains, [](auto& g) {
     g.splines[0] = {2, {0, 0, 0, 1, 1, 1}, {{0.5, 0}, {1e6, 0.5}, {0.5, 1}}, {1, 1, 1}};
   });
-  EXPECT_EQ(texts, Texts{"spline 0 leaves the neighbourhood of the face"});
+  EXPECT_EQ(texts, Texts{"spline 0 has a pole farther out than 1000 diameters"});
 }
 
 TEST(GraphRules, BoundaryArcsCoverEachCurveExactlyOnce) {

@@ -71,7 +71,7 @@ TEST(GmshModel, TheSequenceOfEachOrderIsAPermutationFromOutsideToInside) {
       mesh.block_names = {"left"};
       mesh.boundary_edges = {{0, 0, 0}, {0, 1, 1}, {0, 2, 2}, {0, 3, 3}};
     }
-    const std::vector<int> sequence = gmsh_model(mesh, plane_frame(mesh.face)).quad_sequence;
+    const std::vector<int> sequence = gmsh_model(mesh, plane_frame(mesh.face)).quad_node_order;
     const int width = order + 1;
     ASSERT_EQ(static_cast<int>(sequence.size()), width * width);
     EXPECT_EQ(std::set<int>(sequence.begin(), sequence.end()).size(), sequence.size());

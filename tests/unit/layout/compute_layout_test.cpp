@@ -82,16 +82,21 @@ TEST_F(ComputeLayout, SimplificationCollapsesTheThinStripOfEither) {
   }
 }
 
-TEST_F(ComputeLayout, WhatNoMethodCanUseIsRefusedWithItsPlace) {
+TEST_F(ComputeLayout, NodesThatNoLineCanUseAreRefusedWithTheirPosition) {
   points.corners[0].valence = 0;
-  for (const LayoutChoice choice :
-       {LayoutChoice::traced, LayoutChoice::quantized, LayoutChoice::automatic, LayoutChoice::t_mesh})
-    try {
+  for (const LayoutChoice choice : {LayoutChoice::traced, LayoutChoice::quantized, LayoutChoice::t_mesh}) try {
       computed(choice);
       FAIL() << "no exception";
     } catch (const ComputeError& error) {
       EXPECT_NE(std::string(error.what()).find("at (1, 0)"), std::string::npos) << error.what();
     }
+}
+
+TEST_F(ComputeLayout, WhereNodesCannotBeUsedAutomaticDividesTriangles) {
+  points.corners[0].valence = 0;
+  const SeparatrixGraph graph = computed(LayoutChoice::automatic);
+  EXPECT_EQ(graph.certificate.method, LayoutMethod::midpoint);
+  EXPECT_EQ(report.warnings().size(), 1u);
 }
 
 TEST_F(ComputeLayout, OptionsAreCheckedFirst) {
