@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "base/tie_classes.hpp"
+#include "features/nearest_first.hpp"
 
 namespace quadrille::features {
 namespace {
@@ -25,19 +27,14 @@ bool do_see_each_other(const BoundaryClearance& clearance, const FeatureNode& a,
 }
 
 Pairs opposite_pairs(const FeatureState& state, const BoundaryClearance& clearance, double below) {
-  Pairs pairs;
-  const int n = static_cast<int>(state.nodes.size());
-  for (int i = 0; i < n; ++i) {
-    for (int j = i + 1; j < n; ++j) {
-      const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
-      const double d = distance(a.position, b.position);
-      if (d < below - state.tie && a.index() * b.index() < 0 && (a.is_inside() || b.is_inside()) &&
-          do_see_each_other(clearance, a, b))
-        pairs.push_back({d, i, j});
-    }
-  }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
-  return pairs;
+  return nearest_first<Pair>(static_cast<int>(state.nodes.size()), [&](int i, int j) -> std::optional<Pair> {
+    const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
+    const double d = distance(a.position, b.position);
+    if (d < below - state.tie && a.index() * b.index() < 0 && (a.is_inside() || b.is_inside()) &&
+        do_see_each_other(clearance, a, b))
+      return Pair{d, i, j};
+    return std::nullopt;
+  });
 }
 
 /// The sets of nodes that the pairs [first, last) link, each in ascending order.

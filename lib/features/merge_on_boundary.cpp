@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/tie_classes.hpp"
 #include "features/feature_constants.hpp"
 #include "features/loop_section.hpp"
+#include "features/nearest_first.hpp"
 
 namespace quadrille::features {
 namespace {
@@ -62,19 +62,14 @@ bool may_merge(const FeatureNode& a, const FeatureNode& b) {
 }
 
 Pairs close_pairs(const CadFace& face, const FeatureState& state) {
-  Pairs pairs;
-  const int n = static_cast<int>(state.nodes.size());
-  for (int i = 0; i < n; ++i) {
-    for (int j = i + 1; j < n; ++j) {
-      const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
-      const double d = distance(a.position, b.position);
-      if (!may_merge(a, b) || d >= feature_constants.spacing * state.size - state.tie) continue;
-      if (const auto middle = middle_between(face, a, b)) pairs.push_back({d, i, j, *middle});
-    }
-  }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const BoundaryPair& a, const BoundaryPair& b) { return a.distance < b.distance; });
-  return pairs;
+  const auto pair_of = [&](int i, int j) -> std::optional<BoundaryPair> {
+    const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
+    const double d = distance(a.position, b.position);
+    if (!may_merge(a, b) || d >= feature_constants.spacing * state.size - state.tie) return std::nullopt;
+    const auto middle = middle_between(face, a, b);
+    return middle ? std::optional(BoundaryPair{d, i, j, *middle}) : std::nullopt;
+  };
+  return nearest_first<BoundaryPair>(static_cast<int>(state.nodes.size()), pair_of);
 }
 
 /// Replaces the first node of the pair by the merged one.

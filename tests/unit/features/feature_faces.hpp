@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "../hand_made.hpp"
+#include "../support/critical_points.hpp"
 #include "curve/nurbs.hpp"
 #include "features/feature_constants.hpp"
 #include "features/feature_state.hpp"
 
 namespace quadrille::features::testing_features {
+
+using hand_made::corners_of;
+using hand_made::expect_sound_changes;
 
 inline constexpr double convex_depth = 0.312, reflex_depth = 0.407;
 
@@ -80,35 +84,6 @@ inline FeatureState state_of(const CadFace& face, double size, const std::vector
   state.tie = feature_constants.equal_lengths * face.diameter;
   state.nodes = nodes;
   return state;
-}
-
-/// The corners of the layout with the valences that their angles ask for.
-inline std::vector<Corner> corners_of(const CadFace& face) {
-  std::vector<Corner> corners;
-  for (int j = 0; j < face.num_curves(); ++j) {
-    const Joint& joint = face.joints[j];
-    if (joint.is_corner)
-      corners.push_back({j,
-                         joint.position,
-                         degrees(joint.interior_angle),
-                         static_cast<int>(std::lround(joint.interior_angle / half_pi)),
-                         {face.previous_in_loop(j), j}});
-  }
-  return corners;
-}
-
-inline int index_of(const std::vector<NodeMark>& marks) {
-  int total = 0;
-  for (const NodeMark& m : marks) total += (m.location == NodeLocation::inside ? 4 : 2) - m.valence;
-  return total;
-}
-
-/// Each change keeps the index and has a reason.
-inline void expect_sound_changes(const std::vector<NodeChange>& changes) {
-  for (const NodeChange& change : changes) {
-    EXPECT_EQ(index_of(change.before), index_of(change.after)) << change.reason;
-    EXPECT_FALSE(change.reason.empty());
-  }
 }
 
 }  // namespace quadrille::features::testing_features

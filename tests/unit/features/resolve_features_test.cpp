@@ -19,21 +19,10 @@ namespace {
 
 using namespace testing_features;
 
-CriticalPoint node(Vec2 at, int valence) {
-  CriticalPoint p;
-  p.position = at;
-  p.valence = valence;
-  p.index = 4 - valence;
-  p.jacobian = {1, 0, 0, static_cast<double>(p.index)};
-  p.error = 1e-9;
-  return p;
-}
+using hand_made::node;
 
 CriticalPoints points_with(const CadFace& face, const std::vector<CriticalPoint>& nodes) {
-  CriticalPoints points;
-  points.critical_points = nodes;
-  points.corners = corners_of(face);
-  points.index_sum = index_sum_of(points);
+  CriticalPoints points = hand_made::points_of(face, nodes);
   points.index_sum_expected = 4 * face.euler_characteristic();
   return points;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../support/critical_points.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
 
@@ -11,20 +12,7 @@ namespace quadrille::guide {
 namespace {
 
 using namespace testing_faces;
-
-CriticalPoints points_of(const CadFace& face) {
-  CriticalPoints points;
-  for (int j = 0; j < face.num_curves(); ++j) {
-    const double angle = face.joints[j].interior_angle;
-    points.corners.push_back({j,
-                              face.joints[j].position,
-                              degrees(angle),
-                              static_cast<int>(std::lround(angle / half_pi)),
-                              {face.previous_in_loop(j), j}});
-  }
-  points.index_sum = points.index_sum_expected = index_sum_of(points);
-  return points;
-}
+using hand_made::points_of;
 
 /// Its sharp corner at the origin, the bisector along x.
 CadFace kite(double angle) {

@@ -1,0 +1,21 @@
+#pragma once
+// Pairs of nodes by their distance.
+
+#include <algorithm>
+#include <vector>
+
+namespace quadrille::features {
+
+/// The pairs pair_of(i, j) for 0 <= i < j < n, std::nullopt if there is none, nearest first; pairs of equal distance in
+/// the order of i, then j.
+template <typename Pair, typename PairOf>
+std::vector<Pair> nearest_first(int n, const PairOf& pair_of) {
+  std::vector<Pair> pairs;
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      if (const auto pair = pair_of(i, j)) pairs.push_back(*pair);
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  return pairs;
+}
+
+}  // namespace quadrille::features
