@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "graph/node_rotation.hpp"
 
@@ -13,19 +13,10 @@ namespace quadrille::graph {
 namespace {
 
 int count_components(const ArcGraph& graph) {
-  std::vector<int> root(graph.nodes.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int n) {
-    while (root[n] != n) n = root[n] = root[root[n]];
-    return n;
-  };
-  int count = static_cast<int>(root.size());
-  for (const GraphArc& arc : graph.arcs) {
-    const int a = find(arc.from), b = find(arc.to);
-    if (a == b) continue;
-    root[b] = a;
-    --count;
-  }
+  DisjointSets linked(graph.nodes.size());
+  for (const GraphArc& arc : graph.arcs) linked.unite(arc.from, arc.to);
+  int count = 0;
+  for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n) count += linked.find(n) == n;
   return count;
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "guide/cluster_centre.hpp"
@@ -25,27 +25,13 @@ struct Part {
   int zero = -1;  ///< index into the zeros; -1: open cells
 };
 
-/// Connected components of n parts.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) { parent_[std::max(root(i), root(j))] = std::min(root(i), root(j)); }
-  /// Members of each component, ascending; components by their first member.
-  std::vector<std::vector<int>> all() {
-    std::vector<std::vector<int>> by_root(parent_.size()), result;
-    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) by_root[root(i)].push_back(i);
-    for (auto& group : by_root)
-      if (!group.empty()) result.push_back(std::move(group));
-    return result;
-  }
-
- private:
-  std::vector<int> parent_;
-};
+/// The members of each of the sets of the numbers below n, ascending; sets by their first member.
+std::vector<std::vector<int>> members(DisjointSets& sets, int n) {
+  std::vector<std::vector<int>> by_first(n);
+  for (int i = 0; i < n; ++i) by_first[sets.find(i)].push_back(i);
+  std::erase_if(by_first, [](const std::vector<int>& set) { return set.empty(); });
+  return by_first;
+}
 
 /// A circle around discs; its centre is the middle of their bounding box.
 template <typename Discs>
@@ -64,12 +50,13 @@ zeros::Disc circle_about(const Discs& discs) {
 std::vector<Part> parts_of(const std::vector<zeros::FoundZero>& zeros, const std::vector<zeros::OpenCell>& open_cells) {
   std::vector<Part> parts;
   for (std::size_t i = 0; i < zeros.size(); ++i) parts.push_back({zeros[i].x, 0, zeros[i].elem, static_cast<int>(i)});
-  Groups touching(open_cells.size());
-  for (std::size_t i = 0; i < open_cells.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
+  const int num_open = static_cast<int>(open_cells.size());
+  DisjointSets touching(open_cells.size());
+  for (int i = 0; i < num_open; ++i)
+    for (int j = 0; j < i; ++j)
       if (distance(open_cells[i].centre, open_cells[j].centre) <= 2 * (open_cells[i].radius + open_cells[j].radius))
-        touching.join(static_cast<int>(i), static_cast<int>(j));
-  for (const std::vector<int>& group : touching.all()) {
+        touching.unite(i, j);
+  for (const std::vector<int>& group : members(touching, num_open)) {
     std::vector<zeros::Disc> discs;
     for (const int i : group) discs.push_back({open_cells[i].centre, open_cells[i].radius});
     const zeros::Disc circle = circle_about(discs);
@@ -89,12 +76,13 @@ class ClusterFinder {
         parts_(parts_of(zeros, open_cells)) {}
 
   Clustering find() const {
-    Groups groups(parts_.size());
-    for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
+    const int num_parts = static_cast<int>(parts_.size());
+    DisjointSets together(parts_.size());
+    for (int i = 0; i < num_parts; ++i)
       for (int j = 0; j < i; ++j)
-        if (belong_together(parts_[i], parts_[j])) groups.join(i, j);
+        if (belong_together(parts_[i], parts_[j])) together.unite(i, j);
     Clustering result;
-    for (const std::vector<int>& group : groups.all()) {
+    for (const std::vector<int>& group : members(together, num_parts)) {
       const bool has_zero = std::any_of(group.begin(), group.end(), [this](int i) { return parts_[i].zero >= 0; });
       if (group.size() == 1 && has_zero) {
         result.simple.push_back((*zeros_)[parts_[group[0]].zero]);

@@ -1,9 +1,9 @@
 #include "layers/wall_sides.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
+#include "base/disjoint_sets.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/block_sides.hpp"
 
@@ -67,22 +67,17 @@ WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& tabl
 
 /// By wall side: the first side of its run, the wall sides that continue each other.
 std::vector<int> runs(const BlockLayout& layout, const mesh::ArcSides& arc_sides, const WallSides& walls) {
-  std::vector<int> root(walls.sides.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find_root = [&](int i) {
-    while (root[i] != i) i = root[i];
-    return i;
-  };
-  for (std::size_t i = 0; i < root.size(); ++i) {
+  const int count = static_cast<int>(walls.sides.size());
+  DisjointSets linked(walls.sides.size());
+  for (int i = 0; i < count; ++i) {
     const mesh::BlockSide next =
         mesh::next_along_boundary(layout, arc_sides, {walls.sides[i].block, walls.sides[i].side}, 1);
     const int other = next.block < 0 ? -1 : walls.of_block[next.block][next.side];
-    if (other < 0) continue;
-    const int a = find_root(static_cast<int>(i)), b = find_root(other);
-    root[std::max(a, b)] = std::min(a, b);
+    if (other >= 0) linked.unite(i, other);
   }
-  for (std::size_t i = 0; i < root.size(); ++i) root[i] = find_root(static_cast<int>(i));
-  return root;
+  std::vector<int> run;
+  for (int i = 0; i < count; ++i) run.push_back(linked.find(i));
+  return run;
 }
 
 /// Gives every side of a run the finest spec of the run.

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 
@@ -14,15 +14,11 @@ namespace {
 
 // The component of each node under the graph's arcs.
 std::vector<int> components(const SeparatrixGraph& graph) {
-  std::vector<int> root(graph.nodes.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int n) {
-    while (root[n] != n) n = root[n] = root[root[n]];
-    return n;
-  };
-  for (const GraphArc& arc : graph.arcs) root[find(arc.from)] = find(arc.to);
-  for (size_t n = 0; n < root.size(); ++n) root[n] = find(static_cast<int>(n));
-  return root;
+  DisjointSets linked(graph.nodes.size());
+  for (const GraphArc& arc : graph.arcs) linked.unite(arc.from, arc.to);
+  std::vector<int> component;
+  for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n) component.push_back(linked.find(n));
+  return component;
 }
 
 }  // namespace
