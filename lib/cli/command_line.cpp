@@ -11,23 +11,11 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/json_string.hpp"
 
 namespace quadrille::cli {
 
 namespace {
-
-std::string json_text(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 /// The whole of `text` as a number; a leading + is allowed.
 template <typename T>
@@ -163,7 +151,7 @@ void CommandLine::one_of(const std::string& flag, const std::vector<std::string>
     return true;
   };
   impl_->add(flag, list, set_known, fmt::format("{} (default: {})", help, get()));
-  impl_->record(flag, [get] { return json_text(get()); });
+  impl_->record(flag, [get] { return json_string(get()); });
 }
 
 void CommandLine::text(const std::string& flag, std::string& value, const std::string& placeholder,
@@ -173,7 +161,7 @@ void CommandLine::text(const std::string& flag, std::string& value, const std::s
     return true;
   };
   impl_->add(flag, placeholder, set, value.empty() ? help : fmt::format("{} (default: {})", help, value));
-  if (recorded) impl_->record(flag, [&value] { return json_text(value); });
+  if (recorded) impl_->record(flag, [&value] { return json_string(value); });
 }
 
 void CommandLine::texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
@@ -186,7 +174,7 @@ void CommandLine::texts(const std::string& flag, std::vector<std::string>& value
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   impl_->record(flag, [&values] {
     std::vector<std::string> quoted;
-    for (const std::string& value : values) quoted.push_back(json_text(value));
+    for (const std::string& value : values) quoted.push_back(json_string(value));
     return fmt::format("[{}]", fmt::join(quoted, ","));
   });
 }
@@ -265,7 +253,7 @@ std::string CommandLine::options_json() const {
   std::string out = "{";
   for (const auto& [key, json] : impl_->recorded) {
     if (out.size() > 1) out += ',';
-    out += json_text(key) + ':' + json();
+    out += json_string(key) + ':' + json();
   }
   return out + '}';
 }

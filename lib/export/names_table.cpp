@@ -2,28 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "base/json_string.hpp"
+
 namespace quadrille::exports {
 namespace {
-
-/// A JSON string. UTF-8 is copied unchanged.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 std::string list(const std::vector<NamedGroup>& groups) {
   std::string out;
   for (const NamedGroup& group : groups) {
-    out += fmt::format("{}    {{\"id\": {}, \"name\": {}", out.empty() ? "\n" : ",\n", group.id, quoted(group.name));
-    if (!group.tag.empty()) out += fmt::format(", \"tag\": {}", quoted(group.tag));
+    out +=
+        fmt::format("{}    {{\"id\": {}, \"name\": {}", out.empty() ? "\n" : ",\n", group.id, json_string(group.name));
+    if (!group.tag.empty()) out += fmt::format(", \"tag\": {}", json_string(group.tag));
     out += '}';
   }
   return out.empty() ? "[]" : fmt::format("[{}\n  ]", out);
