@@ -199,16 +199,6 @@ std::vector<double> bernstein_elevate(int order, const std::vector<double>& coef
   return result;
 }
 
-double bernstein_value(int order, const std::vector<double>& coefs, const std::array<double, 3>& lambda) {
-  std::vector<double> c = coefs;
-  for (int n = order; n > 0; --n)
-    for (int k = 0, at = 0; k < n; ++k)
-      for (int j = 0; j + k < n; ++j, ++at)
-        c[at] = lambda[0] * c[bernstein_index(n, j, k)] + lambda[1] * c[bernstein_index(n, j + 1, k)] +
-                lambda[2] * c[bernstein_index(n, j, k + 1)];
-  return c[0];
-}
-
 double jacobian_lower_bound(int order, const std::vector<double>& x, const std::vector<double>& y, int depth) {
   const auto dx = bernstein_derivatives(order, x), dy = bernstein_derivatives(order, y);
   const int n = order - 1;

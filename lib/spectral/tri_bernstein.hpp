@@ -39,9 +39,6 @@ std::vector<double> bernstein_product(int order_a, const std::vector<double>& a,
 /// The same polynomial in the form of degree order + 1.
 std::vector<double> bernstein_elevate(int order, const std::vector<double>& coefs);
 
-/// The value at barycentric coordinates `lambda` (their sum is 1), by de Casteljau's algorithm.
-double bernstein_value(int order, const std::vector<double>& coefs, const std::array<double, 3>& lambda);
-
 /// A proved lower bound of det(d x / d xi) over the triangle whose x and y have these coefficients (degree `order`):
 /// the least Bernstein coefficient less a bound of the rounding errors, subdivided up to `depth` times while it is not
 /// positive and no vertex value proves that it cannot be.
