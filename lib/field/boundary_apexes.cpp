@@ -75,7 +75,7 @@ BoundaryApex make_apex(const CadFace& face, int curve, double t, double branch, 
 
 }  // namespace
 
-void require_index_sum(const CadFace& face, const PhaseNodes& prescribed) {
+void require_valence_sum(const CadFace& face, const PhaseNodes& prescribed) {
   int inside = 0, corners = 0, boundary = 0;
   for (const PhaseNode& node : prescribed.nodes) inside += 4 - node.valence;
   for (const CornerValence& corner : prescribed.corners) corners += 2 - corner.valence;

@@ -23,7 +23,7 @@ struct BoundaryApexes {
 };
 
 /// Checks sum (4 - V_k) + sum (2 - V_c) = 4 chi (lib/method.md §8.1); throws ComputeError with the sums otherwise.
-void require_index_sum(const CadFace& face, const PhaseNodes& prescribed);
+void require_valence_sum(const CadFace& face, const PhaseNodes& prescribed);
 
 /// Unlisted joints have valence 2; a boundary node at the end of a curve is the joint there. Throws ComputeError if a
 /// joint, curve or parameter does not exist, a joint is listed twice, or boundary nodes coincide.

@@ -29,7 +29,7 @@ double sum_of_corner_angles(const PhaseTerms& terms, Vec2 x, int at_apex, Vec2 i
 }
 
 BoundaryApexes checked_apexes(const CadFace& face, const PhaseNodes& prescribed) {
-  require_index_sum(face, prescribed);
+  require_valence_sum(face, prescribed);
   return boundary_apexes(face, prescribed);
 }
 

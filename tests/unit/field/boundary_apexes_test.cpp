@@ -73,12 +73,12 @@ TEST(BoundaryApexes, RefuseWhatDoesNotExistOrCoincides) {
 
 TEST(IndexSum, CountsNodesCornersAndBoundaryNodes) {
   const CadFace face = square();
-  EXPECT_NO_THROW(require_index_sum(face, four_corners()));
+  EXPECT_NO_THROW(require_valence_sum(face, four_corners()));
   PhaseNodes prescribed = four_corners();
   prescribed.nodes.push_back({{0.5, 0.5}, 3});
-  EXPECT_THROW(require_index_sum(face, prescribed), ComputeError);
+  EXPECT_THROW(require_valence_sum(face, prescribed), ComputeError);
   prescribed.boundary_nodes.push_back({0, 0.5, 3});
-  EXPECT_NO_THROW(require_index_sum(face, prescribed));
+  EXPECT_NO_THROW(require_valence_sum(face, prescribed));
 }
 
 }  // namespace
