@@ -26,8 +26,6 @@ struct HealRules {
   double least_chord = 0.5;  ///< of the curve's reach; a curve with a shorter chord is cut in its middle
   int most_cuts = 3;         ///< how often a curve is halved
   int most_passes = 4;       ///< a pass can make an edge shorter than the tolerance, which the next one removes
-
-  double smooth_kink = radians(0.1);  ///< a healed joint with a smaller tangent jump is no corner
 };
 
 inline constexpr HealRules heal_rules;

@@ -11,10 +11,9 @@
 namespace quadrille::heal {
 namespace {
 
-// Where `in` ends and `out` begins from now on, and the gap that was between them.
+// Where one edge ends and the next one begins from now on.
 struct NewJoint {
   Vec2 end, start;
-  double gap = 0;
 };
 
 void check_vertices(const RawEdge& edge, const HealScale& scale) {
@@ -48,23 +47,20 @@ NewJoint new_joint(const std::vector<MeasuredEdge>& wire, size_t i, const HealSc
   if (gap <= scale.rounding) {
     const double off = std::max(distance(in.raw->end, end), distance(out.raw->start, start));
     if (off > scale.rounding) repairs.push_back({RepairKind::vertex, in.raw->cad_edge, end, off});
-    return {end, start, 0};
+    return {end, start};
   }
   const LimitedJoint joint = limit.joint(in, out, {wire[(i + n - 1) % n].raw, in.raw, out.raw, wire[(i + 2) % n].raw});
   const auto x = joint_target(joint.in, joint.out);
   if (!x) refuse(in, out, scale, joint);
   repairs.push_back({RepairKind::joint, in.raw->cad_edge, *x, std::max(distance(end, *x), distance(start, *x))});
-  return {*x, *x, gap};
+  return {*x, *x};
 }
 
-void add_moved(const RawEdge& old, Vec2 start, Vec2 end, double start_gap, std::vector<RawEdge>& edges) {
+void add_moved(const RawEdge& old, Vec2 start, Vec2 end, std::vector<RawEdge>& edges) {
   const bool stays = start == old.curve.poles.front() && end == old.curve.poles.back();
   const std::vector<Nurbs> pieces = stays ? std::vector<Nurbs>{old.curve} : moved_curve(old.curve, start, end);
   for (const Nurbs& piece : pieces) {
     RawEdge edge = old;
-    edge.start_gap = &piece == &pieces.front()
-                         ? std::max(start_gap, old.start_gap)
-                         : std::max(distance(start, old.curve.poles.front()), distance(end, old.curve.poles.back()));
     edge.curve = piece;
     edge.start = piece.poles.front(), edge.end = piece.poles.back();
     edges.push_back(std::move(edge));
@@ -82,7 +78,7 @@ std::vector<RawEdge> join_wire(const std::vector<MeasuredEdge>& wire, const Heal
   std::vector<RawEdge> edges;
   for (size_t i = 0; i < n; ++i) {
     const NewJoint& before = joints[(i + n - 1) % n];
-    add_moved(*wire[i].raw, before.start, joints[i].end, before.gap, edges);
+    add_moved(*wire[i].raw, before.start, joints[i].end, edges);
   }
   return edges;
 }

@@ -19,7 +19,6 @@ struct RawEdge {
   std::string layer{};   ///< name of the layer of the edge
   std::string colour{};  ///< "ff0000" for red
   double height = 0;     ///< greatest distance of the edge in space from the plane of the face
-  double start_gap = 0;  ///< gap that healing closed at its start, a length; 0 if none
 };
 
 struct RawFace {
