@@ -8,6 +8,7 @@
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
 #include "layers/wall_spec.hpp"
+#include "mesh/element_sizes.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
@@ -102,6 +103,11 @@ int main(int argc, char** argv) {
            "possible");
     o.integer("--relax", options.relax, 0, 1000,
               "relaxation sweeps, which move vertices to improve the shapes of elements");
+    o.number("--min-scaled-jacobian", options.min_scaled_jacobian, 0, 1, "1",
+             "exit with 1 if an element has a lower scaled Jacobian; 0: no limit");
+    o.number("--max-edge-ratio", options.max_edge_ratio, 0, 1e300, "1",
+             "exit with 1 if the longest side of an element exceeds its shortest by more than this factor, >= 1; 0: no "
+             "limit");
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
@@ -118,6 +124,7 @@ int main(int argc, char** argv) {
     mesh.provenance = s.provenance(layout.provenance, inputs);
     s.info(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
     for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.info(refine::describe(worst, mesh));
+    s.info(mesh::describe(mesh::worst_element_sizes(mesh)));
     s.begin_phase("write");
     io::write_quad_mesh(output, mesh);
     s.end_phase();

@@ -26,6 +26,11 @@ void arrays_agree(const QuadMesh& mesh, Findings& findings) {
                  nodes_per_elem(mesh), n);
   if (mesh.elem_jacobian_bound.size() != n || mesh.elem_scaled_jacobian.size() != n)
     findings.add("elem_jacobian_bound and elem_scaled_jacobian must have one entry for each of {} elements", n);
+  const std::size_t stored = mesh.elem_edge_ratio.empty() && mesh.elem_area_jump.empty() ? 0 : n;
+  if (mesh.elem_edge_ratio.size() != stored || mesh.elem_area_jump.size() != stored ||
+      mesh.elem_node_distance.size() != stored)
+    findings.add("elem_edge_ratio, elem_area_jump and elem_node_distance must have one entry for each of {} elements",
+                 n);
   if (!are_ascending_indices(mesh.unnamed_blocks, mesh.block_names.size()))
     findings.add("unnamed_blocks must be blocks in ascending order, each once");
 }
@@ -190,12 +195,22 @@ void root_tells_validity(const QuadMesh& mesh, Findings& findings) {
   if (!mesh.is_valid && least > 0) findings.add("is_valid is 0, but all bounds are positive");
 }
 
+void sizes_are_in_range(const QuadMesh& mesh, Findings& findings) {
+  if (!mesh.is_valid) return;
+  for (std::size_t e = 0; e < mesh.elem_edge_ratio.size(); ++e)
+    if (!(mesh.elem_edge_ratio[e] >= 1 - 1e-12) || !(mesh.elem_area_jump[e] >= 1 - 1e-12) ||
+        !(mesh.elem_node_distance[e] > 0))
+      findings.add("element {}: its edge ratio and area jump must be at least 1, its node distance positive, at {}", e,
+                   position_text(mesh.face, mesh.nodes[side_node(mesh, static_cast<int>(e), 0, 0)]));
+}
+
 constexpr Rule<QuadMesh> rules[] = {
     {"QUA-R01", RuleKind::structure, arrays_agree},       {"QUA-R02", RuleKind::structure, indices_exist},
     {"QUA-R03", RuleKind::structure, numbers_are_finite}, {"QUA-R04", RuleKind::quick, stored_bounds_are_positive},
     {"QUA-R05", RuleKind::full, mesh_is_conforming},      {"QUA-R06", RuleKind::full, boundary_walks_the_loops},
     {"QUA-R07", RuleKind::full, euler_count_holds},       {"QUA-R08", RuleKind::full, irregular_nodes_agree},
     {"QUA-R09", RuleKind::full, jacobians_are_as_stored}, {"QUA-R10", RuleKind::quick, root_tells_validity},
+    {"QUA-R11", RuleKind::quick, sizes_are_in_range},
 };
 
 }  // namespace

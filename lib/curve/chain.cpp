@@ -7,6 +7,13 @@
 #include "curve/nurbs.hpp"
 
 namespace quadrille::curve {
+namespace {
+
+constexpr double same_place = 1e-6;     ///< diameters
+constexpr double greatest_snap = 1e-3;  ///< of a chain's length
+constexpr double same_fraction = 1e-12;
+
+}  // namespace
 
 CurveTable::CurveTable(const CadFace& face, const std::vector<Nurbs>& splines)
     : face_(&face), splines_(&splines), tables_(face.curves.size() + splines.size()) {}
@@ -67,6 +74,22 @@ bool Chain::is_smooth_seam(size_t i) const {
   return meets && has_smooth_seam(curve);
 }
 
+bool Chain::is_whole_curve(size_t i) const {
+  const double length = ends_[i] - (i == 0 ? 0 : ends_[i - 1]);
+  return length >= table_->arc_length(pieces_[i].curve).total() * (1 - 1e-9);
+}
+
+bool Chain::is_at_end(double fraction) const {
+  const double reach = std::clamp(same_place * table_->diameter() / length(), same_fraction, greatest_snap);
+  const bool is_at_start = fraction < 0.5;
+  const double from_end = is_at_start ? fraction : 1 - fraction;
+  if (from_end < same_fraction) return true;
+  if (from_end > reach) return false;
+  const size_t last = pieces_.size() - 1;
+  const double joint = (is_at_start ? ends_[0] : (last > 0 ? ends_[last - 1] : 0)) / length();
+  return std::abs(fraction - joint) >= same_fraction || !is_whole_curve(is_at_start ? 0 : last);
+}
+
 std::vector<double> Chain::break_fractions() const {
   std::vector<double> fractions;
   for (size_t i = 0; i + 1 < ends_.size(); ++i)
@@ -82,9 +105,9 @@ std::vector<double> Chain::break_fractions() const {
       }
   }
   std::sort(fractions.begin(), fractions.end());
-  const auto same = [](double a, double b) { return b - a < 1e-12; };
+  const auto same = [](double a, double b) { return b - a < same_fraction; };
   fractions.erase(std::unique(fractions.begin(), fractions.end(), same), fractions.end());
-  std::erase_if(fractions, [](double f) { return f < 1e-12 || f > 1 - 1e-12; });
+  std::erase_if(fractions, [&](double f) { return is_at_end(f); });
   return fractions;
 }
 

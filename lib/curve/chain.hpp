@@ -24,6 +24,7 @@ class CurveTable {
   CurveTable(const CadFace& face, const std::vector<Nurbs>& splines);
   const Nurbs& curve(int id) const;
   const ArcLength& arc_length(int id) const;
+  double diameter() const { return face_->diameter; }
   bool is_cad_curve(int id) const { return id < face_->num_curves(); }
 
  private:
@@ -43,13 +44,17 @@ class Chain {
   /// Fractions of the joints between pieces, ascending, without 0 and 1.
   std::vector<double> joint_fractions() const;
   /// Fractions that no element edge may straddle: joints between pieces and smoothness_breaks inside CAD pieces. The
-  /// seam of a smooth closed curve is not a break; its position is arbitrary.
+  /// seam of a smooth closed curve is not a break; its position is arbitrary. Breaks within 1e-6 diameters of an end of
+  /// the chain count as that end, except the far end of a curve that is no longer than that, which may have a name.
   std::vector<double> break_fractions() const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
  private:
   /// Whether pieces i and i + 1 are joined at the seam of one smooth closed curve.
   bool is_smooth_seam(size_t i) const;
+  bool is_whole_curve(size_t i) const;
+  /// Whether a break counts as an end of the chain.
+  bool is_at_end(double fraction) const;
 
   const CurveTable* table_;
   std::vector<ArcPiece> pieces_;

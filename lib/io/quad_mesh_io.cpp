@@ -9,7 +9,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 2};
+constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 3};
 
 double least(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
@@ -23,6 +23,11 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
   archive.field("elem_block", mesh.elem_block, {"", "block of each element"});
   archive.field("elem_jacobian_bound", mesh.elem_jacobian_bound, {"length^2", "proved lower bound of det J"});
   archive.field("elem_scaled_jacobian", mesh.elem_scaled_jacobian, {"1", "least sampled scaled Jacobian"});
+  if (archive.has("elem_edge_ratio")) {
+    archive.field("elem_edge_ratio", mesh.elem_edge_ratio, {"1", "longest over shortest side"});
+    archive.field("elem_area_jump", mesh.elem_area_jump, {"1", "greatest ratio of the areas of neighbours"});
+    archive.field("elem_node_distance", mesh.elem_node_distance, {"length", "least distance of neighbouring nodes"});
+  }
   archive.field("boundary_edges", mesh.boundary_edges, [](Archive& a, QuadBoundaryEdge& edge) {
     a.field("elem", edge.elem, {"", "element"});
     a.field("side", edge.side, {"", "side 0 to 3"});

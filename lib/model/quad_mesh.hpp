@@ -28,8 +28,12 @@ struct QuadMesh {
   std::vector<Vec2> nodes;
   std::vector<int> elem_nodes;
   std::vector<int> elem_block;
-  std::vector<double> elem_jacobian_bound;       ///< least Bernstein coefficient of det J: a proved lower bound
-  std::vector<double> elem_scaled_jacobian;      ///< least sampled det J / (|x_xi1| |x_xi2|)
+  std::vector<double> elem_jacobian_bound;   ///< least Bernstein coefficient of det J: a proved lower bound
+  std::vector<double> elem_scaled_jacobian;  ///< least sampled det J / (|x_xi1| |x_xi2|)
+  // Lengths, which the scaled Jacobian does not see (mesh/element_sizes); empty in files before version 1.3.
+  std::vector<double> elem_edge_ratio;           ///< longest over shortest side
+  std::vector<double> elem_area_jump;            ///< greatest ratio of its area and a neighbour's, either way
+  std::vector<double> elem_node_distance;        ///< least distance of neighbours in its grid of nodes, a length
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   std::vector<std::string> block_names;
   std::vector<int> unnamed_blocks;  ///< ascending: blocks without a given name; theirs is made from their number

@@ -11,6 +11,7 @@
 #include "check/check.hpp"
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
+#include "mesh/element_sizes.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
@@ -173,6 +174,7 @@ void report_mesh(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
   report.set("chords", num_chords);
   report.set("irregular_nodes", mesh.num_irregular);
   report_validity(mesh, report);
+  mesh::report_element_sizes(mesh, report);
 }
 
 }  // namespace
@@ -180,6 +182,9 @@ void report_mesh(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
 void RefineOptions::validate() const {
   if (size < 0) throw UsageError("--size must not be negative");
   if (order < 1 || order > 20) throw UsageError("--order must lie in 1..20");
+  if (!(min_scaled_jacobian >= 0 && min_scaled_jacobian <= 1))
+    throw UsageError("--min-scaled-jacobian must lie in 0..1");
+  if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
   if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
 }
 
@@ -196,11 +201,13 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
     distance = mesh::boundary_distance(split.mesh);
   }
   report.set("count_doublings", split.doublings);
+  mesh::measure_element_sizes(split.mesh);
   report_mesh(split.mesh, measured.chords().size(), report);
   mesh::report_distance(distance, layout.face, request.division.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
+  require_quality(split.mesh, options.min_scaled_jacobian, options.max_edge_ratio);
   if (!split.mesh.is_valid) report.warn(warning::mesh_not_valid, check::validity_warning(split.mesh));
   return std::move(split.mesh);
 }

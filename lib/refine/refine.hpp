@@ -35,14 +35,16 @@ struct RefineOptions {
   sizing::SizeRule size_rule = sizing::SizeRule::nearest;
   std::vector<sizing::ChordCount> counts = {};  ///< prescribed counts of single chords, in place of their sizes
   std::vector<layers::WallSpec> walls = {};     ///< layers along boundaries (layers/wall_layers)
-  std::vector<int> blocks = {};  ///< chords through these only are refined (refine/chosen_blocks); empty: all
-  int relax = 0;                 ///< sweeps of relaxation (refine/relax)
-  void validate() const;         ///< throws UsageError
+  std::vector<int> blocks = {};    ///< chords through these only are refined (refine/chosen_blocks); empty: all
+  double min_scaled_jacobian = 0;  ///< a mesh with a lower one is an error, 0 to 1; 0: none is
+  double max_edge_ratio = 0;       ///< a mesh with a higher one is an error, 0: none is, else at least 1
+  int relax = 0;                   ///< sweeps of relaxation (refine/relax)
+  void validate() const;           ///< throws UsageError
 };
 
 /// If aligned lines result in an invalid element and equal arc-length fractions do not, the mesh has equal fractions.
-/// Throws ComputeError with the position of the worst element if one cannot be proved valid (unless allow_invalid), and
-/// if the mesh would have more than 1e8 nodes.
+/// Throws ComputeError with the position of the worst element if one cannot be proved valid (unless allow_invalid) or
+/// misses min_scaled_jacobian or max_edge_ratio, and if the mesh would have more than 1e8 nodes.
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);
 
 }  // namespace quadrille::refine

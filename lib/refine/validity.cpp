@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "mesh/element_sizes.hpp"
 #include "spectral/quad_bernstein.hpp"
 #include "spectral/quad_map.hpp"
 
@@ -113,6 +114,21 @@ void require_valid_elements(const QuadMesh& mesh) {
                   "at least {:.3g} (--allow-invalid writes the mesh all the same)",
                   mesh.num_unproved(), mesh.num_elems(), position_text(worst.position),
                   mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
+}
+
+void require_quality(const QuadMesh& mesh, double min_scaled_jacobian, double max_edge_ratio) {
+  const WorstElement worst = worst_elements(mesh, 1).front();
+  if (min_scaled_jacobian > 0 && worst.scaled_jacobian < min_scaled_jacobian * (1 - same_quality))
+    throw ComputeError(
+        fmt::format("element {} at {} has the scaled Jacobian {:.4g}, below --min-scaled-jacobian {:.4g}: lower "
+                    "--size, use --relax, or lower the limit",
+                    worst.elem, position_text(worst.position), worst.scaled_jacobian, min_scaled_jacobian));
+  const mesh::ElementSizes sizes = mesh::worst_element_sizes(mesh);
+  if (max_edge_ratio > 0 && sizes.edge_ratio > max_edge_ratio * (1 + same_quality))
+    throw ComputeError(
+        fmt::format("element {} at {} has sides whose lengths have the ratio {:.4g}, above --max-edge-ratio {:.4g}: "
+                    "remove short edges from the CAD face, lower --size, or raise the limit",
+                    sizes.edge_ratio_elem, position_text(sizes.edge_ratio_position), sizes.edge_ratio, max_edge_ratio));
 }
 
 void report_validity(const QuadMesh& mesh, Report& report) {

@@ -39,6 +39,10 @@ double least_jacobian_ratio(const QuadMesh& mesh);
 /// Throws ComputeError with the position of the worst element if one is not proved valid.
 void require_valid_elements(const QuadMesh& mesh);
 
+/// Throws ComputeError with element, position and figure if an element has a lower scaled Jacobian than
+/// `min_scaled_jacobian`, or a larger ratio of its sides than `max_edge_ratio` (mesh/element_sizes); 0: no limit.
+void require_quality(const QuadMesh& mesh, double min_scaled_jacobian, double max_edge_ratio);
+
 /// Reports the least bound, scaled Jacobian and ratio, the number of elements not proved valid, and the worst elements
 /// (worst.1.*, ...).
 void report_validity(const QuadMesh& mesh, Report& report);

@@ -14,6 +14,10 @@ def report($start; $nodes):
     least_jacobian_bound: $of.quadrefine.least_jacobian_bound,
     valid: $of.quadrefine.valid,
     least_scaled_jacobian: $of.quadrefine.least_scaled_jacobian,
+    greatest_edge_ratio: $of.quadrefine.greatest_edge_ratio,
+    greatest_area_jump: $of.quadrefine.greatest_area_jump,
+    least_node_distance: $of.quadrefine.least_node_distance,
+    boundary: $of.quadrefine.boundary,
     cpu_seconds: ($runs | map(.timings.total.cpu_seconds) | add),
     wall_seconds: (now - $start),
     stages: ($runs | map({(.stage): .timings.total}) | add),
@@ -31,5 +35,6 @@ def times:
 
 def summary:
   "\(count(.blocks; "block")), \(count(.irregular_nodes; "irregular node")), \(count(.quads; "quad")), " +
-    "worst scaled Jacobian \(.least_scaled_jacobian | places(2))" +
+    "worst scaled Jacobian \(.least_scaled_jacobian | places(2)), greatest edge ratio " +
+    "\(.greatest_edge_ratio.value | places(1))" +
     (if .certificate.method == "midpoint" then ", by midpoint division of triangles" else "" end);

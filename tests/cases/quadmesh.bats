@@ -8,14 +8,14 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "the only words are one line about the mesh; nothing but the mesh is left" {
   run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
-  assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, worst scaled Jacobian 0\.[0-9]+$'
+  assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, worst scaled Jacobian 0\.[0-9]+, greatest edge ratio [.0-9]+$'
   assert_equal "$stderr" ""
   assert_nothing_left out.msh
 }
 
 @test "one block, zero nodes: the line counts in English" {
   run -0 "$quadmesh" "$DATA/square.step" -o out.msh
-  assert_output --regexp '^1 block, 0 irregular nodes, [0-9]+ quads, worst scaled Jacobian 1$'
+  assert_output --regexp '^1 block, 0 irregular nodes, [0-9]+ quads, worst scaled Jacobian 1, greatest edge ratio 1$'
 }
 
 @test "the mesh goes to standard output, the line then to standard error" {

@@ -7,7 +7,7 @@ load ../tools/common
 mesh() {
   run -0 --separate-stderr "$ROOT/pipelines/quadmesh" "$DATA/$1.step" -o "$1.msh" --workdir . --report "$1.json"
   assert_equal "$stderr" ""
-  assert_line --regexp '^[0-9]+ blocks?, [0-9]+ irregular nodes?, [0-9]+ quads?, worst scaled Jacobian 0?[.0-9]+$'
+  assert_line --regexp '^[0-9]+ blocks?, [0-9]+ irregular nodes?, [0-9]+ quads?, worst scaled Jacobian 0?[.0-9]+, greatest edge ratio [.0-9]+$'
   assert_equal "${#lines[@]}" 1
   assert [ "$(jq '.least_jacobian_bound > 0' "$1.json")" = true ]
   for file in "$1".{tri.h5,solve.h5,field.h5,crit.json,sep.json,blocks.h5,quad.h5}; do

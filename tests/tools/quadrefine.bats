@@ -303,3 +303,17 @@ setup() {
   assert_equal "$(wc -l < places)" "$(jq .nodes a.json)"
   assert_equal "$(uniq -d places)" ""
 }
+
+@test "--min-scaled-jacobian and --max-edge-ratio end with 1, the place and the figure, and write nothing" {
+  quadrefine "$blocks" -o a.quad.h5 --report a.json
+  sj=$(jq .least_scaled_jacobian a.json)
+  ratio=$(jq .greatest_edge_ratio.value a.json)
+  quadrefine --min-scaled-jacobian "$sj" --max-edge-ratio "$ratio" "$blocks" -o b.quad.h5
+  run -1 quadrefine --min-scaled-jacobian 0.999 "$blocks" -o c.quad.h5
+  assert_output --regexp 'element [0-9]+ at \(.*\) has the scaled Jacobian 0\.[0-9]+, below --min-scaled-jacobian 0\.999'
+  run -1 quadrefine --max-edge-ratio 1.01 "$blocks" -o c.quad.h5
+  assert_output --regexp "element $(jq .greatest_edge_ratio.element a.json) at .* ratio [.0-9]+, above --max-edge-ratio 1\.01"
+  assert_not_exists c.quad.h5
+  run -2 quadrefine --max-edge-ratio 0.5 "$blocks" -o c.quad.h5
+  run -2 quadrefine --min-scaled-jacobian 1.5 "$blocks" -o c.quad.h5
+}

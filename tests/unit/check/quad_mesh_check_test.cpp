@@ -63,6 +63,20 @@ TEST(QuadMeshCheck, QuaR10RootTellsValidity) {
   EXPECT_EQ(broken([](auto& m) { m.is_valid = false; }), Rules{"QUA-R10"});
 }
 
+TEST(QuadMeshCheck, QuaR11SizesAreInRange) {
+  EXPECT_EQ(broken([](auto& m) { m.elem_edge_ratio[1] = 0.5; }), Rules{"QUA-R11"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_area_jump[0] = 0; }), Rules{"QUA-R11"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_node_distance[1] = 0; }), Rules{"QUA-R11"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_area_jump.pop_back(); }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_edge_ratio.clear(); }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) {  // a file of version 1.2
+              m.elem_edge_ratio.clear();
+              m.elem_area_jump.clear();
+              m.elem_node_distance.clear();
+            }),
+            Rules{});
+}
+
 TEST(QuadMeshCheck, AMeshThatSaysItIsNotValidKeepsTheRules) {
   const auto folded = [](QuadMesh& m) {
     m.nodes[4] = {-0.1, 0.4};

@@ -59,6 +59,26 @@ TEST_F(ChainTest, breaks_are_joints_and_breaks_of_cad_curves_but_not_of_splines)
   EXPECT_NEAR(chain.break_fractions()[0], 0.5, 1e-13);
 }
 
+TEST_F(ChainTest, breaks_next_to_an_end_count_as_that_end) {
+  CadFace drawn = face;
+  drawn.diameter = 2;
+  const int first = drawn.num_curves();
+  drawn.curves.push_back(segment({0, 0}, {1, 0}));
+  drawn.curves.push_back(segment({1, 0}, {1, 1}));
+  drawn.curves.push_back(segment({1, 1}, {1, 1 + 1e-6}));
+  const CurveTable table(drawn, splines);
+  const auto breaks = [&](double of_first, double of_second) {
+    return Chain(table, {{first, 1 - of_first, 1}, {first + 1, 0, of_second}}).break_fractions().size();
+  };
+  EXPECT_EQ(breaks(1.9e-6, 1), 0U);
+  EXPECT_EQ(breaks(2.1e-6, 1), 1U);
+  EXPECT_EQ(breaks(1, 1e-9), 0U);
+  EXPECT_EQ(breaks(1e-7, 1e-7), 1U) << "a short chain keeps its inner breaks";
+  // A whole curve that is so short may have a name.
+  EXPECT_EQ(Chain(table, {{first + 1, 0, 1}, {first + 2, 0, 1e-6}}).break_fractions().size(), 1U);
+  EXPECT_EQ(Chain(table, {{first + 2, 1e-6, 0}, {first + 1, 1, 0}}).break_fractions().size(), 1U);
+}
+
 TEST_F(ChainTest, the_seam_of_a_circle_is_no_break_but_that_of_a_drop_is) {
   CadFace closed = face;
   const int circle = closed.num_curves();

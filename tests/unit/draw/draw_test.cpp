@@ -406,6 +406,17 @@ TEST(Draw, QuadsThatAreNotProvedAreOutlinedAndSaid) {
   EXPECT_EQ(count(svg, "NOT VALID: 2 quads"), 1);
 }
 
+TEST(Draw, LengthsOfQuadsAreInTheCaptionIfTheFileHasThem) {
+  QuadMesh mesh = two_quads(2, 0.5);
+  EXPECT_EQ(count(draw_quad_mesh(mesh, {}), "edge ratio"), 0);
+  mesh.elem_edge_ratio = {1, 2.5};
+  mesh.elem_area_jump = {3, 3};
+  mesh.elem_node_distance = {0.25, 0.125};
+  const std::string svg = draw_quad_mesh(mesh, {});
+  EXPECT_EQ(count(svg, "greatest edge ratio 2.5, greatest area jump 3, least node distance 0.125<"), 1);
+  EXPECT_EQ(count(svg, "scaled Jacobian 0.500, edge ratio 2.5<"), 1);
+}
+
 TEST(Draw, PerfectMeshHasNoRing) { EXPECT_EQ(count(draw_quad_mesh(two_quads(1, 1), {}), "class=\"ring\""), 0); }
 
 }  // namespace

@@ -1,0 +1,193 @@
+#include "mesh/element_sizes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "spectral/lagrange.hpp"
+#include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille::mesh {
+namespace {
+
+constexpr double greatest_ratio = 1e300;
+
+struct LobattoRule {
+  std::vector<double> weights;
+  Eigen::MatrixXd derivative;
+
+  explicit LobattoRule(int order)
+      : weights(spectral::gauss_lobatto(order + 1).weights),
+        derivative(spectral::differentiation_matrix(spectral::gll_points(order))) {}
+};
+
+const LobattoRule& lobatto_rule(int order) {
+  static spectral::PerOrder<LobattoRule> cache([](int n) { return LobattoRule(n); });
+  return cache[order];
+}
+
+double ratio_of(double a, double b) {
+  const auto [low, high] = std::minmax(a, b);
+  return low > high / greatest_ratio ? high / low : greatest_ratio;
+}
+
+/// The nodes of an element as a grid of (N + 1) x (N + 1) positions.
+class ElementGrid {
+ public:
+  ElementGrid(const QuadMesh& mesh, int elem)
+      : order_(mesh.order),
+        rule_(lobatto_rule(mesh.order)),
+        nodes_(mesh.nodes),
+        ids_(&mesh.elem_nodes[elem * mesh.nodes_per_elem()]) {}
+
+  Vec2 at(int i, int j) const { return nodes_[ids_[j * (order_ + 1) + i]]; }
+
+  double side_length(int side) const {
+    double length = 0;
+    for (int k = 0; k <= order_; ++k)
+      length += rule_.weights[k] *
+                norm(side % 2 == 0 ? along(0, k, side == 0 ? 0 : order_) : along(1, side == 3 ? 0 : order_, k));
+    return length;
+  }
+
+  double area() const {
+    double area = 0;
+    for (int j = 0; j <= order_; ++j)
+      for (int i = 0; i <= order_; ++i)
+        area += rule_.weights[i] * rule_.weights[j] * cross(along(0, i, j), along(1, i, j));
+    return area;
+  }
+
+  /// Between neighbours in the grid, also diagonal ones.
+  double least_node_distance() const {
+    double least = distance(at(0, 0), at(1, 0));
+    for (int j = 0; j <= order_; ++j)
+      for (int i = 0; i <= order_; ++i) {
+        if (i < order_) least = std::min(least, distance(at(i, j), at(i + 1, j)));
+        if (j == order_) continue;
+        for (int k = std::max(i - 1, 0); k <= std::min(i + 1, order_); ++k)
+          least = std::min(least, distance(at(i, j), at(k, j + 1)));
+      }
+    return least;
+  }
+
+ private:
+  /// The derivative with respect to xi1 (direction 0) or xi2 (1) at node (i, j).
+  Vec2 along(int direction, int i, int j) const {
+    Vec2 sum;
+    for (int k = 0; k <= order_; ++k)
+      sum += direction == 0 ? rule_.derivative(i, k) * at(k, j) : rule_.derivative(j, k) * at(i, k);
+    return sum;
+  }
+
+  int order_;
+  const LobattoRule& rule_;
+  const std::vector<Vec2>& nodes_;
+  const int* ids_;
+};
+
+double edge_ratio(const ElementGrid& grid) {
+  std::array<double, 4> lengths{};
+  for (int side = 0; side < 4; ++side) lengths[side] = grid.side_length(side);
+  const auto [low, high] = std::minmax_element(lengths.begin(), lengths.end());
+  return ratio_of(*low, *high);
+}
+
+/// A side by its ends and the node next to the lower one, and its element.
+struct Side {
+  int low, high, inner, elem;
+  auto operator<=>(const Side&) const = default;
+  bool is_same_place(const Side& other) const { return low == other.low && high == other.high && inner == other.inner; }
+};
+
+std::vector<Side> sorted_sides(const QuadMesh& mesh) {
+  const int n = mesh.order, width = n + 1;
+  const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
+  std::vector<Side> sides;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int k = 0; k < 4; ++k) {
+      const int* first = &mesh.elem_nodes[elem * width * width + starts[k]];
+      const int from = *first, to = first[n * strides[k]];
+      sides.push_back(
+          {std::min(from, to), std::max(from, to), from < to ? first[strides[k]] : first[(n - 1) * strides[k]], elem});
+    }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+void measure_area_jumps(QuadMesh& mesh, const std::vector<double>& areas) {
+  mesh.elem_area_jump.assign(mesh.num_elems(), 1.0);
+  const std::vector<Side> sides = sorted_sides(mesh);
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    if (!sides[i].is_same_place(sides[i - 1])) continue;
+    const int a = sides[i - 1].elem, b = sides[i].elem;
+    const double jump = ratio_of(std::abs(areas[a]), std::abs(areas[b]));
+    mesh.elem_area_jump[a] = std::max(mesh.elem_area_jump[a], jump);
+    mesh.elem_area_jump[b] = std::max(mesh.elem_area_jump[b], jump);
+  }
+}
+
+Vec2 centre(const QuadMesh& mesh, int elem) {
+  const ElementGrid grid(mesh, elem);
+  const int n = mesh.order;
+  return (grid.at(0, 0) + grid.at(n, 0) + grid.at(n, n) + grid.at(0, n)) / 4 + mesh.face.origin;
+}
+
+}  // namespace
+
+void measure_element_sizes(QuadMesh& mesh) {
+  std::vector<double> areas;
+  mesh.elem_edge_ratio.clear();
+  mesh.elem_node_distance.clear();
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const ElementGrid grid(mesh, elem);
+    mesh.elem_edge_ratio.push_back(edge_ratio(grid));
+    mesh.elem_node_distance.push_back(grid.least_node_distance());
+    areas.push_back(grid.area());
+  }
+  measure_area_jumps(mesh, areas);
+}
+
+ElementSizes worst_element_sizes(const QuadMesh& mesh) {
+  const auto index = [](const std::vector<double>& values, auto at) { return static_cast<int>(at - values.begin()); };
+  ElementSizes worst;
+  worst.edge_ratio_elem =
+      index(mesh.elem_edge_ratio, std::max_element(mesh.elem_edge_ratio.begin(), mesh.elem_edge_ratio.end()));
+  worst.area_jump_elem =
+      index(mesh.elem_area_jump, std::max_element(mesh.elem_area_jump.begin(), mesh.elem_area_jump.end()));
+  worst.node_distance_elem =
+      index(mesh.elem_node_distance, std::min_element(mesh.elem_node_distance.begin(), mesh.elem_node_distance.end()));
+  worst.edge_ratio = mesh.elem_edge_ratio[worst.edge_ratio_elem];
+  worst.area_jump = mesh.elem_area_jump[worst.area_jump_elem];
+  worst.node_distance = mesh.elem_node_distance[worst.node_distance_elem];
+  worst.edge_ratio_position = centre(mesh, worst.edge_ratio_elem);
+  worst.area_jump_position = centre(mesh, worst.area_jump_elem);
+  worst.node_distance_position = centre(mesh, worst.node_distance_elem);
+  return worst;
+}
+
+std::string describe(const ElementSizes& sizes) {
+  const auto place = [](Vec2 x) { return fmt::format("({:.6g}, {:.6g})", x.x, x.y); };
+  return fmt::format(
+      "greatest edge ratio {:.3g} at {}, greatest area jump {:.3g} at {}, least node distance {:.3g} at {}",
+      sizes.edge_ratio, place(sizes.edge_ratio_position), sizes.area_jump, place(sizes.area_jump_position),
+      sizes.node_distance, place(sizes.node_distance_position));
+}
+
+void report_element_sizes(const QuadMesh& mesh, Report& report) {
+  const ElementSizes worst = worst_element_sizes(mesh);
+  const auto set = [&](const std::string& key, double value, int elem, Vec2 position) {
+    report.set(key + ".value", value);
+    report.set(key + ".element", elem);
+    report.set(key + ".position", std::vector<double>{position.x, position.y});
+  };
+  set("greatest_edge_ratio", worst.edge_ratio, worst.edge_ratio_elem, worst.edge_ratio_position);
+  set("greatest_area_jump", worst.area_jump, worst.area_jump_elem, worst.area_jump_position);
+  set("least_node_distance", worst.node_distance, worst.node_distance_elem, worst.node_distance_position);
+}
+
+}  // namespace quadrille::mesh
