@@ -1,5 +1,7 @@
 #include "galerkin/solve_parts.hpp"
 
+#include <algorithm>
+
 #include "galerkin/continuous.hpp"
 #include "spectral/modified_basis.hpp"
 
@@ -9,19 +11,18 @@ namespace {
 /// Smaller coefficients are omitted: what they add up to is far below the error of any field.
 constexpr double negligible = 1e-13;
 
-field::HarmonicPart part_of(const ContinuousSystem& system, const Field& field, const Eigen::MatrixXd& dofs,
-                            const std::vector<Lifting>& liftings) {
-  field::HarmonicPart part;
-  part.liftings = liftings;
-  for (int e = 0; e < field.mesh.num_elems(); ++e) {
-    const Eigen::MatrixXd modes = system.modes(e, dofs);
-    if (modes.cwiseAbs().maxCoeff() < negligible) continue;
-    const Eigen::MatrixXd coefs = spectral::modified_to_orthogonal(field.elem_order[e]).transpose() * modes;
-    part.elems.push_back(e);
-    part.u.insert(part.u.end(), coefs.col(0).begin(), coefs.col(0).end());
-    part.v.insert(part.v.end(), coefs.col(1).begin(), coefs.col(1).end());
+/// Functions that are solved for together: wide matrices are faster, but take memory.
+constexpr std::size_t batch = 8;
+
+/// Adds what each part is on element e, from two columns of `modes` for each.
+void add_element(const Eigen::MatrixXd& modes, int e, int order, field::HarmonicPart* parts) {
+  const Eigen::MatrixXd coefs = spectral::modified_to_orthogonal(order).transpose() * modes;
+  for (int k = 0; 2 * k < modes.cols(); ++k) {
+    if (modes.middleCols(2 * k, 2).cwiseAbs().maxCoeff() < negligible) continue;
+    parts[k].elems.push_back(e);
+    parts[k].u.insert(parts[k].u.end(), coefs.col(2 * k).begin(), coefs.col(2 * k).end());
+    parts[k].v.insert(parts[k].v.end(), coefs.col(2 * k + 1).begin(), coefs.col(2 * k + 1).end());
   }
-  return part;
 }
 
 }  // namespace
@@ -33,11 +34,18 @@ std::vector<field::HarmonicPart> solve_parts(const Field& field, const std::vect
   Stopwatch watch;
   system.set_orders(field.elem_order, watch);
   const auto points = std::make_shared<BoundaryPoints>(field.mesh);
-  std::vector<field::HarmonicPart> parts;
-  for (const field::LiftedData& each : data) {
-    DirichletData dirichlet(points, each.values);
-    const Eigen::MatrixXd dofs = system.solve(dirichlet.values(context.topology, system.map()), watch);
-    parts.push_back(part_of(system, field, dofs, each.liftings));
+  std::vector<field::HarmonicPart> parts(data.size());
+  for (std::size_t first = 0; first < data.size(); first += batch) {
+    const std::size_t last = std::min(first + batch, data.size());
+    Eigen::MatrixXd given(system.map().num_dofs - system.map().num_unknowns, 2 * (last - first));
+    for (std::size_t i = first; i < last; ++i) {
+      parts[i].liftings = data[i].liftings;
+      given.middleCols(2 * (i - first), 2) =
+          DirichletData(points, data[i].values).values(context.topology, system.map());
+    }
+    const Eigen::MatrixXd dofs = system.solve(given, watch);
+    for (int e = 0; e < field.mesh.num_elems(); ++e)
+      add_element(system.modes(e, dofs), e, field.elem_order[e], &parts[first]);
   }
   return parts;
 }

@@ -91,8 +91,12 @@ void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points,
 }
 
 /// Throws ComputeError if the search cannot decide.
-void search_all(zeros::ZeroSearch& search, const TriMesh& mesh) {
-  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e) search.search(e);
+void search_all(zeros::ZeroSearch& search, const TriMesh& mesh, const std::vector<bool>& is_empty) {
+  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e)
+    if (!is_empty.empty() && is_empty[e])
+      search.skip();
+    else
+      search.search(e);
   if (!search.is_budget_exhausted()) return;
   const Vec2 x = search.open_cells().back().centre + mesh.face.origin;
   throw ComputeError(
@@ -113,11 +117,11 @@ void SearchOptions::validate() const {
 }
 
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
-                                    CornerValences valences, Report& report) {
+                                    CornerValences valences, const std::vector<bool>& is_empty, Report& report) {
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
   zeros::ZeroSearch search(evaluator, valences.discs, options.noise);
-  search_all(search, mesh);
+  search_all(search, mesh, is_empty);
   const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros());
   const std::vector<zeros::FoundZero> zeros = filtered(found, [&](std::size_t i) {
     return std::none_of(valences.discs.begin(), valences.discs.end(),
@@ -146,7 +150,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report) {
   options.validate();
-  return find_critical_points(evaluator, options, corner_valences(evaluator, options.noise), report);
+  return find_critical_points(evaluator, options, corner_valences(evaluator, options.noise), {}, report);
 }
 
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report) {

@@ -41,8 +41,9 @@ struct SearchOptions {
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report);
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report);
-/// The same with given valences of the corners; corners with the source `line` absorb no zeros.
+/// The same with given valences of the corners; corners with the source `line` absorb no zeros. Elements with
+/// is_empty[e] are known to have no zero (an empty vector: none is).
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
-                                    CornerValences valences, Report& report);
+                                    CornerValences valences, const std::vector<bool>& is_empty, Report& report);
 
 }  // namespace quadrille::guide

@@ -29,7 +29,6 @@ class Resolver {
       : face_(face), max_valence_(max_valence), points_(points), group_(curve::symmetries(face)) {}
 
   void run() {
-    if (points_.clusters.empty()) return;
     remove_members();
     for (Cluster& cluster : points_.clusters) cluster.centre = onto_fixed_points(face_, group_, cluster.centre);
     align_orbits();
@@ -127,7 +126,7 @@ class Resolver {
 }  // namespace
 
 void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& points) {
-  Resolver(face, max_valence, points).run();
+  if (!points.clusters.empty()) Resolver(face, max_valence, points).run();
 }
 
 }  // namespace quadrille::guide

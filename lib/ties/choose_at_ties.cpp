@@ -51,6 +51,14 @@ class Trials {
   }
   std::size_t count() const { return outcomes_.size(); }
 
+  /// The nodes of a choice by a search of all elements, which proves that no zero is missing.
+  CriticalPoints proved(const Choice& choice, Report& report) {
+    CriticalPoints points =
+        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), {}, report);
+    guide::resolve_clusters(face_, options_.max_valence, points);
+    return points;
+  }
+
  private:
   guide::CornerValences valences(const Choice& choice) const {
     guide::CornerValences result = guide::corner_valences_by_angle(face_);
@@ -68,8 +76,8 @@ class Trials {
   std::optional<Outcome> attempt(const Choice& choice) {
     Outcome outcome;
     Report of_this_choice;
-    outcome.points =
-        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), of_this_choice);
+    outcome.points = guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice),
+                                                 tilted_.is_empty(), of_this_choice);
     guide::resolve_clusters(face_, options_.max_valence, outcome.points);
     if (outcome.points.index_sum != outcome.points.index_sum_expected) return {};
     outcome.cost = measure_(choice, outcome.points);
@@ -218,12 +226,11 @@ CriticalPoints choose_at_ties(const field::FieldEvaluator& field, const TieOrbit
   report.set("ties.corners", ties.ties.size());
   report.set("ties.orbits", ties.orbits.size());
   report.set("ties.searches", trials.count());
-  const Outcome* outcome = trials.of(choice);
-  if (!outcome)
+  if (!trials.of(choice))
     throw ComputeError(fmt::format(
         "no choice of valences at the {} corners near 45, 135, 225 or 315 degrees leads to nodes", ties.ties.size()));
   warn_of_halves(face, choice, ties, report);
-  CriticalPoints points = outcome->points;
+  CriticalPoints points = trials.proved(choice, report);
   record(face, choice, ties, trials, points);
   points.form = NodeForm::phase;
   return points;

@@ -25,13 +25,18 @@ class TiltedField {
 
   /// Valid until the next choice. Its error estimate is that of the first choice.
   const field::FieldEvaluator& with(const Choice& choice);
+  /// For each element whether it has no zero for any choice, as far as sampled values of the tilts tell.
+  const std::vector<bool>& is_empty() const { return is_empty_; }
 
  private:
-  Field sum_;
-  std::vector<double> u_, v_;  ///< coefficients without the odd parts of the units
-  std::vector<Lifting> liftings_;
-  std::vector<field::HarmonicPart> odd_;  ///< of each unit
-  std::unique_ptr<field::FieldEvaluator> evaluator_;
+  std::vector<double> greatest_changes();
+  void find_empty_elements();
+
+  Field sum_;                                         ///< with the odd parts of choice_
+  Choice choice_;                                     ///< empty before the first choice
+  std::vector<field::HarmonicPart> odd_;              ///< of each unit
+  std::unique_ptr<field::FieldEvaluator> evaluator_;  ///< of sum_
+  std::vector<bool> is_empty_;
 };
 
 }  // namespace quadrille::ties

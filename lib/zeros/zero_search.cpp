@@ -39,6 +39,11 @@ void ZeroSearch::search(int elem) {
   visit(element_cell(*evaluator_, elem), 0);
 }
 
+void ZeroSearch::skip() {
+  ++found_.counts.examined;
+  ++found_.counts.excluded;
+}
+
 bool ZeroSearch::is_ignored() const {
   return std::any_of(ignored_.begin(), ignored_.end(), [this](const Disc& disc) {
     return distance(disc.centre, enclosure_.centre()) + enclosure_.radius() <= disc.radius;

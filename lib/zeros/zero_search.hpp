@@ -56,6 +56,8 @@ class ZeroSearch {
 
   /// Searches one element. Stops early, with an open cell, if the element needs more cells than zeros ever require.
   void search(int elem);
+  /// Counts an element that is known to have no zero.
+  void skip();
 
   const std::vector<FoundZero>& zeros() const { return found_.zeros; }
   const std::vector<OpenCell>& open_cells() const { return found_.open_cells; }
