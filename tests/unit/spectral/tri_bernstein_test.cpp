@@ -6,23 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/bernstein_value.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::spectral {
 namespace {
 
 using Lambda = std::array<double, 3>;
-
-/// De Casteljau's algorithm.
-double bernstein_value(int order, const std::vector<double>& coefs, const Lambda& lambda) {
-  std::vector<double> c = coefs;
-  for (int n = order; n > 0; --n)
-    for (int k = 0, at = 0; k < n; ++k)
-      for (int j = 0; j + k < n; ++j, ++at)
-        c[at] = lambda[0] * c[bernstein_index(n, j, k)] + lambda[1] * c[bernstein_index(n, j + 1, k)] +
-                lambda[2] * c[bernstein_index(n, j, k + 1)];
-  return c[0];
-}
 
 Vec2 reference_point(const Lambda& l) { return {l[1] - l[0] - l[2], l[2] - l[0] - l[1]}; }
 

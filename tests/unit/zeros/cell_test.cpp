@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/bernstein_value.hpp"
 #include "../support/square_field.hpp"
 #include "../test_meshes.hpp"
-#include "spectral/tri_bernstein.hpp"
 
 namespace quadrille::zeros {
 namespace {
