@@ -13,7 +13,7 @@ MeshContext::MeshContext(const TriMesh& tri_mesh)
     : mesh(&tri_mesh),
       topology(mesh::tri_topology(tri_mesh)),
       maps(mesh::tri_maps(tri_mesh)),
-      tree(nested_dissection(tri_mesh, topology)) {}
+      tree(mesh::nested_dissection(tri_mesh, topology)) {}
 
 std::string MeshContext::describe(int elem) const {
   const Vec2 x = maps[elem].position({-1.0 / 3, -1.0 / 3}) + mesh->face.origin;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
-#include "galerkin/elimination_tree.hpp"
+#include "mesh/elimination_tree.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
@@ -21,7 +21,7 @@ struct MeshContext {
   const TriMesh* mesh;
   mesh::TriTopology topology;
   std::vector<spectral::TriMap> maps;
-  EliminationTree tree;
+  mesh::EliminationTree tree;
 
   /// "element 7 near (0.5, 0.25)", in the user's coordinates.
   std::string describe(int elem) const;

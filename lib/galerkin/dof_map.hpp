@@ -22,8 +22,8 @@ struct DofMap {
   std::vector<double> elem2signs;  ///< +1 or -1: the mode is this times the shape function of the dof
 };
 
-/// `elimination_order`: vertices and edges as in EliminationTree. The free dofs are numbered in this order, then the
-/// boundary dofs.
+/// `elimination_order`: vertices and edges as in mesh::EliminationTree. The free dofs are numbered in this order, then
+/// the boundary dofs.
 DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                     const std::vector<int>& elem_order);
 

@@ -8,7 +8,7 @@
 
 namespace quadrille::galerkin {
 
-CondensedCholesky::CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads)
+CondensedCholesky::CondensedCholesky(const mesh::EliminationTree& tree, const DofMap& map, int num_threads)
     : tree_(&tree), map_(&map), num_threads_(num_threads), parts_(tree.nodes.size()) {
   find_dofs();
   find_positions_in_parent();
@@ -32,7 +32,7 @@ void CondensedCholesky::find_dofs() {
     });
   }
   for (std::size_t n = 0; n < parts_.size(); ++n) {
-    const EliminationTree::Node& node = tree_->nodes[n];
+    const mesh::EliminationTree::Node& node = tree_->nodes[n];
     std::vector<int>& dofs = parts_[n].dofs;
     if (node.first < 0) {
       for (int position = node.begin; position < node.end; ++position)
@@ -73,7 +73,7 @@ void CondensedCholesky::divide_work() {
   std::vector<std::size_t> height(num_nodes, 0);  // of the nodes above the subtrees
   int begin = 0;
   for (int n = 0; n < num_nodes; ++n) {
-    const EliminationTree::Node& node = tree_->nodes[n];
+    const mesh::EliminationTree::Node& node = tree_->nodes[n];
     if (size(n) > subtree_size && node.first >= 0) {
       height[n] = 1 + std::max(height[node.first], height[node.second]);
       if (levels_.size() < height[n]) levels_.emplace_back();
@@ -148,7 +148,7 @@ void CondensedCholesky::add_half(Part& half, Part& part) {
 }
 
 void CondensedCholesky::factor_part(const std::vector<CondensedElement>& elements, int n, int num_threads) {
-  const EliminationTree::Node& node = tree_->nodes[n];
+  const mesh::EliminationTree::Node& node = tree_->nodes[n];
   Part& part = parts_[n];
   part.front.panel.setZero(static_cast<int>(part.dofs.size()), part.num_eliminated);
   part.front.rest.setZero(part.num_shared(), part.num_shared());
@@ -162,7 +162,7 @@ void CondensedCholesky::factor_part(const std::vector<CondensedElement>& element
 }
 
 void CondensedCholesky::substitute_forward(const Eigen::MatrixXd& rhs, int n) {
-  const EliminationTree::Node& node = tree_->nodes[n];
+  const mesh::EliminationTree::Node& node = tree_->nodes[n];
   Part& part = parts_[n];
   const int k = part.num_eliminated, shared = part.num_shared();
   part.values.setZero(static_cast<int>(part.dofs.size()), rhs.cols());

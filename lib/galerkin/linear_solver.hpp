@@ -9,8 +9,8 @@
 
 #include "galerkin/condense.hpp"
 #include "galerkin/dof_map.hpp"
-#include "galerkin/elimination_tree.hpp"
 #include "galerkin/partial_cholesky.hpp"
+#include "mesh/elimination_tree.hpp"
 
 namespace quadrille::galerkin {
 
@@ -19,7 +19,7 @@ namespace quadrille::galerkin {
 class CondensedCholesky {
  public:
   /// Symbolic factorisation. `map` numbers its dofs in the order of tree.elimination_order; both must outlive this.
-  CondensedCholesky(const EliminationTree& tree, const DofMap& map, int num_threads = 1);
+  CondensedCholesky(const mesh::EliminationTree& tree, const DofMap& map, int num_threads = 1);
   /// Throws ComputeError if the sum is not positive definite.
   void factor(const std::vector<CondensedElement>& elements);
   /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
@@ -47,7 +47,7 @@ class CondensedCholesky {
   void upwards(const std::function<void(int, int)>& f) const;
   void downwards(const std::function<void(int)>& f) const;
 
-  const EliminationTree* tree_;
+  const mesh::EliminationTree* tree_;
   const DofMap* map_;
   int num_threads_;
   std::vector<Part> parts_;  ///< by node of the tree

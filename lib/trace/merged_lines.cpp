@@ -39,14 +39,14 @@ MergedLines::MergedLines(const field::FieldEvaluator& evaluator, const std::vect
 bool MergedLines::merge() {
   do {
     if (ends_ == LineEnds::optional) {
-      chosen_ = plan_.choose_by_rules();
+      arrangement_.chosen = plan_.choose_by_rules();
     } else {
       const std::optional<std::vector<int>> chosen = plan_.choose();
       if (!chosen) {
         if (const auto stuck = plan_.stuck_without_partner()) fail_endless(face(), lines_[*stuck]);
         return false;
       }
-      chosen_ = *chosen;
+      arrangement_.chosen = *chosen;
     }
     arrange();
   } while (reject_worst(merges_across_their_family(), 0));
@@ -62,7 +62,7 @@ bool MergedLines::reject_worst(const std::vector<int>& merges, double least_devi
 }
 
 void MergedLines::arrange() {
-  const std::vector<int> merge_of = plan_.merge_of_lines(chosen_);
+  const std::vector<int> merge_of = plan_.merge_of_lines(arrangement_.chosen);
   arrangement_.lines.clear();
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
     const int c = merge_of[i];
@@ -110,7 +110,7 @@ void MergedLines::require_family_order() const {
 
 double MergedLines::largest_deviation() const {
   double deviation = 0;
-  for (const int c : chosen_) deviation = std::max(deviation, plan_.candidate(c).deviation);
+  for (const int c : arrangement_.chosen) deviation = std::max(deviation, plan_.candidate(c).deviation);
   return deviation;
 }
 

@@ -28,6 +28,7 @@ struct LineArrangement {
   std::vector<MergedLine> lines;
   std::vector<graph::Crossing> crossings;
   std::vector<graph::Crossing> inner_crossings;  ///< without those at a common end of two lines
+  std::vector<int> chosen = {};                  ///< the merges, as numbers of candidates
 };
 
 enum class LineEnds {
@@ -58,7 +59,7 @@ class MergedLines {
 
   /// Results of the last merge().
   const LineArrangement& arrangement() const { return arrangement_; }
-  const std::vector<int>& chosen() const { return chosen_; }
+  const std::vector<int>& chosen() const { return arrangement_.chosen; }
   double largest_deviation() const;  ///< of the chosen merges, radians
 
  private:
@@ -75,7 +76,6 @@ class MergedLines {
   MergePlan plan_;
   LineFitter fitter_;
   graph::CrossingCache cache_;
-  std::vector<int> chosen_;
   LineArrangement arrangement_;
 };
 

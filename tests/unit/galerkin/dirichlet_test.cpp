@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../test_meshes.hpp"
-#include "galerkin/elimination_tree.hpp"
+#include "mesh/elimination_tree.hpp"
 #include "spectral/modified_basis.hpp"
 
 namespace quadrille::galerkin {
@@ -30,7 +30,7 @@ Vec2 trace(const TriMesh& mesh, const mesh::TriTopology& topology, const DofMap&
 
 double worst_error(const TriMesh& mesh, int order, const std::function<Vec2(Vec2)>& f) {
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
-  const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).elimination_order,
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
                                   std::vector<int>(mesh.num_elems(), order));
   DirichletData data(mesh, [&](int curve, double t) { return f(curve::point(mesh.face.curves[curve], t)); });
   const Eigen::MatrixX2d values = data.values(topology, map);

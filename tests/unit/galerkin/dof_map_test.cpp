@@ -6,7 +6,7 @@
 #include <set>
 
 #include "../test_meshes.hpp"
-#include "galerkin/elimination_tree.hpp"
+#include "mesh/elimination_tree.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -16,7 +16,7 @@ const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 4);
 TEST(DofMap, CountsVerticesAndEdges) {
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
   const int order = 5, num_edges = static_cast<int>(topology.edge2vertices.size());
-  const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).elimination_order,
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
                                   std::vector<int>(mesh.num_elems(), order));
   EXPECT_EQ(map.num_dofs, static_cast<int>(mesh.vertices.size()) + num_edges * (order - 1));
   const int inner_vertices = 3 * 3, inner_edges = num_edges - 16;
@@ -27,7 +27,7 @@ TEST(DofMap, EdgesTakeTheLowerOrder) {
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
   std::vector<int> orders(mesh.num_elems());
   for (int e = 0; e < mesh.num_elems(); ++e) orders[e] = 2 + e % 4;
-  const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).elimination_order, orders);
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order, orders);
   for (std::size_t edge = 0; edge < topology.edge2elems.size(); ++edge) {
     const auto& [a, b] = topology.edge2elems[edge];
     EXPECT_EQ(map.edge2order[edge], b < 0 ? orders[a] : std::min(orders[a], orders[b]));
@@ -48,7 +48,7 @@ TEST(DofMap, EdgesTakeTheLowerOrder) {
 TEST(DofMap, NeighboursDisagreeInSignExactlyForOddDegrees) {
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
   const int order = 6;
-  const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).elimination_order,
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
                                   std::vector<int>(mesh.num_elems(), order));
   for (int e = 0; e < mesh.num_elems(); ++e) {
     for (int k = 0; k < 3; ++k) {
@@ -66,7 +66,7 @@ TEST(DofMap, NeighboursDisagreeInSignExactlyForOddDegrees) {
 
 TEST(DofMap, NumbersEachDofOnceAndBoundaryDofsLast) {
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
-  const DofMap map = make_dof_map(mesh, topology, nested_dissection(mesh, topology).elimination_order,
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
                                   std::vector<int>(mesh.num_elems(), 3));
   std::set<int> seen;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

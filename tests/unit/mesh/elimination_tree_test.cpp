@@ -1,4 +1,4 @@
-#include "galerkin/elimination_tree.hpp"
+#include "mesh/elimination_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 
 #include "../test_meshes.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::mesh {
 namespace {
 
 const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0.3, 1}, 9);
-const mesh::TriTopology topology = mesh::tri_topology(mesh);
+const TriTopology topology = tri_topology(mesh);
 const EliminationTree tree = nested_dissection(mesh, topology);
 
 bool is_permutation_of_all(std::vector<int> numbers, std::size_t n) {
@@ -58,4 +58,4 @@ TEST(EliminationTree, EliminatesTheFirstCutLast) {
 }
 
 }  // namespace
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::mesh

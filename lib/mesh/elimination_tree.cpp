@@ -1,11 +1,11 @@
-#include "galerkin/elimination_tree.hpp"
+#include "mesh/elimination_tree.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
 
-namespace quadrille::galerkin {
+namespace quadrille::mesh {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr std::array<Vec2, 4> directions{Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}, Vec
 
 class Dissection {
  public:
-  Dissection(const TriMesh& mesh, const mesh::TriTopology& topology);
+  Dissection(const TriMesh& mesh, const TriTopology& topology);
   /// Appends the tree nodes of elements [begin, end) and returns the number of the last one.
   int dissect(int begin, int end);
   EliminationTree& tree() { return tree_; }
@@ -26,7 +26,7 @@ class Dissection {
   Cut best_cut(int begin, int end);
   void divide(int begin, int end, const Cut& cut);
 
-  const mesh::TriTopology* topology_;
+  const TriTopology* topology_;
   EliminationTree tree_;
   std::array<std::vector<int>, 4> sorted_;  ///< elements sorted along each direction; the range of a part is common
   std::vector<int> part_;                   ///< for each element: the `begin` of its part
@@ -34,7 +34,7 @@ class Dissection {
   int sweep_ = 0;
 };
 
-Dissection::Dissection(const TriMesh& mesh, const mesh::TriTopology& topology)
+Dissection::Dissection(const TriMesh& mesh, const TriTopology& topology)
     : topology_(&topology), part_(mesh.num_elems(), 0), swept_(mesh.num_elems(), 0) {
   std::vector<double> positions(mesh.num_elems());
   for (std::size_t d = 0; d < directions.size(); ++d) {
@@ -97,7 +97,7 @@ struct Span {
   int first = -1, last = -1;
 };
 
-std::vector<Span> spans(const EliminationTree& tree, const TriMesh& mesh, const mesh::TriTopology& topology) {
+std::vector<Span> spans(const EliminationTree& tree, const TriMesh& mesh, const TriTopology& topology) {
   const int num_vertices = static_cast<int>(mesh.vertices.size());
   std::vector<Span> spans(num_vertices + topology.edge2vertices.size());
   for (int position = 0; position < static_cast<int>(tree.elements.size()); ++position) {
@@ -113,8 +113,7 @@ std::vector<Span> spans(const EliminationTree& tree, const TriMesh& mesh, const 
 }
 
 // Entities sorted by the smallest part that contains all their elements.
-std::vector<int> elimination_order(const EliminationTree& tree, const TriMesh& mesh,
-                                   const mesh::TriTopology& topology) {
+std::vector<int> elimination_order(const EliminationTree& tree, const TriMesh& mesh, const TriTopology& topology) {
   const std::vector<Span> entity2span = spans(tree, mesh, topology);
   std::vector<int> leaf(tree.elements.size()), owner(entity2span.size(), 0);
   for (int n = 0; n < static_cast<int>(tree.nodes.size()); ++n) {
@@ -135,7 +134,7 @@ std::vector<int> elimination_order(const EliminationTree& tree, const TriMesh& m
 
 }  // namespace
 
-EliminationTree nested_dissection(const TriMesh& mesh, const mesh::TriTopology& topology) {
+EliminationTree nested_dissection(const TriMesh& mesh, const TriTopology& topology) {
   Dissection dissection(mesh, topology);
   dissection.dissect(0, mesh.num_elems());
   EliminationTree tree = std::move(dissection.tree());
@@ -143,4 +142,4 @@ EliminationTree nested_dissection(const TriMesh& mesh, const mesh::TriTopology& 
   return tree;
 }
 
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::mesh

@@ -10,7 +10,7 @@
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::mesh {
 
 struct EliminationTree {
   /// A part of the mesh: elements[begin..end).
@@ -28,6 +28,6 @@ struct EliminationTree {
 
 /// Cuts by straight lines in four directions, each time where the fewest edges are cut and both halves are of
 /// comparable size. The tree is valid for every order map of the mesh. Cost: n log n.
-EliminationTree nested_dissection(const TriMesh& mesh, const mesh::TriTopology& topology);
+EliminationTree nested_dissection(const TriMesh& mesh, const TriTopology& topology);
 
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::mesh
