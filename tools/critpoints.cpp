@@ -45,6 +45,7 @@ struct NodeOptions {
   int max_valence = 6;
   std::vector<std::string> corner_valences;
   double feature_size = 0;
+  ties::TiePolicy ties = ties::TiePolicy::choose;
   guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
   placement::PlaceRule place = placement::PlaceRule::keep;
   placement::PlacementOptions placement;
@@ -66,6 +67,9 @@ void declare(cli::Options& o, NodeOptions& options) {
             "clusters that would need a node of greater valence are split");
   o.texts("--corner-valence", options.corner_valences, "A:B=V",
           "prescribes V blocks at the corner where the boundary curves A and B meet");
+  o.choice("--ties", options.ties,
+           "corners within 2 degrees of 45, 135, 225 or 315 degrees: choose their valences by rule, the same on both "
+           "sides of the tie; or those of the field, which may not decide them");
   o.choice("--degenerate", options.degenerate,
            "corners too sharp for a block: divide them by a node of valence 3 (midpoint division), or keep them: then "
            "there is no layout");
@@ -84,7 +88,7 @@ CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOption
                         Report& report) {
   const CadFace& face = evaluator.field().mesh.face;
   const ties::TieOrbits ties = ties::tie_orbits(face);
-  if (!ties.ties.empty()) {
+  if (options.ties == ties::TiePolicy::choose && !ties.ties.empty()) {
     const auto solve = [&](const std::vector<field::LiftedData>& data) {
       return galerkin::solve_parts(evaluator.field(), data, num_threads);
     };

@@ -2,11 +2,18 @@
 // Nodes and valences of a face with ties (lib/method.md §3): the valences at ties are chosen by rule, and the nodes are
 // the zeros of the field that is tilted accordingly.
 
+#include "base/enum_names.hpp"
 #include "base/report.hpp"
 #include "guide/find_critical_points.hpp"
 #include "ties/tilted_field.hpp"
 
 namespace quadrille::ties {
+
+/// Treatment of corners near a tie: their valences are chosen, or they are those of the field.
+enum class TiePolicy { choose, field };
+constexpr auto enum_names(TiePolicy) {
+  return std::to_array<EnumName<TiePolicy>>({{TiePolicy::choose, "choose"}, {TiePolicy::field, "field"}});
+}
 
 struct TieOptions {
   guide::SearchOptions search;

@@ -72,7 +72,7 @@ END
     # Multiple zeros and line fields have no simple zeros to compare.
     jq -e --arg shape "$shape" '.[$shape] and ([.[$shape].flags[] | select(test("multiple|critical_lines"))] == [])' \
       "$DATA/truth.json" >/dev/null || continue
-    nodes "$step" "$shape" --corner-absorb 0 --cluster-distance 0 --degenerate keep
+    nodes "$step" "$shape" --corner-absorb 0 --cluster-distance 0 --degenerate keep --ties field
     jq -n -e --arg shape "$shape" --slurpfile truth "$DATA/truth.json" --slurpfile found "$shape.crit.json" \
       --argjson diameter "$(diameter "$step")" '
       def is_near($a; $b): ($a.x - $b.position[0] | fabs) < 1e-8 * $diameter and

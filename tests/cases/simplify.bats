@@ -1,14 +1,14 @@
 # Simplification: thin strips of blocks go, laps are cut short, and nothing gets worse that should not.
 load ../tools/common
 
-# layouts SHAPE: none, normal and coarsest.sep.json with reports.
+# layouts SHAPE [OPTION...]: none, normal and coarsest.sep.json with reports; the options are those of critpoints.
 layouts() {
   step=$DATA/$1.step
   [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
   [[ -f $step ]] || skip "no $1.step here"
   cad2tri -q "$step" -o a.tri.h5
   fieldsolve -q a.tri.h5 | padapt -q -o a.field.h5
-  critpoints -q a.field.h5 -o a.crit.json
+  critpoints -q "${@:2}" a.field.h5 -o a.crit.json
   for rule in none normal coarsest; do
     separatrix -q a.field.h5 a.crit.json --simplify "$rule" -o "$rule.sep.json" --report "$rule.json"
     run -0 stagecheck "$rule.sep.json"
@@ -44,7 +44,7 @@ shape() { jq '.simplify.least_scaled_jacobian * 1000 | floor' "$1.json"; }
 }
 
 @test "without any turn nothing goes that is not straight" {
-  layouts chamfered_plate_hole
+  layouts chamfered_plate_hole --ties field
   separatrix -q a.field.h5 a.crit.json --max-deviation 0 -o still.sep.json --report still.json
   assert_equal "$(blocks still)" "$(blocks none)"
   assert [ "$(blocks normal)" -lt "$(blocks none)" ]

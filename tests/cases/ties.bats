@@ -88,3 +88,12 @@ graph() {
   assert_line --partial 'valence 2, because'
   assert_line --partial 'valence 1, because'
 }
+
+@test "--ties field keeps the valences of the field" {
+  circle 4 2.5 1.5 > hole.txt
+  plate a 10 6 2 45 hole.txt
+  mesh a
+  run -0 critpoints -q --ties field a/a.field.h5 -o plain.crit.json
+  jq -e '.form == "harmonic" and (any(.changes[]; .kind == "line") | not)' plain.crit.json
+  jq -e '.form == "phase" and any(.changes[]; .kind == "line")' a/a.crit.json
+}
