@@ -20,6 +20,7 @@
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "features/automatic_size.hpp"
 #include "features/resolve_features.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_energy.hpp"
@@ -44,8 +45,8 @@ struct NodeOptions {
   guide::SearchOptions search;
   int max_valence = 6;
   std::vector<std::string> corner_valences;
-  double feature_size = 0;
   ties::TiePolicy ties = ties::TiePolicy::choose;
+  std::string feature_size = "auto";
   guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
   placement::PlaceRule place = placement::PlaceRule::keep;
   placement::PlacementOptions placement;
@@ -73,9 +74,10 @@ void declare(cli::Options& o, NodeOptions& options) {
   o.choice("--degenerate", options.degenerate,
            "corners too sharp for a block: divide them by a node of valence 3 (midpoint division), or keep them: then "
            "there is no layout");
-  o.number("--feature-size", options.feature_size, 0, 1e300, "file units",
-           "nodes forced by fillets and holes smaller than this move onto the boundary or away from it, or cancel; 0: "
-           "they stay");
+  o.text("--feature-size", options.feature_size, "auto|L",
+         "nodes forced by fillets and holes smaller than this length move onto the boundary or away from it, or "
+         "cancel; auto: diameter / 500, or half the mean width of the face if that is less; 0: they stay (unit: file "
+         "units; default: auto)");
   o.choice("--place", options.place,
            "keep nodes at the zeros of the field, or move all to the least energy; nodes of split clusters are always "
            "moved");
@@ -173,7 +175,9 @@ int main(int argc, char** argv) {
     const CadFace& face = field.mesh.face;
     guide::override_corners(face, overrides, points);
     if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
-    features::resolve_features(face, options.feature_size, points);
+    const double feature_size = features::parse_feature_size(options.feature_size, face);
+    features::resolve_features(face, feature_size, points);
+    s.report().set("feature_size", feature_size);
     guide::require_index_sum(points);
     s.begin_phase("place");
     place(field, options, s.threads(), points, s.report());

@@ -121,6 +121,32 @@ apart() {
   done
 }
 
+@test "a fillet below a five-hundredth of the diameter shapes no blocks, whatever the element size" {
+  python3 - "$DATA" >tiny.step <<'EOF'
+import sys
+sys.path.insert(0, sys.argv[1])
+from step_text import polygon, step_text
+print(step_text("tiny", [polygon([0, 4, 4 + 1j, 1 + 1j, 1 + 4j, 4j], [0, 0, 0, 0.004, 0, 0])]), end="")
+EOF
+  field tiny.step tiny
+  critpoints tiny.field.h5 --feature-size 0 -o off.crit.json
+  jq -e '.form == "harmonic" and .changes == [] and [.critical_points[].valence] == [5]' off.crit.json
+  critpoints tiny.field.h5 -o auto.crit.json --report auto.json
+  jq -e '.form == "phase" and .critical_points == [] and [.boundary_nodes[].valence] == [3]' auto.crit.json
+  jq -e '.feature_size * 500 / (32 | sqrt) - 1 | fabs < 1e-9' auto.json
+  run -2 critpoints tiny.field.h5 --feature-size -1
+  assert_output --partial 'expected "auto" or a length'
+  for size in 0.4 0.2 0.1; do
+    "$ROOT/pipelines/quadmesh" -q tiny.step --size $size -o $size.msh --report $size.json --workdir w$size
+    jq -c '[.blocks, .irregular_nodes, .certificate]' $size.json >$size.layout
+    jq '.arcs, [.nodes[].position]' w$size/tiny.sep.json >$size.graph
+  done
+  cmp 0.4.layout 0.2.layout
+  cmp 0.4.layout 0.1.layout
+  cmp 0.4.graph 0.2.graph
+  cmp 0.4.graph 0.1.graph
+}
+
 @test "a gear's feature nodes have the symmetry of the gear" {
   nodes "$DATA/gear_filleted.step" gear --feature-size 0.5
   run -0 "$BATS_TEST_DIRNAME/same_nodes.py" --mirror gear.crit.json gear.crit.json 1e-8

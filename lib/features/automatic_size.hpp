@@ -1,0 +1,18 @@
+#pragma once
+// The feature size of a face when the user prescribes none.
+
+#include <string>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille::features {
+
+/// A five-hundredth of the diameter: blocks of that size at the usual element sizes (a twentieth) have elements of edge
+/// ratios near 100. At most half the mean width of the face, which is its area divided by half its perimeter. It
+/// depends on the face alone, never on element sizes, so that refinement keeps the blocks.
+double automatic_feature_size(const CadFace& face);
+
+/// "auto", or a length, 0 for none. Throws UsageError.
+double parse_feature_size(const std::string& text, const CadFace& face);
+
+}  // namespace quadrille::features
