@@ -10,9 +10,10 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "cad/curve_names.hpp"
+#include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
-#include "cad/rename_curves.hpp"
 #include "cad/write_cad.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
@@ -60,6 +61,12 @@ void write_healed(const std::string& path, const CadFace& face) {
   io::write_output(path, ending == ".brep" ? cad::brep_of_face(face) : cad::step_of_face(face), false);
 }
 
+void list_faces(const io::InputFile& file, const std::string& output, Report& report) {
+  const cad::FaceList list = cad::list_faces_guarded(file.bytes, file.name);
+  cad::report_faces(list, report);
+  io::write_output(output, cad::face_table(list), false);
+}
+
 std::string digest_format(cad::CadFormat format) {
   return format == cad::CadFormat::step ? "step" : format == cad::CadFormat::iges ? "iges" : "brep";
 }
@@ -67,7 +74,8 @@ std::string digest_format(cad::CadFormat format) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-", names, healed;
+  std::string input = "-", output = "-", names, healed, face_choice;
+  bool is_listing = false;
   double corner_angle = 1, heal_tolerance = -1;
   triangulate::TriangulateOptions options;
 
@@ -75,19 +83,24 @@ int main(int argc, char** argv) {
   tool.name = "cad2tri";
   tool.summary = "turns a planar CAD face into a curved triangle mesh";
   tool.description =
-      "Reads SHAPE (STEP, IGES or BREP), which must contain exactly one planar face, with any number of holes, and "
-      "writes the triangle mesh on which fieldsolve solves, with the exact boundary curves as NURBS. The mesh is "
+      "Reads a planar face, with any number of holes, from SHAPE (STEP, IGES or BREP), the only one or that of --face, "
+      "and writes the triangle mesh on which fieldsolve solves, with the exact boundary curves as NURBS. The mesh is "
       "coarse: its elements follow the curves with polynomials of a high order, are small only where the boundary is "
       "strongly curved or two of its parts are close to each other, and are graded geometrically towards corners at "
       "which the field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own "
       "unit.";
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
-                   "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
+                   "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5", "cad2tri --list half_disc.step",
                    "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
   tool.options = [&](cli::Options& o) {
     constexpr double unlimited = std::numeric_limits<double>::max();
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
     o.output(output, "triangle mesh to write (x.tri.h5)");
+    o.flag("--list", is_listing,
+           "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
+           "space, names");
+    o.text("--face", face_choice, "N|NAME",
+           "the face to read, if SHAPE is a solid, shell or assembly: its name, or its number in --list, from 0");
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees",
              "tangent discontinuities greater than this are corners of the layout");
@@ -109,10 +122,12 @@ int main(int argc, char** argv) {
              "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
+    if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     const io::InputFile file = io::read_input(input);
+    if (is_listing) return list_faces(file, output, s.report());
     s.begin_phase("load");
     cad::LoadedFace loaded =
-        cad::load_face_guarded(file.bytes, file.name, {radians(corner_angle), heal_tolerance}, s.report());
+        cad::load_face_guarded(file.bytes, file.name, {radians(corner_angle), heal_tolerance, face_choice}, s.report());
     CadFace& face = loaded.face;
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};

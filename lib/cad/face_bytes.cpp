@@ -30,6 +30,8 @@ class Writer {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(const Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
+  void operator()(const ListedShape& s) { (*this)(s.name), (*this)(s.kind), (*this)(s.length), (*this)(s.place); }
+  void operator()(const ListedFace& f) { (*this)(f.face), (*this)(f.edges); }
 };
 
 class Reader {
@@ -57,6 +59,8 @@ class Reader {
     (*this)(j.position), (*this)(j.tangent_in), (*this)(j.tangent_out), (*this)(j.interior_angle), (*this)(j.is_corner);
   }
   void operator()(Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
+  void operator()(ListedShape& s) { (*this)(s.name), (*this)(s.kind), (*this)(s.length), (*this)(s.place); }
+  void operator()(ListedFace& f) { (*this)(f.face), (*this)(f.edges); }
 
   bool at_end() const { return at_ == bytes_.size(); }
 
@@ -110,6 +114,20 @@ Report::Value read_value(Reader& r) {
 }
 
 }  // namespace
+
+std::string to_bytes(const FaceList& list) {
+  Writer w;
+  w(list.length_unit), w(list.faces);
+  return w.bytes;
+}
+
+FaceList list_from_bytes(const std::string& bytes) {
+  Reader r(bytes);
+  FaceList list;
+  r(list.length_unit), r(list.faces);
+  if (!r.at_end()) throw Defect("list_from_bytes: too long");
+  return list;
+}
 
 std::string to_bytes(const LoadedFace& loaded, const Report& report) {
   Writer w;

@@ -1,6 +1,6 @@
 #pragma once
-// Exact serialisation of a LoadedFace and a Report, used to pass them from a child process to its parent. Not a file
-// format.
+// Exact serialisation of a LoadedFace and a Report, or of a FaceList, used to pass them from a child process to its
+// parent. Not a file format.
 
 #include <string>
 
@@ -15,5 +15,9 @@ std::string to_bytes(const LoadedFace& loaded, const Report& report);
 /// Returns the face and adds the contents of the serialised report to `report`. Throws Defect for bytes that were not
 /// written by to_bytes.
 LoadedFace from_bytes(const std::string& bytes, Report& report);
+
+/// The same for a list of faces.
+std::string to_bytes(const FaceList& list);
+FaceList list_from_bytes(const std::string& bytes);
 
 }  // namespace quadrille::cad

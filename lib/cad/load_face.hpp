@@ -12,17 +12,21 @@ namespace quadrille::cad {
 struct LoadOptions {
   double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
   double heal_tolerance = -1;                  ///< as in heal::HealOptions
+  std::string face = {};                       ///< its name, or its number in list_faces; empty: the only face
 };
 
-/// Reads and heals the only face of a CAD file; `bytes`: contents of the file, `name`: its file name, for the extension
-/// and for messages. Throws FormatError, with the error and its position, unless the file contains exactly one valid
-/// planar face. Construction points and curves beside the face are reported as warnings. OpenCASCADE's readers can
-/// crash on malformed files: tools must use load_face_guarded().
+/// Reads and heals the chosen face of a CAD file; `bytes`: contents of the file, `name`: its file name, for the
+/// extension and for messages. Throws FormatError, with the error and its position, unless the choice is exactly one
+/// valid planar face. Construction points and curves beside the face are reported as warnings. OpenCASCADE's readers
+/// can crash on malformed files: tools must use load_face_guarded().
 LoadedFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report);
 
 /// load_face() in a child process (base/child_process); a crash of the child becomes a FormatError. Tools call this
 /// function.
 LoadedFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
                              Report& report);
+
+/// All faces of a CAD file, planar or not, numbered from 0, read in a child process likewise.
+FaceList list_faces_guarded(const std::string& bytes, const std::string& name);
 
 }  // namespace quadrille::cad

@@ -1,6 +1,8 @@
 #pragma once
 // What is read from a CAD file.
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "model/cad_face.hpp"
@@ -11,6 +13,24 @@ namespace quadrille::cad {
 struct LoadedFace {
   CadFace face;
   std::vector<Repair> repairs;  ///< what healing changed
+};
+
+/// A face or an edge as it is in the file, in space and in the length unit of the file.
+struct ListedShape {
+  std::string name;                      ///< empty if the file states none
+  std::string kind;                      ///< of the surface ("plane", "cylinder") or the curve ("line", "circle")
+  double length = 0;                     ///< of the edge, or of all edges of the face
+  std::array<double, 3> place{0, 0, 0};  ///< the middle of the edge, or the centre of mass of the edges of the face
+};
+
+struct ListedFace {
+  ListedShape face;
+  std::vector<ListedShape> edges;
+};
+
+struct FaceList {
+  std::string length_unit;
+  std::vector<ListedFace> faces;
 };
 
 }  // namespace quadrille::cad

@@ -11,13 +11,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
@@ -27,38 +25,6 @@
 
 namespace quadrille::cad {
 namespace {
-
-TopoDS_Face only_face(const OccModel& model, const std::string& file) {
-  if (model.num_solids > 0) throw FormatError(file + ": the file holds a solid; expected one planar face");
-  TopExp_Explorer faces(model.shape, TopAbs_FACE);
-  if (model.num_faces == 0) throw FormatError(file + ": the file holds no face; expected one planar face");
-  if (!faces.More()) throw FormatError(file + ": the face cannot be built from what the file says");
-  if (model.num_faces == 1) return TopoDS::Face(faces.Current());
-
-  // The message distinguishes connected faces from separate ones: a shell needs another remedy than stray faces.
-  std::vector<TopoDS_Shape> edges;
-  int shared = 0;
-  for (; faces.More(); faces.Next())
-    for (TopExp_Explorer e(faces.Current(), TopAbs_EDGE); e.More(); e.Next()) {
-      const auto same = [&](const TopoDS_Shape& s) { return s.IsSame(e.Current()); };
-      shared += std::any_of(edges.begin(), edges.end(), same);
-      edges.push_back(e.Current());
-    }
-  const std::string together = shared > 0 ? fmt::format(" with {} shared edges", shared) : "";
-  throw FormatError(fmt::format("{}: the file holds several faces ({}{}); expected one planar face", file,
-                                model.num_faces, together));
-}
-
-std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
-  Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  if (surface.IsNull()) return std::nullopt;
-  if (const auto trim = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !trim.IsNull())
-    surface = trim->BasisSurface();
-  if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) return plane->Pln();
-  const GeomLib_IsPlanarSurface planar(surface, 1e-9);
-  if (planar.IsPlanar()) return planar.Plan();
-  return std::nullopt;
-}
 
 // Adding 0.0 turns negative zeros into positive ones.
 std::array<double, 3> numbers(const gp_XYZ& v) { return {v.X() + 0.0, v.Y() + 0.0, v.Z() + 0.0}; }
@@ -103,9 +69,10 @@ class FaceReader {
       else
         report_.warn(warning::inner_point_ignored, raw_.file + ": ignored a point inside the face");
     }
-    if (model_.num_face_edges >= 0 && model_.num_face_edges != num_edges_)
+    const auto stated = model_.num_edges.find(face_.TShape().get());
+    if (stated != model_.num_edges.end() && stated->second != num_edges_)
       throw FormatError(fmt::format("{}: the file names {} edges of the face, of which {} can be built", raw_.file,
-                                    model_.num_face_edges, num_edges_));
+                                    stated->second, num_edges_));
   }
 
  private:
@@ -202,8 +169,18 @@ void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, co
 
 }  // namespace
 
-heal::RawFace occ_face(const OccModel& model, const std::string& file, Report& report) {
-  const TopoDS_Face face = only_face(model, file);
+std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
+  Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull()) return std::nullopt;
+  if (const auto trim = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !trim.IsNull())
+    surface = trim->BasisSurface();
+  if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) return plane->Pln();
+  const GeomLib_IsPlanarSurface planar(surface, 1e-9);
+  if (planar.IsPlanar()) return planar.Plan();
+  return std::nullopt;
+}
+
+heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report) {
   const auto plane = plane_of(face);
   if (!plane) throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(face)));
   const PlaneFrame frame = frame_of(*plane);

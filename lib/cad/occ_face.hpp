@@ -1,14 +1,31 @@
 #pragma once
-// Extracts the only face of an OpenCASCADE model, as NURBS in its plane.
+// Faces of an OpenCASCADE model: all of them as a list, the chosen one, and that one as NURBS in its plane.
+
+#include <TopoDS_Face.hxx>
+#include <gp_Pln.hxx>
+#include <optional>
+#include <string>
 
 #include "base/report.hpp"
+#include "cad/loaded_face.hpp"
 #include "cad/occ_model.hpp"
 #include "heal/raw_face.hpp"
 
 namespace quadrille::cad {
 
-/// Throws FormatError unless `model` contains exactly one planar face bounded by plain wires; other entities of the
-/// model are reported as warnings. `file`: name of the file, for messages.
-heal::RawFace occ_face(const OccModel& model, const std::string& file, Report& report);
+/// All faces with their edges, in the order of the file. A face that an assembly places several times is listed at each
+/// place; one that two solids share is listed once.
+FaceList list_faces(const OccModel& model);
+
+/// The face with the name or, if no face has that name, the number `choice`; the only face of the model if `choice` is
+/// empty. Throws FormatError if there is none, or more than one. `file`: name of the file, for messages.
+TopoDS_Face choose_face(const OccModel& model, const std::string& choice, const std::string& file);
+
+/// The plane of the face in space; std::nullopt if the face is not planar.
+std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
+
+/// Throws FormatError unless `face` is planar and bounded by plain wires; entities of `model` beside its faces are
+/// reported as warnings. `file`: name of the file, for messages.
+heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report);
 
 }  // namespace quadrille::cad

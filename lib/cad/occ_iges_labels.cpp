@@ -1,5 +1,3 @@
-#include "cad/occ_iges_labels.hpp"
-
 #include <fmt/format.h>
 
 #include <BRep_Tool.hxx>
@@ -26,6 +24,7 @@
 #include <vector>
 
 #include "base/name_text.hpp"
+#include "cad/occ_labels.hpp"
 
 namespace quadrille::cad {
 namespace {

@@ -10,7 +10,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "base/error.hpp"
-#include "cad/occ_iges_labels.hpp"
+#include "cad/occ_labels.hpp"
 #include "cad/occ_load.hpp"
 
 namespace quadrille::cad {

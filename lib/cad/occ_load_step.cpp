@@ -13,6 +13,8 @@
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <cctype>
@@ -21,8 +23,8 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "cad/occ_labels.hpp"
 #include "cad/occ_load.hpp"
-#include "cad/occ_step_labels.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -121,16 +123,23 @@ int num_edges(const StepShape_Face& face) {
   return edges;
 }
 
+void add_num_edges(const Handle(Standard_Transient) & face, const Handle(Transfer_TransientProcess) & process,
+                   OccModel& model) {
+  const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+  if (!shape.IsNull()) model.num_edges[shape.TShape().get()] = num_edges(*Handle(StepShape_Face)::DownCast(face));
+}
+
 void collect(const STEPControl_Reader& reader, OccModel& model) {
   const Handle(StepData_StepModel) file = reader.StepModel();
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   for (int i = 1; i <= file->NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = file->Value(i);
     const bool is_face = entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface));
     model.num_faces += is_face;
-    if (is_face) model.num_face_edges = num_edges(*Handle(StepShape_Face)::DownCast(entity));
+    if (is_face) add_num_edges(entity, process, model);
     model.num_solids += entity->IsKind(STANDARD_TYPE(StepShape_SolidModel));
   }
-  add_step_labels(*file, reader.WS()->TransferReader()->TransientProcess(), model);
+  add_step_labels(*file, process, model);
 }
 
 }  // namespace

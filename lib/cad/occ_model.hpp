@@ -22,7 +22,8 @@ struct OccModel {
   double tolerance = 1e-7;  ///< tolerance stated by the file, in its length unit
   int num_faces = 0;        ///< faces that the file describes, including those that could not be built
   int num_solids = 0;
-  int num_face_edges = -1;  ///< uses of edges by the loops of the only face, as stated by the file; -1: unknown
+  /// Uses of edges by the loops of each face, as stated by the file, with the keys of `labels`; empty if unknown.
+  std::map<const TopoDS_TShape*, int> num_edges;
   /// Labels of faces and edges. The key is the TShape that OpenCASCADE shares among all uses of a shape; the stored
   /// shape keeps it alive.
   std::map<const TopoDS_TShape*, std::pair<TopoDS_Shape, ShapeLabel>> labels;

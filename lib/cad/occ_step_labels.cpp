@@ -1,5 +1,3 @@
-#include "cad/occ_step_labels.hpp"
-
 #include <fmt/format.h>
 
 #include <StepGeom_Curve.hxx>
@@ -25,6 +23,7 @@
 #include <cmath>
 
 #include "base/name_text.hpp"
+#include "cad/occ_labels.hpp"
 
 namespace quadrille::cad {
 namespace {

@@ -335,3 +335,12 @@ END
   run -3 --separate-stderr "$quadmesh" slot.step -o other.msh --heal-tolerance 1e-5
   assert_regex "$stderr" 'give --heal-tolerance'
 }
+
+@test "--face takes one face of a solid, and without it the message names the option" {
+  run -0 --separate-stderr "$quadmesh" "$DATA/bad/solid.step" --face 4 -o side.msh --workdir stages
+  run -3 --separate-stderr "$quadmesh" "$DATA/bad/solid.step" -o none.msh
+  assert_regex "$stderr" '--face NUMBER or --face NAME'
+  run -3 --separate-stderr "$quadmesh" "$DATA/bad/solid.step" --face=6 -o none.msh
+  assert_regex "$stderr" '--face 6: no face'
+  assert_file_not_exists none.msh
+}

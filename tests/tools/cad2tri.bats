@@ -223,3 +223,50 @@ rounder() {
   assert_failure 2
   assert_output --partial '--write-healed healed.txt: the file must end in .step, .stp or .brep'
 }
+
+@test "--list prints faces and edges as a table, and the report has the same" {
+  run cad2tri --list "$DATA/bad/solid.step" --report list.json
+  assert_success
+  assert_line --index 0 --regexp '^face +edge +kind +length +place +name$'
+  assert_line --regexp '^5 +plane +[0-9.]+ +\([-0-9.]+, [-0-9.]+, [-0-9.]+\)$'
+  assert_equal "${#lines[@]}" 31
+  run jq -c '.list | [.faces, .length_unit, .face["5"].kind, .face["5"].edges, .face["0"].edge["3"].kind]' list.json
+  assert_output '[6,"millimetre","plane",4,"line"]'
+  cad2tri "$DATA/bad/sphere.step" --list -o table.txt
+  grep -qE '^0 +sphere' table.txt
+  cad2tri --list "$DATA/labels.iges" | grep -q 'the wall'
+  cad2tri --list "$DATA/bad/rectangle.brep" | grep -qE '^0 +plane +6 +\(1, 0.5, 0\)$'
+  assert_nothing_left list.json table.txt
+}
+
+@test "--face takes a face by number or name" {
+  for face in 0 5; do
+    cad2tri "$DATA/bad/solid.step" --face $face -o a.tri.h5
+    run stagecheck a.tri.h5
+    assert_success
+  done
+  sed "s/ADVANCED_FACE('',/ADVANCED_FACE('lid',/" "$DATA/bad/two_faces.step" > lids.step
+  sed "0,/'lid'/s//'floor'/" lids.step > named.step
+  cad2tri named.step --face lid -o lid.tri.h5 --report lid.json
+  cad2tri named.step --face 1 -o one.tri.h5 --report one.json
+  assert_equal "$(jq .face.area lid.json)" "$(jq .face.area one.json)"
+  run cad2tri lids.step --face lid -o none.tri.h5
+  assert_failure 3
+  assert_output 'cad2tri: lids.step: --face lid: the faces 0, 1 have this name: choose one by its number'
+  assert_file_not_exists none.tri.h5
+}
+
+@test "several faces, and a face that is not there, end with 3 and the options that help" {
+  for arguments in "" "--face 6" "--face lid"; do
+    run cad2tri "$DATA/bad/solid.step" -o a.tri.h5 $arguments
+    assert_failure 3
+    assert_output --partial "choose"
+    assert_output --partial "--face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)"
+  done
+  run cad2tri "$DATA/bad/solid.step" --list --face 1
+  assert_failure 2
+  assert_output --partial "--list and --face exclude each other"
+  run cad2tri "$DATA/bad/garbage.step" --list
+  assert_failure 3
+  assert_nothing_left
+}

@@ -1,0 +1,27 @@
+#pragma once
+// Names of the boundary curves: chosen among the labels in a CAD file, then renamed by rules. No OpenCASCADE types.
+
+#include <vector>
+
+#include "heal/raw_face.hpp"
+#include "model/cad_face.hpp"
+#include "model/name_rules.hpp"
+
+namespace quadrille::cad {
+
+/// Sets RawEdge::name, and RawFace::name, from the labels of the file. The first of these that exists is used:
+///   1. the edge's own name,
+///   2. its layer, unless the face is on the same layer (then it is the layer of the part),
+///   3. its colour, as "colour_ff0000", unless there are several edges and all have the same colour.
+///
+/// A face without a name gets the name of its layer, unless an edge is on the same layer. Without any label, names stay
+/// empty.
+void choose_names(heal::RawFace& raw);
+
+/// Sets face.curve_names by `rules`; old names refer to the names before the first rule, and several curves may have
+/// the same name. Throws FormatError, with the position of the rule in its source, for a rule that matches no curve,
+/// for a position that is equally near to several curves (within 1e-6 diameters) or farther than a diameter from all,
+/// and for two rules that name the same curve.
+void rename_curves(CadFace& face, const std::vector<NameRule>& rules);
+
+}  // namespace quadrille::cad

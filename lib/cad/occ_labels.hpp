@@ -1,0 +1,27 @@
+#pragma once
+// Reads the labels (name, layer, colour) of faces and edges, directly from the entities of the file. An XCAF document
+// is not used, because its libraries would slow down every start. One source file for each format.
+
+#include <IGESData_IGESModel.hxx>
+#include <StepData_StepModel.hxx>
+#include <Transfer_TransientProcess.hxx>
+
+#include "cad/occ_model.hpp"
+
+namespace quadrille::cad {
+
+/// Fills model.labels from `file`; `process` is the transfer of the file to shapes. The name of a
+/// label is read from FACE_SURFACE or EDGE_CURVE, its layer from the first PRESENTATION_LAYER_ASSIGNMENT that lists the
+/// entity, its curve or a STYLED_ITEM of it, and its colour from the CURVE_STYLE of the STYLED_ITEM of the entity, or
+/// of an overriding STYLED_ITEM if there is one.
+void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_TransientProcess) & process,
+                     OccModel& model);
+
+/// Fills model.labels from `file`; `process` is the transfer of the file to shapes. Labels are read from trimmed
+/// surfaces (entity 144), and the lines, arcs and splines of their boundaries in space (110, 100, 126). Names are name
+/// properties (406, form 15; the short labels of entities only state their kind), layers are "level_N" for levels other
+/// than 0, and colours are read from the directory entries.
+void add_iges_labels(const IGESData_IGESModel& file, const Handle(Transfer_TransientProcess) & process,
+                     OccModel& model);
+
+}  // namespace quadrille::cad
