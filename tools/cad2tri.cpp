@@ -49,6 +49,7 @@ std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs
   add(RepairKind::vertex, "vertex off its edges", "vertices off their edges");
   add(RepairKind::plane, "edge off the plane", "edges off the plane");
   add(RepairKind::edge, "short edge removed", "short edges removed");
+  add(RepairKind::cusp, "cusp cut off", "cusps cut off");
   return fmt::format("healed {}; by at most {:.2g} {} ({:.1g} diameters)", fmt::join(parts, ", "), greatest,
                      face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
 }
@@ -76,7 +77,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
-  double corner_angle = 1, heal_tolerance = -1;
+  double corner_angle = 1, heal_tolerance = -1, blunt = 0;
   triangulate::TriangulateOptions options;
 
   cli::Tool tool;
@@ -108,6 +109,9 @@ int main(int argc, char** argv) {
         "--heal-tolerance", heal_tolerance, -1, 5e-3, "diameters",
         "the most that edges and vertices which do not meet, or leave the plane, are moved; edges shorter than this "
         "are removed; 0: no healing; -1: 1e-5, or the tolerances of the shape if they are larger");
+    o.number("--blunt", blunt, 0, unlimited, "file units",
+             "cut the tips of cusps off, where two edges meet at an angle of zero, and put straight edges of this "
+             "length there; 0: cusps are refused");
     o.text("--write-healed", healed, "FILE", "also write the healed face as a CAD file: x.step or x.brep", false);
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
@@ -126,8 +130,8 @@ int main(int argc, char** argv) {
     const io::InputFile file = io::read_input(input);
     if (is_listing) return list_faces(file, output, s.report());
     s.begin_phase("load");
-    cad::LoadedFace loaded =
-        cad::load_face_guarded(file.bytes, file.name, {radians(corner_angle), heal_tolerance, face_choice}, s.report());
+    cad::LoadedFace loaded = cad::load_face_guarded(
+        file.bytes, file.name, {radians(corner_angle), heal_tolerance, face_choice, blunt}, s.report());
     CadFace& face = loaded.face;
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};

@@ -13,8 +13,9 @@
 #include "cad/extent.hpp"
 #include "cad/outline_checks.hpp"
 #include "cad/wire_loop.hpp"
-#include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
+#include "heal/blunt_cusps.hpp"
+#include "heal/interior_angle.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -101,47 +102,18 @@ Vec2 chosen_origin(const PoleBox& box, double diameter) {
   return {unit * std::round(centre.x / unit), unit * std::round(centre.y / unit)};
 }
 
-// The interior angle between the tangents. If the tangents are opposite, points of the curves near the joint decide
-// between 0 and 2 pi.
-double interior_angle(const Nurbs& in, const Nurbs& out, Vec2 tangent_in, Vec2 tangent_out) {
-  const double turn = std::atan2(cross(tangent_in, tangent_out), dot(tangent_in, tangent_out));
-  if (std::abs(turn) < 1e-9) return pi;
-  if (pi - std::abs(turn) > 1e-6) return pi - turn;
-  const curve::ArcLength length_in(in), length_out(out);
-  const double h = 1e-3 * std::min(length_in.total(), length_out.total());
-  const Vec2 joint = out.poles.front();
-  const Vec2 back = curve::point(in, length_in.parameter(length_in.total() - h)) - joint;
-  const Vec2 ahead = curve::point(out, length_out.parameter(h)) - joint;
-  const bool outside = cross(ahead, back) < 0;
-  const double deficit = pi - std::abs(turn);
-  return outside ? 2 * pi - std::max(deficit, 1e-15) : std::max(deficit, 1e-300);
-}
-
 std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
   std::vector<Joint> joints;
   for (int i = 0; i < face.num_curves(); ++i) {
     const Nurbs &in = face.curves[face.previous_in_loop(i)], &out = face.curves[i];
     const Vec2 a = curve::tangent(in, in.end(), true), b = curve::tangent(out, out.begin());
-    Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), interior_angle(in, out, a, b), false};
+    Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), heal::interior_angle(in, out), false};
     // The factor ensures that angles equal to the limit up to rounding are treated alike at all corners of a symmetric
     // face.
     joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
     joints.push_back(joint);
   }
   return joints;
-}
-
-// An angle of zero holds no quad.
-void refuse_cusps(const heal::RawFace& raw, const CadFace& face) {
-  constexpr double rounding = 1e-6;
-  for (int i = 0; i < face.num_curves(); ++i) {
-    if (face.joints[i].interior_angle > rounding) continue;
-    const int in = face.curve_cad_edges[face.previous_in_loop(i)], out = face.curve_cad_edges[i];
-    throw FormatError(
-        fmt::format("{}: edges {} and {} meet in a cusp at {}, an angle of zero, which holds no quad: cut "
-                    "its tip off in the drawing",
-                    raw.file, in, out, rounded_position_text(face.joints[i].position + face.origin)));
-  }
 }
 
 std::vector<std::string> names_of(const std::vector<Loop>& loops) {
@@ -155,13 +127,17 @@ std::vector<std::string> names_of(const std::vector<Loop>& loops) {
 
 double raw_diameter(const heal::RawFace& raw) { return diameter(finite_curves(raw)); }
 
-CadFace assemble_face(const heal::RawFace& raw, double corner_angle, Report& report) {
+CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
+                      Report& report) {
   const double size = pole_box(finite_curves(raw)).diagonal(), tol = gap_tolerance(raw, size);
   std::vector<Loop> loops;
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
   loops = sorted_loops(std::move(loops));
   require_width(raw, curves_of(loops.front()), size);
+  const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width};
+  heal::blunt_cusps(loops, blunt, repairs, report);
   require_simple(raw, loops, 1e-9 * size);
+  heal::refuse_cusps(loops, blunt);
 
   CadFace face;
   face.name = raw.name;
@@ -184,8 +160,7 @@ CadFace assemble_face(const heal::RawFace& raw, double corner_angle, Report& rep
   }
   face.curve_names = names_of(loops);
   face.unnamed_curves = replace_empty_names(face.curve_names, "curve");
-  face.joints = joints_of(face, corner_angle);
-  refuse_cusps(raw, face);
+  face.joints = joints_of(face, options.corner_angle);
 
   double area = 0;
   for (int l = 0; l < face.num_loops(); ++l)

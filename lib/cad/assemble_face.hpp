@@ -3,6 +3,7 @@
 
 #include "base/report.hpp"
 #include "heal/raw_face.hpp"
+#include "model/repair.hpp"
 
 namespace quadrille::cad {
 
@@ -10,10 +11,17 @@ namespace quadrille::cad {
 /// not a number.
 double raw_diameter(const heal::RawFace& raw);
 
+struct AssembleOptions {
+  double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
+  double blunt_width = 0;                      ///< as in heal::BluntOptions
+};
+
 /// Chains the edges of each wire, splits curves at tangent jumps, makes the ends of neighbours identical, orients loops
-/// so that the face lies on the left, sorts the outline first, and computes joints, names, diameter and origin. Throws
-/// FormatError, with the error and its position, for an open or self-intersecting wire, vertices off their edges, holes
-/// outside or across the outline, or a face without area. `corner_angle` in radians.
-CadFace assemble_face(const heal::RawFace& raw, double corner_angle, Report& report);
+/// so that the face lies on the left, sorts the outline first, cuts off cusps, and computes joints, names, diameter and
+/// origin. Throws FormatError, with the error and its position, for an open or self-intersecting wire, vertices off
+/// their edges, holes outside or across the outline, a cusp, or a face without area. Adds what was cut off to
+/// `repairs`.
+CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
+                      Report& report);
 
 }  // namespace quadrille::cad

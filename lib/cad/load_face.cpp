@@ -76,7 +76,7 @@ LoadedFace load_face(const std::string& bytes, const std::string& name, const Lo
     choose_names(raw);
     LoadedFace loaded;
     loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, raw_diameter(raw), report);
-    loaded.face = assemble_face(raw, options.corner_angle, report);
+    loaded.face = assemble_face(raw, {options.corner_angle, options.blunt_width}, loaded.repairs, report);
     return loaded;
   });
 }

@@ -2,18 +2,13 @@
 // Converts one wire of the file to a closed loop of curves, in the order and direction of the wire.
 
 #include "base/report.hpp"
+#include "heal/loop.hpp"
 #include "heal/raw_face.hpp"
 
 namespace quadrille::cad {
 
-/// A curve of the loop without inner tangent jumps, and its edge in the file.
-struct LoopCurve {
-  Nurbs curve;
-  int cad_edge = 0;
-  std::string name;
-};
-
-using Loop = std::vector<LoopCurve>;
+using heal::Loop;
+using heal::LoopCurve;
 
 /// `tol`, a length: gaps up to `tol` are closed, edges shorter than `tol` are dropped with a warning. Throws
 /// FormatError for a wider gap and for vertices that do not lie at the ends of their edge.

@@ -10,6 +10,7 @@
 #include "heal/chain_edges.hpp"
 #include "heal/heal_rules.hpp"
 #include "heal/join_wire.hpp"
+#include "heal/report_repair.hpp"
 #include "heal/short_edges.hpp"
 
 namespace quadrille::heal {
@@ -104,13 +105,7 @@ void report_repairs(const std::vector<Repair>& repairs, const HealScale& scale, 
   report.set("heal.tolerance", scale.tolerance / scale.diameter);
   report.set("heal.repairs", repairs.size());
   report.set("heal.greatest", greatest / scale.diameter);
-  for (size_t i = 0; i < repairs.size(); ++i) {
-    const std::string key = fmt::format("heal.repair.{}.", i);
-    report.set(key + "kind", enum_name(repairs[i].kind));
-    report.set(key + "edge", repairs[i].cad_edge);
-    report.set(key + "position", Report::Value(std::vector<double>{repairs[i].position.x, repairs[i].position.y}));
-    report.set(key + "distance", repairs[i].distance);
-  }
+  for (size_t i = 0; i < repairs.size(); ++i) report_repair(repairs[i], i, report);
   if (greatest > heal_rules.large_tolerance * scale.diameter)
     report.warn(
         warning::large_repair,

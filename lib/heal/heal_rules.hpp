@@ -30,4 +30,15 @@ struct HealRules {
 
 inline constexpr HealRules heal_rules;
 
+/// How the tips of cusps are cut off.
+struct BluntRules {
+  double largest_cusp = 1e-6;    ///< radians: an interior angle up to here is zero
+  double least_width = 1e-5;     ///< diameters: shorter edges are removed by healing
+  double proposed_width = 1e-3;  ///< diameters: what a refusal proposes, or half of what the cusp allows
+  double edge_fraction = 0.95;   ///< of an edge's length: the most that is cut off it
+  int search_steps = 64;         ///< of the length that may be cut off, to find the first place as wide as asked
+};
+
+inline constexpr BluntRules blunt_rules;
+
 }  // namespace quadrille::heal

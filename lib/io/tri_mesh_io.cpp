@@ -13,7 +13,7 @@ constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 2};
 void describe_repairs(Archive& archive, std::vector<Repair>& repairs) {
   if (!archive.has("repairs")) return;
   archive.field("repairs", repairs, [](Archive& a, Repair& repair) {
-    a.field("kind", repair.kind, {"", "joint, vertex, plane or edge"});
+    a.field("kind", repair.kind, {"", "joint, vertex, plane, edge or cusp"});
     a.field("cad_edge", repair.cad_edge, {"", "number of the edge in the CAD file"});
     a.field("position", repair.position, {"length", "in the coordinates of the CAD file"});
     a.field("distance", repair.distance, {"length", "how far it was moved"});

@@ -13,19 +13,20 @@ enum class RepairKind {
   vertex,  ///< the vertex in the file lies off its edges, which meet
   plane,   ///< the edge was projected to the plane of the face
   edge,    ///< a short edge was removed
+  cusp,    ///< the tip of a cusp was cut off
 };
 
 constexpr auto enum_names(RepairKind) {
   using enum RepairKind;
   return std::array{EnumName{joint, "joint"}, EnumName{vertex, "vertex"}, EnumName{plane, "plane"},
-                    EnumName{edge, "edge"}};
+                    EnumName{edge, "edge"}, EnumName{cusp, "cusp"}};
 }
 
 struct Repair {
   RepairKind kind = RepairKind::joint;
-  int cad_edge = 0;     ///< number of the edge in the file; of the edge that ends there for a joint or vertex
+  int cad_edge = 0;     ///< number of the edge in the file; of the edge that ends there for a joint, vertex or cusp
   Vec2 position;        ///< in the coordinates of the file, face.origin included
-  double distance = 0;  ///< how far it was moved; the length of a removed edge
+  double distance = 0;  ///< how far it was moved; the length of a removed edge, or that cut off both edges of a cusp
 };
 
 }  // namespace quadrille

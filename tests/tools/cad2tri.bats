@@ -209,6 +209,38 @@ rounder() {
   assert_nothing_left slot.step slot.tri.h5
 }
 
+# cusp: between a line and an arc of radius 1 that touches it at (0, 0).
+cusp() {
+  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+from step_text import step_text
+top = 0.8 + 0.4j
+loop = [("line", 0j, 1 + 0j), ("line", 1 + 0j, 1 + 0.4j), ("line", 1 + 0.4j, top), ("arc", 1j, 1, top, 0j, -1)]
+print(step_text("cusp", [loop]))'
+}
+
+@test "--blunt cuts the tip of a cusp off, which is refused without it" {
+  cusp > cusp.step
+  run cad2tri cusp.step -o a.tri.h5
+  assert_failure 3
+  assert_output --regexp 'cusp.step: edges 3 and 0 meet in a cusp at \(0, 0\), an angle of zero, .* give --blunt 0.001 to'
+  run cad2tri cusp.step -o a.tri.h5 --blunt 0.001 --report a.json --write-healed blunt.step
+  assert_success
+  assert_output --partial 'healed 1 cusp cut off'
+  assert_equal "$(jq -c '[.heal.repairs, .heal.repair["0"].kind, .face.curves, .face.corners]' a.json)" '[1,"cusp",5,5]'
+  run h5dump -d repairs/kind a.tri.h5
+  assert_output --partial '"cusp"'
+  run stagecheck a.tri.h5
+  assert_success
+  cad2tri blunt.step -o b.tri.h5 --report b.json
+  assert_equal "$(jq '.heal.repairs' b.json)" 0
+  run cad2tri cusp.step -o c.tri.h5 --blunt 0.5
+  assert_failure 3
+  assert_output --partial 'give --blunt 0.37, the largest that would do'
+  run cad2tri cusp.step -o c.tri.h5 --blunt -1
+  assert_failure 2
+  assert_nothing_left cusp.step a.tri.h5 a.json blunt.step b.tri.h5 b.json
+}
+
 @test "--write-healed writes a face that needs no healing" {
   rounder 1.000005 > slot.step
   cad2tri slot.step -o slot.tri.h5 --write-healed healed.step

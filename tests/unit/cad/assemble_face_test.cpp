@@ -26,7 +26,8 @@ heal::RawFace polygon(const std::vector<Vec2>& p) {
 
 CadFace assembled(const heal::RawFace& raw, double corner_angle = radians(1)) {
   Report report;
-  return assemble_face(raw, corner_angle, report);
+  std::vector<Repair> repairs;
+  return assemble_face(raw, {corner_angle}, repairs, report);
 }
 
 const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -65,7 +66,8 @@ TEST(AssembleFace, drops_edges_without_length_with_a_warning) {
   heal::RawFace raw = polygon(square);
   raw.wires[0].insert(raw.wires[0].begin() + 1, edge(curve::segment({1, 0}, {1, 1e-9}), 4));
   Report report;
-  EXPECT_EQ(assemble_face(raw, 0.01, report).num_curves(), 4);
+  std::vector<Repair> repairs;
+  EXPECT_EQ(assemble_face(raw, {0.01}, repairs, report).num_curves(), 4);
   ASSERT_EQ(report.warnings().size(), 1U);
   EXPECT_EQ(report.warnings()[0].code, "W-CAD-005");
 }

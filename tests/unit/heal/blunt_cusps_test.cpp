@@ -1,0 +1,138 @@
+#include "heal/blunt_cusps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "heal/interior_angle.hpp"
+
+namespace quadrille::heal {
+namespace {
+
+Loop loop_of(const std::vector<Nurbs>& curves) {
+  Loop loop;
+  for (const Nurbs& curve : curves) loop.push_back({curve, static_cast<int>(loop.size()), "side"});
+  return loop;
+}
+
+// Between a line and an arc that touches it at (0, 0), curve 0 starting there.
+Loop line_and_arc() {
+  const Vec2 top{std::cos(pi / 6), 0.5};
+  return loop_of(
+      {curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, top), curve::circular_arc({0, 1}, 1, -pi / 6, -half_pi)});
+}
+
+// Between two arcs that touch each other at (0, 0).
+Loop two_arcs() {
+  const Vec2 top{std::cos(pi / 6), 0.5};
+  return loop_of({curve::circular_arc({0, -1}, 1, half_pi, pi / 6), curve::segment({top.x, -0.5}, top),
+                  curve::circular_arc({0, 1}, 1, -pi / 6, -half_pi)});
+}
+
+// Between a half circle and two smaller ones on its diameter: cusps at both ends of each.
+Loop arbelos() {
+  return loop_of({curve::circular_arc({0, 0}, 1, 0, pi), curve::circular_arc({-0.5, 0}, 0.5, pi, 0),
+                  curve::circular_arc({0.5, 0}, 0.5, pi, 0)});
+}
+
+std::vector<Repair> blunt(Loop& loop, double width, Report& report) {
+  std::vector<Loop> loops{loop};
+  std::vector<Repair> repairs;
+  blunt_cusps(loops, {"f.step", 1, width}, repairs, report);
+  loop = loops.front();
+  return repairs;
+}
+
+std::vector<Repair> blunt(Loop& loop, double width) {
+  Report report;
+  return blunt(loop, width, report);
+}
+
+std::string refusal(Loop loop, double width) {
+  try {
+    if (width > 0)
+      blunt(loop, width);
+    else
+      refuse_cusps({loop}, {"f.step", 1, 0});
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+void expect_closed_without_cusps(const Loop& loop) {
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const Nurbs &in = loop[i].curve, &out = loop[(i + 1) % loop.size()].curve;
+    EXPECT_LE(distance(in.poles.back(), out.poles.front()), 1e-15);
+    EXPECT_FALSE(is_cusp(interior_angle(in, out)));
+  }
+}
+
+TEST(BluntCusps, CutsBothCurvesAtTheWidth) {
+  for (Loop loop : {line_and_arc(), two_arcs()}) {
+    const auto repairs = blunt(loop, 0.01);
+    ASSERT_EQ(loop.size(), 4U);
+    expect_closed_without_cusps(loop);
+    EXPECT_NEAR(curve::ArcLength(loop[3].curve).total(), 0.01, 1e-12);
+    EXPECT_EQ(loop[3].name, "");
+    EXPECT_EQ(loop[3].cad_edge, 2);
+    ASSERT_EQ(repairs.size(), 1U);
+    EXPECT_EQ(repairs[0].kind, RepairKind::cusp);
+    EXPECT_EQ(repairs[0].cad_edge, 2);
+    EXPECT_LE(norm(repairs[0].position), 1e-15);
+  }
+}
+
+TEST(BluntCusps, CutsAsMuchAsGeometryAsks) {
+  Loop loop = two_arcs();
+  const auto repairs = blunt(loop, 0.02);
+  // Half the width is 1 - cos(cut).
+  EXPECT_NEAR(repairs[0].distance, std::acos(0.99), 1e-12);
+  EXPECT_NEAR(loop[3].curve.poles[0].x, std::sin(repairs[0].distance), 1e-12);
+  EXPECT_NEAR(loop[3].curve.poles[0].y, 0.01, 1e-12);
+  EXPECT_NEAR(loop[3].curve.poles[1].y, -0.01, 1e-12);
+}
+
+TEST(BluntCusps, CutsBothEndsOfAnEdge) {
+  Loop loop = arbelos();
+  const auto repairs = blunt(loop, 0.02);
+  EXPECT_EQ(repairs.size(), 3U);
+  EXPECT_EQ(loop.size(), 6U);
+  expect_closed_without_cusps(loop);
+  EXPECT_NEAR(repairs[0].distance, repairs[1].distance, 1e-12);
+}
+
+TEST(BluntCusps, LeavesLoopsWithoutCusps) {
+  Loop loop = loop_of({curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0, 1}), curve::segment({0, 1}, {0, 0})});
+  Report report;
+  EXPECT_TRUE(blunt(loop, 0.01, report).empty());
+  EXPECT_EQ(loop.size(), 3U);
+  EXPECT_EQ(refusal(loop, 0), "");
+}
+
+TEST(BluntCusps, RefusesWidthsThatTheEdgesDoNotHave) {
+  const std::string text = refusal(line_and_arc(), 2);
+  expect_contains(text,
+                  "f.step: edges 2 and 0 meet in a cusp at (0, 0), which cannot be cut off at a width of 2, as its "
+                  "edges are too short: give --blunt 0.44, the largest that would do, or less");
+  EXPECT_EQ(refusal(line_and_arc(), 0.435), "");
+  expect_contains(refusal(line_and_arc(), 0.45), "--blunt 0.44");
+  expect_contains(refusal(line_and_arc(), 1e-6), "give 1.1e-05 or more");
+}
+
+TEST(BluntCusps, RefusalsOfCuspsProposeAWidth) {
+  expect_contains(refusal(line_and_arc(), 0),
+                  "f.step: edges 2 and 0 meet in a cusp at (0, 0), an angle of zero, which holds no quad: give --blunt "
+                  "0.001 to cut its tip off at that width");
+}
+
+}  // namespace
+}  // namespace quadrille::heal
