@@ -39,7 +39,7 @@ std::string enum_name(Enum value) {
   throw Defect("an enum value has no name");
 }
 
-/// The value of that name; std::nullopt if there is none.
+/// The value whose name is `name`; std::nullopt if no value has that name.
 template <NamedEnum Enum>
 std::optional<Enum> enum_value(std::string_view name) {
   for (const auto& entry : enum_names(Enum{}))

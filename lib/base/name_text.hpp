@@ -6,7 +6,7 @@
 
 namespace quadrille {
 
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 if there is none (Unicode 15, table 3-7).
+/// The bytes of the UTF-8 character with which `text` starts (Unicode 15, table 3-7); 0 if `text` is not UTF-8 there.
 int utf8_length(std::string_view text);
 
 bool is_utf8(std::string_view text);

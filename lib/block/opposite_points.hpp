@@ -19,8 +19,8 @@ struct DirectedCurve {
 };
 
 /// The difference d of fractions, nearest to 0, at which a(middle - d / 2) and b(middle + d / 2) lie opposite each
-/// other: the segment between them is at right angles to the sum of the tangents. std::nullopt if there is none with
-/// both fractions in [0.05, 0.95].
+/// other: the segment between them is at right angles to the sum of the tangents. std::nullopt if no d
+/// has both fractions in [0.05, 0.95].
 std::optional<double> opposite_point_offset(const DirectedCurve& a, const DirectedCurve& b, double middle);
 
 }  // namespace quadrille::block

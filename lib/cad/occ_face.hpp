@@ -17,8 +17,9 @@ namespace quadrille::cad {
 /// place; one that two solids share is listed once.
 FaceList list_faces(const OccModel& model);
 
-/// The face with the name or, if no face has that name, the number `choice`; the only face of the model if `choice` is
-/// empty. Throws FormatError if there is none, or more than one. `file`: name of the file, for messages.
+/// The face whose name is `choice` or, if no face has that name, whose number it is; the only face of the model if
+/// `choice` is empty. Throws FormatError if no face or several faces have this name or number, or if `choice` is empty
+/// and the model is a solid or has several faces. `file`: name of the file, for messages.
 TopoDS_Face choose_face(const OccModel& model, const std::string& choice, const std::string& file);
 
 /// The plane of the face in space; std::nullopt if the face is not planar.

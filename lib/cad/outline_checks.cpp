@@ -94,7 +94,7 @@ class ContactSearch {
  public:
   explicit ContactSearch(double tol) : tol_(tol) {}
 
-  // A position where a and b are closer than the tolerance; std::nullopt if there is none.
+  // A position where a and b are closer than the tolerance; std::nullopt if they are farther apart everywhere.
   std::optional<Vec2> meet(const Piece& a, const Piece& b) { return meet(a, b, tol_); }
 
   std::optional<Vec2> meet(const Piece& a, const Piece& b, double tol) {

@@ -22,10 +22,10 @@ struct ExportFormat {
 /// All formats of a quad mesh, in the order of the help.
 const std::vector<ExportFormat>& export_formats();
 
-/// The row of that name; nullptr if there is none.
+/// The row of the format `name`; nullptr if no format has that name.
 const ExportFormat* find_export_format(std::string_view name);
 
-/// The first row whose ending the file name has; nullptr if there is none.
+/// The first row whose ending the file name has; nullptr if no format has that ending.
 const ExportFormat* export_format_of(std::string_view file_name);
 
 /// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space

@@ -99,7 +99,7 @@ bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const s
   return true;
 }
 
-/// Decides the nearest class of pairs that changes any node; false if there is none.
+/// Decides the nearest class of pairs that changes any node; false if no class changes a node.
 bool cancel_nearest(FeatureState& state, const BoundaryClearance& clearance, double below) {
   const Pairs pairs = opposite_pairs(state, clearance, below);
   const auto distance_of = [](const Pair& pair) { return pair.distance; };

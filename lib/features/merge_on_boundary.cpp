@@ -102,7 +102,7 @@ std::vector<int> merge_class(FeatureState& state, Pairs::const_iterator first, P
   return removed;
 }
 
-/// Merges the nearest class that has pairs to merge; false if there is none.
+/// Merges the nearest class that has pairs to merge; false if no class has any.
 bool merge_nearest(const CadFace& face, FeatureState& state) {
   const Pairs pairs = close_pairs(face, state);
   const auto distance_of = [](const BoundaryPair& pair) { return pair.distance; };

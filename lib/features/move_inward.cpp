@@ -65,7 +65,7 @@ class InwardPath {
 };
 
 /// The least clearance between low and high at which `gap` (distance to another node less the clearance) is 0; `high`
-/// if there is none. Samples, then bisection.
+/// if the gap is positive everywhere. Samples, then bisection.
 template <class Gap>
 double clearance_limit(Gap gap, double low, double high) {
   if (gap(low) <= 0) return low;

@@ -6,8 +6,8 @@
 
 namespace quadrille::features {
 
-/// The pairs pair_of(i, j) for 0 <= i < j < n, std::nullopt if there is none, nearest first; pairs of equal distance in
-/// the order of i, then j.
+/// The pairs of the n items 0, ..., n - 1, sorted by their member `distance`; pairs of equal distance are in the order
+/// of i, then j. pair_of(i, j) returns the pair of items i < j, or std::nullopt if they form no pair.
 template <typename Pair, typename PairOf>
 std::vector<Pair> nearest_first(int n, const PairOf& pair_of) {
   std::vector<Pair> pairs;

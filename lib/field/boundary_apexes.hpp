@@ -29,7 +29,7 @@ void require_valence_sum(const CadFace& face, const PhaseNodes& prescribed);
 /// joint, curve or parameter does not exist, a joint is listed twice, or boundary nodes coincide.
 BoundaryApexes boundary_apexes(const CadFace& face, const PhaseNodes& prescribed);
 
-/// The position in `apexes` of the apex at parameter t of `curve`, up to round-off; -1 if there is none.
+/// The position in `apexes` of the apex at parameter t of `curve`, up to round-off; -1 if no apex lies there.
 int find_apex(const CadFace& face, const BoundaryApexes& apexes, int curve, double t);
 
 /// Unit tangents at an apex: of the incoming and of the outgoing side of the boundary.

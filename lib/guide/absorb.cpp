@@ -20,7 +20,7 @@ struct Near {
   double distance;
 };
 
-/// The corner nearest to x within reach; std::nullopt if there is none or if two are equally near.
+/// The corner nearest to x within reach; std::nullopt if no corner is within reach or two are equally near.
 std::optional<std::size_t> nearest_corner(const std::vector<Corner>& corners, Vec2 x, double reach, double tol) {
   std::optional<std::size_t> nearest;
   double least = reach + tol;

@@ -127,8 +127,8 @@ class ClusterFinder {
     return reach;
   }
 
-  /// Evaluated on the smallest circle about the cluster on which |v| exceeds its errors, or if there is none on the
-  /// circle with the greatest least |v|; the radii grow by a quarter.
+  /// Evaluated on the smallest circle about the cluster on which |v| exceeds its errors, or, if |v| does so on no
+  /// circle, on the circle with the greatest least |v|; the radii grow by a quarter.
   int index_by_contour(const std::vector<int>& group, const zeros::Disc& circle) const {
     const double outer = outer_radius(group, circle.centre);
     const double enough = std::max(10 * criterion_.noise, 4 * error(parts_[group[0]].elem));

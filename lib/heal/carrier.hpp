@@ -23,7 +23,8 @@ Carrier carrier_of(const Nurbs& curve);
 /// The point of the line or circle nearest to x; x itself for a spline.
 Vec2 nearest_on(const Carrier& carrier, Vec2 x);
 
-/// The intersection of two lines or circles nearest to `x`; std::nullopt if there is none or one carrier is a spline.
+/// The intersection of two lines or circles nearest to `x`; std::nullopt if the carriers do not intersect or one of
+/// them is a spline.
 std::optional<Vec2> intersection(const Carrier& a, const Carrier& b, Vec2 x);
 
 }  // namespace quadrille::heal

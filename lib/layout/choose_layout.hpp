@@ -34,10 +34,10 @@ using CertainLayout = std::function<graph::CandidateLayout(Report&)>;
 struct ChosenLayout {
   graph::CandidateLayout layout;  ///< certificate.reason: why not the traced one
   LayoutMethod method = LayoutMethod::traced;
-  std::string warning;  ///< empty if there is none
+  std::string warning;  ///< text of a warning; empty if the layout needs no warning
 };
 
-/// What is said of a midpoint division that was made for this reason.
+/// The text of the warning that a midpoint division was computed because of `reason`.
 std::string midpoint_warning(const std::string& reason);
 
 /// Chooses by the table above and computes only the layouts that it needs. Reports layout.way, layout.method and

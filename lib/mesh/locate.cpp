@@ -25,7 +25,7 @@ Vec2 straight_inverse(const spectral::TriMap& map, Vec2 x) {
   return xi;
 }
 
-// The local edge beyond which xi lies farthest and which has a neighbour; -1 if there is none.
+// The local edge beyond which xi lies farthest and which has a neighbour; -1 if xi lies beyond no such edge.
 int way_out(Vec2 xi, const std::array<int, 3>& neighbors) {
   const std::array<double, 3> beyond{-(1 + xi.y), xi.x + xi.y, -(1 + xi.x)};  // edges 0, 1, 2
   int best = -1;

@@ -21,7 +21,8 @@ std::vector<BoundaryFoot> nearest_feet(const CadFace& face, Vec2 x);
 /// Distance to the boundary, negative outside the face.
 double signed_clearance(const CadFace& face, Vec2 x);
 
-/// Length of the first part of a ray that lies inside the face; 0 if there is none. `direction` is a unit vector.
+/// Length of the first part of a ray that lies inside the face; 0 if the ray lies outside. `direction` is a unit
+/// vector.
 double clearance_along(const CadFace& face, Vec2 x, Vec2 direction);
 
 }  // namespace quadrille::placement

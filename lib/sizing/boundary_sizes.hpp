@@ -13,7 +13,8 @@
 
 namespace quadrille::sizing {
 
-/// The curves of this name, else the curve of this number. Throws UsageError, listing the names, if there is none.
+/// The curves named `name` or, if no curve has that name, the curve of that number. Throws UsageError, which lists the
+/// names, if the face has no such curve.
 std::vector<int> named_curves(const CadFace& face, const std::string& name);
 
 /// `size` along one curve. `slope` > 0: growth of sizes per distance from it.

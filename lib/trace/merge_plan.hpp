@@ -28,7 +28,8 @@ class MergePlan {
   std::optional<std::vector<int>> choose();
 
   /// The first line that cannot be continued (Streamline::is_stuck), is far shorter than the reach and has no partner
-  /// by the rules; std::nullopt if there is none. Longer lines do not help it.
+  /// by the rules; std::nullopt if every line can be continued, is long or has a partner. Continuing the other lines
+  /// gives such a line no partner.
   std::optional<int> stuck_without_partner() const;
 
   /// Rejects those of these candidates whose deviation is within 1e-6 of the largest: a symmetry orbit together.

@@ -14,8 +14,8 @@ class NodeProximity {
   NodeProximity(const std::vector<Vec2>& nodes, Vec2 origin, bool is_at_origin)
       : nodes_(nodes), origin_(origin), is_at_origin_(is_at_origin) {}
 
-  /// Moves to x. Returns the nearest node, -1 if there is none. The line's own node counts once the line has moved away
-  /// from it.
+  /// Moves to x. Returns the nearest node, -1 if no node counts. The line's own node counts once the line has moved
+  /// away from it.
   int move_to(Vec2 x);
 
   /// As move_to, but -1 if the nearest node is farther than `hit_distance`. A line has moved away from its own node at

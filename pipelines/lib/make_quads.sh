@@ -1,7 +1,7 @@
 # shellcheck shell=sh
 # From the triangles to the quads, by the stages between cad2tri and quadexport. Sets $nodes, the file of critical points.
 field=''
-nodes=/dev/null # if there is none
+nodes=/dev/null # as long as no file of critical points is written
 way=''          # "field or triangles" as long as there is a choice
 
 # make_quads LAYOUT: the value of separatrix --layout. With "auto" (or none) the quads are made from the triangles alone
