@@ -14,6 +14,9 @@ namespace {
 constexpr double acute_angle = radians(75.0);
 constexpr double sector_angle = radians(60.0);
 constexpr double slack = 1 + 1e-9;
+/// Least radius of a ring, in diameters. Coordinates have 16 digits: the curved elements of smaller rings are not valid
+/// for certain.
+constexpr double least_radius = 1e-11;
 
 /// Whether the curves at a corner are so close to each other, inside or outside the face, that segments along them
 /// would be bisected without end.
@@ -38,6 +41,13 @@ double parameter_at_radius(const Outline& outline, const SmoothPiece& piece, boo
   return t;
 }
 
+/// The number of rings around the apex triangles, at most `needed`, such that none is smaller than `least`.
+int layers_above(double least, double radius, int needed, double factor) {
+  int layers = 0;
+  for (; layers < needed && radius * factor >= least; ++layers) radius *= factor;
+  return layers;
+}
+
 std::vector<double> ring_radii(double radius, int layers, double factor) {
   std::vector<double> radii(layers + 1);
   for (int ring = layers; ring >= 0; --ring) {
@@ -58,18 +68,23 @@ void place_sides(const Outline& outline, Fan& fan) {
   }
 }
 
-/// Whether the longest edges of the fan along its curves satisfy the limits.
+/// Whether the longest edges of the fan along its curves satisfy the limits. Together they turn by at most the corner's
+/// angle: the chords then enclose at least about half of it, and the triangles between the curves cannot fold.
 bool keeps_limits(const EdgeFit& fit, const Fan& fan, const EdgeLimits& limits) {
   const auto& pieces = fit.outline().pieces();
   const SmoothPiece& out = pieces[fan.junction];
   const SmoothPiece& in = pieces[out.previous];
   const std::size_t last = fan.radii.size() - 1;
   const double out0 = last > 0 ? fan.t_out[last - 1] : out.t0, in1 = last > 0 ? fan.t_in[last - 1] : in.t1;
+  double turns = 0;
   const auto keeps = [&](const SmoothPiece& piece, double t0, double t1) {
-    return piece.is_straight ||
-           (fit.turn(piece.curve, t0, t1) <= limits.turn * slack && fit.error(piece.curve, t0, t1) <= limits.curve_tol);
+    if (piece.is_straight) return true;
+    const double turn = fit.turn(piece.curve, t0, t1);
+    turns += turn;
+    return turn <= limits.turn * slack && fit.error(piece.curve, t0, t1) <= limits.curve_tol;
   };
-  return keeps(out, out0, fan.t_out[last]) && keeps(in, fan.t_in[last], in1);
+  return keeps(out, out0, fan.t_out[last]) && keeps(in, fan.t_in[last], in1) &&
+         turns <= fit.outline().junctions()[fan.junction].interior_angle * slack;
 }
 
 bool shape_fan(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits, double clearance,
@@ -80,12 +95,14 @@ bool shape_fan(const EdgeFit& fit, const TriangulateOptions& options, const Edge
   const SmoothPiece& in = outline.pieces()[out.previous];
   fan.radius = std::min({limits.size, clearance / 3, out.length() / 3, in.length() / 3});
   fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junction.interior_angle / (sector_angle * slack))));
-  constexpr int max_rounds = 40;
+  const double smallest = least_radius * outline.face().diameter;
+  constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
     const double exponent_layers = fan_layers(junction_singularity(junction, fan.radius), options.fan_factor);
     int layers = static_cast<int>(exponent_layers);
     if (layers > 0 && options.fan_layers >= 0) layers = options.fan_layers;
     if (layers == 0 && !is_sharp(junction)) return false;
+    layers = layers_above(smallest, fan.radius, layers, options.fan_factor);
     fan.radii = ring_radii(fan.radius, layers, options.fan_factor);
     place_sides(outline, fan);
     if (keeps_limits(fit, fan, limits)) break;

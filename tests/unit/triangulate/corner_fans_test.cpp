@@ -98,5 +98,35 @@ TEST(CornerFans, RadiiKeepAwayFromOtherParts) {
   EXPECT_LE(l.fans[0].radius, (std::sqrt(0.08) - 0.1) / 3 * 1.01);
 }
 
+// A strip between the x axis and an arc of radius 1 that rises from (0, 0) at this angle.
+CadFace strip_below_arc(double angle) {
+  const Vec2 centre{-std::sin(angle), std::cos(angle)};
+  const double end = -half_pi + angle + 0.5;
+  const Vec2 top = centre + unit(end);
+  return make_face({{curve::segment({0, 0}, {top.x, 0}), curve::segment({top.x, 0}, top),
+                     curve::circular_arc(centre, 1, end, -half_pi + angle)}});
+}
+
+TEST(CornerFans, CurvesTurnByAtMostTheAngleOfTheirCorner) {
+  for (const double angle : {0.1, 0.01, 0.001}) {
+    const Planned strip(strip_below_arc(angle));
+    ASSERT_FALSE(strip.fans.empty());
+    EXPECT_EQ(strip.fans[0].junction, 0);
+    EXPECT_LE(strip.fit.turn(2, strip.fans[0].t_in.back(), strip.face.curves[2].end()), angle * 1.01);
+    EXPECT_GE(strip.fans[0].radius, angle / 2);
+  }
+}
+
+TEST(CornerFans, RingsAreLargerThanRounding) {
+  // A step of 7e-6 diameters between a straight side and an arc.
+  const CadFace face =
+      make_face({{curve::segment({0, 0}, {100, 0}), curve::segment({100, 0}, {100, 100}),
+                  curve::segment({100, 100}, {40, 100}), curve::segment({40, 100}, {40, 100.001}),
+                  curve::circular_arc({0, 100.001}, 40, 0, half_pi), curve::segment({0, 140.001}, {0, 0})}});
+  const Planned spur(face);
+  ASSERT_FALSE(spur.fans.empty());
+  for (const Fan& fan : spur.fans) EXPECT_GE(fan.radii.front(), 1e-11 * face.diameter);
+}
+
 }  // namespace
 }  // namespace quadrille::triangulate
