@@ -34,6 +34,8 @@ Json parsed(const InputFile& file) {
     return Json::parse(file.bytes, refuse_twins);
   } catch (const Json::parse_error& e) {
     throw FormatError(fmt::format("{}: not JSON (byte {})", file.name, e.byte));
+  } catch (const Json::out_of_range&) {
+    throw FormatError(fmt::format("{}: a number is larger than the largest of double precision", file.name));
   }
 }
 

@@ -30,6 +30,8 @@ std::vector<int> parsed(const InputFile& file) {
     json = nlohmann::json::parse(file.bytes);
   } catch (const nlohmann::json::parse_error& e) {
     throw FormatError(fmt::format("{}: neither a field nor JSON (byte {})", file.name, e.byte));
+  } catch (const nlohmann::json::out_of_range&) {
+    throw FormatError(fmt::format("{}: a number is larger than the largest of double precision", file.name));
   }
   if (!json.is_object() || json.value("format", nlohmann::json()) != "order-map")
     throw FormatError(fmt::format("{}: not an order map: the key \"format\" must be \"order-map\"", file.name));

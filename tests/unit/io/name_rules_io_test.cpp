@@ -87,6 +87,11 @@ TEST(NameRules, WhatIsNoRuleIsRefusedWithItsEntry) {
     EXPECT_EQ(refusal(json).find("names.json: "), 0U) << json;
 }
 
+TEST(NameRules, NumbersBeyondDoublePrecisionAreRefused) {
+  for (const char* json : {R"([{"near": [1e999, 0], "name": "x"}])", R"({"a": -1e999})", "1e999"})
+    EXPECT_EQ(refusal(json), "names.json: a number is larger than the largest of double precision") << json;
+}
+
 TEST(NameRules, NumbersOutOfRangeMeetNothing) {
   EXPECT_EQ(boundary(R"([{"id": 99999999999, "name": "x"}])")[0].number, -1);
   EXPECT_EQ(boundary(R"([{"id": -4, "name": "x"}])")[0].number, -1);

@@ -49,6 +49,8 @@ TEST(OrderMap, anything_else_is_refused_by_the_name_of_the_file) {
     EXPECT_NE(refusal(text).find("orders.json"), std::string::npos) << text;
   for (const char* orders : {"3", "[1.5, 2]", R"(["a", 2])", "[[1], 2]", "[-1, 2]", "[1000000, 2]"})
     EXPECT_NE(refusal(map("[1, 0]", orders)).find("elem_order"), std::string::npos) << orders;
+  EXPECT_EQ(refusal(map("[1, 0]", "[1e999, 2]")),
+            "orders.json: a number is larger than the largest of double precision");
 }
 
 }  // namespace
