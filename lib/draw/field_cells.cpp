@@ -12,6 +12,8 @@ namespace quadrille::draw {
 namespace {
 
 constexpr double smallest_cell = 5, largest_cell = 48;  // pixels
+/// Enough for the widest picture. What is large even then is a folded element of a damaged file, and is left out.
+constexpr int max_depth = 13;
 
 /// xi moved slightly towards the centre: a lifting has no value at its apex.
 Vec2 inside(Vec2 xi) {
@@ -36,6 +38,17 @@ double longest_side(const std::array<Sampled, 3>& cell) {
                    distance(cell[2].pixel, cell[0].pixel)});
 }
 
+/// Whether all corners lie beyond one and the same side of the drawing, or are not finite: parts of folded elements.
+bool is_outside(const std::array<Sampled, 3>& cell, Vec2 size) {
+  const auto all = [&](const auto& holds) {
+    return std::all_of(cell.begin(), cell.end(), [&](const Sampled& s) { return holds(s.pixel); });
+  };
+  const bool is_finite = all([](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  return !is_finite || all([](Vec2 p) { return p.x < -largest_cell; }) ||
+         all([](Vec2 p) { return p.y < -largest_cell; }) || all([&](Vec2 p) { return p.x > size.x + largest_cell; }) ||
+         all([&](Vec2 p) { return p.y > size.y + largest_cell; });
+}
+
 struct CellPainter {
   const Picture& picture;
   const field::FieldEvaluator& evaluator;
@@ -43,11 +56,14 @@ struct CellPainter {
   const std::function<double(Vec2, Vec2)>& difference;
   std::map<std::string, std::string> paths;  ///< colour -> path data of its cells
 
-  void paint(int elem, const std::array<Sampled, 3>& cell) {
+  void paint(int elem, const std::array<Sampled, 3>& cell, int depth = 0) {
+    if (is_outside(cell, picture.size())) return;
     const double size = longest_side(cell);
     const double change = std::max({difference(cell[0].value, cell[1].value), difference(cell[1].value, cell[2].value),
                                     difference(cell[2].value, cell[0].value)});
-    if (size > largest_cell || (size > smallest_cell && change > 1)) return split(elem, cell);
+    const bool is_coarse = size > largest_cell || (size > smallest_cell && change > 1);
+    if (is_coarse && depth < max_depth) return split(elem, cell, depth + 1);
+    if (size > largest_cell) return;
     const Vec2 mean = (cell[0].value + cell[1].value + cell[2].value) / 3;
     PathData path(1);
     path.move_to(cell[0].pixel);
@@ -56,15 +72,15 @@ struct CellPainter {
     paths[colour(mean)] += path.str();
   }
 
-  void split(int elem, const std::array<Sampled, 3>& cell) {
+  void split(int elem, const std::array<Sampled, 3>& cell, int depth) {
     const auto middle = [&](int a, int b) {
       return sampled(picture, evaluator, elem, 0.5 * (cell[a].xi + cell[b].xi));
     };
     const Sampled m01 = middle(0, 1), m12 = middle(1, 2), m20 = middle(2, 0);
-    paint(elem, {cell[0], m01, m20});
-    paint(elem, {m01, cell[1], m12});
-    paint(elem, {m20, m12, cell[2]});
-    paint(elem, {m12, m20, m01});
+    paint(elem, {cell[0], m01, m20}, depth);
+    paint(elem, {m01, cell[1], m12}, depth);
+    paint(elem, {m20, m12, cell[2]}, depth);
+    paint(elem, {m12, m20, m01}, depth);
   }
 };
 

@@ -20,6 +20,8 @@ struct Segment {
   std::array<Vec2, 2> ends;
 };
 
+bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
 /// A lattice of n x n cells on the reference triangle of one element.
 class Lattice {
  public:
@@ -28,7 +30,7 @@ class Lattice {
     const auto pixel_of = [&](Vec2 xi) { return picture.at(evaluator.maps()[elem].position(xi)); };
     const Vec2 a = pixel_of({-1, -1}), b = pixel_of({1, -1}), c = pixel_of({-1, 1});
     const double size = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    n_ = std::clamp(static_cast<int>(std::ceil(size / lattice_step)), 1, 200);
+    n_ = static_cast<int>(std::clamp(std::ceil(size / lattice_step), 1.0, 200.0));
     for (int j = 0; j <= n_; ++j)
       for (int i = 0; i + j <= n_; ++i) {
         const Vec2 xi{2.0 * i / n_ - 1, 2.0 * j / n_ - 1};
@@ -62,7 +64,7 @@ class Lattice {
       const double s = values_[a] / (values_[a] - values_[b]);
       ends[num_ends++] = pixels_[a] + s * (pixels_[b] - pixels_[a]);
     }
-    if (num_ends == 2) segments.push_back({ends});
+    if (num_ends == 2 && is_finite(ends[0]) && is_finite(ends[1])) segments.push_back({ends});
   }
 
   int n_ = 1;
@@ -94,7 +96,8 @@ class Joiner {
 
  private:
   using Cell = std::pair<int, int>;
-  static Cell cell(Vec2 p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
+  static int cell(double x) { return static_cast<int>(std::clamp(std::floor(x), -1e9, 1e9)); }
+  static Cell cell(Vec2 p) { return {cell(p.x), cell(p.y)}; }
 
   bool extend(Polyline& line) {
     const Vec2 tip = line.back();

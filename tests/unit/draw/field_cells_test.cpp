@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "../support/square_field.hpp"
 
@@ -91,6 +92,35 @@ TEST_F(SquarePicture, CellsAreSplitWhereTheValueChanges) {
   const auto at_axis = num_cells([](Vec2 a, Vec2 b) { return (a.x > 0) == (b.x > 0) ? 0.0 : 2.0; });
   EXPECT_GT(at_axis, 18 * 16);
   EXPECT_LT(at_axis, 18 * 1024);
+}
+
+/// Two of the six nodes of element 0 far away, as in damaged files.
+Field folded(Field field, double far) {
+  TriMesh& mesh = field.mesh;
+  mesh.order = 2;
+  mesh.curved_elems = {0};
+  for (const Vec2 xi : spectral::tri_nodes(2)) mesh.curved_nodes.push_back(0.5 * xi);
+  mesh.curved_nodes[1] = {far, far};
+  mesh.curved_nodes[4] = {-0.3, -far};
+  return field;
+}
+
+TEST_F(SquarePicture, CellsOfElementsThatLieFarOutsideEnd) {
+  const Field sound = field_of(1, [](Vec2 x) { return x; });
+  for (const double far : {1e3, 1e9, 1e128, 1e308}) {
+    const Field field = folded(sound, far);
+    Picture fresh({{-1, -1}, {1, 1}}, options(), "", "");
+    const field::FieldEvaluator evaluator(field);
+    draw_field_cells(
+        fresh, evaluator, [](Vec2) { return std::string("#123456"); }, [](Vec2, Vec2) { return 0.0; });
+    const std::string svg = fresh.str();
+    const auto num_cells =
+        std::count(svg.begin() + static_cast<std::ptrdiff_t>(svg.find("class=\"cells\"")), svg.end(), 'z');
+    EXPECT_GE(num_cells, 17 * 16) << far;
+    EXPECT_LT(num_cells, 17 * 16 + 100000) << far;
+    for (const Polyline& line : zero_contours(fresh, evaluator, [](Vec2 v) { return v.x; }))
+      for (const Vec2 p : line) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << far;
+  }
 }
 
 TEST_F(SquarePicture, CellsOfOneColourAreOnePath) {
