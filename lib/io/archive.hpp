@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/enum_names.hpp"
+#include "base/name_text.hpp"
 #include "base/vec2.hpp"
 
 namespace quadrille::io {
@@ -100,7 +101,7 @@ class Archive {
   void field(const char* name, Enum& value, Doc doc = {}, const std::string& rule = {}) {
     const std::string given = enum_field(name, value, doc);
     if (enum_value<Enum>(given)) return;
-    fail(name, "must be " + alternatives(all_enum_names<Enum>()) + ", not '" + given + "'" +
+    fail(name, "must be " + alternatives(all_enum_names<Enum>()) + ", not '" + clean_name(given) + "'" +
                    (rule.empty() ? "" : " (" + rule + ")"));
   }
   /// The same for enums to which later minor versions may add: an unknown name is read as `unknown`.

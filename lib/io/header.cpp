@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "io/json_archive.hpp"
 
 namespace quadrille::io {
@@ -29,8 +30,9 @@ std::string producer_of(const Provenance& provenance) {
 void require_version(const std::string& file_name, const FormatVersion& expected, const std::string& format,
                      const std::vector<int>& version) {
   if (format != expected.format)
-    throw FormatError(fmt::format("{}: expected a {} file, found {}", file_name, expected.format,
-                                  format.empty() ? "a file without a format" : fmt::format("a {} file", format)));
+    throw FormatError(
+        fmt::format("{}: expected a {} file, found {}", file_name, expected.format,
+                    format.empty() ? "a file without a format" : fmt::format("a {} file", clean_name(format))));
   if (version.size() != 2 || version[0] < 0 || version[1] < 0)
     throw FormatError(fmt::format("{}: 'version' must be [major, minor]", file_name));
   if (version[0] > expected.major)

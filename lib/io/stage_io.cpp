@@ -6,6 +6,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "io/checksum.hpp"
 #include "io/hdf5_archive.hpp"
 #include "io/json_archive.hpp"
@@ -116,7 +117,7 @@ std::string stage_format(const InputFile& file) {
   constexpr const char* known[] = {"tri-mesh",         "field",        "critical-points",
                                    "separatrix-graph", "block-layout", "quad-mesh"};
   if (std::find(std::begin(known), std::end(known), format) == std::end(known))
-    throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, format));
+    throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, clean_name(format)));
   return format;
 }
 

@@ -171,6 +171,7 @@ TEST_F(Damaged, MissingAndMistypedMembersAreNamed) {
     return refusal(format, changed.replace(changed.find(from), from.size(), to));
   };
   EXPECT_EQ(with("\"corners\"", "\"cornerz\""), "file: 'corners' is missing");
+  EXPECT_EQ(with("\"critical-points\"", "\"a\\nb\""), "file: expected a critical-points file, found a a b file");
   EXPECT_EQ(with("\"valence\": 3", "\"valence\": 3.5"), "file: 'critical_points[0].valence' must be an integer");
   EXPECT_EQ(with("\"valence\": 3", "\"valence\": 3e99"), "file: 'critical_points[0].valence' must be an integer");
   EXPECT_EQ(with("\"valence\": 3", "\"valence\": 3000000000"),
@@ -237,6 +238,9 @@ TEST_F(Damaged, MistypedOptionalMembersOfCriticalPointsAreNamed) {
   EXPECT_EQ(with("\"value\": 4", "\"value\": 4.5"), "file: 'index_sum.value' must be an integer");
   EXPECT_EQ(with("\"verdict\": \"zero\"", "\"verdict\": \"maybe\""),
             "file: 'certificate.cells[0].verdict' must be zero or open, not 'maybe' (CRT-R15)");
+  EXPECT_EQ(with("\"verdict\": \"zero\"", "\"verdict\": \"a\\n\\u001b[2Jb\""),
+            "file: 'certificate.cells[0].verdict' must be zero or open, not 'a  [2Jb' (CRT-R15)")
+      << "control characters stay out of messages";
   EXPECT_EQ(with("\"certificate\": {", "\"certificate\": 1, \"was\": {"), "file: 'certificate' must be an object");
 }
 
