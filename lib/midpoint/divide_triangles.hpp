@@ -1,15 +1,14 @@
 #pragma once
 // Divides every triangle of a mesh into three four-sided blocks.
 //
-//          c                Nodes are the vertices, the middles of the edges and the centres. A block lies between a
-//         / \               vertex, the middles of its two edges, and the centre. An edge on the boundary keeps its
-//         exact
-//        /   \              curve and is halved by arc length; all other arcs are straight. An edge that bulges by b in
-//       m     m             its middle moves the centre by 4/9 b, as the quadratic triangle through the three middles
-//      /  \ /  \            does.
-//     /    o    \           .
-//    /     |     \          .
-//   a------m------b         .
+//          c              Nodes are the vertices, the middles of the edges and the centres. A block lies between a
+//         / \             vertex, the middles of its two edges, and the centre. An edge on the boundary keeps its
+//        /   \            exact curve and is halved by arc length; all other arcs are straight. An edge that bulges
+//       m     m           by b in its middle moves the centre by 4/9 b, as the quadratic triangle through the three
+//      /  \ /  \          middles does.
+//     /    o    \         .
+//    /     |     \        .
+//   a------m------b       .
 
 #include <array>
 

@@ -25,7 +25,8 @@ bool is_convex(const ArcGraph& graph, const std::array<HalfEdge, 4>& sides) {
   return true;
 }
 
-/// A lower bound of det J on [0, 1]^2.
+}  // namespace
+
 double jacobian_bound(const curve::CurveTable& table, const ArcGraph& graph, const std::array<HalfEdge, 4>& sides) {
   std::vector<curve::Chain> chains;
   for (const HalfEdge side : sides) chains.emplace_back(table, graph.arcs[side.arc].pieces);
@@ -34,8 +35,6 @@ double jacobian_bound(const curve::CurveTable& table, const ArcGraph& graph, con
       {sides[0].is_backwards, sides[1].is_backwards, sides[2].is_backwards, sides[3].is_backwards});
   return 4 * mesh::block_shape(map).jacobian_bound;
 }
-
-}  // namespace
 
 std::vector<int> doubtful_triangles(const TriMesh& mesh, const DividedTriangles& divided) {
   const curve::CurveTable table(divided.graph.face, divided.graph.splines);

@@ -7,9 +7,14 @@
 
 #include <vector>
 
+#include "curve/chain.hpp"
 #include "midpoint/divide_triangles.hpp"
 
 namespace quadrille::midpoint {
+
+/// A lower bound of det J on [0, 1]^2 of the block with these sides, counter-clockwise; an area. `table` must have the
+/// curves of `graph`.
+double jacobian_bound(const curve::CurveTable& table, const ArcGraph& graph, const std::array<HalfEdge, 4>& sides);
 
 /// The triangles, ascending, with a curved edge and a block whose Jacobian may fall below a tenth of D/12.
 std::vector<int> doubtful_triangles(const TriMesh& mesh, const DividedTriangles& divided);

@@ -46,35 +46,22 @@ class CbcLibrary {
 };
 
 struct ModelFunctions {
-  explicit ModelFunctions(const CbcLibrary& cbc)
-      : create(cbc.symbol("Cbc_newModel")),
-        destroy(cbc.symbol("Cbc_deleteModel")),
-        load_problem(cbc.symbol("Cbc_loadProblem")),
-        set_integer(cbc.symbol("Cbc_setInteger")) {}
-
-  decltype(&Cbc_newModel) create;
-  decltype(&Cbc_deleteModel) destroy;
-  decltype(&Cbc_loadProblem) load_problem;
-  decltype(&Cbc_setInteger) set_integer;
+  const CbcLibrary& cbc;
+  decltype(&Cbc_newModel) create = cbc.symbol("Cbc_newModel");
+  decltype(&Cbc_deleteModel) destroy = cbc.symbol("Cbc_deleteModel");
+  decltype(&Cbc_loadProblem) load_problem = cbc.symbol("Cbc_loadProblem");
+  decltype(&Cbc_setInteger) set_integer = cbc.symbol("Cbc_setInteger");
 };
 
 struct SearchFunctions {
-  explicit SearchFunctions(const CbcLibrary& cbc)
-      : set_log_level(cbc.symbol("Cbc_setLogLevel")),
-        set_maximum_nodes(cbc.symbol("Cbc_setMaximumNodes")),
-        set_allowable_fraction_gap(cbc.symbol("Cbc_setAllowableFractionGap")),
-        solve(cbc.symbol("Cbc_solve")),
-        best_solution(cbc.symbol("Cbc_bestSolution")),
-        is_proven_optimal(cbc.symbol("Cbc_isProvenOptimal")),
-        get_col_solution(cbc.symbol("Cbc_getColSolution")) {}
-
-  decltype(&Cbc_setLogLevel) set_log_level;
-  decltype(&Cbc_setMaximumNodes) set_maximum_nodes;
-  decltype(&Cbc_setAllowableFractionGap) set_allowable_fraction_gap;
-  decltype(&Cbc_solve) solve;
-  decltype(&Cbc_bestSolution) best_solution;
-  decltype(&Cbc_isProvenOptimal) is_proven_optimal;
-  decltype(&Cbc_getColSolution) get_col_solution;
+  const CbcLibrary& cbc;
+  decltype(&Cbc_setLogLevel) set_log_level = cbc.symbol("Cbc_setLogLevel");
+  decltype(&Cbc_setMaximumNodes) set_maximum_nodes = cbc.symbol("Cbc_setMaximumNodes");
+  decltype(&Cbc_setAllowableFractionGap) set_allowable_fraction_gap = cbc.symbol("Cbc_setAllowableFractionGap");
+  decltype(&Cbc_solve) solve = cbc.symbol("Cbc_solve");
+  decltype(&Cbc_bestSolution) best_solution = cbc.symbol("Cbc_bestSolution");
+  decltype(&Cbc_isProvenOptimal) is_proven_optimal = cbc.symbol("Cbc_isProvenOptimal");
+  decltype(&Cbc_getColSolution) get_col_solution = cbc.symbol("Cbc_getColSolution");
 };
 
 // The solver, loaded on first use: few layouts need it, and it depends on ten libraries, whose start-up takes as long
