@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille {
@@ -11,12 +12,7 @@ using Names = std::vector<std::string>;
 
 std::string refusal(const std::vector<GivenName>& given) {
   Names names{"a", "b"};
-  try {
-    assign_names(names, given, "curve");
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "no refusal";
+  return message_of<FormatError>([&] { assign_names(names, given, "curve"); });
 }
 
 TEST(AssignNames, EachTargetAndThenTheRest) {

@@ -1,8 +1,9 @@
 #pragma once
-// Layouts of one block with known trouble, for the tests of lib/block.
+// Layouts of one block with known trouble, and the rules that a layout breaks, for the tests of lib/block.
 
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
+#include "check/check.hpp"
 
 namespace quadrille::block_samples {
 
@@ -27,6 +28,14 @@ inline SeparatrixGraph dart() {
   const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0.1, 0.1}),
                                 curve::segment({0.1, 0.1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
   return hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
+}
+
+/// The broken rules of the format, one on each line; empty for a sound layout.
+inline std::string faults(const BlockLayout& layout) {
+  std::string all;
+  for (const check::Violation& v : check::check_block_layout(layout, check::CheckDepth::full))
+    all += v.rule + ": " + v.text + "\n";
+  return all;
 }
 
 }  // namespace quadrille::block_samples

@@ -7,6 +7,7 @@
 
 #include "../hand_made.hpp"
 #include "../support/block_sides.hpp"
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "mesh/chords.hpp"
 
@@ -71,33 +72,28 @@ TEST(ExtractBlocks, FoldedBlockHasNoPositiveBound) {
   EXPECT_LE(layout.block_jacobian_bound[0], 0);
 }
 
-std::string message_of(const SeparatrixGraph& graph) {
-  try {
-    extracted(graph);
-  } catch (const ComputeError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string refusal(const SeparatrixGraph& graph) {
+  return message_of<ComputeError>([&] { extracted(graph); });
 }
 
 TEST(ExtractBlocks, FaceThatIsNotFourSidedIsNamedWithItsPlace) {
   SeparatrixGraph graph = hand_made::unit_square();
   graph.face.origin = {100, 200};
   hand_made::add_cut(graph, 0, 2);  // two triangles
-  EXPECT_NE(message_of(graph).find("2 of 2 faces"), std::string::npos);
-  EXPECT_NE(message_of(graph).find("(100.667, 200.333)"), std::string::npos);
+  EXPECT_NE(refusal(graph).find("2 of 2 faces"), std::string::npos);
+  EXPECT_NE(refusal(graph).find("(100.667, 200.333)"), std::string::npos);
 }
 
 TEST(ExtractBlocks, UncutHoleIsNamed) {
   SeparatrixGraph graph = hand_made::cut_annulus(4);
   std::erase_if(graph.arcs, [](const GraphArc& arc) { return !arc.is_boundary; });
-  EXPECT_NE(message_of(graph).find("four corners"), std::string::npos);
+  EXPECT_NE(refusal(graph).find("four corners"), std::string::npos);
 }
 
 TEST(ExtractBlocks, TJunctionsAreRefusedWithTheirPlace) {
   SeparatrixGraph graph = hand_made::l_shape();
   graph.t_junctions = {3};
-  EXPECT_NE(message_of(graph).find("(1, 1)"), std::string::npos);
+  EXPECT_NE(refusal(graph).find("(1, 1)"), std::string::npos);
 }
 
 }  // namespace

@@ -6,17 +6,9 @@
 
 #include "../support/snail.hpp"
 #include "block_samples.hpp"
-#include "check/check.hpp"
 
 namespace quadrille::block {
 namespace {
-
-std::string faults(const BlockLayout& layout) {
-  std::string all;
-  for (const check::Violation& v : check::check_block_layout(layout, check::CheckDepth::full))
-    all += v.rule + ": " + v.text + "\n";
-  return all;
-}
 
 long long added_blocks(const Report& report) {
   for (const auto& [key, value] : report.entries())
@@ -40,7 +32,7 @@ TEST(MakeBlocks, CutsAStripWhoseMapFolds) {
   const Blocks mended = make_blocks(block_samples::near_tangent_strip(), report);
   EXPECT_GE(mended.layout.num_blocks(), 2);
   for (const BlockMeasure& m : mended.measures) EXPECT_GT(m.divisions, 0);
-  EXPECT_EQ(faults(mended.layout), "");
+  EXPECT_EQ(block_samples::faults(mended.layout), "");
   EXPECT_TRUE(report.warnings().empty());
 }
 

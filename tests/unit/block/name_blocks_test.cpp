@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "block_samples.hpp"
@@ -26,17 +27,12 @@ Names named(BlockLayout layout, const std::vector<NameRule>& rules) {
 }
 
 std::string refusal(const BlockLayout& layout, const std::vector<NameRule>& rules) {
-  try {
-    named(layout, rules);
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "no refusal";
+  return message_of<FormatError>([&] { named(layout, rules); });
 }
 
 /// The number of the only block that `rule` names; -1 where it is refused.
 int block_at(const BlockLayout& layout, const NameRule& rule) {
-  if (refusal(layout, {rule}) != "no refusal") return -1;
+  if (!refusal(layout, {rule}).empty()) return -1;
   const Names names = named(layout, {rule});
   EXPECT_EQ(std::count(names.begin(), names.end(), "new"), 1);
   return static_cast<int>(std::find(names.begin(), names.end(), "new") - names.begin());
@@ -62,7 +58,7 @@ TEST(NameBlocks, ByNumberAndTheRest) {
   expected[0] = "first";
   EXPECT_EQ(named(layout, {{Kind::rest, "", -1, {}, "rest", "n"}, numbered(0, "first")}), expected);
   EXPECT_EQ(refusal(layout, {numbered(3, "x")}), "n: number: no block has this number; blocks are numbered 0 to 2");
-  EXPECT_NE(refusal(layout, {numbered(-1, "x")}), "no refusal");
+  EXPECT_NE(refusal(layout, {numbered(-1, "x")}), "");
 }
 
 TEST(NameBlocks, ByAPointInsideCurvedBlocks) {

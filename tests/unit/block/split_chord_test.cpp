@@ -7,17 +7,9 @@
 #include "block/extract_blocks.hpp"
 #include "block/make_blocks.hpp"
 #include "block_samples.hpp"
-#include "check/check.hpp"
 
 namespace quadrille::block {
 namespace {
-
-std::string faults(const BlockLayout& layout) {
-  std::string all;
-  for (const check::Violation& v : check::check_block_layout(layout, check::CheckDepth::full))
-    all += v.rule + ": " + v.text + "\n";
-  return all;
-}
 
 int arc_of(const BlockLayout& layout, int chord) {
   return static_cast<int>(std::find(layout.arc_chord.begin(), layout.arc_chord.end(), chord) -
@@ -42,7 +34,7 @@ TEST(SplitChord, StaysConforming) {
        {cut(hand_made::unit_square(), 0), cut(hand_made::unit_square(), 1), cut(hand_made::l_shape(), 0),
         cut(hand_made::l_shape(), 1), cut(hand_made::cut_annulus(4), 0), cut(hand_made::cut_annulus(4), 1),
         cut(hand_made::s_bend(), 0), cut(hand_made::elbow(), 0)})
-    EXPECT_EQ(faults(layout), "");
+    EXPECT_EQ(block_samples::faults(layout), "");
 }
 
 TEST(SplitChord, HalvesASquare) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::cad {
@@ -16,12 +17,7 @@ std::string iges_line(char section, const std::string& number) {
 const std::string iges = iges_line('S', "1") + iges_line('G', "1") + iges_line('T', "1");
 
 std::string refusal(const std::string& bytes, const std::string& name) {
-  try {
-    cad_format(bytes, name);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<FormatError>([&] { cad_format(bytes, name); });
 }
 
 TEST(FileKind, IsThatOfTheContent) {

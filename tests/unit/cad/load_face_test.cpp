@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "../support/test_data.hpp"
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
@@ -46,12 +47,7 @@ Loaded load(const std::string& file, double corner_angle = radians(1)) {
 }
 
 std::string refusal(const std::string& file) {
-  try {
-    load(file);
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "no refusal";
+  return message_of<FormatError>([&] { load(file); });
 }
 
 void expect_refused(const std::string& file, const std::string& reason) {

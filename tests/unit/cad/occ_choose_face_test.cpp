@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include "../support/test_data.hpp"
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "cad/load_face.hpp"
@@ -134,12 +135,7 @@ Chosen chosen(const std::string& bytes, const std::string& name, const std::stri
 }
 
 std::string refusal(const std::string& bytes, const std::string& face) {
-  try {
-    chosen(bytes, "a.step", face);
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "no refusal";
+  return message_of<FormatError>([&] { chosen(bytes, "a.step", face); });
 }
 
 gp_Pnt in_space(const CadFace& face, Vec2 x) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
@@ -25,12 +26,7 @@ heal::RawFace named() {
 
 std::string refusal(const std::vector<heal::RawEdge>& wire) {
   Report report;
-  try {
-    wire_loop(named(), wire, 1e-3, report);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<FormatError>([&] { wire_loop(named(), wire, 1e-3, report); });
 }
 
 std::vector<int> edges_of(const Loop& loop) {

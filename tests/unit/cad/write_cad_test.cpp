@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "../support/block_sides.hpp"
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "cad/load_face.hpp"
@@ -46,29 +47,23 @@ BlockLayout two_blocks() {
   return layout;
 }
 
-int occurrences(const std::string& text, const std::string& word) {
-  int n = 0;
-  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
-  return n;
-}
-
 TEST(WriteStep, faces_share_edges_and_vertices) {
   const std::string step = step_of_blocks(two_blocks());
-  EXPECT_EQ(occurrences(step, "ADVANCED_FACE("), 2);
-  EXPECT_EQ(occurrences(step, "EDGE_CURVE("), 7);
-  EXPECT_EQ(occurrences(step, "ORIENTED_EDGE("), 8);
-  EXPECT_EQ(occurrences(step, "VERTEX_POINT("), 6);
-  EXPECT_EQ(occurrences(step, "OPEN_SHELL("), 1);
+  EXPECT_EQ(count(step, "ADVANCED_FACE("), 2);
+  EXPECT_EQ(count(step, "EDGE_CURVE("), 7);
+  EXPECT_EQ(count(step, "ORIENTED_EDGE("), 8);
+  EXPECT_EQ(count(step, "VERTEX_POINT("), 6);
+  EXPECT_EQ(count(step, "OPEN_SHELL("), 1);
 }
 
 TEST(WriteStep, names_and_unit_are_kept) {
   const std::string step = step_of_blocks(two_blocks());
-  EXPECT_EQ(occurrences(step, "ADVANCED_FACE('left'"), 1);
-  EXPECT_EQ(occurrences(step, "ADVANCED_FACE('right'"), 1);
-  EXPECT_EQ(occurrences(step, "EDGE_CURVE('floor'"), 2);
-  EXPECT_EQ(occurrences(step, "EDGE_CURVE('roof'"), 4);
-  EXPECT_EQ(occurrences(step, "'INCH'"), 1);
-  EXPECT_EQ(occurrences(step, "'1970-01-01T00:00:00'"), 1);
+  EXPECT_EQ(count(step, "ADVANCED_FACE('left'"), 1);
+  EXPECT_EQ(count(step, "ADVANCED_FACE('right'"), 1);
+  EXPECT_EQ(count(step, "EDGE_CURVE('floor'"), 2);
+  EXPECT_EQ(count(step, "EDGE_CURVE('roof'"), 4);
+  EXPECT_EQ(count(step, "'INCH'"), 1);
+  EXPECT_EQ(count(step, "'1970-01-01T00:00:00'"), 1);
 }
 
 TEST(WriteStep, the_same_layout_gives_the_same_bytes) {

@@ -10,9 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  BlockLayout layout = samples::block_layout();
-  damage(layout);
-  return rules_of(check_block_layout(layout, CheckDepth::full));
+  return broken_rules(samples::block_layout(), check_block_layout, damage);
 }
 
 TEST(BlockLayoutCheck, TheSampleIsValid) {

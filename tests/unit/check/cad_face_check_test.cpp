@@ -12,9 +12,7 @@ namespace {
 /// The rules that the square breaks once `damage` has been done to it.
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  CadFace face = samples::face();
-  damage(face);
-  return rules_of(check_cad_face(face, CheckDepth::full));
+  return broken_rules(samples::face(), check_cad_face, damage);
 }
 
 TEST(CadFaceCheck, TheSampleIsValid) {

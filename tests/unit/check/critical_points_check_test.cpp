@@ -13,9 +13,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  CriticalPoints points = samples::critical_points();
-  damage(points);
-  return rules_of(check_critical_points(points, CheckDepth::full));
+  return broken_rules(samples::critical_points(), check_critical_points, damage);
 }
 
 TEST(CriticalPointsCheck, TheSampleIsValid) {

@@ -15,8 +15,7 @@ template <typename Damage>
 Rules broken(const Damage& damage) {
   Field field = samples::field();
   field.liftings = {{0, {0, 0}, {-1, -1}, {1, 0}}};
-  damage(field);
-  return rules_of(check_field(field, CheckDepth::full));
+  return broken_rules(field, check_field, damage);
 }
 
 TEST(FieldCheck, TheSampleIsValid) {
@@ -62,9 +61,7 @@ TEST(FieldCheck, FldR08ErrorsAreNotNegative) {
 
 template <typename Damage>
 Rules broken_phase(const Damage& damage) {
-  Field field = samples::phase_field();
-  damage(field);
-  return rules_of(check_field(field, CheckDepth::full));
+  return broken_rules(samples::phase_field(), check_field, damage);
 }
 
 TEST(FieldCheck, ThePhaseSampleIsValid) {

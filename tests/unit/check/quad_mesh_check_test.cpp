@@ -10,9 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  QuadMesh mesh = samples::quad_mesh();
-  damage(mesh);
-  return rules_of(check_quad_mesh(mesh, CheckDepth::full));
+  return broken_rules(samples::quad_mesh(), check_quad_mesh, damage);
 }
 
 TEST(QuadMeshCheck, TheSampleIsValid) {

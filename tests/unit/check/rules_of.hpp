@@ -17,4 +17,11 @@ inline std::set<std::string> rules_of(const std::vector<Violation>& violations) 
 
 using Rules = std::set<std::string>;
 
+/// The rules that `stage` breaks after `damage` has changed it.
+template <typename Stage, typename Damage>
+Rules broken_rules(Stage stage, std::vector<Violation> (*check)(const Stage&, CheckDepth), const Damage& damage) {
+  damage(stage);
+  return rules_of(check(stage, CheckDepth::full));
+}
+
 }  // namespace quadrille::check

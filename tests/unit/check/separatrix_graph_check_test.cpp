@@ -8,9 +8,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  SeparatrixGraph graph = samples::separatrix_graph();
-  damage(graph);
-  return rules_of(check_separatrix_graph(graph, CheckDepth::full));
+  return broken_rules(samples::separatrix_graph(), check_separatrix_graph, damage);
 }
 
 TEST(SeparatrixGraphCheck, TheSampleIsValid) {

@@ -10,9 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  TriMesh mesh = samples::tri_mesh();
-  damage(mesh);
-  return rules_of(check_tri_mesh(mesh, CheckDepth::full));
+  return broken_rules(samples::tri_mesh(), check_tri_mesh, damage);
 }
 
 TEST(TriMeshCheck, TheSampleIsValid) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::cli {
@@ -31,12 +32,7 @@ class CommandLineTest : public testing::Test {
     EXPECT_EQ(line.parse(static_cast<int>(argv.size()), argv.data()), Request::run);
   }
   std::string error_of(const std::vector<std::string>& arguments) {
-    try {
-      parse(arguments);
-    } catch (const UsageError& e) {
-      return e.what();
-    }
-    return "";
+    return message_of<UsageError>([&] { parse(arguments); });
   }
 
   Speed speed = Speed::slow;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/block_sides.hpp"
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
@@ -11,12 +12,6 @@
 
 namespace quadrille::draw {
 namespace {
-
-int count(const std::string& text, const std::string& part) {
-  int n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
 
 void expect_sound(const std::string& svg) {
   EXPECT_EQ(count(svg, "nan"), 0);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../hand_made.hpp"
+#include "../support/texts.hpp"
 
 namespace quadrille::draw {
 namespace {
@@ -14,8 +15,6 @@ DrawOptions wide(int width) {
   options.width = width;
   return options;
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(PictureBox, GrowsFromNothing) {
   PictureBox box = empty_box();

@@ -5,17 +5,11 @@
 #include <vector>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
-}
 
 /// de Casteljau on points[0 .. order * stride].
 Vec2 on_curve(const Vec2* points, int order, int stride, double t) {
@@ -28,7 +22,7 @@ Vec2 on_curve(const Vec2* points, int order, int stride, double t) {
 
 TEST(Bezier, ControlPointsGiveTheSameMap) {
   for (const int order : {1, 2, 3, 5, 8, 10}) {
-    const QuadMesh mesh = refined(hand_made::s_bend(), 1, order);
+    const QuadMesh mesh = refined(hand_made::s_bend(), {1, order, 5e-7});
     const std::vector<Vec2> control = bezier_points(mesh);
     ASSERT_EQ(control.size(), mesh.nodes.size());
     const int count = mesh.nodes_per_elem();
@@ -50,7 +44,7 @@ TEST(Bezier, ControlPointsGiveTheSameMap) {
 
 TEST(Bezier, QuadraticArcHasItsPoleWhereTheTangentsMeet) {
   // A parabola through the arc's nodes at -1, 0, 1 has the middle pole 2 x(0) - (x(-1) + x(1)) / 2.
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 1, 2);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {1, 2, 5e-7});
   const std::vector<Vec2> control = bezier_points(mesh);
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const int* ids = &mesh.elem_nodes[elem * 9];

@@ -5,19 +5,10 @@
 #include <set>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  refine::RefineOptions options;
-  options.size = size;
-  options.order = order;
-  return refine::refine(block::extract_blocks(graph, report), options, report);
-}
 
 /// Every element once, neighbours in a row share a side, and the four sides go round.
 void expect_grids(const QuadMesh& mesh, const std::vector<BlockGrid>& grids) {
@@ -45,7 +36,7 @@ void expect_grids(const QuadMesh& mesh, const std::vector<BlockGrid>& grids) {
 }
 
 TEST(BlockGrid, LHasThreeGrids) {
-  const QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 2);
+  const QuadMesh mesh = refined(hand_made::l_shape(), {0.3, 2});
   const auto grids = block_grids(mesh);
   ASSERT_TRUE(grids);
   EXPECT_EQ(grids->size(), 3u);
@@ -53,7 +44,7 @@ TEST(BlockGrid, LHasThreeGrids) {
 }
 
 TEST(BlockGrid, ElementsMayBeTurned) {
-  QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 1);
+  QuadMesh mesh = refined(hand_made::l_shape(), {0.3, 1});
   for (std::size_t e = 0; e < mesh.elem_block.size(); e += 2)  // order 1: nodes (0,0) (1,0) (0,1) (1,1)
     mesh.elem_nodes = [nodes = mesh.elem_nodes, e]() mutable {
       const std::array<int, 4> old{nodes[4 * e], nodes[4 * e + 1], nodes[4 * e + 2], nodes[4 * e + 3]};
@@ -65,10 +56,10 @@ TEST(BlockGrid, ElementsMayBeTurned) {
   expect_grids(mesh, *grids);
 }
 
-TEST(BlockGrid, RingHasNone) { EXPECT_FALSE(block_grids(refined(hand_made::cut_annulus(1), 0.3, 2))); }
+TEST(BlockGrid, RingHasNone) { EXPECT_FALSE(block_grids(refined(hand_made::cut_annulus(1), {0.3, 2}))); }
 
 TEST(BlockGrid, CutRunsOnThroughTheNeighbour) {
-  const QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 2);
+  const QuadMesh mesh = refined(hand_made::l_shape(), {0.3, 2});
   const auto grids = block_grids(mesh);
   ASSERT_TRUE(grids);
   int node = -1;  // the first vertex on y = 0 with 0 < x < 1: a line through two blocks, up to y = 2

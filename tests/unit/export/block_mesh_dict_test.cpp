@@ -3,21 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "../hand_made.hpp"
+#include "../support/refined.hpp"
 #include "base/error.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  refine::RefineOptions options;
-  options.size = size;
-  options.order = order;
-  return refine::refine(block::extract_blocks(graph, report), options, report);
-}
 
 TEST(BlockMeshDict, TwoQuadsWordByWord) {
   QuadMesh mesh = two_quads();
@@ -117,7 +108,7 @@ TEST(BlockMeshDict, ThePageShowsWhatIsWritten) {
 }
 
 TEST(BlockMeshDict, OneBlockWithSplines) {
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.3, 4);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.3, 4});
   const std::string text = block_mesh_dict(mesh, plane_frame(mesh.face)).bytes;
   EXPECT_NE(text.find("hex (0 1 2 3 4 5 6 7)"), std::string::npos);
   EXPECT_EQ(text.find("hex", text.find("hex") + 1), std::string::npos);

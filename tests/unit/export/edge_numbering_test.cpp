@@ -5,32 +5,26 @@
 #include <set>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
+#include "../support/refined.hpp"
 #include "export/skeleton.hpp"
-#include "refine/refine.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order, double geometry_tol = 5e-7) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, geometry_tol}, report);
-}
-
 TEST(EdgeNumbering, CountsObeyEuler) {
   for (const int order : {1, 2, 5}) {
-    const QuadMesh l = refined(hand_made::l_shape(), 0.4, order);
+    const QuadMesh l = refined(hand_made::l_shape(), {0.4, order, 5e-7});
     const EdgeNumbering n = number_edges(l);
     EXPECT_EQ(n.num_vertices() - n.num_edges() + l.num_elems(), 1);
-    const QuadMesh annulus = refined(hand_made::cut_annulus(3), 0.3, order, 1e-2);
+    const QuadMesh annulus = refined(hand_made::cut_annulus(3), {0.3, order, 1e-2});
     const EdgeNumbering m = number_edges(annulus);
     EXPECT_EQ(m.num_vertices() - m.num_edges() + annulus.num_elems(), 0);
   }
 }
 
 TEST(EdgeNumbering, NumbersRiseAsALoopOverTheElementsMeetsThem) {
-  const EdgeNumbering n = number_edges(refined(hand_made::l_shape(), 0.4, 3));
+  const EdgeNumbering n = number_edges(refined(hand_made::l_shape(), {0.4, 3, 5e-7}));
   for (const std::vector<int>* members : {&n.elem2verts, &n.elem2edges}) {
     int next = 0;
     for (const int number : *members) {
@@ -42,7 +36,7 @@ TEST(EdgeNumbering, NumbersRiseAsALoopOverTheElementsMeetsThem) {
 }
 
 TEST(EdgeNumbering, EdgesRunFromTheLowerVertexThroughTheSideOfEveryElementThatHasThem) {
-  const QuadMesh mesh = refined(hand_made::l_shape(), 0.4, 3);
+  const QuadMesh mesh = refined(hand_made::l_shape(), {0.4, 3, 5e-7});
   const EdgeNumbering n = number_edges(mesh);
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (int side = 0; side < 4; ++side) {

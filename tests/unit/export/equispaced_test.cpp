@@ -5,22 +5,16 @@
 #include <vector>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
-}
-
 TEST(Equispaced, NodesLieOnTheSamePolynomial) {
   for (const int order : {1, 2, 3, 4, 7, 10}) {
-    const QuadMesh mesh = refined(hand_made::s_bend(), 1, order);
+    const QuadMesh mesh = refined(hand_made::s_bend(), {1, order, 5e-7});
     const std::vector<Vec2> moved = equispaced_nodes(mesh);
     ASSERT_EQ(moved.size(), mesh.nodes.size());
     const int count = mesh.nodes_per_elem();
@@ -38,7 +32,7 @@ TEST(Equispaced, NodesLieOnTheSamePolynomial) {
 }
 
 TEST(Equispaced, VerticesStayBitForBit) {
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.5, 5);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.5, 5, 5e-7});
   const std::vector<Vec2> moved = equispaced_nodes(mesh);
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (const int corner : {0, 5, 30, 35}) {

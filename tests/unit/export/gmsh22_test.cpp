@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
+#include "../support/refined.hpp"
 #include "export/gmsh.hpp"
-#include "refine/refine.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
-}
 
 std::string msh22(const QuadMesh& mesh) { return gmsh_msh22(mesh, plane_frame(mesh.face)).bytes; }
 
@@ -82,7 +76,7 @@ Msh22 parsed(const std::string& text) {
 }
 
 TEST(Gmsh22, SquareOfOrderOneToTheByte) {
-  QuadMesh mesh = refined(hand_made::unit_square(), 1, 1);
+  QuadMesh mesh = refined(hand_made::unit_square(), {1, 1, 5e-7});
   mesh.face.curve_names = {"wall", "wall", "out\"let\"", ""};
   EXPECT_EQ(msh22(mesh), R"($MeshFormat
 2.2 0 8
@@ -114,7 +108,7 @@ $EndElements
 
 TEST(Gmsh22, HoldsTheNodesOf41) {
   // The same numbers in both versions: whatever follows the version-4 header of a block of nodes.
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.5, 5);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.5, 5, 5e-7});
   const Msh22 msh = parsed(msh22(mesh));
   const std::string other = gmsh_msh41(mesh, plane_frame(mesh.face)).bytes;
   ASSERT_EQ(msh.nodes.size(), mesh.nodes.size());
@@ -127,7 +121,7 @@ TEST(Gmsh22, HoldsTheNodesOf41) {
 }
 
 TEST(Gmsh22, EveryElementIsInOneNamedGroupOfItsDimension) {
-  const QuadMesh mesh = refined(hand_made::cut_annulus(4), 0.3, 3);
+  const QuadMesh mesh = refined(hand_made::cut_annulus(4), {0.3, 3, 5e-7});
   const Msh22 msh = parsed(msh22(mesh));
   std::set<int> tags;
   for (const auto& [key, name] : msh.names) {
@@ -152,7 +146,7 @@ TEST(Gmsh22, EveryOrderUpToTenHasItsTypes) {
   const std::array<int, 11> lines{0, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66};
   const std::array<int, 11> quads{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
   for (int order = 1; order <= 10; ++order) {
-    const Msh22 msh = parsed(msh22(refined(hand_made::l_shape(), 1, order)));
+    const Msh22 msh = parsed(msh22(refined(hand_made::l_shape(), {1, order, 5e-7})));
     for (const Msh22::Element& e : msh.elements) {
       EXPECT_EQ(e.type, e.nodes.size() == order + 1u ? lines[order] : quads[order]);
       EXPECT_EQ(std::set<long>(e.nodes.begin(), e.nodes.end()).size(), e.nodes.size());

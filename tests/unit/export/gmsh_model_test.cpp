@@ -10,10 +10,7 @@
 namespace quadrille::exports {
 namespace {
 
-struct TwoQuadsModel : testing::Test {
-  QuadMesh mesh = two_quads();
-  GmshModel model = gmsh_model(mesh, plane_frame(mesh.face));
-};
+using TwoQuadsModel = TwoQuadsTest<gmsh_model>;
 
 TEST_F(TwoQuadsModel, ANodeBelongsToTheEntityOfLowestDimension) {
   // Curves meet at six points and have one node between each two; each quad has one node inside.

@@ -9,20 +9,14 @@
 #include <vector>
 
 #include "../hand_made.hpp"
+#include "../support/refined.hpp"
 #include "base/error.hpp"
-#include "block/extract_blocks.hpp"
 #include "export/format_table.hpp"
-#include "refine/refine.hpp"
 
 namespace quadrille::exports {
 namespace {
 
 std::string msh_text(const QuadMesh& mesh) { return gmsh_msh41(mesh, plane_frame(mesh.face)).bytes; }
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
-}
 
 /// What this test needs of a file, by a reader that shares no code with the writer.
 struct Msh {
@@ -110,7 +104,7 @@ Msh parsed(const std::string& text) {
 }
 
 TEST(Gmsh, SquareOfOrderOneInFull) {
-  const std::string text = msh_text(refined(hand_made::unit_square(), 1, 1));
+  const std::string text = msh_text(refined(hand_made::unit_square(), {1, 1, 5e-7}));
   const Msh msh = parsed(text);
   EXPECT_EQ(text.substr(0, 23), "$MeshFormat\n4.1 0 8\n$En");
   EXPECT_EQ(msh.nodes.size(), 4u);
@@ -124,7 +118,7 @@ TEST(Gmsh, SquareOfOrderOneInFull) {
 
 TEST(Gmsh, NodesOfAQuadComeInGmshSequence) {
   // Order 3 on the square: corners, sides travelling round, then the four inner nodes counter-clockwise.
-  const Msh msh = parsed(msh_text(refined(hand_made::unit_square(), 1, 3)));
+  const Msh msh = parsed(msh_text(refined(hand_made::unit_square(), {1, 3, 5e-7})));
   const Msh::Element quad = msh.elements.rbegin()->second;
   const std::vector<Vec2> thirds{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 0}, {2, 0}, {3, 1}, {3, 2},
                                  {2, 3}, {1, 3}, {0, 2}, {0, 1}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
@@ -136,7 +130,7 @@ TEST(Gmsh, NodesOfAQuadComeInGmshSequence) {
 
 TEST(Gmsh, EveryOrderUpToTenHasItsTypesAndNodes) {
   for (int order = 1; order <= 10; ++order) {
-    const QuadMesh mesh = refined(hand_made::l_shape(), 0.5, order);
+    const QuadMesh mesh = refined(hand_made::l_shape(), {0.5, order, 5e-7});
     const Msh msh = parsed(msh_text(mesh));
     EXPECT_EQ(msh.nodes.size(), mesh.nodes.size());
     std::size_t lines = 0;
@@ -148,11 +142,12 @@ TEST(Gmsh, EveryOrderUpToTenHasItsTypesAndNodes) {
     EXPECT_EQ(lines, mesh.boundary_edges.size());
     EXPECT_EQ(msh.elements.size() - lines, static_cast<std::size_t>(mesh.num_elems()));
   }
-  EXPECT_THROW(export_mesh(refined(hand_made::unit_square(), 1, 11), *find_export_format("msh"), false), ComputeError);
+  EXPECT_THROW(export_mesh(refined(hand_made::unit_square(), {1, 11, 5e-7}), *find_export_format("msh"), false),
+               ComputeError);
 }
 
 TEST(Gmsh, NodesBelongToTheEntityOfLowestDimension) {
-  const QuadMesh mesh = refined(hand_made::l_shape(), 0.5, 2);
+  const QuadMesh mesh = refined(hand_made::l_shape(), {0.5, 2, 5e-7});
   std::array<int, 3> counts{};
   const Msh msh = parsed(msh_text(mesh));
   for (const auto& [tag, dim] : msh.node_dim) ++counts[dim];
@@ -162,7 +157,7 @@ TEST(Gmsh, NodesBelongToTheEntityOfLowestDimension) {
 }
 
 TEST(Gmsh, CurvesOfOneNameAreOneGroup) {
-  QuadMesh mesh = refined(hand_made::unit_square(), 0.5, 2);
+  QuadMesh mesh = refined(hand_made::unit_square(), {0.5, 2, 5e-7});
   mesh.face.curve_names = {"wall", "outlet \"east\"", "wall", ""};
   const Msh msh = parsed(msh_text(mesh));
   std::map<std::string, int> lines;
@@ -172,7 +167,7 @@ TEST(Gmsh, CurvesOfOneNameAreOneGroup) {
 }
 
 TEST(Gmsh, OriginIsAddedAndDigitsAreKept) {
-  QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.5, 4);
+  QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.5, 4, 5e-7});
   const Msh near = parsed(msh_text(mesh));
   mesh.face.origin = {1024, -2048};
   const Msh far = parsed(msh_text(mesh));
@@ -182,7 +177,7 @@ TEST(Gmsh, OriginIsAddedAndDigitsAreKept) {
 TEST(Gmsh, HighOrderNodesLieOnTheSamePolynomial) {
   // Radius along the outer arc: equispaced nodes of the GLL interpolant are as near to the circle as the GLL nodes'
   // span.
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.2, 8);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.2, 8, 5e-7});
   const Msh msh = parsed(msh_text(mesh));
   for (const auto& [tag, e] : msh.elements) {
     if (e.dim != 1) continue;

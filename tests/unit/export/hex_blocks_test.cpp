@@ -5,24 +5,15 @@
 #include <set>
 
 #include "../hand_made.hpp"
+#include "../support/refined.hpp"
 #include "base/error.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  refine::RefineOptions options;
-  options.size = size;
-  options.order = order;
-  return refine::refine(block::extract_blocks(graph, report), options, report);
-}
-
 TEST(HexBlocks, ABlockThatBlockMeshCanBuildStaysWhole) {
-  const QuadMesh mesh = refined(hand_made::unit_square(), 0.2, 3);
+  const QuadMesh mesh = refined(hand_made::unit_square(), {0.2, 3});
   const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
   ASSERT_EQ(hexes.blocks.size(), 1u);
   EXPECT_EQ(hexes.vertices.size(), 4u);
@@ -33,7 +24,7 @@ TEST(HexBlocks, ABlockThatBlockMeshCanBuildStaysWhole) {
 }
 
 TEST(HexBlocks, ACurvedSideIsASplineThroughItsVertices) {
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 0.3, 4);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.3, 4});
   const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
   ASSERT_EQ(hexes.blocks.size(), 1u);
   ASSERT_EQ(hexes.splines.size(), 2u);
@@ -48,7 +39,7 @@ TEST(HexBlocks, ACurvedSideIsASplineThroughItsVertices) {
 }
 
 TEST(HexBlocks, CornersAreCounterClockwiseAndPatchesHaveTheDomainOnTheirLeft) {
-  const QuadMesh mesh = refined(hand_made::l_shape(), 0.5, 2);
+  const QuadMesh mesh = refined(hand_made::l_shape(), {0.5, 2});
   const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
   const auto at = [&](int vertex) { return mesh.nodes[hexes.vertices[vertex]]; };
   ASSERT_EQ(hexes.blocks.size(), 3u);
@@ -70,7 +61,7 @@ TEST(HexBlocks, CornersAreCounterClockwiseAndPatchesHaveTheDomainOnTheirLeft) {
 }
 
 TEST(HexBlocks, NamesThatEndWithinASideCutBlocks) {
-  const QuadMesh mesh = refined(hand_made::elbow(), 0.3, 3);
+  const QuadMesh mesh = refined(hand_made::elbow(), {0.3, 3});
   const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
   EXPECT_EQ(hexes.blocks.size(), 2u);
   ASSERT_EQ(hexes.patches.size(), 6u);
@@ -79,7 +70,7 @@ TEST(HexBlocks, NamesThatEndWithinASideCutBlocks) {
 
 TEST(HexBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
   for (const int cuts : {1, 2}) {
-    const QuadMesh mesh = refined(hand_made::cut_annulus(cuts), 0.2, 3);
+    const QuadMesh mesh = refined(hand_made::cut_annulus(cuts), {0.2, 3});
     const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
     EXPECT_GE(hexes.blocks.size(), 3u);
     std::size_t on_boundary = 0;

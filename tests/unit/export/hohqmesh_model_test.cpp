@@ -7,10 +7,7 @@
 namespace quadrille::exports {
 namespace {
 
-struct HohqmeshQuads : testing::Test {
-  QuadMesh mesh = two_quads();
-  HohqmeshModel model = hohqmesh_model(mesh, plane_frame(mesh.face));
-};
+using HohqmeshQuads = TwoQuadsTest<hohqmesh_model>;
 
 TEST_F(HohqmeshQuads, CornersCountFromOneInTheOrderOfTheElements) {
   EXPECT_EQ(model.corners, (std::vector<int>{0, 2, 12, 10, 4, 14}));

@@ -6,16 +6,10 @@
 #include <set>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
-}
 
 /// Each curve's edges follow each other from its first point to its last.
 void expect_walks(const QuadMesh& mesh, const Skeleton& skeleton) {
@@ -32,7 +26,7 @@ void expect_walks(const QuadMesh& mesh, const Skeleton& skeleton) {
 
 TEST(Skeleton, OfTheLIsItsLayout) {
   const SeparatrixGraph graph = hand_made::l_shape();
-  const QuadMesh mesh = refined(graph, 0.25, 3);
+  const QuadMesh mesh = refined(graph, {0.25, 3, 5e-7});
   const Skeleton skeleton = mesh_skeleton(mesh);
   EXPECT_EQ(skeleton.points.size(), graph.nodes.size());
   EXPECT_EQ(skeleton.curves.size(), graph.arcs.size());
@@ -42,7 +36,7 @@ TEST(Skeleton, OfTheLIsItsLayout) {
 }
 
 TEST(Skeleton, InterfaceHasBothItsBlocks) {
-  for (const SkeletonCurve& curve : mesh_skeleton(refined(hand_made::cut_annulus(4), 0.2, 2)).curves) {
+  for (const SkeletonCurve& curve : mesh_skeleton(refined(hand_made::cut_annulus(4), {0.2, 2, 5e-7})).curves) {
     EXPECT_GE(curve.blocks[0], 0);
     EXPECT_EQ(curve.blocks[1] >= 0, curve.cad_curve < 0);
     EXPECT_NE(curve.blocks[0], curve.blocks[1]);
@@ -50,7 +44,7 @@ TEST(Skeleton, InterfaceHasBothItsBlocks) {
 }
 
 TEST(Skeleton, ClosedCurvesStartAndEndInOnePoint) {
-  const QuadMesh mesh = refined(hand_made::cut_annulus(1), 0.3, 2);
+  const QuadMesh mesh = refined(hand_made::cut_annulus(1), {0.3, 2, 5e-7});
   const Skeleton skeleton = mesh_skeleton(mesh);
   ASSERT_EQ(skeleton.curves.size(), 2u);  // a block's cut through itself is no interface
   for (const SkeletonCurve& curve : skeleton.curves) EXPECT_EQ(curve.from, curve.to);
@@ -58,7 +52,7 @@ TEST(Skeleton, ClosedCurvesStartAndEndInOnePoint) {
 }
 
 TEST(Skeleton, JointsInsideASideAreEnds) {
-  const QuadMesh mesh = refined(hand_made::elbow(), 0.5, 4);
+  const QuadMesh mesh = refined(hand_made::elbow(), {0.5, 4, 5e-7});
   const Skeleton skeleton = mesh_skeleton(mesh);
   EXPECT_EQ(skeleton.curves.size(), 6u);  // one for each CAD curve
   EXPECT_EQ(skeleton.points.size(), 6u);
@@ -66,7 +60,7 @@ TEST(Skeleton, JointsInsideASideAreEnds) {
 }
 
 TEST(Skeleton, EdgesCoverTheBoundaryOnce) {
-  const QuadMesh mesh = refined(hand_made::l_shape(), 0.3, 1);
+  const QuadMesh mesh = refined(hand_made::l_shape(), {0.3, 1, 5e-7});
   std::set<std::pair<int, int>> edges;
   for (const SkeletonCurve& curve : mesh_skeleton(mesh).curves)
     if (curve.cad_curve >= 0) {

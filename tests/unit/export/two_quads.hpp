@@ -1,6 +1,8 @@
 #pragma once
 // A mesh of two quads of order 2, small enough to write its files by hand.
 
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -73,6 +75,13 @@ inline QuadMesh ring_of_two_quads() {
   mesh.boundary_edges = {{0, 1, 0}, {1, 1, 1}, {1, 3, 2}, {0, 3, 3}};
   return mesh;
 }
+
+/// A test of two_quads() and of the model that an exporter makes of it before it writes.
+template <auto make_model>
+struct TwoQuadsTest : testing::Test {
+  QuadMesh mesh = two_quads();
+  decltype(make_model(mesh, Frame())) model = make_model(mesh, plane_frame(mesh.face));
+};
 
 /// x3d = (7, 0, 0) + x (0, 1, 0) + y (0, 0, 1).
 inline Frame upright_frame() { return {{7, 0, 0}, {0, 1, 0}, {0, 0, 1}}; }

@@ -9,17 +9,11 @@
 #include <vector>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
+#include "../support/refined.hpp"
 #include "export/format_table.hpp"
-#include "refine/refine.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, double size, int order) {
-  Report report;
-  return refine::refine(block::extract_blocks(graph, report), {size, order, 5e-7}, report);
-}
 
 /// What follows the array's start tag, up to its end tag; "" where there is no such array.
 std::string content(const std::string& text, const std::string& name) {
@@ -78,7 +72,7 @@ Vec2 point(const std::vector<double>& points, int k) {
 
 TEST(Vtu, NodesOfAQuadComeInVtkSequence) {
   // Corners round, then bottom, right, top and left each in the direction of rising coordinates, then inside.
-  const QuadMesh mesh = refined(hand_made::unit_square(), 1, 3);
+  const QuadMesh mesh = refined(hand_made::unit_square(), {1, 3, 5e-7});
   const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
   const auto nodes = values<int>(text, "connectivity");
   const auto points = values<double>(text, "Points");
@@ -92,7 +86,7 @@ TEST(Vtu, NodesOfAQuadComeInVtkSequence) {
 }
 
 TEST(Vtu, CellDataAreThoseOfTheMesh) {
-  QuadMesh mesh = refined(hand_made::l_shape(), 0.5, 2);
+  QuadMesh mesh = refined(hand_made::l_shape(), {0.5, 2, 5e-7});
   mesh.block_names = {"solid", "fluid", "solid"};
   const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
   EXPECT_EQ(values<int>(text, "block_id"), mesh.elem_block);
@@ -110,7 +104,7 @@ TEST(Vtu, CellDataAreThoseOfTheMesh) {
 }
 
 TEST(Vtu, CurvesHoldBoundaryAndInterfaces) {
-  QuadMesh mesh = refined(hand_made::l_shape(), 0.5, 4);
+  QuadMesh mesh = refined(hand_made::l_shape(), {0.5, 4, 5e-7});
   mesh.face.curve_names.assign(mesh.face.curves.size(), "wall");
   const Exported file = vtu_lagrange(mesh, plane_frame(mesh.face));
   ASSERT_EQ(file.side_files.size(), 1u);
@@ -140,7 +134,7 @@ TEST(Vtu, CurvesHoldBoundaryAndInterfaces) {
 }
 
 TEST(Vtu, BezierHasItsTypesAndCorners) {
-  const QuadMesh mesh = refined(hand_made::quarter_annulus(), 1, 2);
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {1, 2, 5e-7});
   const Exported file = vtu_bezier(mesh, plane_frame(mesh.face));
   EXPECT_EQ(values<std::uint8_t>(file.bytes, "types")[0], 77);
   EXPECT_EQ(values<std::uint8_t>(file.side_files[0].bytes, "types")[0], 75);
@@ -153,7 +147,7 @@ TEST(Vtu, BezierHasItsTypesAndCorners) {
 }
 
 TEST(Vtu, FrameInSpaceIsWritten) {
-  QuadMesh mesh = refined(hand_made::unit_square(), 1, 1);
+  QuadMesh mesh = refined(hand_made::unit_square(), {1, 1, 5e-7});
   mesh.face.plane_origin = {0, 0, 5}, mesh.face.plane_x = {0, 1, 0}, mesh.face.plane_y = {0, 0, 1};
   const auto points = values<double>(export_mesh(mesh, *find_export_format("vtu"), true).bytes, "Points");
   EXPECT_EQ(std::vector<double>(points.begin(), points.begin() + 6), (std::vector<double>{0, 0, 5, 0, 1, 5}));

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
@@ -65,12 +66,7 @@ TEST(FollowedAngles, FindThePieceOfAParameter) {
 }
 
 std::string refusal(const CadFace& face, const std::vector<TurnCentre>& centres) {
-  try {
-    follow_circle(face, centres);
-  } catch (const ComputeError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<ComputeError>([&] { follow_circle(face, centres); });
 }
 
 TEST(FollowedAngles, RefuseNodesOnTheBoundaryAndCusps) {

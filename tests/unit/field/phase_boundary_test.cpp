@@ -6,6 +6,7 @@
 #include <complex>
 #include <string>
 
+#include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 
@@ -20,12 +21,7 @@ Complex complex(Vec2 a) { return {a.x, a.y}; }
 double at(const Nurbs& curve, double f) { return curve.begin() * (1 - f) + curve.end() * f; }
 
 std::string refusal(const CadFace& face, const PhaseNodes& asked) {
-  try {
-    const PhaseBoundary boundary(face, asked);
-  } catch (const ComputeError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<ComputeError>([&] { const PhaseBoundary boundary(face, asked); });
 }
 
 CadFace disc() { return make_face({circle({0, 0}, 1)}); }

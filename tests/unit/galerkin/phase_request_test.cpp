@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 
@@ -11,12 +12,7 @@ namespace {
 using namespace testing_faces;
 
 std::string refusal(const CadFace& face, const PhaseNodes& asked) {
-  try {
-    require_possible(face, asked, "x.crit.json");
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<FormatError>([&] { require_possible(face, asked, "x.crit.json"); });
 }
 
 TEST(PhaseRequest, TakesWhatIsPossible) {

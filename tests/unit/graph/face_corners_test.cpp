@@ -3,18 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "../hand_made.hpp"
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::graph {
 namespace {
 
-std::string message_of(const SeparatrixGraph& graph) {
-  try {
-    require_four_corners(Subdivision(graph));
-  } catch (const ComputeError& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const SeparatrixGraph& graph) {
+  return message_of<ComputeError>([&] { require_four_corners(Subdivision(graph)); });
 }
 
 TEST(FaceCorners, TheBlocksOfKnownLayoutsAreCounted) {
@@ -28,7 +24,7 @@ TEST(FaceCorners, TheBlocksOfKnownLayoutsAreCounted) {
 TEST(FaceCorners, AFaceThatHasNotFourIsNamed) {
   SeparatrixGraph graph = hand_made::l_shape();
   graph.arcs.pop_back();  // the reflex corner has lost a line: its face has six corners less one reflex one
-  const std::string message = message_of(graph);
+  const std::string message = refusal(graph);
   EXPECT_NE(message.find("1 of 2 faces"), std::string::npos) << message;
 }
 
@@ -36,7 +32,7 @@ TEST(FaceCorners, TheOriginIsAddedToThePlace) {
   SeparatrixGraph graph = hand_made::unit_square();
   graph.nodes[0].valence = 2;
   graph.face.origin = {100, 200};
-  const std::string message = message_of(graph);
+  const std::string message = refusal(graph);
   EXPECT_NE(message.find("(100.5, 200.5) has 3"), std::string::npos) << message;
 }
 
@@ -46,7 +42,7 @@ TEST(FaceCorners, AnUncutAnnulusIsRefused) {
   const Subdivision subdivision(graph);
   EXPECT_EQ(subdivision.num_components(), 2);
   EXPECT_EQ(subdivision.num_faces(), 2);
-  EXPECT_NE(message_of(graph), "");
+  EXPECT_NE(refusal(graph), "");
 }
 
 TEST(FaceCorners, TheHistogramCountsFacesByCorners) {

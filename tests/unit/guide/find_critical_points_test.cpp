@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "../support/square_field.hpp"
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "field/lifting.hpp"
 #include "guide/index_sum.hpp"
@@ -60,17 +61,6 @@ void expect_points(const std::vector<CriticalPoint>& points, const std::vector<V
     EXPECT_EQ(points[i].valence, 4 - indices[i]);
   }
 }
-
-std::string message_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const ComputeError& e) {
-    return e.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(FindCriticalPoints, proves_a_constant_field_empty_with_one_cell_an_element) {
   const Search search(interpolated_field(square_mesh({0, 0}, 1, 3), 4, [](Vec2) { return Vec2{0.6, 0.8}; }));
@@ -271,7 +261,7 @@ TEST(SearchOptions, lie_in_their_intervals) {
 
 TEST(FindCriticalPoints, gives_up_on_a_curve_of_zeros) {
   const auto crease = [](Vec2 x) { return Vec2{x.x - 0.3, 0}; };
-  EXPECT_PRED2(contains, message_of([&] { points_of(crease, 4, 2); }), "on a whole curve");
+  EXPECT_PRED2(contains, message_of<ComputeError>([&] { points_of(crease, 4, 2); }), "on a whole curve");
 }
 
 TEST(FindCriticalPoints, corners_of_a_square_close_the_index_sum) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "../support/critical_points.hpp"
+#include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -23,12 +24,7 @@ using hand_made::points_of;
 
 std::string refusal(const CadFace& face, const std::vector<CornerOverride>& overrides) {
   CriticalPoints points = points_of(face);
-  try {
-    override_corners(face, overrides, points);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<UsageError>([&] { override_corners(face, overrides, points); });
 }
 
 void expect_sound(const CriticalPoints& points) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
@@ -53,19 +54,12 @@ std::vector<Repair> blunt(Loop& loop, double width) {
 }
 
 std::string refusal(Loop loop, double width) {
-  try {
+  return message_of<FormatError>([&] {
     if (width > 0)
       blunt(loop, width);
     else
       refuse_cusps({loop}, {"f.step", 1, 0});
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << text;
+  });
 }
 
 void expect_closed_without_cusps(const Loop& loop) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "heal/carrier.hpp"
@@ -22,16 +23,7 @@ std::vector<Repair> heal(RawFace& raw, double tolerance = -1) {
 }
 
 std::string refusal(RawFace raw, double tolerance = -1) {
-  try {
-    heal(raw, tolerance);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << text;
+  return message_of<FormatError>([&] { heal(raw, tolerance); });
 }
 
 // The plate with an edge that begins off the end of its neighbour.

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
@@ -98,12 +99,7 @@ std::string refusal(const std::function<void(const Hdf5GroupWriter&)>& write,
   write(writer.root());
   const std::string image = writer.image();
   const Hdf5Reader reader(image, "ball.h5");
-  try {
-    ask(*hdf5_archive(reader.root()));
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<FormatError>([&] { ask(*hdf5_archive(reader.root())); });
 }
 
 TEST(Hdf5Archive, AFlagIsZeroOrOne) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
@@ -129,17 +130,14 @@ std::string damaged(int count, const std::vector<int>& numbers, const std::vecto
 std::string refusal(const std::string& image) {
   const Hdf5Reader reader(image, "sample.h5");
   std::vector<Tree> trees;
-  try {
+  return message_of<FormatError>([&] {
     read_columns(
         reader.root(), "trees", [&](std::size_t count) { trees.resize(count); },
         [&](Archive& archive, std::size_t i) {
           archive.field("number", trees[i].number);
           archive.field("rings", trees[i].rings);
         });
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(Hdf5Columns, RowsThatDoNotFitTheCountAreRefusedByName) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
@@ -20,13 +21,10 @@ std::string image_of(const std::function<void(const Hdf5GroupWriter&)>& fill) {
 
 /// What a reader says to a part of a file; empty if it takes it.
 std::string refusal(const std::string& image, const std::function<void(const Hdf5GroupReader&)>& part) {
-  try {
+  return message_of<FormatError>([&] {
     const Hdf5Reader reader(image, "sample.h5");
     part(reader.root());
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 const std::string sample = image_of([](const Hdf5GroupWriter& root) {

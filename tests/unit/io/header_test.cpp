@@ -2,18 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
 namespace {
 
 std::string refusal(const FormatVersion& present, const std::string& format, const std::vector<int>& version) {
-  try {
-    require_version("file", present, format, version);
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "";
+  return message_of<FormatError>([&] { require_version("file", present, format, version); });
 }
 
 TEST(Header, ThePresentMajorVersionAndTheOneBeforeAreReadWithAnyMinor) {

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "scratch.hpp"
 
@@ -13,12 +14,7 @@ namespace {
 class Input : public Scratch {
  protected:
   std::string refusal(const std::string& path) const {
-    try {
-      read_input(path);
-      return {};
-    } catch (const FormatError& e) {
-      return e.what();
-    }
+    return message_of<FormatError>([&] { read_input(path); });
   }
 };
 

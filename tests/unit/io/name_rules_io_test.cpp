@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
@@ -13,12 +14,7 @@ std::vector<NameRule> boundary(const std::string& json) { return read_boundary_n
 std::vector<NameRule> blocks(const std::string& json) { return read_block_names({"names.json", json, ""}); }
 
 std::string refusal(const std::string& json, bool is_block = false) {
-  try {
-    is_block ? blocks(json) : boundary(json);
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "no refusal";
+  return message_of<FormatError>([&] { is_block ? blocks(json) : boundary(json); });
 }
 
 TEST(NameRules, AnObjectNamesByNameOrNumber) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
@@ -15,14 +16,9 @@ std::string map(const std::string& version, const std::string& elem_order) {
   return R"({"format": "order-map", "version": )" + version + R"(, "elem_order": )" + elem_order + "}";
 }
 
-/// What is said about a file that is refused.
+/// The message about a file that is refused.
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-  } catch (const FormatError& e) {
-    return e.what();
-  }
-  return "accepted";
+  return message_of<FormatError>([&] { read(text); });
 }
 
 TEST(OrderMap, what_is_written_is_read) {

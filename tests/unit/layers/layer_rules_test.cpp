@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
@@ -21,19 +22,6 @@ namespace {
 
 using namespace wall_samples;
 using Names = std::vector<std::string>;
-
-template <typename Error>
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 double thickness(const PlannedWalls& p, int spec) { return p.plan.heights[spec].back(); }
 

@@ -5,21 +5,13 @@
 #include <random>
 
 #include "../samples.hpp"
-#include "curve/chain.hpp"
-#include "mesh/block_shape.hpp"
+#include "midpoint/doubtful_triangles.hpp"
 
 namespace quadrille::midpoint {
 namespace {
 
-/// A lower bound of det J on [0, 1]^2.
-double jacobian_bound(const SeparatrixGraph& graph, const std::array<HalfEdge, 4>& sides) {
-  const curve::CurveTable table(graph.face, graph.splines);
-  std::vector<curve::Chain> chains;
-  for (const HalfEdge side : sides) chains.emplace_back(table, graph.arcs[side.arc].pieces);
-  const mesh::TransfiniteMap map(
-      {&chains[0], &chains[1], &chains[2], &chains[3]},
-      {sides[0].is_backwards, sides[1].is_backwards, sides[2].is_backwards, sides[3].is_backwards});
-  return 4 * mesh::block_shape(map).jacobian_bound;
+double bound_of(const SeparatrixGraph& graph, const std::array<HalfEdge, 4>& sides) {
+  return jacobian_bound(curve::CurveTable(graph.face, graph.splines), graph, sides);
 }
 
 /// A face that is one triangle, counter-clockwise.
@@ -60,7 +52,7 @@ TEST(DivideTriangles, SidesOfBlocksJoinCounterClockwise) {
       const std::array<HalfEdge, 4>& sides = divided.blocks[elem][k];
       EXPECT_EQ(start_of(arcs, sides[0]), samples::tri_mesh().elem2vertices[elem][k]);
       for (int i = 0; i < 4; ++i) EXPECT_EQ(end_of(arcs, sides[i]), start_of(arcs, sides[(i + 1) % 4]));
-      EXPECT_GT(jacobian_bound(divided.graph, sides), 0);
+      EXPECT_GT(bound_of(divided.graph, sides), 0);
     }
 }
 
@@ -75,7 +67,7 @@ TEST(DivideTriangles, TheLeastJacobianOfAStraightTriangleIsATwelfth) {
     if (determinant < 0) std::swap(p[1], p[2]), determinant = -determinant;
     const DividedTriangles divided = divide_triangles(triangle(p));
     for (const auto& sides : divided.blocks[0])
-      EXPECT_NEAR(jacobian_bound(divided.graph, sides), determinant / 12, 1e-9 * determinant + 1e-11);
+      EXPECT_NEAR(bound_of(divided.graph, sides), determinant / 12, 1e-9 * determinant + 1e-11);
   }
 }
 

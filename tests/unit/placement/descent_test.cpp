@@ -11,9 +11,6 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// Curvatures 1 and 3 along the diagonals.
-const Matrix2d tilted{{2, 1}, {1, 2}};
-
 /// Exists for low < x[0] < high only.
 Minimand between(double low, double high) {
   const Minimand whole = quadratic(tilted, Vector2d::Zero());

@@ -16,6 +16,9 @@ inline Minimand unbounded(std::function<std::optional<Minimand::Sample>(const Ei
           [](const Eigen::VectorXd& step) { return step.norm(); }};
 }
 
+/// The matrix of a quadratic function with curvatures 1 and 3 along the diagonals.
+inline const Eigen::Matrix2d tilted{{2, 1}, {1, 2}};
+
 /// (x - centre)^T A (x - centre) / 2.
 inline Minimand quadratic(const Eigen::MatrixXd& a, const Eigen::VectorXd& centre) {
   return unbounded([=](const Eigen::VectorXd& x) {

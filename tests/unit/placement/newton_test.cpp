@@ -11,8 +11,6 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-const Matrix2d tilted{{2, 1}, {1, 2}};
-
 TEST(Newton, reaches_the_minimum_of_a_quadratic_function_at_once) {
   const MinimiseOptions options;
   const Minimand f = quadratic(tilted, Vector2d{3, -1});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../triangulate/faces.hpp"
+#include "node_samples.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -11,16 +12,6 @@ using namespace testing_faces;
 
 /// A rectangle of 4 x 2 about (0, 0): it has the identity, the half turn and two reflections.
 CadFace rectangle() { return make_face({polygon({{-2, -1}, {2, -1}, {2, 1}, {-2, 1}})}); }
-
-CriticalPoints points_at(const std::vector<Vec2>& places) {
-  CriticalPoints points;
-  for (const Vec2 x : places) {
-    points.critical_points.emplace_back();
-    points.critical_points.back().position = x;
-    points.critical_points.back().valence = 3;
-  }
-  return points;
-}
 
 std::size_t num_symmetries(const CriticalPoints& points, std::vector<bool> is_free = {}) {
   is_free.resize(points.critical_points.size(), is_free.empty());

@@ -6,6 +6,7 @@
 
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
+#include "node_samples.hpp"
 #include "placement/smooth_boundary_distance.hpp"
 
 namespace quadrille::placement {
@@ -87,18 +88,6 @@ struct Motion {
 NodeEnergy in_disc(std::vector<Charge> nodes) { return disc_energy(nodes); }
 
 CadFace disc() { return make_face({circle({0, 0}, 1)}); }
-
-CriticalPoints points_at(const std::vector<Vec2>& places, int valence = 3) {
-  CriticalPoints points;
-  for (const Vec2 x : places) {
-    CriticalPoint p;
-    p.position = x;
-    p.valence = valence;
-    p.index = 4 - valence;
-    points.critical_points.push_back(p);
-  }
-  return points;
-}
 
 struct Placed {
   Placed(const CadFace& face, const EnergyFunction& energy, const CriticalPoints& start, double weight,

@@ -7,12 +7,9 @@
 namespace quadrille::placement {
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-const Matrix2d tilted{{2, 1}, {1, 2}};
 
 TEST(QuasiNewton, makes_every_entry_of_the_gradient_small) {
   const MinimiseOptions options;

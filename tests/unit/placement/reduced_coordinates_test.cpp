@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../triangulate/faces.hpp"
+#include "node_samples.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -17,16 +18,6 @@ ReducedCoordinates mirrored_pair() {
   coordinates.movements.col(0) << h, 0, -h, 0;
   coordinates.movements.col(1) << 0, h, 0, h;
   return coordinates;
-}
-
-CriticalPoints points_at(const std::vector<Vec2>& places) {
-  CriticalPoints points;
-  for (const Vec2 x : places) {
-    points.critical_points.emplace_back();
-    points.critical_points.back().position = x;
-    points.critical_points.back().valence = 3;
-  }
-  return points;
 }
 
 TEST(ReducedCoordinates, move_each_node_in_its_own_scale) {

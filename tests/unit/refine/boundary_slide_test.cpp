@@ -5,16 +5,10 @@
 #include <cmath>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 TEST(BoundarySlide, VerticesAtJointsAreFixedAndNoOthers) {
   const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.3, 3, 1e-3});

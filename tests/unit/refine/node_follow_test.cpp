@@ -5,16 +5,10 @@
 #include <cmath>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 /// The vertex of a mesh that is nearest to a position.
 int vertex_near(const QuadMesh& mesh, const NodeFollow& follow, Vec2 x) {

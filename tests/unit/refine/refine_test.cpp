@@ -11,19 +11,14 @@
 #include <vector>
 
 #include "../hand_made.hpp"
+#include "../support/refined.hpp"
 #include "base/error.hpp"
-#include "block/extract_blocks.hpp"
 #include "curve/project.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 /// Green's formula over the boundary polynomials, exact by a Gauss rule of sufficient degree.
 double area(const QuadMesh& mesh) {

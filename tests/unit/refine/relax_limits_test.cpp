@@ -5,17 +5,11 @@
 #include <algorithm>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
+#include "../support/refined.hpp"
 #include "refine/validity.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 RelaxState state_of(const RelaxProblem& problem, VertexMoves moves) {
   RelaxState state{problem.start, std::move(moves), 0};

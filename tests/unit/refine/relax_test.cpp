@@ -7,18 +7,12 @@
 #include <functional>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
+#include "../support/refined.hpp"
 #include "curve/project.hpp"
-#include "refine/refine.hpp"
 #include "refine/validity.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 /// The unit square, inner nodes moved by `move`.
 QuadMesh moved_square(int order, const std::function<Vec2(Vec2)>& move) {

@@ -6,17 +6,11 @@
 #include <limits>
 
 #include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
+#include "../support/refined.hpp"
 #include "refine/node_follow.hpp"
-#include "refine/refine.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 TEST(ShapeEnergy, OfARectangleIsOneWhateverItsProportions) {
   QuadMesh mesh = refined(hand_made::unit_square(), {1, 3, 1e-6});

@@ -6,19 +6,13 @@
 #include <cmath>
 
 #include "../hand_made.hpp"
+#include "../support/refined.hpp"
 #include "base/error.hpp"
-#include "block/extract_blocks.hpp"
-#include "refine/refine.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-QuadMesh refined(const SeparatrixGraph& graph, const RefineOptions& options) {
-  Report report;
-  return refine(block::extract_blocks(graph, report), options, report);
-}
 
 /// Least over the elements of least over greatest det J, on a dense grid.
 double sampled_ratio(const QuadMesh& mesh) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../support/phase_field.hpp"
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::trace {
@@ -54,23 +55,18 @@ TEST_F(OneZero, RefusesAWrongIndexSum) {
   EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
 }
 
-std::string message_of(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
-  try {
-    check_nodes_match_field(evaluator, points);
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
+  return message_of<FormatError>([&] { check_nodes_match_field(evaluator, points); });
 }
 
 TEST_F(OneZero, RefusesTheFormPhaseAndNodesOnTheBoundary) {
   CriticalPoints p = points();
   p.form = NodeForm::phase;
-  EXPECT_NE(message_of(evaluator, p).find("which is harmonic: run fieldsolve --nodes"), std::string::npos);
+  EXPECT_NE(refusal(evaluator, p).find("which is harmonic: run fieldsolve --nodes"), std::string::npos);
   p = points();
   p.boundary_nodes.push_back({0, 1, {0, -1}, 3, NodeSource::feature});
   p.corners[0].valence = 1;
-  EXPECT_NE(message_of(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
+  EXPECT_NE(refusal(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
 }
 
 // A square with a node of valence 3 inside and one on its lower side; the corners have 1, as the index sum wants.
@@ -93,22 +89,22 @@ struct AskedPhase : testing::Test {
     return all;
   }
   void expect_refused(const CriticalPoints& p) const {
-    EXPECT_NE(message_of(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
+    EXPECT_NE(refusal(evaluator, p).find("run fieldsolve --nodes"), std::string::npos);
   }
 };
 
 TEST_F(AskedPhase, AcceptsWhatTheFieldWasAskedFor) {
   CriticalPoints p = points();
-  EXPECT_EQ(message_of(evaluator, p), "");
+  EXPECT_EQ(refusal(evaluator, p), "");
   p.form = NodeForm::harmonic;  // the nodes decide, not the word
-  EXPECT_EQ(message_of(evaluator, p), "");
+  EXPECT_EQ(refusal(evaluator, p), "");
 }
 
 TEST_F(AskedPhase, RefusesNodesMovedByMoreThanABillionthOfTheDiameter) {
   CriticalPoints p = points();
   p.critical_points[0].position.x += 0.9e-9 * field.mesh.face.diameter;
   p.boundary_nodes[0].t += 0.9e-9 * field.mesh.face.diameter;
-  EXPECT_EQ(message_of(evaluator, p), "");
+  EXPECT_EQ(refusal(evaluator, p), "");
   CriticalPoints inside = p, outer = p;
   inside.critical_points[0].position.x += 0.2e-9 * field.mesh.face.diameter;
   expect_refused(inside);
@@ -133,7 +129,7 @@ TEST_F(AskedPhase, RefusesOtherValencesAndNumbers) {
 
 TEST_F(AskedPhase, NoHoleWindingOffsetsAreOffsetsOfZero) {
   field.phase.hole_winding_offsets = {0};
-  EXPECT_EQ(message_of(evaluator, points()), "");
+  EXPECT_EQ(refusal(evaluator, points()), "");
 }
 
 }  // namespace

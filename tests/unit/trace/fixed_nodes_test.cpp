@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 
@@ -20,15 +21,8 @@ CadFace square_with_joint() {
 }
 
 std::string refusal(const CriticalPoints& points) {
-  try {
-    fixed_nodes(square_with_joint(), points);
-  } catch (const ComputeError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<ComputeError>([&] { fixed_nodes(square_with_joint(), points); });
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(FixedNodes, AreInnerOnesThenCornersThenThoseOnTheBoundary) {
   CriticalPoints points;
