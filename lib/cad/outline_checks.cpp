@@ -101,7 +101,7 @@ class ContactSearch {
     const double d = distance_of_segments(a.a(), a.b(), b.a(), b.b());
     if (d > a.width + b.width + tol) return std::nullopt;
     // For coincident curves the bisection never decides: an exhausted budget means contact.
-    if (a.width + b.width <= tol / 4 || --budget_ < 0) return place(a, b);
+    if (a.width + b.width <= tol / 4 || --budget_ < 0) return position(a, b);
     const bool first = a.width >= b.width;
     const auto [p, q] = halves(first ? a : b);
     if (const auto hit = first ? meet(p, b, tol) : meet(a, p, tol)) return hit;
@@ -142,7 +142,7 @@ class ContactSearch {
     return std::max(size(a), size(b)) > largest_tip * tol_ ? tol_ : 0;
   }
 
-  static Vec2 place(const Piece& a, const Piece& b) {
+  static Vec2 position(const Piece& a, const Piece& b) {
     const Vec2 d = a.b() - a.a(), e = b.b() - b.a();
     const double n = cross(d, e);
     const double s = n == 0 ? 0.5 : std::clamp(cross(b.a() - a.a(), e) / n, 0.0, 1.0);

@@ -13,7 +13,7 @@
 
 namespace quadrille::check {
 
-/// The violations of one rule: the first five positions, and the number of the others.
+/// The violations of one rule: the first five, and the number of the others.
 class Findings {
  public:
   explicit Findings(const char* rule) : rule_(rule) {}
@@ -23,7 +23,7 @@ class Findings {
   }
   bool is_empty() const { return count_ == 0; }
   std::vector<Violation> take() {
-    if (count_ > 5) list_.push_back({rule_, fmt::format("and {} more places", count_ - 5)});
+    if (count_ > 5) list_.push_back({rule_, fmt::format("and {} more violations", count_ - 5)});
     return std::move(list_);
   }
 

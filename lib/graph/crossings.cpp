@@ -141,11 +141,9 @@ class Counter {
 
   void require_few_crossings(const std::vector<Crossing>& found) const {
     if (found.size() <= bounds_.max_crossings) return;
-    const Vec2 place = found.back().position + bounds_.origin;
-    throw ComputeError(
-        fmt::format("separatrices cross each other more than the {} times allowed, the last near "
-                    "({:.6g}, {:.6g})",
-                    bounds_.max_crossings, place.x, place.y));
+    const Vec2 position = found.back().position + bounds_.origin;
+    throw ComputeError(fmt::format("separatrices cross each other more than the {} times allowed, the last near {}",
+                                   bounds_.max_crossings, position_text(position)));
   }
 
  private:

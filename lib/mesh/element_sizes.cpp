@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/position_text.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -171,11 +172,10 @@ ElementSizes worst_element_sizes(const QuadMesh& mesh) {
 }
 
 std::string describe(const ElementSizes& sizes) {
-  const auto place = [](Vec2 x) { return fmt::format("({:.6g}, {:.6g})", x.x, x.y); };
   return fmt::format(
       "greatest edge ratio {:.3g} at {}, greatest area jump {:.3g} at {}, least node distance {:.3g} at {}",
-      sizes.edge_ratio, place(sizes.edge_ratio_position), sizes.area_jump, place(sizes.area_jump_position),
-      sizes.node_distance, place(sizes.node_distance_position));
+      sizes.edge_ratio, position_text(sizes.edge_ratio_position), sizes.area_jump,
+      position_text(sizes.area_jump_position), sizes.node_distance, position_text(sizes.node_distance_position));
 }
 
 void report_element_sizes(const QuadMesh& mesh, Report& report) {

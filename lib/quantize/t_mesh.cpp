@@ -6,6 +6,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "graph/build_graph.hpp"
 #include "graph/face_corners.hpp"
 #include "trace/fixed_nodes.hpp"
@@ -39,11 +40,11 @@ std::vector<MotorcycleTrail> trails_of(const trace::LineArrangement& arrangement
 }
 
 [[noreturn]] void fail_stuck(const CadFace& face, const trace::Streamline& line) {
-  const Vec2 from = line.launch.origin + face.origin, to = line.end_position + face.origin;
   throw ComputeError(
-      fmt::format("{} steps, the most allowed, take the separatrix from ({:.6g}, {:.6g}) no farther than {:.3g} "
-                  "diameters, to ({:.6g}, {:.6g}): the field turns too fast there",
-                  line.steps.size(), from.x, from.y, line.length() / face.diameter, to.x, to.y));
+      fmt::format("{} steps, the most allowed, take the separatrix from {} no farther than {:.3g} diameters, "
+                  "to {}: the field turns too fast there",
+                  line.steps.size(), position_text(line.launch.origin + face.origin), line.length() / face.diameter,
+                  position_text(line.end_position + face.origin)));
 }
 
 std::ptrdiff_t num_stopped(const std::vector<CoveredPart>& covered) {

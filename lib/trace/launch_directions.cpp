@@ -74,7 +74,7 @@ class RadialPhase {
   double at(double alpha, double near) const {
     Vec2 value;
     if (!evaluator_.value_at(centre_ + radius_ * unit(alpha), value))
-      value = unit(4 * (2 * alpha < from_ + to_ ? from_ : to_));
+      value = cross_value(2 * alpha < from_ + to_ ? from_ : to_);
     return near + wrap_pi(4 * alpha - angle_of(value) - near);
   }
 

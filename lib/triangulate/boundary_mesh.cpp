@@ -1,12 +1,11 @@
 #include "triangulate/boundary_mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "triangulate/junction_clearance.hpp"
 #include "triangulate/triangle_sizes.hpp"
@@ -163,8 +162,7 @@ void BoundaryMesh::refuse_contact() const {
     return a.is_rim() != b.is_rim() ? b.is_rim() : a.length() < b.length();
   });
   const Vec2 position = shortest->samples[2] + fit_->outline().face().origin;
-  throw ComputeError(
-      fmt::format("the boundary touches or crosses itself, or nearly, at ({:.9g}, {:.9g})", position.x, position.y));
+  throw ComputeError("the boundary touches or crosses itself, or nearly, at " + position_text(position));
 }
 
 void BoundaryMesh::grade(double growth) {

@@ -1,11 +1,10 @@
 #include "triangulate/refine_domain.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -59,7 +58,7 @@ int DomainRefiner::add_point(int draft_vertex) {
   const int point = delaunay_.insert(draft_->vertices[draft_vertex]);
   if (point < static_cast<int>(point2vertex_.size())) {
     const Vec2 x = draft_->vertices[draft_vertex] + boundary_->origin();
-    throw ComputeError(fmt::format("the boundary touches itself at ({:.9g}, {:.9g})", x.x, x.y));
+    throw ComputeError("the boundary touches itself at " + position_text(x));
   }
   point2vertex_.push_back(draft_vertex);
   vertex2point_[draft_vertex] = point;
@@ -69,7 +68,7 @@ int DomainRefiner::add_point(int draft_vertex) {
 void DomainRefiner::constrain(const Segment& segment) {
   if (delaunay_.constrain(vertex2point_[segment.from], vertex2point_[segment.to])) return;
   const Vec2 x = segment.centre + boundary_->origin();
-  throw ComputeError(fmt::format("the boundary crosses itself near ({:.9g}, {:.9g})", x.x, x.y));
+  throw ComputeError("the boundary crosses itself near " + position_text(x));
 }
 
 void DomainRefiner::split(int segment) {

@@ -7,6 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/quality.hpp"
 #include "triangulate/corner_fans.hpp"
@@ -115,7 +116,7 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
     if (round == max_proof_rounds || !split_at(result.mesh, elems, refiner)) {
       if (invalid.empty()) return result;
       const Vec2 position = position_of(result.mesh, invalid.front());
-      throw ComputeError(fmt::format("no valid curved element at ({:.9g}, {:.9g})", position.x, position.y));
+      throw ComputeError("no valid curved element at " + position_text(position));
     }
   }
 }

@@ -136,7 +136,7 @@ TEST(GraphRules, ManyFaultsAreCounted) {
     for (GraphArc& arc : g.arcs) arc.length = -1;
   });
   ASSERT_EQ(texts.size(), 6u);
-  EXPECT_EQ(texts[5], "and 2 more places");
+  EXPECT_EQ(texts[5], "and 2 more violations");
 }
 
 }  // namespace
