@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "model/quad_sides.hpp"
+
 namespace quadrille::exports {
 namespace {
 
@@ -73,13 +75,13 @@ class Directions {
 
 /// The nodes of an element in tensor order from a corner on: the first coordinate runs along the side of that number.
 std::vector<int> nodes_from_corner(const QuadMesh& mesh, int elem, int corner) {
-  const int n = mesh.order, width = n + 1;
-  const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
-  const int* nodes = &mesh.elem_nodes[elem * width * width];
+  const int n = mesh.order, next = (corner + 1) % 4;
+  const int* nodes = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
   std::vector<int> result;
-  for (int j = 0; j < width; ++j)
-    for (int i = 0; i < width; ++i)
-      result.push_back(nodes[starts[corner] + i * strides[corner] + j * strides[(corner + 1) % 4]]);
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      result.push_back(
+          nodes[local_side_node(n, corner, i) + local_side_node(n, next, j) - local_side_node(n, next, 0)]);
   return result;
 }
 

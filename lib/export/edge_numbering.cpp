@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "export/skeleton.hpp"
+#include "model/quad_sides.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -56,10 +56,7 @@ class Numbering {
 
   /// The node next to the lower vertex (the other vertex for order 1).
   int inner_node(const NumberedEdge& edge) const {
-    const int n = mesh_.order, width = n + 1;
-    const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
-    const int local = starts[edge.side] + (edge.is_reversed ? n - 1 : 1) * strides[edge.side];
-    return mesh_.elem_nodes[edge.elem * width * width + local];
+    return side_node(mesh_, edge.elem, edge.side, edge.is_reversed ? mesh_.order - 1 : 1);
   }
 
   const QuadMesh& mesh_;

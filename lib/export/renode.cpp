@@ -1,6 +1,6 @@
 #include "export/renode.hpp"
 
-#include "export/skeleton.hpp"
+#include "model/quad_sides.hpp"
 
 namespace quadrille::exports {
 namespace {

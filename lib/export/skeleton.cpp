@@ -130,22 +130,6 @@ class Builder {
 
 }  // namespace
 
-int side_start(const QuadMesh& mesh, int elem, int side) {
-  const int n = mesh.order, width = n + 1;
-  const std::array<int, 4> corners{0, n, width * width - 1, width * n};
-  return mesh.elem_nodes[elem * width * width + corners[side]];
-}
-
-std::vector<int> side_nodes(const QuadMesh& mesh, int elem, int side) {
-  const int n = mesh.order, width = n + 1;
-  const std::array<int, 4> starts{0, n, width * width - 1, width * n};
-  const std::array<int, 4> strides{1, width, -1, -width};
-  std::vector<int> nodes;
-  for (int k = 0; k <= n; ++k)
-    nodes.push_back(mesh.elem_nodes[elem * width * width + starts[side] + k * strides[side]]);
-  return nodes;
-}
-
 Skeleton mesh_skeleton(const QuadMesh& mesh) { return Builder(mesh).build(); }
 
 }  // namespace quadrille::exports

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "model/quad_mesh.hpp"
+#include "model/quad_sides.hpp"
 
 namespace quadrille::exports {
 
@@ -29,11 +29,5 @@ struct Skeleton {
 };
 
 Skeleton mesh_skeleton(const QuadMesh& mesh);
-
-/// Nodes of side `side` of an element, in counter-clockwise direction, both ends included.
-std::vector<int> side_nodes(const QuadMesh& mesh, int elem, int side);
-
-/// First node of the side, as side_nodes would list it.
-int side_start(const QuadMesh& mesh, int elem, int side);
 
 }  // namespace quadrille::exports

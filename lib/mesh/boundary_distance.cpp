@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
+#include "model/quad_sides.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -54,12 +54,8 @@ std::vector<Vec2> mapped(const Eigen::MatrixXd& map, const std::vector<Vec2>& no
 }
 
 std::vector<Vec2> side_positions(const QuadMesh& mesh, const QuadBoundaryEdge& edge) {
-  const int n = mesh.order, width = n + 1;
-  const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
   std::vector<Vec2> positions;
-  for (int k = 0; k <= n; ++k)
-    positions.push_back(
-        mesh.nodes[mesh.elem_nodes[edge.elem * width * width + starts[edge.side] + k * strides[edge.side]]]);
+  for (const int node : side_nodes(mesh, edge.elem, edge.side)) positions.push_back(mesh.nodes[node]);
   return positions;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/position_text.hpp"
+#include "model/quad_sides.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -106,15 +107,12 @@ struct Side {
 };
 
 std::vector<Side> sorted_sides(const QuadMesh& mesh) {
-  const int n = mesh.order, width = n + 1;
-  const std::array<int, 4> starts{0, n, width * width - 1, width * n}, strides{1, width, -1, -width};
+  const int n = mesh.order;
   std::vector<Side> sides;
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (int k = 0; k < 4; ++k) {
-      const int* first = &mesh.elem_nodes[elem * width * width + starts[k]];
-      const int from = *first, to = first[n * strides[k]];
-      sides.push_back(
-          {std::min(from, to), std::max(from, to), from < to ? first[strides[k]] : first[(n - 1) * strides[k]], elem});
+      const int from = side_node(mesh, elem, k, 0), to = side_node(mesh, elem, k, n);
+      sides.push_back({std::min(from, to), std::max(from, to), side_node(mesh, elem, k, from < to ? 1 : n - 1), elem});
     }
   std::sort(sides.begin(), sides.end());
   return sides;

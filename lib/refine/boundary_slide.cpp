@@ -1,11 +1,11 @@
 #include "refine/boundary_slide.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/angle.hpp"
 #include "curve/project.hpp"
+#include "model/quad_sides.hpp"
 #include "sizing/interval_error.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -15,12 +15,6 @@ namespace {
 /// In diameters: a vertex is at a break, or on its curve.
 constexpr double same_position = 1e-9;
 constexpr double smooth_turn = 1e-6;  ///< radians
-
-int corner_node(const QuadMesh& mesh, int elem, int corner) {
-  const int n = mesh.order, width = n + 1;
-  const std::array<int, 4> local{0, n, width * width - 1, width * n};
-  return mesh.elem_nodes[elem * width * width + local[corner % 4]];
-}
 
 /// The loop's curves one after the other, twice.
 curve::Chain walked_twice(const CadFace& face, const curve::CurveTable& table, int loop) {
@@ -49,8 +43,8 @@ BoundarySlide::BoundarySlide(const QuadMesh& mesh)
   }
   const auto& edges = mesh.boundary_edges;
   for (std::size_t first = 0, i = 0; i < edges.size(); ++i)
-    if (corner_node(mesh, edges[i].elem, edges[i].side + 1) ==
-        corner_node(mesh, edges[first].elem, edges[first].side)) {
+    if (side_start(mesh, edges[i].elem, (edges[i].side + 1) % 4) ==
+        side_start(mesh, edges[first].elem, edges[first].side)) {
       add_loop(first, i + 1);
       first = i + 1;
     }
@@ -61,7 +55,7 @@ void BoundarySlide::add_loop(std::size_t first_edge, std::size_t end_edge) {
   const int first = static_cast<int>(edges_.size());
   for (int k = 0; k < count; ++k) {
     const QuadBoundaryEdge& edge = mesh_->boundary_edges[first_edge + k];
-    const int node = corner_node(*mesh_, edge.elem, edge.side), loop = mesh_->face.loop_of(edge.curve);
+    const int node = side_start(*mesh_, edge.elem, edge.side), loop = mesh_->face.loop_of(edge.curve);
     vertices_.push_back({node, loop, length_at(loop, edge.curve, mesh_->nodes[node]), false});
     fix_at_breaks(static_cast<int>(vertices_.size()) - 1);
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});

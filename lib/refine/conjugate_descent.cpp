@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/quad_sides.hpp"
+
 namespace quadrille::refine {
 namespace {
 
@@ -59,13 +61,11 @@ void reduce(const RelaxProblem& problem, const VertexMoves& moves, Derivatives& 
 std::vector<double> shortest_edges(const RelaxProblem& problem, const std::vector<Vec2>& positions) {
   std::vector<double> shortest(problem.num_vertices(), std::numeric_limits<double>::infinity());
   const QuadMesh& mesh = problem.start;
-  const int n = mesh.order, width = n + 1;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const int* nodes = &mesh.elem_nodes[elem * width * width];
-    const std::array<int, 4> corner{nodes[0], nodes[n], nodes[width * width - 1], nodes[width * n]};
     const auto& vertices = problem.follow.elem_vertices()[elem];
     for (int c = 0; c < 4; ++c) {
-      const double length = distance(positions[corner[c]], positions[corner[(c + 1) % 4]]);
+      const double length =
+          distance(positions[side_start(mesh, elem, c)], positions[side_start(mesh, elem, (c + 1) % 4)]);
       for (const int v : {vertices[c], vertices[(c + 1) % 4]}) shortest[v] = std::min(shortest[v], length);
     }
   }
