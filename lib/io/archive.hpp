@@ -39,8 +39,14 @@ class Archive {
   virtual void reals(const char* name, double* values, std::size_t count, Doc doc) = 0;
   virtual void text(const char* name, std::string& value, Doc doc) = 0;
   /// A JSON text: embedded as it is in JSON, a string elsewhere.
-  virtual void json(const char* name, std::string& value, Doc doc) = 0;
-  virtual void flag(const char* name, bool& value, Doc doc) = 0;
+  virtual void json(const char* name, std::string& value, Doc doc) { text(name, value, doc); }
+  /// As the integer 0 or 1, unless the format has values for it.
+  virtual void flag(const char* name, bool& value, Doc doc) {
+    int number = value ? 1 : 0;
+    integers(name, &number, 1, doc);
+    if (number != 0 && number != 1) fail(name, "must be 0 or 1");
+    value = number == 1;
+  }
   // Lists; width 1: [n], else [n, width].
   virtual void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc doc) = 0;
   virtual void real_list(const char* name, std::vector<double>& flat, std::size_t width, Doc doc) = 0;

@@ -27,11 +27,6 @@ class Writer : public Archive {
   void text(const char* name, std::string& value, Doc doc) override {
     group_.texts(name, {value}, true, doc.units, doc.long_name);
   }
-  void json(const char* name, std::string& value, Doc doc) override { text(name, value, doc); }
-  void flag(const char* name, bool& value, Doc doc) override {
-    int number = value;
-    integers(name, &number, 1, doc);
-  }
   void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc doc) override {
     group_.integers(name, flat.data(), list_shape(flat.size(), width), doc.units, doc.long_name);
   }
@@ -76,13 +71,6 @@ class Reader : public Archive {
     copy_fixed(name, group_.reals(name, count == 1 ? 0 : 1), values, count);
   }
   void text(const char* name, std::string& value, Doc) override { value = group_.texts(name, 0).front(); }
-  void json(const char* name, std::string& value, Doc doc) override { text(name, value, doc); }
-  void flag(const char* name, bool& value, Doc doc) override {
-    int number = 0;
-    integers(name, &number, 1, doc);
-    if (number != 0 && number != 1) fail(name, "must be 0 or 1");
-    value = number == 1;
-  }
   void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc) override {
     flat = group_.integers(name, width);
   }

@@ -39,11 +39,6 @@ class ColumnWriter : public Archive {
   void text(const char* name, std::string& value, Doc doc) override {
     append(column(name, Kind::text, 1, false, doc).texts, &value, 1);
   }
-  void json(const char* name, std::string& value, Doc doc) override { text(name, value, doc); }
-  void flag(const char* name, bool& value, Doc doc) override {
-    int number = value;
-    integers(name, &number, 1, doc);
-  }
   void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc doc) override {
     Column& c = column(name, Kind::integer, width, true, doc);
     append(c.integers, flat.data(), flat.size());
@@ -142,13 +137,6 @@ class ColumnReader : public Archive {
   }
   void text(const char* name, std::string& value, Doc) override {
     value = column(name, 1, false, &Column::texts, &Hdf5GroupReader::texts).texts[row_];
-  }
-  void json(const char* name, std::string& value, Doc doc) override { text(name, value, doc); }
-  void flag(const char* name, bool& value, Doc doc) override {
-    int number = 0;
-    integers(name, &number, 1, doc);
-    if (number != 0 && number != 1) fail(name, "must be 0 or 1");
-    value = number == 1;
   }
   void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc) override {
     flat = slice(column(name, width, true, &Column::integers, &Hdf5GroupReader::integers), &Column::integers);
