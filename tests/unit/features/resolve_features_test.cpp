@@ -567,5 +567,28 @@ TEST(RulePairs, CancelBeforeMerge_ABoundaryNodeThatCancelsIsNotMerged) {
   EXPECT_TRUE(has_boundary_node_at(points, low, 3, 1e-9));
 }
 
+TEST(RulePairs, CornerAndMerge_NodesBesideACornerThatTookANodeAreMergedButNotAcrossIt) {
+  const double s = 0.1;
+  const CadFace face = plate(2, {filleted({{-s, 0}, {0, s * std::sqrt(3.0)}, {s, 0}}, {0, 0, 0})});
+  const int before_tip = 4, behind_tip = 5;  // curves of the hole, each 0.2 long
+  const auto resolved_with = [&](int curve, double t) {
+    CriticalPoints points = points_with(face, {node({0, 0.25}, 5)});
+    for (const auto& [c, u] : {std::pair{curve, t}, {behind_tip, 0.03}})
+      points.boundary_nodes.push_back({c, u, curve::point(face.curves[c], u), 3});
+    resolve_features(face, 0.5, points);
+    EXPECT_TRUE(points.critical_points.empty());
+    EXPECT_EQ(std::count_if(points.corners.begin(), points.corners.end(),
+                            [](const Corner& corner) { return corner.source == NodeSource::feature; }),
+              1);
+    return points;
+  };
+  const CriticalPoints beside = resolved_with(behind_tip, 0.08);
+  ASSERT_EQ(beside.boundary_nodes.size(), 1u);
+  EXPECT_TRUE(has_boundary_node_at(beside, curve::point(face.curves[behind_tip], 0.055), 4, 1e-12));
+  const CriticalPoints across = resolved_with(before_tip, 0.17);
+  ASSERT_EQ(across.boundary_nodes.size(), 2u);
+  for (const IrregularBoundaryPoint& b : across.boundary_nodes) EXPECT_EQ(b.valence, 3);
+}
+
 }  // namespace
 }  // namespace quadrille::features

@@ -380,6 +380,38 @@ TEST(LayerRules, R19WithR16_TheContinuationOfAWallThatEndsAtACorner) {
   EXPECT_GT(p.first_step({2.2, 0}, {2.2, 1}), 0.01);
 }
 
+/// Two blocks, 0.2 and 2 wide and 1 high; the floor of the second is two curves that meet at x = `joint`. The left side
+/// is curve 5.
+SeparatrixGraph row_with_split_floor(double joint) {
+  SeparatrixGraph g;
+  g.face = hand_made::face(
+      {{curve::segment({0, 0}, {0.2, 0}), curve::segment({0.2, 0}, {joint, 0}), curve::segment({joint, 0}, {2.2, 0}),
+        curve::segment({2.2, 0}, {2.2, 1}), curve::segment({2.2, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})}},
+      norm(Vec2{2.2, 1}));
+  const int left = hand_made::add_joint_node(g, 0), middle = hand_made::add_joint_node(g, 1, 2);
+  const int right = hand_made::add_joint_node(g, 3), top_right = hand_made::add_joint_node(g, 4);
+  const int top_left = hand_made::add_joint_node(g, 5), top = hand_made::add_boundary_node(g, 4, 2);
+  hand_made::add_arc(g, left, middle, true, {hand_made::whole(g, 0)});
+  hand_made::add_arc(g, middle, right, true, {hand_made::whole(g, 1), hand_made::whole(g, 2)});
+  hand_made::add_arc(g, right, top_right, true, {hand_made::whole(g, 3)});
+  hand_made::add_arc(g, top_right, top, true, {{4, 0, 2}});
+  hand_made::add_arc(g, top, top_left, true, {{4, 2, 2.2}});
+  hand_made::add_arc(g, top_left, left, true, {hand_made::whole(g, 5)});
+  hand_made::add_cut(g, middle, top);
+  return g;
+}
+
+TEST(LayerRules, R19WithR18_AnArcThatContinuesLayersEndsAnIntervalWhereANameEnds) {
+  const PlannedWalls p(row_with_split_floor(0.26), 0.4, {"side_5:first=0.01,layers=4"});
+  const double before = p.first_step({0.2, 0}, {0, 0});
+  const std::vector<double> floor = p.steps({0.2, 0}, {2.2, 0}), top = p.steps({0.2, 1}, {2.2, 1});
+  EXPECT_EQ(std::count_if(floor.begin(), floor.end(), [](double x) { return std::abs(x - 0.06) < 1e-12; }), 1);
+  EXPECT_EQ(std::count_if(top.begin(), top.end(), [](double x) { return std::abs(x - 0.06) < 1e-12; }), 0);
+  EXPECT_EQ(floor.size(), top.size());
+  EXPECT_LE(top.front(), 1.3 * before);
+  EXPECT_LE(floor.front(), 0.06);
+}
+
 struct ContinueCase {
   const char* what;
   EndSpacing end;
@@ -412,6 +444,17 @@ TEST(LayerRules, R21_FirstIntervalsOfCrowdedArcsAreLimitedButNotNextToLayers) {
   EXPECT_NE(spaced_ends({{{{}, 0.2, 1.2}, {}}}, 1, 0.1, 10), spaced_ends({{{{}, 0.25, 1.2}, {}}}, 1, 0.1, 10));
   const auto beside_layer = [](double before) { return spaced_ends({{{{0.5}, before, 1.2}, {}}}, 1, 0.1, 10); };
   EXPECT_NE(beside_layer(0.5), beside_layer(0.25));
+}
+
+TEST(LayerRules, R19WithR21_AContinuedIntervalIsLimitedOnAnArcThatIsTooShortForIt) {
+  const auto continued = [](double neighbour) {
+    EndSpacing end;
+    EXPECT_TRUE(continue_spacing(neighbour, 2 * neighbour, 1.2, end));
+    EXPECT_EQ(end.before, neighbour);
+    return spaced_ends({{end, {}}}, 1, 0.1, 10);
+  };
+  EXPECT_EQ(continued(0.9), continued(0.25)) << "2.5 times the mean of ten intervals";
+  EXPECT_NE(continued(0.2), continued(0.25));
 }
 
 TEST(LayerRules, R22_ABlockThatMeetsItselfIsNotItsOwnNeighbour) {
