@@ -21,10 +21,9 @@ class JointLimit {
   /// `wires` must outlive the object. `tolerance`: greatest limit, a length.
   JointLimit(const std::vector<std::vector<RawEdge>>& wires, double tolerance);
 
-  /// The limit of each end: the least of the tolerance, a tenth of its edge's length (a quarter where the
-  /// end slides along a line), and a quarter of the distance of
-  /// the joint from the edges that are not `near`: these, the two edges themselves and their neighbours. Cost: a
-  /// projection to each edge nearer than the limit.
+  /// The limit of each end is the least of the tolerance, a tenth of its edge's length (a quarter if the end slides
+  /// along a line), and a quarter of the distance of the joint from all edges that are not in `near`. `near`: the two
+  /// edges themselves and their neighbours. Cost: a projection to each edge nearer than the limit.
   LimitedJoint joint(const MeasuredEdge& in, const MeasuredEdge& out, const std::vector<const RawEdge*>& near) const;
 
  private:

@@ -11,7 +11,7 @@ namespace quadrille::layout {
 /// The layout without its certificate. Cannot fail for a mesh that keeps the rules of its format.
 graph::CandidateLayout midpoint_layout(const TriMesh& mesh, Report& report);
 
-/// The graph of separatrix for a file that has triangles but no field, with its certificate. With "auto" there is a
+/// The separatrix graph of a file that has triangles but no field, with its certificate. With "auto" there is a
 /// warning; throws UsageError for a layout that needs a field.
 SeparatrixGraph layout_without_field(const TriMesh& mesh, LayoutChoice choice, Report& report);
 

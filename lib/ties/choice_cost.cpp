@@ -19,10 +19,10 @@ struct ChoiceRules {
 };
 constexpr ChoiceRules rules;
 
-/// Differences that count. Sides and places may differ by what the angle is off the tie.
+/// Differences that count. Sides and positions may differ by what the angle is off the tie.
 constexpr Cost tolerances{0.5, 0.5, 0.5, 1e-6, 0.5, 1e-3, 1e-3};
 
-double room(const CadFace& face, const CriticalPoints& points, std::size_t node) {
+double node_clearance(const CadFace& face, const CriticalPoints& points, std::size_t node) {
   const Vec2 x = points.critical_points[node].position;
   double least = placement::signed_clearance(face, x);
   for (std::size_t i = 0; i < points.critical_points.size(); ++i)
@@ -87,9 +87,9 @@ Cost CostMeasure::operator()(const Choice& choice, const CriticalPoints& points)
   Cost cost{};
   const auto at = [&](Criterion criterion) -> double& { return cost[static_cast<std::size_t>(criterion)]; };
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
-    const double free = room(*face_, points, i);
-    at(Criterion::crowded) += free < rules.crowded;
-    at(Criterion::narrow) += free < rules.narrow;
+    const double clearance = node_clearance(*face_, points, i);
+    at(Criterion::crowded) += clearance < rules.crowded;
+    at(Criterion::narrow) += clearance < rules.narrow;
     at(Criterion::defect) += rules.node * std::abs(points.critical_points[i].index);
   }
   at(Criterion::halved) = num_halved(*ties_, choice);

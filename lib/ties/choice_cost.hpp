@@ -13,9 +13,9 @@ namespace quadrille::ties {
 
 /// In the order of their weight.
 enum class Criterion {
-  crowded,    ///< nodes with hardly any room
+  crowded,    ///< nodes too close to the boundary or to another node
   halved,     ///< orbits whose mirror images differ
-  narrow,     ///< nodes with little room
+  narrow,     ///< nodes close to the boundary or to another node
   defect,     ///< sum V (omega / (90 V) - 1)^2, and a tenth for each node
   far_field,  ///< ties that turn against the field away from the corner
   sides,      ///< minus the lengths of the sides at ties with the smaller valence, in diameters

@@ -16,7 +16,7 @@
 namespace quadrille::ties {
 namespace {
 
-constexpr std::size_t most_compared_together = 4;  // orbits
+constexpr std::size_t max_compared_orbits = 4;  // of which all choices are compared
 
 struct Outcome {
   CriticalPoints points;
@@ -44,7 +44,7 @@ class Trials {
     }
     return outcome ? &*outcome : nullptr;
   }
-  /// Null if it was not tried, or leads to nothing.
+  /// Null if the choice was not tried, or leads to no admissible set of nodes.
   const Outcome* known(const Choice& choice) const {
     const auto found = outcomes_.find(choice);
     return found != outcomes_.end() && found->second ? &*found->second : nullptr;
@@ -110,7 +110,7 @@ class Chooser {
   /// Sets of orbits whose choices are compared with each other.
   std::vector<std::vector<int>> compared_sets() const {
     std::vector<std::vector<int>> sets;
-    if (ties_.orbits.size() <= most_compared_together) {
+    if (ties_.orbits.size() <= max_compared_orbits) {
       sets.emplace_back();
       for (std::size_t o = 0; o < ties_.orbits.size(); ++o) sets.back().push_back(static_cast<int>(o));
       return sets;
@@ -125,7 +125,7 @@ class Chooser {
   }
 
   /// Whether `choice` is better than the best so far; it then becomes the best.
-  bool take_if_better(const Choice& choice) {
+  bool replace_if_better(const Choice& choice) {
     const Outcome *now = trials_.of(best_), *then = trials_.of(choice);
     if (!then) return false;
     if (now) {
@@ -150,13 +150,13 @@ class Chooser {
       for (unsigned bits = 0; bits < (1U << set.size()); ++bits) {
         Choice choice = start;
         for (std::size_t i = 0; i < set.size(); ++i) choice = with_orbit(choice, set[i], bits >> i & 1U);
-        take_if_better(choice);
+        replace_if_better(choice);
       }
     }
     return best_ != before && sets.size() > 1;
   }
 
-  /// Lets mirror images differ where a node would have hardly any room.
+  /// Allows mirror images to differ where a node would lie too close to the boundary or to another node.
   void halve() {
     for (const std::vector<int>& orbit : ties_.orbits) {
       const Outcome* now = trials_.of(best_);
@@ -165,7 +165,7 @@ class Chooser {
         Choice choice = best_;
         choice[orbit[0]] = is_first;
         choice[orbit[1]] = !is_first;
-        take_if_better(choice);
+        replace_if_better(choice);
       }
     }
   }

@@ -21,10 +21,10 @@ struct TieOptions {
 };
 
 /// `ties` must not be empty. Of the choices that satisfy the index sum the one of least cost (ties/choice_cost). Orbits
-/// are decided as a whole; only where that leaves a node hardly any room, mirror images may differ (W-NODE-001). Up to
-/// four orbits all choices are compared; of more, those of each chamfer in turn. Clusters are resolved; the form is
-/// `phase`, and each tie is recorded as a change of the kind `line`. Report: ties.{corners, orbits, searches}. Throws
-/// ComputeError if no choice has zeros that can be isolated.
+/// are decided as a whole; only if a node then lies too close to the boundary or to another node, mirror images may
+/// differ (W-NODE-001). Up to four orbits all choices are compared; of more, those of each chamfer in turn. Clusters
+/// are resolved; the form is `phase`, and each tie is recorded as a change of the kind `line`. Report: ties.{corners,
+/// orbits, searches}. Throws ComputeError if no choice has zeros that can be isolated.
 CriticalPoints choose_at_ties(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve,
                               const TieOptions& options, Report& report);
 
