@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "guide/tie_measures.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::guide {
@@ -24,12 +25,6 @@ bool is_less(const Cost& a, const Cost& b) {
   return false;
 }
 
-/// Unit: right angles squared.
-double angle_defect(double angle, int valence) {
-  const double off = angle / valence / half_pi - 1;
-  return valence * off * off;
-}
-
 bool is_tie(const Corner& corner) {
   return corner.angle_degrees > 90 && tie_distance(radians(corner.angle_degrees)) < tie_window;
 }
@@ -41,10 +36,6 @@ Corner corner_at(const CadFace& face, int joint) {
   corner.valence = static_cast<int>(std::floor(angle / half_pi + 0.5 + tie_window / half_pi));
   if (is_tie(corner)) corner.source = NodeSource::line;
   return corner;
-}
-
-double side_length(const CadFace& face, int curve) {
-  return distance(face.joints[curve].position, face.joints[face.next_in_loop(curve)].position);
 }
 
 /// The cost of the smaller valence at a corner.

@@ -5,6 +5,7 @@
 
 #include "base/angle.hpp"
 #include "field/boundary_values.hpp"
+#include "guide/tie_measures.hpp"
 #include "placement/clearance.hpp"
 
 namespace quadrille::ties {
@@ -28,11 +29,6 @@ double node_clearance(const CadFace& face, const CriticalPoints& points, std::si
   for (std::size_t i = 0; i < points.critical_points.size(); ++i)
     if (i != node) least = std::min(least, distance(points.critical_points[i].position, x));
   return least / face.diameter;
-}
-
-double angle_defect(double angle, int valence) {
-  const double off = angle / valence / half_pi - 1;
-  return valence * off * off;
 }
 
 int num_halved(const TieOrbits& ties, const Choice& choice) {
@@ -76,7 +72,8 @@ CostMeasure::CostMeasure(const field::FieldEvaluator& field, const TieOrbits& ti
 
 int CostMeasure::far_sign(const field::FieldEvaluator& field, const Tie& tie) const {
   const Joint& joint = face_->joints[tie.joint];
-  const double side = std::min(side_length(*face_, tie.joint), side_length(*face_, face_->previous_in_loop(tie.joint)));
+  const double side =
+      std::min(guide::side_length(*face_, tie.joint), guide::side_length(*face_, face_->previous_in_loop(tie.joint)));
   Vec2 v;
   if (!field.value_at(joint.position + 0.25 * side * unit(joint.tangent_out + joint.interior_angle / 2), v)) return 0;
   const double turned = cross(field::boundary_value(*face_, tie.joint, face_->curves[tie.joint].begin()), v);
@@ -96,10 +93,11 @@ Cost CostMeasure::operator()(const Choice& choice, const CriticalPoints& points)
   for (std::size_t u = 0; u < choice.size(); ++u)
     for (const int t : ties_->units[u]) {
       const Tie& tie = ties_->ties[t];
-      at(Criterion::defect) += angle_defect(tie.angle, tie.smaller + (choice[u] ? 0 : 1));
+      at(Criterion::defect) += guide::angle_defect(tie.angle, tie.smaller + (choice[u] ? 0 : 1));
       at(Criterion::far_field) += far_signs_[t] == (choice[u] ? -1 : 1);
       if (!choice[u]) continue;
-      const double sides = side_length(*face_, tie.joint) + side_length(*face_, face_->previous_in_loop(tie.joint));
+      const double sides =
+          guide::side_length(*face_, tie.joint) + guide::side_length(*face_, face_->previous_in_loop(tie.joint));
       at(Criterion::sides) -= sides / face_->diameter;
       at(Criterion::middle) -= distance(face_->joints[tie.joint].position, middle_) / face_->diameter;
     }

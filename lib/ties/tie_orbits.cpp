@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "guide/tie_measures.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::ties {
@@ -81,16 +82,12 @@ TieOrbits tie_orbits(const CadFace& face) {
   return result;
 }
 
-double side_length(const CadFace& face, int curve) {
-  return distance(face.joints[curve].position, face.joints[face.next_in_loop(curve)].position);
-}
-
 std::vector<std::vector<int>> chamfers(const CadFace& face, const TieOrbits& ties) {
   std::vector<std::vector<int>> pairs;
   for (std::size_t u = 0; u < ties.units.size(); ++u)
     for (const int t : ties.units[u]) {
       const int out = ties.ties[t].joint, in = face.previous_in_loop(out);
-      const bool is_out_shorter = side_length(face, out) < side_length(face, in);
+      const bool is_out_shorter = guide::side_length(face, out) < guide::side_length(face, in);
       const int other = orbit_at(ties, is_out_shorter ? face.next_in_loop(out) : in);
       const int own = ties.unit2orbit[u];
       if (other >= 0 && other != own) pairs.push_back({std::min(own, other), std::max(own, other)});

@@ -33,7 +33,4 @@ TieOrbits tie_orbits(const CadFace& face);
 /// pair once, ascending.
 std::vector<std::vector<int>> chamfers(const CadFace& face, const TieOrbits& ties);
 
-/// The distance between the ends of a curve, the side that starts at the joint of the same number.
-double side_length(const CadFace& face, int curve);
-
 }  // namespace quadrille::ties
