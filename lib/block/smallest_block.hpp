@@ -29,6 +29,8 @@ struct SmallestBlock {
   std::array<BoundaryFeature, 2> between;
 };
 
+/// The block with the shortest side, and the features of the boundary between which that side lies. `measures`: of all
+/// blocks. Cost: linear in the lengths of the chords beside that block.
 SmallestBlock smallest_block(const BlockLayout& layout, const std::vector<BlockMeasure>& measures);
 
 /// "curve 3 'inlet'", "curve 7 (hole 1)", "the corner of curves 2 and 3"; the number of a hole is the number of its

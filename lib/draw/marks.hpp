@@ -17,7 +17,7 @@ void draw_face_area(Picture& picture, const CadFace& face);
 /// The data of a path around the face, for the fill rule evenodd.
 std::string face_outline(const Picture& picture, const CadFace& face);
 void draw_boundary(Picture& picture, const CadFace& face);
-/// A small dot on each corner; hover: number, angle, position.
+/// A small dot on each corner; hover: position and angle.
 void draw_corners(Picture& picture, const CadFace& face);
 /// Its legend entry, where the face has corners.
 void legend_corner(Picture& picture, const CadFace& face);

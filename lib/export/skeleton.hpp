@@ -28,6 +28,7 @@ struct Skeleton {
   std::vector<SkeletonCurve> curves;
 };
 
+/// Of a conforming mesh; linear in the number of its elements.
 Skeleton mesh_skeleton(const QuadMesh& mesh);
 
 }  // namespace quadrille::exports

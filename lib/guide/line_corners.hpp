@@ -24,6 +24,8 @@ struct LineCorners {
   int missing_index = 0;        ///< 4 chi - sum (2 - V); not 0: no symmetric choice fits, ties have the larger V
 };
 
+/// The valence of every corner by its angle alone; orbits of ties under `group`, the isometries of the face, get the
+/// smaller or the larger valence such that the index sum holds without a node, if a symmetric choice exists.
 LineCorners line_corners(const CadFace& face, const std::vector<curve::Isometry>& group);
 
 }  // namespace quadrille::guide

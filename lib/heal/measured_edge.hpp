@@ -18,6 +18,7 @@ struct MeasuredEdge {
 /// The edges of all wires; pointers into `wires`.
 std::vector<std::vector<MeasuredEdge>> measured(const std::vector<std::vector<RawEdge>>& wires);
 
+/// The end of an edge at a joint, or its start, without limits of its movement (see JointLimit).
 JointSide end_of(const MeasuredEdge& edge);
 JointSide start_of(const MeasuredEdge& edge);
 

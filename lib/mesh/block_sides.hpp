@@ -29,7 +29,7 @@ struct ArcEnd {
   int end = 0;  ///< 0: from, 1: to
 };
 
-ArcEnd beginning(HalfEdge half_edge);
-ArcEnd ending(HalfEdge half_edge);
+ArcEnd beginning(HalfEdge half_edge);  ///< the end of the arc at which the half-edge starts
+ArcEnd ending(HalfEdge half_edge);     ///< the other end
 
 }  // namespace quadrille::mesh

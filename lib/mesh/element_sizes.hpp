@@ -28,6 +28,7 @@ ElementSizes worst_element_sizes(const QuadMesh& mesh);
 /// "greatest edge ratio 12.3 at (1, 2), ...": one line.
 std::string describe(const ElementSizes& sizes);
 
+/// Reports value, element and position of each of the three (greatest_edge_ratio.*, ...). Elements must be measured.
 void report_element_sizes(const QuadMesh& mesh, Report& report);
 
 }  // namespace quadrille::mesh
