@@ -16,6 +16,7 @@ struct HealRules {
   double edge_fraction = 0.1;        ///< of its edge's length
   double sliding_fraction = 0.25;    ///< of a line's length, where the end stays on the line
   double clearance_fraction = 0.25;  ///< of the distance to other edges
+  double sliding_reach = 4;  ///< tolerances: lines whose gap is within it and that cross at 15 degrees meet so far
 
   // Which point two curves are moved to.
   double tangential = radians(1);   ///< curves that meet at a smaller angle have no well-posed intersection

@@ -31,7 +31,8 @@ void check_vertices(const RawEdge& edge, const HealScale& scale) {
   const Vec2 a = joint.in.end, b = joint.out.end;
   const std::string gap = fmt::format("{}: edges {} and {} are {:.3g} apart at {}", scale.file, in.raw->cad_edge,
                                       out.raw->cad_edge, distance(a, b), rounded_position_text(0.5 * (a + b)));
-  if (joint.reason == LimitReason::tolerance) throw FormatError(gap + remedy(scale, distance(a, b)));
+  if (joint.reason == LimitReason::tolerance)
+    throw FormatError(gap + remedy(scale, needed_tolerance(joint.in, joint.out)));
   const std::string why =
       joint.reason == LimitReason::edge ? "a tenth of their length" : "a quarter of the distance to another edge";
   throw FormatError(fmt::format("{}; healing moves them by at most {:.3g} and {:.3g}, {}: draw them so that they meet",

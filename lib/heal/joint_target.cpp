@@ -29,6 +29,10 @@ bool meet_tangentially(const JointSide& a, const JointSide& b) {
   return std::abs(cross(a.tangent, b.tangent)) <= std::sin(heal_rules.tangential) * (1 + 1e-6);
 }
 
+bool have_intersection_only(const JointSide& a, const JointSide& b) {
+  return std::min(a.rank, b.rank) == Rank::kept_line && !meet_tangentially(a, b);
+}
+
 // The rule for lines and arcs; std::nullopt if it gives no point.
 std::optional<Vec2> by_carriers(const JointSide& a, const JointSide& b, Vec2 middle) {
   if (!meet_tangentially(a, b)) return intersection(a.carrier, b.carrier, middle);
@@ -68,11 +72,18 @@ std::vector<Rank> ranks_of(const std::vector<Carrier>& carriers) {
   return ranks;
 }
 
+double needed_tolerance(const JointSide& a, const JointSide& b) {
+  const double gap = distance(a.end, b.end);
+  if (!have_intersection_only(a, b)) return gap;
+  const auto x = by_carriers(a, b, 0.5 * (a.end + b.end));
+  return x ? std::max(gap, std::max(distance(*x, a.end), distance(*x, b.end)) / heal_rules.sliding_reach) : gap;
+}
+
 std::optional<Vec2> joint_target(const JointSide& a, const JointSide& b) {
   const Vec2 middle = 0.5 * (a.end + b.end);
   const auto x = by_carriers(a, b, middle);
   if (x && may_move(a, *x) && may_move(b, *x)) return x;
-  if (std::min(a.rank, b.rank) == Rank::kept_line && !meet_tangentially(a, b)) return std::nullopt;
+  if (have_intersection_only(a, b)) return std::nullopt;
   for (const Vec2 y : {by_rank(a, b, middle), a.most < b.most ? a.end : b.end})
     if (may_move(a, y) && may_move(b, y)) return y;
   return std::nullopt;

@@ -23,6 +23,14 @@ TEST(JointLimit, IsTheTolerance) {
   EXPECT_EQ(joint.reason, LimitReason::tolerance);
 }
 
+TEST(JointLimit, LinesWhoseEndsAreNearSlideFourTolerances) {
+  const LimitedJoint joint = limited({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 0.01);
+  EXPECT_DOUBLE_EQ(joint.in.most_sliding, 0.04);
+  EXPECT_DOUBLE_EQ(joint.out.most_sliding, 0.04);
+  EXPECT_DOUBLE_EQ(limited({{0, 0}, {4, 0}, {4, 0.1}, {0, 4}}, 0.01).out.most_sliding, 0.025)
+      << "a quarter of the line";
+}
+
 TEST(JointLimit, IsATenthOfEachEdge) {
   const LimitedJoint joint = limited({{0, 0}, {4, 0}, {4, 2}, {0, 4}}, 1);
   EXPECT_DOUBLE_EQ(joint.in.most, 0.4);

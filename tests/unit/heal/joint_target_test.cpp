@@ -77,6 +77,16 @@ TEST(JointTarget, AShortLineMaySlideFurtherThanItMayTurn) {
   EXPECT_FALSE(joint_target(a, b));
 }
 
+TEST(JointTarget, TheToleranceThatIsNeededLetsKeptLinesSlideToTheirIntersection) {
+  JointSide a{carrier_of(flat), Rank::kept_line, {10, 0}, {1, 0}, 0, 0};
+  JointSide b{carrier_of(curve::segment({10, 0.01}, {20, 10.01})), Rank::kept_line, {10, 0.01}, {1, 1}, 0, 0};
+  EXPECT_DOUBLE_EQ(needed_tolerance(a, b), 0.01) << "they meet at (9.99, 0)";
+  b.carrier = carrier_of(curve::segment({10, 0.01}, {20, 1.01}));  // at (9.9, 0)
+  EXPECT_NEAR(needed_tolerance(a, b), std::hypot(0.1, 0.01) / 4, 1e-12);
+  b.rank = Rank::line;
+  EXPECT_DOUBLE_EQ(needed_tolerance(a, b), 0.01) << "it turns instead";
+}
+
 TEST(JointTarget, IsTheSameFromBothSides) {
   const Nurbs other = curve::segment({10.01, 0.02}, {12, 5});
   expect_at(joined(curve::reversed(other), curve::reversed(flat)), *joined(flat, other));
