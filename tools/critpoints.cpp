@@ -79,8 +79,8 @@ void declare(cli::Options& o, NodeOptions& options) {
          "cancel; auto: diameter / 500, or half the mean width of the face if that is less; 0: they stay (unit: file "
          "units; default: auto)");
   o.choice("--place", options.place,
-           "keep nodes at the zeros of the field, or move all to the least energy; nodes of split clusters are always "
-           "moved");
+           "keep nodes at the zeros of the field, or move them to the least energy; nodes of split clusters are always "
+           "moved, those of divided corners never");
   o.number("--place-weight", options.placement.weight, 0, 100, "1",
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
 }
@@ -117,7 +117,9 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
 
 void place(const Field& field, const NodeOptions& options, int num_threads, CriticalPoints& points, Report& report) {
   std::vector<bool> is_free = guide::nodes_without_position(field.mesh.face, points);
-  if (options.place == placement::PlaceRule::energy) is_free.assign(is_free.size(), true);
+  if (options.place == placement::PlaceRule::energy)
+    for (std::size_t i = 0; i < is_free.size(); ++i)
+      is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
   const auto energy = galerkin::phase_energy_function(field, {points.hole_winding_offsets}, num_threads);
   const auto of_points = [&](const CriticalPoints& at) {
@@ -175,6 +177,7 @@ int main(int argc, char** argv) {
     const CadFace& face = field.mesh.face;
     guide::override_corners(face, overrides, points);
     if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
+    guide::report_sharp_corners(face, points, s.report());
     const double feature_size = features::parse_feature_size(options.feature_size, face);
     features::resolve_features(face, feature_size, points);
     s.report().set("feature_size", feature_size);

@@ -22,6 +22,7 @@ inline constexpr const char* target_error_missed = "W-ADAPT-002";
 // critpoints
 inline constexpr const char* mirror_images_differ = "W-NODE-001";
 inline constexpr const char* nodes_by_rule = "W-NODE-002";
+inline constexpr const char* sharp_corner = "W-NODE-003";  ///< below 15 degrees
 inline constexpr const char* least_energy_not_found = "W-PLACE-001";
 inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
 

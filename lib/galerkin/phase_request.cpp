@@ -12,13 +12,14 @@ namespace quadrille::galerkin {
 
 namespace {
 
-// lib/method.md §5; the tolerance admits corners that equal a bound up to rounding.
+// lib/method.md §5: a sharp corner needs one block in any case. The tolerance admits corners that equal a bound up to
+// rounding.
 constexpr double least_degrees = 15 - 1e-6, greatest_degrees = 165 + 1e-6;
 
 bool is_admissible(double angle, int valence) {
   if (valence == 0) return true;
   const double block = degrees(angle) / valence;
-  return valence > 0 && least_degrees <= block && block <= greatest_degrees;
+  return valence > 0 && (valence == 1 || least_degrees <= block) && block <= greatest_degrees;
 }
 
 void require_admissible(const CadFace& face, double angle, int valence, Vec2 position, const std::string& what) {

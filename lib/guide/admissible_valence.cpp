@@ -10,8 +10,9 @@ namespace quadrille::guide {
 bool is_admissible_valence(double angle_degrees, int valence) {
   constexpr double tol = 1e-6;
   if (valence == 0) return true;
-  return valence > 0 && valence <= greatest_corner_valence && angle_degrees / valence >= least_block_angle - tol &&
-         angle_degrees / valence <= greatest_block_angle + tol;
+  const double block = angle_degrees / valence;
+  return valence > 0 && valence <= greatest_corner_valence && block <= greatest_block_angle + tol &&
+         (valence == 1 || block >= least_block_angle - tol);
 }
 
 bool is_admissible_after_absorption(double angle_degrees, int valence) {

@@ -7,7 +7,7 @@ inline constexpr double least_block_angle = 15, greatest_block_angle = 165;  // 
 inline constexpr int greatest_corner_valence = 4;
 
 /// Whether a valence may be prescribed: it is 0 to 4, and angle / valence is between 15 and 165 degrees. Valence 0, a
-/// degenerate corner, is admissible.
+/// degenerate corner, is admissible, and valence 1 also below 15 degrees: a sharp corner needs one block.
 bool is_admissible_valence(double angle_degrees, int valence);
 
 /// Whether a corner may have that valence because it absorbs nodes: angle / valence is between 15 and 165 degrees and

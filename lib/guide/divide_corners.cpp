@@ -3,37 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/angle.hpp"
 #include "base/position_text.hpp"
-#include "curve/nurbs.hpp"
+#include "base/warning_codes.hpp"
 #include "guide/admissible_valence.hpp"
+#include "guide/middle_line.hpp"
 #include "guide/node_ring.hpp"
-#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
 
-constexpr double part_of_clearance = 0.25, part_of_side = 0.5;
+// Greatest distance of the node of a division from its corner.
+struct DivisionRules {
+  double part_of_clearance = 0.25;  // of the length of the middle line inside the face
+  double part_of_side = 0.5;        // of the shorter side
+  double part_of_distance = 0.5;    // of the distance to any other node
+  // The middle line turns by at most this multiple of the angle under which the corner sees the width of the wedge: the
+  // long block at the corner would fold in a wedge that bends more.
+  double turn_per_angle = 1;
+};
 
-/// The distance between the ends of a side; for a closed side, from its end to its middle.
-double side_length(const CadFace& face, int curve, bool is_outgoing) {
-  const Nurbs& c = face.curves[curve];
-  return distance(c.poles.front(), c.poles.back()) > 0 ? distance(c.poles.front(), c.poles.back())
-                                                       : distance(curve::point(c, is_outgoing ? c.begin() : c.end()),
-                                                                  curve::point(c, 0.5 * (c.begin() + c.end())));
-}
+constexpr DivisionRules division_rules;
 
 Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::vector<CriticalPoint>& nodes) {
-  const Joint& joint = face.joints[corner.joint];
-  const Vec2 bisector = unit(joint.tangent_out + joint.interior_angle / 2);
-  const double off = 1e-6 * face.diameter;  // away from the corner itself
-  const double sides = std::min(side_length(face, corner.curves[0], false), side_length(face, corner.curves[1], true));
+  const MiddleLine line = middle_line(face, corner.joint);
   double radius =
-      std::min(part_of_clearance * placement::clearance_along(face, joint.position + off * bisector, bisector),
-               part_of_side * sides);
-  for (const CriticalPoint& p : nodes) radius = std::min(radius, 0.5 * distance(p.position, joint.position));
-  return joint.position + radius * bisector;
+      std::min({division_rules.part_of_clearance * length_inside(face, line), division_rules.part_of_side * line.side,
+                length_of_small_turn(line, division_rules.turn_per_angle)});
+  for (const CriticalPoint& p : nodes)
+    radius = std::min(radius, division_rules.part_of_distance * distance(p.position, corner.position));
+  return point_at(line, radius);
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::ve
 void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
   const std::vector<CriticalPoint> others = points.critical_points;
   for (Corner& corner : points.corners) {
-    if (corner.valence != 0 || !is_admissible_valence(corner.angle_degrees, 1)) continue;
+    if (corner.valence != 0) continue;
     if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = others;
     const CriticalPoint node = made_node(centre_of_division(face, corner, others), 1, NodeSource::divide);
     points.changes.push_back(
@@ -56,6 +57,22 @@ void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
     corner.source = NodeSource::divide;
     points.form = NodeForm::phase;
   }
+}
+
+void report_sharp_corners(const CadFace& face, const CriticalPoints& points, Report& report) {
+  const Corner* sharpest = nullptr;
+  int count = 0;
+  for (const Corner& corner : points.corners) {
+    if (corner.valence != 1 || corner.angle_degrees >= least_block_angle) continue;
+    ++count;
+    if (!sharpest || corner.angle_degrees < sharpest->angle_degrees) sharpest = &corner;
+  }
+  if (count == 0) return;
+  report.warn(warning::sharp_corner,
+              fmt::format("{} below {:.0f} degrees: that of {:.3g} degrees at {} limits the scaled Jacobian to {:.2g}",
+                          count == 1 ? "one corner is" : fmt::format("{} corners are", count), least_block_angle,
+                          sharpest->angle_degrees, position_text(sharpest->position + face.origin),
+                          std::sin(radians(sharpest->angle_degrees))));
 }
 
 }  // namespace quadrille::guide

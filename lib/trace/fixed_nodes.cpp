@@ -20,10 +20,9 @@ graph::FixedNode irregular_node(const CadFace& face, const CriticalPoint& p) {
 graph::FixedNode corner_node(const CadFace& face, const Corner& c) {
   if (c.valence > 0) return {face.joints[c.joint].position, NodeKind::corner, c.valence, c.joint};
   throw ComputeError(
-      fmt::format("the corner of {:.1f} degrees at {} has valence 0 and makes a block of three sides: {}",
-                  c.angle_degrees, position_text(c.position + face.origin),
-                  c.angle_degrees < 15 ? "below 15 degrees there is no good block"
-                                       : "critpoints --degenerate divide splits it into three blocks of four sides"));
+      fmt::format("the corner of {:.1f} degrees at {} has valence 0 and makes a block of three sides: critpoints "
+                  "--degenerate divide splits it into three blocks of four sides",
+                  c.angle_degrees, position_text(c.position + face.origin)));
 }
 
 graph::FixedNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {

@@ -33,6 +33,13 @@ TEST(PhaseRequest, RefusesBlocksTooFlatOrTooSharpByTheirCorner) {
             std::string::npos);
 }
 
+TEST(PhaseRequest, TakesOneBlockAtASharpCorner) {
+  const CadFace needle = make_face({polygon({{0, 0}, {1, -0.02}, {1, 0.02}})});
+  EXPECT_EQ(refusal(needle, {{{{0.3, 0}, 3}}, {{0, 1}, {1, 1}, {2, 1}}, {}}), "");
+  EXPECT_NE(refusal(needle, {{{{0.3, 0}, 3}, {{0.5, 0}, 3}}, {{0, 2}, {1, 1}, {2, 1}}, {}}).find("valence 2"),
+            std::string::npos);
+}
+
 TEST(PhaseRequest, RefusesWithTheArithmeticOfTheIndexSum) {
   EXPECT_NE(refusal(square(), {{{{0.5, 0.5}, 5}}, {{0, 1}, {1, 1}, {2, 1}, {3, 1}}, {}}).find("together 3"),
             std::string::npos);

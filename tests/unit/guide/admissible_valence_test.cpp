@@ -5,14 +5,15 @@
 namespace quadrille::guide {
 namespace {
 
-TEST(AdmissibleValence, blocks_have_15_to_165_degrees) {
+TEST(AdmissibleValence, blocks_have_15_to_165_degrees_but_those_of_sharp_corners) {
   EXPECT_TRUE(is_admissible_valence(90, 1));
   EXPECT_TRUE(is_admissible_valence(165, 1));
   EXPECT_FALSE(is_admissible_valence(166, 1));
   EXPECT_TRUE(is_admissible_valence(30, 2));
   EXPECT_FALSE(is_admissible_valence(29, 2));
   EXPECT_TRUE(is_admissible_valence(10, 0));
-  EXPECT_FALSE(is_admissible_valence(10, 1));
+  EXPECT_FALSE(is_admissible_valence(10, 2));
+  EXPECT_TRUE(is_admissible_valence(10, 1));  // a sharp corner needs a block
   EXPECT_FALSE(is_admissible_valence(90, -1));
   EXPECT_FALSE(is_admissible_valence(340, 5));
 }

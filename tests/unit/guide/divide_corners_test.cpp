@@ -7,6 +7,8 @@
 #include "../support/critical_points.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -39,17 +41,64 @@ TEST(DivideCorners, ASharpCornerGetsANodeOnItsBisectorAndKeepsTheIndexSum) {
   EXPECT_EQ(points.changes[0].kind, ChangeKind::divide);
 }
 
-TEST(DivideCorners, OtherCornersAndSharperOnesStay) {
+TEST(DivideCorners, OtherCornersStay) {
   CriticalPoints points = points_of(square());
   divide_degenerate_corners(square(), points);
   EXPECT_TRUE(points.changes.empty());
   EXPECT_EQ(points.form, NodeForm::harmonic);
-  const double h = 4 * std::tan(radians(5));
-  const CadFace face = make_face({polygon({{0, 0}, {4, -h}, {4, h}})});
-  CriticalPoints sharp = points_of(face);
-  divide_degenerate_corners(face, sharp);
-  EXPECT_EQ(sharp.corners[0].valence, 0);
-  EXPECT_TRUE(sharp.critical_points.empty());
+}
+
+TEST(DivideCorners, AnyAngleAboveZeroGetsABlock) {
+  for (const double angle : {14.0, 5.0, 1.0, 0.1}) {
+    const CadFace face = kite(radians(angle));
+    CriticalPoints points = points_of(face);
+    const int sum = points.index_sum;
+    divide_degenerate_corners(face, points);
+    EXPECT_EQ(points.corners[0].valence, 1);
+    EXPECT_NEAR(points.critical_points.at(0).position.x, 1.25, 1e-5);
+    EXPECT_EQ(index_sum_of(points), sum);
+  }
+}
+
+// Between two arcs from (0, 0) to (1, 0) below, with this angle between them at both ends.
+CadFace crescent(double angle) {
+  const auto arc = [](double half, bool is_forward) {
+    const Vec2 centre{0.5, 0.5 / std::tan(half)};
+    const double radius = 0.5 / std::sin(half);
+    return is_forward ? curve::circular_arc(centre, radius, -half_pi - half, -half_pi + half)
+                      : curve::circular_arc(centre, radius, -half_pi + half, -half_pi - half);
+  };
+  return make_face({{arc(1, true), arc(1 - angle, false)}});
+}
+
+TEST(DivideCorners, TheNodeOfABentWedgeIsInItsMiddle) {
+  for (const double angle : {0.2, 0.05, 0.01}) {
+    const CadFace face = crescent(angle);
+    CriticalPoints points = points_of(face);
+    divide_degenerate_corners(face, points);
+    ASSERT_EQ(points.critical_points.size(), 2u);
+    const Vec2 a = points.critical_points[0].position, b = points.critical_points[1].position;
+    EXPECT_NEAR(a.x, 1 - b.x, 1e-9);
+    EXPECT_NEAR(a.y, b.y, 1e-9);
+    // The wedge turns by no more than its angle up to there.
+    EXPECT_LE(std::min(norm(a), norm(b)), angle);
+    EXPECT_GE(std::min(norm(a), norm(b)), angle / 8);
+    EXPECT_NEAR(placement::signed_clearance(face, a), angle * std::min(norm(a), norm(b)) / 2, 0.4 * angle * norm(b));
+  }
+}
+
+TEST(DivideCorners, SharpCornersAreReportedWithTheirFigure) {
+  const CadFace face = kite(radians(6));
+  CriticalPoints points = points_of(face);
+  Report before, after;
+  report_sharp_corners(face, points, before);  // no block, no limit
+  EXPECT_TRUE(before.warnings().empty());
+  divide_degenerate_corners(face, points);
+  report_sharp_corners(face, points, after);
+  ASSERT_EQ(after.warnings().size(), 1u);
+  EXPECT_EQ(after.warnings()[0].code, "W-NODE-003");
+  EXPECT_EQ(after.warnings()[0].message,
+            "one corner is below 15 degrees: that of 6 degrees at (0, 0) limits the scaled Jacobian to 0.1");
 }
 
 TEST(DivideCorners, AShortSideDrawsTheNodeNearer) {

@@ -59,14 +59,12 @@ TEST(FixedNodes, TheLastCurveOfALoopEndsAtItsFirstJoint) {
 }
 
 TEST(FixedNodes, NodesThatNoLayoutCanHaveAreRefusedWithTheirPlace) {
-  CriticalPoints zero, corner, sharp, straight;
+  CriticalPoints zero, corner, straight;
   zero.critical_points = {node({0.3, 0.4}, 2)};
   EXPECT_TRUE(contains(refusal(zero), "(10.3, 20.4) has index +2")) << refusal(zero);
   corner.corners.push_back({2, {1, 0}, 20, 0, {}});
   EXPECT_TRUE(contains(refusal(corner), "20.0 degrees at (11, 20)")) << refusal(corner);
   EXPECT_TRUE(contains(refusal(corner), "--degenerate divide"));
-  sharp.corners.push_back({2, {1, 0}, 14, 0, {}});
-  EXPECT_TRUE(contains(refusal(sharp), "below 15 degrees there is no good block")) << refusal(sharp);
   straight.boundary_nodes.push_back({3, 0.25, {}, 1, NodeSource::feature});
   EXPECT_TRUE(contains(refusal(straight), "valence 1 on the smooth boundary at (10.75, 21)")) << refusal(straight);
 }
