@@ -22,7 +22,7 @@ struct DivisionRules {
   double part_of_distance = 0.5;    // of the distance to any other node
   // The middle line turns by at most this multiple of the angle under which the corner sees the width of the wedge: the
   // long block at the corner would fold in a wedge that bends more.
-  double turn_per_angle = 1;
+  double turn_per_angle = 1.5;
 };
 
 constexpr DivisionRules division_rules;
@@ -71,7 +71,7 @@ void report_sharp_corners(const CadFace& face, const CriticalPoints& points, Rep
   report.warn(warning::sharp_corner,
               fmt::format("{} below {:.0f} degrees: that of {:.3g} degrees at {} limits the scaled Jacobian to {:.2g}",
                           count == 1 ? "one corner is" : fmt::format("{} corners are", count), least_block_angle,
-                          sharpest->angle_degrees, position_text(sharpest->position + face.origin),
+                          sharpest->angle_degrees, rounded_position_text(sharpest->position + face.origin),
                           std::sin(radians(sharpest->angle_degrees))));
 }
 

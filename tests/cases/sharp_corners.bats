@@ -74,7 +74,7 @@ END
 
 @test "a crescent with tips of 5 degrees gets a node in the middle of each, as mirror images" {
   draw crescent crescent 5
-  meshed 5 4 60 crescent
+  meshed 5 4 40 crescent
   cad2tri crescent.step | fieldsolve -q | padapt -q | critpoints -q -o crescent.crit.json
   jq -e '[.critical_points[].position] | length == 2 and
     (.[0][0] + .[1][0] - 1 | fabs) < 1e-9 and (.[0][1] - .[1][1] | fabs) < 1e-9' crescent.crit.json
