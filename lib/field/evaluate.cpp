@@ -110,11 +110,4 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
   return result;
 }
 
-std::vector<FieldSample> FieldEvaluator::samples(const std::vector<mesh::Location>& places) const {
-  std::vector<FieldSample> result;
-  result.reserve(places.size());
-  for (const mesh::Location& at : places) result.push_back(sample(at.elem, at.xi));
-  return result;
-}
-
 }  // namespace quadrille::field

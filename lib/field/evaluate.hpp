@@ -45,8 +45,6 @@ class FieldEvaluator {
   /// Value and gradient at many physical points: each is located by a walk through the mesh from the previous point
   /// (mesh/locate), and by the search grid if the walk fails. Fastest if successive points are near each other.
   std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
-  /// sample() at many locations, all inside the mesh.
-  std::vector<FieldSample> samples(const std::vector<mesh::Location>& places) const;
 
   const Field& field() const { return *field_; }
   const std::vector<spectral::TriMap>& maps() const { return maps_; }

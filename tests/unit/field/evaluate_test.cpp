@@ -101,7 +101,6 @@ TEST(FieldEvaluator, meets_single_evaluation_at_many_points_of_a_ring) {
     const FieldSample there = evaluator.sample(samples[i].at.elem, samples[i].at.xi);
     EXPECT_NEAR(distance(there.x, points[i]), 0, 1e-13);
     expect_near(samples[i].dv_dx, there.dv_dx);
-    EXPECT_EQ(evaluator.samples({samples[i].at})[0].value, there.value);
   }
   EXPECT_GT(num_inside, 500);
   EXPECT_LT(num_inside, 1900);
