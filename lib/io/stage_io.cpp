@@ -29,6 +29,15 @@ Hdf5Header read_header(const Hdf5GroupReader& root, const std::string& file_name
   return {root.text_attribute("format"), root.integer_attribute("version")};
 }
 
+/// Every later stage writes it into an attribute, which holds at most 64 KiB in the files that any HDF5 library reads.
+constexpr std::size_t longest_provenance = 60000;
+
+void require_short(const Provenance& provenance, const std::string& file_name) {
+  if (provenance_text(provenance).size() > longest_provenance)
+    throw FormatError(fmt::format("{}: 'provenance' is longer than {} characters, which no stage file can hold",
+                                  file_name, longest_provenance));
+}
+
 /// Runs `read` on the image. Bytes with the checksum of the library's own writer are read at once; others, which may
 /// crash libhdf5, are first read in a child process.
 template <typename Read>
@@ -100,6 +109,7 @@ Provenance read_json_stage(const InputFile& file, const FormatVersion& version, 
   require_version(file.name, version, format, numbers);
   Provenance provenance;
   describe_provenance(reader.root(), provenance);
+  require_short(provenance, file.name);
   describe_version(reader.root(), version, numbers, describe);
   return provenance;
 }

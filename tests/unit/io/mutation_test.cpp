@@ -152,6 +152,15 @@ TEST_F(Damaged, OtherMajorVersionsGetTwoDifferentSentences) {
   }
 }
 
+TEST_F(Damaged, AProvenanceThatNoFileCanHoldIsRefused) {
+  const Format& format = formats()[2];
+  std::string bytes = sample(format);
+  const std::size_t at = bytes.find("\"tool\": \"");
+  ASSERT_NE(at, std::string::npos);
+  bytes.insert(at + 9, std::string(70000, 'x'));
+  EXPECT_EQ(refusal(format, bytes), "file: 'provenance' is longer than 60000 characters, which no stage file can hold");
+}
+
 TEST_F(Damaged, AnotherFormatIsNamed) {
   for (const Format& written : formats())
     for (const Format& wanted : formats()) {
