@@ -105,10 +105,10 @@ int main(int argc, char** argv) {
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees",
              "tangent discontinuities greater than this are corners of the layout");
-    o.number(
-        "--heal-tolerance", heal_tolerance, -1, 5e-3, "diameters",
-        "the most that edges and vertices which do not meet, or leave the plane, are moved; edges shorter than this "
-        "are removed; 0: no healing; -1: 1e-5, or the tolerances of the shape if they are larger");
+    o.number("--heal-tolerance", heal_tolerance, -1, 5e-3, "diameters",
+             "the most that edges and vertices which do not meet, or leave the plane, are moved (lines as near as that "
+             "slide to their crossing, by up to four times as much); edges shorter than this are removed; 0: no "
+             "healing; -1: 1e-5, or the tolerances of the shape if they are larger");
     o.number("--blunt", blunt, 0, unlimited, "file units",
              "cut the tips of cusps off, where two edges meet at an angle of zero, and put straight edges of this "
              "length there; 0: cusps are refused");

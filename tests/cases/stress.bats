@@ -27,6 +27,23 @@ holds() {
   for file in two/*; do cmp "$file" "one/${file#two/}"; done
 }
 
+@test "generator: 1,000 parts of 9 families, each the same bytes whenever it is written; about every second with gaps" {
+  mkdir one two
+  run -0 python3 -B "$ROOT/tests/stress/families.py" --set parts --sample one
+  assert_equal "$(find one -name '*.step' | sed 's|.*/||; s|_.*||' | sort -u | wc -l)" 9
+  run -0 python3 -B "$ROOT/tests/stress/families.py" --set parts --sample two
+  diff -r one two
+  run -0 python3 -B - "$ROOT/tests/stress" <<'PYTHON'
+import sys
+sys.path.insert(0, sys.argv[1])
+import families
+names = families.names("parts")
+gaps = [families.finished(name)[1] for name in families.sample("parts")]
+print(len(names), 20 <= sum(gap > 0 for gap in gaps) <= 32, max(gaps) <= 1e-4)
+PYTHON
+  assert_output '1000 True True'
+}
+
 @test "sample: no crash, few too slow; failures are of the shape and say where" {
   holds '.summary.shapes == 50 and .summary.crashed == 0 and .summary.slow == 0'
   holds 'all(.shapes[]; .slow or .exit_code == 0 or
@@ -40,6 +57,14 @@ holds() {
 
 @test "sample: the independent checker was there to judge" {
   holds .summary.judged_by_mesh_report >/dev/null || skip "no ../shared/check/mesh_report.py: stagecheck alone judged"
+}
+
+# A few of each family; the other parts: tests/stress/run --set parts --symmetric --jobs 2
+@test "parts as CAD programs leave them: good, and symmetric where their faces are" {
+  run "$ROOT/tests/stress/run" --bin "$BIN" --symmetric --seconds "$SECONDS_EACH" -o parts.json \
+    chamfer_000 chamfer_027 chamfer_115 frame_054 frame_061 slot_000 slot_115 fillet_027 fillet_122 pattern_000 \
+    pattern_027 rack_027 rack_054 gear_054 gear_088 connector_027 connector_054 bracket_000 bracket_027
+  assert_equal "$(jq -c '[.summary.good, .summary.shapes]' parts.json)" '[19,19]' || fail "$output"
 }
 
 # A crossing that was missed, a line that ends in a node that another passes, a spiral round its limit cycle, a line along
