@@ -442,6 +442,7 @@ TEST(LayerRules, R21_FirstIntervalsOfCrowdedArcsAreLimitedButNotNextToLayers) {
   // Ten intervals on a length of 1: the first is at most 2.5 times their mean.
   EXPECT_EQ(spaced_ends({{{{}, 0.9, 1.2}, {}}}, 1, 0.1, 10), spaced_ends({{{{}, 0.25, 1.2}, {}}}, 1, 0.1, 10));
   EXPECT_NE(spaced_ends({{{{}, 0.2, 1.2}, {}}}, 1, 0.1, 10), spaced_ends({{{{}, 0.25, 1.2}, {}}}, 1, 0.1, 10));
+  EXPECT_EQ(spaced_ends({{{}, {{}, 0.9, 1.2}}}, 1, 0.1, 10), spaced_ends({{{}, {{}, 0.25, 1.2}}}, 1, 0.1, 10));
   const auto beside_layer = [](double before) { return spaced_ends({{{{0.5}, before, 1.2}, {}}}, 1, 0.1, 10); };
   EXPECT_NE(beside_layer(0.5), beside_layer(0.25));
 }

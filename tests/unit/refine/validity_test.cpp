@@ -8,6 +8,7 @@
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "base/error.hpp"
+#include "mesh/element_sizes.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -107,6 +108,22 @@ TEST(Validity, ReportHoldsTheLeastAndTheWorst) {
   EXPECT_EQ(value("least_scaled_jacobian"), value("worst.1.scaled_jacobian"));
   EXPECT_LE(value("worst.1.scaled_jacobian"), value("worst.8.scaled_jacobian") + 1e-6);
   EXPECT_GE(value("mean_scaled_jacobian"), value("least_scaled_jacobian"));
+}
+
+TEST(RequireQuality, LimitsThatAreJustReachedHold) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), {1, 2, 1e-6});
+  const auto measured = [&](double scale, double shear) {
+    QuadMesh moved = mesh;
+    for (Vec2& x : moved.nodes) x = {scale * x.x + shear * x.y, x.y};
+    measure_elements(moved);
+    mesh::measure_element_sizes(moved);
+    return moved;
+  };
+  EXPECT_NO_THROW(require_quality(measured(4, 0), 0, 4));
+  EXPECT_NO_THROW(require_quality(measured(4, 0), 0, 0)) << "no limit";
+  EXPECT_THROW(require_quality(measured(4, 0), 0, 3.99), ComputeError);
+  EXPECT_NO_THROW(require_quality(measured(1, 1), std::sqrt(0.5), 0));
+  EXPECT_THROW(require_quality(measured(1, 1), 0.71, 0), ComputeError);
 }
 
 }  // namespace
