@@ -1,15 +1,13 @@
 #!/usr/bin/env python3
 """Random shapes from fixed seeds, to stress the chain; `run` beside this file runs it on them.
 
-    families.py [--set shapes|parts] [--sample] FOLDER [NAME...]     writes STEP files: all shapes of the set, its
-                                                                     sample of 50, or the shapes named
+    families.py [--set shapes|parts] [--sample] FOLDER [NAME...]     writes all of a set, its sample of 50, or the named
 
-The set "shapes" has the 500 below, the set "parts" 1,000 faces as they come from CAD programs (parts.py).
-
-A shape's name is its family and a number, polygon_017, and the name is its seed: a family can grow and no shape
-changes. Every shape is checked before it counts: no side crosses another, and sides that are not neighbours keep a
-clearance. What is drawn and fails is drawn again. Half of the shapes lie straight, so that ties are exact, the others
-are turned; sizes go from a tenth to a hundred. Every tenth shape of each family belongs to the sample.
+The set "shapes" has the 500 below, the set "parts" 1,000 faces as they come from CAD programs (parts.py). A shape's
+name is its family and a number, polygon_017, and the name is its seed: a family can grow and no shape changes. Every
+shape is checked before it counts: no side crosses another, and sides that are not neighbours keep a clearance. What is
+drawn and fails is drawn again. Half of the shapes lie straight, so that ties are exact, the others are turned; sizes go
+from a tenth to a hundred. Every tenth shape of each family belongs to the sample.
 
   smooth   120  closed cubic splines, star-shaped or twisted, 0 to 5 holes, round or smooth
   polygon  120  4 to 12 straight sides, corners from 15 to 345 degrees
