@@ -17,9 +17,11 @@ enum class RepairKind {
 };
 
 constexpr auto enum_names(RepairKind) {
-  using enum RepairKind;
-  return std::array{EnumName{joint, "joint"}, EnumName{vertex, "vertex"}, EnumName{plane, "plane"},
-                    EnumName{edge, "edge"}, EnumName{cusp, "cusp"}};
+  return std::to_array<EnumName<RepairKind>>({{RepairKind::joint, "joint"},
+                                              {RepairKind::vertex, "vertex"},
+                                              {RepairKind::plane, "plane"},
+                                              {RepairKind::edge, "edge"},
+                                              {RepairKind::cusp, "cusp"}});
 }
 
 struct Repair {
