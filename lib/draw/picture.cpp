@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "curve/nurbs.hpp"
 
@@ -12,7 +13,7 @@ namespace quadrille::draw {
 
 namespace {
 
-constexpr double margin = 36, header = 64, legend_row = 34;
+constexpr double margin = 36, header = 76, legend_row = 34, caption_size = 13, caption_row = 18;
 
 /// The common line styles: the boundary thick, blocks medium, elements thin.
 const char* const style_sheet = R"(
@@ -82,19 +83,31 @@ double text_width(const std::string& text, double font_size) {
   return 0.56 * font_size * static_cast<double>(std::count_if(text.begin(), text.end(), is_first_byte));
 }
 
+std::vector<std::string> wrapped_text(const std::string& text, double font_size, double width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+    if (!lines.empty() && text_width(lines.back() + ' ' + word, font_size) <= width)
+      lines.back() += ' ' + word;
+    else
+      lines.push_back(word);
+  return lines;
+}
+
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : view_(view_of(box, options.width)),
-      legend_{margin, header + margin + view_.size.y + margin + 14, {}},
-      title_(title),
-      caption_(caption) {}
+    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)),
+      view_(view_of(box, options.width, caption_lines_.size())),
+      legend_{margin, view_.top + view_.size.y + 2 * margin + 2, {}},
+      title_(title) {}
 
-Picture::View Picture::view_of(const PictureBox& box, int width) {
+Picture::View Picture::view_of(const PictureBox& box, int width, std::size_t num_caption_lines) {
   const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
   const double free_width = std::max(1.0, width - 2 * margin);
   const double tallest = 1.1 * free_width;
   const double scale = std::min(free_width / std::max(extent.x, 1e-300), tallest / std::max(extent.y, 1e-300));
-  return {scale, box.empty() ? Vec2{} : box.lower, scale * extent, width};
+  const double top = header + caption_row * (static_cast<double>(std::max<std::size_t>(1, num_caption_lines)) - 1);
+  return {scale, box.empty() ? Vec2{} : box.lower, scale * extent, width, top};
 }
 
 void Picture::open_group(const std::string& css_class) { add("<g class=\"" + xml_escaped(css_class) + "\">"); }
@@ -164,7 +177,6 @@ void Picture::legend_mark(const std::string& markup, const std::string& label) {
 }
 
 std::string Picture::str() const {
-  const double top = header + margin - 24;
   const double left = margin + 0.5 * std::max(0.0, view_.width - 2 * margin - view_.size.x);
   const int height = static_cast<int>(std::ceil(legend_.y + (legend_.markup.empty() ? -14 : 32)));
   std::string out = fmt::format(
@@ -175,12 +187,16 @@ std::string Picture::str() const {
   if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));
-  out += svg_element("text", {{"class", "caption"}, {"x", svg_number(margin)}, {"y", "52"}}, {}, xml_escaped(caption_));
+  for (std::size_t i = 0; i < caption_lines_.size(); ++i)
+    out += svg_element(
+        "text",
+        {{"class", "caption"}, {"x", svg_number(margin)}, {"y", svg_number(52 + caption_row * static_cast<double>(i))}},
+        {}, xml_escaped(caption_lines_[i]));
   out += fmt::format("\n<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", svg_number(left),
-                     svg_number(top + view_.size.y));
+                     svg_number(view_.top + view_.size.y));
   out += drawing_ + "</g>\n";
-  out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left), svg_number(top),
-                     texts_);
+  out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left),
+                     svg_number(view_.top), texts_);
   if (!legend_.markup.empty()) out += "<g id=\"legend\">\n" + legend_.markup + "</g>\n";
   return out + "</svg>\n";
 }

@@ -27,6 +27,7 @@ PictureBox bounding_box(const CadFace& face);
 
 class Picture {
  public:
+  /// A caption that is wider than the picture takes several lines.
   Picture(const PictureBox& box, const DrawOptions& options, const std::string& title, const std::string& caption);
 
   /// Pixels of a point, y up.
@@ -57,21 +58,25 @@ class Picture {
     Vec2 lower;        ///< the point at the drawing's lower left corner
     Vec2 size;         ///< of the drawing, pixels
     int width = 0;     ///< of the picture, pixels
+    double top = 0;    ///< of the drawing, pixels from the top of the picture
   };
   struct Legend {
     double x = 0, y = 0;  ///< of the next entry, pixels, y down
     std::string markup;
   };
 
-  static View view_of(const PictureBox& box, int width);
+  static View view_of(const PictureBox& box, int width, std::size_t num_caption_lines);
   void reserve_legend(double width);
 
+  std::vector<std::string> caption_lines_;
   View view_;
   Legend legend_;
-  std::string title_, caption_, drawing_, texts_, definitions_;
+  std::string title_, drawing_, texts_, definitions_;
 };
 
-/// Approximate width of a text in pixels.
+/// Approximate width of a text in pixels; `font_size` in pixels.
 double text_width(const std::string& text, double font_size);
+/// The text in lines of at most `width` pixels, broken between words; a longer word is a line of its own.
+std::vector<std::string> wrapped_text(const std::string& text, double font_size, double width);
 
 }  // namespace quadrille::draw

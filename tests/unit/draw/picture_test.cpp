@@ -98,6 +98,23 @@ TEST(Picture, LegendEntriesThatDoNotFitBeginANewRow) {
   EXPECT_GT(height(1), height(0));
 }
 
+TEST(Picture, ACaptionThatIsTooWideTakesLinesAndMovesTheDrawingDown) {
+  const auto svg = [](const std::string& caption) {
+    return Picture({{0, 0}, {4, 1}}, wide(300), "title", caption).str();
+  };
+  const std::string line = "a caption of one line", lines = "a caption of lines that are wider than the picture";
+  EXPECT_TRUE(contains(svg(line), ">a caption of one line</text>"));
+  EXPECT_TRUE(contains(svg(lines), ">a caption of lines that are</text>"));
+  EXPECT_TRUE(contains(svg(lines), ">wider than the picture</text>"));
+  EXPECT_TRUE(contains(svg(line), "height=\"193\"") && contains(svg(lines), "height=\"211\"")) << svg(lines);
+}
+
+TEST(WrappedText, BreaksBetweenWordsAndLeavesLongWordsWhole) {
+  EXPECT_EQ(wrapped_text("", 10, 100), (std::vector<std::string>{}));
+  EXPECT_EQ(wrapped_text("aa bb cc", 10, 30), (std::vector<std::string>{"aa bb", "cc"}));  // 5.6 pixels a letter
+  EXPECT_EQ(wrapped_text("a longword b", 10, 20), (std::vector<std::string>{"a", "longword", "b"}));
+}
+
 TEST(TextWidth, CountsLettersNotBytes) {
   EXPECT_EQ(text_width("abcd", 10), text_width("\xc3\xa4\xc3\xb6\xc3\xbc\xc3\x9f", 10));
   EXPECT_EQ(text_width("", 10), 0);
