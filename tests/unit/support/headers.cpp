@@ -1,0 +1,1 @@
+// Empty: CMake needs a source beside the headers that it compiles ahead.
