@@ -69,6 +69,14 @@ here() { TMPDIR=$PWD "$@"; }
   assert [ -s shown ]
 }
 
+@test "the options that choose and heal the face go to cad2tri" {
+  run -0 "$place" "$DATA/bad/solid.step" --face 4 -o side.msh --rounds 0 --heal-tolerance 0 --workdir kept
+  cad2tri "$DATA/bad/solid.step" --face 4 --heal-tolerance 0 -o side.tri.h5
+  cmp kept/tri.h5 side.tri.h5
+  run -3 "$place" "$DATA/bad/solid.step" -o side.msh
+  run -2 "$place" "$DATA/square.step" --blunt much -o side.msh
+}
+
 @test "what a stage has against its input, and what cannot be written, comes through with its exit code" {
   run -3 --separate-stderr here "$place" missing.step -o out.msh
   [[ $stderr == "cad2tri: "* ]] || fail "$stderr"
