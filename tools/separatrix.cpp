@@ -111,7 +111,8 @@ int main(int argc, char** argv) {
         "but new triangles, each divided into three blocks; auto: quantized if traced fails or needs more blocks, "
         "midpoint if both fail or there is no field; t-mesh: only the stopped separatrices, no layout");
     o.integer("--max-lines", options.max_lines, 1, 1000000,
-              "traced layout: greatest number of arcs into which separatrices cut each other");
+              "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
+              "crossings ends at ten times as many");
     o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
     o.number(
         "--max-total-length", options.trace.max_total_length, 0.01, 1e6, "diameters",

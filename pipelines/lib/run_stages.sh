@@ -44,7 +44,7 @@ make_folders() {
 }
 
 # stage TOOL OUTPUT ARGUMENT...: returns 1 only if it finds no valid result and has_other_way, which the
-# pipeline defines.
+# pipeline defines. With -q, its message is then dropped: it is no error of the pipeline.
 stage() {
   tool=$1 result=$2 name=$prefix$1 number=$((number + 1))
   case $result in "$stem".phase.*) name=phase_$tool ;; esac
@@ -57,13 +57,18 @@ stage() {
     failed_stage=$tool
     return 1
   fi
+  [ -z "$quiet" ] || cat "$scratch/messages" >&2
   [ "$code" -eq 0 ] || fail "$code" "$tool"
   last=$result
 }
 
 # In the background, since a shell that waits for a process in the foreground handles signals only after it.
 start_tool() {
-  "$tool" "$@" -o "$result" ${quiet:+-q} --report "$scratch/$number.$name.json" <&3 &
+  if [ -n "$quiet" ]; then
+    "$tool" "$@" -o "$result" -q --report "$scratch/$number.$name.json" <&3 2>"$scratch/messages" &
+  else
+    "$tool" "$@" -o "$result" --report "$scratch/$number.$name.json" <&3 &
+  fi
   child=$!
 }
 

@@ -139,18 +139,18 @@ exports() {
   done
 }
 
-@test "all shapes at low and high orders" {
+@test "all shapes, each at one of the orders 1, 2, 5 and 8 in turn" {
   [[ -n ${QUADRILLE_LONG-} ]] || skip "long: part of tests/run --all"
   shapes=("$ROOT"/../shared/geometries/*.step)
   [[ -f ${shapes[0]} ]] || shapes=("$DATA"/*.step)
-  for step in "${shapes[@]}"; do
+  local orders=(1 2 5 8)
+  for i in "${!shapes[@]}"; do
+    local step=${shapes[i]}
     "$ROOT/pipelines/quadmesh" -q "$step" -o a.msh --workdir work
     h5dump -d /face/diameter -b FILE -o diameter work/*.blocks.h5
     size=$(od -An -t f8 diameter | awk '{ print $1 / 12 }')
-    for order in 1 2 5 8; do
-      quadrefine -q --order $order --size "$size" --geometry-tol 1e-2 work/*.blocks.h5 -o a.quad.h5
-      exports
-    done
+    quadrefine -q --order "${orders[i % 4]}" --size "$size" --geometry-tol 1e-2 work/*.blocks.h5 -o a.quad.h5
+    exports
     rm -r work
   done
 }

@@ -124,16 +124,18 @@ exports() {
   spoilt mfem a.mesh '/^mfem_mesh_end/d'
 }
 
-@test "all shapes at orders 1 to 8" {
+@test "all shapes, each at two of the orders 1 to 8 in turn" {
   [[ -n ${QUADRILLE_LONG-} ]] || skip "long: part of tests/run --all"
   shapes=("$ROOT"/../shared/geometries/*.step)
   [[ -f ${shapes[0]} ]] || shapes=("$DATA"/*.step)
+  local turn=0
   for step in "${shapes[@]}"; do
     "$ROOT/pipelines/quadmesh" "$step" -o a.msh --workdir work
     h5dump -d /face/diameter -b FILE -o diameter work/*.blocks.h5
     size=$(od -An -t f8 diameter | awk '{ print $1 / 8 }')
-    for order in 1 2 3 4 5 6 7 8; do
-      quadrefine -q --order $order --size "$size" --geometry-tol 1e-2 work/*.blocks.h5 -o a.quad.h5
+    turn=$((turn % 4 + 1))
+    for order in "$turn" $((turn + 4)); do
+      quadrefine -q --order "$order" --size "$size" --geometry-tol 1e-2 work/*.blocks.h5 -o a.quad.h5
       exports a
     done
     rm -r work

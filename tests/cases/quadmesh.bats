@@ -191,6 +191,13 @@ END
   run -0 jq -c '[.certificate.method, .given_up, .form, .critical_points, .valid, (.stages | keys_unsorted)[-4:]]' \
     report.json
   assert_output '["midpoint","critpoints: no luck",null,0,true,["midpoint_separatrix","midpoint_blocksplit","midpoint_quadrefine","quadexport"]]'
+  # With -q, what a stage did not find is no error: nothing is printed.
+  rm begun
+  QUADRILLE_BIN=$PWD/fake run -0 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh
+  assert_equal "$output$stderr" ""
+  rm begun
+  QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --layout traced
+  assert_equal "${stderr_lines[0]}" "critpoints: no luck"
   rm -r fake begun
   assert_nothing_left out.msh report.json
 }
