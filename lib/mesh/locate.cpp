@@ -8,6 +8,11 @@
 namespace quadrille::mesh {
 namespace {
 
+// The value within [least, most], rounded down; `least` for NaN, which the boxes of damaged elements may give.
+int bounded_int(double value, int least, int most) {
+  return value > least ? static_cast<int>(std::min<double>(value, most)) : least;
+}
+
 constexpr double reference_tol = 1e-10;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -51,15 +56,15 @@ Locator::Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps)
   }
   const Vec2 extent = maps.empty() ? Vec2{1, 1} : upper - lower_;
   const double spacing = std::sqrt(extent.x * extent.y / std::max<double>(1, static_cast<double>(maps.size())));
-  nx_ = std::clamp(static_cast<int>(extent.x / spacing), 1, 4096);
-  ny_ = std::clamp(static_cast<int>(extent.y / spacing), 1, 4096);
+  nx_ = bounded_int(extent.x / spacing, 1, 4096);
+  ny_ = bounded_int(extent.y / spacing, 1, 4096);
   cell_ = {extent.x / nx_, extent.y / ny_};
   fill_grid();
 }
 
 std::array<int, 2> Locator::cell_of(Vec2 x) const {
   const Vec2 at{(x.x - lower_.x) / cell_.x, (x.y - lower_.y) / cell_.y};
-  return {static_cast<int>(std::clamp(at.x, 0.0, nx_ - 1.0)), static_cast<int>(std::clamp(at.y, 0.0, ny_ - 1.0))};
+  return {bounded_int(at.x, 0, nx_ - 1), bounded_int(at.y, 0, ny_ - 1)};
 }
 
 void Locator::fill_grid() {
