@@ -407,7 +407,9 @@ TEST(Draw, LengthsOfQuadsAreInTheCaptionIfTheFileHasThem) {
   mesh.elem_edge_ratio = {1, 2.5};
   mesh.elem_area_jump = {3, 3};
   mesh.elem_node_distance = {0.25, 0.125};
-  const std::string svg = draw_quad_mesh(mesh, {});
+  DrawOptions wide;  // enough for a caption of one line
+  wide.width = 1500;
+  const std::string svg = draw_quad_mesh(mesh, wide);
   EXPECT_EQ(count(svg, "greatest edge ratio 2.5, greatest area jump 3, least node distance 0.125<"), 1);
   EXPECT_EQ(count(svg, "scaled Jacobian 0.500, edge ratio 2.5<"), 1);
 }

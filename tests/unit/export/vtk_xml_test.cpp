@@ -49,7 +49,7 @@ std::vector<Number> numbers(const std::string& text, const std::string& name) {
   EXPECT_EQ(head.size(), 8u);
   EXPECT_EQ(size, bytes.size());
   std::vector<Number> found(bytes.size() / sizeof(Number));
-  std::memcpy(found.data(), bytes.data(), bytes.size());
+  if (!found.empty()) std::memcpy(found.data(), bytes.data(), found.size() * sizeof(Number));
   return found;
 }
 
