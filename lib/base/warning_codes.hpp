@@ -11,7 +11,8 @@ inline constexpr const char* points_ignored = "W-CAD-002";       ///< points bes
 inline constexpr const char* edge_approximated = "W-CAD-003";    ///< an edge without an exact rational form
 inline constexpr const char* inner_point_ignored = "W-CAD-004";  ///< a point inside the face
 inline constexpr const char* short_edge_ignored = "W-CAD-005";   ///< an edge shorter than the tolerance
-inline constexpr const char* large_repair = "W-CAD-006";  ///< healing moved something by more than 1e-3 diameters
+inline constexpr const char* large_repair = "W-CAD-006";     ///< healing moved something by more than 1e-3 diameters
+inline constexpr const char* faces_not_built = "W-CAD-007";  ///< faces that --list cannot show
 inline constexpr const char* curve_tolerance_missed = "W-TRI-001";
 
 // fieldsolve, padapt
@@ -22,13 +23,15 @@ inline constexpr const char* target_error_missed = "W-ADAPT-002";
 // critpoints
 inline constexpr const char* mirror_images_differ = "W-NODE-001";
 inline constexpr const char* nodes_by_rule = "W-NODE-002";
-inline constexpr const char* sharp_corner = "W-NODE-003";  ///< below 15 degrees
+inline constexpr const char* sharp_corner = "W-NODE-003";       ///< below 15 degrees
+inline constexpr const char* zeros_not_decided = "W-NODE-004";  ///< in a region where |v| is below its error
 inline constexpr const char* least_energy_not_found = "W-PLACE-001";
 inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
 
 // separatrix, blocksplit
 inline constexpr const char* quantized_instead_of_traced = "W-SEP-001";
 inline constexpr const char* midpoint_instead_of_separatrices = "W-SEP-002";
+inline constexpr const char* crowded_separatrices = "W-SEP-003";
 inline constexpr const char* block_not_proved_valid = "W-BLK-001";
 
 // quadrefine and the tools that read its meshes

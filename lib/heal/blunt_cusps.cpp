@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/arc_length.hpp"
@@ -14,23 +15,29 @@
 #include "heal/heal_rules.hpp"
 #include "heal/interior_angle.hpp"
 #include "heal/report_repair.hpp"
+#include "heal/touching_loops.hpp"
 
 namespace quadrille::heal {
 namespace {
 
+using Flags = std::vector<std::vector<bool>>;
+
 const LoopCurve& before(const Loop& loop, size_t i) { return loop[(i + loop.size() - 1) % loop.size()]; }
 
-// For each curve of the loop, whether it starts at a cusp.
-std::vector<bool> cusps_of(const Loop& loop) {
-  std::vector<bool> cusps;
-  for (size_t i = 0; i < loop.size(); ++i)
-    cusps.push_back(is_cusp(interior_angle(before(loop, i).curve, loop[i].curve)));
-  return cusps;
+// For each curve of the loops, whether it starts at a cusp or sharp corner, or at a convex one that touches another.
+Flags tips_of(const std::vector<Loop>& loops) {
+  Flags tips = contacts_at_starts(loops);
+  for (size_t l = 0; l < loops.size(); ++l)
+    for (size_t i = 0; i < loops[l].size(); ++i) {
+      const double angle = interior_angle(before(loops[l], i).curve, loops[l][i].curve);
+      tips[l][i] = angle < blunt_rules.sharp_angle || (tips[l][i] && angle < pi);
+    }
+  return tips;
 }
 
-Cusp cusp_at(const Loop& loop, const std::vector<bool>& cusps, size_t i) {
+Cusp cusp_at(const Loop& loop, const std::vector<bool>& tips, size_t i) {
   const size_t n = loop.size();
-  return cusp_between(before(loop, i).curve, loop[i].curve, cusps[(i + 1) % n] || cusps[(i + n - 1) % n]);
+  return cusp_between(before(loop, i).curve, loop[i].curve, tips[(i + 1) % n] || tips[(i + n - 1) % n]);
 }
 
 // Two digits, rounded down.
@@ -39,19 +46,27 @@ double rounded_down(double x) {
   return unit * std::floor(x / unit * (1 + 1e-9));
 }
 
-std::string cusp_text(const Loop& loop, size_t i, const BluntOptions& options) {
-  return fmt::format("{}: edges {} and {} meet in a cusp at {}", options.file, before(loop, i).cad_edge,
-                     loop[i].cad_edge, rounded_position_text(loop[i].curve.poles.front()));
+bool starts_at_cusp(const Loop& loop, size_t i) {
+  return is_cusp(interior_angle(before(loop, i).curve, loop[i].curve));
 }
 
-double required_cut(const Loop& loop, const std::vector<bool>& cusps, size_t i, const BluntOptions& options) {
-  const Cusp cusp = cusp_at(loop, cusps, i);
+std::string tip_text(const Loop& loop, size_t i, const BluntOptions& options) {
+  const double angle = interior_angle(before(loop, i).curve, loop[i].curve);
+  const std::string kind = is_cusp(angle)                    ? "cusp"
+                           : angle < blunt_rules.sharp_angle ? fmt::format("corner of {:.2g} degrees", degrees(angle))
+                                                             : "corner that touches another one";
+  return fmt::format("{}: edges {} and {} meet in a {} at {}", options.file, before(loop, i).cad_edge, loop[i].cad_edge,
+                     kind, rounded_position_text(loop[i].curve.poles.front()));
+}
+
+double required_cut(const Loop& loop, const std::vector<bool>& tips, size_t i, const BluntOptions& options) {
+  const Cusp cusp = cusp_at(loop, tips, i);
   const std::optional<double> length = cut_length(cusp, options.width);
   if (!length)
     throw FormatError(
         fmt::format("{}, which cannot be cut off at a width of {:.3g}, as its edges are too short: give "
                     "--blunt {:.2g}, the largest that would do, or less",
-                    cusp_text(loop, i, options), options.width, rounded_down(widest_cut(cusp))));
+                    tip_text(loop, i, options), options.width, rounded_down(widest_cut(cusp))));
   return *length;
 }
 
@@ -77,16 +92,28 @@ Loop cut_loop(const Loop& loop, const std::vector<double>& cuts) {
   return result;
 }
 
-Loop blunt_loop(const Loop& loop, const BluntOptions& options, std::vector<Repair>& repairs) {
-  const std::vector<bool> cusps = cusps_of(loop);
-  if (std::find(cusps.begin(), cusps.end(), true) == cusps.end()) return loop;
+Loop blunt_loop(const Loop& loop, const std::vector<bool>& tips, const BluntOptions& options,
+                std::vector<Repair>& repairs) {
+  if (std::find(tips.begin(), tips.end(), true) == tips.end()) return loop;
   std::vector<double> cuts(loop.size(), 0);
   for (size_t i = 0; i < loop.size(); ++i) {
-    if (!cusps[i]) continue;
-    cuts[i] = required_cut(loop, cusps, i, options);
+    if (!tips[i]) continue;
+    cuts[i] = required_cut(loop, tips, i, options);
     repairs.push_back({RepairKind::cusp, before(loop, i).cad_edge, loop[i].curve.poles.front(), cuts[i]});
   }
   return cut_loop(loop, cuts);
+}
+
+// What to do about the tips of the loops.
+std::string blunt_remedy(const std::vector<Loop>& loops, const BluntOptions& options, const char* what) {
+  const Flags tips = tips_of(loops);
+  double width = blunt_rules.proposed_width * options.diameter;
+  for (size_t l = 0; l < loops.size(); ++l)
+    for (size_t i = 0; i < loops[l].size(); ++i)
+      if (tips[l][i]) width = std::min(width, 0.5 * widest_cut(cusp_at(loops[l], tips[l], i)));
+  const bool is_wide = width >= 1.1 * blunt_rules.least_width * options.diameter;
+  return is_wide ? fmt::format("give --blunt {:.2g} to cut {} off at that width", rounded_down(width), what)
+                 : fmt::format("cut {} off in the drawing", what);
 }
 
 }  // namespace
@@ -100,27 +127,32 @@ void blunt_cusps(std::vector<Loop>& loops, const BluntOptions& options, std::vec
                     "give {:.2g} or more",
                     options.file, options.width, 1.1 * least));
   const size_t healed = repairs.size();
-  for (Loop& loop : loops) loop = blunt_loop(loop, options, repairs);
+  const Flags tips = tips_of(loops);
+  for (size_t l = 0; l < loops.size(); ++l) loops[l] = blunt_loop(loops[l], tips[l], options, repairs);
   for (size_t i = healed; i < repairs.size(); ++i) report_repair(repairs[i], i, report);
   report.set("heal.repairs", repairs.size());
 }
 
-void refuse_cusps(const std::vector<Loop>& loops, const BluntOptions& options) {
-  double width = blunt_rules.proposed_width * options.diameter;
-  std::string text;
-  for (const Loop& loop : loops) {
-    const std::vector<bool> cusps = cusps_of(loop);
-    for (size_t i = 0; i < loop.size(); ++i) {
-      if (!cusps[i]) continue;
-      if (text.empty()) text = cusp_text(loop, i, options);
-      width = std::min(width, 0.5 * widest_cut(cusp_at(loop, cusps, i)));
+void refuse_contacts(const std::vector<Loop>& loops, const BluntOptions& options) {
+  const Flags contacts = contacts_at_starts(loops);
+  for (size_t l = 0; l < loops.size(); ++l)
+    for (size_t i = 0; i < loops[l].size(); ++i) {
+      if (!contacts[l][i]) continue;
+      const Loop& loop = loops[l];
+      throw FormatError(
+          fmt::format("{}: the boundary touches itself at {}, where edges {} and {} meet: the face has a "
+                      "width of zero there: {}, or draw them apart",
+                      options.file, rounded_position_text(loop[i].curve.poles.front()), before(loop, i).cad_edge,
+                      loop[i].cad_edge, blunt_remedy(loops, options, "the corners")));
     }
-  }
-  if (text.empty()) return;
-  const bool is_wide = width >= 1.1 * blunt_rules.least_width * options.diameter;
-  throw FormatError(text + ", an angle of zero, which holds no quad: " +
-                    (is_wide ? fmt::format("give --blunt {:.2g} to cut its tip off at that width", rounded_down(width))
-                             : "cut its tip off in the drawing"));
+}
+
+void refuse_cusps(const std::vector<Loop>& loops, const BluntOptions& options) {
+  for (const Loop& loop : loops)
+    for (size_t i = 0; i < loop.size(); ++i)
+      if (starts_at_cusp(loop, i))
+        throw FormatError(fmt::format("{}, an angle of zero, which holds no quad: {}", tip_text(loop, i, options),
+                                      blunt_remedy(loops, options, "its tip")));
 }
 
 }  // namespace quadrille::heal

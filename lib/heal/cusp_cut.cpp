@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/bracketed_root.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "heal/heal_rules.hpp"
@@ -27,15 +28,6 @@ class CuspWidth {
   curve::ArcLength length_in_, length_out_;
 };
 
-// The length between `narrow` and `wide` at which the cusp has the width, by bisection to the last digit.
-double bisected(const CuspWidth& cusp, double width, double narrow, double wide) {
-  while (true) {
-    const double middle = 0.5 * (narrow + wide);
-    if (!(narrow < middle && middle < wide)) return wide;
-    (cusp.at(middle) < width ? narrow : wide) = middle;
-  }
-}
-
 }  // namespace
 
 Cusp cusp_between(const Nurbs& in, const Nurbs& out, bool has_cusps_at_both_ends) {
@@ -46,7 +38,8 @@ Cusp cusp_between(const Nurbs& in, const Nurbs& out, bool has_cusps_at_both_ends
 std::optional<double> cut_length(const Cusp& cusp, double width) {
   const CuspWidth widths(cusp);
   for (int i = 1; i <= blunt_rules.search_steps; ++i)
-    if (widths.at(widths.step(i)) >= width) return bisected(widths, width, widths.step(i - 1), widths.step(i));
+    if (widths.at(widths.step(i)) >= width)
+      return bisect([&](double cut) { return widths.at(cut) - width; }, widths.step(i - 1), widths.step(i));
   return std::nullopt;
 }
 

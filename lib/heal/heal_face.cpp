@@ -10,8 +10,10 @@
 #include "heal/chain_edges.hpp"
 #include "heal/heal_rules.hpp"
 #include "heal/join_wire.hpp"
+#include "heal/merge_knots.hpp"
 #include "heal/report_repair.hpp"
 #include "heal/short_edges.hpp"
+#include "heal/unfold.hpp"
 
 namespace quadrille::heal {
 namespace {
@@ -46,6 +48,24 @@ void project_edges(const Wires& wires, const HealScale& scale, std::vector<Repai
       if (edge.height > scale.rounding)
         repairs.push_back({RepairKind::plane, edge.cad_edge, edge.curve.poles.front(), edge.height});
     }
+}
+
+void unfold_splines(Wires& wires, const HealScale& scale, std::vector<Repair>& repairs) {
+  for (auto& wire : wires)
+    for (RawEdge& edge : wire) {
+      const Nurbs old = edge.curve;
+      const double moved = unfold(edge.curve, scale.tolerance);
+      if (moved == 0) continue;
+      const auto changed = std::mismatch(old.poles.begin(), old.poles.end(), edge.curve.poles.begin());
+      repairs.push_back({RepairKind::fold, edge.cad_edge, *changed.first, moved});
+    }
+}
+
+void merge_close_knots(Wires& wires, const HealScale& scale, std::vector<Repair>& repairs) {
+  for (auto& wire : wires)
+    for (RawEdge& edge : wire)
+      if (const auto merged = merge_knots(edge.curve, scale.short_fraction * scale.diameter))
+        repairs.push_back({RepairKind::knot, edge.cad_edge, merged->position, merged->length});
 }
 
 void put_in_order(std::vector<RawEdge>& wire, const HealScale& scale) {
@@ -121,6 +141,8 @@ std::vector<Repair> heal_face(RawFace& raw, const HealOptions& options, double d
   std::vector<Repair> repairs;
   project_edges(raw.wires, scale, repairs);
   if (scale.tolerance == 0) return {};
+  unfold_splines(raw.wires, scale, repairs);
+  merge_close_knots(raw.wires, scale, repairs);
   for (auto& wire : raw.wires) put_in_order(wire, scale);
   for (int pass = 0; pass < heal_rules.most_passes; ++pass) {
     const size_t before = repairs.size();

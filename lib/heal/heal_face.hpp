@@ -15,11 +15,11 @@ struct HealOptions {
   double tolerance = -1;
 };
 
-/// Projects edges to the plane, puts the edges of each wire in order, removes edges shorter than the tolerance (1e-5 of
-/// the size of the wire unless a tolerance is given) and moves the ends of neighbours to one point (joint_target.hpp).
-/// Gaps below 1e-7 diameters stay as they are. `diameter`: of the face, a length. Throws FormatError, with place, size
-/// and remedy, for what is beyond the tolerance or beyond the limits of joint_limit.hpp. Healing a healed face changes
-/// nothing.
+/// Projects edges to the plane, unfolds splines (unfold.hpp), merges their knots (merge_knots.hpp), puts the edges of
+/// each wire in order, removes edges shorter than the tolerance (1e-5 of the size of the wire unless a tolerance is
+/// given) and moves the ends of neighbours to one point (joint_target.hpp). Gaps below 1e-7 diameters stay as they are.
+/// `diameter`: of the face, a length. Throws FormatError, with place, size and remedy, for what is beyond the tolerance
+/// or beyond the limits of joint_limit.hpp. Healing a healed face changes nothing.
 std::vector<Repair> heal_face(RawFace& raw, const HealOptions& options, double diameter, Report& report);
 
 }  // namespace quadrille::heal

@@ -2,6 +2,7 @@
 // The tuned constants of healing.
 
 #include "base/angle.hpp"
+#include "base/blunted_angle.hpp"
 
 namespace quadrille::heal {
 
@@ -16,7 +17,9 @@ struct HealRules {
   double edge_fraction = 0.1;        ///< of its edge's length
   double sliding_fraction = 0.25;    ///< of a line's length, where the end stays on the line
   double clearance_fraction = 0.25;  ///< of the distance to other edges
-  double sliding_reach = 4;  ///< tolerances: lines whose gap is within it and that cross at 15 degrees meet so far
+  /// Tolerances: the most that lines which keep their directions slide to their intersection, if their gap is within
+  /// the tolerance. Two lines at 15 degrees need 1 / sin 15 = 3.9.
+  double sliding_reach = 4;
 
   // Which point two curves are moved to.
   double tangential = radians(1);   ///< curves that meet at a smaller angle have no well-posed intersection
@@ -33,11 +36,12 @@ inline constexpr HealRules heal_rules;
 
 /// How the tips of cusps are cut off.
 struct BluntRules {
-  double largest_cusp = 1e-6;    ///< radians: an interior angle up to here is zero
-  double least_width = 1e-5;     ///< diameters: shorter edges are removed by healing
-  double proposed_width = 1e-3;  ///< diameters: what a refusal proposes, or half of what the cusp allows
-  double edge_fraction = 0.95;   ///< of an edge's length: the most that is cut off it
-  int search_steps = 64;         ///< of the length that may be cut off, to find the first place as wide as asked
+  double sharp_angle = blunted_angle;  ///< radians: corners below are cut off like cusps if a width is given
+  double largest_cusp = 1e-6;          ///< radians: an interior angle up to here is zero
+  double least_width = 1e-5;           ///< diameters: shorter edges are removed by healing
+  double proposed_width = 1e-3;        ///< diameters: what a refusal proposes, or half of what the cusp allows
+  double edge_fraction = 0.95;         ///< of an edge's length: the most that is cut off it
+  int search_steps = 64;               ///< of the length that may be cut off, to find the first place as wide as asked
 };
 
 inline constexpr BluntRules blunt_rules;

@@ -24,8 +24,8 @@ struct JointSide {
   double most_sliding = 0;  ///< how far it may move along its line
 };
 
-/// The tolerance with which joint_target finds a point, where it was the tolerance that it did not: the gap, or for two
-/// lines that keep their directions what lets them slide to their intersection.
+/// The least tolerance, a length, with which joint_target finds a point if nothing but the tolerance limits both ends:
+/// the gap between them, or what two lines that keep their directions need to slide to their intersection.
 double needed_tolerance(const JointSide& a, const JointSide& b);
 
 /// The first of these points to which both ends may move:

@@ -14,6 +14,8 @@ enum class RepairKind {
   plane,   ///< the edge was projected to the plane of the face
   edge,    ///< a short edge was removed
   cusp,    ///< the tip of a cusp was cut off
+  fold,    ///< poles of a spline that ran back on itself were put in order
+  knot,    ///< knots of a spline that lay close to each other or to its end were merged
 };
 
 constexpr auto enum_names(RepairKind) {
@@ -21,14 +23,17 @@ constexpr auto enum_names(RepairKind) {
                                               {RepairKind::vertex, "vertex"},
                                               {RepairKind::plane, "plane"},
                                               {RepairKind::edge, "edge"},
-                                              {RepairKind::cusp, "cusp"}});
+                                              {RepairKind::cusp, "cusp"},
+                                              {RepairKind::fold, "fold"},
+                                              {RepairKind::knot, "knot"}});
 }
 
 struct Repair {
   RepairKind kind = RepairKind::joint;
   int cad_edge = 0;     ///< number of the edge in the file; of the edge that ends there for a joint, vertex or cusp
   Vec2 position;        ///< in the coordinates of the file, face.origin included
-  double distance = 0;  ///< how far it was moved; the length of a removed edge, or that cut off both edges of a cusp
+  double distance = 0;  ///< how far it was moved; the length of a removed edge or between merged knots, or that cut off
+                        ///< both edges of a cusp
 };
 
 }  // namespace quadrille

@@ -128,5 +128,21 @@ TEST(BluntCusps, RefusalsOfCuspsProposeAWidth) {
                   "0.001 to cut its tip off at that width");
 }
 
+TEST(BluntCusps, SharpCornersAreCutOffButNotRefused) {
+  const auto wedge = [](double angle) {
+    return loop_of(
+        {curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, unit(angle)), curve::segment(unit(angle), {})});
+  };
+  Loop sharp = wedge(radians(0.19)), wide = wedge(radians(0.21));
+  EXPECT_EQ(refusal(sharp, 0), "");
+  EXPECT_EQ(blunt(sharp, 1e-3).size(), 1U);
+  EXPECT_EQ(sharp.size(), 4U);
+  EXPECT_TRUE(blunt(wide, 1e-3).empty());
+  EXPECT_EQ(
+      refusal(wedge(radians(0.1)), 1),
+      "f.step: edges 2 and 0 meet in a corner of 0.1 degrees at (0, 0), which cannot be cut off at a width of 1, as "
+      "its edges are too short: give --blunt 0.0016, the largest that would do, or less");
+}
+
 }  // namespace
 }  // namespace quadrille::heal

@@ -1,0 +1,241 @@
+#include "heal/touching_loops.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "base/angle.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+
+namespace quadrille::heal {
+namespace {
+
+/// The directions of curves are compared at this part of the shortest one's length from the point of contact, where
+/// curves with a common tangent have left each other.
+constexpr double compared_at = 1e-3;
+
+struct Box {
+  Vec2 low, high;
+
+  bool contains(Vec2 x, double margin) const {
+    return low.x - margin <= x.x && x.x <= high.x + margin && low.y - margin <= x.y && x.y <= high.y + margin;
+  }
+};
+
+Box box_of(const Nurbs& curve) {
+  Box box{curve.poles.front(), curve.poles.front()};
+  for (const Vec2 p : curve.poles) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+Nurbs with_ends(Nurbs curve, Vec2 start, Vec2 end) {
+  if (curve.degree == 1 && curve.poles.size() == 2) return curve::segment(start, end);
+  curve.poles.front() = start, curve.poles.back() = end;
+  return curve;
+}
+
+// ---- Joints that lie on another curve
+
+using Cuts = std::map<double, Vec2>;  // by parameter
+
+Cuts cuts_of(const Nurbs& curve, const std::vector<Vec2>& joints, const ContactTolerance& tol) {
+  Cuts cuts;
+  const Box box = box_of(curve);
+  for (const Vec2 x : joints) {
+    if (!box.contains(x, tol.of_curves)) continue;
+    if (std::min(distance(x, curve.poles.front()), distance(x, curve.poles.back())) <= tol.of_joints) continue;
+    const auto nearest = curve::project(curve, x);
+    const bool is_inside = curve.begin() < nearest.t && nearest.t < curve.end();
+    if (is_inside && nearest.distance <= tol.of_curves) cuts.emplace(nearest.t, x);
+  }
+  return cuts;
+}
+
+void add_pieces(const LoopCurve& whole, const Cuts& cuts, Loop& loop) {
+  double begin = whole.curve.begin();
+  Vec2 start = whole.curve.poles.front();
+  const auto add = [&](double end, Vec2 x) {
+    loop.push_back(whole);
+    loop.back().curve = with_ends(curve::trimmed(whole.curve, begin, end), start, x);
+    begin = end, start = x;
+  };
+  for (const auto& [t, x] : cuts) add(t, x);
+  add(whole.curve.end(), whole.curve.poles.back());
+}
+
+std::vector<Loop> split_at_joints(const std::vector<Loop>& loops, const ContactTolerance& tol) {
+  std::vector<Vec2> joints;
+  for (const Loop& loop : loops)
+    for (const LoopCurve& c : loop) joints.push_back(c.curve.poles.front());
+  std::vector<Loop> result;
+  for (const Loop& loop : loops) {
+    result.emplace_back();
+    for (const LoopCurve& c : loop) {
+      const Cuts cuts = cuts_of(c.curve, joints, tol);
+      if (cuts.empty())
+        result.back().push_back(c);
+      else
+        add_pieces(c, cuts, result.back());
+    }
+  }
+  return result;
+}
+
+// ---- Curves in one list, and which one follows
+
+struct Chain {
+  std::vector<LoopCurve> curves;
+  std::vector<int> previous, next;
+};
+
+Chain chain_of(const std::vector<Loop>& loops) {
+  Chain chain;
+  for (const Loop& loop : loops) {
+    const int first = static_cast<int>(chain.curves.size()), count = static_cast<int>(loop.size());
+    for (int i = 0; i < count; ++i) {
+      chain.curves.push_back(loop[i]);
+      chain.previous.push_back(first + (i + count - 1) % count);
+      chain.next.push_back(first + (i + 1) % count);
+    }
+  }
+  return chain;
+}
+
+std::vector<Loop> loops_of(const Chain& chain) {
+  std::vector<Loop> loops;
+  std::vector<bool> is_done(chain.curves.size(), false);
+  for (size_t first = 0; first < chain.curves.size(); ++first) {
+    if (is_done[first]) continue;
+    loops.emplace_back();
+    for (size_t i = first; !is_done[i]; i = chain.next[i]) {
+      is_done[i] = true;
+      loops.back().push_back(chain.curves[i]);
+    }
+  }
+  return loops;
+}
+
+// ---- Points of contact
+
+using Contact = std::vector<int>;  // the curves that start there
+
+// Whether joint j is the next one after joint i, or the other way round, and the curve between them is as short as the
+// tolerance: that is no contact.
+bool are_neighbours(const Chain& chain, int i, int j, double tol) {
+  const auto is_short = [&](int curve) {
+    const Box box = box_of(chain.curves[curve].curve);
+    return distance(box.low, box.high) <= 2 * tol;
+  };
+  return (chain.next[i] == j && is_short(i)) || (chain.next[j] == i && is_short(j));
+}
+
+// Joints within the tolerance of each other, by a sweep from left to right.
+std::vector<Contact> contacts_of(const Chain& chain, double tol) {
+  std::vector<int> order;
+  const auto at = [&](int i) { return chain.curves[i].curve.poles.front(); };
+  for (int i = 0; i < static_cast<int>(chain.curves.size()); ++i) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a).x < at(b).x; });
+  std::vector<Contact> contacts;
+  std::vector<bool> is_done(order.size(), false);
+  for (size_t m = 0; m < order.size(); ++m) {
+    if (is_done[order[m]]) continue;
+    Contact contact{order[m]};
+    for (size_t n = m + 1; n < order.size() && at(order[n]).x <= at(order[m]).x + tol; ++n)
+      if (!is_done[order[n]] && distance(at(order[n]), at(order[m])) <= tol &&
+          !are_neighbours(chain, order[n], order[m], tol))
+        contact.push_back(order[n]);
+    for (const int i : contact) is_done[i] = true;
+    std::sort(contact.begin(), contact.end());
+    if (contact.size() > 1) contacts.push_back(std::move(contact));
+  }
+  return contacts;
+}
+
+void give_one_position(const Contact& contact, Chain& chain) {
+  const Vec2 x = chain.curves[contact.front()].curve.poles.front();
+  for (const int i : contact) {
+    Nurbs &out = chain.curves[i].curve, &in = chain.curves[chain.previous[i]].curve;
+    out = with_ends(out, x, &in == &out ? x : out.poles.back());
+    in = with_ends(in, in.poles.front(), x);
+  }
+}
+
+// A curve seen from the point of contact.
+struct Ray {
+  double angle = 0;
+  int curve = 0;
+  bool starts = false;  // there; the face lies counter-clockwise of it
+};
+
+std::vector<Ray> rays_of(const Contact& contact, const Chain& chain) {
+  const Vec2 x = chain.curves[contact.front()].curve.poles.front();
+  std::vector<std::pair<curve::ArcLength, Ray>> ends;
+  for (const int i : contact) {
+    ends.emplace_back(curve::ArcLength(chain.curves[i].curve), Ray{0, i, true});
+    const int in = chain.previous[i];
+    ends.emplace_back(curve::ArcLength(chain.curves[in].curve), Ray{0, in, false});
+  }
+  double shortest = ends.front().first.total();
+  for (const auto& [length, ray] : ends) shortest = std::min(shortest, length.total());
+  std::vector<Ray> rays;
+  for (auto& [length, ray] : ends) {
+    const double s = compared_at * shortest;
+    const double t = length.parameter(ray.starts ? s : length.total() - s);
+    ray.angle = wrap_two_pi(angle_of(curve::point(chain.curves[ray.curve].curve, t) - x));
+    rays.push_back(ray);
+  }
+  std::stable_sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.angle < b.angle; });
+  return rays;
+}
+
+// Each curve that starts bounds the sector up to the next curve that ends, counter-clockwise. Otherwise curves cross or
+// lie upon each other.
+bool bound_sectors(const std::vector<Ray>& rays) {
+  for (size_t i = 0; i < rays.size(); ++i) {
+    const Ray& next = rays[(i + 1) % rays.size()];
+    if (next.starts == rays[i].starts || next.angle == rays[i].angle) return false;
+  }
+  return true;
+}
+
+void separate(const Contact& contact, Chain& chain) {
+  const std::vector<Ray> rays = rays_of(contact, chain);
+  if (!bound_sectors(rays)) return;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i].starts) continue;
+    const int in = rays[(i + 1) % rays.size()].curve;
+    chain.next[in] = rays[i].curve;
+    chain.previous[rays[i].curve] = in;
+  }
+}
+
+}  // namespace
+
+std::vector<Loop> separated_loops(const std::vector<Loop>& loops, const ContactTolerance& tol) {
+  Chain chain = chain_of(split_at_joints(loops, tol));
+  const std::vector<Contact> contacts = contacts_of(chain, tol.of_joints);
+  if (contacts.empty()) return loops;
+  for (const Contact& contact : contacts) give_one_position(contact, chain);
+  for (const Contact& contact : contacts) separate(contact, chain);
+  return loops_of(chain);
+}
+
+std::vector<std::vector<bool>> contacts_at_starts(const std::vector<Loop>& loops) {
+  const auto less = [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::map<Vec2, int, decltype(less)> counts(less);
+  for (const Loop& loop : loops)
+    for (const LoopCurve& c : loop) ++counts[c.curve.poles.front()];
+  std::vector<std::vector<bool>> result;
+  for (const Loop& loop : loops) {
+    result.emplace_back();
+    for (const LoopCurve& c : loop) result.back().push_back(counts[c.curve.poles.front()] > 1);
+  }
+  return result;
+}
+
+}  // namespace quadrille::heal
