@@ -1,11 +1,11 @@
-#include "cad/outline_checks.hpp"
+#include "outline/outline_checks.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 using Loop = std::vector<Nurbs>;
@@ -87,4 +87,4 @@ TEST(OutlineChecks, winding_number_tells_inside_from_outside_close_to_the_curve)
 }
 
 }  // namespace
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -5,7 +5,7 @@
 #include "heal/loop.hpp"
 #include "heal/raw_face.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 
 using heal::Loop;
 using heal::LoopCurve;
@@ -20,4 +20,4 @@ Loop reversed(const Loop& loop);
 /// The curves of a loop without their labels.
 std::vector<Nurbs> curves_of(const Loop& loop);
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -7,12 +7,13 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 
 /// A position where two curves are closer than the tolerance without being neighbours there.
 struct Contact {
   int loop_a = 0, curve_a = 0, loop_b = 0, curve_b = 0;
   Vec2 position;
+  double t_a = 0, t_b = 0;  ///< its parameters on both curves
 };
 
 /// The first contact among the curves of all loops, including self-contact of a curve; std::nullopt for simple,
@@ -22,4 +23,4 @@ std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops
 /// The winding number of the loop around x, positive if counter-clockwise; x must not lie on the loop.
 int winding_number(const std::vector<Nurbs>& loop, Vec2 x);
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -1,14 +1,15 @@
-#include "cad/assemble_face.hpp"
+#include "outline/assemble_face.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 heal::RawEdge edge(const Nurbs& curve, int cad_edge, const std::string& name = {}) {
@@ -132,6 +133,53 @@ TEST(AssembleFace, is_the_same_at_any_scale) {
   }
 }
 
+// A plate of 4 x 3 with a hole from its lower to its upper edge: two pieces, the right one larger.
+heal::RawFace pinched_plate() {
+  heal::RawFace raw = polygon({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
+  const heal::RawFace hole = polygon({{1.5, 0}, {2, 1}, {1.5, 3}, {1, 1}});
+  raw.wires.push_back(hole.wires[0]);
+  for (heal::RawEdge& e : raw.wires[1]) e.cad_edge += 4;
+  return raw;
+}
+
+TEST(AssembleFace, chooses_a_piece_of_a_face_that_touches_itself) {
+  Report report;
+  std::vector<Repair> repairs;
+  const auto piece = [&](int number) {
+    return assemble_face(pinched_plate(), {radians(1), 0, {"cover", number}}, repairs, report);
+  };
+  EXPECT_EQ(piece(0).curve_cad_edges, (std::vector<int>{0, 1, 2, 5, 4}));
+  EXPECT_EQ(piece(1).curve_cad_edges, (std::vector<int>{0, 7, 6, 2, 3}));
+  for (const int number : {-1, 2})
+    EXPECT_EQ(message_of<FormatError>([&] { piece(number); }),
+              "f.step: the boundary of the face touches itself, with no width in between, at (1.5, 0), and separates 2 "
+              "pieces: choose one with --face cover.0 to cover.1, the largest first");
+  EXPECT_EQ(message_of<FormatError>([&] {
+              assemble_face(polygon(square), {radians(1), 0, {"cover", 1}}, repairs, report);
+            }),
+            "f.step: --face cover.1: the face has one piece, number 0");
+}
+
+TEST(AssembleFace, refuses_contacts_with_place_size_and_remedy) {
+  EXPECT_EQ(
+      message_of<FormatError>([] {
+        assembled(polygon({{0, 0}, {4, 0}, {4, 2}, {3, -0.5}, {1, 4}, {0, 4}}));
+      }),
+      "f.step: the wire intersects itself: edges 0 and 3 of the outline at (2.77778, 0), 0.547 (0.097 diameters) from "
+      "the nearest of their ends: trim them, or draw them apart");
+  heal::RawFace corner = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  corner.wires.push_back(polygon({{2, 0}, {1, 2}, {3, 2}}).wires[0]);
+  for (heal::RawEdge& e : corner.wires[1]) e.cad_edge += 4;
+  const std::string message = message_of<FormatError>([&] { assembled(corner); });
+  EXPECT_EQ(message,
+            "f.step: the boundary touches itself at (2, 0), where edges 0 and 4 meet: the face has a width of zero "
+            "there: give --blunt 0.0056 to cut the corners off at that width, or draw them apart");
+  Report report;
+  std::vector<Repair> repairs;
+  EXPECT_EQ(assemble_face(corner, {radians(1), 0.0056}, repairs, report).num_curves(), 10);
+  EXPECT_EQ(repairs.size(), 2U);
+}
+
 TEST(AssembleFace, refuses_coordinates_that_are_not_numbers) {
   heal::RawFace raw = polygon(square);
   raw.wires[0][2].curve.poles[0].x = std::nan("");
@@ -139,4 +187,4 @@ TEST(AssembleFace, refuses_coordinates_that_are_not_numbers) {
 }
 
 }  // namespace
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -1,4 +1,4 @@
-#include "cad/wire_loop.hpp"
+#include "outline/wire_loop.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "curve/nurbs.hpp"
 #include "heal/chain_edges.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 // Smaller tangent jumps are rounding errors of the decimal numbers in a text file.
@@ -108,4 +108,4 @@ std::vector<Nurbs> curves_of(const Loop& loop) {
   return curves;
 }
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

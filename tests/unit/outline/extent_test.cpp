@@ -1,4 +1,4 @@
-#include "cad/extent.hpp"
+#include "outline/extent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 Nurbs turned(Nurbs curve, double angle) {
@@ -46,4 +46,4 @@ TEST(Extent, diameter_does_not_change_when_the_shape_is_turned) {
 }
 
 }  // namespace
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

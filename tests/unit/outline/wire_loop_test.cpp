@@ -1,4 +1,4 @@
-#include "cad/wire_loop.hpp"
+#include "outline/wire_loop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 heal::RawEdge edge(const Nurbs& curve, int cad_edge) {
@@ -86,4 +86,4 @@ TEST(WireLoop, ReversedBeginsWithTheSameCurve) {
 }
 
 }  // namespace
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -1,11 +1,12 @@
 #pragma once
-// From the edges of a face as read from the file to the checked boundary of model/cad_face.hpp. No OpenCASCADE types.
+// From the edges of a face as read from the file to the checked boundary of model/cad_face.hpp.
 
 #include "base/report.hpp"
 #include "heal/raw_face.hpp"
 #include "model/repair.hpp"
+#include "outline/face_pieces.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 
 /// The greatest distance between two points of the edges. Throws FormatError if there are no edges, or a coordinate is
 /// not a number.
@@ -14,14 +15,15 @@ double raw_diameter(const heal::RawFace& raw);
 struct AssembleOptions {
   double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
   double blunt_width = 0;                      ///< as in heal::BluntOptions
+  FacePiece piece = {};
 };
 
 /// Chains the edges of each wire, splits curves at tangent jumps, makes the ends of neighbours identical, orients loops
-/// so that the face lies on the left, sorts the outline first, cuts off cusps, and computes joints, names, diameter and
-/// origin. Throws FormatError, with the error and its position, for an open or self-intersecting wire, vertices off
-/// their edges, holes outside or across the outline, a cusp, or a face without area. Adds what was cut off to
-/// `repairs`.
+/// so that the face lies on the left, sorts the outline first, chooses a piece where the boundary touches itself, cuts
+/// off cusps, and computes joints, names, diameter and origin. Throws FormatError, with the error, its position, size
+/// and a remedy, for an open or self-intersecting wire, vertices off their edges, holes outside or across the outline,
+/// a cusp, or a face without area. Adds what was cut off to `repairs`.
 CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
                       Report& report);
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -1,4 +1,4 @@
-#include "cad/extent.hpp"
+#include "outline/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 struct Sample {
@@ -129,4 +129,4 @@ PoleBox pole_box(const std::vector<Nurbs>& curves) {
   return box;
 }
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

@@ -5,7 +5,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 
 /// The area enclosed by the closed chain of curves, positive if the chain is counter-clockwise.
 double signed_area(const std::vector<Nurbs>& loop);
@@ -24,4 +24,4 @@ struct PoleBox {
 /// The bounding box of the poles, which contains the curves.
 PoleBox pole_box(const std::vector<Nurbs>& curves);
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

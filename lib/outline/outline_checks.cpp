@@ -1,4 +1,4 @@
-#include "cad/outline_checks.hpp"
+#include "outline/outline_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
 
 // A piece of a curve between knots; it lies within the distance `width` of its chord.
@@ -20,6 +20,7 @@ struct Piece {
 
   Vec2 a() const { return curve.poles.front(); }
   Vec2 b() const { return curve.poles.back(); }
+  double at(double fraction) const { return curve.begin() + fraction * (curve.end() - curve.begin()); }
 };
 
 Piece make_piece(Nurbs curve, int loop, int id) {
@@ -90,18 +91,24 @@ bool form_cusp(const Nurbs& a, const Nurbs& b) {
   return std::abs(std::atan2(cross(back, ahead), dot(back, ahead))) <= rounding;
 }
 
+// Where two pieces meet, with the parameters there.
+struct Meeting {
+  Vec2 position;
+  double t_a = 0, t_b = 0;
+};
+
 class ContactSearch {
  public:
   explicit ContactSearch(double tol) : tol_(tol) {}
 
-  // A position where a and b are closer than the tolerance; std::nullopt if they are farther apart everywhere.
-  std::optional<Vec2> meet(const Piece& a, const Piece& b) { return meet(a, b, tol_); }
+  // Where a and b are closer than the tolerance; std::nullopt if they are farther apart everywhere.
+  std::optional<Meeting> meet(const Piece& a, const Piece& b) { return meet(a, b, tol_); }
 
-  std::optional<Vec2> meet(const Piece& a, const Piece& b, double tol) {
+  std::optional<Meeting> meet(const Piece& a, const Piece& b, double tol) {
     const double d = distance_of_segments(a.a(), a.b(), b.a(), b.b());
     if (d > a.width + b.width + tol) return std::nullopt;
     // For coincident curves the bisection never decides: an exhausted budget means contact.
-    if (a.width + b.width <= tol / 4 || --budget_ < 0) return position(a, b);
+    if (a.width + b.width <= tol / 4 || --budget_ < 0) return meeting(a, b);
     const bool first = a.width >= b.width;
     const auto [p, q] = halves(first ? a : b);
     if (const auto hit = first ? meet(p, b, tol) : meet(a, p, tol)) return hit;
@@ -109,7 +116,7 @@ class ContactSearch {
   }
 
   // The same if b starts at the end of a: a contact elsewhere than at the common point.
-  std::optional<Vec2> meet_again(const Piece& a, const Piece& b) {
+  std::optional<Meeting> meet_again(const Piece& a, const Piece& b) {
     return meet_again(a, b, form_cusp(a.curve, b.curve));
   }
 
@@ -118,7 +125,7 @@ class ContactSearch {
  private:
   static double size(const Piece& p) { return distance(p.low, p.high); }
 
-  std::optional<Vec2> meet_again(const Piece& a, const Piece& b, bool is_cusp) {
+  std::optional<Meeting> meet_again(const Piece& a, const Piece& b, bool is_cusp) {
     if (apart(a.curve, b.curve)) return std::nullopt;
     if (std::max(size(a), size(b)) < 10 * tol_) return std::nullopt;
     const auto [a_far, a_near] = halves(a);
@@ -142,11 +149,13 @@ class ContactSearch {
     return std::max(size(a), size(b)) > largest_tip * tol_ ? tol_ : 0;
   }
 
-  static Vec2 position(const Piece& a, const Piece& b) {
-    const Vec2 d = a.b() - a.a(), e = b.b() - b.a();
+  // The intersection of the chords.
+  static Meeting meeting(const Piece& a, const Piece& b) {
+    const Vec2 d = a.b() - a.a(), e = b.b() - b.a(), between = b.a() - a.a();
     const double n = cross(d, e);
-    const double s = n == 0 ? 0.5 : std::clamp(cross(b.a() - a.a(), e) / n, 0.0, 1.0);
-    return a.a() + s * d;
+    const auto fraction = [n](double part) { return n == 0 ? 0.5 : std::clamp(part / n, 0.0, 1.0); };
+    const double s = fraction(cross(between, e)), r = fraction(cross(between, d));
+    return {a.a() + s * d, a.at(s), b.at(r)};
   }
 
   // Whether the poles of a and b, seen from the common point, lie in disjoint cones.
@@ -201,10 +210,10 @@ std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops
       if (pieces[by_x[n]].low.x > pieces[by_x[m]].high.x + tol) break;
       if (a.low.y > b.high.y + tol || b.low.y > a.high.y + tol) continue;
       search.restart();
-      const auto hit = next[i] == j   ? search.meet_again(a, b)
-                       : next[j] == i ? search.meet_again(b, a)
-                                      : search.meet(a, b);
-      if (hit) return Contact{a.loop, a.id, b.loop, b.id, *hit};
+      const bool is_after = next[i] != j && next[j] == i;
+      const Piece &first = is_after ? b : a, &second = is_after ? a : b;
+      const auto hit = next[i] == j || is_after ? search.meet_again(first, second) : search.meet(first, second);
+      if (hit) return Contact{first.loop, first.id, second.loop, second.id, hit->position, hit->t_a, hit->t_b};
     }
   return std::nullopt;
 }
@@ -229,4 +238,4 @@ int winding_number(const std::vector<Nurbs>& loop, Vec2 x) {
   return static_cast<int>(std::lround(angle / (2 * pi)));
 }
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline

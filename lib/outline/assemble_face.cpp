@@ -1,4 +1,4 @@
-#include "cad/assemble_face.hpp"
+#include "outline/assemble_face.hpp"
 
 #include <fmt/format.h>
 
@@ -10,15 +10,22 @@
 #include "base/error.hpp"
 #include "base/numbered_names.hpp"
 #include "base/position_text.hpp"
-#include "cad/extent.hpp"
-#include "cad/outline_checks.hpp"
-#include "cad/wire_loop.hpp"
 #include "curve/nurbs.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "heal/interior_angle.hpp"
+#include "heal/touching_loops.hpp"
+#include "outline/contact_text.hpp"
+#include "outline/extent.hpp"
+#include "outline/face_pieces.hpp"
+#include "outline/outline_checks.hpp"
+#include "outline/wire_loop.hpp"
 
-namespace quadrille::cad {
+namespace quadrille::outline {
 namespace {
+
+// Curves nearer to each other than this part of the size are in contact, and joints, which healing leaves with rounding
+// errors.
+constexpr double contact_share = 1e-9, joint_share = 1e-7;
 
 // Distance below which points coincide: the tolerance of the file, clamped in case it is wrong.
 double gap_tolerance(const heal::RawFace& raw, double size) {
@@ -36,8 +43,6 @@ std::vector<Nurbs> finite_curves(const heal::RawFace& raw) {
   return curves;
 }
 
-std::string loop_name(size_t l) { return l == 0 ? "the outline" : fmt::format("hole {}", l); }
-
 // Refuses a degenerate face whose boundary is a line traversed forth and back; otherwise it would be reported as
 // touching itself everywhere.
 void require_width(const heal::RawFace& raw, const std::vector<Nurbs>& curves, double size) {
@@ -54,6 +59,15 @@ void require_width(const heal::RawFace& raw, const std::vector<Nurbs>& curves, d
                                   rounded_position_text(a), rounded_position_text(b)));
 }
 
+// Where the loops touch themselves or each other first.
+Vec2 first_contact(const std::vector<Loop>& loops) {
+  const auto contacts = heal::contacts_at_starts(loops);
+  for (size_t l = 0; l < loops.size(); ++l)
+    for (size_t i = 0; i < loops[l].size(); ++i)
+      if (contacts[l][i]) return loops[l][i].curve.poles.front();
+  return {};
+}
+
 // The outline first, the other loops in the order of the file; each with the face on its left.
 std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   std::vector<double> areas;
@@ -67,30 +81,50 @@ std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   return sorted;
 }
 
-void require_simple(const heal::RawFace& raw, const std::vector<Loop>& loops, double tol) {
+void require_no_contact(const heal::RawFace& raw, const std::vector<Loop>& loops, double size, double diameter) {
   std::vector<std::vector<Nurbs>> curves;
   for (const Loop& loop : loops) curves.push_back(curves_of(loop));
-  if (const auto c = find_contact(curves, tol)) {
-    const int a = loops[c->loop_a][c->curve_a].cad_edge, b = loops[c->loop_b][c->curve_b].cad_edge;
-    const std::string edges = a == b ? fmt::format("edge {}", a) : fmt::format("edges {} and {}", a, b);
-    if (c->loop_a == c->loop_b)
-      throw FormatError(fmt::format("{}: the wire intersects itself: {} of {} at {}", raw.file, edges,
-                                    loop_name(c->loop_a), rounded_position_text(c->position)));
-    throw FormatError(fmt::format("{}: {} crosses or touches {}: {} at {}", raw.file, loop_name(c->loop_b),
-                                  loop_name(c->loop_a), edges, rounded_position_text(c->position)));
-  }
+  const auto c = find_contact(curves, contact_share * size);
+  if (!c) return;
+  const auto [first, second] = std::minmax(c->loop_a, c->loop_b);
+  const std::string what = first == second
+                               ? "the wire intersects itself"
+                               : fmt::format("{} crosses or touches {}", loop_name(second), loop_name(first));
+  throw FormatError(fmt::format("{}: {}: {}", raw.file, what, contact_text(loops, *c, diameter)));
+}
+
+void require_nested(const heal::RawFace& raw, const std::vector<Loop>& loops) {
+  std::vector<std::vector<Nurbs>> curves;
+  for (const Loop& loop : loops) curves.push_back(curves_of(loop));
   std::vector<PoleBox> boxes;
   for (const auto& loop : curves) boxes.push_back(pole_box(loop));
+  const auto refuse = [&](size_t hole, const std::string& where) {
+    throw FormatError(fmt::format(
+        "{}: {} at {} lies {}; it is {:.3g} across: draw it elsewhere, or as a face of its own", raw.file,
+        loop_name(hole), rounded_position_text(curves[hole].front().poles.front()), where, boxes[hole].diagonal()));
+  };
   for (size_t hole = 1; hole < loops.size(); ++hole) {
     const Vec2 x = curves[hole].front().poles.front();
-    if (winding_number(curves[0], x) != 1)
-      throw FormatError(
-          fmt::format("{}: {} at {} lies outside the outline", raw.file, loop_name(hole), rounded_position_text(x)));
+    if (winding_number(curves[0], x) != 1) refuse(hole, "outside the outline");
     for (size_t other = 1; other < loops.size(); ++other)
       if (other != hole && boxes[other].contains(x) && winding_number(curves[other], x) != 0)
-        throw FormatError(fmt::format("{}: {} at {} lies inside {}", raw.file, loop_name(hole),
-                                      rounded_position_text(x), loop_name(other)));
+        refuse(hole, "inside " + loop_name(other));
   }
+}
+
+// The loops of the piece of the face that is asked for, or of its only piece.
+std::vector<Loop> chosen_piece(const heal::RawFace& raw, const std::vector<Loop>& loops, const FacePiece& choice) {
+  std::vector<std::vector<Loop>> pieces = face_pieces(loops);
+  const int count = static_cast<int>(pieces.size());
+  if (choice.number < count && (choice.number >= 0 || count == 1)) return pieces[std::max(choice.number, 0)];
+  if (count == 1)
+    throw FormatError(
+        fmt::format("{}: --face {}.{}: the face has one piece, number 0", raw.file, choice.face, choice.number));
+  throw FormatError(
+      fmt::format("{}: the boundary of the face touches itself, with no width in between, at {}, and separates {} "
+                  "pieces: choose one "
+                  "with --face {}.0 to {}.{}, the largest first",
+                  raw.file, rounded_position_text(first_contact(loops)), count, choice.face, choice.face, count - 1));
 }
 
 // (0, 0), unless the face is so far from it that coordinates lose significant digits; then the centre of the face,
@@ -134,9 +168,12 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
   loops = sorted_loops(std::move(loops));
   require_width(raw, curves_of(loops.front()), size);
+  loops = chosen_piece(raw, heal::separated_loops(loops, {joint_share * size, contact_share * size}), options.piece);
   const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width};
   heal::blunt_cusps(loops, blunt, repairs, report);
-  require_simple(raw, loops, 1e-9 * size);
+  heal::refuse_contacts(loops, blunt);
+  require_no_contact(raw, loops, size, blunt.diameter);
+  require_nested(raw, loops);
   heal::refuse_cusps(loops, blunt);
 
   CadFace face;
@@ -169,4 +206,4 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   return face;
 }
 
-}  // namespace quadrille::cad
+}  // namespace quadrille::outline
