@@ -49,6 +49,8 @@ std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs
   add(RepairKind::vertex, "vertex off its edges", "vertices off their edges");
   add(RepairKind::plane, "edge off the plane", "edges off the plane");
   add(RepairKind::edge, "short edge removed", "short edges removed");
+  add(RepairKind::fold, "spline unfolded", "splines unfolded");
+  add(RepairKind::knot, "spline with merged knots", "splines with merged knots");
   add(RepairKind::cusp, "cusp cut off", "cusps cut off");
   return fmt::format("healed {}; by at most {:.2g} {} ({:.1g} diameters)", fmt::join(parts, ", "), greatest,
                      face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
@@ -99,9 +101,13 @@ int main(int argc, char** argv) {
     o.output(output, "triangle mesh to write (x.tri.h5)");
     o.flag("--list", is_listing,
            "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
-           "space, names");
-    o.text("--face", face_choice, "N|NAME",
-           "the face to read, if SHAPE is a solid, shell or assembly: its name, or its number in --list, from 0");
+           "space, names, and the parts (products, solids, shells) and layers that hold the faces");
+    o.text(
+        "--face", face_choice, "N|NAME",
+        "the face to read, if SHAPE is a solid, shell or assembly: its name, or its number in --list, from 0, or the "
+        "name of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if "
+        "its "
+        "boundary touches itself and separates it");
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees",
              "tangent discontinuities greater than this are corners of the layout");
@@ -110,8 +116,9 @@ int main(int argc, char** argv) {
              "slide to their crossing, by up to four times as much); edges shorter than this are removed; 0: no "
              "healing; -1: 1e-5, or the tolerances of the shape if they are larger");
     o.number("--blunt", blunt, 0, unlimited, "file units",
-             "cut the tips of cusps off, where two edges meet at an angle of zero, and put straight edges of this "
-             "length there; 0: cusps are refused");
+             "cut off the tips of cusps (edges that meet at an angle of zero), of corners below 0.2 degrees and of "
+             "corners in which the boundary touches itself: straight edges of this length take their place; 0: cusps "
+             "and contacts are refused");
     o.text("--write-healed", healed, "FILE", "also write the healed face as a CAD file: x.step or x.brep", false);
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",

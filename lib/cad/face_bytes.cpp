@@ -31,7 +31,7 @@ class Writer {
   }
   void operator()(const Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
   void operator()(const ListedShape& s) { (*this)(s.name), (*this)(s.kind), (*this)(s.length), (*this)(s.place); }
-  void operator()(const ListedFace& f) { (*this)(f.face), (*this)(f.edges); }
+  void operator()(const ListedFace& f) { (*this)(f.face), (*this)(f.part), (*this)(f.layer), (*this)(f.edges); }
 };
 
 class Reader {
@@ -60,7 +60,7 @@ class Reader {
   }
   void operator()(Nurbs& c) { (*this)(c.degree), (*this)(c.knots), (*this)(c.poles), (*this)(c.weights); }
   void operator()(ListedShape& s) { (*this)(s.name), (*this)(s.kind), (*this)(s.length), (*this)(s.place); }
-  void operator()(ListedFace& f) { (*this)(f.face), (*this)(f.edges); }
+  void operator()(ListedFace& f) { (*this)(f.face), (*this)(f.part), (*this)(f.layer), (*this)(f.edges); }
 
   bool at_end() const { return at_ == bytes_.size(); }
 
@@ -117,14 +117,14 @@ Report::Value read_value(Reader& r) {
 
 std::string to_bytes(const FaceList& list) {
   Writer w;
-  w(list.length_unit), w(list.faces);
+  w(list.length_unit), w(list.faces), w(list.not_built);
   return w.bytes;
 }
 
 FaceList list_from_bytes(const std::string& bytes) {
   Reader r(bytes);
   FaceList list;
-  r(list.length_unit), r(list.faces);
+  r(list.length_unit), r(list.faces), r(list.not_built);
   if (!r.at_end()) throw Defect("list_from_bytes: too long");
   return list;
 }

@@ -8,7 +8,6 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
-#include "cad/assemble_face.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/face_bytes.hpp"
 #include "cad/file_kind.hpp"
@@ -16,6 +15,7 @@
 #include "cad/occ_load.hpp"
 #include "cad/step_faults.hpp"
 #include "heal/heal_face.hpp"
+#include "outline/assemble_face.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -72,11 +72,13 @@ LoadedFace load_face(const std::string& bytes, const std::string& name, const Lo
   report.set("input.format", format_name(format));
   return of_file(name, format, [&] {
     const OccModel model = occ_load(format, bytes, name);
-    heal::RawFace raw = occ_face(model, choose_face(model, options.face, name), name, report);
+    const FaceChoice choice = choose_face(model, options.face, name);
+    heal::RawFace raw = occ_face(model, choice.face, name, report);
     choose_names(raw);
     LoadedFace loaded;
-    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, raw_diameter(raw), report);
-    loaded.face = assemble_face(raw, {options.corner_angle, options.blunt_width}, loaded.repairs, report);
+    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
+    loaded.face =
+        outline::assemble_face(raw, {options.corner_angle, options.blunt_width, choice.piece}, loaded.repairs, report);
     return loaded;
   });
 }

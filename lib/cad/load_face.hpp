@@ -12,7 +12,7 @@ namespace quadrille::cad {
 struct LoadOptions {
   double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
   double heal_tolerance = -1;                  ///< as in heal::HealOptions
-  std::string face = {};                       ///< its name, or its number in list_faces; empty: the only face
+  std::string face = {};                       ///< as the choice of choose_face(); empty: the only face
   double blunt_width = 0;                      ///< as in heal::BluntOptions
 };
 

@@ -25,12 +25,15 @@ struct ListedShape {
 
 struct ListedFace {
   ListedShape face;
+  std::string part;   ///< names of the products, solids and shells around it, outermost first: "rig/bolt"
+  std::string layer;  ///< of the face, else of the innermost part that has one
   std::vector<ListedShape> edges;
 };
 
 struct FaceList {
   std::string length_unit;
   std::vector<ListedFace> faces;
+  std::vector<std::string> not_built;  ///< entities of faces that could not be built: "#40 'lid'"
 };
 
 }  // namespace quadrille::cad

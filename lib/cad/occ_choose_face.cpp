@@ -6,27 +6,22 @@
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <algorithm>
 #include <charconv>
+#include <limits>
+#include <optional>
 
 #include "base/error.hpp"
 #include "cad/occ_face.hpp"
+#include "cad/occ_placed_faces.hpp"
 
 namespace quadrille::cad {
 namespace {
-
-std::vector<TopoDS_Face> faces_of(const OccModel& model) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(model.shape, TopAbs_FACE, map);
-  std::vector<TopoDS_Face> faces;
-  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
-  return faces;
-}
 
 // In the order of GeomAbs_CurveType and GeomAbs_SurfaceType.
 constexpr std::array curve_kinds{"line",   "circle", "ellipse", "hyperbola", "parabola",
@@ -58,8 +53,9 @@ ListedShape listed_edge(const OccModel& model, const TopoDS_Edge& edge) {
   return listed;
 }
 
-ListedFace listed_face(const OccModel& model, const TopoDS_Face& face) {
-  ListedFace listed{{model.label_of(face).name, kind_of(face), 0, {}}, {}};
+ListedFace listed_face(const OccModel& model, const PlacedFace& placed) {
+  const TopoDS_Face& face = placed.face;
+  ListedFace listed{{model.label_of(face).name, kind_of(face), 0, {}}, placed.part_path(), placed.layer, {}};
   measure(face, listed.face);
   for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
     for (TopoDS_Iterator e(wire.Value().Oriented(TopAbs_FORWARD)); e.More(); e.Next())
@@ -70,34 +66,84 @@ ListedFace listed_face(const OccModel& model, const TopoDS_Face& face) {
 constexpr const char* how = "--face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)";
 
 // The message distinguishes connected faces from separate ones: those of a shell share edges.
-std::string several(const std::vector<TopoDS_Face>& faces, int stated) {
+std::string several(const std::vector<PlacedFace>& faces, int stated) {
   TopTools_IndexedMapOfShape edges;
   int uses = 0;
-  for (const TopoDS_Face& face : faces)
-    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) ++uses, edges.Add(e.Current());
+  for (const PlacedFace& placed : faces)
+    for (TopExp_Explorer e(placed.face, TopAbs_EDGE); e.More(); e.Next()) ++uses, edges.Add(e.Current());
   const int shared = uses - edges.Extent();
   return fmt::format("several faces ({}{})", stated, shared > 0 ? fmt::format(" with {} shared edges", shared) : "");
 }
 
-TopoDS_Face only_face(const OccModel& model, const std::vector<TopoDS_Face>& faces, const std::string& file) {
+TopoDS_Face only_face(const OccModel& model, const std::vector<PlacedFace>& faces, const std::string& file) {
   const int num_faces = std::max(model.num_faces, static_cast<int>(faces.size()));
-  if (num_faces == 1 && model.num_solids == 0) return faces.front();
+  if (num_faces == 1 && model.num_solids == 0) return faces.front().face;
   const std::string what = model.num_solids > 0 ? "a solid" : several(faces, num_faces);
   throw FormatError(fmt::format("{}: the file holds {}: choose one planar face with {}", file, what, how));
 }
 
-// The numbers of the faces that `choice` means.
-std::vector<int> chosen(const OccModel& model, const std::vector<TopoDS_Face>& faces, const std::string& choice) {
+// The numbers of the faces that fulfil `condition`.
+template <class Condition>
+std::vector<int> numbers_of(const std::vector<PlacedFace>& faces, Condition condition) {
   std::vector<int> found;
-  const int num_faces = static_cast<int>(faces.size());
-  for (int i = 0; i < num_faces; ++i)
-    if (model.label_of(faces[i]).name == choice) found.push_back(i);
+  for (size_t i = 0; i < faces.size(); ++i)
+    if (condition(faces[i])) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+std::optional<int> as_number(const std::string& choice, int num_faces) {
   int number = -1;
   const char* end = choice.data() + choice.size();
   const auto read = std::from_chars(choice.data(), end, number);
-  if (found.empty() && read.ec == std::errc() && read.ptr == end && 0 <= number && number < num_faces)
-    found.push_back(number);
-  return found;
+  if (read.ec != std::errc() || read.ptr != end || number < 0 || number >= num_faces) return std::nullopt;
+  return number;
+}
+
+// "cover.1" is piece 1 of the face with the name "cover".
+outline::FacePiece piece_of(const std::string& choice) {
+  const size_t dot = choice.rfind('.');
+  if (dot == std::string::npos) return {choice, -1};
+  const auto number = as_number(choice.substr(dot + 1), std::numeric_limits<int>::max());
+  return number ? outline::FacePiece{choice.substr(0, dot), *number} : outline::FacePiece{choice, -1};
+}
+
+bool is_held_by(const PlacedFace& face, const std::string& name) {
+  const auto& parts = face.parts;
+  return face.layer == name || face.part_path() == name || std::find(parts.begin(), parts.end(), name) != parts.end();
+}
+
+// "; could not be built: #40 'lid'"; empty if all faces could.
+std::string not_built(const OccModel& model) {
+  return model.not_built.empty() ? std::string()
+                                 : fmt::format("; could not be built: {}", fmt::join(model.not_built, ", "));
+}
+
+struct Choice {
+  std::vector<int> faces;
+  const char* relation = "have this name";
+};
+
+// The faces that `choice` means. Parts and layers come last, because many of them are named by numbers.
+Choice chosen(const OccModel& model, const std::vector<PlacedFace>& faces, const std::string& choice) {
+  const auto named = [&](const PlacedFace& f) { return model.label_of(f.face).name == choice; };
+  std::vector<int> found = numbers_of(faces, named);
+  if (!found.empty()) return {found};
+  if (const auto number = as_number(choice, static_cast<int>(faces.size()))) return {{*number}};
+  const auto held = [&](const PlacedFace& f) { return is_held_by(f, choice); };
+  return {numbers_of(faces, held), "lie in the part or layer of this name"};
+}
+
+// "0-3, 7, 8": runs of three or more numbers are shortened.
+std::string list_text(const std::vector<int>& numbers) {
+  std::vector<std::string> runs;
+  for (size_t i = 0; i < numbers.size();) {
+    size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    if (end - i < 3) end = i + 1;
+    runs.push_back(end == i + 1 ? std::to_string(numbers[i]) : fmt::format("{}-{}", numbers[i], numbers[end - 1]));
+    i = end;
+  }
+  return fmt::format("{}", fmt::join(runs, ", "));
 }
 
 }  // namespace
@@ -105,25 +151,28 @@ std::vector<int> chosen(const OccModel& model, const std::vector<TopoDS_Face>& f
 FaceList list_faces(const OccModel& model) {
   FaceList list;
   list.length_unit = model.length_unit;
-  for (const TopoDS_Face& face : faces_of(model)) list.faces.push_back(listed_face(model, face));
+  for (const PlacedFace& placed : placed_faces(model)) list.faces.push_back(listed_face(model, placed));
+  list.not_built = model.not_built;
   return list;
 }
 
-TopoDS_Face choose_face(const OccModel& model, const std::string& choice, const std::string& file) {
-  const std::vector<TopoDS_Face> faces = faces_of(model);
+FaceChoice choose_face(const OccModel& model, const std::string& choice, const std::string& file) {
+  const std::vector<PlacedFace> faces = placed_faces(model);
   if (model.num_faces == 0) throw FormatError(file + ": the file holds no face; expected one planar face");
-  if (faces.empty()) throw FormatError(file + ": the face cannot be built from what the file says");
-  if (choice.empty()) return only_face(model, faces, file);
-  const std::vector<int> found = chosen(model, faces, choice);
-  if (found.empty())
-    throw FormatError(
-        fmt::format("{}: --face {}: no face has this name or number; the file holds {}, numbered from 0: "
-                    "choose with {}",
-                    file, choice, faces.size(), how));
-  if (found.size() > 1)
-    throw FormatError(fmt::format("{}: --face {}: the faces {} have this name: choose one by its number", file, choice,
-                                  fmt::join(found, ", ")));
-  return faces[found.front()];
+  if (faces.empty()) throw FormatError(file + ": the face cannot be built from what the file says" + not_built(model));
+  if (choice.empty()) return {only_face(model, faces, file), {}};
+  outline::FacePiece piece{choice, -1};
+  Choice found = chosen(model, faces, choice);
+  if (found.faces.empty()) piece = piece_of(choice), found = chosen(model, faces, piece.face);
+  if (found.faces.empty())
+    throw FormatError(fmt::format(
+        "{}: --face {}: no face has this name or number; the file holds {}, numbered from 0, and no part or "
+        "layer of this name{}: choose with {}",
+        file, choice, faces.size(), not_built(model), how));
+  if (found.faces.size() > 1)
+    throw FormatError(fmt::format("{}: --face {}: the faces {} {}: choose one by its number", file, choice,
+                                  list_text(found.faces), found.relation));
+  return {faces[found.faces.front()].face, piece};
 }
 
 }  // namespace quadrille::cad

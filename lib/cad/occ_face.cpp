@@ -167,6 +167,18 @@ void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, co
   warn(warning::points_ignored, points, "point");
 }
 
+// Under a scaled placement the kernel keeps the parameters of curves, and with them the old ends of lines.
+void require_unscaled(const TopoDS_Face& face, const std::string& file) {
+  for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+    const double scale = e.Current().Location().Transformation().ScaleFactor();
+    if (!(std::abs(std::abs(scale) - 1) < 1e-9))
+      throw FormatError(
+          fmt::format("{}: the face is placed with a scale of {:.6g}: export it with its own geometry, or "
+                      "only rotated, mirrored and moved",
+                      file, std::abs(scale)));
+  }
+}
+
 }  // namespace
 
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
@@ -183,6 +195,7 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
 heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report) {
   const auto plane = plane_of(face);
   if (!plane) throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(face)));
+  require_unscaled(face, file);
   const PlaneFrame frame = frame_of(*plane);
   heal::RawFace raw;
   raw.file = file;

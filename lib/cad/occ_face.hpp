@@ -10,6 +10,7 @@
 #include "cad/loaded_face.hpp"
 #include "cad/occ_model.hpp"
 #include "heal/raw_face.hpp"
+#include "outline/face_pieces.hpp"
 
 namespace quadrille::cad {
 
@@ -17,10 +18,17 @@ namespace quadrille::cad {
 /// place; one that two solids share is listed once.
 FaceList list_faces(const OccModel& model);
 
-/// The face whose name is `choice` or, if no face has that name, whose number it is; the only face of the model if
-/// `choice` is empty. Throws FormatError if no face or several faces have this name or number, or if `choice` is empty
-/// and the model is a solid or has several faces. `file`: name of the file, for messages.
-TopoDS_Face choose_face(const OccModel& model, const std::string& choice, const std::string& file);
+struct FaceChoice {
+  TopoDS_Face face;
+  outline::FacePiece piece;
+};
+
+/// The face whose name is `choice` or, if no face has that name, whose number it is, or else the only face in the part
+/// or on the layer of that name; the only face of the model if `choice` is empty. A part is chosen by its name or by
+/// its path ("rig/bolt"). ".0" and so on behind that: a piece of the face. Throws FormatError if no face or several
+/// faces are chosen, or if `choice` is empty and the model is a solid or has several faces. `file`: name of the file,
+/// for messages.
+FaceChoice choose_face(const OccModel& model, const std::string& choice, const std::string& file);
 
 /// The plane of the face in space; std::nullopt if the face is not planar.
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face);

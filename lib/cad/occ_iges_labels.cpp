@@ -2,6 +2,8 @@
 
 #include <BRep_Tool.hxx>
 #include <IGESBasic_Name.hxx>
+#include <IGESBasic_SingularSubfigure.hxx>
+#include <IGESBasic_SubfigureDef.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESGeom_BSplineCurve.hxx>
 #include <IGESGeom_CircularArc.hxx>
@@ -37,6 +39,15 @@ std::string name_of(const IGESData_IGESEntity& entity) {
   return name.IsNull() || name->Value().IsNull() ? std::string() : clean_name(name->Value()->ToCString());
 }
 
+// An instance of a subfigure without a name of its own has that of the subfigure.
+std::string part_name(const Entity& entity) {
+  const auto instance = Handle(IGESBasic_SingularSubfigure)::DownCast(entity);
+  std::string own = name_of(*entity);
+  if (!own.empty() || instance.IsNull() || instance->Subfigure().IsNull()) return own;
+  const Handle(TCollection_HAsciiString) name = instance->Subfigure()->Name();
+  return name.IsNull() ? std::string() : clean_name(name->ToCString());
+}
+
 // One of the eight colour numbers of IGES 5.3, table 4, or a colour entity with components in percent.
 std::string colour_of(const IGESData_IGESEntity& entity) {
   if (const auto own = Handle(IGESGraph_Color)::DownCast(entity.Color()); !own.IsNull()) {
@@ -53,9 +64,13 @@ std::string colour_of(const IGESData_IGESEntity& entity) {
   return 0 <= rank && rank < static_cast<int>(known.size()) ? known[rank] : "";
 }
 
-ShapeLabel label_of(const IGESData_IGESEntity& entity) {
+std::string layer_of(const IGESData_IGESEntity& entity) {
   const int level = entity.Level();
-  return {name_of(entity), level > 0 ? fmt::format("level_{}", level) : "", colour_of(entity)};
+  return level > 0 ? fmt::format("level_{}", level) : "";
+}
+
+ShapeLabel label_of(const IGESData_IGESEntity& entity) {
+  return {name_of(entity), layer_of(entity), colour_of(entity)};
 }
 
 using Ends = std::array<gp_Pnt, 2>;
@@ -105,17 +120,50 @@ void add_boundary(const Handle(IGESGeom_CurveOnSurface) & boundary, const Handle
   }
 }
 
+void add_boundaries(const IGESGeom_TrimmedSurface& surface, const Handle(Transfer_TransientProcess) & process,
+                    OccModel& model) {
+  add_boundary(surface.OuterContour(), process, model);
+  for (int k = 1; k <= surface.NbInnerContours(); ++k) add_boundary(surface.InnerContour(k), process, model);
+}
+
+void add_part(const Entity& entity, PartLabel& part) {
+  const std::string name = part_name(entity), layer = layer_of(*entity);
+  if (!name.empty()) part.names.push_back(name);
+  if (!layer.empty()) part.layer = layer;
+}
+
+// Faces, and what holds faces: solids, shells, groups, instances of subfigures, surfaces that are several faces.
+void add_holder(const Entity& entity, const TopoDS_Shape& shape, OccModel& model) {
+  if (shape.IsNull() || shape.ShapeType() > TopAbs_FACE) return;
+  const TopoDS_TShape* key = shape.TShape().get();
+  if (shape.ShapeType() == TopAbs_FACE)
+    model.labels.try_emplace(key, shape, label_of(*entity));
+  else
+    add_part(entity, model.parts[key]);
+}
+
+bool is_face(const Entity& entity) {
+  return entity->TypeNumber() == 143 || entity->TypeNumber() == 144 || entity->TypeNumber() == 510;
+}
+
+// "D7 'lid'", with the number of its first line in the directory.
+std::string text_of(const IGESData_IGESModel& file, const Entity& entity) {
+  const std::string name = part_name(entity);
+  return fmt::format("D{}{}", file.DNum(entity), name.empty() ? "" : " '" + name + "'");
+}
+
 }  // namespace
 
 void add_iges_labels(const IGESData_IGESModel& file, const Handle(Transfer_TransientProcess) & process,
                      OccModel& model) {
   for (int i = 1; i <= file.NbEntities(); ++i) {
-    const auto surface = Handle(IGESGeom_TrimmedSurface)::DownCast(file.Entity(i));
-    if (surface.IsNull()) continue;
-    const TopoDS_Shape face = TransferBRep::ShapeResult(process, surface);
-    if (!face.IsNull()) model.labels.try_emplace(face.TShape().get(), face, label_of(*surface));
-    add_boundary(surface->OuterContour(), process, model);
-    for (int k = 1; k <= surface->NbInnerContours(); ++k) add_boundary(surface->InnerContour(k), process, model);
+    const Entity entity = file.Entity(i);
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    add_holder(entity, shape, model);
+    const bool is_instance = entity->IsKind(STANDARD_TYPE(IGESBasic_SingularSubfigure));
+    if (shape.IsNull() && (is_face(entity) || is_instance)) model.not_built.push_back(text_of(file, entity));
+    const auto surface = Handle(IGESGeom_TrimmedSurface)::DownCast(entity);
+    if (!surface.IsNull()) add_boundaries(*surface, process, model);
   }
 }
 

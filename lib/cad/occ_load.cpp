@@ -59,6 +59,8 @@ OccModel occ_load(CadFormat format, const std::string& bytes, const std::string&
   quiet_kernel();
   try {
     OccModel model = read(format, bytes, name);
+    if (model.shape.IsNull() && !model.not_built.empty())
+      throw FormatError(name + ": no face can be built from what the file says, first: " + model.not_built.front());
     if (model.shape.IsNull()) throw FormatError(name + ": the " + format_name(format) + " file holds no shape");
     model.num_faces = std::max(model.num_faces, count(model.shape, TopAbs_FACE));
     model.num_solids = std::max(model.num_solids, count(model.shape, TopAbs_SOLID));

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <Interface_Static.hxx>
 #include <STEPConstruct_UnitContext.hxx>
 #include <STEPControl_Reader.hxx>
@@ -25,6 +27,7 @@
 #include "base/name_text.hpp"
 #include "cad/occ_labels.hpp"
 #include "cad/occ_load.hpp"
+#include "cad/occ_step_placements.hpp"
 
 namespace quadrille::cad {
 namespace {
@@ -123,10 +126,20 @@ int num_edges(const StepShape_Face& face) {
   return edges;
 }
 
-void add_num_edges(const Handle(Standard_Transient) & face, const Handle(Transfer_TransientProcess) & process,
-                   OccModel& model) {
-  const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
-  if (!shape.IsNull()) model.num_edges[shape.TShape().get()] = num_edges(*Handle(StepShape_Face)::DownCast(face));
+// "#40 'lid'"
+std::string text_of_face(const StepData_StepModel& file, const Handle(StepRepr_RepresentationItem) & face) {
+  const std::string name = clean_name(text_of(face->Name()));
+  return fmt::format("#{}{}", file.IdentLabel(face), name.empty() ? "" : " '" + name + "'");
+}
+
+void add_face(const StepData_StepModel& file, const Handle(Standard_Transient) & entity,
+              const Handle(Transfer_TransientProcess) & process, OccModel& model) {
+  const auto face = Handle(StepShape_FaceSurface)::DownCast(entity);
+  const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+  if (shape.IsNull())
+    model.not_built.push_back(text_of_face(file, face));
+  else
+    model.num_edges[shape.TShape().get()] = num_edges(*face);
 }
 
 void collect(const STEPControl_Reader& reader, OccModel& model) {
@@ -136,7 +149,7 @@ void collect(const STEPControl_Reader& reader, OccModel& model) {
     const Handle(Standard_Transient) entity = file->Value(i);
     const bool is_face = entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface));
     model.num_faces += is_face;
-    if (is_face) add_num_edges(entity, process, model);
+    if (is_face) add_face(*file, entity, process, model);
     model.num_solids += entity->IsKind(STANDARD_TYPE(StepShape_SolidModel));
   }
   add_step_labels(*file, process, model);
@@ -152,6 +165,7 @@ OccModel occ_load_step(const std::string& bytes, const std::string& name) {
   std::istringstream stream(utf8_or_latin1(bytes));
   if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone)
     throw FormatError(name + ": the STEP file cannot be parsed");
+  require_readable_placements(*reader.StepModel(), name);
   OccModel model;
   // Lengths are converted to the target unit, a global setting that a previous reader may have changed.
   reader.SetSystemLengthUnit(1.0);

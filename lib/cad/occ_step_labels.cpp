@@ -1,10 +1,16 @@
 #include <fmt/format.h>
 
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_OrientedEdge.hxx>
+#include <StepShape_ShellBasedSurfaceModel.hxx>
+#include <StepShape_SolidModel.hxx>
 #include <StepVisual_ColourRgb.hxx>
 #include <StepVisual_CurveStyle.hxx>
 #include <StepVisual_HArray1OfLayeredItem.hxx>
@@ -141,6 +147,46 @@ void complete_from_curve(ShapeLabel& label, const StepShape_EdgeCurve& edge, con
     marks.complete(label, on_surface->Curve3d());
 }
 
+std::string product_name(const StepBasic_ProductDefinition& definition) {
+  if (definition.Formation().IsNull() || definition.Formation()->OfProduct().IsNull()) return {};
+  const Handle(StepBasic_Product) product = definition.Formation()->OfProduct();
+  const std::string name = text_of(product->Name());
+  return name.empty() ? text_of(product->Id()) : name;
+}
+
+enum class PartKind { product, model, shell, none };  // outermost first
+
+PartKind part_kind(const Entity& entity) {
+  if (entity->IsKind(STANDARD_TYPE(StepBasic_ProductDefinition))) return PartKind::product;
+  if (entity->IsKind(STANDARD_TYPE(StepShape_SolidModel))) return PartKind::model;
+  if (entity->IsKind(STANDARD_TYPE(StepShape_ShellBasedSurfaceModel))) return PartKind::model;
+  return entity->IsKind(STANDARD_TYPE(StepShape_ConnectedFaceSet)) ? PartKind::shell : PartKind::none;
+}
+
+std::string part_name(const Entity& entity) {
+  const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity);
+  return product.IsNull() ? text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name())
+                          : product_name(*product);
+}
+
+void add_part(const Entity& entity, const TopoDS_Shape& shape, const Marks& marks, OccModel& model) {
+  if (shape.IsNull()) return;
+  ShapeLabel label{part_name(entity), {}, {}};
+  marks.complete(label, entity);
+  PartLabel& known = model.parts[shape.TShape().get()];
+  if (!label.name.empty()) known.names.push_back(label.name);
+  if (!label.layer.empty()) known.layer = label.layer;
+}
+
+// A product, its only solid and its only shell can be one shape, whose names are added from the outside inwards.
+void add_parts(const StepData_StepModel& file, const Handle(Transfer_TransientProcess) & process, const Marks& marks,
+               OccModel& model) {
+  for (const PartKind kind : {PartKind::product, PartKind::model, PartKind::shell})
+    for (int i = 1; i <= file.NbEntities(); ++i)
+      if (part_kind(file.Value(i)) == kind)
+        add_part(file.Value(i), TransferBRep::ShapeResult(process, file.Value(i)), marks, model);
+}
+
 }  // namespace
 
 void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_TransientProcess) & process,
@@ -157,6 +203,7 @@ void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_Trans
     const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
     if (!shape.IsNull()) model.labels.try_emplace(shape.TShape().get(), shape, label);
   }
+  add_parts(file, process, marks, model);
 }
 
 }  // namespace quadrille::cad

@@ -241,6 +241,61 @@ print(step_text("cusp", [loop]))'
   assert_nothing_left cusp.step a.tri.h5 a.json blunt.step b.tri.h5 b.json
 }
 
+# crescent DEGREES: between a half circle and an arc that meets it at this angle.
+crescent() {
+  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+import math, sys
+from step_text import step_text
+angle = math.pi / 2 - math.radians(float(sys.argv[1]))
+radius, centre = 1 / math.sin(angle), 1j / math.tan(angle)
+print(step_text("crescent", [[("arc", 0j, 1, -1 + 0j, 1 + 0j, 1), ("arc", centre, radius, 1 + 0j, -1 + 0j, -1)]]))' "$1"
+}
+
+@test "a face too narrow to be meshed is refused with its width, and --blunt cuts its sharp corners off" {
+  crescent 0.05 > narrow.step
+  run cad2tri narrow.step -o a.tri.h5
+  assert_failure 1
+  assert_output --regexp 'takes more than 10000 element edges: it is .* diameters\) wide at .*: the corner of 0.05 degrees at .* is sharp: cut its tip off with --blunt'
+  cad2tri narrow.step --blunt 3e-4 -o a.tri.h5 --report a.json -q
+  assert_equal "$(jq -c '[.heal.repairs, .face.curves]' a.json)" '[2,4]'
+  run stagecheck a.tri.h5
+  assert_success
+  assert_nothing_left narrow.step a.tri.h5 a.json
+}
+
+# touching TIP: a plate of 4 x 3 with a hole in the form of a kite, from the lower edge up to y = TIP.
+touching() {
+  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+import sys
+from step_text import step_text
+sides = lambda *p: [("line", a, b) for a, b in zip(p, p[1:] + p[:1])]
+tip = float(sys.argv[1]) * 1j
+print(step_text("touching", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1.5 + 0j, 1 + 1j, 1.5 + tip, 2 + 1j)]))' "$1"
+}
+
+@test "--face chooses a piece of a face whose boundary touches itself, --blunt opens a single contact" {
+  touching 3 > two.step
+  run cad2tri two.step -o a.tri.h5
+  assert_failure 3
+  assert_output --partial 'touches itself, with no width in between, at (1.5, 0), and separates 2 pieces: choose one with --face 0.0 to 0.1'
+  cad2tri two.step --face 0.0 -o a.tri.h5 --report a.json
+  cad2tri two.step --face 0.1 -o b.tri.h5 --report b.json
+  assert_equal "$(jq -c -s 'map([.face.curves, .face.loops, .face.area * 1000 | round])' a.json b.json)" \
+    '[[5,1,6750],[5,1,3750]]'
+  run cad2tri two.step --face 0.2 -o c.tri.h5
+  assert_failure 3
+  touching 2 > one.step
+  run cad2tri one.step -o c.tri.h5
+  assert_failure 3
+  assert_output --partial 'at (1.5, 0), where edges 0 and 4 meet: the face has a width of zero there: give --blunt 0.005 to'
+  run cad2tri one.step --face 0.1 -o c.tri.h5
+  assert_failure 3
+  assert_output --partial 'the face has one piece, number 0'
+  cad2tri one.step --face 0.0 --blunt 0.005 -o c.tri.h5 --report c.json
+  assert_equal "$(jq -c '[.face.loops, .heal.repairs]' c.json)" '[1,2]'
+  assert_nothing_left two.step one.step a.tri.h5 b.tri.h5 c.tri.h5 a.json b.json c.json
+}
+
 @test "--write-healed writes a face that needs no healing" {
   rounder 1.000005 > slot.step
   cad2tri slot.step -o slot.tri.h5 --write-healed healed.step
@@ -259,8 +314,8 @@ print(step_text("cusp", [loop]))'
 @test "--list prints faces and edges as a table, and the report has the same" {
   run cad2tri --list "$DATA/bad/solid.step" --report list.json
   assert_success
-  assert_line --index 0 --regexp '^face +edge +kind +length +place +name$'
-  assert_line --regexp '^5 +plane +[0-9.]+ +\([-0-9.]+, [-0-9.]+, [-0-9.]+\)$'
+  assert_line --index 0 --regexp '^face +edge +kind +length +place +name +part +layer$'
+  assert_line --regexp '^5 +plane +[0-9.]+ +\([-0-9.]+, [-0-9.]+, [-0-9.]+\) +'
   assert_equal "${#lines[@]}" 31
   run jq -c '.list | [.faces, .length_unit, .face["5"].kind, .face["5"].edges, .face["0"].edge["3"].kind]' list.json
   assert_output '[6,"millimetre","plane",4,"line"]'
@@ -286,6 +341,39 @@ print(step_text("cusp", [loop]))'
   assert_failure 3
   assert_output 'cad2tri: lids.step: --face lid: the faces 0, 1 have this name: choose one by its number'
   assert_file_not_exists none.tri.h5
+}
+
+@test "--list shows the parts and layers of faces, and --face takes them" {
+  cad2tri --list "$DATA/assemblies/parts.step" --report list.json > table.txt
+  grep -qE '^8 .* rig/plate/inlet +wet$' table.txt
+  assert_equal "$(jq -c '.list.face["3"] | [.part, .layer]' list.json)" '["rig/bolt/shank","steel"]'
+  cad2tri "$DATA/assemblies/parts.step" --face inlet -o inlet.tri.h5
+  cad2tri "$DATA/assemblies/parts.step" --face 8 -o number.tri.h5
+  assert_equal "$(stageview inlet.tri.h5 | cksum)" "$(stageview number.tri.h5 | cksum)"
+  run cad2tri "$DATA/assemblies/parts.step" --face bolt -o none.tri.h5
+  assert_failure 3
+  assert_output --partial '--face bolt: the faces 0-7 lie in the part or layer of this name: choose one by its number'
+}
+
+@test "--list names the faces that cannot be built in a warning" {
+  sed "s/^#202=ADVANCED_FACE('rim',(#200),#201/#202=ADVANCED_FACE('rim',(#200),\$/" "$DATA/assemblies/parts.step" > a.step
+  cad2tri --list a.step --report list.json -o table.txt 2> messages.txt
+  assert_equal "$(cat messages.txt)" "cad2tri: warning W-CAD-007: 1 face is not listed, because the CAD kernel could not build it: #202 'rim': repair or export it again"
+  assert_equal "$(jq -c '.list | [.faces, .not_built]' list.json)" '[10,1]'
+}
+
+@test "placements that scale or mirror by an operator are refused" {
+  cad2tri "$DATA/assemblies/mapped.step" -o a.tri.h5
+  run stagecheck a.tri.h5
+  assert_success
+  sed 's/#51,1.,#52)/#51,2.,#52)/' "$DATA/assemblies/mapped.step" > scaled.step
+  run cad2tri scaled.step -o none.tri.h5
+  assert_failure 3
+  assert_output --partial 'scaled.step: #54 places a part with #53 CARTESIAN_TRANSFORMATION_OPERATOR_3D, which scales it by 2'
+  sed 's/^Locations 0$/Locations 1\n1\n2 0 0 0\n0 2 0 0\n0 0 2 0/; s/^+1 0 *$/+1 1/' "$DATA/bad/rectangle.brep" > scaled.brep
+  run cad2tri scaled.brep -o none.tri.h5
+  assert_failure 3
+  assert_output --partial 'scaled.brep: the face is placed with a scale of 2'
 }
 
 @test "several faces, and a face that is not there, end with 3 and the options that help" {

@@ -384,7 +384,8 @@ TEST(LoadFace, refuses_bad_wires_and_says_where) {
 TEST(LoadFace, refuses_holes_out_of_place) {
   expect_refused("bad/hole_outside.step", "hole 1 at (3, 0) lies outside the outline");
   expect_refused("bad/hole_across.step", "hole 1 crosses or touches the outline");
-  expect_refused("bad/hole_touching.step", "hole 1 crosses or touches the outline: edges 1 and 5 at (2, 0.5)");
+  expect_refused("bad/hole_touching.step",
+                 "the boundary touches itself at (2, 0.5), where edges 1 and 6 meet: the face has a width of zero");
   expect_refused("bad/hole_in_hole.step", "hole 2 at (3, 3) lies inside hole 1");
 }
 

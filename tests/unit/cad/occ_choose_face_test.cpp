@@ -4,11 +4,16 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <IGESBasic_Name.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <IGESData_LevelListEntity.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
@@ -228,6 +233,102 @@ TEST(ChooseFace, names_come_before_numbers_and_one_that_is_given_twice_is_refuse
   EXPECT_NE(refusal(two, "2").find("--face 2: no face has this name or number; the file holds 2"), std::string::npos);
   for (const char* wrong : {"-1", "1x", "Lid", "99999999999"})
     EXPECT_NE(refusal(two, wrong).find("no face has this name"), std::string::npos) << wrong;
+}
+
+void expect_held(const ListedFace& face, const std::string& part, const std::string& layer) {
+  EXPECT_EQ(face.part, part);
+  EXPECT_EQ(face.layer, layer);
+}
+
+// An assembly "rig" of a tetrahedron "bolt", twice, and a "plate" of two surface models with one and two faces.
+TEST(ChooseFace, faces_are_listed_with_the_parts_and_layers_that_hold_them) {
+  const FaceList list = list_faces_guarded(bytes_of("assemblies/parts.step"), "parts.step");
+  ASSERT_EQ(list.faces.size(), 11U);
+  for (int i = 0; i < 8; ++i) expect_held(list.faces[i], "rig/bolt/shank", "steel");
+  expect_held(list.faces[8], "rig/plate/inlet", "wet");
+  expect_held(list.faces[9], "rig/plate/outlet", "wet");
+  expect_held(list.faces[10], "rig/plate/outlet", "");
+}
+
+TEST(ChooseFace, a_part_or_layer_chooses_its_only_face) {
+  const std::string parts = bytes_of("assemblies/parts.step");
+  for (const char* name : {"inlet", "rig/plate/inlet"})
+    EXPECT_EQ(chosen(parts, "a.step", name).face.plane_origin[2], 20) << name;
+  EXPECT_NE(refusal(parts, "wet").find("--face wet: the faces 8, 9 lie in the part or layer of this name"),
+            std::string::npos);
+  EXPECT_NE(refusal(parts, "bolt").find("the faces 0-7 lie"), std::string::npos);
+  EXPECT_NE(refusal(parts, "nut")
+                .find("no face has this name or number; the file holds 11, numbered from 0, and no part or layer"),
+            std::string::npos);
+}
+
+TEST(ChooseFace, names_and_numbers_of_faces_come_before_names_of_parts) {
+  std::string parts = bytes_of("assemblies/parts.step");
+  const std::string mark = "SHELL_BASED_SURFACE_MODEL('inlet'";
+  ASSERT_NE(parts.find(mark), std::string::npos);
+  const auto with_name = [&](const std::string& name) {
+    return std::string(parts).replace(parts.find(mark), mark.size(), "SHELL_BASED_SURFACE_MODEL('" + name + "'");
+  };
+  const auto least_x = [&](const std::string& name) {
+    double least = 1e9;
+    const CadFace face = chosen(with_name(name), "a.step", name).face;
+    for (const Joint& joint : face.joints) least = std::min(least, joint.position.x + face.origin.x);
+    return least;
+  };
+  EXPECT_NEAR(least_x("the inlet"), 0, 1e-9) << "the part holds face 8";
+  EXPECT_NEAR(least_x("rim"), 20, 1e-9) << "face 10 has this name";
+  EXPECT_NEAR(least_x("9"), 10, 1e-9) << "face 9 has this number";
+}
+
+std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  if (at == std::string::npos) throw std::runtime_error("no " + from);
+  return text.substr(0, at) + to + text.substr(at + from.size());
+}
+
+// Face 10, "rim", without its plane.
+std::string parts_without_rim() { return replaced(bytes_of("assemblies/parts.step"), "(#200),#201", "(#200),$"); }
+
+TEST(ChooseFace, faces_that_cannot_be_built_are_named) {
+  const FaceList list = list_faces_guarded(parts_without_rim(), "parts.step");
+  EXPECT_EQ(list.faces.size(), 10U);
+  EXPECT_EQ(list.not_built, std::vector<std::string>{"#202 'rim'"});
+  EXPECT_TRUE(list_faces_guarded(bytes_of("assemblies/parts.step"), "parts.step").not_built.empty());
+  EXPECT_NE(refusal(parts_without_rim(), "rim").find("could not be built: #202 'rim'"), std::string::npos);
+}
+
+// A box in IGES whose entities of type `kind` have the name "NAME_kind" and the level `kind`.
+std::string labelled_iges(int mode, const std::vector<int>& kinds) {
+  quiet_kernel();
+  IGESControl_Writer writer("MM", mode);
+  writer.AddShape(group({BRepPrimAPI_MakeBox(1., 2., 3.).Shape()}));
+  writer.ComputeModel();
+  const Handle(IGESData_IGESModel) model = writer.Model();
+  for (int i = model->NbEntities(); i > 0; --i) {
+    const Handle(IGESData_IGESEntity) entity = model->Entity(i);
+    if (std::find(kinds.begin(), kinds.end(), entity->TypeNumber()) == kinds.end()) continue;
+    const Handle(IGESBasic_Name) name = new IGESBasic_Name;
+    name->Init(1, new TCollection_HAsciiString(("NAME_" + std::to_string(entity->TypeNumber())).c_str()));
+    model->AddEntity(name);
+    entity->AddProperty(name);
+    entity->InitLevel(nullptr, entity->TypeNumber());
+  }
+  std::ostringstream stream;
+  writer.Write(stream);
+  return stream.str();
+}
+
+TEST(ChooseFace, solids_shells_groups_and_levels_of_iges_hold_faces) {
+  const FaceList solid = list_faces_guarded(labelled_iges(1, {186, 514}), "a.iges");
+  ASSERT_EQ(solid.faces.size(), 6U);
+  for (const ListedFace& face : solid.faces) expect_held(face, "NAME_186/NAME_514", "level_514");
+  const FaceList faces = list_faces_guarded(labelled_iges(1, {186, 510}), "a.iges");
+  ASSERT_EQ(faces.faces.size(), 6U);
+  expect_held(faces.faces[3], "NAME_186", "level_510");
+  EXPECT_EQ(faces.faces[3].face.name, "NAME_510");
+  const FaceList surfaces = list_faces_guarded(labelled_iges(0, {402}), "a.iges");
+  ASSERT_EQ(surfaces.faces.size(), 6U);
+  expect_held(surfaces.faces[5], "NAME_402", "level_402");
 }
 
 TEST(ChooseFace, several_faces_are_refused_with_both_ways_to_choose) {

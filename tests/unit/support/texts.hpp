@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace quadrille {
 
@@ -23,6 +25,11 @@ inline int count(const std::string& text, const std::string& part) {
   int n = 0;
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
   return n;
+}
+
+/// Each pair holds a part of `text` and the number of times that it must occur.
+inline void expect_counts(const std::string& text, const std::vector<std::pair<std::string, int>>& parts) {
+  for (const auto& [part, number] : parts) EXPECT_EQ(count(text, part), number) << part;
 }
 
 inline void expect_contains(const std::string& text, const std::string& part) {
