@@ -1,9 +1,13 @@
 #include "triangulate/boundary_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "base/angle.hpp"
+#include "base/blunted_angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
@@ -21,6 +25,7 @@ constexpr int max_turn_depth = 30;
 /// Segments shorter than this, relative to the diameter, mean that curves touch.
 constexpr double least_length = 1e-9;
 /// Touching curves would need infinitely many segments; curves at a relative distance of 1e-6 need some thousands.
+/// They end at wedges with straight sides of 0.005 degrees, and at crescents with tips of 0.1 degrees.
 constexpr std::size_t max_segments = 10000;
 
 bool touch(const Segment& a, const Segment& b) {
@@ -116,7 +121,8 @@ int BoundaryMesh::split(int i) {
   const double s = (first.s0 + first.s1) / 2;
   const double t = ArcLengthTable(outline.face().curves[first.curve], first.t0, first.t1).parameter(0.5);
   const Vec2 middle = outline.at(first.curve, t);
-  if (first.length() < least_length * outline.face().diameter) refuse_contact();
+  if (first.length() < least_length * outline.face().diameter)
+    refuse_contact({i}, "the boundary touches or crosses itself, or nearly");
   first.to = second.from = draft_->add_vertex(middle);
   first.t1 = second.t0 = t;
   first.s1 = second.s0 = s;
@@ -148,7 +154,11 @@ void BoundaryMesh::resolve_gaps(double ratio) {
     std::vector<int> marked;
     for (const int i : open)
       if (!segments_[i].is_rim() && is_too_near(i, ratio)) marked.push_back(i);
-    if (segments_.size() + marked.size() > max_segments) refuse_contact();
+    if (segments_.size() + marked.size() > max_segments)
+      refuse_contact(marked,
+                     fmt::format("the boundary touches or crosses itself, or the face is so narrow that it takes "
+                                 "more than {} element edges",
+                                 max_segments));
     open = marked;
     for (const int i : marked) {
       split(i);
@@ -157,12 +167,36 @@ void BoundaryMesh::resolve_gaps(double ratio) {
   }
 }
 
-void BoundaryMesh::refuse_contact() const {
-  const auto shortest = std::min_element(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
-    return a.is_rim() != b.is_rim() ? b.is_rim() : a.length() < b.length();
+// The least distance of segment i from those that it does not touch, or `most` if that is less.
+double BoundaryMesh::gap_at(int i, double most) const {
+  const Segment& segment = segments_[i];
+  for (const Segment& other : segments_) {
+    if (&other == &segment || touch(segment, other)) continue;
+    if (distance(segment.centre, other.centre) - segment.radius - other.radius >= most) continue;
+    most = std::min(most, segment_distance(segment, other));
+  }
+  return most;
+}
+
+// Names the narrowest place among the segments `near`, and the sharpest corner if it is one of those that --blunt cuts
+// off.
+void BoundaryMesh::refuse_contact(const std::vector<int>& near, const std::string& what) const {
+  const CadFace& face = fit_->outline().face();
+  double gap = face.diameter;
+  int narrowest = near.front();
+  for (const int i : near)
+    if (const double here = gap_at(i, gap); here < gap) narrowest = i, gap = here;
+  const auto& junctions = fit_->outline().junctions();
+  const auto sharpest = std::min_element(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) {
+    return a.interior_angle < b.interior_angle;
   });
-  const Vec2 position = shortest->samples[2] + fit_->outline().face().origin;
-  throw ComputeError("the boundary touches or crosses itself, or nearly, at " + position_text(position));
+  const std::string remedy =
+      sharpest->interior_angle >= blunted_angle
+          ? "draw these parts further apart"
+          : fmt::format("the corner of {:.2g} degrees at {} is sharp: cut its tip off with --blunt, or draw it wider",
+                        degrees(sharpest->interior_angle), rounded_position_text(sharpest->position + face.origin));
+  throw ComputeError(fmt::format("{}: it is {:.2g} ({:.2g} diameters) wide at {}: {}", what, gap, gap / face.diameter,
+                                 rounded_position_text(segments_[narrowest].samples[2] + face.origin), remedy));
 }
 
 void BoundaryMesh::grade(double growth) {

@@ -2,6 +2,7 @@
 // The boundary of the domain without the corner fans: closed loops of segments. A segment is either a part of a curve,
 // bisected (by arc length) where needed, or a rim edge of a fan, which is never split.
 
+#include <string>
 #include <vector>
 
 #include "triangulate/boundary_segment.hpp"
@@ -33,7 +34,8 @@ class BoundaryMesh {
   void split_to_limits(int i, const EdgeLimits& limits, int depth);
   void append(Segment segment);
   bool is_too_near(int i, double ratio) const;
-  [[noreturn]] void refuse_contact() const;
+  double gap_at(int i, double most) const;
+  [[noreturn]] void refuse_contact(const std::vector<int>& near, const std::string& what) const;
 
   const EdgeFit* fit_;
   Draft* draft_;

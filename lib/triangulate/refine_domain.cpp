@@ -1,5 +1,7 @@
 #include "triangulate/refine_domain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,7 +60,8 @@ int DomainRefiner::add_point(int draft_vertex) {
   const int point = delaunay_.insert(draft_->vertices[draft_vertex]);
   if (point < static_cast<int>(point2vertex_.size())) {
     const Vec2 x = draft_->vertices[draft_vertex] + boundary_->origin();
-    throw ComputeError("the boundary touches itself at " + position_text(x));
+    throw ComputeError("two points of the boundary coincide at " + position_text(x) +
+                       ": draw its parts further apart there");
   }
   point2vertex_.push_back(draft_vertex);
   vertex2point_[draft_vertex] = point;
@@ -68,7 +71,10 @@ int DomainRefiner::add_point(int draft_vertex) {
 void DomainRefiner::constrain(const Segment& segment) {
   if (delaunay_.constrain(vertex2point_[segment.from], vertex2point_[segment.to])) return;
   const Vec2 x = segment.centre + boundary_->origin();
-  throw ComputeError("the boundary crosses itself near " + position_text(x));
+  throw ComputeError(
+      fmt::format("the chords of two parts of the boundary cross near {}, one of them {:.2g} long: draw these "
+                  "parts further apart, or give a smaller --size",
+                  position_text(x), segment.length()));
 }
 
 void DomainRefiner::split(int segment) {
