@@ -14,6 +14,7 @@ int bounded_int(double value, int least, int most) {
 }
 
 constexpr double reference_tol = 1e-10;
+constexpr double relative_round_off = 1e-14;  // of positions, relative to the diameter
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The range of a coordinate over the element, from its Bernstein hull.
@@ -42,14 +43,15 @@ int way_out(Vec2 xi, const std::array<int, 3>& neighbors) {
 
 }  // namespace
 
-Locator::Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps) : maps_(&maps) {
+Locator::Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps)
+    : maps_(&maps), round_off_(relative_round_off * mesh.face.diameter) {
   boxes_.reserve(maps.size());
   lower_ = {infinity, infinity};
   Vec2 upper{-infinity, -infinity};
   for (const spectral::TriMap& map : maps) {
     const auto [x0, x1] = hull(map.order(), map.coefs_x());
     const auto [y0, y1] = hull(map.order(), map.coefs_y());
-    const double margin = 1e-8 * std::max(x1 - x0, y1 - y0) + 1e-14 * mesh.face.diameter;
+    const double margin = 1e-8 * std::max(x1 - x0, y1 - y0) + round_off_;
     boxes_.push_back({{x0 - margin, y0 - margin}, {x1 + margin, y1 + margin}});
     lower_ = {std::min(lower_.x, x0 - margin), std::min(lower_.y, y0 - margin)};
     upper = {std::max(upper.x, x1 + margin), std::max(upper.y, y1 + margin)};
@@ -84,18 +86,28 @@ void Locator::fill_grid() {
   for_each_cell([&](int cell, int elem) { values_[next[cell]++] = elem; });
 }
 
+bool Locator::is_in_box(int elem, Vec2 x) const {
+  const Box& box = boxes_[elem];
+  return x.x >= box.lower.x && x.x <= box.upper.x && x.y >= box.lower.y && x.y <= box.upper.y;
+}
+
 Location Locator::find(Vec2 x) const {
   if (boxes_.empty() || !std::isfinite(x.x) || !std::isfinite(x.y)) return {};
   const auto [i, j] = cell_of(x);
   const int cell = j * nx_ + i;
+  Location nearest;
+  double least = round_off_;
   for (int n = offsets_[cell]; n < offsets_[cell + 1]; ++n) {
     const int elem = values_[n];
-    const Box& box = boxes_[elem];
-    if (x.x < box.lower.x || x.x > box.upper.x || x.y < box.lower.y || x.y > box.upper.y) continue;
+    if (!is_in_box(elem, x)) continue;
     Vec2 xi{-1.0 / 3, -1.0 / 3};
-    if ((*maps_)[elem].invert(x, xi) && outside_reference(xi) <= reference_tol) return {elem, xi};
+    if (!(*maps_)[elem].invert(x, xi)) continue;
+    const double outside = outside_reference(xi);
+    if (outside <= reference_tol) return {elem, xi};
+    const double size = distance(boxes_[elem].lower, boxes_[elem].upper);
+    if (outside * size < least) least = outside * size, nearest = {elem, xi};
   }
-  return {};
+  return nearest;
 }
 
 Location walk(const TriTopology& topology, const std::vector<spectral::TriMap>& maps, Vec2 x, Location from) {

@@ -24,7 +24,8 @@ class Locator {
   /// `maps` must outlive the locator.
   Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps);
   /// The element that contains x, the lowest number if several do; points within 1e-10 of an element's reference
-  /// triangle count as inside.
+  /// triangle count as inside. If none does, the element that is nearest within 1e-14 diameters: round-off is more than
+  /// 1e-10 of the elements in a corner's fan, and a point on their common edge may lie outside both.
   Location find(Vec2 x) const;
 
  private:
@@ -32,10 +33,12 @@ class Locator {
     Vec2 lower, upper;
   };
   std::array<int, 2> cell_of(Vec2 x) const;
+  bool is_in_box(int elem, Vec2 x) const;
   void fill_grid();
 
   const std::vector<spectral::TriMap>* maps_;
   std::vector<Box> boxes_;  ///< one per element, which it encloses with a margin
+  double round_off_ = 0;    ///< a length
   Vec2 lower_, cell_;
   int nx_ = 1, ny_ = 1;
   std::vector<int> offsets_, values_;  ///< search grid cell -> elements whose box touches it, ascending

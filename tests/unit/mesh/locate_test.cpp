@@ -56,6 +56,19 @@ TEST_F(LocatorTest, ends_a_walk_at_the_boundary) {
   EXPECT_EQ(walk(topology, maps, {0, 3}, {}).elem, -1);  // from nowhere
 }
 
+// A thousand points on the common edge of two elements of 1e-7 diameters: round-off puts some of them outside both.
+TEST(Locator, finds_points_between_tiny_elements) {
+  TriMesh mesh = square_mesh({0.3, 0.7}, 1e-7, 1);
+  mesh.face.diameter = 1;
+  const std::vector<spectral::TriMap> maps = tri_maps(mesh);
+  const Locator locator{mesh, maps};
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 xi{-1 + (i + 0.5) / 500, -1}, opposite{-1, -1 + (i + 0.5) / 500};
+    for (const Vec2 side : {xi, opposite, Vec2{xi.x, -xi.x}}) EXPECT_GE(locator.find(maps[0].position(side)).elem, 0);
+  }
+  EXPECT_EQ(locator.find({0.3 + 0.5e-7, 0.7 - 1e-13}).elem, -1);
+}
+
 TEST(Locator, inverts_curved_elements) {
   // Two order-3 triangles that share the arc y = x (1 - x) / 2 between (0,0) and (1,0).
   const auto bend = [](Vec2 p) { return p + Vec2{0, p.x * (1 - p.x) / 2}; };
