@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "guide/cluster_centre.hpp"
+#include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
 
 namespace quadrille::guide {
@@ -65,6 +66,11 @@ std::vector<Part> parts_of(const std::vector<zeros::FoundZero>& zeros, const std
   return parts;
 }
 
+Vec2 nearest(const std::vector<Vec2>& points, Vec2 x) {
+  return *std::min_element(points.begin(), points.end(),
+                           [x](Vec2 a, Vec2 b) { return distance(a, x) < distance(b, x); });
+}
+
 class ClusterFinder {
  public:
   ClusterFinder(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
@@ -81,6 +87,7 @@ class ClusterFinder {
     for (int i = 0; i < num_parts; ++i)
       for (int j = 0; j < i; ++j)
         if (belong_together(parts_[i], parts_[j])) together.unite(i, j);
+    const std::vector<int> undecided = unite_undecided(together);
     Clustering result;
     for (const std::vector<int>& group : members(together, num_parts)) {
       const bool has_zero = std::any_of(group.begin(), group.end(), [this](int i) { return parts_[i].zero >= 0; });
@@ -89,12 +96,29 @@ class ClusterFinder {
         continue;
       }
       Cluster found = cluster(group);
-      if (has_zero || found.index != 0) result.clusters.push_back(std::move(found));
+      if (!has_zero && found.index == 0) continue;
+      found.is_undecided =
+          std::find_first_of(group.begin(), group.end(), undecided.begin(), undecided.end()) != group.end();
+      result.clusters.push_back(std::move(found));
     }
     return result;
   }
 
  private:
+  /// Criterion (c). Returns a zero of each group that was not united before.
+  std::vector<int> unite_undecided(DisjointSets& together) const {
+    std::vector<int> result;
+    const double error = zeros::undecided_below(evaluator_->field());
+    for (const std::vector<int>& group : zeros::undecided_zeros(*evaluator_, *zeros_, error)) {
+      const bool is_known =
+          std::all_of(group.begin(), group.end(), [&](int i) { return together.find(i) == together.find(group[0]); });
+      if (is_known) continue;
+      for (const int i : group) together.unite(group[0], i);
+      result.push_back(group[0]);
+    }
+    return result;
+  }
+
   double error(int elem) const {
     const std::vector<double>& errors = evaluator_->field().elem_error;
     return errors.empty() ? 0 : errors[elem];
@@ -165,6 +189,7 @@ class ClusterFinder {
       result.index = index_by_contour(group, circle);
       result.centre = circle.centre;
     }
+    if (evaluator_->locator().find(result.centre).elem < 0) result.centre = nearest(result.members, result.centre);
     if (std::abs(result.index) >= 2) {
       const double inner = std::max(2 * circle.radius, 1e-6 * diameter_), outer = outer_radius(group, circle.centre);
       result.centre = moment_centre(*evaluator_, circle.centre, result.index, inner, outer).value_or(result.centre);

@@ -7,13 +7,15 @@
 //       at 1/4, 1/2 and 3/4 of the segment it is at most max(10 noise, 1.5 e), e the error estimate of their elements
 //       (zeros of z^n split by a constant e have 5/4 e there), and their distance is at most a twentieth of the
 //       diameter; or
-//   (b) their distance is at most `distance`.
-// In both cases the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros linked
-// through others are in one cluster, so that a symmetric set of zeros has a symmetric set of clusters. Cells that the
-// search classified as open (|v| below noise all over) are parts of clusters too; neighbouring cells are linked. The
-// index of a cluster is the sum over its members; with open cells it is the winding number round the whole cluster. It
-// may be 0: a pair of opposite index. Open cells of index 0 without any zero that was found are not a cluster, because
-// there is no zero.
+//   (b) their distance is at most `distance`; or
+//   (c) a region connects them in which |v| is below the field's error, however far they are from each other and
+//       however it is bent (zeros/undecided_zeros): the field does not decide whether they exist.
+// In (a) and (b) the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros
+// linked through others are in one cluster, so that a symmetric set of zeros has a symmetric set of clusters. Cells
+// that the search classified as open (|v| below noise all over) are parts of clusters too; neighbouring cells are
+// linked. The index of a cluster is the sum over its members; with open cells it is the winding number round the whole
+// cluster. It may be 0: a pair of opposite index. Open cells of index 0 without any zero that was found are not a
+// cluster, because there is no zero. Clusters that (c) alone holds together are marked as undecided.
 
 #include <vector>
 
@@ -36,9 +38,9 @@ struct Clustering {
 bool is_segment_in_mesh(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b);
 
 /// Sorts the zeros into clusters and simple ones. The centre of a cluster with |index| >= 2 is the centre of the
-/// corresponding multiple zero (guide/cluster_centre), else the mean of its members. Throws ComputeError if the index
-/// of open cells is unknown because no contour about them stays in the domain and away from the other zeros. Quadratic
-/// in the number of zeros and open cells.
+/// corresponding multiple zero (guide/cluster_centre), else the mean of its members; if that lies outside the domain,
+/// the member nearest to it. Throws ComputeError if the index of open cells is unknown because no contour about them
+/// stays in the domain and away from the other zeros. Quadratic in the number of zeros and open cells.
 Clustering find_clusters(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
                          const std::vector<zeros::OpenCell>& open_cells, const ClusterCriterion& criterion);
 

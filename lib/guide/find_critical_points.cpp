@@ -6,12 +6,15 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
 #include "field/error_estimate.hpp"
 #include "guide/absorb.hpp"
 #include "guide/clusters.hpp"
 #include "guide/index_sum.hpp"
 #include "guide/sort_by_position.hpp"
 #include "zeros/distinct_zeros.hpp"
+#include "zeros/undecided_zeros.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -103,6 +106,24 @@ void search_all(zeros::ZeroSearch& search, const TriMesh& mesh, const std::vecto
       fmt::format("the guiding field vanishes to higher order, or on a whole curve, near ({:.4g}, {:.4g})", x.x, x.y));
 }
 
+/// Warns of zeros that the field's error alone makes a cluster.
+void warn_of_undecided(const Field& field, const std::vector<Cluster>& clusters, Report& report) {
+  for (const Cluster& cluster : clusters) {
+    if (!cluster.is_undecided) continue;
+    std::string places;
+    for (const Vec2 x : cluster.members)
+      places += (places.empty() ? "" : ", ") + position_text(x + field.mesh.face.origin);
+    report.warn(
+        warning::zeros_not_decided,
+        fmt::format(
+            "the zeros at {} lie in one region in which the field is below its error, {:.2g}, so that it does not "
+            "decide whether they exist: {}; look at the layout with stageview",
+            places, zeros::undecided_below(field),
+            cluster.index == 0 ? std::string("they cancel, and no node is put there")
+                               : fmt::format("nodes of total index {} replace them", cluster.index)));
+  }
+}
+
 void require_in(const char* name, double value, double low, double high) {
   if (!(value >= low && value <= high))
     throw UsageError(fmt::format("{} is {}, it must be between {} and {}", name, value, low, high));
@@ -138,6 +159,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
                                         {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
   sort_by_position(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
+  warn_of_undecided(evaluator.field(), points.clusters, report);
   points.critical_points = sorted_points(evaluator, clustering.simple);
   if (clustering.simple.size() != zeros.size()) points.zeros = sorted_points(evaluator, zeros);
   points.certificate = certificate_of(search, zeros, valences.discs, mesh.num_elems());

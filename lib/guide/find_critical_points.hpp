@@ -35,6 +35,7 @@ struct SearchOptions {
 ///   zeros             all simple zeros found, if critical_points are not just these; else empty
 ///   certificate       counts and cells of the search; the counts are also reported as proof.*
 ///   index_sum         with clusters
+/// Warns of clusters of zeros whose existence the field does not decide (guide/clusters, criterion (c)).
 /// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal). Throws ComputeError if the field vanishes
 /// on a curve, or if the index of a multiple zero (guide/clusters) or a corner's valence (guide/valence) cannot be
 /// decided. Does not check the index sum: see guide/index_sum.

@@ -87,11 +87,15 @@ class Resolver {
     return cluster_nodes(face_, group_, max_valence_, cluster, other_positions(i), NodeSource::cluster);
   }
 
+  std::string subject(const Cluster& cluster) const {
+    if (cluster.members.size() == 1) return "a multiple zero";
+    return fmt::format(
+        "{} zeros within {:.3g} of each other, {}", cluster.members.size(), 2 * cluster.radius,
+        cluster.is_undecided ? "whose existence the field does not decide" : "nearer than any block could be");
+  }
+
   std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {
-    const std::string what = cluster.members.size() > 1
-                                 ? fmt::format("{} zeros within {:.3g} of each other, nearer than any block could be",
-                                               cluster.members.size(), 2 * cluster.radius)
-                                 : "a multiple zero";
+    const std::string what = subject(cluster);
     if (nodes.empty()) return what + ": they cancel, their indices add up to 0";
     if (nodes.size() == 1)
       return fmt::format("{}, of total index {}: one node of valence {} replaces them", what, cluster.index,

@@ -154,6 +154,7 @@ struct Cluster {
   int index = 0;      ///< sum of the members
   std::vector<Vec2> members;
   std::vector<int> member_indices;  ///< empty if they cannot be distinguished
+  bool is_undecided = false;        ///< the field does not decide whether the members exist; not in the file
 };
 
 /// What the search proved about a cell. `zero`: it contains exactly one zero; `open`: undecided, part of a cluster.

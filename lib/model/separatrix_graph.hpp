@@ -57,9 +57,9 @@ constexpr auto enum_names(LayoutMethod) {
 
 /// Counts of a graph and the method that made it.
 struct LayoutCertificate {
-  std::optional<LayoutMethod> method;  ///< std::nullopt: the graph has no certificate
-  std::string reason;                  ///< a sentence for people: why "traced" was tried and not used; else empty
-  int index_sum = 0;                   ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
+  std::optional<LayoutMethod> method;             ///< std::nullopt: the graph has no certificate
+  std::string reason;                             ///< for people: why "traced" failed at first; else empty
+  int index_sum = 0;                              ///< sum (4 - V) over inner and sum (2 - V) over boundary nodes: 4 chi
   std::vector<FaceCount> face_valence_histogram;  ///< by ascending number of corners
   int t_junctions = 0;                            ///< 0: conforming
   int merged_lines = 0;                           ///< pairs of separatrices merged into one

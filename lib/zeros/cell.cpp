@@ -58,6 +58,12 @@ Cell element_cell(const field::FieldEvaluator& evaluator, int elem) {
   return cell;
 }
 
+bool touches_edge(const Cell& cell, int k) {
+  return std::any_of(cell.xi.begin(), cell.xi.end(), [k](Vec2 xi) {
+    return k == 0 ? xi.y == -1 : k == 1 ? xi.x + xi.y == 0 : xi.x == -1;
+  });
+}
+
 void bisect(const Cell& cell, Cell& first, Cell& second) {
   const int edge = longest_side(cell), from = edge, to = (edge + 1) % 3;
   first.elem = second.elem = cell.elem;

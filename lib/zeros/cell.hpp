@@ -33,6 +33,9 @@ inline double frobenius_norm(const Mat2& m) { return std::sqrt(m.xx * m.xx + m.x
 /// The whole element `elem`.
 Cell element_cell(const field::FieldEvaluator& evaluator, int elem);
 
+/// Whether a vertex of the cell lies on local edge k of its element, without a tolerance: bisection is exact.
+bool touches_edge(const Cell& cell, int k);
+
 /// Bisects the cell at the middle of its longest side in the plane.
 void bisect(const Cell& cell, Cell& first, Cell& second);
 

@@ -13,13 +13,6 @@ constexpr long long max_cells = 50000;  // in one element; a simple zero needs s
 
 std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
 
-/// Whether a vertex of the cell lies on local edge k of its element, without a tolerance: bisection is exact.
-bool touches_edge(const Cell& cell, int k) {
-  return std::any_of(cell.xi.begin(), cell.xi.end(), [k](Vec2 xi) {
-    return k == 0 ? xi.y == -1 : k == 1 ? xi.x + xi.y == 0 : xi.x == -1;
-  });
-}
-
 bool touches_vertex(const Cell& cell, int k) {
   const Vec2 vertex = k == 0 ? Vec2{-1, -1} : k == 1 ? Vec2{1, -1} : Vec2{-1, 1};
   return std::find(cell.xi.begin(), cell.xi.end(), vertex) != cell.xi.end();
