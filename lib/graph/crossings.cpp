@@ -142,8 +142,9 @@ class Counter {
   void require_few_crossings(const std::vector<Crossing>& found) const {
     if (found.size() <= bounds_.max_crossings) return;
     const Vec2 position = found.back().position + bounds_.origin;
-    throw ComputeError(fmt::format("separatrices cross each other more than the {} times allowed, the last near {}",
-                                   bounds_.max_crossings, position_text(position)));
+    throw CrowdedLinesError(
+        fmt::format("separatrices cross each other more than the {} times allowed, the last near {}",
+                    bounds_.max_crossings, position_text(position)));
   }
 
  private:

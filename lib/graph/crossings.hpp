@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/vec2.hpp"
 #include "model/cad_face.hpp"
 
@@ -31,12 +32,19 @@ struct CrossingBounds {
   std::vector<bool> sought;  ///< only pairs with a marked curve are searched; empty: all pairs are
 };
 
+/// Lines cross each other so often that a bound on the number of crossings or arcs is exceeded.
+class CrowdedLinesError : public ComputeError {
+ public:
+  using ComputeError::ComputeError;
+};
+
 /// The order of crossings: by (a, s, b).
 bool comes_before(const Crossing& x, const Crossing& y);
 
 /// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
 /// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not
-/// merely touch within round-off. Throws ComputeError with a position if a limit is reached.
+/// merely touch within round-off. Throws ComputeError (for max_crossings: CrowdedLinesError) with a position if a limit
+/// is reached.
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds = {});
 
 }  // namespace quadrille::graph

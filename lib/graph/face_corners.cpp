@@ -55,6 +55,14 @@ bool is_drawn_in_order(const Subdivision& subdivision, int node) {
   return order == sorted;
 }
 
+void require_drawn_in_order(const Subdivision& subdivision) {
+  for (int n = 0; n < subdivision.node_bound(); ++n)
+    if (!subdivision.around(n).empty() && !is_drawn_in_order(subdivision, n))
+      throw ComputeError(
+          fmt::format("lines of the separatrix graph at {} run across each other",
+                      position_text(subdivision.graph().nodes[n].position + subdivision.graph().face.origin)));
+}
+
 std::vector<FaceCount> face_valence_histogram(const Subdivision& subdivision) {
   std::map<int, int> corners2faces;
   for (int f = 0; f < subdivision.face_bound(); ++f)

@@ -22,6 +22,10 @@ int require_four_corners(const Subdivision& subdivision);
 /// graph/subdivision.hpp do not check this.
 bool is_drawn_in_order(const Subdivision& subdivision, int node);
 
+/// Throws ComputeError with a position unless is_drawn_in_order holds at every node: whoever reads the graph from a
+/// file has only its curves, and would find other faces.
+void require_drawn_in_order(const Subdivision& subdivision);
+
 /// Number of faces for each number of corners, ascending.
 std::vector<FaceCount> face_valence_histogram(const Subdivision& subdivision);
 

@@ -39,6 +39,7 @@ graph::CandidateLayout extend_lines(const graph::CandidateLayout& layout, const 
     draw_iso_lines({t_mesh, table, parametrization, parts}, f, extended);
   extended.subdivision.compact();
   graph::require_four_corners(extended.subdivision);
+  graph::require_drawn_in_order(extended.subdivision);
   return extended;
 }
 

@@ -12,7 +12,8 @@
 namespace quadrille::quantize {
 
 /// `lengths` (1 or more for each arc, opposite sides of the faces equal): of quantize(). Nodes of the T-mesh keep their
-/// numbers. Throws ComputeError if the result has a face without four corners.
+/// numbers. Throws ComputeError if the result has a face without four corners, or if lines
+/// run across each other at a node (faces that are much thinner than their sides are curved).
 graph::CandidateLayout extend_lines(const graph::CandidateLayout& t_mesh, const std::vector<TFace>& faces,
                                     const std::vector<int>& lengths);
 

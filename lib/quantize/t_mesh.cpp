@@ -81,6 +81,7 @@ graph::CandidateLayout TMeshTracer::trace(Report& report) {
     graph.certificate.merged_lines = static_cast<int>(lines_.chosen().size());
     graph.certificate.largest_deviation_degrees = degrees(lines_.largest_deviation());
     report.set("t_mesh.launched", tracer_.lines().size());
+    report.set("t_mesh.steps", tracer_.num_steps());
     report.set("t_mesh.merged", graph.certificate.merged_lines);
     report.set("t_mesh.stopped", num_stopped(covered));
     report.set("t_mesh.cuts", cuts_.num);

@@ -29,8 +29,8 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
                                std::vector<bool>& is_taken) {
   std::vector<int> chosen;
   for (size_t first = 0, last = 0; first < candidates.size(); first = last) {
-    const double same = candidates[first].meeting() * (1 + relative_tie);
-    while (last < candidates.size() && candidates[last].meeting() <= same) ++last;
+    const double same = candidates[first].delayed_meeting() * (1 + relative_tie);
+    while (last < candidates.size() && candidates[last].delayed_meeting() <= same) ++last;
     choose_tied(candidates, allowed, first, last, is_taken, chosen);
   }
   return chosen;

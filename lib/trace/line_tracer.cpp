@@ -1,7 +1,10 @@
 #include "trace/line_tracer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "trace/adams_bashforth.hpp"
 #include "trace/launch_all.hpp"
 
@@ -14,6 +17,9 @@ constexpr double relative_max_step = 0.05;      // unless the options prescribe 
 constexpr double relative_fixed_step = 0.002;
 constexpr double relative_launch_radius = 1e-6;  // of a line from a point that is no node
 
+// Fewer lines are counted as so many in their mean number of steps: each of a few may be a long spiral.
+constexpr std::size_t least_lines_of_mean = 100;
+
 }  // namespace
 
 LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
@@ -23,6 +29,7 @@ LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoi
   max_length_ = options.max_length * face.diameter;
   launches_ = launch_all(evaluator, points);
   if (launches_.empty() && face.num_loops() == 2) launches_ = launch_cuts(evaluator);
+  max_num_steps_ = options.max_steps * std::max(launches_.size(), least_lines_of_mean);
 }
 
 AdvanceOptions LineTracer::bounds(double length) const {
@@ -37,22 +44,46 @@ void LineTracer::follow_all_to(double length) {
   reach_ = is_fixed ? max_length_ : std::min(length, max_length_);
   const AdvanceOptions options = bounds(reach_);
   if (!is_fixed)
-    for (Streamline& line : lines_) follow(evaluator_, line, nodes_, options);
-  for (const Launch& launch : launches_)
+    for (Streamline& line : lines_) {
+      follow(evaluator_, line, nodes_, options);
+      require_few_steps();
+    }
+  for (const Launch& launch : launches_) {
     lines_.push_back(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options)
                               : advance(evaluator_, launch, nodes_, options));
+    require_few_steps();
+  }
   launches_.clear();
 }
 
-void LineTracer::follow_to(int line, double length) { follow(evaluator_, lines_[line], nodes_, bounds(length)); }
+void LineTracer::follow_to(int line, double length) {
+  follow(evaluator_, lines_[line], nodes_, bounds(length));
+  require_few_steps();
+}
 
 void LineTracer::add_cut(int curve, double t, double length) {
   lines_.push_back(advance(evaluator_, launch_from_boundary(evaluator_, curve, t), nodes_, bounds(length)));
+  require_few_steps();
 }
 
 Streamline LineTracer::follow_from(Vec2 x, double angle) const {
   const double radius = relative_launch_radius * evaluator_.field().mesh.face.diameter;
   return advance(evaluator_, launch_line(evaluator_, -1, x, angle, radius, 1), nodes_, bounds(max_length_));
+}
+
+std::size_t LineTracer::num_steps() const {
+  std::size_t num = 0;
+  for (const Streamline& line : lines_) num += line.steps.size();
+  return num;
+}
+
+void LineTracer::require_few_steps() const {
+  const std::size_t num = num_steps();
+  if (num > max_num_steps_)
+    throw ComputeError(fmt::format(
+        "{} separatrices take {} steps, more than the {} allowed, and are not all complete: the field turns "
+        "too fast, or raise --max-line-steps",
+        lines_.size(), num, max_num_steps_));
 }
 
 }  // namespace quadrille::trace

@@ -10,7 +10,8 @@
 namespace quadrille::trace {
 
 /// Lines that are merged behind each other's nodes, or that stop at others, need not be traced to their ends: they are
-/// traced in rounds of increasing length. A line that is continued keeps its earlier steps.
+/// traced in rounds of increasing length. A line that is continued keeps its earlier steps. Every function that follows
+/// lines throws ComputeError as advance(), and as soon as they have more steps than TraceOptions::max_steps allows.
 class LineTracer {
  public:
   /// `evaluator` and `nodes` (the positions of fixed_nodes) must outlive the tracer. Launches all separatrices; if none
@@ -18,7 +19,7 @@ class LineTracer {
   LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const std::vector<Vec2>& nodes,
              const TraceOptions& options);
 
-  /// Follows all lines that have no end yet to a length, at most options.max_length. Throws ComputeError as advance().
+  /// Follows all lines that have no end yet to a length, at most options.max_length.
   /// Integrator::adams_bashforth follows them to options.max_length at once.
   void follow_all_to(double length);
 
@@ -35,16 +36,20 @@ class LineTracer {
   /// The length to which follow_all_to has traced lines without an end; 0: to the greatest length.
   double reach() const { return reach_ < max_length_ ? reach_ : 0; }
   double max_length() const { return max_length_; }
+  /// Of all lines.
+  std::size_t num_steps() const;
 
   const std::vector<Streamline>& lines() const { return lines_; }
 
  private:
   AdvanceOptions bounds(double length) const;
+  void require_few_steps() const;
 
   const field::FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;
   TraceOptions options_;
   double max_length_ = 0, reach_ = 0;
+  std::size_t max_num_steps_ = 0;
   std::vector<Launch> launches_;  // of lines that have not been followed yet
   std::vector<Streamline> lines_;
 };

@@ -48,8 +48,9 @@ class CandidateSearch {
       for (int i = 0; i < num_lines; ++i)
         if (lines_[i].launch.start.node >= 0)
           for (int node = 0; node < static_cast<int>(nodes_.size()); ++node) add_joins(i, node, num_pairs);
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const MergeCandidate& x, const MergeCandidate& y) { return x.meeting() < y.meeting(); });
+    std::stable_sort(candidates_.begin(), candidates_.end(), [](const MergeCandidate& x, const MergeCandidate& y) {
+      return x.delayed_meeting() < y.delayed_meeting();
+    });
     return std::move(candidates_);
   }
 

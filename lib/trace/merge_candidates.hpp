@@ -26,8 +26,9 @@ struct MergeOptions {
   bool only_endless = false;  ///< only pairs of which one line has reached neither boundary nor node
 };
 
-/// All pairs that the rules allow, in the order in which fronts that advance at equal speed meet. Linear in lines times
-/// nodes. `nodes`: positions, numbered as Launch::node.
+/// All pairs that the rules allow, in the order in which fronts that advance at equal speed meet, delayed in proportion
+/// to the deviation (MergeCandidate::delayed_meeting). Linear in lines times nodes. `nodes`: positions, numbered as
+/// Launch::node.
 std::vector<MergeCandidate> merge_candidates(const field::FieldEvaluator& evaluator,
                                              const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
                                              const MergeOptions& options);

@@ -41,7 +41,8 @@ bool MergePlan::needs_longer_lines(const std::vector<int>& chosen) const {
   if (reach_ == 0) return false;
   const auto may_be_late = [this](int c) {
     const MergeCandidate& pair = candidates_[c];
-    return pair.meeting() > settled_fraction * reach_ && (lines_[pair.a].is_endless() || lines_[pair.b].is_endless());
+    return pair.delayed_meeting() > settled_fraction * reach_ &&
+           (lines_[pair.a].is_endless() || lines_[pair.b].is_endless());
   };
   return !endless_without_partner(chosen).empty() || std::any_of(chosen.begin(), chosen.end(), may_be_late);
 }

@@ -32,6 +32,9 @@ struct MergeCandidate {
   double length() const { return (length_a + length_b) / 2; }
   /// Sum of the lengths covered by fronts that advance at equal speed when they meet.
   double meeting() const { return is_join ? 2 * length_a : length(); }
+  /// Pairs are chosen in this order. A pair that bends waits for one that fits and is hardly longer: left unmerged, two
+  /// lines that nearly coincide would bound a strip as thin as their distance.
+  double delayed_meeting() const { return meeting() * (1 + deviation); }
 };
 
 /// M as a function of f * length(), with its derivative. The lines must outlive it.

@@ -45,7 +45,7 @@ class Guide {
     Mat2 dx_dxi;
     const Vec2 value = evaluator.value(elem, xi, x, dx_dxi);
     const double size2 = norm2(value), area = det(dx_dxi);
-    if (!(size2 > 0) || !(std::abs(area) > 0)) return false;
+    if (!(size2 > 0) || !(area > 0)) return false;
     const Vec2 turn = root(root(product(value / std::sqrt(size2), conj_d4_)));
     rate = inverse(dx_dxi) * product(d_, turn);
     return turn.x >= cos_max_turn && std::isfinite(rate.x) && std::isfinite(rate.y);
@@ -60,7 +60,7 @@ bool rate_at(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double d
              Mat2& dx_dxi) {
   Vec2 x;
   const Vec2 value = evaluator.value(elem, xi, x, dx_dxi);
-  if (!(norm2(value) > 0) || !(std::abs(det(dx_dxi)) > 0)) return false;
+  if (!(norm2(value) > 0) || !(det(dx_dxi) > 0)) return false;
   angle = guided_angle(value, direction);
   rate = inverse(dx_dxi) * unit(angle);
   return std::abs(angle - direction) <= max_turn && std::isfinite(rate.x) && std::isfinite(rate.y);

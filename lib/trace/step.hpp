@@ -40,7 +40,8 @@ struct StreamState {
 StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction);
 
 /// Tries a step of length h from `state`. `step.dense` and `end` receive the result; `error` is the estimated error's
-/// length in the plane, infinite if the direction turns by more than 0.6 rad within the step or the field vanishes.
+/// length in the plane, infinite if the direction turns by more than 0.6 rad within the step, the field vanishes, or
+/// det(dx/dxi) is not positive.
 void try_step(const field::FieldEvaluator& evaluator, const StreamState& state, double h, StreamStep& step,
               StreamState& end, double& error);
 

@@ -30,6 +30,9 @@ struct TraceOptions {
   /// Of all lines that are traced to their ends, in diameters. Few lines of plates with many holes are longer than one
   /// diameter; spirals have many.
   double max_total_length = 500;
+  /// Of one line, in the mean over all lines, at least 100. Plates with many holes need 150, racks of teeth 400; a line
+  /// in a damaged field takes max_stream_steps and gets nowhere.
+  int max_steps = 1000;
   void validate() const;  ///< throws UsageError
 };
 

@@ -58,6 +58,7 @@ TEST(FaceCorners, TheHistogramCountsFacesByCorners) {
 TEST(FaceCorners, CurvesOutOfOrderAreSeen) {
   Subdivision subdivision(hand_made::l_shape());
   for (int n = 0; n < subdivision.node_bound(); ++n) EXPECT_TRUE(is_drawn_in_order(subdivision, n));
+  EXPECT_NO_THROW(require_drawn_in_order(subdivision));
   // The two lines at the reflex corner change places.
   const std::vector<HalfEdge> around = subdivision.around(3);
   const auto pieces = [&](HalfEdge h) { return subdivision.graph().arcs[h.arc].pieces; };
@@ -65,6 +66,7 @@ TEST(FaceCorners, CurvesOutOfOrderAreSeen) {
   subdivision.set_pieces(around[1].arc, second);
   subdivision.set_pieces(around[2].arc, first);
   EXPECT_FALSE(is_drawn_in_order(subdivision, 3));
+  EXPECT_THROW(require_drawn_in_order(subdivision), ComputeError);
 }
 
 }  // namespace

@@ -24,5 +24,13 @@ TEST(ChooseMerges, DecidesTiesOfAnOrbitAlike) {
   EXPECT_EQ(choose(all, {true, true, true, true}), (std::vector<int>{2, 3}));
 }
 
+TEST(ChooseMerges, APairThatBendsWaitsForOneThatFits) {
+  MergeCandidate bent = pair(0, 1, 1);
+  bent.deviation = 0.2;
+  EXPECT_GT(bent.delayed_meeting(), pair(1, 2, 1.1).delayed_meeting());
+  EXPECT_LT(bent.delayed_meeting(), pair(1, 2, 1.3).delayed_meeting());
+  EXPECT_EQ(choose({pair(1, 2, 1.1), bent, pair(0, 3, 1.25)}, {true, true, true}), (std::vector<int>{0, 2}));
+}
+
 }  // namespace
 }  // namespace quadrille::trace

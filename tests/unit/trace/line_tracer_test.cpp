@@ -4,6 +4,7 @@
 
 #include "../support/square_field.hpp"
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "trace/fixed_nodes.hpp"
 
 namespace quadrille::trace {
@@ -61,6 +62,25 @@ TEST_F(FiveRays, ALineFromAPointIsNotAmongTheLines) {
   tracer.follow_all_to(10);
   EXPECT_EQ(tracer.follow_from({0.5, 0}, 0).end, Streamline::End::boundary);
   EXPECT_EQ(tracer.lines().size(), 5u);
+}
+
+// Few lines are counted as 100: a bound of 1 allows 100 steps.
+TEST_F(FiveRays, TheNumberOfStepsIsBounded) {
+  options.max_steps = 1;
+  options.step = 0.1;
+  LineTracer tracer(evaluator, points, nodes, options);
+  tracer.follow_all_to(0.5);
+  EXPECT_GE(tracer.num_steps(), 5u * 5);
+  EXPECT_LE(tracer.num_steps(), 100u);
+  options.step = 0.01;
+  LineTracer fine(evaluator, points, nodes, options);
+  EXPECT_THROW(fine.follow_all_to(0.5), ComputeError);
+  LineTracer single(evaluator, points, nodes, options);
+  single.follow_all_to(0.1);
+  EXPECT_THROW(single.follow_to(0, 0.8), ComputeError);
+  LineTracer cut(evaluator, points, nodes, options);
+  cut.follow_all_to(0.15);
+  EXPECT_THROW(cut.add_cut(0, 0.3, 10), ComputeError);
 }
 
 }  // namespace

@@ -77,5 +77,17 @@ TEST_F(OneStep, AStepThatTurnsTooFarIsRefused) {
   EXPECT_FALSE(std::isfinite(error));
 }
 
+// An element of a damaged file may be turned over: its lines would run back.
+TEST_F(OneStep, AnElementThatIsTurnedOverIsRefused) {
+  const StreamState state = start({1, 0});
+  for (Vec2& x : field.mesh.vertices) x.y = -x.y;
+  const field::FieldEvaluator turned_over{field};
+  StreamStep step;
+  StreamState end;
+  double error = 0;
+  try_step(turned_over, state, 0.01, step, end, error);
+  EXPECT_FALSE(std::isfinite(error));
+}
+
 }  // namespace
 }  // namespace quadrille::trace
