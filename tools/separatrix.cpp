@@ -110,14 +110,18 @@ int main(int argc, char** argv) {
         "(motorcycle graph), and an integer program decides how they continue; midpoint: no separatrices, "
         "but new triangles, each divided into three blocks; auto: quantized if traced fails or needs more blocks, "
         "midpoint if both fail or there is no field; t-mesh: only the stopped separatrices, no layout");
-    o.integer("--max-lines", options.max_lines, 1, 1000000,
-              "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
-              "crossings ends at ten times as many");
+    o.integer(
+        "--max-lines", options.max_lines, 1, 1000000,
+        "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
+        "crossings ends at ten times as many; auto allows ten times as many of both if there is no quantized layout");
     o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
     o.number(
         "--max-total-length", options.trace.max_total_length, 0.01, 1e6, "diameters",
         "traced layout: greatest sum of the lengths of all separatrices; with auto, the quantized layout is computed "
         "if this or --max-lines is exceeded");
+    o.integer(
+        "--max-line-steps", options.trace.max_steps, 1, 1000000,
+        "greatest number of integration steps of a separatrix, in the mean over all (over 100, if there are fewer)");
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");

@@ -57,19 +57,32 @@ ChosenLayout midpoint_instead(const std::string& reason, const CertainLayout& mi
   return chosen;
 }
 
-ChosenLayout quantized_instead(const std::string& reason, const LayoutComputation& quantized,
-                               const CertainLayout& midpoint, Report& report) {
-  LayoutAttempt attempt = quantized(report);
-  if (!attempt.layout) {
-    const bool is_same = attempt.reason == reason;
-    return midpoint_instead(is_same ? reason : reason + "; stopped where they meet: " + attempt.reason, midpoint,
-                            report);
-  }
+ChosenLayout crowded_instead(graph::CandidateLayout crowded, const std::string& reason, Report& report) {
+  report_choice(LayoutMethod::traced, reason, report);
+  crowded.certificate.reason = reason;
+  return {std::move(crowded), LayoutMethod::traced,
+          reason + ": each separatrix was followed to its end all the same, which makes many blocks"};
+}
+
+ChosenLayout quantized_instead(graph::CandidateLayout quantized, const std::string& reason, Report& report) {
   report_choice(LayoutMethod::quantized, reason, report);
-  attempt.layout->certificate.reason = reason;
+  quantized.certificate.reason = reason;
   return {
-      std::move(*attempt.layout), LayoutMethod::quantized,
+      std::move(quantized), LayoutMethod::quantized,
       reason + ": each separatrix was stopped at the first line that crosses it, and continued by an integer program"};
+}
+
+ChosenLayout instead_of_traced(const LayoutAttempt& traced, const LayoutComputations& compute, Report& report) {
+  LayoutAttempt quantized = compute.quantized(report);
+  if (quantized.layout) return quantized_instead(std::move(*quantized.layout), traced.reason, report);
+  const std::string reason = quantized.reason == traced.reason
+                                 ? traced.reason
+                                 : traced.reason + "; stopped where they meet: " + quantized.reason;
+  if (traced.is_crowded) {
+    LayoutAttempt crowded = compute.crowded(report);
+    if (crowded.layout) return crowded_instead(std::move(*crowded.layout), reason, report);
+  }
+  return midpoint_instead(reason, compute.midpoint, report);
 }
 
 }  // namespace
@@ -79,14 +92,12 @@ std::string midpoint_warning(const std::string& reason) {
          ": the face was divided into triangles, and each of them into three blocks, with many irregular nodes";
 }
 
-ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
-                           const CertainLayout& midpoint, Report& report) {
-  if (num_separatrices > max_traced_lines)
-    return quantized_instead(fmt::format("{} separatrices are too many to be followed to their ends", num_separatrices),
-                             quantized, midpoint, report);
-  LayoutAttempt attempt = traced(report);
-  if (!attempt.layout) return quantized_instead(attempt.reason, quantized, midpoint, report);
-  return traced_or_preferable(std::move(*attempt.layout), quantized, report);
+ChosenLayout choose_layout(int num_separatrices, const LayoutComputations& compute, Report& report) {
+  LayoutAttempt attempt{
+      std::nullopt, fmt::format("{} separatrices are too many to be followed to their ends", num_separatrices), true};
+  if (num_separatrices <= max_traced_lines) attempt = compute.traced(report);
+  if (!attempt.layout) return instead_of_traced(attempt, compute, report);
+  return traced_or_preferable(std::move(*attempt.layout), compute.quantized, report);
 }
 
 bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic) {

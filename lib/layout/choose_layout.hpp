@@ -3,12 +3,16 @@
 //
 //   separatrices   traced layout   quantized layout           taken
 //   more than 500  not computed    exists                     quantized, with a warning
-//   more than 500  not computed    none                       midpoint division, with a warning
+//   more than 500  not computed    none                       crowded, with a warning
+//   at most 500    too many arcs   exists                     quantized, with a warning
+//   at most 500    too many arcs   none                       crowded, with a warning
 //   at most 500    none            exists                     quantized, with a warning
 //   at most 500    none            none                       midpoint division, with a warning
 //   at most 500    few blocks      not computed               traced
 //   at most 500    many blocks     fewer blocks, none worse   quantized
 //   at most 500    many blocks     any other, or none         traced
+//
+// Crowded: the traced layout with ten times as many arcs allowed. If that fails too, midpoint division is taken.
 
 #include <functional>
 #include <optional>
@@ -23,6 +27,7 @@ namespace quadrille::layout {
 struct LayoutAttempt {
   std::optional<graph::CandidateLayout> layout;
   std::string reason;
+  bool is_crowded = false;  ///< the reason is the number of lines or arcs
 };
 
 /// Computes a layout and reports its counts.
@@ -30,6 +35,11 @@ using LayoutComputation = std::function<LayoutAttempt(Report&)>;
 
 /// Computes the layout that exists in any case.
 using CertainLayout = std::function<graph::CandidateLayout(Report&)>;
+
+struct LayoutComputations {
+  LayoutComputation traced, quantized, crowded;
+  CertainLayout midpoint;
+};
 
 struct ChosenLayout {
   graph::CandidateLayout layout;  ///< certificate.reason: why not the traced one
@@ -42,8 +52,7 @@ std::string midpoint_warning(const std::string& reason);
 
 /// Chooses by the table above and computes only the layouts that it needs. Reports layout.way, layout.method and
 /// layout.reason.
-ChosenLayout choose_layout(int num_separatrices, const LayoutComputation& traced, const LayoutComputation& quantized,
-                           const CertainLayout& midpoint, Report& report);
+ChosenLayout choose_layout(int num_separatrices, const LayoutComputations& compute, Report& report);
 
 /// Whether a layout has more than 1.2 times as many blocks as would result from lines that stop at each other.
 bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic);

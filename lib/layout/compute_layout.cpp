@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
+#include "graph/crossings.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
 #include "layout/fine_tolerance.hpp"
@@ -23,10 +24,20 @@ LayoutComputation attempting(const Layout& layout) {
   return [&layout](Report& report) -> LayoutAttempt {
     try {
       return {layout(report), ""};
+    } catch (const graph::CrowdedLinesError& error) {
+      return {std::nullopt, error.what(), true};
     } catch (const ComputeError& error) {
       return {std::nullopt, error.what()};
     }
   };
+}
+
+// How many times more arcs than options.max_lines are allowed where there is no other layout of separatrices.
+constexpr int crowding = 10;
+
+const char* warning_code(LayoutMethod method) {
+  if (method == LayoutMethod::midpoint) return warning::midpoint_instead_of_separatrices;
+  return method == LayoutMethod::quantized ? warning::quantized_instead_of_traced : warning::crowded_separatrices;
 }
 
 graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
@@ -35,18 +46,21 @@ graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, 
     return with_fine_tolerance(options, r,
                                [&](const LayoutOptions& o) { return trace_separatrices(evaluator, points, o, r); });
   };
+  const auto crowded = [&](Report& r) {
+    LayoutOptions more = options;
+    more.max_lines *= crowding;
+    return with_fine_tolerance(more, r,
+                               [&](const LayoutOptions& o) { return trace_separatrices(evaluator, points, o, r); });
+  };
   const auto quantized = [&](Report& r) {
     return with_fine_tolerance(options, r,
                                [&](const LayoutOptions& o) { return quantized_layout(evaluator, points, o, r); });
   };
   const auto midpoint = [&](Report& r) { return midpoint_layout(evaluator.field().mesh, r); };
-  ChosenLayout chosen =
-      choose_layout(trace::num_launches(points), attempting(traced), attempting(quantized), midpoint, report);
+  ChosenLayout chosen = choose_layout(
+      trace::num_launches(points), {attempting(traced), attempting(quantized), attempting(crowded), midpoint}, report);
   certify(evaluator, chosen.method, chosen.layout, report);
-  if (!chosen.warning.empty())
-    report.warn(chosen.method == LayoutMethod::midpoint ? warning::midpoint_instead_of_separatrices
-                                                        : warning::quantized_instead_of_traced,
-                chosen.warning);
+  if (!chosen.warning.empty()) report.warn(warning_code(chosen.method), chosen.warning);
   return std::move(chosen.layout);
 }
 

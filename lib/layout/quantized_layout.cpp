@@ -1,6 +1,7 @@
 #include "layout/quantized_layout.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "base/position_text.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
+#include "layout/strip_remedies.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh.hpp"
@@ -32,8 +34,9 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
   return lengths;
 }
 
-[[noreturn]] void fail_to_quantize(const ArcGraph& t_mesh, const std::vector<int>& zero_arcs) {
-  if (zero_arcs.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
+[[noreturn]] void fail_to_quantize(const ArcGraph& t_mesh, const std::vector<int>& zero_arcs,
+                                   const std::vector<int>& strip_arcs, const CriticalPoints& points, Report& report) {
+  report.set("quantize.remedies", fmt::format("{}", fmt::join(strip_remedies(t_mesh, strip_arcs, points), ", ")));
   const ArcPiece& piece = t_mesh.arcs[zero_arcs.front()].pieces.front();
   const Vec2 position = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
   throw ComputeError(fmt::format(
@@ -48,7 +51,7 @@ struct QuantizedTMesh {
   std::vector<int> lengths;  // of the arcs
 };
 
-QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
+QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, const CriticalPoints& points, Report& report) {
   int num_built = 0;
   for (int num_rejected = 0;; ++num_rejected) {
     QuantizedTMesh q;
@@ -65,9 +68,9 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
     }
     const int num_arcs = static_cast<int>(graph.arcs.size());
     const std::vector<int> zero_arcs = quantize::forced_zero_arcs(q.faces, num_arcs);
-    if (zero_arcs.empty()) fail_to_quantize(graph, zero_arcs);
-    if (!tracer.reject_merge(q.t_mesh.lines, quantize::infeasibility_certificate(q.faces, num_arcs, zero_arcs.front())))
-      fail_to_quantize(graph, zero_arcs);
+    if (zero_arcs.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
+    const std::vector<int> strip = quantize::infeasibility_certificate(q.faces, num_arcs, zero_arcs.front());
+    if (!tracer.reject_merge(q.t_mesh.lines, strip)) fail_to_quantize(graph, zero_arcs, strip, points, report);
   }
 }
 
@@ -76,7 +79,7 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, Report& report) {
 graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report) {
   quantize::TMeshTracer tracer(evaluator, points, options.trace);
-  const QuantizedTMesh q = quantized_t_mesh(tracer, report);
+  const QuantizedTMesh q = quantized_t_mesh(tracer, points, report);
   graph::CandidateLayout layout = quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
   report.set("quantize.faces", layout.subdivision.num_faces());
   if (options.simplify != SimplifyLevel::none)

@@ -13,7 +13,7 @@ namespace quadrille::layout {
 /// its lines continued through the integer grids of its faces (quantize/extend_lines.hpp), and chord collapse
 /// (simplify/simplify.hpp). If no positive lengths exist, merges along the strip that forbids them are rejected, one
 /// set after another. Reports t_mesh.*, quantize.* and simplify.*. Throws ComputeError with a position if there is no
-/// layout.
+/// layout; then quantize.remedies are the options of critpoints that may help (layout/strip_remedies.hpp).
 graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report);
 

@@ -28,8 +28,8 @@ void require_few_arcs(const SeparatrixGraph& graph, int max_lines) {
   const auto count =
       std::count_if(graph.arcs.begin(), graph.arcs.end(), [](const GraphArc& arc) { return !arc.is_boundary; });
   if (count > max_lines)
-    throw ComputeError(fmt::format("{} separatrices cut each other into {} arcs, more than the {} allowed",
-                                   graph.lines.size(), count, max_lines));
+    throw graph::CrowdedLinesError(fmt::format("{} separatrices cut each other into {} arcs, more than the {} allowed",
+                                               graph.lines.size(), count, max_lines));
 }
 
 void require_total_length(const trace::LineTracer& tracer, double diameter, double most) {
@@ -81,6 +81,7 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   std::optional<Partition> found;
   for (const double reach : reaches) {
     tracer.follow_all_to(reach * face.diameter);
+    report.set("trace.steps", tracer.num_steps());
     require_total_length(tracer, face.diameter, options.trace.max_total_length);
     found = partition(evaluator, fixed, nodes, tracer, options);
     if (found) break;

@@ -13,7 +13,8 @@ namespace quadrille::layout {
 /// graph and collapses thin chords (simplify/simplify.hpp). All lines are traced before any merge is decided: the
 /// result does not depend on the order of the lines or on a step. A domain between two loops in which no separatrix
 /// starts is divided by four cuts (trace::launch_cuts). Reports trace.* and simplify.*. Throws ComputeError, if
-/// possible with a position, if a line has no end, a bound is exceeded or a face does not have four corners.
+/// possible with a position, if a line has no end, a bound is exceeded (for max_lines: graph::CrowdedLinesError) or a
+/// face does not have four corners.
 graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                           const LayoutOptions& options, Report& report);
 

@@ -3,6 +3,7 @@
 field=''
 nodes=/dev/null # as long as no file of critical points is written
 way=''          # "field or triangles" as long as there is a choice
+remedy=''       # options of critpoints that were added because a strip of blocks contained itself
 
 # make_quads LAYOUT: the value of separatrix --layout. With "auto" (or none) the quads are made from the triangles alone
 # where a stage finds no valid result.
@@ -31,15 +32,23 @@ has_other_way() {
 
 quads_of_field() {
   field=$stem.field.h5
-  stage fieldsolve "$stem.solve.h5" "$stem.tri.h5" && stage padapt "$field" "$stem.solve.h5" &&
-    stage critpoints "$stem.crit.json" "$field" || return
+  stage fieldsolve "$stem.solve.h5" "$stem.tri.h5" && stage padapt "$field" "$stem.solve.h5" && graph_of_nodes "$stem" &&
+    try_remedies && quads_of_graph
+}
+
+# graph_of_nodes STEM [OPTION...]: the separatrix graph for the triangles and the field of STEM, with these options of
+# critpoints beside the chosen ones.
+graph_of_nodes() {
+  triangles=$1.tri.h5 field=$1.field.h5
+  shift
+  stage critpoints "$stem.crit.json" "$field" "$@" || return
   nodes=$stem.crit.json
   if grep -q '^ *"form": *"phase"' "$nodes"; then # the nodes are not those of the field: solve for one with them
-    stage fieldsolve "$stem.phase.solve.h5" --nodes "$nodes" --orders "$field" "$stem.tri.h5" &&
+    stage fieldsolve "$stem.phase.solve.h5" --nodes "$nodes" --orders "$field" "$triangles" &&
       stage padapt "$stem.phase.h5" "$stem.phase.solve.h5" || return
     field=$stem.phase.h5 last=$nodes
   fi
-  stage separatrix "$stem.sep.json" "$field" "$nodes" && quads_of_graph
+  stage separatrix "$stem.sep.json" "$field" "$nodes"
 }
 
 quads_of_triangles() { stage separatrix "$stem.sep.json" "$stem.tri.h5" && quads_of_graph; }

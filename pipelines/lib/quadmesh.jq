@@ -1,8 +1,10 @@
 # What quadmesh reports of a run, from the reports of its stages (files NUMBER.STAGE.json, the inputs of jq).
 
-# report($start; $nodes): the report of the whole run, begun $start seconds after 1970; $nodes is the file x.crit.json.
-def report($start; $nodes):
-  [inputs | . + {stage: (input_filename | split(".")[-2])}] as $runs | ($runs | map({(.tool): .}) | add) as $of |
+# report($start; $nodes; $remedy): the report of the whole run, begun $start seconds after 1970; $nodes is the file
+# x.crit.json, $remedy the options of try_remedies.sh. Runs of stages failed_* have only their times in it.
+def report($start; $nodes; $remedy):
+  [inputs | . + {stage: (input_filename | split(".")[-2])}] as $all |
+  ($all | map(select(.stage | startswith("failed_") | not))) as $runs | ($runs | map({(.tool): .}) | add) as $of |
   { tool: "quadmesh", version: $runs[0].version,
     form: (if $nodes then $nodes.form // "harmonic" else null end),
     critical_points: ($nodes.critical_points | length),
@@ -10,6 +12,7 @@ def report($start; $nodes):
     blocks: $of.quadrefine.blocks,
     certificate: $of.separatrix.certificate,
     given_up: ([$runs[] | select(.exit_code != 0) | "\(.tool): \(.error)"] | first),
+    remedy: (if $remedy == "" then null else $remedy end),
     quads: $of.quadrefine.quads,
     least_jacobian_bound: $of.quadrefine.least_jacobian_bound,
     valid: $of.quadrefine.valid,
@@ -18,9 +21,10 @@ def report($start; $nodes):
     greatest_area_jump: $of.quadrefine.greatest_area_jump,
     least_node_distance: $of.quadrefine.least_node_distance,
     boundary: $of.quadrefine.boundary,
-    cpu_seconds: ($runs | map(.timings.total.cpu_seconds) | add),
+    cpu_seconds: ($all | map(.timings.total.cpu_seconds) | add),
     wall_seconds: (now - $start),
-    stages: ($runs | map({(.stage): .timings.total}) | add),
+    stages: (reduce $all[] as $run ({}; .[$run.stage] as $before |
+      .[$run.stage] = ($run.timings.total | with_entries(.value += ($before[.key] // 0))))),
     warnings: ($runs | map(.tool as $tool | .warnings[] | {tool: $tool} + .)) };
 
 def count(n; noun): "\(n) \(noun)" + (if n == 1 then "" else "s" end);

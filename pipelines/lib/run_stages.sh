@@ -47,7 +47,7 @@ make_folders() {
 # pipeline defines. With -q, its message is then dropped: it is no error of the pipeline.
 stage() {
   tool=$1 result=$2 name=$prefix$1 number=$((number + 1))
-  case $result in "$stem".phase.*) name=phase_$tool ;; esac
+  case $result in "$stem".phase.*) name=${prefix}phase_$tool ;; esac
   shift 2
   with_options "$tool" start_tool "$@"
   wait "$child"

@@ -145,3 +145,22 @@ symmetric() {
   run -0 jq -r '.certificate.method' spiral.json
   assert_output --regexp '^(traced|quantized)$'
 }
+
+@test "zeros that the field does not decide cancel, symmetrically" {
+  # All sides near the middle are at multiples of 45 degrees, so that v nearly vanishes on the curve u = 0 around the
+  # turned hole; only the far circles make it change its sign there, with four zeros.
+  awk 'BEGIN { pi = atan2(0, -1)
+    print "-60 -10\n60 -10\n60 10\n-60 10\n\n0 -4\n4 0\n0 4\n-4 0"
+    for (side = -1; side <= 1; side += 2) { print ""
+      for (k = 0; k < 64; ++k) print side * 50 + 2 * cos(pi * k / 32), 2 * sin(pi * k / 32) } }' |
+    "$ROOT/pipelines/points2step" -o turned.step
+  run -0 --separate-stderr "$ROOT/pipelines/quadmesh" turned.step -o turned.msh --workdir . --report turned.json
+  run -0 jq -c '[.certificate.method, .irregular_nodes, [.warnings[].code]]' turned.json
+  assert_output '["traced",8,["W-NODE-004"]]'
+  run -0 jq -c '[(.changes[] | [.kind, (.before | map(4 - .valence) | add), (.after | length)])]' turned.crit.json
+  assert_output '[["cancel",0,0]]'
+  # Both reflections keep the nodes. They do not keep the layout: without nodes the cross turns one way all round the hole.
+  run -0 jq -c '[.critical_points[].position] as $all | [[1, -1], [-1, 1]] | map(. as $by | all($all[]; . as $p
+    | any($all[]; (.[0] - $by[0] * $p[0] | fabs < 1e-6) and (.[1] - $by[1] * $p[1] | fabs < 1e-6))))' turned.crit.json
+  assert_output '[true,true]'
+}

@@ -214,6 +214,62 @@ END
   assert_file_not_exists other.msh
 }
 
+# The band between a circle and a spiral that ends with a step after one lap: whatever starts at the step comes back to it.
+snail() {
+  awk 'BEGIN { pi = atan2(0, -1)
+    for (k = 0; k <= 48; ++k) { t = 2 * pi * k / 48; r = 10 + k / 16; print r * cos(t), r * sin(t) }
+    print ""
+    for (k = 0; k < 24; ++k) { t = 2 * pi * k / 24; print 5 * cos(t), 5 * sin(t) } }' |
+    "$ROOT/pipelines/points2step" -o snail.step
+}
+
+@test "where a strip of blocks contains itself, a corner on it emits a node" {
+  snail
+  run -0 --separate-stderr here "$quadmesh" snail.step -o out.msh --report report.json --workdir stages
+  run -0 --separate-stderr grep -c '^quadmesh: a strip of blocks contains itself: trying critpoints --corner-valence' - <<<"$stderr"
+  assert_output 2
+  run -0 jq -c '[.certificate.method, .remedy, .blocks, .irregular_nodes, .given_up, .form]' report.json
+  assert_output '["traced","critpoints --corner-valence 1:0=2",3,1,null,"phase"]'
+  run -0 jq -c '[.warnings[].code] | unique' report.json # without that of the graph that was replaced
+  assert_output '["W-ADAPT-002"]'
+  run -0 jq '(.cpu_seconds - ([.stages[].cpu_seconds] | add) | fabs) < 1e-9 and (.stages | has("failed_separatrix"))' report.json
+  assert_output true
+  assert_equal "$(ls stages | xargs)" "snail.blocks.h5 snail.crit.json snail.field.h5 snail.phase.h5 \
+snail.phase.solve.h5 snail.quad.h5 snail.sep.json snail.solve.h5 snail.tri.h5"
+  run -0 stagecheck stages/*
+  rm -r stages
+  assert_nothing_left out.msh report.json snail.step
+}
+
+@test "options that the user chose are not replaced where a strip of blocks contains itself" {
+  snail
+  run -0 --separate-stderr here "$quadmesh" snail.step -o out.msh --report report.json --corner-valence 0:1=1
+  run -0 jq -c '[.certificate.method, .remedy]' report.json
+  assert_output '["midpoint",null]'
+  [[ $stderr != *"trying"* ]] || fail "$stderr"
+  run -1 "$quadmesh" snail.step -o out.msh --layout quantized
+}
+
+@test "where no other node helps, the strip of blocks stays, and triangles are divided" {
+  snail
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/separatrix
+  printf '%s\n' '#!/bin/sh' 'case "$*" in *.remedy.*) set -- --layout midpoint "$@" ;; esac' \
+    "exec '$BIN/separatrix' \"\$@\"" >fake/separatrix
+  chmod +x fake/separatrix
+  QUADRILLE_BIN=$PWD/fake run -0 --separate-stderr here "$quadmesh" snail.step -o out.msh --report report.json \
+    --workdir stages
+  run -0 jq -c '[.certificate.method, .remedy, .given_up, .form, .valid]' report.json
+  assert_output '["midpoint",null,null,"harmonic",true]'
+  run -0 jq -c '[.warnings[].code] | sort' report.json
+  assert_output --partial '"W-SEP-002"'
+  run -0 jq '.stages | has("failed_separatrix") and (keys | map(select(startswith("remedy_"))) == [])' report.json
+  assert_output true
+  assert_equal "$(ls stages | xargs)" "snail.blocks.h5 snail.crit.json snail.field.h5 snail.quad.h5 snail.sep.json \
+snail.solve.h5 snail.tri.h5"
+}
+
 @test "--layout midpoint solves for no field" {
   run -0 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh --layout=midpoint --report report.json
   assert_equal "$stderr" ""

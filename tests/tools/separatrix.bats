@@ -67,6 +67,16 @@ setup() {
   assert_output quantized
 }
 
+@test "a bound on the steps exits 1 with their number, for both layouts that need separatrices" {
+  for layout in traced quantized; do
+    run separatrix "$field" "$crit" --layout $layout --max-line-steps 1 -o a.sep.json
+    assert_failure 1
+    assert_output --regexp "^separatrix: [1-6] separatrices take [0-9]+ steps, more than the 100 allowed"
+    assert_nothing_left
+  done
+  run -2 separatrix "$field" "$crit" --max-line-steps 0 -o a.sep.json
+}
+
 @test "lines that meet exactly are one whatever the options say" {
   separatrix "$field" "$crit" --merge-angle 0 -o a.sep.json --report a.json
   run jq -c '.trace | [.merged, .faces]' a.json

@@ -11,27 +11,29 @@ namespace {
 
 /// Computations with known results, and how often they were called.
 struct Computations {
-  LayoutAttempt traced, quantized;
-  int num_traced = 0, num_quantized = 0, num_midpoint = 0;
+  LayoutAttempt traced, quantized, crowded = {};
+  int num_traced = 0, num_quantized = 0, num_crowded = 0, num_midpoint = 0;
   Report report = {};
 
   ChosenLayout choose(int num_separatrices = 10) {
-    return choose_layout(
-        num_separatrices,
-        [this](Report&) {
-          ++num_traced;
-          return traced;
-        },
-        [this](Report& r) {
-          ++num_quantized;
-          r.set("quantize.faces", 7);
-          return quantized;
-        },
-        [this](Report&) {
-          ++num_midpoint;
-          return graph::candidate_layout(hand_made::cut_annulus(5));
-        },
-        report);
+    const LayoutComputations compute{[this](Report&) {
+                                       ++num_traced;
+                                       return traced;
+                                     },
+                                     [this](Report& r) {
+                                       ++num_quantized;
+                                       r.set("quantize.faces", 7);
+                                       return quantized;
+                                     },
+                                     [this](Report&) {
+                                       ++num_crowded;
+                                       return crowded;
+                                     },
+                                     [this](Report&) {
+                                       ++num_midpoint;
+                                       return graph::candidate_layout(hand_made::cut_annulus(5));
+                                     }};
+    return choose_layout(num_separatrices, compute, report);
   }
   bool has(const std::string& key) const {
     for (const auto& [name, value] : report.entries())
@@ -109,6 +111,24 @@ TEST(ChooseLayout, WithoutAnyLayoutTrianglesAreDividedAndBothReasonsAreNamed) {
     EXPECT_NE(reason.find("no lengths"), std::string::npos) << reason;
     EXPECT_EQ(chosen.warning.find(reason + ": "), 0u) << chosen.warning;
   }
+}
+
+TEST(ChooseLayout, CrowdedLinesAreFollowedAllTheSameWhereNothingElseExists) {
+  for (const int num_separatrices : {10, 501}) {
+    Computations c{{std::nullopt, "2001 arcs", true}, none("no lengths"), annulus(6, 4)};
+    const ChosenLayout chosen = c.choose(num_separatrices);
+    EXPECT_EQ(chosen.method, LayoutMethod::traced);
+    EXPECT_EQ(chosen.layout.subdivision.num_faces(), 6);
+    EXPECT_NE(chosen.layout.certificate.reason.find("; stopped where they meet: no lengths"), std::string::npos);
+    EXPECT_EQ(chosen.warning.find(chosen.layout.certificate.reason + ": "), 0u);
+    EXPECT_EQ(c.num_midpoint, 0);
+  }
+  Computations with_quantized{{std::nullopt, "2001 arcs", true}, annulus(4, 4), annulus(6, 4)};
+  EXPECT_EQ(with_quantized.choose().method, LayoutMethod::quantized);
+  EXPECT_EQ(with_quantized.num_crowded, 0);
+  Computations spiral{none("a spiral"), none("no lengths"), annulus(6, 4)};
+  EXPECT_EQ(spiral.choose().method, LayoutMethod::midpoint);
+  EXPECT_EQ(spiral.num_crowded, 0);
 }
 
 TEST(ChooseLayout, AReasonThatIsTheSameForBothIsNamedOnce) {
