@@ -9,6 +9,9 @@ namespace quadrille::refine {
 namespace {
 
 constexpr double same_fraction = 1e-9;
+/// Of an interval's length. An element between two breaks, or a break and an end, that are nearer would be thin: it is
+/// made only if the tolerance cannot be met otherwise.
+constexpr double thin_part = 0.1;
 /// An interval that misses the tolerance becomes shorter by this factor at least.
 constexpr double least_reduction = 1.05;
 constexpr double greatest_reduction = 4;
@@ -28,21 +31,64 @@ std::size_t segment_of(const std::vector<int>& counts, int interval) {
   return s;
 }
 
-/// The anchors inside an interval of arc i at which elements should end; none if it is smooth, or if its breaks are
-/// many and spread.
-std::vector<int> curing_anchors(const std::vector<Anchor>& anchors, int i, double low, double high) {
-  std::vector<int> inside;
-  std::vector<double> fractions;
+/// An anchor and the fraction of its break on one arc.
+struct ArcBreak {
+  int anchor = 0;
+  double fraction = 0;
+};
+
+std::vector<ArcBreak> breaks_between(const std::vector<Anchor>& anchors, int i, double low, double high) {
+  std::vector<ArcBreak> inside;
   for (std::size_t a = 0; a < anchors.size(); ++a)
     for (const Break& b : anchors[a].breaks)
-      if (b.arc == i && b.fraction > low + same_fraction && b.fraction < high - same_fraction) {
-        inside.push_back(static_cast<int>(a));
-        fractions.push_back(b.fraction);
-      }
-  if (inside.empty()) return {};
-  const auto [first, last] = std::minmax_element(fractions.begin(), fractions.end());
-  if (inside.size() > 2 && *last - *first > (high - low) / 2) return {};
+      if (b.arc == i && b.fraction > low + same_fraction && b.fraction < high - same_fraction)
+        inside.push_back({static_cast<int>(a), b.fraction});
   return inside;
+}
+
+/// Of breaks that are nearer to each other than `least_distance`, the one nearest to the middle; none so near to an
+/// end.
+std::vector<int> spaced(std::vector<ArcBreak> breaks, double low, double high, double least_distance) {
+  const auto from_middle = [&](const ArcBreak& b) { return std::abs(2 * b.fraction - low - high); };
+  std::stable_sort(breaks.begin(), breaks.end(),
+                   [&](const ArcBreak& a, const ArcBreak& b) { return from_middle(a) < from_middle(b); });
+  std::vector<double> taken{low, high};
+  std::vector<int> anchors;
+  for (const ArcBreak& b : breaks) {
+    const auto is_near = [&](double f) { return std::abs(f - b.fraction) < least_distance; };
+    if (std::any_of(taken.begin(), taken.end(), is_near)) continue;
+    taken.push_back(b.fraction);
+    anchors.push_back(b.anchor);
+  }
+  return anchors;
+}
+
+/// The part of an interval between the breaks that are near its ends.
+std::pair<double, double> without_near_breaks(const std::vector<ArcBreak>& breaks, double low, double high,
+                                              double least_distance) {
+  std::pair<double, double> rest{low, high};
+  for (const ArcBreak& b : breaks) {
+    if (b.fraction < low + least_distance) rest.first = std::max(rest.first, b.fraction);
+    if (b.fraction > high - least_distance) rest.second = std::min(rest.second, b.fraction);
+  }
+  return rest;
+}
+
+/// The anchors inside an interval of arc i at which elements should end; none if it is smooth, if its breaks are many
+/// and spread, or if all are near its ends and the part between them misses the tolerance as well.
+std::vector<int> curing_anchors(const ChordTask& task, const std::vector<Anchor>& anchors, int i, double low,
+                                double high) {
+  const std::vector<ArcBreak> inside = breaks_between(anchors, i, low, high);
+  if (inside.empty()) return {};
+  const auto [first, last] = std::minmax_element(
+      inside.begin(), inside.end(), [](const ArcBreak& a, const ArcBreak& b) { return a.fraction < b.fraction; });
+  if (inside.size() > 2 && last->fraction - first->fraction > (high - low) / 2) return {};
+  const double least_distance = thin_part * (high - low);
+  if (std::vector<int> found = spaced(inside, low, high, least_distance); !found.empty()) return found;
+  const auto [a, b] = without_near_breaks(inside, low, high, least_distance);
+  if (sizing::interval_error(task.measured.curves(), task.chain(i), a, b, task.options.order) > task.options.tolerance)
+    return {};
+  return spaced(inside, low, high, 0);
 }
 
 sizing::MaxLengthConstraint constraint(const ChordTask& task, int i, double low, double high, double error) {
@@ -84,7 +130,7 @@ Corrections find_corrections(const ChordTask& task, const ChordDivision& divisio
         sizing::interval_error(task.measured.curves(), task.chain(i), arc.low(k), arc.high(k), task.options.order);
     if (error <= task.options.tolerance) continue;
     found.is_needed = true;
-    const std::vector<int> anchors = curing_anchors(division.anchored.anchors, i, arc.low(k), arc.high(k));
+    const std::vector<int> anchors = curing_anchors(task, division.anchored.anchors, i, arc.low(k), arc.high(k));
     found.anchors.insert(found.anchors.end(), anchors.begin(), anchors.end());
     if (!anchors.empty()) continue;
     if (division.grading.is_identity()) {

@@ -2,11 +2,14 @@
 // Corrections for boundary arcs whose intervals miss the tolerance.
 //
 //   the interval that misses it                                              correction
-//   contains breaks: at most two, or all in less than half of its length     elements end at these breaks
+//   contains breaks: at most two, or all in less than half of its length     elements end at them; at one of those that
+//                                                                            nearly coincide
+//   but if all are near its ends and the rest misses the tolerance as well   as if it contained none
 //   else, in a chord of equal elements                                       its segment gets more elements
 //   else, in a graded chord                                                  this interval alone becomes shorter
 //
-// An interval over which many breaks are spread is too long to be cured at the breaks: it must become shorter first. In
+// Elements that end at two breaks, or a break and an end, that are near each other are thin, so they come last. An
+// interval over which many breaks are spread is too long to be cured at the breaks: it must become shorter first. In
 // a graded chord other intervals may be far shorter already. The error of a smooth interval falls with its length to
 // the power N + 1, which determines how much shorter it must be; no step replaces one interval by more than four.
 

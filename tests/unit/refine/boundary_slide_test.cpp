@@ -41,6 +41,22 @@ TEST(BoundarySlide, StaysOnTheCircleAlsoAcrossItsSeam) {
   }
 }
 
+TEST(BoundarySlide, AClosedCurveThatIsNotSmoothAtItsStartIsFixedThere) {
+  QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 4, 1e-4});
+  Nurbs& circle = mesh.face.curves[0];
+  const Vec2 leg = circle.poles[1] - circle.poles[0];
+  circle.poles[1] += 1e-3 * norm(leg) * unit(angle_of(leg) + half_pi);
+  mesh.face.joints[0].interior_angle = pi - 1e-3;
+  const BoundarySlide boundary(mesh);
+  int num_at_start = 0;
+  for (const SlidingVertex& v : boundary.vertices())
+    if (distance(mesh.nodes[v.node], circle.poles[0]) < 1e-12) {
+      ++num_at_start;
+      EXPECT_TRUE(v.is_fixed);
+    }
+  EXPECT_EQ(num_at_start, 1);
+}
+
 TEST(BoundarySlide, EdgesGoFromVertexToVertexByArcLength) {
   const QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 4, 1e-4});
   const BoundarySlide boundary(mesh);

@@ -86,5 +86,40 @@ TEST(CorrectMisses, ManyBreaksThatAreSpreadAreNoEndsBeforeTheIntervalIsShort) {
   EXPECT_GT(corrections.worst_errors[0], 0);
 }
 
+// The unit square, its lower side through these points, which must turn by less than a corner. The last piece is curved
+// if asked for.
+Corrections corrections_of_lower_side(const std::vector<Vec2>& points, bool is_curved = false) {
+  std::vector<Nurbs> loop;
+  std::vector<std::vector<int>> sides(1);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    sides[0].push_back(static_cast<int>(i));
+    loop.push_back(curve::segment(points[i], points[i + 1]));
+  }
+  if (is_curved)
+    loop.back() = {3, {0, 0, 0, 0, 1, 1, 1, 1}, {points.end()[-2], {0.4, 0.001}, {0.8, 0.2}, {1, 0}}, {1, 1, 1, 1}};
+  for (const auto& [from, to] : {std::pair<Vec2, Vec2>{{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}, {{0, 1}, {0, 0}}}) {
+    sides.push_back({static_cast<int>(loop.size())});
+    loop.push_back(curve::segment(from, to));
+  }
+  CadFace face = hand_made::face({loop}, std::sqrt(2.0));
+  for (int i = 0; i < face.num_curves(); ++i) face.unnamed_curves.push_back(i);
+  const ChordSample sample(hand_made::one_block(std::move(face), sides), 0, 1, {2, 1e-5});
+  return find_corrections(sample.task, settled(sample), 0);
+}
+
+TEST(CorrectMisses, OfBreaksThatNearlyCoincideOneIsAnEnd) {
+  EXPECT_EQ(corrections_of_lower_side({{0, 0}, {0.4, 0.004}, {0.4001, 0.004}, {1, 0}}).anchors, (std::vector<int>{1}))
+      << "the nearer to the middle";
+  EXPECT_EQ(corrections_of_lower_side({{0, 0}, {0.3, 0.004}, {0.7, 0.004}, {1, 0}}).anchors.size(), 2u);
+}
+
+TEST(CorrectMisses, ABreakNearAnEndIsAnEndOnlyIfTheRestMeetsTheTolerance) {
+  const std::vector<Vec2> bent{{0, 0}, {0.01, 0.0001}, {1, 0}};
+  EXPECT_EQ(corrections_of_lower_side(bent).anchors, (std::vector<int>{0}));
+  const Corrections curved = corrections_of_lower_side(bent, true);
+  EXPECT_TRUE(curved.anchors.empty());
+  EXPECT_GT(curved.worst_errors[0], 0) << "more elements first";
+}
+
 }  // namespace
 }  // namespace quadrille::refine
