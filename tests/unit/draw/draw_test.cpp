@@ -172,12 +172,12 @@ TEST(Draw, ErrorBarsAreCirclesWhereTheyCanBeSeen) {
 TEST(Draw, CertificateShowsCellsAndDiscsInsideTheFace) {
   const Field field = linear_field();
   const std::string svg = draw_critical_points(resolved_points(), &field, thousand_pixels_a_unit());
-  EXPECT_EQ(count(svg, "<path class=\"cell-zero\" d=\"M700 200L800 300L600 300z\">"), 1);
-  EXPECT_EQ(count(svg, "<title>cell in element 1: holds exactly one zero<"), 1);
-  EXPECT_EQ(count(svg, "<title>cell in element 0: could not be decided<"), 1);
-  EXPECT_EQ(count(svg, "<circle class=\"disc\" cx=\"0\" cy=\"0\" r=\"62.5\">"), 1);
-  EXPECT_EQ(count(svg, "<clipPath "), 1);
-  EXPECT_EQ(count(svg, "321 cells searched"), 1);
+  expect_counts(svg, {{"<path class=\"cell-zero\" d=\"M700 200L800 300L600 300z\">", 1},
+                      {"<title>cell in element 1: holds exactly one zero<", 1},
+                      {"<title>cell in element 0: could not be decided<", 1},
+                      {"<circle class=\"disc\" cx=\"0\" cy=\"0\" r=\"62.5\">", 1},
+                      {"<clipPath ", 1},
+                      {"321 cells searched", 1}});
 }
 
 TEST(Draw, ClustersAreDashedCirclesWithTheirIndex) {

@@ -6,16 +6,10 @@
 
 #include "../samples.hpp"
 #include "../test_meshes.hpp"
+#include "small_picture.hpp"
 
 namespace quadrille::draw {
 namespace {
-
-/// Ten pixels per unit.
-Picture picture() {
-  DrawOptions options;
-  options.width = 72 + 20;
-  return {{{-1, -1}, {1, 1}}, options, "", ""};
-}
 
 TEST(Elements, MapsAreThoseOfTheVerticesOrOfTheCurvedNodes) {
   const TriMesh mesh = disc_mesh(5, 6);
@@ -37,14 +31,14 @@ TEST(Elements, MapsAreThoseOfTheVerticesOrOfTheCurvedNodes) {
 
 TEST(Elements, AStraightTriangleIsClosedByThePathItself) {
   const spectral::TriMap map({Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}});
-  const std::string path = tri_outline(picture(), map).str();
+  const std::string path = tri_outline(small_picture(), map).str();
   EXPECT_EQ(std::count(path.begin(), path.end(), 'C'), 0) << path;
   EXPECT_EQ(path.back(), 'z');
   EXPECT_TRUE(path.starts_with("M0 0")) << path;
 }
 
 TEST(Elements, ACurvedSideIsACurve) {
-  const std::string path = tri_outline(picture(), element_maps(disc_mesh(5, 6))[0]).str();
+  const std::string path = tri_outline(small_picture(), element_maps(disc_mesh(5, 6))[0]).str();
   EXPECT_GE(std::count(path.begin(), path.end(), 'C'), 1) << path;
 }
 
@@ -69,13 +63,13 @@ TEST(Elements, ASideIsThePolynomialThroughItsNodes) {
     for (const double x : {-1.0, 0.0, 1.0}) mesh.nodes.push_back({x, y == -1 ? x * x - 1 : y});
   for (int k = 0; k < 9; ++k) mesh.elem_nodes.push_back(k);
   mesh.elem_block = {0};
-  const PixelCurve curve = quad_side(picture(), mesh, 0, 0);
+  const PixelCurve curve = quad_side(small_picture(), mesh, 0, 0);
   for (const double s : {0.0, 0.3, 0.5, 1.0}) {
     const double x = 2 * s - 1;
     EXPECT_NEAR(distance(curve(s).position, {10 * (x + 1), 10 * x * x}), 0, 1e-12);
     EXPECT_NEAR(distance(curve(s).derivative, {20, 40 * x}), 0, 1e-12);
   }
-  const std::string path = quad_outline(picture(), mesh, 0).str();
+  const std::string path = quad_outline(small_picture(), mesh, 0).str();
   EXPECT_EQ(path.back(), 'z');
   EXPECT_GE(std::count(path.begin(), path.end(), 'C'), 1);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "../hand_made.hpp"
@@ -80,6 +82,35 @@ TEST(HexBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
     for (const HexBlock& block : hexes.blocks) cells += block.edges[0].num_cells() * block.edges[1].num_cells();
     EXPECT_EQ(cells, mesh.num_elems());
   }
+}
+
+/// A square with a hole in the shape of an eye: the blocks above and below it have sides with the same ends.
+SeparatrixGraph square_with_eye() {
+  SeparatrixGraph g;
+  const std::vector<Vec2> outline{{-2, -2}, {-1, -2}, {1, -2}, {2, -2}, {2, 0},
+                                  {2, 2},   {1, 2},   {-1, 2}, {-2, 2}, {-2, 0}};
+  std::vector<Nurbs> loop;
+  for (std::size_t i = 0; i < outline.size(); ++i) loop.push_back(curve::segment(outline[i], outline[(i + 1) % 10]));
+  const Nurbs lid{2, {0, 0, 0, 1, 1, 1}, {{-1, 0}, {0, 0.4}, {1, 0}}, {1, 1, 1}};
+  const Nurbs lower{2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {0, -0.4}, {-1, 0}}, {1, 1, 1}};
+  g.face = hand_made::face({loop, {lid, lower}}, std::sqrt(32.0));
+  for (int i = 0; i < 10; ++i) hand_made::add_joint_node(g, i, i % 5 == 0 || i % 5 == 3 ? 1 : 2);
+  for (int i = 0; i < 10; ++i) hand_made::add_arc(g, i, (i + 1) % 10, true, {hand_made::whole(g, i)});
+  const int left = hand_made::add_joint_node(g, 10, 4), right = hand_made::add_joint_node(g, 11, 4);
+  hand_made::add_arc(g, left, right, true, {hand_made::whole(g, 10)});
+  hand_made::add_arc(g, right, left, true, {hand_made::whole(g, 11)});
+  for (const int end : {1, 9, 7}) hand_made::add_cut(g, left, end);
+  for (const int end : {2, 4, 6}) hand_made::add_cut(g, right, end);
+  return g;
+}
+
+TEST(HexBlocks, BlocksOnBothSidesOfAHoleAreCutIfTheirSidesHaveTheSameEnds) {
+  const QuadMesh mesh = refined(square_with_eye(), {0.5, 3});
+  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
+  EXPECT_GT(hexes.blocks.size(), 6u);
+  std::set<std::array<int, 2>> ends;
+  for (const auto& patch : hexes.patches)
+    for (const auto& [a, b] : patch) EXPECT_TRUE(ends.insert({std::min(a, b), std::max(a, b)}).second);
 }
 
 TEST(HexBlocks, RefusesSidesOfQuadsWithTheSameEnds) {
