@@ -9,14 +9,7 @@ namespace quadrille::heal {
 
 JointLimit::JointLimit(const std::vector<std::vector<RawEdge>>& wires, double tolerance) : tolerance_(tolerance) {
   for (const auto& wire : wires)
-    for (const RawEdge& edge : wire) {
-      Box box{&edge, edge.curve.poles.front(), edge.curve.poles.front()};
-      for (const Vec2 p : edge.curve.poles) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-      }
-      boxes_.push_back(box);
-    }
+    for (const RawEdge& edge : wire) edges_.push_back({&edge, curve::pole_box(edge.curve)});
 }
 
 LimitedJoint JointLimit::joint(const MeasuredEdge& in, const MeasuredEdge& out,
@@ -40,11 +33,11 @@ LimitedJoint JointLimit::joint(const MeasuredEdge& in, const MeasuredEdge& out,
 
 // The distance of x from the edges that are not ignored, or `most` if that is less.
 double JointLimit::clearance(Vec2 x, const std::vector<const RawEdge*>& ignored, double most) const {
-  for (const Box& box : boxes_) {
+  for (const auto& [edge, box] : edges_) {
     const Vec2 inside{std::clamp(x.x, box.low.x, box.high.x), std::clamp(x.y, box.low.y, box.high.y)};
     if (distance(x, inside) >= most) continue;
-    if (std::find(ignored.begin(), ignored.end(), box.edge) != ignored.end()) continue;
-    most = std::min(most, curve::project(box.edge->curve, x).distance);
+    if (std::find(ignored.begin(), ignored.end(), edge) != ignored.end()) continue;
+    most = std::min(most, curve::project(edge->curve, x).distance);
   }
   return most;
 }

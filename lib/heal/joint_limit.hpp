@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "curve/pole_box.hpp"
 #include "heal/measured_edge.hpp"
 
 namespace quadrille::heal {
@@ -29,11 +30,11 @@ class JointLimit {
  private:
   double clearance(Vec2 x, const std::vector<const RawEdge*>& ignored, double most) const;
 
-  struct Box {
+  struct BoxedEdge {
     const RawEdge* edge;
-    Vec2 low, high;
+    curve::PoleBox box;
   };
-  std::vector<Box> boxes_;
+  std::vector<BoxedEdge> edges_;
   double tolerance_;
 };
 

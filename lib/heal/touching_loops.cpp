@@ -7,6 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::heal {
@@ -15,23 +16,6 @@ namespace {
 /// The directions of curves are compared at this part of the shortest one's length from the point of contact, where
 /// curves with a common tangent have left each other.
 constexpr double compared_at = 1e-3;
-
-struct Box {
-  Vec2 low, high;
-
-  bool contains(Vec2 x, double margin) const {
-    return low.x - margin <= x.x && x.x <= high.x + margin && low.y - margin <= x.y && x.y <= high.y + margin;
-  }
-};
-
-Box box_of(const Nurbs& curve) {
-  Box box{curve.poles.front(), curve.poles.front()};
-  for (const Vec2 p : curve.poles) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
 
 Nurbs with_ends(Nurbs curve, Vec2 start, Vec2 end) {
   if (curve.degree == 1 && curve.poles.size() == 2) return curve::segment(start, end);
@@ -45,7 +29,7 @@ using Cuts = std::map<double, Vec2>;  // by parameter
 
 Cuts cuts_of(const Nurbs& curve, const std::vector<Vec2>& joints, const ContactTolerance& tol) {
   Cuts cuts;
-  const Box box = box_of(curve);
+  const curve::PoleBox box = curve::pole_box(curve);
   for (const Vec2 x : joints) {
     if (!box.contains(x, tol.of_curves)) continue;
     if (std::min(distance(x, curve.poles.front()), distance(x, curve.poles.back())) <= tol.of_joints) continue;
@@ -127,10 +111,7 @@ using Contact = std::vector<int>;  // the curves that start there
 // Whether joint j is the next one after joint i, or the other way round, and the curve between them is as short as the
 // tolerance: that is no contact.
 bool are_neighbours(const Chain& chain, int i, int j, double tol) {
-  const auto is_short = [&](int curve) {
-    const Box box = box_of(chain.curves[curve].curve);
-    return distance(box.low, box.high) <= 2 * tol;
-  };
+  const auto is_short = [&](int curve) { return curve::pole_box(chain.curves[curve].curve).diagonal() <= 2 * tol; };
   return (chain.next[i] == j && is_short(i)) || (chain.next[j] == i && is_short(j));
 }
 

@@ -11,6 +11,7 @@
 #include "base/numbered_names.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "heal/interior_angle.hpp"
 #include "heal/touching_loops.hpp"
@@ -96,8 +97,8 @@ void require_no_contact(const heal::RawFace& raw, const std::vector<Loop>& loops
 void require_nested(const heal::RawFace& raw, const std::vector<Loop>& loops) {
   std::vector<std::vector<Nurbs>> curves;
   for (const Loop& loop : loops) curves.push_back(curves_of(loop));
-  std::vector<PoleBox> boxes;
-  for (const auto& loop : curves) boxes.push_back(pole_box(loop));
+  std::vector<curve::PoleBox> boxes;
+  for (const auto& loop : curves) boxes.push_back(curve::pole_box(loop));
   const auto refuse = [&](size_t hole, const std::string& where) {
     throw FormatError(fmt::format(
         "{}: {} at {} lies {}; it is {:.3g} across: draw it elsewhere, or as a face of its own", raw.file,
@@ -129,7 +130,7 @@ std::vector<Loop> chosen_piece(const heal::RawFace& raw, const std::vector<Loop>
 
 // (0, 0), unless the face is so far from it that coordinates lose significant digits; then the centre of the face,
 // rounded to a few digits.
-Vec2 chosen_origin(const PoleBox& box, double diameter) {
+Vec2 chosen_origin(const curve::PoleBox& box, double diameter) {
   const Vec2 centre = box.centre();
   if (norm(centre) <= 10 * diameter) return {0, 0};
   const double unit = std::pow(10, std::floor(std::log10(diameter)));
@@ -163,7 +164,7 @@ double raw_diameter(const heal::RawFace& raw) { return diameter(finite_curves(ra
 
 CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
                       Report& report) {
-  const double size = pole_box(finite_curves(raw)).diagonal(), tol = gap_tolerance(raw, size);
+  const double size = curve::pole_box(finite_curves(raw)).diagonal(), tol = gap_tolerance(raw, size);
   std::vector<Loop> loops;
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
   loops = sorted_loops(std::move(loops));
@@ -185,7 +186,7 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   face.plane_y = raw.plane_y;
   const std::vector<Nurbs> outline = curves_of(loops.front());
   face.diameter = diameter(outline);
-  face.origin = chosen_origin(pole_box(outline), face.diameter);
+  face.origin = chosen_origin(curve::pole_box(outline), face.diameter);
   face.loop_offsets = {0};
   for (const Loop& loop : loops) {
     for (const LoopCurve& c : loop) {

@@ -119,14 +119,4 @@ double diameter(const std::vector<Nurbs>& loop) {
   return best;
 }
 
-PoleBox pole_box(const std::vector<Nurbs>& curves) {
-  PoleBox box{curves.front().poles.front(), curves.front().poles.front()};
-  for (const Nurbs& curve : curves)
-    for (const Vec2 p : curve.poles) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-  return box;
-}
-
 }  // namespace quadrille::outline

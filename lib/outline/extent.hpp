@@ -14,14 +14,4 @@ double signed_area(const std::vector<Nurbs>& loop);
 /// under rotation.
 double diameter(const std::vector<Nurbs>& loop);
 
-struct PoleBox {
-  Vec2 low, high;
-  Vec2 centre() const { return 0.5 * (low + high); }
-  double diagonal() const { return distance(low, high); }
-  bool contains(Vec2 x) const { return low.x <= x.x && x.x <= high.x && low.y <= x.y && x.y <= high.y; }
-};
-
-/// The bounding box of the poles, which contains the curves.
-PoleBox pole_box(const std::vector<Nurbs>& curves);
-
 }  // namespace quadrille::outline
