@@ -15,6 +15,7 @@
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
+#include "refine/length_limits.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
@@ -32,12 +33,16 @@ constexpr int max_doublings = 3;           ///< of the counts of chords whose el
 /// tolerance of the next attempt, relative to the ratio by which the last one missed.
 constexpr int max_attempts = 3;
 constexpr double stricter = 0.8;
+/// Elongated elements are measured anew after they were made shorter.
+constexpr int max_shortenings = 6;
+constexpr double most_refined = 10;  ///< elements, over those without that
 
 /// The data that every attempt at a valid mesh has in common.
 struct SplitRequest {
   const RefineOptions& options;
   sizing::SizeField sizes;
   DivideOptions division;
+  LengthLimits limits = {};
 };
 
 SplitRequest split_request(const RefineOptions& options, double diameter) {
@@ -53,8 +58,13 @@ struct SplitMesh {
   QuadMesh mesh;
   sizing::ArcDivisions divisions;
   std::optional<layers::WallPlan> walls;
-  int doublings = 0;  ///< of counts beyond the prescribed sizes, until the mesh was valid
+  int doublings = 0;         ///< of counts beyond the prescribed sizes, until the mesh was valid
+  int shortened_chords = 0;  ///< chords with length limits
 };
+
+int num_limited(const LengthLimits& limits) {
+  return static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const auto& own) { return !own.empty(); }));
+}
 
 /// Limits the number of nodes, so that a mistyped size does not exhaust the memory.
 void require_bounded_size(const BlockLayout& layout, const sizing::ArcDivisions& divisions, int order) {
@@ -74,8 +84,10 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   const RefineOptions& options = request.options;
   std::vector<sizing::ChordCount> counts = options.counts;
   counts.insert(counts.end(), coarse.begin(), coarse.end());
-  const std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
+  std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
+  apply_length_limits(request.limits, plans);
   SplitMesh result;
+  result.shortened_chords = num_limited(request.limits);
   result.divisions = divide_arcs(measured, plans, request.division);
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
@@ -149,6 +161,35 @@ std::vector<bool> elements_in_layered_blocks(const SplitMesh& split) {
   return is_layered;
 }
 
+/// Of the elements that do not lie in layered blocks.
+double worst_edge_ratio(const SplitMesh& split) {
+  const std::vector<bool> is_layered = elements_in_layered_blocks(split);
+  double worst = 1;
+  for (int e = 0; e < split.mesh.num_elems(); ++e)
+    if (is_layered.empty() || !is_layered[e]) worst = std::max(worst, split.mesh.elem_edge_ratio[e]);
+  return worst;
+}
+
+/// With shorter elements where blocks are thin: the best of the attempts, each of which corrects the last.
+MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, SplitRequest request) {
+  const auto measured_split = [&] {
+    MeasuredSplit result = split_within_tolerance(aligned, request);
+    mesh::measure_element_sizes(result.split.mesh);
+    return result;
+  };
+  MeasuredSplit last = measured_split(), best = last;
+  const double most_elems = most_refined * last.split.mesh.num_elems();
+  for (int i = 0; i < max_shortenings; ++i) {
+    if (!add_length_limits(aligned, last.split.divisions, last.split.mesh, request.sizes,
+                           elements_in_layered_blocks(last.split), request.limits))
+      break;
+    last = measured_split();
+    if (last.split.mesh.is_valid < best.split.mesh.is_valid || last.split.mesh.num_elems() > most_elems) break;
+    if (worst_edge_ratio(last.split) < worst_edge_ratio(best.split)) best = last;
+  }
+  return best;
+}
+
 double least_scaled_jacobian(const QuadMesh& mesh) {
   return *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end());
 }
@@ -194,13 +235,14 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   options.validate();
   const sizing::MeasuredLayout measured(layout);
   const SplitRequest request = split_request(options, layout.face.diameter);
-  auto [split, distance] = split_within_tolerance(measured.with_parameters(align_chords(measured)), request);
+  auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);
   if (options.relax > 0) {
     relax_and_report(split.mesh, {options.relax, request.division.tolerance, elements_in_layered_blocks(split)},
                      report);
     distance = mesh::boundary_distance(split.mesh);
   }
   report.set("count_doublings", split.doublings);
+  report.set("shortened_chords", split.shortened_chords);
   mesh::measure_element_sizes(split.mesh);
   report_mesh(split.mesh, measured.chords().size(), report);
   mesh::report_distance(distance, layout.face, request.division.tolerance, report);

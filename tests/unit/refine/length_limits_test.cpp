@@ -1,0 +1,101 @@
+#include "refine/length_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../hand_made.hpp"
+#include "../support/refined.hpp"
+#include "refine/validity.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+/// The unit square, cut by a straight line from (0, left) to (1, right).
+SeparatrixGraph divided_square(double left, double right) {
+  SeparatrixGraph g;
+  g.face = hand_made::unit_square().face;
+  for (int i = 0; i < 4; ++i) hand_made::add_joint_node(g, i);
+  const int a = hand_made::add_boundary_node(g, 3, 1 - left), b = hand_made::add_boundary_node(g, 1, right);
+  hand_made::add_arc(g, 0, 1, true, {hand_made::whole(g, 0)});
+  hand_made::add_arc(g, 1, b, true, {{1, 0, right}});
+  hand_made::add_arc(g, b, 2, true, {{1, right, 1}});
+  hand_made::add_arc(g, 2, 3, true, {hand_made::whole(g, 2)});
+  hand_made::add_arc(g, 3, a, true, {{3, 0, 1 - left}});
+  hand_made::add_arc(g, a, 0, true, {{3, 1 - left, 1}});
+  hand_made::add_cut(g, a, b);
+  return g;
+}
+
+RefineOptions with_size(double size) {
+  RefineOptions options;
+  options.size = size;
+  options.order = 2;
+  return options;
+}
+
+double greatest_ratio(const QuadMesh& mesh) {
+  return *std::max_element(mesh.elem_edge_ratio.begin(), mesh.elem_edge_ratio.end());
+}
+
+/// The x of the vertices on the lower side, ascending.
+std::vector<double> vertices_below(const QuadMesh& mesh) {
+  std::vector<double> x{0};
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
+    if (edge.curve != 0) continue;
+    const std::vector<Vec2> nodes = element_nodes(mesh, edge.elem);
+    double right = 0;
+    for (const Vec2 p : nodes)
+      if (p.y == 0) right = std::max(right, p.x);
+    x.push_back(right);
+  }
+  std::sort(x.begin(), x.end());
+  return x;
+}
+
+TEST(LengthLimits, elements_of_a_thin_block_become_shorter) {
+  EXPECT_LE(greatest_ratio(refined(divided_square(1e-3, 1e-3), with_size(0.25))), 100);
+}
+
+TEST(LengthLimits, elements_of_a_thick_block_keep_their_size) {
+  EXPECT_EQ(refined(divided_square(0.25, 0.25), with_size(0.25)).num_elems(), 16);
+}
+
+TEST(LengthLimits, away_from_the_thin_place_elements_have_the_prescribed_size) {
+  const QuadMesh mesh = refined(divided_square(1e-3, 0.5), with_size(0.25));
+  EXPECT_LE(greatest_ratio(mesh), 100);
+  const std::vector<double> x = vertices_below(mesh);
+  const std::size_t last = x.size() - 1;
+  EXPECT_LT(x[1] - x[0], 0.1);
+  EXPECT_GT(x[last] - x[last - 1], 0.125);
+}
+
+TEST(LengthLimits, elements_at_a_short_edge_between_corners_keep_their_size) {
+  // 3 h / e = 750 is the limit, and 250 the ratio.
+  EXPECT_EQ(refined(hand_made::row({1e-3, 1}), with_size(0.25)).num_elems(), 4 + 16);
+}
+
+TEST(LengthLimits, prescribed_counts_stay) {
+  RefineOptions options = with_size(0.25);
+  const QuadMesh free = refined(divided_square(1e-3, 1e-3), options);
+  for (int chord = 0; chord < 3; ++chord) options.counts.push_back({chord, 2});
+  EXPECT_GT(free.num_elems(), 8);
+  EXPECT_EQ(refined(divided_square(1e-3, 1e-3), options).num_elems(), 8);
+}
+
+TEST(LengthLimits, layers_along_walls_stay) {
+  RefineOptions options = with_size(0.25);
+  layers::WallSpec wall;
+  wall.names = {"bottom"};
+  wall.first = 1e-4;
+  wall.layers = 5;
+  SeparatrixGraph square = hand_made::unit_square();
+  square.face.curve_names[0] = "bottom";
+  options.walls = {wall};
+  const QuadMesh mesh = refined(square, options);
+  EXPECT_GT(greatest_ratio(mesh), 1000);
+  EXPECT_EQ(vertices_below(mesh).size(), 5u);
+}
+
+}  // namespace
+}  // namespace quadrille::refine
