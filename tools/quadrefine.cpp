@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
       "square over the length of the chord's arcs. Where several sizes are prescribed at one point, finer ones are "
       "weighted more (by the sixth power) and so determine the result; sizes grow from there to --size at the rate "
       "--growth. More elements are used where the boundary would deviate by more than --geometry-tol, and where blocks "
-      "are so thin that the sides of an element would differ in length by more than a factor of 100; element "
+      "are so thin that the ratio of the sides of an element would exceed --target-edge-ratio; element "
       "corners are moved onto joints inside a side. --report lists the prescribed and the achieved sizes of each "
       "chord. Each element is sampled from the exact map of its block and proved valid by a lower bound of det J; "
       "otherwise the exit code is 1 and the message names the position, unless --allow-invalid is given. --report and "
@@ -106,6 +106,10 @@ int main(int argc, char** argv) {
               "relaxation sweeps, which move vertices to improve the shapes of elements");
     o.number("--min-scaled-jacobian", options.min_scaled_jacobian, 0, 1, "1",
              "exit with 1 if an element has a lower scaled Jacobian; 0: no limit");
+    o.number(
+        "--target-edge-ratio", options.target_edge_ratio, 0, 1e300, "1",
+        "where blocks are so thin that the longest side of an element exceeds its shortest by more than this factor, "
+        ">= 1, elements are shorter than prescribed; 0: nowhere");
     o.number("--max-edge-ratio", options.max_edge_ratio, 0, 1e300, "1",
              "exit with 1 if the longest side of an element exceeds its shortest by more than this factor, >= 1; 0: no "
              "limit");

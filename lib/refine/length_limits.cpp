@@ -11,9 +11,8 @@
 namespace quadrille::refine {
 namespace {
 
-/// The greatest ratio of an element's sides: this, or `edge_elongation` times the prescribed size over the shortest
-/// boundary between two corners, whose elements have a side as short as that in any case.
-constexpr double least_limit = 100, edge_elongation = 3;
+/// Beside a short boundary between two corners, elements have a side as short as that in any case.
+constexpr double edge_elongation = 3;
 /// Elements are shortened to less than the limit asks for: between breaks they may be longer than planned by a quarter
 /// (refine/settle_counts).
 constexpr double aim = 0.7;
@@ -90,16 +89,16 @@ std::vector<GridElement> grid_elements(const BlockLayout& layout, const sizing::
 }  // namespace
 
 bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                       const QuadMesh& mesh, const sizing::SizeField& sizes, const std::vector<bool>& is_left_out,
-                       LengthLimits& limits) {
+                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
+                       const std::vector<bool>& is_left_out, LengthLimits& limits) {
   const std::vector<GridElement> elems = grid_elements(measured.blocks(), divisions);
   LimitFinder finder(measured, divisions, limits);
   bool is_any = false;
   const double shortest = sizing::shortest_kept_edge(measured);
   for (int e = 0; e < mesh.num_elems(); ++e) {
-    if (mesh.elem_edge_ratio[e] <= least_limit || (!is_left_out.empty() && is_left_out[e])) continue;
+    if (mesh.elem_edge_ratio[e] <= target || (!is_left_out.empty() && is_left_out[e])) continue;
     const double size = sizes.at(middle(mesh, e));
-    const double excess = mesh.elem_edge_ratio[e] / std::max(least_limit, edge_elongation * size / shortest);
+    const double excess = mesh.elem_edge_ratio[e] / std::max(target, edge_elongation * size / shortest);
     if (excess <= 1) continue;
     const std::array<double, 4> lengths = side_lengths(mesh, e);
     const auto longest = std::max_element(lengths.begin(), lengths.end());

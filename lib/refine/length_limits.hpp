@@ -4,7 +4,8 @@
 // Elements as long as the prescribed size in a block that is far thinner have sides of very different lengths. Where
 // the ratio of an element's sides exceeds
 //
-//   max( 100, 3 h / e ),   h the prescribed size, e the shortest boundary between two corners (shortest_kept_edge),
+//   max( R, 3 h / e ),   R the target, h the prescribed size, e the shortest boundary between two corners
+//                        (sizing/shortest_kept_edge),
 //
 // its chord gets shorter elements there, down to a hundredth of the prescribed size. Away from there lengths grow back
 // by the growth of the size field, or by the default growth where the size is uniform. Layers along walls are thin on
@@ -24,10 +25,11 @@ namespace quadrille::refine {
 using LengthLimits = std::vector<std::vector<sizing::MaxLengthConstraint>>;
 
 /// Adds limits for the elongated elements of a mesh made of these divisions; its element sizes must be measured
-/// (mesh/element_sizes). `is_left_out`: by element; empty: none is. Returns false if there is nothing to add.
+/// (mesh/element_sizes). `target`: R, at least 1. `is_left_out`: by element; empty: none is. Returns false if there is
+/// nothing to add.
 bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                       const QuadMesh& mesh, const sizing::SizeField& sizes, const std::vector<bool>& is_left_out,
-                       LengthLimits& limits);
+                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
+                       const std::vector<bool>& is_left_out, LengthLimits& limits);
 
 /// The plans of sizing/grade_chords with these limits. `limits`: one entry per chord, or none at all.
 void apply_length_limits(const LengthLimits& limits, std::vector<sizing::ChordPlan>& plans);

@@ -178,9 +178,10 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
     return result;
   };
   MeasuredSplit last = measured_split(), best = last;
+  const double target = request.options.target_edge_ratio;
   const double most_elems = most_refined * last.split.mesh.num_elems();
-  for (int i = 0; i < max_shortenings; ++i) {
-    if (!add_length_limits(aligned, last.split.divisions, last.split.mesh, request.sizes,
+  for (int i = 0; target > 0 && i < max_shortenings; ++i) {
+    if (!add_length_limits(aligned, last.split.divisions, last.split.mesh, request.sizes, target,
                            elements_in_layered_blocks(last.split), request.limits))
       break;
     last = measured_split();
@@ -225,6 +226,8 @@ void RefineOptions::validate() const {
   if (order < 1 || order > 20) throw UsageError("--order must lie in 1..20");
   if (!(min_scaled_jacobian >= 0 && min_scaled_jacobian <= 1))
     throw UsageError("--min-scaled-jacobian must lie in 0..1");
+  if (!(target_edge_ratio == 0 || target_edge_ratio >= 1))
+    throw UsageError("--target-edge-ratio must be 0 or at least 1");
   if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
   if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
 }

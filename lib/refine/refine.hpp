@@ -37,9 +37,12 @@ struct RefineOptions {
   std::vector<layers::WallSpec> walls = {};     ///< layers along boundaries (layers/wall_layers)
   std::vector<int> blocks = {};    ///< chords through these only are refined (refine/chosen_blocks); empty: all
   double min_scaled_jacobian = 0;  ///< a mesh with a lower one is an error, 0 to 1; 0: none is
-  double max_edge_ratio = 0;       ///< a mesh with a higher one is an error, 0: none is, else at least 1
-  int relax = 0;                   ///< sweeps of relaxation (refine/relax)
-  void validate() const;           ///< throws UsageError
+  /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
+  /// (refine/length_limits); 0: none do, else at least 1.
+  double target_edge_ratio = 100;
+  double max_edge_ratio = 0;  ///< a mesh with a higher one is an error, 0: none is, else at least 1
+  int relax = 0;              ///< sweeps of relaxation (refine/relax)
+  void validate() const;      ///< throws UsageError
 };
 
 /// If aligned lines result in an invalid element and equal arc-length fractions do not, the mesh has equal fractions.

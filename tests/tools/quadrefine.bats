@@ -315,5 +315,6 @@ setup() {
   assert_output --regexp "element $(jq .greatest_edge_ratio.element a.json) at .* ratio [.0-9]+, above --max-edge-ratio 1\.01"
   assert_not_exists c.quad.h5
   run -2 quadrefine --max-edge-ratio 0.5 "$blocks" -o c.quad.h5
+  run -2 quadrefine --target-edge-ratio 0.5 "$blocks" -o c.quad.h5
   run -2 quadrefine --min-scaled-jacobian 1.5 "$blocks" -o c.quad.h5
 }

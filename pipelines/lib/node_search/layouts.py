@@ -56,7 +56,8 @@ def make_phase(folder, first, is_trial):
 def least_scaled_jacobian(folder):
     """Of the blocks as one quad of order 8 each; 0 where one of them is not valid."""
     report = folder / "report.json"
-    coarse = "--size", 1e300, "--order", 8, "--geometry-tol", 1, "--allow-invalid", "--report", report
+    coarse = ("--size", 1e300, "--order", 8, "--geometry-tol", 1, "--target-edge-ratio", 0, "--allow-invalid", "--report",
+              report)
     run_stage("quadrefine", "-q", *coarse, folder / "blocks.h5", "-o", folder / "coarse.h5", is_trial=True)
     measured = json.loads(report.read_text())
     return measured["least_scaled_jacobian"] if measured["valid"] else 0.0

@@ -75,6 +75,14 @@ TEST(LengthLimits, elements_at_a_short_edge_between_corners_keep_their_size) {
   EXPECT_EQ(refined(hand_made::row({1e-3, 1}), with_size(0.25)).num_elems(), 4 + 16);
 }
 
+TEST(LengthLimits, the_target_is_an_option) {
+  RefineOptions options = with_size(0.25);
+  options.target_edge_ratio = 0;
+  EXPECT_EQ(refined(divided_square(1e-3, 1e-3), options).num_elems(), 4 + 16);
+  options.target_edge_ratio = 20;
+  EXPECT_LE(greatest_ratio(refined(divided_square(0.01, 0.01), options)), 20);
+}
+
 TEST(LengthLimits, prescribed_counts_stay) {
   RefineOptions options = with_size(0.25);
   const QuadMesh free = refined(divided_square(1e-3, 1e-3), options);
