@@ -35,6 +35,17 @@ PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout qua
   done
 }
 
+@test "the sample files are what make_format_samples writes" {
+  cd "$BATS_TEST_TMPDIR"
+  "$QUADRILLE_BIN/make_format_samples" .
+  count=0
+  for file in */passed/* */failed/*; do
+    cmp "$file" "$ROOT/tests/formats/$file"
+    count=$((count + 1))
+  done
+  ((count > 30)) || fail "$count files"
+}
+
 @test "every dataset and key of the sample files is on its page" {
   for file in "$ROOT"/tests/formats/*/passed/*; do
     stem=$(basename "$(dirname "$(dirname "$file")")")
