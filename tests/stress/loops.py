@@ -25,6 +25,16 @@ def whole(rng, low, high):
 
 # ------------------------------------------------------------------------------------------------ curves
 
+def rounded_polygon(corners, radii):
+    """polygon() with radii that leave a part of every side."""
+    loop = polygon(corners, radii)
+    lines = [piece for piece in loop if piece[0] == "line"]
+    for (_, a, b), corner, following in zip(lines, corners, corners[1:] + corners[:1]):
+        if ((b - a) * (following - corner).conjugate()).real <= 0:
+            raise Rejected
+    return loop
+
+
 def closed_spline(poles):
     """The periodic cubic with one pole per unit of its parameter, as a clamped spline."""
     n = len(poles)

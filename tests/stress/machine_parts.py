@@ -2,7 +2,7 @@
 import cmath
 import math
 
-from loops import Rejected, backwards, box, check_clearance, circle, disc, hole, unit, whole
+from loops import Rejected, backwards, box, check_clearance, circle, disc, hole, rounded_polygon, unit, whole
 from part_pieces import check_inside, grid, treated
 from step_text import cubic_through, polygon
 
@@ -31,9 +31,9 @@ def rack(rng, number):
         corners += low + high + foot_gap[-1:]
         radii += [foot] * len(low) + [top] * len(high) + [foot]
     if tip == 0:
-        loops = [polygon(corners, radii)]
+        loops = [rounded_polygon(corners, radii)]
     else:
-        loops = [polygon(corners + [0j], radii + [0])]
+        loops = [rounded_polygon(corners + [0j], radii + [0])]
     check_clearance(loops, 0.02 * pitch)
     return loops
 
@@ -95,7 +95,7 @@ def gear(rng, number):
         loops = [involute_gear(rng, teeth, module)]
     elif kind in (1, 2):
         corners = straight_gear(rng, teeth, tip, root, 0 if kind == 1 else 0.24)
-        loops = [polygon(corners, [rng.choice((0, 0.1)) * module] * len(corners))]
+        loops = [rounded_polygon(corners, [rng.choice((0, 0.1)) * module] * len(corners))]
     elif kind == 3:  # inside a ring
         corners = straight_gear(rng, teeth, tip, root, 0)
         loops = [disc(tip + grid(rng, 2 * module, 5 * module)), hole(corners)]
