@@ -91,6 +91,8 @@ LoopAngles angles_at_start(const CadFace& face, const std::vector<TurnCentre>& c
 void follow_angles(const CadFace& face, const std::vector<TurnCentre>& centres, int curve, double t0, double t1,
                    LoopAngles& angles, std::vector<AnglePiece>& pieces) {
   follow_piece(face, centres, curve::trimmed(face.curves[curve], t0, t1), angles, pieces);
+  // Not the tangent of the trimmed curve, whose last poles nearly coincide where t1 is close to a knot.
+  angles.tangent = nearest_branch(angles.tangent, angle_of(curve::tangent(face.curves[curve], t1, true)));
 }
 
 const AnglePiece& piece_at(const std::vector<AnglePiece>& pieces, double t, bool from_left) {

@@ -6,6 +6,7 @@
 
 #include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
@@ -37,6 +38,20 @@ TEST(FollowedAngles, OfACircleTurnOnceForTheTangentAndForWhatIsInside) {
   EXPECT_NEAR(f.end.centres[0] - f.start.centres[0], 2 * pi, 1e-12);
   EXPECT_NEAR(f.end.centres[1] - f.start.centres[1], 2 * pi, 1e-12);
   EXPECT_NEAR(f.end.centres[2] - f.start.centres[2], 0, 1e-12);
+}
+
+TEST(FollowedAngles, EndWithTheTangentWhereAKnotIsNear) {
+  // A small circle far from the origin: near a knot, the last poles of the trimmed curve nearly coincide.
+  const CadFace face = make_face({circle({150, 45}, 0.3)});
+  const Nurbs& curve = face.curves[0];
+  for (const double knot : curve.knots) {
+    const double t = knot + 1e-6;
+    if (t >= curve.end()) continue;
+    LoopAngles angles = angles_at_start(face, {}, 0);
+    std::vector<AnglePiece> pieces;
+    follow_angles(face, {}, 0, curve.begin(), t, angles, pieces);
+    EXPECT_NEAR(wrap_pi(angles.tangent - angle_of(curve::tangent(curve, t, true))), 0, 1e-14) << t;
+  }
 }
 
 TEST(FollowedAngles, DifferFromReferencesByLessThanAQuarterTurn) {
