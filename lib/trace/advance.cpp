@@ -137,7 +137,7 @@ class StreamlineIntegrator {
   bool leave_element(StreamStep& step, const ElementExit& exit) {
     step.length = exit.fraction * step.h;
     push(step);
-    state_.angle = direction_of(evaluator_, step, exit.fraction, state_.angle);
+    if (!state_.is_straight) state_.angle = direction_of(evaluator_, step, exit.fraction, state_.angle);
     const mesh::TriTopology& topology = evaluator_.topology();
     const int neighbor = topology.elem2neighbors[step.elem][exit.edge];
     if (neighbor < 0) {
@@ -146,13 +146,14 @@ class StreamlineIntegrator {
     }
     const int edge = topology.elem2neighbor_edges[step.elem][exit.edge];
     const double along = fraction_along_edge(exit.edge, step.xi(exit.fraction));
-    state_ = stream_state(evaluator_, neighbor, spectral::tri_edge_point(edge, 1 - along), state_.angle);
+    state_ =
+        stream_state(evaluator_, neighbor, spectral::tri_edge_point(edge, 1 - along), state_.angle, state_.is_straight);
     return false;
   }
 
   void end_on_boundary(const StreamStep& step, const ElementExit& exit) {
     const BoundaryFoot foot = boundary_foot(evaluator_, step, exit);
-    state_.angle = stream_state(evaluator_, step.elem, step.xi(exit.fraction), state_.angle).angle;
+    state_.angle = stream_state(evaluator_, step.elem, step.xi(exit.fraction), state_.angle, state_.is_straight).angle;
     if (ends_at_node(foot.position)) return;
     line_.reached = {-1, foot.curve, foot.t};
     finish(Streamline::End::boundary, foot.position);
@@ -189,7 +190,7 @@ Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch,
                    const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
-  line.front.state = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there);
+  line.front.state = stream_state(evaluator, launch.elem, launch.xi, launch.angle_there, launch.is_straight);
   line.front.next_step = std::max(launch.radius, 1e-3 * options.max_step);
   StreamlineIntegrator(evaluator, nodes, options, line).run();
   return line;

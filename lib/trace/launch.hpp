@@ -15,8 +15,9 @@ struct Launch {
   double radius = 0;
   int elem = 0;  ///< element and reference coordinates of the first point
   Vec2 xi;
-  Vec2 x;                  ///< its position
-  double angle_there = 0;  ///< direction there
+  Vec2 x;                    ///< its position
+  double angle_there = 0;    ///< direction there
+  bool is_straight = false;  ///< the line keeps this direction: it is a mirror axis of the field (trace/mirror_axes)
 };
 
 /// Moves by `radius` (a length) along the direction `angle`, or by less if the point is outside the domain, on the

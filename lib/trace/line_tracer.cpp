@@ -27,8 +27,9 @@ LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoi
     : evaluator_(evaluator), nodes_(nodes), options_(options) {
   const CadFace& face = evaluator.field().mesh.face;
   max_length_ = options.max_length * face.diameter;
-  launches_ = launch_all(evaluator, points);
-  if (launches_.empty() && face.num_loops() == 2) launches_ = launch_cuts(evaluator);
+  std::vector<Launch> launches = launch_all(evaluator, points);
+  if (launches.empty() && face.num_loops() == 2) launches = launch_cuts(evaluator);
+  launches_ = plan_launches(evaluator, mirror_axes(face, points), launches);
   max_num_steps_ = options.max_steps * std::max(launches_.size(), least_lines_of_mean);
 }
 
@@ -48,12 +49,20 @@ void LineTracer::follow_all_to(double length) {
       follow(evaluator_, line, nodes_, options);
       require_few_steps();
     }
-  for (const Launch& launch : launches_) {
-    lines_.push_back(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options)
-                              : advance(evaluator_, launch, nodes_, options));
+  for (const PlannedLaunch& planned : launches_) {
+    lines_.push_back(is_fixed ? advance_adams_bashforth(evaluator_, planned.launch, nodes_, options)
+                              : traced(planned, options));
     require_few_steps();
   }
   launches_.clear();
+}
+
+Streamline LineTracer::traced(const PlannedLaunch& planned, const AdvanceOptions& options) const {
+  if (planned.straight) {
+    Streamline line = advance(evaluator_, *planned.straight, nodes_, options);
+    if (follows_field(evaluator_, line)) return line;
+  }
+  return advance(evaluator_, planned.launch, nodes_, options);
 }
 
 void LineTracer::follow_to(int line, double length) {

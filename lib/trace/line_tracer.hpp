@@ -5,6 +5,7 @@
 
 #include "model/critical_points.hpp"
 #include "trace/advance.hpp"
+#include "trace/mirror_axes.hpp"
 #include "trace/trace_options.hpp"
 
 namespace quadrille::trace {
@@ -44,13 +45,14 @@ class LineTracer {
  private:
   AdvanceOptions bounds(double length) const;
   void require_few_steps() const;
+  Streamline traced(const PlannedLaunch& planned, const AdvanceOptions& options) const;
 
   const field::FieldEvaluator& evaluator_;
   const std::vector<Vec2>& nodes_;
   TraceOptions options_;
   double max_length_ = 0, reach_ = 0;
   std::size_t max_num_steps_ = 0;
-  std::vector<Launch> launches_;  // of lines that have not been followed yet
+  std::vector<PlannedLaunch> launches_;  // of lines that have not been followed yet
   std::vector<Streamline> lines_;
 };
 

@@ -34,7 +34,7 @@ Vec2 root(Vec2 z) {
 // The directions about a step's first one, without an angle: e = d (v / (|v| d^4))^(1/4).
 class Guide {
  public:
-  explicit Guide(double direction) : d_(unit(direction)) {
+  Guide(double direction, bool is_straight) : d_(unit(direction)), is_straight_(is_straight) {
     const Vec2 square = product(d_, d_), fourth = product(square, square);
     conj_d4_ = {fourth.x, -fourth.y};
   }
@@ -46,22 +46,23 @@ class Guide {
     const Vec2 value = evaluator.value(elem, xi, x, dx_dxi);
     const double size2 = norm2(value), area = det(dx_dxi);
     if (!(size2 > 0) || !(area > 0)) return false;
-    const Vec2 turn = root(root(product(value / std::sqrt(size2), conj_d4_)));
+    const Vec2 turn = is_straight_ ? Vec2{1, 0} : root(root(product(value / std::sqrt(size2), conj_d4_)));
     rate = inverse(dx_dxi) * product(d_, turn);
     return turn.x >= cos_max_turn && std::isfinite(rate.x) && std::isfinite(rate.y);
   }
 
  private:
   Vec2 d_, conj_d4_;
+  bool is_straight_;
 };
 
 // d xi / d s at xi; false where the direction is in doubt.
-bool rate_at(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction, Vec2& rate, double& angle,
-             Mat2& dx_dxi) {
+bool rate_at(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction, bool is_straight, Vec2& rate,
+             double& angle, Mat2& dx_dxi) {
   Vec2 x;
   const Vec2 value = evaluator.value(elem, xi, x, dx_dxi);
   if (!(norm2(value) > 0) || !(det(dx_dxi) > 0)) return false;
-  angle = guided_angle(value, direction);
+  angle = is_straight ? direction : guided_angle(value, direction);
   rate = inverse(dx_dxi) * unit(angle);
   return std::abs(angle - direction) <= max_turn && std::isfinite(rate.x) && std::isfinite(rate.y);
 }
@@ -79,10 +80,11 @@ Vec2 StreamStep::slope(double theta) const {
          2 * theta * r * (r - theta) * dense[4];
 }
 
-StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction) {
-  StreamState state{elem, xi, direction, {}};
+StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction,
+                         bool is_straight) {
+  StreamState state{elem, xi, direction, {}, is_straight};
   Mat2 dx_dxi;
-  if (!rate_at(evaluator, elem, xi, direction, state.rate, state.angle, dx_dxi))
+  if (!rate_at(evaluator, elem, xi, direction, is_straight, state.rate, state.angle, dx_dxi))
     state.rate = inverse(dx_dxi) * unit(state.angle);
   return state;
 }
@@ -92,7 +94,7 @@ void try_step(const field::FieldEvaluator& evaluator, const StreamState& state, 
   error = std::numeric_limits<double>::infinity();
   const Vec2 y = state.xi, k1 = state.rate;
   Vec2 k2, k3, k4, k5, k6, k7;
-  const Guide guide(state.angle);
+  const Guide guide(state.angle, state.is_straight);
   const auto stage = [&](Vec2 slope, Vec2& k) { return guide.rate(evaluator, state.elem, y + h * slope, k); };
   if (!stage(a21 * k1, k2)) return;
   if (!stage(a31 * k1 + a32 * k2, k3)) return;
@@ -102,9 +104,9 @@ void try_step(const field::FieldEvaluator& evaluator, const StreamState& state, 
   const Vec2 slope = a71 * k1 + a73 * k3 + a74 * k4 + a75 * k5 + a76 * k6;
   double angle = 0;
   Mat2 dx_dxi;
-  if (!rate_at(evaluator, state.elem, y + h * slope, state.angle, k7, angle, dx_dxi)) return;
+  if (!rate_at(evaluator, state.elem, y + h * slope, state.angle, state.is_straight, k7, angle, dx_dxi)) return;
   error = h * norm(dx_dxi * (e1 * k1 + e3 * k3 + e4 * k4 + e5 * k5 + e6 * k6 + e7 * k7));
-  end = {state.elem, y + h * slope, angle, k7};
+  end = {state.elem, y + h * slope, angle, k7, state.is_straight};
   const Vec2 rise = h * slope, bend = h * k1 - rise;
   step.elem = state.elem;
   step.h = step.length = h;

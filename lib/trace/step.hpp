@@ -32,12 +32,15 @@ struct StreamStep {
 struct StreamState {
   int elem = 0;
   Vec2 xi;
-  double angle = 0;  ///< direction of the line, radians, continuous
-  Vec2 rate;         ///< d xi / d s
+  double angle = 0;          ///< direction of the line, radians, continuous
+  Vec2 rate;                 ///< d xi / d s
+  bool is_straight = false;  ///< the direction stays as it is, whatever the field is
 };
 
-/// The state at (elem, xi) with the direction of the cross nearest to `direction` (radians).
-StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction);
+/// The state at (elem, xi) with the direction of the cross nearest to `direction` (radians), or with `direction` itself
+/// if the line is straight.
+StreamState stream_state(const field::FieldEvaluator& evaluator, int elem, Vec2 xi, double direction,
+                         bool is_straight = false);
 
 /// Tries a step of length h from `state`. `step.dense` and `end` receive the result; `error` is the estimated error's
 /// length in the plane, infinite if the direction turns by more than 0.6 rad within the step, the field vanishes, or
