@@ -15,11 +15,11 @@
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
-#include "refine/length_limits.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
 #include "sizing/grade_chords.hpp"
+#include "sizing/length_limits.hpp"
 #include "sizing/measured_layout.hpp"
 #include "sizing/report_sizes.hpp"
 
@@ -42,7 +42,7 @@ struct SplitRequest {
   const RefineOptions& options;
   sizing::SizeField sizes;
   DivideOptions division;
-  LengthLimits limits = {};
+  sizing::LengthLimits limits = {};
 };
 
 SplitRequest split_request(const RefineOptions& options, double diameter) {
@@ -62,7 +62,7 @@ struct SplitMesh {
   int shortened_chords = 0;  ///< chords with length limits
 };
 
-int num_limited(const LengthLimits& limits) {
+int num_limited(const sizing::LengthLimits& limits) {
   return static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const auto& own) { return !own.empty(); }));
 }
 
@@ -85,7 +85,7 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   std::vector<sizing::ChordCount> counts = options.counts;
   counts.insert(counts.end(), coarse.begin(), coarse.end());
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
-  apply_length_limits(request.limits, plans);
+  sizing::apply_length_limits(request.limits, plans);
   SplitMesh result;
   result.shortened_chords = num_limited(request.limits);
   result.divisions = divide_arcs(measured, plans, request.division);
@@ -181,8 +181,8 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
   const double target = request.options.target_edge_ratio;
   const double most_elems = most_refined * last.split.mesh.num_elems();
   for (int i = 0; target > 0 && i < max_shortenings; ++i) {
-    if (!add_length_limits(aligned, last.split.divisions, last.split.mesh, request.sizes, target,
-                           elements_in_layered_blocks(last.split), request.limits))
+    if (!sizing::add_length_limits(aligned, last.split.divisions, last.split.mesh, request.sizes, target,
+                                   elements_in_layered_blocks(last.split), request.limits))
       break;
     last = measured_split();
     if (last.split.mesh.is_valid < best.split.mesh.is_valid || last.split.mesh.num_elems() > most_elems) break;

@@ -38,7 +38,7 @@ struct RefineOptions {
   std::vector<int> blocks = {};    ///< chords through these only are refined (refine/chosen_blocks); empty: all
   double min_scaled_jacobian = 0;  ///< a mesh with a lower one is an error, 0 to 1; 0: none is
   /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
-  /// (refine/length_limits); 0: none do, else at least 1.
+  /// (sizing/length_limits); 0: none do, else at least 1.
   double target_edge_ratio = 100;
   double max_edge_ratio = 0;  ///< a mesh with a higher one is an error, 0: none is, else at least 1
   int relax = 0;              ///< sweeps of relaxation (refine/relax)

@@ -19,19 +19,19 @@
 #include "sizing/measured_layout.hpp"
 #include "sizing/size_field.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 
 /// By chord.
-using LengthLimits = std::vector<std::vector<sizing::MaxLengthConstraint>>;
+using LengthLimits = std::vector<std::vector<MaxLengthConstraint>>;
 
 /// Adds limits for the elongated elements of a mesh made of these divisions; its element sizes must be measured
 /// (mesh/element_sizes). `target`: R, at least 1. `is_left_out`: by element; empty: none is. Returns false if there is
 /// nothing to add.
-bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
-                       const std::vector<bool>& is_left_out, LengthLimits& limits);
+bool add_length_limits(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
+                       const SizeField& sizes, double target, const std::vector<bool>& is_left_out,
+                       LengthLimits& limits);
 
 /// The plans of sizing/grade_chords with these limits. `limits`: one entry per chord, or none at all.
-void apply_length_limits(const LengthLimits& limits, std::vector<sizing::ChordPlan>& plans);
+void apply_length_limits(const LengthLimits& limits, std::vector<ChordPlan>& plans);
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing

@@ -1,14 +1,13 @@
-#include "refine/length_limits.hpp"
+#include "sizing/length_limits.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "refine/validity.hpp"
 #include "sizing/shortest_kept_edge.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 namespace {
 
 /// Beside a short boundary between two corners, elements have a side as short as that in any case.
@@ -25,23 +24,22 @@ struct GridElement {
   int block = 0, i = 0, j = 0;
 };
 
-std::array<double, 4> side_lengths(const QuadMesh& mesh, int elem) {
-  const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-  const int n = mesh.order, width = n + 1;
-  const std::array<Vec2, 4> corners{nodes[0], nodes[n], nodes[width * width - 1], nodes[width * n]};
+/// Counter-clockwise.
+std::array<Vec2, 4> corners_of(const QuadMesh& mesh, int elem) {
+  const int n = mesh.order, num_nodes = (n + 1) * (n + 1);
+  const auto node = [&](int k) { return mesh.nodes[mesh.elem_nodes[elem * num_nodes + k]]; };
+  return {node(0), node(n), node(num_nodes - 1), node(num_nodes - 1 - n)};
+}
+
+std::array<double, 4> side_lengths(const std::array<Vec2, 4>& corners) {
   std::array<double, 4> lengths;
   for (int side = 0; side < 4; ++side) lengths[side] = distance(corners[side], corners[(side + 1) % 4]);
   return lengths;
 }
 
-Vec2 middle(const QuadMesh& mesh, int elem) {
-  const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-  return 0.5 * (nodes.front() + nodes.back());
-}
-
 class LimitFinder {
  public:
-  LimitFinder(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, LengthLimits& limits)
+  LimitFinder(const MeasuredLayout& measured, const ArcDivisions& divisions, LengthLimits& limits)
       : measured_(measured), divisions_(divisions), limits_(limits) {
     limits_.resize(measured.chords().size());
   }
@@ -69,13 +67,13 @@ class LimitFinder {
     return std::minmax(a, b);
   }
 
-  const sizing::MeasuredLayout& measured_;
-  const sizing::ArcDivisions& divisions_;
+  const MeasuredLayout& measured_;
+  const ArcDivisions& divisions_;
   LengthLimits& limits_;
 };
 
 /// The elements of all blocks in the order of the mesh (refine/split_isoparametric).
-std::vector<GridElement> grid_elements(const BlockLayout& layout, const sizing::ArcDivisions& divisions) {
+std::vector<GridElement> grid_elements(const BlockLayout& layout, const ArcDivisions& divisions) {
   std::vector<GridElement> elems;
   for (int block = 0; block < layout.num_blocks(); ++block) {
     const int columns = divisions[layout.block2arcs[block][0].arc].num_intervals();
@@ -88,19 +86,20 @@ std::vector<GridElement> grid_elements(const BlockLayout& layout, const sizing::
 
 }  // namespace
 
-bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
-                       const std::vector<bool>& is_left_out, LengthLimits& limits) {
+bool add_length_limits(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
+                       const SizeField& sizes, double target, const std::vector<bool>& is_left_out,
+                       LengthLimits& limits) {
   const std::vector<GridElement> elems = grid_elements(measured.blocks(), divisions);
   LimitFinder finder(measured, divisions, limits);
   bool is_any = false;
-  const double shortest = sizing::shortest_kept_edge(measured);
+  const double shortest = shortest_kept_edge(measured);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     if (mesh.elem_edge_ratio[e] <= target || (!is_left_out.empty() && is_left_out[e])) continue;
-    const double size = sizes.at(middle(mesh, e));
+    const std::array<Vec2, 4> corners = corners_of(mesh, e);
+    const double size = sizes.at(0.5 * (corners[0] + corners[2]));
     const double excess = mesh.elem_edge_ratio[e] / std::max(target, edge_elongation * size / shortest);
     if (excess <= 1) continue;
-    const std::array<double, 4> lengths = side_lengths(mesh, e);
+    const std::array<double, 4> lengths = side_lengths(corners);
     const auto longest = std::max_element(lengths.begin(), lengths.end());
     const double factor = std::min(excess / aim, *longest * greatest_factor / size);
     if (factor < least_factor) continue;
@@ -110,13 +109,13 @@ bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::Arc
   return is_any;
 }
 
-void apply_length_limits(const LengthLimits& limits, std::vector<sizing::ChordPlan>& plans) {
+void apply_length_limits(const LengthLimits& limits, std::vector<ChordPlan>& plans) {
   for (std::size_t c = 0; c < limits.size(); ++c) {
     if (limits[c].empty() || plans[c].is_prescribed) continue;
-    plans[c].slope = std::max(plans[c].slope, std::log(sizing::SizeField::default_growth));
-    plans[c].grading = sizing::refine_grading(plans[c].grading, plans[c].count, limits[c], plans[c].slope);
-    plans[c].count = static_cast<int>(sizing::whole_count(plans[c].grading.count(), sizing::SizeRule::at_most));
+    plans[c].slope = std::max(plans[c].slope, std::log(SizeField::default_growth));
+    plans[c].grading = refine_grading(plans[c].grading, plans[c].count, limits[c], plans[c].slope);
+    plans[c].count = static_cast<int>(whole_count(plans[c].grading.count(), SizeRule::at_most));
   }
 }
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing
