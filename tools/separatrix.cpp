@@ -2,11 +2,11 @@
 
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "field/check_nodes_match_field.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "layout/compute_layout.hpp"
 #include "layout/midpoint_layout.hpp"
-#include "trace/check_nodes_match_field.hpp"
 
 using namespace quadrille;
 
@@ -35,9 +35,9 @@ CriticalPoints read_points_of(const field::FieldEvaluator& evaluator, const io::
   check::require_valid(check::check_critical_points_of(points, field), file.name);
   // A phase that was solved for other nodes does not have this file in its provenance either: the message that states
   // the remedy must be the first.
-  if (field.kind == FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
+  if (field.kind == FieldKind::phase) field::check_nodes_match_field(evaluator, points);
   io::require_same_origin(field_file, field.provenance, file, points.provenance);
-  if (field.kind != FieldKind::phase) trace::check_nodes_match_field(evaluator, points);
+  if (field.kind != FieldKind::phase) field::check_nodes_match_field(evaluator, points);
   return points;
 }
 

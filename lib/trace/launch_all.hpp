@@ -11,7 +11,7 @@ namespace quadrille::trace {
 
 /// V lines from each irregular node, V - 1 from each corner and boundary node; Launch::node is a position in
 /// fixed_nodes. For a field of kind "phase" the nodes of `points` must be those of the field, in its order
-/// (check_nodes_match_field). Throws ComputeError as fixed_nodes and launch_line.
+/// (field/check_nodes_match_field). Throws ComputeError as fixed_nodes and launch_line.
 std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const CriticalPoints& points);
 
 /// Number of lines that launch_all launches.

@@ -4,12 +4,12 @@
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
 
-namespace quadrille::trace {
+namespace quadrille::field {
 
 /// Throws FormatError unless the index sum of `points` is the index sum of the domain and the nodes are those of the
 /// field: for a harmonic field its zeros (within 1e-6 of the diameter) and the face's corners; for a phase the nodes,
 /// corner valences, boundary nodes and hole windings that it was solved for, in the same order, within 1e-9 of the
 /// diameter.
-void check_nodes_match_field(const field::FieldEvaluator& evaluator, const CriticalPoints& points);
+void check_nodes_match_field(const FieldEvaluator& evaluator, const CriticalPoints& points);
 
-}  // namespace quadrille::trace
+}  // namespace quadrille::field

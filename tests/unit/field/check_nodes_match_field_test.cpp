@@ -1,4 +1,4 @@
-#include "trace/check_nodes_match_field.hpp"
+#include "field/check_nodes_match_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "../support/texts.hpp"
 #include "base/error.hpp"
 
-namespace quadrille::trace {
+namespace quadrille::field {
 namespace {
 
 // v = (x + i y - a)(...): one zero of index +1 at (0.25, 0.125) in a square whose corners make up for it.
@@ -16,7 +16,7 @@ struct OneZero : testing::Test {
   Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 1, [](Vec2 p) {
     return Vec2{p.x - 0.25, p.y - 0.125};
   });
-  field::FieldEvaluator evaluator{field};
+  FieldEvaluator evaluator{field};
 
   CriticalPoints points() const {
     CriticalPoints all;
@@ -55,7 +55,7 @@ TEST_F(OneZero, RefusesAWrongIndexSum) {
   EXPECT_THROW(check_nodes_match_field(evaluator, p), FormatError);
 }
 
-std::string refusal(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
+std::string refusal(const FieldEvaluator& evaluator, const CriticalPoints& points) {
   return message_of<FormatError>([&] { check_nodes_match_field(evaluator, points); });
 }
 
@@ -72,7 +72,7 @@ TEST_F(OneZero, RefusesTheFormPhaseAndNodesOnTheBoundary) {
 // A square with a node of valence 3 inside and one on its lower side; the corners have 1, as the index sum wants.
 struct AskedPhase : testing::Test {
   Field field = make_field();
-  field::FieldEvaluator evaluator{field};
+  FieldEvaluator evaluator{field};
 
   static Field make_field() {
     Field made = closed_phase(square_mesh({-1, -1}, 2, 3), {{{{0.25, 0.125}, 1}}, {}, {}, {}}, 0);
@@ -133,4 +133,4 @@ TEST_F(AskedPhase, NoHoleWindingOffsetsAreOffsetsOfZero) {
 }
 
 }  // namespace
-}  // namespace quadrille::trace
+}  // namespace quadrille::field

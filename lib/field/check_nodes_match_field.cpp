@@ -1,4 +1,4 @@
-#include "trace/check_nodes_match_field.hpp"
+#include "field/check_nodes_match_field.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
-namespace quadrille::trace {
+namespace quadrille::field {
 namespace {
 
 // Relative to the diameter: how far a node may lie from its zero, and from the node that the phase was solved for.
@@ -17,12 +17,12 @@ constexpr double relative_zero_tol = 1e-6;
 constexpr double relative_node_tol = 1e-9;
 
 // Whether the field has a zero of the given index at the position.
-bool is_zero(const field::FieldEvaluator& evaluator, const CriticalPoint& p) {
+bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
   if (p.valence != 4 - p.index) return false;
   const double diameter = evaluator.field().mesh.face.diameter;
   const mesh::Location at = evaluator.locator().find(p.position);
   if (at.elem < 0) return false;
-  const field::FieldSample sample = evaluator.sample(at.elem, at.xi);
+  const FieldSample sample = evaluator.sample(at.elem, at.xi);
   // At a multiple zero the Jacobian vanishes, so the distance cannot be estimated from it, but the field is small
   // nearby.
   if (std::abs(p.index) != 1) return norm(sample.value) <= 1e-4;
@@ -33,7 +33,7 @@ bool is_zero(const field::FieldEvaluator& evaluator, const CriticalPoint& p) {
 
 std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
 
-void check_zeros(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
+void check_zeros(const FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
   if (points.form == NodeForm::phase)
     throw FormatError(
@@ -101,7 +101,7 @@ void check_phase_nodes(const Field& field, const CriticalPoints& points) {
 
 }  // namespace
 
-void check_nodes_match_field(const field::FieldEvaluator& evaluator, const CriticalPoints& points) {
+void check_nodes_match_field(const FieldEvaluator& evaluator, const CriticalPoints& points) {
   const Field& field = evaluator.field();
   const CadFace& face = field.mesh.face;
   for (const Corner& c : points.corners)
@@ -116,4 +116,4 @@ void check_nodes_match_field(const field::FieldEvaluator& evaluator, const Criti
     throw FormatError(fmt::format("the index sum of nodes and corners is {}, the domain requires {}", sum, expected));
 }
 
-}  // namespace quadrille::trace
+}  // namespace quadrille::field
