@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -170,23 +171,33 @@ double worst_edge_ratio(const SplitMesh& split) {
   return worst;
 }
 
-/// With shorter elements where blocks are thin: the best of the attempts, each of which corrects the last.
+/// With shorter elements where blocks are thin: the best of several attempts, each of which corrects the last.
 MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, SplitRequest request) {
   const auto measured_split = [&] {
     MeasuredSplit result = split_within_tolerance(aligned, request);
     mesh::measure_element_sizes(result.split.mesh);
     return result;
   };
-  MeasuredSplit last = measured_split(), best = last;
   const double target = request.options.target_edge_ratio;
-  const double most_elems = most_refined * last.split.mesh.num_elems();
+  MeasuredSplit best = measured_split();
+  std::optional<MeasuredSplit> worse;  // the last attempt, if it is not the best one
+  const double most_elems = most_refined * best.split.mesh.num_elems();
   for (int i = 0; target > 0 && i < max_shortenings; ++i) {
-    if (!sizing::add_length_limits(aligned, last.split.divisions, last.split.mesh, request.sizes, target,
-                                   elements_in_layered_blocks(last.split), request.limits))
+    const SplitMesh& last = worse ? worse->split : best.split;
+    if (!sizing::add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,
+                                   elements_in_layered_blocks(last), request.limits))
       break;
-    last = measured_split();
-    if (last.split.mesh.is_valid < best.split.mesh.is_valid || last.split.mesh.num_elems() > most_elems) break;
-    if (worst_edge_ratio(last.split) < worst_edge_ratio(best.split)) best = last;
+    MeasuredSplit next = measured_split();
+    const QuadMesh& mesh = next.split.mesh;
+    if (mesh.is_valid < best.split.mesh.is_valid || mesh.num_elems() > most_elems) break;
+    // Prescribed counts, for instance, leave nothing to change.
+    if (mesh.num_elems() == last.mesh.num_elems() && worst_edge_ratio(next.split) == worst_edge_ratio(last)) break;
+    if (worst_edge_ratio(next.split) < worst_edge_ratio(best.split)) {
+      best = std::move(next);
+      worse.reset();
+    } else {
+      worse = std::move(next);
+    }
   }
   return best;
 }
@@ -242,11 +253,11 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   if (options.relax > 0) {
     relax_and_report(split.mesh, {options.relax, request.division.tolerance, elements_in_layered_blocks(split)},
                      report);
+    mesh::measure_element_sizes(split.mesh);
     distance = mesh::boundary_distance(split.mesh);
   }
   report.set("count_doublings", split.doublings);
   report.set("shortened_chords", split.shortened_chords);
-  mesh::measure_element_sizes(split.mesh);
   report_mesh(split.mesh, measured.chords().size(), report);
   mesh::report_distance(distance, layout.face, request.division.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);

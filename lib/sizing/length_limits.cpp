@@ -89,6 +89,7 @@ std::vector<GridElement> grid_elements(const BlockLayout& layout, const ArcDivis
 bool add_length_limits(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
                        const SizeField& sizes, double target, const std::vector<bool>& is_left_out,
                        LengthLimits& limits) {
+  if (std::ranges::all_of(mesh.elem_edge_ratio, [&](double ratio) { return ratio <= target; })) return false;
   const std::vector<GridElement> elems = grid_elements(measured.blocks(), divisions);
   LimitFinder finder(measured, divisions, limits);
   bool is_any = false;

@@ -20,10 +20,12 @@ class BoundaryWalk {
   bool is_corner(int node) const { return measured_.blocks().nodes[node].kind == NodeKind::corner; }
   const std::vector<int>& arcs_at(int node) const { return arcs_at_[node]; }
 
-  /// From a corner along boundary arc `a` to the next corner or joint of names.
+  /// From a corner along boundary arc `a` to the next corner or joint of names. It ends in layouts from damaged files
+  /// too, whose boundary need not lead back to a corner.
   double length_from(int corner, int a) const {
     double length = 0;
-    for (int node = corner;; a = other_arc(node, a)) {
+    int node = corner;
+    for (int passed = 0; passed < measured_.num_arcs(); ++passed, a = other_arc(node, a)) {
       const std::vector<double> joints = name_joints(measured_.chain(a), measured_.blocks().face);
       const bool is_forward = arc(a).from == node;
       if (!joints.empty()) return length + measured_.length(a) * (is_forward ? joints.front() : 1 - joints.back());
@@ -31,6 +33,7 @@ class BoundaryWalk {
       node = is_forward ? arc(a).to : arc(a).from;
       if (is_corner(node)) return length;
     }
+    return length;
   }
 
  private:
