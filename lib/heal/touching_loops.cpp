@@ -6,6 +6,7 @@
 
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
+#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
@@ -16,12 +17,6 @@ namespace {
 /// The directions of curves are compared at this part of the shortest one's length from the point of contact, where
 /// curves with a common tangent have left each other.
 constexpr double compared_at = 1e-3;
-
-Nurbs with_ends(Nurbs curve, Vec2 start, Vec2 end) {
-  if (curve.degree == 1 && curve.poles.size() == 2) return curve::segment(start, end);
-  curve.poles.front() = start, curve.poles.back() = end;
-  return curve;
-}
 
 // ---- Joints that lie on another curve
 
@@ -45,7 +40,7 @@ void add_pieces(const LoopCurve& whole, const Cuts& cuts, Loop& loop) {
   Vec2 start = whole.curve.poles.front();
   const auto add = [&](double end, Vec2 x) {
     loop.push_back(whole);
-    loop.back().curve = with_ends(curve::trimmed(whole.curve, begin, end), start, x);
+    loop.back().curve = curve::with_ends(curve::trimmed(whole.curve, begin, end), start, x);
     begin = end, start = x;
   };
   for (const auto& [t, x] : cuts) add(t, x);
@@ -141,8 +136,8 @@ void give_one_position(const Contact& contact, Chain& chain) {
   const Vec2 x = chain.curves[contact.front()].curve.poles.front();
   for (const int i : contact) {
     Nurbs &out = chain.curves[i].curve, &in = chain.curves[chain.previous[i]].curve;
-    out = with_ends(out, x, &in == &out ? x : out.poles.back());
-    in = with_ends(in, in.poles.front(), x);
+    out = curve::with_ends(out, x, &in == &out ? x : out.poles.back());
+    in = curve::with_ends(in, in.poles.front(), x);
   }
 }
 

@@ -40,12 +40,14 @@ std::pair<Piece, Piece> halves(const Piece& p) {
           make_piece(curve::trimmed(p.curve, middle, p.curve.end()), p.loop, p.id)};
 }
 
+// Poles that coincide within rounding have no direction from one to the other.
 double polygon_turning(const Nurbs& curve) {
+  constexpr double rounding = 1e-12;
   double turning = 0;
   Vec2 last{};
   for (size_t i = 1; i < curve.poles.size(); ++i) {
     const Vec2 leg = curve.poles[i] - curve.poles[i - 1];
-    if (norm2(leg) == 0) continue;
+    if (norm(leg) <= rounding * norm(curve.poles[i])) continue;
     if (norm2(last) > 0) turning += std::abs(std::atan2(cross(last, leg), dot(last, leg)));
     last = leg;
   }

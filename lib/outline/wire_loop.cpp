@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
+#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "heal/chain_edges.hpp"
 
@@ -60,15 +63,13 @@ void add_pieces(const heal::RawEdge& edge, Loop& loop) {
 
 // Moves the ends of neighbours to the middle of the gap caused by rounding.
 void close_gaps(Loop& loop) {
-  for (size_t i = 0; i < loop.size(); ++i) {
-    Vec2& end = loop[i].curve.poles.back();
-    Vec2& begin = loop[(i + 1) % loop.size()].curve.poles.front();
-    if (end == begin) continue;
-    end = begin = 0.5 * (end + begin);
+  std::vector<Vec2> starts;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 end = loop[(i + loop.size() - 1) % loop.size()].curve.poles.back(), begin = loop[i].curve.poles.front();
+    starts.push_back(end == begin ? begin : 0.5 * (end + begin));
   }
-  for (LoopCurve& c : loop)
-    if (c.curve.degree == 1 && c.curve.poles.size() == 2)
-      c.curve = curve::segment(c.curve.poles.front(), c.curve.poles.back());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    loop[i].curve = curve::with_ends(std::move(loop[i].curve), starts[i], starts[(i + 1) % loop.size()]);
 }
 
 }  // namespace

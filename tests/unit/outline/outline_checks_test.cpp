@@ -30,6 +30,22 @@ TEST(OutlineChecks, simple_loops_have_no_contact) {
   EXPECT_FALSE(find_contact({polygon({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0.9999, 2}, {0, 2}})}, tol));
 }
 
+TEST(OutlineChecks, a_double_pole_at_an_end_is_no_contact) {
+  // As healing leaves it: the last two poles coincide within rounding.
+  const std::vector<Vec2> poles = {{-4.612995143962634, -16.224960745688918},
+                                   {-4.463998438350208, -15.964978140723272},
+                                   {-4.371999825826212, -15.77099074951917},
+                                   {-4.326000075110979, -15.650998338002726},
+                                   {-4.318, -15.624},
+                                   {-4.3180000000000005, -15.624}};
+  std::vector<double> knots = {0, 0, 0};
+  for (int k = 0; k <= 3; ++k) knots.push_back(k);
+  knots.insert(knots.end(), 3, knots.back());
+  const Nurbs stopping{3, knots, poles, std::vector<double>(poles.size(), 1)};
+  EXPECT_FALSE(
+      find_contact({{stopping, curve::segment(poles.back(), {5, -15}), curve::segment({5, -15}, poles[0])}}, 3.7e-8));
+}
+
 TEST(OutlineChecks, thin_gaps_are_no_contact_and_touching_is) {
   // Two circles that come as close as 1e-7, then touch.
   EXPECT_FALSE(find_contact({circle({0, 0}, 1), circle({0.5 - 1e-7, 0}, 0.5)}, tol));

@@ -44,6 +44,15 @@ TEST(WireLoop, ClosesGapsInTheMiddle) {
   EXPECT_EQ(curves[1].poles.front(), (Vec2{4, 2e-4}));
 }
 
+TEST(WireLoop, ClosesGapsWithoutTurningTheTangentWherePolesCoincide) {
+  std::vector<heal::RawEdge> wire = triangle();
+  wire[1] = edge({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{4.0004, 0}, {4.0004, 0}, {4, 2}, {4, 3}}, {1, 1, 1, 1}}, 11);
+  Report report;
+  const Nurbs curve = wire_loop(named(), wire, 1e-3, report)[1].curve;
+  EXPECT_EQ(curve.poles[1], curve.poles[0]);
+  EXPECT_NEAR(curve::tangent(curve, curve.begin()).x, 0, 1e-3);
+}
+
 TEST(WireLoop, DropsShortEdgesWithAWarning) {
   std::vector<heal::RawEdge> wire = triangle();
   wire.insert(wire.begin() + 1, edge(curve::segment({4, 0}, {4, 1e-4}), 99));
