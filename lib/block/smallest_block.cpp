@@ -69,9 +69,12 @@ class Rails {
     }
   }
 
+  bool is_nearer(int rail, double distance) const {
+    return held_[rail].feature.curve < 0 || distance < (1 - same_length) * held_[rail].distance;
+  }
+
   void hold(int rail, double distance, const BoundaryFeature& feature) {
-    if (held_[rail].feature.curve < 0 || distance < (1 - same_length) * held_[rail].distance)
-      held_[rail] = {distance, feature};
+    if (is_nearer(rail, distance)) held_[rail] = {distance, feature};
   }
 
   /// A rail along the boundary is fixed from its nearer end on, by the curve rather than by a corner at its start.
@@ -89,8 +92,8 @@ class Rails {
     if (node.curve >= 0) {
       if (node.valence == 2 && node.kind != NodeKind::corner) return;
       hold(rail, distance, {node.curve, node.kind == NodeKind::corner, node.position});
-    } else if (node.valence != 4) {
-      hold(rail, distance, nearest_curve(node.position));
+    } else if (node.valence != 4 && is_nearer(rail, distance)) {
+      held_[rail] = {distance, nearest_curve(node.position)};
     }
   }
 

@@ -12,7 +12,7 @@ namespace quadrille::triangulate {
 class TriangleSizes {
  public:
   TriangleSizes(const std::vector<Segment>& segments, double size, double growth);
-  /// The prescribed element size at x, a length. Cost: linear in the number of segments.
+  /// The prescribed element size at x, a length. Cost: logarithmic in the number of segments, in general.
   double at(Vec2 x) const;
 
  private:
@@ -20,7 +20,20 @@ class TriangleSizes {
     Vec2 position;
     double size = 0;
   };
+  /// Sources first to last - 1 of a binary tree, whose halves are nodes `left` and `left` + 1; -1: a leaf.
+  struct Node {
+    Node(int first_source, int end_source) : first(first_source), last(end_source) {}
+    int first, last, left = -1;
+    Vec2 low, high;         ///< the box around their positions
+    double least_size = 0;  ///< of its sources
+  };
+
+  void split(int node);
+  double lower_bound(const Node& node, Vec2 x) const;
+  void search(int node, Vec2 x, double& least) const;
+
   std::vector<Source> sources_;
+  std::vector<Node> nodes_;
   double size_, growth_;
 };
 

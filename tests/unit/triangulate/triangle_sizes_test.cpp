@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace quadrille::triangulate {
 namespace {
 
@@ -24,6 +28,24 @@ TEST(TriangleSizes, IsLipschitz) {
   for (int i = 0; i < 50; ++i) {
     const Vec2 a{-1 + 0.1 * i, 0.05 * i}, b{a.x + 0.03, a.y - 0.04};
     EXPECT_LE(std::abs(sizes.at(a) - sizes.at(b)), 0.3 * 0.05 + 1e-15);
+  }
+}
+
+TEST(TriangleSizes, TheTreeFindsTheLeastOfAllSegments) {
+  std::vector<Segment> segments;
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 a{std::sin(3.7 * i), std::sin(1.3 * i * i)};
+    segments.push_back(straight(a, a + (0.001 + 0.1 * std::abs(std::sin(5.1 * i))) * Vec2{std::cos(i), std::sin(i)}));
+  }
+  const double growth = 0.2;
+  const TriangleSizes sizes(segments, 5, growth);
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 x{1.5 * std::sin(2.9 * i), 1.5 * std::cos(7.3 * i)};
+    double least = 5;
+    for (const Segment& segment : segments)
+      for (const int k : {0, 2, 4})
+        least = std::min(least, segment.length() + growth * distance(x, segment.samples[k]));
+    EXPECT_EQ(sizes.at(x), least);
   }
 }
 
