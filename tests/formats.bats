@@ -37,7 +37,7 @@ PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout qua
 
 @test "the sample files are what make_format_samples writes" {
   cd "$BATS_TEST_TMPDIR"
-  "$QUADRILLE_BIN/make_format_samples" .
+  make_format_samples .
   count=0
   for file in */passed/* */failed/*; do
     cmp "$file" "$ROOT/tests/formats/$file"
@@ -188,4 +188,6 @@ PYTHON
     done
   done < <(sed -nE 's/^\| \[[^]]*\]\(([^)]*)\).*/\1/p' rows)
   diff <(sed -nE 's/^\| \[[^]]*\]\(export\/([^)]*)\).*/\1/p' rows | sort -u) <(ls "$ROOT/formats/export")
+  sed -n '/^## Into your solver/,/^## The tools$/p' "$ROOT/README.md" | grep -oE 'formats/export/[a-z0-9-]+\.md' | cut -d/ -f3 |
+    sort -u | diff - <(ls "$ROOT/formats/export")
 }
