@@ -25,7 +25,19 @@ Eigen::VectorXd as_vector(const std::vector<int>& values) {
 
 }  // namespace
 
-/// Data computed once: for the mesh, then for the order map.
+/// The boundary data of one set of nodes, and their projections for the orders of the last solution.
+struct PhaseSolver::Given {
+  Given(const TriMesh& mesh, std::shared_ptr<BoundaryPoints> points, const PhaseNodes& nodes)
+      : asked(nodes),
+        boundary(mesh.face, asked),
+        data(std::move(points), [this](int curve, double t) { return boundary.remainder(curve, t); }) {}
+
+  PhaseNodes asked;
+  field::PhaseBoundary boundary;
+  DirichletData data;
+};
+
+/// Data computed once: for the mesh, then for the order map, then for the nodes.
 struct PhaseSolver::Parts {
   Parts(const TriMesh& mesh, int num_threads)
       : context(mesh), system(context, num_threads), points(std::make_shared<BoundaryPoints>(mesh)) {}
@@ -40,6 +52,7 @@ struct PhaseSolver::Parts {
   Eigen::MatrixXd measures;        ///< all dofs of the harmonic measures w_j, one column per hole
   Eigen::MatrixXd given_measures;  ///< their boundary part
   Eigen::MatrixXd k;               ///< K_ij = a(w_i, w_j)
+  std::unique_ptr<Given> given;
   Stopwatch watch;
 };
 
@@ -103,10 +116,11 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   if (!options.hole_winding_offsets.empty() && options.hole_winding_offsets.size() != num_holes)
     throw UsageError(fmt::format("hole_winding_offsets has {} entries for {} holes",
                                  options.hole_winding_offsets.size(), num_holes));
-  const field::PhaseBoundary boundary(mesh.face, asked);
+  if (!parts_->given || parts_->given->asked != asked)
+    parts_->given = std::make_unique<Given>(mesh, parts_->points, asked);
+  const field::PhaseBoundary& boundary = parts_->given->boundary;
   factor();
-  DirichletData data(parts_->points, [&](int curve, double t) { return boundary.remainder(curve, t); });
-  const Eigen::MatrixXd given = data.values(parts_->context.topology, parts_->system.map());
+  const Eigen::MatrixXd given = parts_->given->data.values(parts_->context.topology, parts_->system.map());
 
   State state;
   state.dofs = parts_->system.solve(given, parts_->watch);

@@ -43,6 +43,7 @@ class PhaseSolver {
   int num_unknowns(const std::vector<int>& elem_order) const;
 
  private:
+  struct Given;
   struct Parts;
   struct State;
   void factor();
