@@ -186,15 +186,17 @@ std::string reason(const Choice& choice, const TieOrbits& ties, const Trials& tr
   return criterion ? "because " + text_of(*criterion) : "because it comes first in the file";
 }
 
+std::string corners_text(std::size_t count) { return count == 1 ? "one corner" : fmt::format("{} corners", count); }
+
 void record(const CadFace& face, const Choice& choice, const TieOrbits& ties, const Trials& trials,
             CriticalPoints& points) {
   for (std::size_t u = 0; u < choice.size(); ++u) {
     const Tie& first = ties.ties[ties.units[u].front()];
     NodeChange change{ChangeKind::line, "", {}, {}};
-    change.reason = fmt::format(
-        "{} corners near {:g} degrees, where the field does not decide between two valences: valence {}, {}",
-        ties.units[u].size(), degrees(first.angle), first.smaller + (choice[u] ? 0 : 1),
-        reason(choice, ties, trials, u));
+    change.reason =
+        fmt::format("{} near {:g} degrees, where the field does not decide between two valences: valence {}, {}",
+                    corners_text(ties.units[u].size()), degrees(first.angle), first.smaller + (choice[u] ? 0 : 1),
+                    reason(choice, ties, trials, u));
     for (const int t : ties.units[u])
       change.after.push_back(
           {face.joints[ties.ties[t].joint].position, first.smaller + (choice[u] ? 0 : 1), NodeLocation::corner});
@@ -227,8 +229,8 @@ CriticalPoints choose_at_ties(const field::FieldEvaluator& field, const TieOrbit
   report.set("ties.orbits", ties.orbits.size());
   report.set("ties.searches", trials.count());
   if (!trials.of(choice))
-    throw ComputeError(fmt::format(
-        "no choice of valences at the {} corners near 45, 135, 225 or 315 degrees leads to nodes", ties.ties.size()));
+    throw ComputeError(fmt::format("no choice of valences at {} near 45, 135, 225 or 315 degrees leads to nodes",
+                                   corners_text(ties.ties.size())));
   warn_of_halves(face, choice, ties, report);
   CriticalPoints points = trials.proved(choice, report);
   record(face, choice, ties, trials, points);
