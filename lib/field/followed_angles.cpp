@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "field/angle_sum.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -67,18 +68,31 @@ void follow_piece(const CadFace& face, const std::vector<TurnCentre>& centres, c
     follow_piece(face, centres, curve::trimmed(piece, middle, piece.end()), angles, pieces);
     return;
   }
-  AnglePiece p{piece.begin(), piece.end(), {0, angles.corner_index, {}}};
+  AnglePiece p{piece.begin(), piece.end(), {0, angles.corner_index, {}}, {}};
   p.reference.tangent = nearest_branch(angles.tangent, angle_of(piece.poles.back() - piece.poles.front()));
   angles.tangent = nearest_branch(p.reference.tangent, angle_of(curve::tangent(piece, piece.end(), true)));
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const Vec2 from = centres[i].position;
-    p.reference.centres.push_back(nearest_branch(angles.centres[i], angle_of(middle_of_ends(piece) - from)));
+    p.axes.push_back(middle_of_ends(piece) - from);
+    p.reference.centres.push_back(nearest_branch(angles.centres[i], angle_of(p.axes.back())));
     angles.centres[i] = nearest_branch(p.reference.centres[i], angle_of(piece.poles.back() - from));
   }
   pieces.push_back(std::move(p));
 }
 
 }  // namespace
+
+double AnglePiece::sum_of_turns(const std::vector<TurnCentre>& centres, Vec2 x) const {
+  double references = 0;
+  AngleSum differences;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    if (centres[i].turns == 0) continue;
+    const Vec2 r = x - centres[i].position;
+    references += centres[i].turns * reference.centres[i];
+    differences.add({dot(axes[i], r), cross(axes[i], r)}, centres[i].turns);
+  }
+  return references + differences.value();
+}
 
 LoopAngles angles_at_start(const CadFace& face, const std::vector<TurnCentre>& centres, int loop) {
   const Nurbs& curve = face.curves[face.loop_offsets[loop]];

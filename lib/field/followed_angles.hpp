@@ -25,6 +25,10 @@ struct LoopAngles {
 struct AnglePiece {
   double t0 = 0, t1 = 0;
   LoopAngles reference;
+  std::vector<Vec2> axes;  ///< for each centre, the vector whose angle is its reference
+
+  /// The sum of turns times the angle at x, over the centres.
+  double sum_of_turns(const std::vector<TurnCentre>& centres, Vec2 x) const;
 };
 
 /// The angles at the start of a loop: principal values.

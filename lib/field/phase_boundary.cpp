@@ -122,13 +122,8 @@ double PhaseBoundary::phase(int curve, double t) const {
 double PhaseBoundary::remainder(int curve, double t) const {
   if (const int apex = find_apex(*face_, apexes_, curve, t); apex >= 0) return apex_remainders_[apex];
   const Vec2 x = curve::point(face_->curves[curve], t);
-  const LoopAngles& reference = piece_at(pieces_[curve], t, false).reference;
-  double value = phase(curve, t) - sum_of_corner_angles(explicit_.terms, x, -1, {});
-  for (std::size_t i = 0; i < explicit_.centres.size(); ++i) {
-    const TurnCentre& centre = explicit_.centres[i];
-    if (centre.turns != 0) value -= centre.turns * nearest_branch(reference.centres[i], angle_of(x - centre.position));
-  }
-  return value;
+  return phase(curve, t) - sum_of_corner_angles(explicit_.terms, x, -1, {}) -
+         piece_at(pieces_[curve], t, false).sum_of_turns(explicit_.centres, x);
 }
 
 }  // namespace quadrille::field
