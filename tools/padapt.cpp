@@ -1,4 +1,4 @@
-// padapt: the paper's Algorithm 1, which adapts the polynomial order of each element of a field.
+// padapt: adapts the polynomial order of each element of a field, by prediction or by the paper's Algorithm 1.
 
 #include <fmt/format.h>
 
@@ -32,23 +32,27 @@ int main(int argc, char** argv) {
   tool.name = "padapt";
   tool.summary = "adapts the polynomial order of a field, element by element";
   tool.description =
-      "Reads the field SOLVE and repeats: estimate the error of each element by comparing its solution with the same "
-      "solution one order lower (the sensor), raise the order by one if the sensor exceeds --raise-above, lower it by "
-      "one if it is below --lower-below, and solve again, until no order changes. An order that was raised is not "
-      "lowered again. The sensor is a squared ratio: 1e-20 is a relative tail of 1e-10. A field that was adapted "
-      "before is adapted further and keeps its history, so that --max-steps 1 performs one step at a time. A field for "
-      "prescribed nodes (x.phase.h5) is solved for them again; its sensor uses its only unknown, the phase in radians, "
-      "and ignores --sensor.";
+      "Reads the field SOLVE and estimates the error of each element by the part of its solution in the modes of the "
+      "highest degree (the sensor). Predicts from the decay of the modes the order at which the sensor is below "
+      "--raise-above, changes the orders to it, solves again, and raises the orders of elements whose sensor is still "
+      "above it, until there are none. With --policy paper, each round raises the order of an element by one if its "
+      "sensor exceeds --raise-above and lowers it by one if it is below --lower-below; an order that was raised is not "
+      "lowered again (Algorithm 1 of the paper). The sensor is a squared ratio: 1e-20 is a relative tail of 1e-10. A "
+      "field that was adapted before is adapted further and keeps its history, so that --max-steps 1 performs one step "
+      "at a time. A field for prescribed nodes (x.phase.h5) is solved for them again; its sensor uses its only unknown, "
+      "the phase in radians, and ignores --sensor.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
                    "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
                    "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
   tool.options = [&](cli::Options& o) {
     o.input("SOLVE", input, "field to adapt (x.solve.h5, x.phase.h5)");
     o.output(output, "adapted field to write (x.field.h5)");
+    o.choice("--policy", options.policy,
+             "change an order to what the decay of the modes predicts, or by one in each round, as in the paper");
     o.number("--raise-above", options.raise_above, 0, 1, "squared ratio",
              "raise the order of elements whose sensor exceeds this");
     o.number("--lower-below", options.lower_below, 0, 1, "squared ratio",
-             "lower the order of elements whose sensor is below this");
+             "with --policy paper, lower the order of elements whose sensor is below this");
     o.integer("--min-order", options.min_order, 1, 20, "lowest order");
     o.integer("--max-order", options.max_order, 1, 20, "highest order (dg: at most 12)");
     o.integer("--max-steps", options.max_steps, 0, 100,

@@ -21,6 +21,13 @@ namespace quadrille::adapt {
 
 namespace {
 
+// Predictions aim at a sensor below the one that makes them necessary, so that few elements have to be corrected.
+constexpr double aim = 0.03;
+
+// The part of the measured rate of decay that predictions rely on: the rate of higher degrees is a little less. The
+// elements of a correction have shown that theirs is; they are few, and a spare order costs less than a solution.
+constexpr double trusted_rate = 0.9, trusted_rate_of_corrections = 0.7;
+
 // Solves for a field of the same kind and options as the initial one, with other orders.
 struct Solver {
   std::function<Field(const std::vector<int>& orders, Report& report)> solve;
@@ -62,20 +69,43 @@ std::vector<AdaptStep> history_of(const Field& field, std::vector<bool>& was_rai
   return steps;
 }
 
-// One round: changes the orders by the sensors and returns a record of the changes.
-AdaptStep change_orders(const std::vector<double>& sensors, const AdaptOptions& options, std::vector<int>& orders,
-                        std::vector<bool>& was_raised) {
-  AdaptStep step;
-  step.min_order = *std::min_element(orders.begin(), orders.end());
-  step.max_order = *std::max_element(orders.begin(), orders.end());
-  step.max_sensor = *std::max_element(sensors.begin(), sensors.end());
+// Orders by Algorithm 1.
+void step_orders(const std::vector<double>& sensors, const AdaptOptions& options, std::vector<int>& orders,
+                 std::vector<bool>& was_raised) {
   for (std::size_t e = 0; e < orders.size(); ++e) {
     const OrderChange change = decide(sensors[e], orders[e], was_raised[e], options);
     orders[e] += static_cast<int>(change);
     if (change == OrderChange::raise) was_raised[e] = true;
-    step.num_raised += change == OrderChange::raise;
-    step.num_lowered += change == OrderChange::lower;
   }
+}
+
+// Orders by prediction: in the first round of all elements, then of those that exceed the limit.
+void predict_orders(const Field& field, const AdaptOptions& options, bool is_first, std::vector<int>& orders) {
+  const std::vector<std::vector<double>> sensors = degree_sensors(field, options.sensor, options.scale);
+  std::vector<double> powers;  // e to the predicted orders, because equalized() compares ratios
+  for (const std::vector<double>& of_degrees : sensors)
+    powers.push_back(std::exp(predicted_order(of_degrees, aim * options.raise_above,
+                                              is_first ? trusted_rate : trusted_rate_of_corrections)));
+  powers = equalized(std::move(powers));
+  for (std::size_t e = 0; e < orders.size(); ++e) {
+    const int predicted = static_cast<int>(std::ceil(std::log(powers[e]) - 1e-9));
+    if (!is_first && (predicted <= orders[e] || sensors[e].back() <= options.raise_above)) continue;
+    orders[e] = std::clamp(predicted, options.min_order, options.max_order);
+  }
+}
+
+// A record of the round that changes the orders of `field` to `orders`.
+AdaptStep step_of(const Field& field, const std::vector<int>& orders, std::vector<double> sensors) {
+  AdaptStep step;
+  step.min_order = *std::min_element(field.elem_order.begin(), field.elem_order.end());
+  step.max_order = *std::max_element(field.elem_order.begin(), field.elem_order.end());
+  step.max_sensor = *std::max_element(sensors.begin(), sensors.end());
+  for (std::size_t e = 0; e < orders.size(); ++e) {
+    step.num_raised += orders[e] > field.elem_order[e];
+    step.num_lowered += orders[e] < field.elem_order[e];
+  }
+  step.elem_order = field.elem_order;
+  step.elem_sensor = std::move(sensors);
   return step;
 }
 
@@ -130,7 +160,8 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
 }  // namespace
 
 void AdaptOptions::validate() const {
-  if (!(lower_below < raise_above)) throw UsageError("--lower-below must be less than --raise-above");
+  if (policy == AdaptPolicy::paper && !(lower_below < raise_above))
+    throw UsageError("--lower-below must be less than --raise-above");
   if (min_order > max_order) throw UsageError("--min-order must not exceed --max-order");
 }
 
@@ -145,12 +176,13 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   std::vector<AdaptStep> steps = history_of(start, was_raised);
   std::vector<double> seconds;  // CPU time of each new solution
   for (int round = 0;; ++round) {
-    std::vector<double> sensors = element_sensors(field, options.sensor, options.scale);
-    steps.push_back(change_orders(equalized(sensors), options, orders, was_raised));
+    field.elem_sensor = element_sensors(field, options.sensor, options.scale);
+    if (options.policy == AdaptPolicy::paper)
+      step_orders(equalized(field.elem_sensor), options, orders, was_raised);
+    else
+      predict_orders(field, options, steps.empty(), orders);
+    steps.push_back(step_of(field, orders, field.elem_sensor));
     steps.back().num_unknowns = solver.num_unknowns(field.elem_order);
-    steps.back().elem_order = field.elem_order;
-    steps.back().elem_sensor = sensors;
-    field.elem_sensor = std::move(sensors);
     if (orders == field.elem_order) break;
     if (round == options.max_steps) {
       report.warn(warning::orders_still_change, fmt::format("orders still change after {} {}", options.max_steps,

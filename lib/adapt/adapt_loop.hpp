@@ -1,6 +1,6 @@
 #pragma once
-// Algorithm 1 of the paper: solve, evaluate the sensor, raise or lower the order of each element, until no order
-// changes.
+// Solves, evaluates the sensor and changes the order of each element, until no order changes: by prediction, or by
+// Algorithm 1 of the paper.
 
 #include "adapt/adapt_options.hpp"
 #include "base/report.hpp"

@@ -1,11 +1,51 @@
 #include "adapt/order_policy.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace quadrille::adapt {
+namespace {
+
+constexpr int measured_degrees = 3;
+constexpr double slowest = 0.2, fastest = 8;  // decay of the squared sensor by degree, natural logarithm
+
+// Minus the slope of the line of least squares through the values.
+double decay(const double* values, int count) {
+  const double middle = (count - 1) / 2.0;
+  double products = 0, squares = 0;
+  for (int i = 0; i < count; ++i) {
+    products += (i - middle) * values[i];
+    squares += (i - middle) * (i - middle);
+  }
+  return squares > 0 ? -products / squares : 0;
+}
+
+}  // namespace
 
 OrderChange decide(double sensor, int order, bool was_raised, const AdaptOptions& options) {
   if (sensor > options.raise_above) return order < options.max_order ? OrderChange::raise : OrderChange::keep;
   if (sensor < options.lower_below && order > options.min_order && !was_raised) return OrderChange::lower;
   return OrderChange::keep;
+}
+
+double predicted_order(const std::vector<double>& sensors, double target, double trusted_rate) {
+  const int order = static_cast<int>(sensors.size()) - 1;
+  std::vector<double> logs(sensors.size());  // of the sensor over the target, at most those of lower degrees
+  double greatest = std::numeric_limits<double>::min();
+  for (int d = order; d >= 0; --d) {
+    greatest = std::max(greatest, sensors[d] / target);
+    logs[d] = std::log(greatest);
+  }
+  if (logs[order] <= 0) {
+    int d = order;
+    while (d > 0 && logs[d - 1] <= 0) --d;
+    return d == 0 ? 0 : d - 1 + logs[d - 1] / (logs[d - 1] - logs[d]);
+  }
+  // The last value may be far below its envelope.
+  const int last = std::max(order - 1, 0), first = std::max(last - measured_degrees + 1, 0);
+  const double rate = std::clamp(trusted_rate * decay(&logs[first], last - first + 1), slowest, fastest);
+  return std::max(last + logs[last] / rate, order + 0.01);  // the order itself misses the target
 }
 
 }  // namespace quadrille::adapt

@@ -12,18 +12,11 @@ namespace quadrille::adapt {
 
 namespace {
 
-struct Norms {
-  double tail = 0, all = 0;
-};
-
-Norms squared_norms(const double* coefs, int order) {
-  Norms norms;
-  const int first_of_tail = spectral::num_tri_modes(order - 1), n = spectral::num_tri_modes(order);
-  for (int i = 0; i < n; ++i) {
-    norms.all += coefs[i] * coefs[i];
-    if (i >= first_of_tail) norms.tail += coefs[i] * coefs[i];
-  }
-  return norms;
+// Adds the squared norm of the modes of each degree to `norms`.
+void add_squared_norms(const double* coefs, std::vector<double>& norms) {
+  for (int degree = 0; degree < static_cast<int>(norms.size()); ++degree)
+    for (int i = spectral::num_tri_modes(degree - 1); i < spectral::num_tri_modes(degree); ++i)
+      norms[degree] += coefs[i] * coefs[i];
 }
 
 double area(const TriMesh& mesh, int elem) {
@@ -43,27 +36,34 @@ std::vector<double> fan_weights(const TriMesh& mesh) {
   return weights;
 }
 
-std::vector<double> element_sensors(const Field& field, SensorKind kind, SensorScale scale) {
+std::vector<std::vector<double>> degree_sensors(const Field& field, SensorKind kind, SensorScale scale) {
   const bool is_absolute = scale == SensorScale::absolute;
   const bool is_phase = field.kind == FieldKind::phase;
   const double least_norm = is_absolute ? 2 : std::numeric_limits<double>::min();  // 2: |1|^2, reference triangle
-  std::vector<double> sensors =
+  const std::vector<double> weights =
       is_absolute ? fan_weights(field.mesh) : std::vector<double>(field.mesh.num_elems(), 1.0);
+  std::vector<std::vector<double>> sensors(field.mesh.num_elems());
   for (int e = 0; e < field.mesh.num_elems(); ++e) {
-    const int order = field.elem_order[e], offset = field.coef_offsets[e];
-    Norms norms;
+    std::vector<double>& norms = sensors[e];
+    norms.assign(field.elem_order[e] + 1, 0.0);
     for (const auto* component : {&field.u, &field.v, &field.phase.s}) {
       if (component->empty()) continue;
       if (kind == SensorKind::u && component == &field.v) continue;
       if (kind == SensorKind::v && component == &field.u) continue;
-      const Norms part = squared_norms(&(*component)[offset], order);
-      norms.tail += part.tail;
-      norms.all += part.all;
+      add_squared_norms(&(*component)[field.coef_offsets[e]], norms);
     }
     // The norm of s is no reference scale: hole winding makes it large, and adding 2 pi to s does not change the field.
-    sensors[e] *= norms.tail / (is_phase && is_absolute ? least_norm : std::max(norms.all, least_norm));
+    const double all = std::accumulate(norms.begin(), norms.end(), 0.0);
+    const double reference = is_phase && is_absolute ? least_norm : std::max(all, least_norm);
+    for (double& norm : norms) norm *= weights[e] / reference;
   }
   return sensors;
+}
+
+std::vector<double> element_sensors(const Field& field, SensorKind kind, SensorScale scale) {
+  std::vector<double> last;
+  for (const std::vector<double>& sensors : degree_sensors(field, kind, scale)) last.push_back(sensors.back());
+  return last;
 }
 
 std::vector<double> equalized(std::vector<double> sensors) {

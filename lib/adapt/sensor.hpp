@@ -34,7 +34,10 @@ constexpr auto enum_names(SensorScale) {
       {{SensorScale::absolute, "absolute"}, {SensorScale::relative, "relative"}});
 }
 
-/// S_e of every element, by element number.
+/// For every element and each degree d = 0 .. P: the S_e that the modes of degree d give.
+std::vector<std::vector<double>> degree_sensors(const Field& field, SensorKind kind, SensorScale scale);
+
+/// S_e of every element, by element number: that of its highest degree.
 std::vector<double> element_sensors(const Field& field, SensorKind kind, SensorScale scale = SensorScale::absolute);
 
 /// The weights of squared errors in the sensor: 1 outside fans, in fans the element's area divided by the largest

@@ -11,7 +11,7 @@ namespace quadrille::field {
 
 class AngleSum {
  public:
-  /// Adds `times` times the angle of z, which must be less than a quarter turn.
+  /// Adds `times` times the angle of z, which must be less than half a turn.
   void add(Vec2 z, int times) {
     if (times < 0) z.y = -z.y;
     for (int i = std::abs(times); i > 0; --i) multiply(z);

@@ -1,4 +1,4 @@
-# padapt: Algorithm 1 of the paper.
+# padapt: orders by prediction, and by Algorithm 1 of the paper.
 load common
 
 setup_file() {
@@ -37,7 +37,7 @@ setup() {
 
 @test "looser thresholds and lower limits give fewer unknowns" {
   padapt half_disc.solve.h5 -o a.field.h5 --report tight.json
-  padapt --raise-above 1e-10 --lower-below 1e-14 half_disc.solve.h5 -o a.field.h5 --report loose.json
+  padapt --raise-above 1e-10 half_disc.solve.h5 -o a.field.h5 --report loose.json
   padapt --max-order 9 half_disc.solve.h5 -o a.field.h5 --report low.json
   tight=$(jq .adapt.num_unknowns tight.json)
   (($(jq .adapt.num_unknowns loose.json) < tight))
@@ -57,7 +57,7 @@ setup() {
 }
 
 @test "a bound on the steps is a warning with a code" {
-  run --separate-stderr padapt --max-steps 1 half_disc.solve.h5 -o a.field.h5 --report report.json
+  run --separate-stderr padapt --policy paper --max-steps 1 half_disc.solve.h5 -o a.field.h5 --report report.json
   assert_success
   assert_regex "$stderr" 'orders still change after 1 step'
   assert_equal "$(jq -r '.warnings[].code' report.json)" W-ADAPT-001
@@ -65,15 +65,27 @@ setup() {
 }
 
 @test "one step at a time is the same as all at once" {
-  padapt half_disc.solve.h5 -o all.field.h5 --report report.json
-  cp half_disc.solve.h5 a.field.h5
-  for ((step = 1; step < $(jq .adapt.steps report.json); ++step)); do
-    padapt -q --max-steps 1 a.field.h5 -o a.field.h5
+  for options in "--raise-above 1e-26" "--policy paper"; do
+    padapt $options half_disc.solve.h5 -o all.field.h5 --report report.json
+    (($(jq .adapt.steps report.json) > 2))
+    cp half_disc.solve.h5 a.field.h5
+    for ((step = 1; step < $(jq .adapt.steps report.json); ++step)); do
+      padapt -q $options --max-steps 1 a.field.h5 -o a.field.h5
+    done
+    padapt $options a.field.h5 -o b.field.h5 # would add something if it were not finished
+    for dataset in elem_order u adapt_steps/num_raised adapt_steps/elem_order adapt_steps/elem_sensor; do
+      for field in a b; do h5diff all.field.h5 $field.field.h5 /$dataset; done
+    done
   done
-  padapt a.field.h5 -o b.field.h5 # would add something if it were not finished
-  for dataset in elem_order u adapt_steps/num_raised adapt_steps/elem_order adapt_steps/elem_sensor; do
-    for field in a b; do h5diff all.field.h5 $field.field.h5 /$dataset; done
-  done
+}
+
+@test "prediction needs few solutions for nearly the orders of the paper" {
+  padapt half_disc.solve.h5 -o a.field.h5 --report predict.json
+  padapt --policy paper half_disc.solve.h5 -o b.field.h5 --report paper.json
+  (($(jq .adapt.steps predict.json) <= 3))
+  (($(jq .adapt.steps paper.json) > 3))
+  jq -e --slurp '.[0].adapt.num_unknowns < 1.1 * .[1].adapt.num_unknowns' predict.json paper.json
+  run -2 padapt --policy none half_disc.solve.h5 -o c.field.h5
 }
 
 @test "a discontinuous field goes up to order 12" {
@@ -91,7 +103,7 @@ setup() {
 }
 
 @test "thresholds and limits that contradict each other are usage errors" {
-  for options in "--raise-above 1e-20 --lower-below 1e-10" "--min-order 9 --max-order 8" "--max-order 21"; do
+  for options in "--policy paper --raise-above 1e-20 --lower-below 1e-10" "--min-order 9 --max-order 8" "--max-order 21"; do
     run --separate-stderr padapt $options half_disc.solve.h5 -o a.field.h5
     assert_equal "$status" 2
     assert_equal "${stderr_lines[1]}" "try 'padapt --help'"
@@ -116,7 +128,7 @@ setup() {
 
 @test "keeps the history of orders and sensors in the file, their times in the report alone" {
   cad2tri "$DATA/half_disc.step" | fieldsolve --field-order 6 > a.solve.h5
-  padapt --max-steps 2 --report report.json a.solve.h5 -o a.field.h5 2> warning
+  padapt --policy paper --max-steps 2 --report report.json a.solve.h5 -o a.field.h5 2> warning
   assert_equal "$(jq '.adapt.cpu_seconds_by_step | length' report.json)" 2
   assert_equal "$(jq '.adapt.num_unknowns_by_step | length' report.json)" 3
   m=$(h5dump -H -d /elem_order a.field.h5 | grep -oE 'SIMPLE \{ \( [0-9]+' | grep -oE '[0-9]+')

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "../test_meshes.hpp"
 #include "base/error.hpp"
@@ -63,17 +64,32 @@ TEST(AdaptLoop, ReachesTheClosedFormOfTheHalfDisc) {
 
 TEST(AdaptLoop, LowersAConstantToTheLeastOrder) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 3);
-  Report report;
-  const Field field = adapt_loop(solved(mesh, 8), {.min_order = 2}, report);
-  EXPECT_EQ(field.elem_order, std::vector<int>(mesh.num_elems(), 2));
-  EXPECT_EQ(field.adapt_steps.size(), 7u);
-  EXPECT_EQ(field.adapt_steps.front().num_lowered, mesh.num_elems());
-  EXPECT_EQ(field.adapt_steps.back().num_lowered, 0);
+  for (const auto& [policy, num_steps] : {std::pair(AdaptPolicy::predict, 2u), std::pair(AdaptPolicy::paper, 7u)}) {
+    Report report;
+    const Field field = adapt_loop(solved(mesh, 8), {.policy = policy, .min_order = 2}, report);
+    EXPECT_EQ(field.elem_order, std::vector<int>(mesh.num_elems(), 2));
+    EXPECT_EQ(field.adapt_steps.size(), num_steps);
+    EXPECT_EQ(field.adapt_steps.front().num_lowered, mesh.num_elems());
+    EXPECT_EQ(field.adapt_steps.back().num_lowered, 0);
+  }
 }
 
-TEST(AdaptLoop, EndsWithEverySensorInsideItsLimits) {
+TEST(AdaptLoop, NeedsTwoNewSolutionsByPredictionForNearlyTheOrdersOfThePaper) {
+  for (const int order : {5, 8, 12}) {
+    Report report;
+    const Field predicted = adapt_loop(solved(half_disc(), order), {}, report);
+    const Field paper = adapt_loop(solved(half_disc(), order), {.policy = AdaptPolicy::paper}, report);
+    EXPECT_LE(predicted.adapt_steps.size(), 3u) << "from order " << order;
+    EXPECT_GT(paper.adapt_steps.size(), predicted.adapt_steps.size());
+    EXPECT_LT(predicted.adapt_steps.back().num_unknowns, 1.1 * paper.adapt_steps.back().num_unknowns);
+    EXPECT_LE(predicted.adapt_steps.back().max_sensor, AdaptOptions{}.raise_above);
+  }
+}
+
+void expect_sensors_inside_limits(AdaptPolicy policy) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.7, 1}, 4);
-  const AdaptOptions options{.raise_above = 1e-10, .lower_below = 1e-14, .min_order = 2, .max_order = 12};
+  const AdaptOptions options{
+      .policy = policy, .raise_above = 1e-10, .lower_below = 1e-14, .min_order = 2, .max_order = 12};
   Report report;
   const Field field = adapt_loop(solved(mesh, 5), options, report);
   EXPECT_EQ(field.adapt_steps.back().num_raised + field.adapt_steps.back().num_lowered, 0);
@@ -86,17 +102,23 @@ TEST(AdaptLoop, EndsWithEverySensorInsideItsLimits) {
   }
 }
 
-TEST(AdaptLoop, AdaptedFieldsStayAsTheyAre) {
-  Report report;
-  const Field once = adapt_loop(solved(half_disc(), 8), {}, report), twice = adapt_loop(once, {}, report);
-  EXPECT_EQ(once.elem_order, twice.elem_order);
-  EXPECT_EQ(once.u, twice.u);
-  EXPECT_EQ(once.adapt_steps.size(), twice.adapt_steps.size());
+TEST(AdaptLoop, EndsWithEverySensorInsideItsLimits) {
+  expect_sensors_inside_limits(AdaptPolicy::predict);
+  expect_sensors_inside_limits(AdaptPolicy::paper);
 }
 
-TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
-  // Thresholds close together: without its history a step would lower what one before it has raised.
-  const AdaptOptions options{.raise_above = 1e-16, .lower_below = 5e-17, .max_order = 12};
+TEST(AdaptLoop, AdaptedFieldsStayAsTheyAre) {
+  Report report;
+  for (const AdaptPolicy policy : {AdaptPolicy::predict, AdaptPolicy::paper}) {
+    const AdaptOptions options{.policy = policy};
+    const Field once = adapt_loop(solved(half_disc(), 8), options, report), twice = adapt_loop(once, options, report);
+    EXPECT_EQ(once.elem_order, twice.elem_order);
+    EXPECT_EQ(once.u, twice.u);
+    EXPECT_EQ(once.adapt_steps.size(), twice.adapt_steps.size());
+  }
+}
+
+void expect_same_one_step_at_a_time(const AdaptOptions& options) {
   AdaptOptions one_step = options;
   one_step.max_steps = 1;
   Report report;
@@ -113,6 +135,13 @@ TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
   }
 }
 
+TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
+  expect_same_one_step_at_a_time({.raise_above = 1e-24, .max_order = 20});
+  // Thresholds close together: without its history a step would lower what one before it has raised.
+  expect_same_one_step_at_a_time(
+      {.policy = AdaptPolicy::paper, .raise_above = 1e-16, .lower_below = 5e-17, .max_order = 12});
+}
+
 TEST(AdaptLoop, KeepsADiscontinuousFieldWithinItsOrders) {
   const TriMesh mesh = half_disc();
   Report report;
@@ -125,7 +154,7 @@ TEST(AdaptLoop, KeepsADiscontinuousFieldWithinItsOrders) {
 
 TEST(AdaptLoop, SaysWhenItStopsEarly) {
   Report report;
-  const Field field = adapt_loop(solved(half_disc(), 8), {.max_steps = 2}, report);
+  const Field field = adapt_loop(solved(half_disc(), 8), {.policy = AdaptPolicy::paper, .max_steps = 2}, report);
   EXPECT_EQ(field.adapt_steps.size(), 3u);
   ASSERT_EQ(report.warnings().size(), 1u);
   EXPECT_EQ(report.warnings()[0].code, "W-ADAPT-001");
@@ -133,7 +162,10 @@ TEST(AdaptLoop, SaysWhenItStopsEarly) {
 }
 
 TEST(AdaptLoop, RefusesThresholdsThatCross) {
-  EXPECT_THROW((AdaptOptions{.raise_above = 1e-12, .lower_below = 1e-10}.validate()), UsageError);
+  AdaptOptions crossed{.policy = AdaptPolicy::paper, .raise_above = 1e-12, .lower_below = 1e-10};
+  EXPECT_THROW(crossed.validate(), UsageError);
+  crossed.policy = AdaptPolicy::predict;  // does not use lower_below
+  EXPECT_NO_THROW(crossed.validate());
   EXPECT_THROW((AdaptOptions{.min_order = 9, .max_order = 8}.validate()), UsageError);
   EXPECT_NO_THROW(AdaptOptions{}.validate());
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace quadrille::adapt {
 namespace {
 
@@ -21,6 +23,45 @@ TEST(OrderPolicy, StopsAtTheLimits) {
 TEST(OrderPolicy, NeverLowersWhatItHasRaised) {
   EXPECT_EQ(decide(1e-14, 5, true, options), OrderChange::keep);
   EXPECT_EQ(decide(1e-6, 5, true, options), OrderChange::raise);
+}
+
+// Sensors that decay by a factor of 100 from degree to degree, up to `order`.
+std::vector<double> geometric(int order) {
+  std::vector<double> sensors;
+  for (int d = 0; d <= order; ++d) sensors.push_back(std::pow(100, -d));
+  return sensors;
+}
+
+TEST(PredictedOrder, InterpolatesWhereTheModesReachTheTarget) {
+  EXPECT_NEAR(predicted_order(geometric(9), 1e-8, 1), 4, 1e-9);
+  EXPECT_NEAR(predicted_order(geometric(9), 1e-9, 1), 4.5, 1e-9);
+  EXPECT_NEAR(predicted_order(geometric(9), 1e-9, 0.5), 4.5, 1e-9);  // no rate is needed
+}
+
+TEST(PredictedOrder, ExtrapolatesAtTheTrustedPartOfTheRate) {
+  EXPECT_NEAR(predicted_order(geometric(5), 1e-14, 1), 7, 1e-9);
+  EXPECT_NEAR(predicted_order(geometric(5), 1e-14, 0.5), 10, 1e-9);  // from degree 4, three degrees at the full rate
+}
+
+TEST(PredictedOrder, IsAboveAnOrderThatMissesTheTarget) {
+  std::vector<double> sensors = geometric(5);
+  sensors[5] = sensors[4];
+  EXPECT_GT(predicted_order(sensors, 0.99 * sensors[5], 1), 5);
+}
+
+TEST(PredictedOrder, TakesTheGreatestOfTheHigherDegrees) {
+  std::vector<double> even = geometric(8);
+  for (int d = 1; d < 8; d += 2) even[d] = 0;
+  EXPECT_GT(predicted_order(even, 1e-10, 1), 4);
+  EXPECT_LE(predicted_order(even, 1e-10, 1), 6);
+  even.push_back(0);  // degree 9 vanishes too: the order is not yet sufficient
+  EXPECT_GT(predicted_order(even, 1e-22, 1), 9);
+}
+
+TEST(PredictedOrder, IsFiniteForModesThatDoNotDecay) {
+  EXPECT_LT(predicted_order(std::vector<double>(9, 1.0), 1e-18, 1), 1000);
+  EXPECT_EQ(predicted_order(std::vector<double>(9, 0.0), 1e-18, 1), 0);
+  EXPECT_GT(predicted_order({1}, 1e-18, 1), 0);
 }
 
 }  // namespace

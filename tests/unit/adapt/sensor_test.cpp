@@ -42,6 +42,20 @@ TEST(Sensor, IsTheShareOfTheHighestDegree) {
   EXPECT_EQ(element_sensors(field, SensorKind::v)[0], 0);
 }
 
+TEST(Sensor, OfDegreesAddUpToTheWholeField) {
+  Field field = empty_field();
+  field.u = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  field.v[0] = 12;
+  const double all = 385 + 144;
+  const std::vector<std::vector<double>> sensors = degree_sensors(field, SensorKind::vector, SensorScale::absolute);
+  ASSERT_EQ(sensors.size(), 2u);
+  const std::vector<double> expected{(1 + 144) / all, (4 + 9) / all, (16 + 25 + 36) / all, (49 + 64 + 81 + 100) / all};
+  ASSERT_EQ(sensors[0].size(), expected.size());
+  for (std::size_t d = 0; d < expected.size(); ++d) EXPECT_NEAR(sensors[0][d], expected[d], 1e-15) << "degree " << d;
+  EXPECT_EQ(sensors[1], std::vector<double>(4, 0.0));
+  EXPECT_EQ(sensors[0].back(), element_sensors(field, SensorKind::vector)[0]);
+}
+
 TEST(Sensor, OfFanElementsCountsBySize) {
   Field field = empty_field();
   field.mesh.vertices = {{0, 0}, {1, 0}, {0, 1}, {0.1, 0}, {0, 0.1}};

@@ -71,8 +71,23 @@ TEST(FollowedAngles, DifferFromReferencesByLessThanAQuarterTurn) {
   }
 }
 
+TEST(FollowedAngles, SumTheTurnsAboutAllCentres) {
+  const CadFace face = disc();
+  const std::vector<TurnCentre> centres{{{0.3, 0.2}, 3, -1}, {{-0.7, 0.1}, -2, -1}, {{0.1, -0.4}, 0, -1}};
+  const Followed f = follow_circle(face, centres);
+  for (const AnglePiece& piece : f.pieces) {
+    for (int k = 0; k <= 4; ++k) {
+      const Vec2 x = curve::point(face.curves[0], piece.t0 + (piece.t1 - piece.t0) * k / 4);
+      double sum = 0;
+      for (std::size_t i = 0; i < centres.size(); ++i)
+        sum += centres[i].turns * nearest_branch(piece.reference.centres[i], angle_of(x - centres[i].position));
+      EXPECT_NEAR(piece.sum_of_turns(centres, x), sum, 1e-13);
+    }
+  }
+}
+
 TEST(FollowedAngles, FindThePieceOfAParameter) {
-  const std::vector<AnglePiece> pieces{{0, 1, {}}, {1, 2, {}}, {2, 4, {}}};
+  const std::vector<AnglePiece> pieces{{0, 1, {}, {}}, {1, 2, {}, {}}, {2, 4, {}, {}}};
   EXPECT_EQ(&piece_at(pieces, 0, false), &pieces[0]);
   EXPECT_EQ(&piece_at(pieces, 1, false), &pieces[1]);
   EXPECT_EQ(&piece_at(pieces, 1, true), &pieces[0]);
