@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
       "sensor exceeds --raise-above and lowers it by one if it is below --lower-below; an order that was raised is not "
       "lowered again (Algorithm 1 of the paper). The sensor is a squared ratio: 1e-20 is a relative tail of 1e-10. A "
       "field that was adapted before is adapted further and keeps its history, so that --max-steps 1 performs one step "
-      "at a time. A field for prescribed nodes (x.phase.h5) is solved for them again; its sensor uses its only unknown, "
+      "at a time. A field for prescribed nodes (x.phase.h5) is solved for them again; its sensor uses its only "
+      "unknown, "
       "the phase in radians, and ignores --sensor.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
                    "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",

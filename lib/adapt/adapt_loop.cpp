@@ -22,11 +22,10 @@ namespace quadrille::adapt {
 namespace {
 
 // Predictions aim at a sensor below the one that makes them necessary, so that few elements have to be corrected.
-constexpr double aim = 0.03;
+constexpr double aim = 0.02;
 
-// The part of the measured rate of decay that predictions rely on: the rate of higher degrees is a little less. The
-// elements of a correction have shown that theirs is; they are few, and a spare order costs less than a solution.
-constexpr double trusted_rate = 0.9, trusted_rate_of_corrections = 0.7;
+// The part of the expected rate of decay that predictions rely on.
+constexpr double trusted_rate = 0.95;
 
 // Solves for a field of the same kind and options as the initial one, with other orders.
 struct Solver {
@@ -79,17 +78,21 @@ void step_orders(const std::vector<double>& sensors, const AdaptOptions& options
   }
 }
 
-// Orders by prediction: in the first round of all elements, then of those that exceed the limit.
+// Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution whose
+// sensors are all below it is kept: lower orders would cost a solution.
 void predict_orders(const Field& field, const AdaptOptions& options, bool is_first, std::vector<int>& orders) {
   const std::vector<std::vector<double>> sensors = degree_sensors(field, options.sensor, options.scale);
+  const auto is_resolved = [&](const std::vector<double>& of_degrees) {
+    return of_degrees.back() <= options.raise_above;
+  };
+  if (std::all_of(sensors.begin(), sensors.end(), is_resolved)) return;
   std::vector<double> powers;  // e to the predicted orders, because equalized() compares ratios
   for (const std::vector<double>& of_degrees : sensors)
-    powers.push_back(std::exp(predicted_order(of_degrees, aim * options.raise_above,
-                                              is_first ? trusted_rate : trusted_rate_of_corrections)));
+    powers.push_back(std::exp(predicted_order(of_degrees, aim * options.raise_above, trusted_rate)));
   powers = equalized(std::move(powers));
   for (std::size_t e = 0; e < orders.size(); ++e) {
     const int predicted = static_cast<int>(std::ceil(std::log(powers[e]) - 1e-9));
-    if (!is_first && (predicted <= orders[e] || sensors[e].back() <= options.raise_above)) continue;
+    if (!is_first && (predicted <= orders[e] || is_resolved(sensors[e]))) continue;
     orders[e] = std::clamp(predicted, options.min_order, options.max_order);
   }
 }

@@ -8,7 +8,8 @@ namespace quadrille::adapt {
 namespace {
 
 constexpr int measured_degrees = 3;
-constexpr double slowest = 0.2, fastest = 8;  // decay of the squared sensor by degree, natural logarithm
+constexpr double least_change = 0.7, greatest_change = 1.4;  // of the rate, expected from its change so far
+constexpr double slowest = 0.2, fastest = 8;                 // decay of the squared sensor by degree, natural logarithm
 
 // Minus the slope of the line of least squares through the values.
 double decay(const double* values, int count) {
@@ -37,15 +38,18 @@ double predicted_order(const std::vector<double>& sensors, double target, double
     greatest = std::max(greatest, sensors[d] / target);
     logs[d] = std::log(greatest);
   }
-  if (logs[order] <= 0) {
-    int d = order;
+  const int last = std::max(order - 1, 0);  // what follows the highest degree is not known
+  if (logs[last] <= 0) {
+    int d = last;
     while (d > 0 && logs[d - 1] <= 0) --d;
     return d == 0 ? 0 : d - 1 + logs[d - 1] / (logs[d - 1] - logs[d]);
   }
-  // The last value may be far below its envelope.
-  const int last = std::max(order - 1, 0), first = std::max(last - measured_degrees + 1, 0);
-  const double rate = std::clamp(trusted_rate * decay(&logs[first], last - first + 1), slowest, fastest);
-  return std::max(last + logs[last] / rate, order + 0.01);  // the order itself misses the target
+  const int middle = std::max(last - measured_degrees + 1, 0), first = std::max(middle - measured_degrees + 1, 0);
+  const double now = decay(&logs[middle], last - middle + 1), before = decay(&logs[first], middle - first + 1);
+  const double change = before > 0 ? std::clamp(now / before, least_change, greatest_change) : 1;
+  const double rate = std::clamp(trusted_rate * change * now, slowest, fastest);
+  const double predicted = last + logs[last] / rate;
+  return logs[order] > 0 ? std::max(predicted, order + 0.01) : predicted;
 }
 
 }  // namespace quadrille::adapt

@@ -5,25 +5,27 @@
 
 namespace quadrille::galerkin {
 
+Eigen::MatrixXd CondensedElement::interior(const Eigen::MatrixXd& boundary) const {
+  Eigen::MatrixXd coefs = half * boundary;
+  factor.triangularView<Eigen::Lower>().transpose().solveInPlace(coefs);
+  return -coefs;
+}
+
+CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
+                                    const Eigen::MatrixXd& k_bb, const char* failure) {
+  CondensedElement element{k_bb, k_ii, k_ib};
+  if (Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(element.factor).info() != Eigen::Success) throw ComputeError(failure);
+  element.factor.triangularView<Eigen::Lower>().solveInPlace(element.half);
+  // K_bb - half^T half is symmetric by construction.
+  element.schur.selfadjointView<Eigen::Lower>().rankUpdate(element.half.transpose(), -1);
+  element.schur.triangularView<Eigen::StrictlyUpper>() = element.schur.transpose();
+  return element;
+}
+
 CondensedElement condense(int order, const Eigen::MatrixXd& stiffness) {
   const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
-  CondensedElement element;
-  if (ni == 0) {
-    element.schur = stiffness;
-    element.interior_from_boundary.resize(0, nb);
-    return element;
-  }
-  const Eigen::LLT<Eigen::MatrixXd> factor(stiffness.bottomRightCorner(ni, ni));
-  if (factor.info() != Eigen::Success) throw ComputeError("an element's stiffness matrix is not positive definite");
-  // With K_ii = L L^T and Y = L^-1 K_ib, the Schur complement is K_bb - Y^T Y: symmetric by construction.
-  Eigen::MatrixXd y = stiffness.bottomLeftCorner(ni, nb);
-  factor.matrixL().solveInPlace(y);
-  element.schur = stiffness.topLeftCorner(nb, nb);
-  element.schur.selfadjointView<Eigen::Lower>().rankUpdate(y.transpose(), -1);
-  element.schur.triangularView<Eigen::StrictlyUpper>() = element.schur.transpose();
-  factor.matrixU().solveInPlace(y);
-  element.interior_from_boundary = -y;
-  return element;
+  return eliminate_interior(stiffness.bottomRightCorner(ni, ni), stiffness.bottomLeftCorner(ni, nb),
+                            stiffness.topLeftCorner(nb, nb), "an element's stiffness matrix is not positive definite");
 }
 
 }  // namespace quadrille::galerkin

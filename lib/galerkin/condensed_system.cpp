@@ -22,13 +22,12 @@ bool has_given_dofs(const DofMap& map, int elem) {
 
 }  // namespace
 
-Eigen::MatrixXd right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
-                                const Eigen::MatrixXd& given) {
+Eigen::MatrixXd right_hand_side(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& given) {
   Eigen::MatrixXd dofs = Eigen::MatrixXd::Zero(map.num_dofs, given.cols()),
                   rhs = Eigen::MatrixXd::Zero(map.num_unknowns, given.cols());
   dofs.bottomRows(given.rows()) = -given;
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
-    if (has_given_dofs(map, e)) add_to_free(map, e, elements[e].schur * element_dofs(map, e, dofs), rhs);
+    if (has_given_dofs(map, e)) add_to_free(map, e, elements[e]->schur * element_dofs(map, e, dofs), rhs);
   }
   return rhs;
 }
@@ -43,12 +42,11 @@ Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd&
   return local;
 }
 
-Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>& elements,
-                          const Eigen::MatrixXd& dofs) {
+Eigen::MatrixXd reactions(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& dofs) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, dofs.cols());
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
     if (!has_given_dofs(map, e)) continue;
-    const Eigen::MatrixXd local = elements[e].schur * element_dofs(map, e, dofs);
+    const Eigen::MatrixXd local = elements[e]->schur * element_dofs(map, e, dofs);
     const int offset = map.elem2offset[e];
     for (int i = 0; i < local.rows(); ++i) {
       const int given = map.elem2dofs[offset + i] - map.num_unknowns;
@@ -58,12 +56,12 @@ Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>
   return sum;
 }
 
-double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
+double relative_residual(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& rhs,
                          const Eigen::MatrixXd& dofs) {
   // Applies the matrix to all dofs: the reactions of the given ones form the right-hand side.
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(map.num_unknowns, dofs.cols());
   for (int e = 0; e < static_cast<int>(elements.size()); ++e)
-    add_to_free(map, e, elements[e].schur * element_dofs(map, e, dofs), residual);
+    add_to_free(map, e, elements[e]->schur * element_dofs(map, e, dofs), residual);
   const double scale = rhs.norm();
   return scale > 0 ? residual.norm() / scale : residual.norm();
 }

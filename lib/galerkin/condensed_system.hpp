@@ -12,19 +12,17 @@ namespace quadrille::galerkin {
 
 /// The right-hand side, num_unknowns rows: minus the reactions of `given`, the values of the dofs [num_unknowns,
 /// num_dofs).
-Eigen::MatrixXd right_hand_side(const DofMap& map, const std::vector<CondensedElement>& elements,
-                                const Eigen::MatrixXd& given);
+Eigen::MatrixXd right_hand_side(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& given);
 
 /// The coefficients of the boundary modes of one element; 0 for modes without a dof.
 Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd& dofs);
 
 /// The rows of the given dofs of the full matrix, multiplied by `dofs` (all dofs). If the free dofs solve the system,
 /// the energy product a(f, g) of two columns is (given part of f) . (reaction of g).
-Eigen::MatrixXd reactions(const DofMap& map, const std::vector<CondensedElement>& elements,
-                          const Eigen::MatrixXd& dofs);
+Eigen::MatrixXd reactions(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& dofs);
 
 /// |rhs - K x| / |rhs|; |rhs - K x| if the right-hand side is 0. `dofs` contains all dofs: x, then the given ones.
-double relative_residual(const DofMap& map, const std::vector<CondensedElement>& elements, const Eigen::MatrixXd& rhs,
+double relative_residual(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& rhs,
                          const Eigen::MatrixXd& dofs);
 
 }  // namespace quadrille::galerkin

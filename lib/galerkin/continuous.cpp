@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
+#include "galerkin/element_matrices.hpp"
+#include "galerkin/element_shapes.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
@@ -15,20 +18,34 @@ namespace quadrille::galerkin {
 ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads)
     : context_(&context),
       num_threads_(num_threads),
-      stiffness_(context),
+      elem2shape_(first_of_shape(context.maps)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {}
 
+// The matrices of a shape and an order are those of the first element of that shape, whatever its own order is, so that
+// they do not depend on the orders solved for before.
 void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
-  parallel_for(static_cast<int>(elem_order.size()), num_threads_, [&](int e) {
-    if (elem_order[e] == elem_order_[e]) return;
+  using Matrices = std::pair<std::pair<int, int>, std::shared_ptr<const CondensedElement>>;  // of a shape and an order
+  std::map<std::pair<int, int>, std::shared_ptr<const CondensedElement>> known;
+  const int num_elems = static_cast<int>(elem_order.size());
+  for (int e = 0; e < num_elems; ++e)
+    if (elements_[e]) known[{elem2shape_[e], elem_order_[e]}] = elements_[e];
+  std::vector<Matrices> made;
+  for (int e = 0; e < num_elems; ++e)
+    if (const std::pair key{elem2shape_[e], elem_order[e]}; known.try_emplace(key).second)
+      made.emplace_back(key, nullptr);
+  parallel_for(static_cast<int>(made.size()), num_threads_, [&](int i) {
+    const auto [elem, order] = made[i].first;
     try {
-      elements_[e] = condense(elem_order[e], stiffness_(e, elem_order[e]));
+      made[i].second =
+          std::make_shared<CondensedElement>(condense(order, stiffness_matrix(context_->maps[elem], order)));
     } catch (const ComputeError& error) {
-      throw ComputeError(fmt::format("{}: {}", context_->describe(e), error.what()));
+      throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
     }
-    elem_order_[e] = elem_order[e];
   });
+  for (Matrices& matrices : made) known[matrices.first] = std::move(matrices.second);
+  for (int e = 0; e < num_elems; ++e) elements_[e] = known.at({elem2shape_[e], elem_order[e]});
+  elem_order_ = elem_order;
 }
 
 int ContinuousSystem::num_unknowns(const std::vector<int>& elem_order) const {
@@ -66,7 +83,7 @@ Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs) c
   const int order = elem_order_[elem], nb = spectral::num_boundary_modes(order);
   Eigen::MatrixXd modes(spectral::num_tri_modes(order), dofs.cols());
   modes.topRows(nb) = element_dofs(*map_, elem, dofs);
-  modes.bottomRows(spectral::num_interior_modes(order)) = elements_[elem].interior_from_boundary * modes.topRows(nb);
+  modes.bottomRows(spectral::num_interior_modes(order)) = elements_[elem]->interior(modes.topRows(nb));
   return modes;
 }
 

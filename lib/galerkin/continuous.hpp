@@ -41,9 +41,9 @@ class ContinuousSystem {
 
   const MeshContext* context_;
   int num_threads_;
-  StiffnessTable stiffness_;
+  std::vector<int> elem2shape_;  ///< first_of_shape()
   std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
-  std::vector<CondensedElement> elements_;
+  CondensedElements elements_;
   std::unique_ptr<DofMap> map_;
   std::unique_ptr<CondensedCholesky> cholesky_;  ///< of map_
   double residual_ = 0;

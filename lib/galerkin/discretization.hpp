@@ -27,23 +27,6 @@ struct MeshContext {
   std::string describe(int elem) const;
 };
 
-/// Stiffness matrices of the modified basis for changing orders. The integrals of a curved element are expensive: they
-/// are computed for table_order(order), stored, and truncated to lower orders.
-class StiffnessTable {
- public:
-  explicit StiffnessTable(const MeshContext& context);  ///< `context` must outlive the table
-  /// Different threads may request different elements.
-  Eigen::MatrixXd operator()(int elem, int order);
-
- private:
-  struct Integrals {
-    int order = 0;
-    Eigen::MatrixXd stiffness;
-  };
-  const MeshContext* context_;
-  std::vector<Integrals> curved_;
-};
-
 /// The solution of both Laplace problems for one order map.
 struct Solution {
   std::vector<Eigen::MatrixXd> elem_coefs;  ///< modified basis of the element's order, columns u, v

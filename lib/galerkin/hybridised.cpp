@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
+#include "galerkin/element_matrices.hpp"
 #include "galerkin/linear_solver.hpp"
 
 namespace quadrille::galerkin {
@@ -14,7 +15,6 @@ namespace quadrille::galerkin {
 HybridisedGalerkin::HybridisedGalerkin(const MeshContext& context, BoundaryData data, int num_threads, double penalty)
     : context_(&context),
       num_threads_(num_threads),
-      stiffness_(context),
       data_(std::move(data)),
       penalty_(penalty),
       orders_(context.maps.size(), Orders{}),
@@ -27,8 +27,9 @@ void HybridisedGalerkin::update_elements(const std::vector<int>& elem_order, con
     const Orders orders{elem_order[e], edge_orders[0], edge_orders[1], edge_orders[2]};
     if (orders == orders_[e]) return;
     try {
-      elements_[e] =
-          condense_to_trace(context_->maps[e], elem_order[e], edge_orders, stiffness_(e, elem_order[e]), penalty_);
+      const spectral::TriMap& shape = context_->maps[e];
+      elements_[e] = std::make_shared<CondensedElement>(
+          condense_to_trace(shape, elem_order[e], edge_orders, stiffness_matrix(shape, elem_order[e]), penalty_));
     } catch (const ComputeError& error) {
       throw ComputeError(fmt::format("{}: {}", context_->describe(e), error.what()));
     }
@@ -61,9 +62,8 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   solution.residual = relative_residual(map, elements_, rhs, dofs);
   watch.lap("residual");
   solution.elem_coefs.resize(elements_.size());
-  parallel_for(static_cast<int>(elements_.size()), num_threads_, [&](int e) {
-    solution.elem_coefs[e] = elements_[e].interior_from_boundary * element_dofs(map, e, dofs);
-  });
+  parallel_for(static_cast<int>(elements_.size()), num_threads_,
+               [&](int e) { solution.elem_coefs[e] = elements_[e]->interior(element_dofs(map, e, dofs)); });
   watch.lap("coefficients");
   solution.laps = watch.laps();
   return solution;

@@ -25,11 +25,10 @@ class HybridisedGalerkin : public Discretization {
 
   const MeshContext* context_;
   int num_threads_;
-  StiffnessTable stiffness_;
   BoundaryData data_;
   double penalty_;
   std::vector<Orders> orders_;  ///< of elements_; 0 before the first solve
-  std::vector<CondensedElement> elements_;
+  CondensedElements elements_;
 };
 
 }  // namespace quadrille::galerkin

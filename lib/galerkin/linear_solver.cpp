@@ -107,14 +107,14 @@ void CondensedCholesky::downwards(const std::function<void(int)>& f) const {
   });
 }
 
-void CondensedCholesky::add_elements(const std::vector<CondensedElement>& elements, int node) {
+void CondensedCholesky::add_elements(const CondensedElements& elements, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated;
   std::vector<int> positions;  // of the element's modes in part.dofs, -1: not free
   for (int position = tree_->nodes[node].begin; position < tree_->nodes[node].end; ++position) {
     const int elem = tree_->elements[position], offset = map_->elem2offset[elem];
     const int n = map_->elem2offset[elem + 1] - offset;
-    const Eigen::MatrixXd& schur = elements[elem].schur;
+    const Eigen::MatrixXd& schur = elements[elem]->schur;
     const double* signs = &map_->elem2signs[offset];
     positions.assign(n, -1);
     for (int i = 0; i < n; ++i) {
@@ -147,7 +147,7 @@ void CondensedCholesky::add_half(Part& half, Part& part) {
   half.front.rest.resize(0, 0);
 }
 
-void CondensedCholesky::factor_part(const std::vector<CondensedElement>& elements, int n, int num_threads) {
+void CondensedCholesky::factor_part(const CondensedElements& elements, int n, int num_threads) {
   const mesh::EliminationTree::Node& node = tree_->nodes[n];
   Part& part = parts_[n];
   part.front.panel.setZero(static_cast<int>(part.dofs.size()), part.num_eliminated);
@@ -188,7 +188,7 @@ void CondensedCholesky::substitute_back(Eigen::MatrixXd& solution, int node) {
   for (int i = 0; i < k; ++i) solution.row(part.dofs[i]) = part.values.row(i);
 }
 
-void CondensedCholesky::factor(const std::vector<CondensedElement>& elements) {
+void CondensedCholesky::factor(const CondensedElements& elements) {
   upwards([&](int node, int num_threads) { factor_part(elements, node, num_threads); });
 }
 

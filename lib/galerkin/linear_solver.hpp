@@ -21,7 +21,7 @@ class CondensedCholesky {
   /// Symbolic factorisation. `map` numbers its dofs in the order of tree.elimination_order; both must outlive this.
   CondensedCholesky(const mesh::EliminationTree& tree, const DofMap& map, int num_threads = 1);
   /// Throws ComputeError if the sum is not positive definite.
-  void factor(const std::vector<CondensedElement>& elements);
+  void factor(const CondensedElements& elements);
   /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 
@@ -38,9 +38,9 @@ class CondensedCholesky {
   void find_dofs();
   void find_positions_in_parent();
   void divide_work();
-  void add_elements(const std::vector<CondensedElement>& elements, int node);
+  void add_elements(const CondensedElements& elements, int node);
   void add_half(Part& half, Part& part);
-  void factor_part(const std::vector<CondensedElement>& elements, int node, int num_threads);
+  void factor_part(const CondensedElements& elements, int node, int num_threads);
   void substitute_forward(const Eigen::MatrixXd& rhs, int node);
   void substitute_back(Eigen::MatrixXd& solution, int node);
   /// Call f(node, threads) for children before parents, and f(node) for parents before children.

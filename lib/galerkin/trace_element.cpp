@@ -7,7 +7,6 @@
 #include <mutex>
 #include <utility>
 
-#include "base/error.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
@@ -143,16 +142,7 @@ CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const
     first += m;
   }
 
-  const Eigen::LLT<Eigen::MatrixXd> factor(inside);
-  if (factor.info() != Eigen::Success) throw ComputeError("an element's penalty form is not positive definite");
-  CondensedElement element;
-  factor.matrixL().solveInPlace(coupling);
-  element.schur = on_trace;
-  element.schur.selfadjointView<Eigen::Lower>().rankUpdate(coupling.transpose(), -1);
-  element.schur.triangularView<Eigen::StrictlyUpper>() = element.schur.transpose();
-  factor.matrixU().solveInPlace(coupling);
-  element.interior_from_boundary = -coupling;
-  return element;
+  return eliminate_interior(inside, coupling, on_trace, "an element's penalty form is not positive definite");
 }
 
 }  // namespace quadrille::galerkin

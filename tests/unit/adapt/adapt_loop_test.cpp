@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "../test_meshes.hpp"
 #include "base/error.hpp"
@@ -62,20 +61,33 @@ TEST(AdaptLoop, ReachesTheClosedFormOfTheHalfDisc) {
   EXPECT_TRUE(report.warnings().empty());
 }
 
-TEST(AdaptLoop, LowersAConstantToTheLeastOrder) {
+TEST(AdaptLoop, LowersAConstantToTheLeastOrderAsInThePaper) {
   const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 3);
-  for (const auto& [policy, num_steps] : {std::pair(AdaptPolicy::predict, 2u), std::pair(AdaptPolicy::paper, 7u)}) {
-    Report report;
-    const Field field = adapt_loop(solved(mesh, 8), {.policy = policy, .min_order = 2}, report);
-    EXPECT_EQ(field.elem_order, std::vector<int>(mesh.num_elems(), 2));
-    EXPECT_EQ(field.adapt_steps.size(), num_steps);
-    EXPECT_EQ(field.adapt_steps.front().num_lowered, mesh.num_elems());
-    EXPECT_EQ(field.adapt_steps.back().num_lowered, 0);
-  }
+  Report report;
+  const Field field = adapt_loop(solved(mesh, 8), {.policy = AdaptPolicy::paper, .min_order = 2}, report);
+  EXPECT_EQ(field.elem_order, std::vector<int>(mesh.num_elems(), 2));
+  EXPECT_EQ(field.adapt_steps.size(), 7u);
+  EXPECT_EQ(field.adapt_steps.front().num_lowered, mesh.num_elems());
+  EXPECT_EQ(field.adapt_steps.back().num_lowered, 0);
+}
+
+TEST(AdaptLoop, PredictionKeepsASolutionThatIsResolved) {
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 3);
+  Report report;
+  const Field field = adapt_loop(solved(mesh, 8), {.min_order = 2}, report);
+  EXPECT_EQ(field.elem_order, std::vector<int>(mesh.num_elems(), 8));
+  EXPECT_EQ(field.adapt_steps.size(), 1u);
+}
+
+TEST(AdaptLoop, PredictionLowersOrdersWhereOthersAreRaised) {
+  Report report;
+  const Field field = adapt_loop(solved(half_disc(), 8), {}, report);
+  EXPECT_GT(field.adapt_steps.front().num_lowered, 0);
+  EXPECT_GT(field.adapt_steps.front().num_raised, 0);
 }
 
 TEST(AdaptLoop, NeedsTwoNewSolutionsByPredictionForNearlyTheOrdersOfThePaper) {
-  for (const int order : {5, 8, 12}) {
+  for (const int order : {8, 10, 12}) {
     Report report;
     const Field predicted = adapt_loop(solved(half_disc(), order), {}, report);
     const Field paper = adapt_loop(solved(half_disc(), order), {.policy = AdaptPolicy::paper}, report);

@@ -54,8 +54,19 @@ TEST(PredictedOrder, TakesTheGreatestOfTheHigherDegrees) {
   for (int d = 1; d < 8; d += 2) even[d] = 0;
   EXPECT_GT(predicted_order(even, 1e-10, 1), 4);
   EXPECT_LE(predicted_order(even, 1e-10, 1), 6);
-  even.push_back(0);  // degree 9 vanishes too: the order is not yet sufficient
-  EXPECT_GT(predicted_order(even, 1e-22, 1), 9);
+  even.push_back(0);  // degree 9 vanishes too, but degree 10 need not
+  EXPECT_GT(predicted_order(even, 1e-20, 1), 9);
+}
+
+TEST(PredictedOrder, FollowsTheChangeOfTheRate) {
+  std::vector<double> rough, smooth;
+  for (int d = 0; d <= 8; ++d) {
+    rough.push_back(std::pow(d + 1, -8));
+    smooth.push_back(std::exp(-0.3 * d * d));
+  }
+  // What these sequences reach themselves.
+  EXPECT_NEAR(predicted_order(rough, std::pow(13, -8), 1), 12, 1);
+  EXPECT_NEAR(predicted_order(smooth, std::exp(-0.3 * 12 * 12), 1), 12, 1);
 }
 
 TEST(PredictedOrder, IsFiniteForModesThatDoNotDecay) {

@@ -15,7 +15,7 @@ namespace {
 struct System {
   TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 3);
   DofMap map;
-  std::vector<CondensedElement> elements;
+  CondensedElements elements;
   Eigen::MatrixXd dofs;
 
   System() {
@@ -23,7 +23,8 @@ struct System {
     std::vector<int> elimination_order(mesh.vertices.size() + topology.edge2vertices.size());
     std::iota(elimination_order.begin(), elimination_order.end(), 0);
     map = make_dof_map(mesh, topology, elimination_order, std::vector<int>(mesh.num_elems(), 4));
-    for (const spectral::TriMap& tri : mesh::tri_maps(mesh)) elements.push_back(condense(4, stiffness_matrix(tri, 4)));
+    for (const spectral::TriMap& tri : mesh::tri_maps(mesh))
+      elements.push_back(std::make_shared<CondensedElement>(condense(4, stiffness_matrix(tri, 4))));
     dofs = Eigen::MatrixXd::Zero(map.num_dofs, 2);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
       dofs.row(map.vertex2dof[v]) << mesh.vertices[v].x, mesh.vertices[v].y;

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/discretization.hpp"
+#include "galerkin/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -17,8 +18,8 @@ struct Problem {
         context(mesh),
         map(make_dof_map(mesh, context.topology, context.tree.elimination_order,
                          std::vector<int>(mesh.num_elems(), order))) {
-    StiffnessTable stiffness(context);
-    for (int e = 0; e < mesh.num_elems(); ++e) elements.push_back(condense(order, stiffness(e, order)));
+    for (const spectral::TriMap& map_of_elem : context.maps)
+      elements.push_back(std::make_shared<CondensedElement>(condense(order, stiffness_matrix(map_of_elem, order))));
   }
   Eigen::MatrixX2d solve(const Eigen::MatrixX2d& rhs, int num_threads) const {
     CondensedCholesky cholesky(context.tree, map, num_threads);
@@ -28,7 +29,7 @@ struct Problem {
   TriMesh mesh;
   MeshContext context;
   DofMap map;
-  std::vector<CondensedElement> elements;
+  CondensedElements elements;
 };
 
 // The sum of the elements' matrices over the free dofs, entry by entry.
@@ -40,7 +41,7 @@ Eigen::MatrixXd dense_matrix(const Problem& p) {
       for (int j = 0; j < n; ++j) {
         const int a = p.map.elem2dofs[offset + i], b = p.map.elem2dofs[offset + j];
         if (a < 0 || b < 0 || a >= p.map.num_unknowns || b >= p.map.num_unknowns) continue;
-        sum(a, b) += p.map.elem2signs[offset + i] * p.map.elem2signs[offset + j] * p.elements[e].schur(i, j);
+        sum(a, b) += p.map.elem2signs[offset + i] * p.map.elem2signs[offset + j] * p.elements[e]->schur(i, j);
       }
     }
   }
@@ -81,7 +82,11 @@ TEST(CondensedCholesky, TheResidualIsThatOfTheSystem) {
 
 TEST(CondensedCholesky, RefusesAnIndefiniteMatrix) {
   Problem p(3, 3);
-  for (CondensedElement& element : p.elements) element.schur *= -1;
+  for (auto& element : p.elements) {
+    CondensedElement negative = *element;
+    negative.schur *= -1;
+    element = std::make_shared<CondensedElement>(negative);
+  }
   EXPECT_THROW(p.solve(sample_rhs(p.map.num_unknowns), 1), ComputeError);
 }
 
