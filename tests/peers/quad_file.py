@@ -1,5 +1,5 @@
 """x.quad.h5 by h5py and numpy alone: element nodes, det J, areas and lengths; shares no code with the tools."""
-import h5py, numpy
+import numpy
 
 
 def gll(order):
@@ -18,6 +18,7 @@ def lagrange(points, at):
 
 class QuadFile:
     def __init__(self, path):
+        import h5py  # here, so that the functions above need numpy alone
         with h5py.File(path, "r") as file:
             self.order = int(file["order"][()])
             width = self.order + 1
