@@ -1,0 +1,120 @@
+# tests/benchmarks/peers runs, and its judge, which shares no code with the tools, finds what they report.
+load common
+
+setup() {
+  common_setup
+  need python3-gmsh python3-numpy
+  mkdir faces
+  cp "$DATA/half_disc.step" faces/
+}
+
+peers() {
+  "$ROOT/tests/benchmarks/peers" --bin "$BIN" -o . --faces faces --repeats 1 --no-gmsh "$@"
+}
+
+# row MESHER [KEY]
+row() {
+  jq --arg mesher "$1" "[.rows[] | select(.mesher == \$mesher)][0]${2:+.$2}" peers.json
+}
+
+@test "the judge of the comparison finds what quadmesh reports, for us and for a peer with the same mesh" {
+  "$ROOT/pipelines/quadmesh" -q --order 3 faces/half_disc.step -o half_disc.msh --report quadmesh.json
+  printf '#!/bin/sh\ncp "%s" "$2"\n' "$PWD/half_disc.msh" >copy
+  chmod +x copy
+  run -0 peers --peer "copy=$PWD/copy {step} {msh}"
+  for mesher in quadrille copy; do
+    jq -e --arg mesher "$mesher" --slurpfile made quadmesh.json '$made[0] as $made
+      | .rows[] | select(.mesher == $mesher) | .verdict == "accepted" and .cpu_seconds >= 0 and .quads == $made.quads
+        and .irregular_nodes == $made.irregular_nodes and (.scaled_jacobian - $made.least_scaled_jacobian | fabs) < 2e-3
+        and (.edge_ratio / $made.greatest_edge_ratio.value - 1 | fabs) < 1e-3' peers.json
+  done
+  assert_equal "$(row copy quads)" "$(row quadrille quads)"
+  xmllint --noout peers.svg
+  assert_file_contains "$PWD/peers.md" '| half_disc | copy |'
+}
+
+@test "the number of quads of a peer is brought to ours by its size" {
+  cat >coarse <<'END'
+#!/bin/sh
+exec "$1" -q --order "$5" --size "$(awk "BEGIN { print 2 * $4 }")" "$2" -o "$3"
+END
+  chmod +x coarse
+  run -0 peers --peer "coarse=$PWD/coarse $ROOT/pipelines/quadmesh {step} {msh} {size} {order}"
+  jq -e '.rows | .[1].verdict == "accepted" and (.[1].quads / .[0].quads | . > 0.9 and . < 1.1)
+    and (.[1].size / .[0].size | . > 0.4 and . < 0.6)' peers.json
+}
+
+@test "meshes that miss the face, folded or torn ones and triangles are not accepted; peers that fail are rows" {
+  "$ROOT/pipelines/quadmesh" -q --order 3 "$DATA/stadium.step" -o other.msh
+  "$ROOT/pipelines/quadmesh" -q --order 3 faces/half_disc.step --format msh22 -o good.msh
+  # A vertex inside, moved by a third of the extent: elements fold.
+  awk '/^\$Nodes/ { inside = 1 } /^\$EndNodes/ { inside = 0 }
+    inside && NF == 4 && !moved && $2 * $2 < 0.05 && $3 > 0.3 && $3 < 0.6 { $2 += 0.6; moved = 1 } { print }' \
+    good.msh >folded.msh
+  # An element inside with a node of its own in place of a vertex.
+  "$PYTHON" - <<'END'
+lines = open("good.msh").read().split("\n")
+first = lines.index("$Nodes")
+count, nodes = int(lines[first + 1]), lines[first + 2 : lines.index("$EndNodes")]
+place = {line.split()[0]: line.split()[1:] for line in nodes}
+quads = []  # number of the line, words, the node that comes first
+for k in range(lines.index("$Elements") + 2, lines.index("$EndElements")):
+    words = lines[k].split()
+    first_node = 3 + int(words[2])
+    if words[1] == "36":
+        quads.append((k, words, first_node))
+uses = lambda node: sum(node in words[first : first + 4] for _, words, first in quads)
+elem, words, vertex = max(quads, key=lambda quad: uses(quad[1][quad[2]]))
+added = " ".join([str(count + 1), *place[words[vertex]]])
+words[vertex] = str(count + 1)
+lines[elem] = " ".join(words)
+lines[first + 1 : first + 2] = [str(count + 1), added]
+open("torn.msh", "w").write("\n".join(lines))
+END
+  printf '#!/bin/sh\ncp "$1" "$2"\n' >copy
+  printf '#!/bin/sh\nkill -9 $$\n' >crash
+  printf '#!/bin/sh\necho "Error: no such thing" >&2\nexit 1\n' >refuse
+  cat >triangles <<END
+#!$PYTHON
+import gmsh, sys
+gmsh.initialize()
+gmsh.option.setNumber("General.Terminal", 0)
+gmsh.model.occ.importShapes(sys.argv[1])
+gmsh.model.occ.synchronize()
+gmsh.model.mesh.generate(2)
+gmsh.write(sys.argv[2])
+END
+  chmod +x copy crash refuse triangles
+  run -0 peers --peer "other=$PWD/copy $PWD/other.msh {msh} {step}" \
+    --peer "folded=$PWD/copy $PWD/folded.msh {msh} {step}" \
+    --peer "torn=$PWD/copy $PWD/torn.msh {msh} {step}" --peer "good=$PWD/copy $PWD/good.msh {msh} {step}" \
+    --peer "crash=$PWD/crash {step} {msh}" --peer "refuse=$PWD/refuse {step} {msh}" \
+    --peer "triangles=$PWD/triangles {step} {msh}" --peer "absent=no-such-mesher {step} {msh}"
+  assert_output --partial 'not installed: absent'
+  assert_equal "$(row other verdict)" '"not accepted"'
+  assert_regex "$(row other reason)" 'diameters off the curves'
+  assert_equal "$(row folded verdict)" '"not accepted"'
+  assert_regex "$(row folded reason)" 'not proved valid'
+  assert_equal "$(row torn verdict)" '"not accepted"'
+  assert_regex "$(row torn reason)" 'closed loops|Euler'
+  assert_equal "$(row good verdict)" '"accepted"'
+  assert_equal "$(row crash reason)" '"ended by signal 9"'
+  assert_equal "$(row refuse reason)" '"Error: no such thing"'
+  assert_equal "$(row triangles verdict)" '"failed"'
+  assert_regex "$(row triangles reason)" 'no quads among'
+  assert_equal "$(jq '.rows | length' peers.json)" 8
+}
+
+@test "Gmsh and the Poisson problem take part where they are installed" {
+  need gmsh python3-gmsh python3-dolfinx
+  cp "$DATA/tilted_half_disc.step" faces/
+  run -0 "$ROOT/tests/benchmarks/peers" --bin "$BIN" -o . --faces faces --repeats 1
+  jq -e '.rows | length == 10 and all(.verdict == "accepted" or .reason)
+    and ([.[] | select(.verdict == "accepted")] | length >= 6
+    and all(.l2_equal > 1e-9 and .l2_equal < 1e-4))' peers.json
+}
+
+@test "a command of a peer without its files is refused" {
+  run -2 peers --peer 'half=mesher {step}'
+  assert_output --partial 'the command of half lacks {msh}'
+}
