@@ -4,13 +4,14 @@ import argparse, math, os, re, resource, shlex, shutil, signal, subprocess
 import bench, quad_judge
 
 OURS = "quadrille"
-TRIES = 5  # runs to find the size that gives the number of quads
+TRIES = 8  # runs to find the size that gives the number of quads
 FAILURES = 2  # of these, after which a mesher without a mesh is given up
 CLOSE = 0.03  # numbers of quads count as equal
 GMSH = ("gmsh -2 {step} -o {msh} -format msh41 -nt 1 -order {order} -clmax {size_mm} -setnumber Mesh.RecombineAll 1 "
         "-setnumber Mesh.HighOrderOptimize 1 -setnumber Mesh.Algorithm ")
-# Those of Debian's Gmsh 4.8.4 that give nothing but quads. Its Frontal-Delaunay for quads (8) ends by signal 11 on every
-# face, and blossom recombination alone (RecombinationAlgorithm 1) leaves triangles.
+# Those of Debian's Gmsh 4.8.4 that give nothing but quads, as a rule. Its Frontal-Delaunay for quads (8) ends by signal
+# 11 on every face, and blossom recombination alone (RecombinationAlgorithm 1) leaves triangles. Parallelograms differ
+# from run to run.
 GMSH_MODES = {
     "Gmsh simple full": GMSH + "6 -setnumber Mesh.RecombinationAlgorithm 2",
     "Gmsh blossom full": GMSH + "6 -setnumber Mesh.RecombinationAlgorithm 3",
@@ -103,27 +104,37 @@ def peer(text):
     return name, command
 
 
+def next_size(tried):
+    """The size to try after `tried`, pairs (log of the size, log of the number of quads over the wanted one): between
+    the nearest two that enclose the wanted number, or by the rule that it falls with the square of the size."""
+    few, many = ([pair for pair in tried if (pair[1] > 0) == is_many] for is_many in (False, True))
+    nearest = min(tried, key=lambda pair: abs(pair[1]))
+    if not few or not many:
+        return math.exp(nearest[0] + nearest[1] / 2)
+    low, high = (min(pairs, key=lambda pair: abs(pair[1])) for pairs in (few, many))
+    part = low[1] / (low[1] - high[1])
+    return math.exp(low[0] + min(max(part, 0.1), 0.9) * (high[0] - low[0]))
+
+
 def with_count(mesher, folder, values, unit, count, timeout):
-    """Runs a mesher with sizes that bring its number of quads to `count`; it falls with the square of the size. Returns
-    the size whose number is nearest, or raises Failed where no size gives quads."""
-    size, best, failures = values["size"], None, []
+    """Runs a mesher with sizes that bring its number of quads to `count`. Returns the size whose number is nearest, or
+    raises Failed where no size gives quads."""
+    tried, failures, size = [], [], values["size"]
     for _ in range(TRIES):
         try:
             path, _ = mesher.run(folder, sized(values, size, unit), timeout)
             quads, _ = quad_judge.elements_of(path)
         except (Failed, quad_judge.Refused) as reason:
             failures.append(reason)
-            if best is None and len(failures) == FAILURES:
+            if not tried and len(failures) == FAILURES:
                 raise Failed(str(failures[0])) from reason
             size *= 0.9
             continue
-        off = math.log(quads / count)
-        if best is None or abs(off) < abs(best[0]):
-            best = off, size
-        if abs(off) < CLOSE or not re.search(r"\{size(_mm)?\}", mesher.command):
+        tried.append((math.log(size), math.log(quads / count)))
+        if abs(tried[-1][1]) < CLOSE or not re.search(r"\{size(_mm)?\}", mesher.command):
             break
-        size *= math.sqrt(quads / count)
-    return best[1]
+        size = next_size(tried)
+    return math.exp(min(tried, key=lambda pair: abs(pair[1]))[0])
 
 
 def sized(values, size, unit):

@@ -39,7 +39,13 @@ class Mesh:
     of elements that are no complete quads, or of another order than most."""
 
     def __init__(self, path):
-        gmsh.open(str(path))
+        with open(path, "rb") as file:
+            if file.read(1) != b"$":  # Gmsh would run it as a script
+                raise Refused("the mesh is no MSH file")
+        try:
+            gmsh.open(str(path))
+        except Exception as failure:
+            raise Refused(f"Gmsh cannot read the mesh: {failure}") from failure
         try:
             self.read()
         finally:

@@ -72,6 +72,8 @@ lines[first + 1 : first + 2] = [str(count + 1), added]
 open("torn.msh", "w").write("\n".join(lines))
 END
   printf '#!/bin/sh\ncp "$1" "$2"\n' >copy
+  echo 'no mesh at all' >garbage.msh
+  "$ROOT/pipelines/quadmesh" -q --order 4 faces/half_disc.step -o finer.msh
   printf '#!/bin/sh\nkill -9 $$\n' >crash
   printf '#!/bin/sh\necho "Error: no such thing" >&2\nexit 1\n' >refuse
   cat >triangles <<END
@@ -88,6 +90,7 @@ END
   run -0 peers --peer "other=$PWD/copy $PWD/other.msh {msh} {step}" \
     --peer "folded=$PWD/copy $PWD/folded.msh {msh} {step}" \
     --peer "torn=$PWD/copy $PWD/torn.msh {msh} {step}" --peer "good=$PWD/copy $PWD/good.msh {msh} {step}" \
+    --peer "garbage=$PWD/copy $PWD/garbage.msh {msh} {step}" --peer "finer=$PWD/copy $PWD/finer.msh {msh} {step}" \
     --peer "crash=$PWD/crash {step} {msh}" --peer "refuse=$PWD/refuse {step} {msh}" \
     --peer "triangles=$PWD/triangles {step} {msh}" --peer "absent=no-such-mesher {step} {msh}"
   assert_output --partial 'not installed: absent'
@@ -98,11 +101,14 @@ END
   assert_equal "$(row torn verdict)" '"not accepted"'
   assert_regex "$(row torn reason)" 'closed loops|Euler'
   assert_equal "$(row good verdict)" '"accepted"'
+  assert_equal "$(row finer verdict)" '"accepted"'
+  assert_equal "$(row garbage verdict)" '"failed"'
+  assert_regex "$(row garbage reason)" 'no MSH file'
   assert_equal "$(row crash reason)" '"ended by signal 9"'
   assert_equal "$(row refuse reason)" '"Error: no such thing"'
   assert_equal "$(row triangles verdict)" '"failed"'
   assert_regex "$(row triangles reason)" 'no quads among'
-  assert_equal "$(jq '.rows | length' peers.json)" 8
+  assert_equal "$(jq '.rows | length' peers.json)" 10
 }
 
 @test "Gmsh and the Poisson problem take part where they are installed" {
