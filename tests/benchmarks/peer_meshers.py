@@ -106,23 +106,23 @@ def peer(text):
 
 def next_size(tried):
     """The size to try after `tried`, pairs (log of the size, log of the number of quads over the wanted one): between
-    the nearest two that enclose the wanted number, or by the rule that it falls with the square of the size."""
+    the last two that enclose the wanted number, or by the rule that it falls with the square of the size. The last and
+    not the nearest: numbers jump, and the same size would be tried again."""
     few, many = ([pair for pair in tried if (pair[1] > 0) == is_many] for is_many in (False, True))
-    nearest = min(tried, key=lambda pair: abs(pair[1]))
     if not few or not many:
-        return math.exp(nearest[0] + nearest[1] / 2)
-    low, high = (min(pairs, key=lambda pair: abs(pair[1])) for pairs in (few, many))
+        return math.exp(tried[-1][0] + tried[-1][1] / 2)
+    low, high = few[-1], many[-1]
     part = low[1] / (low[1] - high[1])
     return math.exp(low[0] + min(max(part, 0.1), 0.9) * (high[0] - low[0]))
 
 
 def with_count(mesher, folder, values, unit, count, timeout):
-    """Runs a mesher with sizes that bring its number of quads to `count`. Returns the size whose number is nearest, or
-    raises Failed where no size gives quads."""
-    tried, failures, size = [], [], values["size"]
+    """Runs a mesher with sizes that bring its number of quads to `count`. Returns the size whose number is nearest, its
+    mesh (a peer may give another one next time) and CPU seconds, or raises Failed where no size gives quads."""
+    tried, failures, size, best = [], [], values["size"], None
     for _ in range(TRIES):
         try:
-            path, _ = mesher.run(folder, sized(values, size, unit), timeout)
+            path, seconds = mesher.run(folder, sized(values, size, unit), timeout)
             quads, _ = quad_judge.elements_of(path)
         except (Failed, quad_judge.Refused) as reason:
             failures.append(reason)
@@ -131,17 +131,27 @@ def with_count(mesher, folder, values, unit, count, timeout):
             size *= 0.9
             continue
         tried.append((math.log(size), math.log(quads / count)))
+        if abs(tried[-1][1]) == min(abs(off) for _, off in tried):
+            best = size, path.replace(folder / "nearest.msh"), seconds
         if abs(tried[-1][1]) < CLOSE or not re.search(r"\{size(_mm)?\}", mesher.command):
             break
         size = next_size(tried)
-    return math.exp(min(tried, key=lambda pair: abs(pair[1]))[0])
+    return best
 
 
 def sized(values, size, unit):
     return values | {"size": f"{size:.6g}", "size_mm": f"{size * unit:.6g}"}
 
 
-def timed(mesher, folder, values, repeats, timeout):
-    """The mesh, and the least CPU seconds of several runs."""
-    runs = [mesher.run(folder, values, timeout) for _ in range(repeats)]
-    return runs[-1][0], min(seconds for _, seconds in runs)
+def like_ours(mesher, folder, values, unit, count, options):
+    """Size, mesh and least CPU seconds of --repeats runs, with a number of quads near `count`."""
+    size, path, seconds = with_count(mesher, folder, values, unit, count, options.timeout)
+    again = [mesher.run(folder, sized(values, size, unit), options.timeout) for _ in range(options.repeats - 1)]
+    return size, path, min([seconds, *(other for _, other in again)])
+
+
+def as_it_is(mesher, folder, values, unit, options):
+    """Size, mesh and least CPU seconds of --repeats runs, with the size of `values`."""
+    size = values["size"]
+    runs = [mesher.run(folder, sized(values, size, unit), options.timeout) for _ in range(options.repeats)]
+    return size, runs[-1][0], min(seconds for _, seconds in runs)
