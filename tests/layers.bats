@@ -87,7 +87,7 @@ only_in() {
 }
 
 @test "kernels are included only in the folder that wraps them" {
-  only_in cad '[A-Za-z0-9_]+\.hxx'
+  only_in occ '[A-Za-z0-9_]+\.hxx'
   only_in triangulate 'CGAL/'
   only_in io '(H5|hdf5)[A-Za-z0-9]*\.h'
   only_in io 'nlohmann/'

@@ -14,7 +14,6 @@
 #include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
-#include "cad/write_cad.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
@@ -61,7 +60,8 @@ void write_healed(const std::string& path, const CadFace& face) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending != ".step" && ending != ".stp" && ending != ".brep")
     throw UsageError("--write-healed " + path + ": the file must end in .step, .stp or .brep");
-  io::write_output(path, ending == ".brep" ? cad::brep_of_face(face) : cad::step_of_face(face), false);
+  const cad::CadFormat format = ending == ".brep" ? cad::CadFormat::brep : cad::CadFormat::step;
+  io::write_output(path, cad::file_of_face(face, format), false);
 }
 
 void list_faces(const io::InputFile& file, const std::string& output, Report& report) {

@@ -1,12 +1,12 @@
 // Private helper of quadexport: writes blocks as STEP. A separate program, because every process that links the CAD
 // kernel pays for its start-up.
 
-#include "cad/write_cad.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "occ/write_cad.hpp"
 
 using namespace quadrille;
 
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_block_layout(file);
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
-    io::write_output(output, cad::step_of_blocks(layout), false);
+    io::write_output(output, occ::step_of_blocks(layout), false);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

@@ -9,11 +9,11 @@
 
 #include <array>
 #include <cerrno>
-#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
@@ -43,15 +43,6 @@ std::string format_of(const std::string& output, const std::string& wish) {
       fmt::format("the name {} does not determine the format: end it in one of {} or give --format", output, endings));
 }
 
-/// The path of the program that is linked to the CAD kernel, relative to this one: bin/../libexec.
-std::string step_helper() {
-  std::array<char, PATH_MAX> path{};
-  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size() - 1);
-  if (length < 0) throw Defect("cannot find the program file of this process");
-  const std::string self(path.data(), static_cast<std::size_t>(length));
-  return self.substr(0, self.rfind('/')) + "/../libexec/quadexport-step";
-}
-
 /// The output of the helper until it ends.
 std::string read_all(int fd) {
   std::string said;
@@ -66,7 +57,7 @@ std::string read_all(int fd) {
 
 /// Runs the helper, which inherits standard input and output. Its message and exit code are passed on.
 void write_step(std::string input, std::string output) {
-  std::string helper = step_helper(), flag = "-o";
+  std::string helper = helper_program("quadexport-step"), flag = "-o";
   std::array<char*, 5> argv{helper.data(), input.data(), flag.data(), output.data(), nullptr};
   std::array<int, 2> ends{};
   const pid_t child = pipe2(ends.data(), O_CLOEXEC) == 0 ? fork() : -1;

@@ -82,6 +82,13 @@ void members(Archive& a, Face& f) {
   a(f.curves), a(f.curve_names), a(f.unnamed_curves), a(f.curve_cad_edges), a(f.loop_offsets), a(f.joints), a(f.name);
 }
 
+template <class Archive, class Request>
+void request_members(Archive& a, Request& r) {
+  a(r.task), a(r.name), a(r.bytes);
+  a(r.options.corner_angle), a(r.options.heal_tolerance), a(r.options.face), a(r.options.blunt_width);
+  members(a, r.face);
+}
+
 void write_value(Writer& w, const Report::Value& value) {
   w(static_cast<std::uint64_t>(value.index()));
   std::visit([&](const auto& v) { w(v); }, value);
@@ -114,6 +121,20 @@ Report::Value read_value(Reader& r) {
 }
 
 }  // namespace
+
+std::string to_bytes(const CadRequest& request) {
+  Writer w;
+  request_members(w, request);
+  return w.bytes;
+}
+
+CadRequest request_from_bytes(const std::string& bytes) {
+  Reader r(bytes);
+  CadRequest request;
+  request_members(r, request);
+  if (!r.at_end()) throw Defect("request_from_bytes: too long");
+  return request;
+}
 
 std::string to_bytes(const FaceList& list) {
   Writer w;

@@ -1,33 +1,28 @@
 #pragma once
-// Reads one planar face from a CAD file (STEP, IGES, BREP). No OpenCASCADE types: the kernel is used in this folder
-// only.
+// Reads one planar face from a CAD file (STEP, IGES, BREP), and writes one. The work is done in a program for each
+// format (cad2tri-step, cad2tri-iges, cad2tri-brep in libexec), because loading the libraries of the CAD kernel takes
+// most of the time of a small shape, and because its readers can crash on malformed files.
 
 #include <string>
 
 #include "base/report.hpp"
+#include "cad/cad_request.hpp"
+#include "cad/file_kind.hpp"
 #include "cad/loaded_face.hpp"
 
 namespace quadrille::cad {
 
-struct LoadOptions {
-  double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
-  double heal_tolerance = -1;                  ///< as in heal::HealOptions
-  std::string face = {};                       ///< as the choice of choose_face(); empty: the only face
-  double blunt_width = 0;                      ///< as in heal::BluntOptions
-};
-
 /// Reads and heals the chosen face of a CAD file; `bytes`: contents of the file, `name`: its file name, for the
 /// extension and for messages. Throws FormatError, with the error and its position, unless the choice is exactly one
-/// valid planar face. Construction points and curves beside the face are reported as warnings. OpenCASCADE's readers
-/// can crash on malformed files: tools must use load_face_guarded().
-LoadedFace load_face(const std::string& bytes, const std::string& name, const LoadOptions& options, Report& report);
-
-/// load_face() in a child process (base/child_process); a crash of the child becomes a FormatError. Tools call this
-/// function.
+/// valid planar face; a crash of the reader is a FormatError too. Construction points and curves beside the face are
+/// reported as warnings. Throws Error (exit 70) if the program of the format cannot be started.
 LoadedFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
                              Report& report);
 
-/// All faces of a CAD file, planar or not, numbered from 0, read in a child process likewise.
+/// All faces of a CAD file, planar or not, numbered from 0, read likewise.
 FaceList list_faces_guarded(const std::string& bytes, const std::string& name);
+
+/// The face as a file in `format`, STEP or BREP (occ/write_cad.hpp). Throws ComputeError if the kernel cannot write it.
+std::string file_of_face(const CadFace& face, CadFormat format);
 
 }  // namespace quadrille::cad

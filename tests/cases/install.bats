@@ -11,11 +11,13 @@ setup() {
   usr=$BATS_FILE_TMPDIR/usr
 }
 
-@test "quadmesh and the STEP writer find their programs beside themselves" {
+@test "quadmesh, the readers of CAD files and the STEP writer find their programs beside themselves" {
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" "$DATA/square.step" -o out.msh --workdir .
   assert_output --regexp '^1 block, .*'
   run -0 "$usr/bin/quadexport" square.blocks.h5 -o square.blocks.step
   run -0 "$usr/bin/cad2tri" square.blocks.step -o again.tri.h5
+  run -0 "$usr/bin/cad2tri" "$DATA/bad/half_disc_inches.iges" -o iges.tri.h5
+  run -0 "$usr/bin/cad2tri" "$DATA/bad/rectangle.brep" -o brep.tri.h5
   run -0 env PATH=/usr/bin:/bin "$usr/bin/quadmesh" --version
 }
 

@@ -390,3 +390,33 @@ print(step_text("touching", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1.5 + 0j, 1 + 
   assert_failure 3
   assert_nothing_left
 }
+
+# libraries_of PROGRAM: the CAD kernel's libraries that the loader loads for it, one a line.
+libraries_of() {
+  ldd "$1" | sed -nE 's/^\s*lib(TK[A-Za-z0-9]+)\.so.*/\1/p'
+}
+
+@test "the CAD kernel's libraries are loaded by the program of the file's format alone" {
+  local libexec=$BIN/../libexec
+  for tool in cad2tri quadexport; do assert_equal "$(libraries_of "$BIN/$tool")" ''; done
+  assert_equal "$(libraries_of "$libexec/cad2tri-step" | grep -E 'TKSTEP$|TKIGES')" TKSTEP
+  assert_equal "$(libraries_of "$libexec/cad2tri-iges" | grep -E 'TKSTEP$|TKIGES')" TKIGES
+  assert_equal "$(libraries_of "$libexec/cad2tri-brep" | grep -E 'TKBRep|TKXSBase|TKSTEP|TKIGES')" TKBRep
+}
+
+@test "without the program of its format a file ends with 70 and the path" {
+  mkdir bin libexec
+  cp "$BIN/cad2tri" bin
+  cp "$BIN/../libexec/cad2tri-brep" libexec
+  run bin/cad2tri "$DATA/square.step" -o a.tri.h5
+  assert_failure 70
+  assert_output "cad2tri: $PWD/bin/../libexec/cad2tri-step cannot be run: No such file or directory"
+  bin/cad2tri "$DATA/bad/rectangle.brep" -o a.tri.h5
+  assert_nothing_left a.tri.h5 bin bin/cad2tri libexec libexec/cad2tri-brep
+}
+
+@test "standard input, output and error may be closed" {
+  cad2tri "$DATA/square.step" -o a.tri.h5
+  cad2tri "$DATA/square.step" -o b.tri.h5 <&- >&- 2>&-
+  cmp a.tri.h5 b.tri.h5
+}

@@ -9,10 +9,10 @@
 #include "../support/test_data.hpp"
 #include "../triangulate/faces.hpp"
 #include "adapt/adapt_loop.hpp"
-#include "cad/load_face.hpp"
 #include "curve/arc_length.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/solve_phase.hpp"
+#include "occ/read_face.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::adapt {
@@ -25,7 +25,7 @@ CadFace loaded(const std::string& shape) {
   std::ostringstream bytes;
   bytes << std::ifstream(test_data() + "/" + shape, std::ios::binary).rdbuf();
   Report report;
-  return cad::load_face(bytes.str(), shape, {}, report).face;
+  return occ::read_face(occ::step_format(), bytes.str(), shape, {}, report).face;
 }
 
 Field adapted(const CadFace& face, const PhaseNodes& asked, Report& report) {

@@ -9,9 +9,9 @@
 
 #include "../support/test_data.hpp"
 #include "adapt/adapt_loop.hpp"
-#include "cad/load_face.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/solve_laplace.hpp"
+#include "occ/read_face.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::adapt {
@@ -25,8 +25,8 @@ std::string read(const std::string& name) {
 
 Field adapted(const std::string& shape, const galerkin::LaplaceOptions& options) {
   Report report;
-  const TriMesh mesh =
-      triangulate::triangulate(cad::load_face(read(shape + ".step"), shape + ".step", {}, report).face, {}, report);
+  const TriMesh mesh = triangulate::triangulate(
+      occ::read_face(occ::step_format(), read(shape + ".step"), shape + ".step", {}, report).face, {}, report);
   return adapt_loop(galerkin::solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), options, report), {}, report);
 }
 

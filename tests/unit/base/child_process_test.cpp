@@ -1,10 +1,16 @@
 #include "base/child_process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 #include "base/error.hpp"
 
@@ -79,6 +85,88 @@ TEST(ChildProcess, does_not_run_the_parents_exit_handlers) {
     if (getpid() != parent) raise(SIGKILL);
   });
   EXPECT_EQ(run_in_child([] { return std::string("done"); }, crash), "done");
+}
+
+// A program for run_program(): prints, and exits with the code `code`; without arguments, as it is run.
+std::string script(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name + std::to_string(getpid());
+  std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
+  chmod(path.c_str(), 0700);
+  return path;
+}
+
+template <class E>
+std::string message_of_program(const std::string& program) {
+  try {
+    run_program(program, "input", crash, 10);
+  } catch (const E& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(Program, gets_the_input_and_answers_by_its_output) {
+  const std::string program = script("answers", "cat >$0.input; printf v; cat $0.input");
+  std::string bytes(1 << 20, 'x');
+  bytes[5] = '\0';
+  EXPECT_EQ(run_program(program, bytes, crash), bytes);
+  EXPECT_EQ(run_program(program, "", crash), "");
+  const std::string counting = script("counts", "printf v; wc -c");
+  rlimit whole{};
+  getrlimit(RLIMIT_FSIZE, &whole);
+  const rlimit small{100, whole.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_EQ(run_program(counting, bytes, crash), "1048576\n");
+  setrlimit(RLIMIT_FSIZE, &whole);
+}
+
+TEST(Program, a_crash_is_a_format_error) {
+  EXPECT_EQ(message_of_program<FormatError>(script("crashes", "kill -SEGV $$")), crash);
+  EXPECT_THROW(run_program(script("reads_nothing", "exit 1"), std::string(1 << 22, 'x'), crash), FormatError);
+  EXPECT_EQ(message_of_program<FormatError>(script("fails", "printf v; exit 1")), crash);
+  EXPECT_EQ(message_of_program<FormatError>(script("silent", "exit 0")), crash);
+}
+
+TEST(Program, one_that_is_missing_or_finds_no_libraries_is_named) {
+  EXPECT_EQ(message_of_program<Error>("/nowhere/reader"), "/nowhere/reader cannot be run: No such file or directory");
+  const std::string unloaded = script("unloaded", "exit 127");
+  EXPECT_EQ(message_of_program<Error>(unloaded), unloaded + " cannot be started");
+}
+
+TEST(Program, answers_with_the_result_or_the_error_of_its_work_and_prints_nothing_else) {
+  const auto answer = [](const std::string& input) -> std::string {
+    std::printf("a message of a library\n");
+    std::fflush(stdout);
+    if (input == "broken") throw FormatError("broken", "TRI-R01");
+    return "<" + input + ">";
+  };
+  const auto answered = [&](const std::string& input) {
+    std::array<int, 2> in{}, out{};
+    EXPECT_EQ(pipe(in.data()) + pipe(out.data()), 0);
+    EXPECT_EQ(write(in[1], input.data(), input.size()), static_cast<ssize_t>(input.size()));
+    close(in[1]);
+    const pid_t child = fork();
+    if (child == 0) {
+      dup2(in[0], STDIN_FILENO), dup2(out[1], STDOUT_FILENO);
+      answer_parent(answer);
+    }
+    close(in[0]), close(out[1]);
+    std::array<char, 100> bytes{};
+    std::string text;
+    for (ssize_t n = 0; (n = read(out[0], bytes.data(), bytes.size())) > 0;) text.append(bytes.data(), n);
+    close(out[0]);
+    waitpid(child, nullptr, 0);
+    return text;
+  };
+  EXPECT_EQ(answered("input"), "v<input>");
+  EXPECT_EQ(answered("broken"), std::string("fTRI-R01\0TRI-R01: broken", 24));
+}
+
+TEST(HelperProgram, is_in_libexec_beside_the_folder_of_this_program) {
+  const std::string path = helper_program("reader"), end = "/../libexec/reader";
+  ASSERT_GT(path.size(), end.size());
+  EXPECT_EQ(path.substr(path.size() - end.size()), end);
+  EXPECT_EQ(path.front(), '/');
 }
 
 }  // namespace

@@ -58,6 +58,30 @@ TEST(FaceBytes, come_back_as_they_were) {
   EXPECT_EQ(report.warnings()[0].message, "beside");
 }
 
+TEST(FaceBytes, requests_come_back_as_they_were) {
+  CadRequest request;
+  request.task = CadTask::write;
+  request.name = "a.step";
+  request.bytes = std::string("a\0b", 3);
+  request.options.corner_angle = 0.25;
+  request.options.heal_tolerance = 1e-4;
+  request.options.face = "lid.1";
+  request.options.blunt_width = 0.5;
+  request.face = some_face().face;
+  const CadRequest copy = request_from_bytes(to_bytes(request));
+  EXPECT_EQ(to_bytes(copy), to_bytes(request));
+  EXPECT_EQ(copy.task, CadTask::write);
+  EXPECT_EQ(copy.name, "a.step");
+  EXPECT_EQ(copy.bytes, request.bytes);
+  EXPECT_EQ(copy.options.corner_angle, 0.25);
+  EXPECT_EQ(copy.options.heal_tolerance, 1e-4);
+  EXPECT_EQ(copy.options.face, "lid.1");
+  EXPECT_EQ(copy.options.blunt_width, 0.5);
+  EXPECT_EQ(copy.face.curve_names, request.face.curve_names);
+  EXPECT_THROW(request_from_bytes(to_bytes(request) + "x"), Defect);
+  EXPECT_THROW(request_from_bytes("x"), Defect);
+}
+
 TEST(FaceBytes, cut_off_or_too_long_is_a_defect) {
   const std::string bytes = to_bytes(some_face(), some_report());
   Report report;

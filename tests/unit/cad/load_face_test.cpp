@@ -140,15 +140,6 @@ TEST(LoadFace, every_shipped_shape_is_consistent) {
   }
 }
 
-TEST(LoadFace, loading_twice_in_one_process_gives_the_same) {
-  Report report;
-  const std::string inches = bytes_of("bad/inches.step"), millimetres = bytes_of("bad/rectangle.step");
-  for (int round = 0; round < 2; ++round) {
-    EXPECT_EQ(load_face(inches, "a.step", {}, report).face.joints[2].position, (Vec2{2.1, 0.7}));
-    EXPECT_EQ(load_face(millimetres, "b.step", {}, report).face.joints[2].position, (Vec2{2, 1}));
-  }
-}
-
 TEST(LoadFace, numbers_are_those_of_the_file_whatever_its_unit) {
   const Loaded inches = load("bad/inches.step");
   expect_consistent(inches.face);

@@ -1,0 +1,203 @@
+#include "occ/occ_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <gp_Ax3.hxx>
+#include <gp_Pln.hxx>
+
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille::occ {
+namespace {
+
+gp_Pnt point_in_space(const CadFace& face, double scale, Vec2 x) {
+  const Vec2 p = x + face.origin;
+  const auto c = [&](int k) { return scale * (face.plane_origin[k] + p.x * face.plane_x[k] + p.y * face.plane_y[k]); };
+  return {c(0), c(1), c(2)};
+}
+
+gp_Pln plane_in_space(const CadFace& face, double scale) {
+  const auto &e_x = face.plane_x, &e_y = face.plane_y;
+  const gp_Dir x(e_x[0], e_x[1], e_x[2]), y(e_y[0], e_y[1], e_y[2]);
+  return gp_Pln(gp_Ax3(point_in_space(face, scale, {0, 0}), x.Crossed(y), x));
+}
+
+Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs& curve) {
+  const int n = static_cast<int>(curve.poles.size());
+  TColgp_Array1OfPnt poles(1, n);
+  TColStd_Array1OfReal weights(1, n);
+  for (int i = 0; i < n; ++i) {
+    poles.SetValue(i + 1, point_in_space(face, scale, curve.poles[i]));
+    weights.SetValue(i + 1, curve.weights[i]);
+  }
+  std::vector<double> distinct = curve.knots;
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
+  TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
+  for (int i = 0; i < static_cast<int>(distinct.size()); ++i) {
+    knots.SetValue(i + 1, distinct[i]);
+    multiplicities.SetValue(i + 1, static_cast<int>(std::count(curve.knots.begin(), curve.knots.end(), distinct[i])));
+  }
+  return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
+}
+
+// An edge from vertex to vertex: a line if the curve is one, else an exact B-spline.
+TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve, const TopoDS_Vertex& from,
+                          const TopoDS_Vertex& to, double tolerance) {
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  double first = curve.begin(), last = curve.end();
+  if (curve.degree == 1 && curve.poles.size() == 2) {
+    const gp_Pnt a = point_in_space(face, scale, curve.poles.front());
+    const gp_Pnt b = point_in_space(face, scale, curve.poles.back());
+    builder.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance);
+    first = 0, last = a.Distance(b);
+  } else {
+    builder.MakeEdge(edge, spline(face, scale, curve), tolerance);
+  }
+  builder.Add(edge, from.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, to.Oriented(TopAbs_REVERSED));
+  builder.Range(edge, first, last);
+  return edge;
+}
+
+// The wire of a loop; adds the names of its edges to `result`.
+TopoDS_Wire wire_of(const CadFace& face, int loop, double scale, OccShape& result) {
+  const BRep_Builder builder;
+  const double tolerance = 1e-7 * face.diameter * scale;
+  const int first = face.loop_offsets[loop], n = face.loop_offsets[loop + 1] - first;
+  std::vector<TopoDS_Vertex> vertices(n);
+  for (int i = 0; i < n; ++i)
+    builder.MakeVertex(vertices[i], point_in_space(face, scale, face.curves[first + i].poles.front()), tolerance);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (int i = 0; i < n; ++i) {
+    const TopoDS_Edge edge =
+        edge_in_space(face, scale, face.curves[first + i], vertices[i], vertices[(i + 1) % n], tolerance);
+    builder.Add(wire, edge);
+    if (face.has_given_name(first + i)) result.names.emplace_back(edge, face.curve_names[first + i]);
+  }
+  wire.Closed(true);
+  return wire;
+}
+
+class ShellBuilder {
+ public:
+  ShellBuilder(const BlockLayout& layout, double scale) : layout_(layout), scale_(scale) {
+    tolerance_ = 1e-7 * layout.face.diameter * scale;
+  }
+
+  OccShape build() {
+    for (const GraphNode& node : layout_.nodes) vertices_.push_back(vertex(node.position));
+    for (int a = 0; a < static_cast<int>(layout_.arcs.size()); ++a) edges_.push_back(edges_of_arc(a));
+    const Handle(Geom_Plane) plane = new Geom_Plane(plane_in_space(layout_.face, scale_));
+    TopoDS_Shell shell;
+    builder_.MakeShell(shell);
+    for (size_t b = 0; b < layout_.block2arcs.size(); ++b) {
+      TopoDS_Face face;
+      builder_.MakeFace(face, plane, tolerance_);
+      builder_.Add(face, wire_of(layout_.block2arcs[b]));
+      builder_.Add(shell, face);
+      const bool has_name = b < layout_.block_names.size();
+      result_.names.emplace_back(face, has_name ? layout_.block_names[b] : fmt::format("block_{}", b));
+    }
+    result_.shape = shell;
+    return std::move(result_);
+  }
+
+ private:
+  gp_Pnt in_space(Vec2 x) const { return point_in_space(layout_.face, scale_, x); }
+
+  TopoDS_Vertex vertex(Vec2 x) {
+    TopoDS_Vertex v;
+    builder_.MakeVertex(v, in_space(x), tolerance_);
+    return v;
+  }
+
+  // The edges of the pieces of an arc from its first node to its last, each in the direction of the arc.
+  std::vector<TopoDS_Edge> edges_of_arc(int a) {
+    const GraphArc& arc = layout_.arcs[a];
+    std::vector<TopoDS_Edge> edges;
+    TopoDS_Vertex last = vertices_[arc.from];
+    for (size_t i = 0; i < arc.pieces.size(); ++i) {
+      const ArcPiece& piece = arc.pieces[i];
+      const bool is_last = i + 1 == arc.pieces.size();
+      const TopoDS_Vertex next =
+          is_last ? vertices_[arc.to] : vertex(curve::point(layout_.curve(piece.curve), piece.t1));
+      edges.push_back(edge_of_piece(a, piece, last, next));
+      if (piece.curve < layout_.face.num_curves())
+        result_.names.emplace_back(edges.back(), layout_.face.curve_names[piece.curve]);
+      last = next;
+    }
+    return edges;
+  }
+
+  TopoDS_Edge edge_of_piece(int arc, const ArcPiece& piece, const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+    const Nurbs& whole = layout_.curve(piece.curve);
+    const auto [low, high] = std::minmax(piece.t0, piece.t1);
+    if (!(low < high)) throw ComputeError(fmt::format("arc {} has an empty piece of curve {}", arc, piece.curve));
+    Nurbs part = curve::trimmed(whole, low, high);
+    if (piece.t0 > piece.t1) part = curve::reversed(part);
+    for (const auto& [vertex, end] : {std::pair{from, part.poles.front()}, std::pair{to, part.poles.back()}}) {
+      const double gap = BRep_Tool::Pnt(vertex).Distance(in_space(end));
+      if (gap > tolerance_)
+        throw ComputeError(fmt::format("arc {} ends {:.3g} off its node at {}", arc, gap / scale_,
+                                       position_text(end + layout_.face.origin)));
+    }
+    return edge_in_space(layout_.face, scale_, part, from, to, tolerance_);
+  }
+
+  TopoDS_Wire wire_of(const std::array<HalfEdge, 4>& arcs) {
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (const auto& [arc, backwards] : arcs) {
+      std::vector<TopoDS_Edge> edges = edges_[arc];
+      if (backwards) std::reverse(edges.begin(), edges.end());
+      for (const TopoDS_Edge& edge : edges)
+        builder_.Add(wire, edge.Oriented(backwards ? TopAbs_REVERSED : TopAbs_FORWARD));
+    }
+    wire.Closed(true);
+    return wire;
+  }
+
+  const BlockLayout& layout_;
+  double scale_, tolerance_;
+  BRep_Builder builder_;
+  std::vector<TopoDS_Vertex> vertices_;
+  std::vector<std::vector<TopoDS_Edge>> edges_;
+  OccShape result_;
+};
+
+}  // namespace
+
+OccShape occ_blocks(const BlockLayout& layout, double scale) { return ShellBuilder(layout, scale).build(); }
+
+OccShape occ_face_shape(const CadFace& face, double scale) {
+  OccShape result;
+  const BRep_Builder builder;
+  TopoDS_Face shape;
+  builder.MakeFace(shape, new Geom_Plane(plane_in_space(face, scale)), 1e-7 * face.diameter * scale);
+  for (int l = 0; l < face.num_loops(); ++l) builder.Add(shape, wire_of(face, l, scale, result));
+  if (!face.name.empty()) result.names.emplace_back(shape, face.name);
+  result.shape = shape;
+  return result;
+}
+
+}  // namespace quadrille::occ

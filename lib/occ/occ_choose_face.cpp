@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+
+#include "base/error.hpp"
+#include "occ/occ_face.hpp"
+#include "occ/occ_placed_faces.hpp"
+
+namespace quadrille::occ {
+namespace {
+
+// In the order of GeomAbs_CurveType and GeomAbs_SurfaceType.
+constexpr std::array curve_kinds{"line",   "circle", "ellipse", "hyperbola", "parabola",
+                                 "spline", "spline", "offset",  "other"};
+constexpr std::array surface_kinds{"plane",  "cylinder",   "cone",      "sphere", "torus", "spline",
+                                   "spline", "revolution", "extrusion", "offset", "other"};
+
+std::string kind_of(const TopoDS_Face& face) {
+  if (BRep_Tool::Surface(face).IsNull()) return "other";
+  return plane_of(face) ? "plane" : surface_kinds.at(BRepAdaptor_Surface(face, false).GetType());
+}
+
+std::array<double, 3> numbers(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+// Sets length and place from the curves of `shape`.
+void measure(const TopoDS_Shape& shape, cad::ListedShape& listed) {
+  GProp_GProps measured;
+  BRepGProp::LinearProperties(shape, measured);
+  listed.length = measured.Mass(), listed.place = numbers(measured.CentreOfMass());
+}
+
+cad::ListedShape listed_edge(const OccModel& model, const TopoDS_Edge& edge) {
+  cad::ListedShape listed{model.label_of(edge).name, "point", 0, {}};
+  if (BRep_Tool::Degenerated(edge)) return listed;
+  const BRepAdaptor_Curve curve(edge);
+  listed.kind = curve_kinds.at(curve.GetType());
+  measure(edge, listed);
+  listed.place = numbers(curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2));
+  return listed;
+}
+
+cad::ListedFace listed_face(const OccModel& model, const PlacedFace& placed) {
+  const TopoDS_Face& face = placed.face;
+  cad::ListedFace listed{{model.label_of(face).name, kind_of(face), 0, {}}, placed.part_path(), placed.layer, {}};
+  measure(face, listed.face);
+  for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
+    for (TopoDS_Iterator e(wire.Value().Oriented(TopAbs_FORWARD)); e.More(); e.Next())
+      if (e.Value().ShapeType() == TopAbs_EDGE) listed.edges.push_back(listed_edge(model, TopoDS::Edge(e.Value())));
+  return listed;
+}
+
+constexpr const char* how = "--face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)";
+
+// The message distinguishes connected faces from separate ones: those of a shell share edges.
+std::string several(const std::vector<PlacedFace>& faces, int stated) {
+  TopTools_IndexedMapOfShape edges;
+  int uses = 0;
+  for (const PlacedFace& placed : faces)
+    for (TopExp_Explorer e(placed.face, TopAbs_EDGE); e.More(); e.Next()) ++uses, edges.Add(e.Current());
+  const int shared = uses - edges.Extent();
+  return fmt::format("several faces ({}{})", stated, shared > 0 ? fmt::format(" with {} shared edges", shared) : "");
+}
+
+TopoDS_Face only_face(const OccModel& model, const std::vector<PlacedFace>& faces, const std::string& file) {
+  const int num_faces = std::max(model.num_faces, static_cast<int>(faces.size()));
+  if (num_faces == 1 && model.num_solids == 0) return faces.front().face;
+  const std::string what = model.num_solids > 0 ? "a solid" : several(faces, num_faces);
+  throw FormatError(fmt::format("{}: the file holds {}: choose one planar face with {}", file, what, how));
+}
+
+// The numbers of the faces that fulfil `condition`.
+template <class Condition>
+std::vector<int> numbers_of(const std::vector<PlacedFace>& faces, Condition condition) {
+  std::vector<int> found;
+  for (size_t i = 0; i < faces.size(); ++i)
+    if (condition(faces[i])) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+std::optional<int> as_number(const std::string& choice, int num_faces) {
+  int number = -1;
+  const char* end = choice.data() + choice.size();
+  const auto read = std::from_chars(choice.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || number < 0 || number >= num_faces) return std::nullopt;
+  return number;
+}
+
+// "cover.1" is piece 1 of the face with the name "cover".
+outline::FacePiece piece_of(const std::string& choice) {
+  const size_t dot = choice.rfind('.');
+  if (dot == std::string::npos) return {choice, -1};
+  const auto number = as_number(choice.substr(dot + 1), std::numeric_limits<int>::max());
+  return number ? outline::FacePiece{choice.substr(0, dot), *number} : outline::FacePiece{choice, -1};
+}
+
+bool is_held_by(const PlacedFace& face, const std::string& name) {
+  const auto& parts = face.parts;
+  return face.layer == name || face.part_path() == name || std::find(parts.begin(), parts.end(), name) != parts.end();
+}
+
+// "; could not be built: #40 'lid'"; empty if all faces could.
+std::string not_built(const OccModel& model) {
+  return model.not_built.empty() ? std::string()
+                                 : fmt::format("; could not be built: {}", fmt::join(model.not_built, ", "));
+}
+
+struct Choice {
+  std::vector<int> faces;
+  const char* relation = "have this name";
+};
+
+// The faces that `choice` means. Parts and layers come last, because many of them are named by numbers.
+Choice chosen(const OccModel& model, const std::vector<PlacedFace>& faces, const std::string& choice) {
+  const auto named = [&](const PlacedFace& f) { return model.label_of(f.face).name == choice; };
+  std::vector<int> found = numbers_of(faces, named);
+  if (!found.empty()) return {found};
+  if (const auto number = as_number(choice, static_cast<int>(faces.size()))) return {{*number}};
+  const auto held = [&](const PlacedFace& f) { return is_held_by(f, choice); };
+  return {numbers_of(faces, held), "lie in the part or layer of this name"};
+}
+
+// "0-3, 7, 8": runs of three or more numbers are shortened.
+std::string list_text(const std::vector<int>& numbers) {
+  std::vector<std::string> runs;
+  for (size_t i = 0; i < numbers.size();) {
+    size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    if (end - i < 3) end = i + 1;
+    runs.push_back(end == i + 1 ? std::to_string(numbers[i]) : fmt::format("{}-{}", numbers[i], numbers[end - 1]));
+    i = end;
+  }
+  return fmt::format("{}", fmt::join(runs, ", "));
+}
+
+}  // namespace
+
+cad::FaceList list_faces(const OccModel& model) {
+  cad::FaceList list;
+  list.length_unit = model.length_unit;
+  for (const PlacedFace& placed : placed_faces(model)) list.faces.push_back(listed_face(model, placed));
+  list.not_built = model.not_built;
+  return list;
+}
+
+FaceChoice choose_face(const OccModel& model, const std::string& choice, const std::string& file) {
+  const std::vector<PlacedFace> faces = placed_faces(model);
+  if (model.num_faces == 0) throw FormatError(file + ": the file holds no face; expected one planar face");
+  if (faces.empty()) throw FormatError(file + ": the face cannot be built from what the file says" + not_built(model));
+  if (choice.empty()) return {only_face(model, faces, file), {}};
+  outline::FacePiece piece{choice, -1};
+  Choice found = chosen(model, faces, choice);
+  if (found.faces.empty()) piece = piece_of(choice), found = chosen(model, faces, piece.face);
+  if (found.faces.empty())
+    throw FormatError(fmt::format(
+        "{}: --face {}: no face has this name or number; the file holds {}, numbered from 0, and no part or "
+        "layer of this name{}: choose with {}",
+        file, choice, faces.size(), not_built(model), how));
+  if (found.faces.size() > 1)
+    throw FormatError(fmt::format("{}: --face {}: the faces {} {}: choose one by its number", file, choice,
+                                  list_text(found.faces), found.relation));
+  return {faces[found.faces.front()].face, piece};
+}
+
+}  // namespace quadrille::occ

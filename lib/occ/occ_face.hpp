@@ -1,0 +1,40 @@
+#pragma once
+// Faces of an OpenCASCADE model: all of them as a list, the chosen one, and that one as NURBS in its plane.
+
+#include <TopoDS_Face.hxx>
+#include <gp_Pln.hxx>
+#include <optional>
+#include <string>
+
+#include "base/report.hpp"
+#include "cad/loaded_face.hpp"
+#include "heal/raw_face.hpp"
+#include "occ/occ_model.hpp"
+#include "outline/face_pieces.hpp"
+
+namespace quadrille::occ {
+
+/// All faces with their edges, in the order of the file. A face that an assembly places several times is listed at each
+/// place; one that two solids share is listed once.
+cad::FaceList list_faces(const OccModel& model);
+
+struct FaceChoice {
+  TopoDS_Face face;
+  outline::FacePiece piece;
+};
+
+/// The face whose name is `choice` or, if no face has that name, whose number it is, or else the only face in the part
+/// or on the layer of that name; the only face of the model if `choice` is empty. A part is chosen by its name or by
+/// its path ("rig/bolt"). ".0" and so on behind that: a piece of the face. Throws FormatError if no face or several
+/// faces are chosen, or if `choice` is empty and the model is a solid or has several faces. `file`: name of the file,
+/// for messages.
+FaceChoice choose_face(const OccModel& model, const std::string& choice, const std::string& file);
+
+/// The plane of the face in space; std::nullopt if the face is not planar.
+std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
+
+/// Throws FormatError unless `face` is planar and bounded by plain wires; entities of `model` beside its faces are
+/// reported as warnings. `file`: name of the file, for messages.
+heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report);
+
+}  // namespace quadrille::occ

@@ -1,0 +1,23 @@
+#pragma once
+// Runs a writer of OpenCASCADE.
+
+#include <Standard_Failure.hxx>
+#include <string>
+
+#include "base/error.hpp"
+#include "occ/occ_quiet.hpp"
+
+namespace quadrille::occ {
+
+/// The result of `write`, silently; errors of the kernel become ComputeErrors. `what`: what is written, for messages.
+template <class Write>
+std::string written_by_kernel(const std::string& what, Write write) {
+  quiet_kernel();
+  try {
+    return write();
+  } catch (const Standard_Failure& e) {
+    throw ComputeError(what + " cannot be written as a CAD file: " + e.GetMessageString());
+  }
+}
+
+}  // namespace quadrille::occ

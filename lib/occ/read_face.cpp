@@ -1,0 +1,61 @@
+#include "occ/read_face.hpp"
+
+#include <Standard_Failure.hxx>
+
+#include "base/error.hpp"
+#include "cad/curve_names.hpp"
+#include "cad/face_bytes.hpp"
+#include "heal/heal_face.hpp"
+#include "occ/occ_face.hpp"
+#include "occ/occ_load.hpp"
+#include "outline/assemble_face.hpp"
+
+namespace quadrille::occ {
+namespace {
+
+// Errors of the kernel and of computations in `work` become errors of the file.
+template <class Work>
+auto of_file(const KernelFormat& format, const std::string& name, Work work) {
+  try {
+    return work();
+  } catch (const Standard_Failure& e) {
+    const std::string message = e.GetMessageString();
+    throw FormatError(name + ": the shape in the " + cad::format_name(format.format) +
+                      " file is broken: " + (message.empty() ? e.DynamicType()->Name() : message));
+  } catch (const ComputeError& e) {
+    throw FormatError(name + ": " + e.what());
+  }
+}
+
+}  // namespace
+
+cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                          const cad::LoadOptions& options, Report& report) {
+  report.set("input.format", cad::format_name(format.format));
+  return of_file(format, name, [&] {
+    const OccModel model = occ_load(format, bytes, name);
+    const FaceChoice choice = choose_face(model, options.face, name);
+    heal::RawFace raw = occ_face(model, choice.face, name, report);
+    cad::choose_names(raw);
+    cad::LoadedFace loaded;
+    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
+    loaded.face =
+        outline::assemble_face(raw, {options.corner_angle, options.blunt_width, choice.piece}, loaded.repairs, report);
+    return loaded;
+  });
+}
+
+std::string answer(const KernelFormat& format, const std::string& request) {
+  const cad::CadRequest r = cad::request_from_bytes(request);
+  if (r.task == cad::CadTask::write) {
+    if (format.write == nullptr) throw Defect("no face is written as " + cad::format_name(format.format));
+    return format.write(r.face);
+  }
+  if (r.task == cad::CadTask::list)
+    return of_file(format, r.name, [&] { return cad::to_bytes(list_faces(occ_load(format, r.bytes, r.name))); });
+  Report report;
+  const cad::LoadedFace loaded = read_face(format, r.bytes, r.name, r.options, report);
+  return cad::to_bytes(loaded, report);
+}
+
+}  // namespace quadrille::occ

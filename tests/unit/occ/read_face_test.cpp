@@ -1,0 +1,52 @@
+#include "occ/read_face.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "../support/test_data.hpp"
+#include "../support/texts.hpp"
+#include "base/error.hpp"
+#include "cad/face_bytes.hpp"
+
+namespace quadrille::occ {
+namespace {
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream stream(test_data() + "/" + file, std::ios::binary);
+  if (!stream) throw std::runtime_error("no " + file);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return bytes.str();
+}
+
+TEST(ReadFace, reading_twice_in_one_process_gives_the_same) {
+  Report report;
+  const std::string inches = bytes_of("bad/inches.step"), millimetres = bytes_of("bad/rectangle.step");
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(read_face(step_format(), inches, "a.step", {}, report).face.joints[2].position, (Vec2{2.1, 0.7}));
+    EXPECT_EQ(read_face(step_format(), millimetres, "b.step", {}, report).face.joints[2].position, (Vec2{2, 1}));
+  }
+}
+
+TEST(Answer, is_the_face_the_list_or_the_file_that_the_request_is_for) {
+  cad::CadRequest request;
+  request.name = "a.brep";
+  request.bytes = bytes_of("bad/rectangle.brep");
+  Report report;
+  request.face = cad::from_bytes(answer(brep_format(), cad::to_bytes(request)), report).face;
+  EXPECT_EQ(request.face.num_curves(), 4);
+  EXPECT_EQ(report.entries().front().first, "input.format");
+
+  request.task = cad::CadTask::list;
+  EXPECT_EQ(cad::list_from_bytes(answer(brep_format(), cad::to_bytes(request))).faces.size(), 1U);
+
+  request.task = cad::CadTask::write;
+  expect_contains(answer(brep_format(), cad::to_bytes(request)), "CASCADE Topology V");
+  expect_contains(answer(step_format(), cad::to_bytes(request)), "ISO-10303-21");
+  EXPECT_THROW(answer(iges_format(), cad::to_bytes(request)), Defect);
+}
+
+}  // namespace
+}  // namespace quadrille::occ

@@ -1,0 +1,9 @@
+// Private helper of cad2tri, like cad2tri-step: reads IGES.
+
+#include "base/child_process.hpp"
+#include "occ/read_face.hpp"
+
+int main() {
+  using namespace quadrille;
+  answer_parent([](const std::string& request) { return occ::answer(occ::iges_format(), request); });
+}
