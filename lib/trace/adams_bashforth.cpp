@@ -51,8 +51,8 @@ BoundaryFoot boundary_foot_near(const field::FieldEvaluator& evaluator, int elem
 
 class FixedStepIntegrator {
  public:
-  FixedStepIntegrator(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes,
-                      const AdvanceOptions& options, Streamline& line)
+  FixedStepIntegrator(const field::FieldEvaluator& evaluator, const PointGrid& nodes, const AdvanceOptions& options,
+                      Streamline& line)
       : evaluator_(evaluator),
         nodes_(nodes),
         options_(options),
@@ -139,13 +139,12 @@ class FixedStepIntegrator {
   }
 
   bool ends_at_node() {
-    for (size_t n = 0; n < nodes_.size(); ++n) {
-      if (nodes_[n] == line_.launch.origin || distance(x_, nodes_[n]) > options_.hit_distance) continue;
-      line_.reached = {static_cast<int>(n), -1, 0};
-      finish(Streamline::End::node, nodes_[n]);
-      return true;
-    }
-    return false;
+    const std::vector<Vec2>& nodes = nodes_.points();
+    const int node = nodes_.nearest(x_, [&](int n) { return nodes[n] != line_.launch.origin; }).point;
+    if (node < 0 || distance(x_, nodes[node]) > options_.hit_distance) return false;
+    line_.reached = {node, -1, 0};
+    finish(Streamline::End::node, nodes[node]);
+    return true;
   }
 
   void finish(Streamline::End how, Vec2 where) {
@@ -158,7 +157,7 @@ class FixedStepIntegrator {
   [[noreturn]] void fail() const { fail_at(x_ + evaluator_.field().mesh.face.origin); }
 
   const field::FieldEvaluator& evaluator_;
-  const std::vector<Vec2>& nodes_;
+  const PointGrid& nodes_;
   const AdvanceOptions& options_;
   Streamline& line_;
   mesh::Location at_;
@@ -168,8 +167,8 @@ class FixedStepIntegrator {
 
 }  // namespace
 
-Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch,
-                                   const std::vector<Vec2>& nodes, const AdvanceOptions& options) {
+Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch, const PointGrid& nodes,
+                                   const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
   FixedStepIntegrator(evaluator, nodes, options, line).run();

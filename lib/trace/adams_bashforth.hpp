@@ -15,7 +15,7 @@ namespace quadrille::trace {
 /// Follows a launched line with steps of options.max_step; ends as advance() does, but ends in a node only where a step
 /// ends within options.hit_distance of it. Positions between the steps are cubics. Throws ComputeError if the field
 /// vanishes or a step ends outside the domain without crossing the boundary.
-Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch,
-                                   const std::vector<Vec2>& nodes, const AdvanceOptions& options);
+Streamline advance_adams_bashforth(const field::FieldEvaluator& evaluator, const Launch& launch, const PointGrid& nodes,
+                                   const AdvanceOptions& options);
 
 }  // namespace quadrille::trace

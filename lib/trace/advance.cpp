@@ -67,8 +67,8 @@ BoundaryFoot boundary_foot(const field::FieldEvaluator& evaluator, const StreamS
 // Begins at the line's front.
 class StreamlineIntegrator {
  public:
-  StreamlineIntegrator(const field::FieldEvaluator& evaluator, const std::vector<Vec2>& nodes,
-                       const AdvanceOptions& options, Streamline& line)
+  StreamlineIntegrator(const field::FieldEvaluator& evaluator, const PointGrid& nodes, const AdvanceOptions& options,
+                       Streamline& line)
       : evaluator_(evaluator),
         nodes_(nodes),
         options_(options),
@@ -163,7 +163,7 @@ class StreamlineIntegrator {
     const int node = proximity_.node_hit_at(x, options_.hit_distance);
     if (node < 0) return false;
     line_.reached = {node, -1, 0};
-    finish(Streamline::End::node, nodes_[node]);
+    finish(Streamline::End::node, nodes_.points()[node]);
     return true;
   }
 
@@ -176,7 +176,7 @@ class StreamlineIntegrator {
   }
 
   const field::FieldEvaluator& evaluator_;
-  const std::vector<Vec2>& nodes_;
+  const PointGrid& nodes_;
   const AdvanceOptions& options_;
   Streamline& line_;
   NodeProximity proximity_;
@@ -186,7 +186,7 @@ class StreamlineIntegrator {
 
 }  // namespace
 
-Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
+Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch, const PointGrid& nodes,
                    const AdvanceOptions& options) {
   Streamline line;
   line.launch = launch;
@@ -196,7 +196,7 @@ Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch,
   return line;
 }
 
-void follow(const field::FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
+void follow(const field::FieldEvaluator& evaluator, Streamline& line, const PointGrid& nodes,
             const AdvanceOptions& options) {
   if (line.is_endless() && !line.is_limit_cycle) StreamlineIntegrator(evaluator, nodes, options, line).run();
 }

@@ -5,8 +5,7 @@
 // (root of its continuous extension) and continues in the neighbour at the same point of the shared edge. No search for
 // elements is needed.
 
-#include <vector>
-
+#include "base/point_grid.hpp"
 #include "field/evaluate.hpp"
 #include "trace/streamline.hpp"
 
@@ -22,12 +21,12 @@ struct AdvanceOptions {
 /// Integrates from the launch. A spiral that has reached its limit cycle, and a line of max_stream_steps steps, end
 /// with End::length. Throws ComputeError with the position where the field has no direction (it vanishes away from all
 /// nodes).
-Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch, const std::vector<Vec2>& nodes,
+Streamline advance(const field::FieldEvaluator& evaluator, const Launch& launch, const PointGrid& nodes,
                    const AdvanceOptions& options);
 
 /// Continues a line that ended with End::length, to the length of these options: the steps are the same as in a single
 /// advance(). Other lines, and limit cycles, are not changed.
-void follow(const field::FieldEvaluator& evaluator, Streamline& line, const std::vector<Vec2>& nodes,
+void follow(const field::FieldEvaluator& evaluator, Streamline& line, const PointGrid& nodes,
             const AdvanceOptions& options);
 
 }  // namespace quadrille::trace

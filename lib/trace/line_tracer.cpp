@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "trace/adams_bashforth.hpp"
@@ -45,16 +46,24 @@ void LineTracer::follow_all_to(double length) {
   reach_ = is_fixed ? max_length_ : std::min(length, max_length_);
   const AdvanceOptions options = bounds(reach_);
   if (!is_fixed)
-    for (Streamline& line : lines_) {
-      follow(evaluator_, line, nodes_, options);
-      require_few_steps();
-    }
-  for (const PlannedLaunch& planned : launches_) {
-    lines_.push_back(is_fixed ? advance_adams_bashforth(evaluator_, planned.launch, nodes_, options)
-                              : traced(planned, options));
-    require_few_steps();
-  }
+    for (Streamline& line : lines_) follow_line(line, options);
+  for (const PlannedLaunch& planned : launches_)
+    add_line(is_fixed ? advance_adams_bashforth(evaluator_, planned.launch, nodes_, options)
+                      : traced(planned, options));
   launches_.clear();
+}
+
+void LineTracer::add_line(Streamline line) {
+  num_steps_ += line.steps.size();
+  lines_.push_back(std::move(line));
+  require_few_steps();
+}
+
+void LineTracer::follow_line(Streamline& line, const AdvanceOptions& options) {
+  num_steps_ -= line.steps.size();
+  follow(evaluator_, line, nodes_, options);
+  num_steps_ += line.steps.size();
+  require_few_steps();
 }
 
 Streamline LineTracer::traced(const PlannedLaunch& planned, const AdvanceOptions& options) const {
@@ -65,14 +74,10 @@ Streamline LineTracer::traced(const PlannedLaunch& planned, const AdvanceOptions
   return advance(evaluator_, planned.launch, nodes_, options);
 }
 
-void LineTracer::follow_to(int line, double length) {
-  follow(evaluator_, lines_[line], nodes_, bounds(length));
-  require_few_steps();
-}
+void LineTracer::follow_to(int line, double length) { follow_line(lines_[line], bounds(length)); }
 
 void LineTracer::add_cut(int curve, double t, double length) {
-  lines_.push_back(advance(evaluator_, launch_from_boundary(evaluator_, curve, t), nodes_, bounds(length)));
-  require_few_steps();
+  add_line(advance(evaluator_, launch_from_boundary(evaluator_, curve, t), nodes_, bounds(length)));
 }
 
 Streamline LineTracer::follow_from(Vec2 x, double angle) const {
@@ -80,19 +85,12 @@ Streamline LineTracer::follow_from(Vec2 x, double angle) const {
   return advance(evaluator_, launch_line(evaluator_, -1, x, angle, radius, 1), nodes_, bounds(max_length_));
 }
 
-std::size_t LineTracer::num_steps() const {
-  std::size_t num = 0;
-  for (const Streamline& line : lines_) num += line.steps.size();
-  return num;
-}
-
 void LineTracer::require_few_steps() const {
-  const std::size_t num = num_steps();
-  if (num > max_num_steps_)
+  if (num_steps_ > max_num_steps_)
     throw ComputeError(fmt::format(
         "{} separatrices take {} steps, more than the {} allowed, and are not all complete: the field turns "
         "too fast, or raise --max-line-steps",
-        lines_.size(), num, max_num_steps_));
+        lines_.size(), num_steps_, max_num_steps_));
 }
 
 }  // namespace quadrille::trace

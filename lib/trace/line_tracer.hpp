@@ -15,7 +15,7 @@ namespace quadrille::trace {
 /// lines throws ComputeError as advance(), and as soon as they have more steps than TraceOptions::max_steps allows.
 class LineTracer {
  public:
-  /// `evaluator` and `nodes` (the positions of fixed_nodes) must outlive the tracer. Launches all separatrices; if none
+  /// `evaluator` must outlive the tracer. `nodes`: the positions of fixed_nodes. Launches all separatrices; if none
   /// starts in an annulus, cuts. Throws ComputeError as launch_all.
   LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const std::vector<Vec2>& nodes,
              const TraceOptions& options);
@@ -38,20 +38,22 @@ class LineTracer {
   double reach() const { return reach_ < max_length_ ? reach_ : 0; }
   double max_length() const { return max_length_; }
   /// Of all lines.
-  std::size_t num_steps() const;
+  std::size_t num_steps() const { return num_steps_; }
 
   const std::vector<Streamline>& lines() const { return lines_; }
 
  private:
   AdvanceOptions bounds(double length) const;
+  void add_line(Streamline line);
+  void follow_line(Streamline& line, const AdvanceOptions& options);
   void require_few_steps() const;
   Streamline traced(const PlannedLaunch& planned, const AdvanceOptions& options) const;
 
   const field::FieldEvaluator& evaluator_;
-  const std::vector<Vec2>& nodes_;
+  PointGrid nodes_;
   TraceOptions options_;
   double max_length_ = 0, reach_ = 0;
-  std::size_t max_num_steps_ = 0;
+  std::size_t num_steps_ = 0, max_num_steps_ = 0;
   std::vector<PlannedLaunch> launches_;  // of lines that have not been followed yet
   std::vector<Streamline> lines_;
 };

@@ -1,9 +1,7 @@
 #pragma once
 // The node nearest to a line, and the greatest step length there.
 
-#include <vector>
-
-#include "base/vec2.hpp"
+#include "base/point_grid.hpp"
 
 namespace quadrille::trace {
 
@@ -11,8 +9,7 @@ class NodeProximity {
  public:
   /// `nodes` must outlive it. `origin`: where the line starts; equal to one of the nodes if the line starts at a node
   /// (its own). `is_at_origin`: the line is still near its own node.
-  NodeProximity(const std::vector<Vec2>& nodes, Vec2 origin, bool is_at_origin)
-      : nodes_(nodes), origin_(origin), is_at_origin_(is_at_origin) {}
+  NodeProximity(const PointGrid& nodes, Vec2 origin, bool is_at_origin);
 
   /// Moves to x. Returns the nearest node, -1 if no node counts. The line's own node counts once the line has moved
   /// away from it.
@@ -27,8 +24,9 @@ class NodeProximity {
   double longest_step() const { return longest_step_; }
 
  private:
-  const std::vector<Vec2>& nodes_;
+  const PointGrid& nodes_;
   Vec2 origin_;
+  int own_ = -1;  // the first node at the origin
   bool is_at_origin_;
   double longest_step_ = 0;
 };

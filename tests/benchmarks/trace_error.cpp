@@ -51,16 +51,17 @@ class Comparison {
     const trace::AdvanceOptions bounds{reference_tolerance * diameter_, max_step * diameter_, max_length * diameter_,
                                        node_margin * diameter_};
     for (const trace::Launch& launch : launches_) {
-      reference_.push_back(trace::advance(evaluator, launch, nodes_, bounds));
+      reference_.push_back(trace::advance(evaluator, launch, PointGrid(nodes_), bounds));
       lengths_.push_back(reference_.back().length());
     }
   }
 
   trace::Streamline runge_kutta(const trace::Launch& launch, double length, double tolerance) const {
-    return trace::advance(evaluator_, launch, nodes_, {tolerance * diameter_, max_step * diameter_, length, 0});
+    return trace::advance(evaluator_, launch, PointGrid(nodes_),
+                          {tolerance * diameter_, max_step * diameter_, length, 0});
   }
   trace::Streamline adams_bashforth(const trace::Launch& launch, double length, double step) const {
-    return trace::advance_adams_bashforth(evaluator_, launch, nodes_, {0, step * diameter_, length, 0});
+    return trace::advance_adams_bashforth(evaluator_, launch, PointGrid(nodes_), {0, step * diameter_, length, 0});
   }
 
   std::string measure(const char* name, double value, const Integrator& integrator) const {

@@ -40,7 +40,8 @@ TEST(FamilyOrder, IsKeptBesideNodes) {
   for (int side = 0; side < 4; ++side)
     for (int i = 1; i < 12; ++i) {
       const trace::Launch launch = trace::launch_from_boundary(evaluator, side, i / 6.0);
-      const trace::Streamline line = trace::advance(evaluator, launch, {{-0.5, 0}, {0.5, 0}}, {1e-10, 0.1, 6, 1e-7});
+      const trace::Streamline line =
+          trace::advance(evaluator, launch, PointGrid({{-0.5, 0}, {0.5, 0}}), {1e-10, 0.1, 6, 1e-7});
       const auto along = [&](double s, Vec2& direction) { return line.at(evaluator, s, direction); };
       if (line.length() > 0.01) splines.push_back(curve::fit_line(along, line.length(), 1e-9));
     }

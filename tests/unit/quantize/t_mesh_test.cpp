@@ -120,13 +120,13 @@ TEST(TMesh, ASpiralIsNotFollowedRoundItsLimitCycle) {
   const trace::AdvanceOptions options{1e-10 * d, d / 20, 100 * d, 1e-7 * d};
   const std::vector<trace::Launch> launches = trace::launch_all(spiral.evaluator, spiral.points);
   ASSERT_EQ(launches.size(), 1u);
-  trace::Streamline line = trace::advance(spiral.evaluator, launches[0], {}, options);
+  trace::Streamline line = trace::advance(spiral.evaluator, launches[0], PointGrid({}), options);
   EXPECT_TRUE(line.is_limit_cycle);
   EXPECT_EQ(line.end, trace::Streamline::End::length);
   EXPECT_NEAR(norm(line.end_position), Spiral::radius, 1e-6);
   EXPECT_LT(line.length(), 20 * d);
   const size_t num_steps = line.steps.size();
-  trace::follow(spiral.evaluator, line, {}, options);
+  trace::follow(spiral.evaluator, line, PointGrid({}), options);
   EXPECT_EQ(line.steps.size(), num_steps);
 }
 

@@ -27,8 +27,8 @@ struct TwoNodes : testing::Test {
     for (int n = 0; n < 2; ++n) {
       const mesh::Location at = evaluator->locator().find(nodes[n]);
       for (const double angle : launch_directions(evaluator->sample(at.elem, at.xi).dv_dx))
-        lines.push_back(
-            advance(*evaluator, launch_line(*evaluator, n, nodes[n], angle, 1e-4, 1), nodes, {1e-11, 0.1, 10, 1e-7}));
+        lines.push_back(advance(*evaluator, launch_line(*evaluator, n, nodes[n], angle, 1e-4, 1), PointGrid(nodes),
+                                {1e-11, 0.1, 10, 1e-7}));
     }
   }
 

@@ -20,7 +20,8 @@ struct PolarCrosses : testing::Test {
   field::FieldEvaluator evaluator{field};
 
   Streamline quarter_circle(double radius, double step) const {
-    return advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, radius), {}, {1, step, 20, 1e-7});
+    return advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, radius), PointGrid({}),
+                                   {1, step, 20, 1e-7});
   }
   static double miss(const Streamline& line) { return distance(line.end_position, {0, line.launch.x.x}); }
 };
@@ -52,8 +53,8 @@ TEST_F(PolarCrosses, TheErrorFallsWithTheFourthPower) {
 }
 
 TEST_F(PolarCrosses, ABoundOnTheLengthEndsIt) {
-  const Streamline line =
-      advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, 0.6), {}, {1, 0.01, 0.505, 1e-7});
+  const Streamline line = advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, 0.6), PointGrid({}),
+                                                  {1, 0.01, 0.505, 1e-7});
   EXPECT_EQ(line.end, Streamline::End::length);
   EXPECT_NEAR(line.length(), 0.51, 1e-9);  // the first step that ends beyond it
 }
@@ -61,8 +62,9 @@ TEST_F(PolarCrosses, ABoundOnTheLengthEndsIt) {
 TEST(AdamsBashforth, GivesUpWhereTheFieldVanishes) {
   const Field field = interpolated_field(square_mesh({0, 0}, 1, 2), 1, [](Vec2) { return Vec2{0, 0}; });
   const field::FieldEvaluator evaluator(field);
-  EXPECT_THROW(advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, 0.6), {}, {1, 0.01, 0.5, 1e-7}),
-               ComputeError);
+  EXPECT_THROW(
+      advance_adams_bashforth(evaluator, launch_from_boundary(evaluator, 0, 0.6), PointGrid({}), {1, 0.01, 0.5, 1e-7}),
+      ComputeError);
 }
 
 }  // namespace

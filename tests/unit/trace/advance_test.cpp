@@ -36,7 +36,7 @@ void expect_straight_rays(const Mat2& j) {
   const field::FieldEvaluator evaluator(field);
   for (const double angle : launch_directions(j)) {
     const Launch launch = launch_line(evaluator, 0, {0, 0}, angle, 1e-4, 1);
-    const Streamline line = advance(evaluator, launch, {{0, 0}}, options());
+    const Streamline line = advance(evaluator, launch, PointGrid({{0, 0}}), options());
     ASSERT_EQ(line.end, Streamline::End::boundary);
     EXPECT_LT(distance(line.end_position, on_square(angle)), 1e-9);
     EXPECT_NEAR(line.length(), norm(on_square(angle)), 1e-9);
@@ -55,7 +55,7 @@ TEST(Advance, StaysOnACircleOverManyElements) {
   const field::FieldEvaluator evaluator(field);
   AdvanceOptions bounds = options();
   bounds.max_length = 2 * pi * 0.7;
-  const Streamline line = advance(evaluator, launch_at(evaluator, {0.7, 0}, half_pi), {}, bounds);
+  const Streamline line = advance(evaluator, launch_at(evaluator, {0.7, 0}, half_pi), PointGrid({}), bounds);
   ASSERT_EQ(line.end, Streamline::End::length);
   for (int i = 0; i <= 100; ++i) {
     const double s = 2 * pi * 0.7 * i / 100;
@@ -70,14 +70,14 @@ TEST(Advance, RunsAlongElementEdgesAndThroughVertices) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 4), 1, [](Vec2) { return Vec2{1, 0}; });
   const field::FieldEvaluator evaluator(field);
   for (const double y : {0.0, 0.25, 0.5}) {
-    const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, y}, 0), {}, options());
+    const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, y}, 0), PointGrid({}), options());
     ASSERT_EQ(line.end, Streamline::End::boundary);
     EXPECT_LT(distance(line.end_position, {1, y}), 1e-12);
   }
   // A cross turned by 45 degrees: along the diagonals of the mesh, through its vertices.
   const Field turned = interpolated_field(square_mesh({-1, -1}, 2, 4), 1, [](Vec2) { return Vec2{-1, 0}; });
   const field::FieldEvaluator diagonal(turned);
-  const Streamline line = advance(diagonal, launch_at(diagonal, {-0.9, -0.9}, pi / 4), {}, options());
+  const Streamline line = advance(diagonal, launch_at(diagonal, {-0.9, -0.9}, pi / 4), PointGrid({}), options());
   ASSERT_EQ(line.end, Streamline::End::boundary);
   EXPECT_LT(distance(line.end_position, {1, 1}), 1e-11);
 }
@@ -89,7 +89,7 @@ TEST(Advance, EndsInANodeThatItMeets) {
   const field::FieldEvaluator evaluator(field);
   const std::vector<Vec2> nodes{{-0.5, 0}, {0.5, 0}};
   const Launch launch = launch_line(evaluator, 0, nodes[0], 0, 1e-4, 1);
-  const Streamline line = advance(evaluator, launch, nodes, options());
+  const Streamline line = advance(evaluator, launch, PointGrid(nodes), options());
   ASSERT_EQ(line.end, Streamline::End::node);
   EXPECT_EQ(line.reached.node, 1);
   EXPECT_EQ(line.end_position, nodes[1]);
@@ -104,7 +104,7 @@ TEST(Advance, EndsOnACurvedLineOnlyAtTheBoundary) {
   const Launch launch = launch_from_boundary(evaluator, 0, 0.6);
   EXPECT_EQ(launch.x, (Vec2{0.6, 0}));
   EXPECT_NEAR(launch.angle, half_pi, 1e-15);
-  const Streamline line = advance(evaluator, launch, {}, options());
+  const Streamline line = advance(evaluator, launch, PointGrid({}), options());
   ASSERT_EQ(line.end, Streamline::End::boundary);
   EXPECT_EQ(line.reached.curve, 3);
   EXPECT_LT(distance(line.end_position, {0, 0.6}), 1e-9);
@@ -116,19 +116,19 @@ TEST(Advance, GoesOnAsIfItHadNeverStopped) {
       interpolated_field(square_mesh({0, 0}, 1, 4), 4, [](Vec2 p) { return vec(std::pow(complex(p), 4)); });
   const field::FieldEvaluator evaluator(field);
   const Launch launch = launch_from_boundary(evaluator, 0, 0.6);
-  const Streamline whole = advance(evaluator, launch, {}, options());
+  const Streamline whole = advance(evaluator, launch, PointGrid({}), options());
   AdvanceOptions bounds = options();
   bounds.max_length = 0.2;
-  Streamline line = advance(evaluator, launch, {}, bounds);
+  Streamline line = advance(evaluator, launch, PointGrid({}), bounds);
   for (int i = 0; i < 3; ++i) {
     ASSERT_EQ(line.end, Streamline::End::length) << i;
     bounds.max_length += 0.3;
-    follow(evaluator, line, {}, bounds);
+    follow(evaluator, line, PointGrid({}), bounds);
   }
   ASSERT_EQ(line.end, Streamline::End::boundary);
   EXPECT_EQ(line.end_position, whole.end_position);
   EXPECT_EQ(line.step_ends(), whole.step_ends());
-  follow(evaluator, line, {}, bounds);  // an end is an end
+  follow(evaluator, line, PointGrid({}), bounds);  // an end is an end
   EXPECT_EQ(line.step_ends(), whole.step_ends());
 }
 
@@ -137,7 +137,7 @@ TEST(Advance, TheNumberOfStepsIsBounded) {
   const field::FieldEvaluator evaluator(field);
   AdvanceOptions bounds = options();
   bounds.max_step = 1e-6;
-  const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, 0.1}, 0), {}, bounds);
+  const Streamline line = advance(evaluator, launch_at(evaluator, {-0.9, 0.1}, 0), PointGrid({}), bounds);
   EXPECT_EQ(line.end, Streamline::End::length);
   EXPECT_EQ(static_cast<int>(line.steps.size()), max_stream_steps);
 }
@@ -145,7 +145,7 @@ TEST(Advance, TheNumberOfStepsIsBounded) {
 TEST(Advance, GivesUpWhereTheFieldHasNoDirection) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 1, [](Vec2) { return Vec2{0, 0}; });
   const field::FieldEvaluator evaluator(field);
-  EXPECT_THROW(advance(evaluator, launch_at(evaluator, {0.1, 0.2}, 0), {}, options()), ComputeError);
+  EXPECT_THROW(advance(evaluator, launch_at(evaluator, {0.1, 0.2}, 0), PointGrid({}), options()), ComputeError);
 }
 
 }  // namespace

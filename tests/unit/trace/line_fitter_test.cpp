@@ -41,7 +41,7 @@ TEST_F(TwoNodes, SplinesFollowTheirLines) {
 
 TEST_F(TwoNodes, ALineFromTheBoundaryIsACut) {
   make(0);
-  lines.push_back(advance(*evaluator, launch_from_boundary(*evaluator, 0, 0.5), {}, {1e-11, 0.1, 10, 1e-7}));
+  lines.push_back(advance(*evaluator, launch_from_boundary(*evaluator, 0, 0.5), PointGrid({}), {1e-11, 0.1, 10, 1e-7}));
   LineFitter fitter(*evaluator, lines);
   const MergedLine cut = fitter.single(static_cast<int>(lines.size()) - 1);
   EXPECT_EQ(cut.line.kind, LineKind::cut);
@@ -82,11 +82,11 @@ TEST_F(TwoNodes, EqualKeysMeanTheSameCurveAndOthersDoNot) {
 TEST_F(TwoNodes, ALineThatWasContinuedIsFittedAgain) {
   make(0);
   LineFitter fitter(*evaluator, lines);
-  lines[0] = advance(*evaluator, lines[0].launch, nodes, {1e-11, 0.1, 0.2, 1e-7});
+  lines[0] = advance(*evaluator, lines[0].launch, PointGrid(nodes), {1e-11, 0.1, 0.2, 1e-7});
   const MergedLine brief = fitter.single(0);
   EXPECT_EQ(brief.line.end.node, -1);
   EXPECT_EQ(brief.line.end.curve, -1);
-  follow(*evaluator, lines[0], nodes, {1e-11, 0.1, 10, 1e-7});
+  follow(*evaluator, lines[0], PointGrid(nodes), {1e-11, 0.1, 10, 1e-7});
   const MergedLine whole = fitter.single(0);
   EXPECT_NE(brief.key, whole.key);
   EXPECT_GT(whole.line.spline.end(), brief.line.spline.end());

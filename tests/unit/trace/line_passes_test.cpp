@@ -12,7 +12,7 @@ namespace {
 struct StraightLine : testing::Test {
   Field field = interpolated_field(square_mesh({0, 0}, 1, 4), 1, [](Vec2) { return Vec2{1, 0}; });
   field::FieldEvaluator evaluator{field};
-  Streamline line = advance(evaluator, launch_from_boundary(evaluator, 3, 0.7), {}, {1e-11, 0.1, 20, 1e-7});
+  Streamline line = advance(evaluator, launch_from_boundary(evaluator, 3, 0.7), PointGrid({}), {1e-11, 0.1, 20, 1e-7});
   LinePasses passes{evaluator, line};
 };
 

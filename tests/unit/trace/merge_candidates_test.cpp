@@ -17,7 +17,7 @@ TEST_F(TwoNodes, ALineThatEndsInANodeTakesThePlaceOfTheOneThatComesItsWay) {
   const auto towards = std::min_element(lines.begin(), lines.begin() + 3, [](const auto& a, const auto& b) {
     return std::cos(a.launch.angle) > std::cos(b.launch.angle);
   });
-  *towards = advance(*evaluator, towards->launch, nodes, {1e-11, 0.1, 10, 0.1});
+  *towards = advance(*evaluator, towards->launch, PointGrid(nodes), {1e-11, 0.1, 10, 0.1});
   ASSERT_EQ(towards->reached.node, 1);
   const auto found = candidates(1);
   ASSERT_EQ(found.size(), 1u);
@@ -45,7 +45,7 @@ struct ShortOfOneNode : TwoNodes {
   void make(double skew) {
     TwoNodes::make(skew);
     for (size_t i = 3; i < lines.size(); ++i)
-      lines[i] = advance(*evaluator, lines[i].launch, nodes, {1e-11, 0.1, 0.3, 1e-7});
+      lines[i] = advance(*evaluator, lines[i].launch, PointGrid(nodes), {1e-11, 0.1, 0.3, 1e-7});
   }
 };
 

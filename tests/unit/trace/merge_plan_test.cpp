@@ -25,7 +25,7 @@ struct Passing : testing::Test {
     for (int n = 0; n < 2; ++n) {
       const mesh::Location at = evaluator.locator().find(nodes[n]);
       for (const double angle : launch_directions(evaluator.sample(at.elem, at.xi).dv_dx))
-        lines.push_back(advance(evaluator, launch_line(evaluator, n, nodes[n], angle, 1e-4, 1), nodes,
+        lines.push_back(advance(evaluator, launch_line(evaluator, n, nodes[n], angle, 1e-4, 1), PointGrid(nodes),
                                 {1e-11, 0.1, max_length, 1e-7}));
     }
     return lines;

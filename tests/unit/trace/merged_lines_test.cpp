@@ -15,7 +15,8 @@ struct MergedTwoNodes : TwoNodes {
     return MergedLines(*evaluator, lines, nodes, radians(degrees_allowed), 0, ends, {reach});
   }
   void follow_only_to(double length) {
-    for (Streamline& line : lines) line = advance(*evaluator, line.launch, nodes, {1e-11, 0.1, length, 1e-7});
+    for (Streamline& line : lines)
+      line = advance(*evaluator, line.launch, PointGrid(nodes), {1e-11, 0.1, length, 1e-7});
   }
 };
 
