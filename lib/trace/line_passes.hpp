@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/point_grid.hpp"
 #include "trace/streamline.hpp"
 
 namespace quadrille::trace {
@@ -24,10 +25,15 @@ class LinePasses {
   /// it (a corner): otherwise a hole may lie between.
   std::vector<LinePass> passes_of(Vec2 node, double slope, double max_distance) const;
 
+  /// Nodes of which the line may have passes, ascending: all others are farther than that from every sample.
+  std::vector<int> nodes_near(const PointGrid& nodes, double slope, double max_distance) const;
+
   /// Arc length of the nearest point of a pass; computed once.
   double foot(Vec2 node, LinePass& pass) const;
 
  private:
+  /// The greatest distance of a node that passes at sample i.
+  double reach(size_t i, double slope, double max_distance) const;
   bool ends_beside(Vec2 node) const;
 
   const field::FieldEvaluator& evaluator_;

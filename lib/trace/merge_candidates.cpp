@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <span>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "trace/line_passes.hpp"
@@ -22,32 +25,42 @@ bool are_unequal(const LinePass& a, const LinePass& b) {
   return gap > max_inequality * (a.high + b.high) / 2;
 }
 
+/// The passes of one line near one node.
+struct NodePasses {
+  int node = 0;
+  std::vector<LinePass> passes;
+};
+
 class CandidateSearch {
  public:
   CandidateSearch(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                   const std::vector<Vec2>& nodes, const MergeOptions& options)
-      : evaluator_(evaluator), lines_(lines), nodes_(nodes), options_(options) {
+      : evaluator_(evaluator), lines_(lines), nodes_(nodes), options_(options), lines_of_(nodes.size()) {
     // The blend's slope adds at most (pi / 2) gap / length to the direction.
     const double slope = 2 * std::tan(options.max_angle);
+    const PointGrid grid(nodes);
     along_.reserve(lines.size());
-    for (const Streamline& line : lines) {
-      along_.emplace_back(evaluator, line);
+    for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
+      if (lines[i].launch.start.node >= 0) lines_of_[lines[i].launch.start.node].push_back(i);
+      along_.emplace_back(evaluator, lines[i]);
       passes_.emplace_back();
-      for (const Vec2 node : nodes)
-        passes_.back().push_back(along_.back().passes_of(node, slope, 4 * options.distance));
+      for (const int node : along_.back().nodes_near(grid, slope, 4 * options.distance)) {
+        std::vector<LinePass> passes = along_.back().passes_of(nodes[node], slope, 4 * options.distance);
+        if (!passes.empty()) passes_.back().push_back({node, std::move(passes)});
+      }
     }
   }
 
   std::vector<MergeCandidate> run() {
     const int num_lines = static_cast<int>(lines_.size());
     for (int i = 0; i < num_lines; ++i)
-      for (int j = i + 1; j < num_lines; ++j)
+      for (const int j : partners_after(i))
         if (may_merge(i, j)) add_pairs(i, j);
-    const size_t num_pairs = candidates_.size();
+    for (const MergeCandidate& pair : candidates_) pairs_.insert({pair.a, pair.b});
     if (!options_.only_endless)
       for (int i = 0; i < num_lines; ++i)
         if (lines_[i].launch.start.node >= 0)
-          for (int node = 0; node < static_cast<int>(nodes_.size()); ++node) add_joins(i, node, num_pairs);
+          for (NodePasses& passed : passes_[i]) add_joins(i, passed);
     std::stable_sort(candidates_.begin(), candidates_.end(), [](const MergeCandidate& x, const MergeCandidate& y) {
       return x.delayed_meeting() < y.delayed_meeting();
     });
@@ -55,15 +68,34 @@ class CandidateSearch {
   }
 
  private:
+  // The lines after line i that start at nodes which it passes, ascending.
+  std::vector<int> partners_after(int i) const {
+    std::vector<int> partners;
+    for (const NodePasses& passed : passes_[i])
+      for (const int j : lines_of_[passed.node])
+        if (j > i) partners.push_back(j);
+    std::sort(partners.begin(), partners.end());
+    return partners;
+  }
+
   bool may_merge(int i, int j) const {
     if (lines_[i].launch.start.node < 0 || lines_[j].launch.start.node < 0) return false;
     return !options_.only_endless || lines_[i].is_endless() || lines_[j].is_endless();
   }
 
+  // Empty if the line does not pass the node.
+  std::span<LinePass> passes_at(int line, int node) {
+    std::vector<NodePasses>& all = passes_[line];
+    const auto at =
+        std::lower_bound(all.begin(), all.end(), node, [](const NodePasses& passed, int n) { return passed.node < n; });
+    return at != all.end() && at->node == node ? std::span<LinePass>(at->passes) : std::span<LinePass>();
+  }
+
   void add_pairs(int i, int j) {
     const int from_i = lines_[i].launch.start.node, from_j = lines_[j].launch.start.node;
-    for (LinePass& pass_i : passes_[i][from_j])
-      for (LinePass& pass_j : passes_[j][from_i]) {
+    const std::span<LinePass> passes_j = passes_at(j, from_i);
+    for (LinePass& pass_i : passes_at(i, from_j))
+      for (LinePass& pass_j : passes_j) {
         if (are_unequal(pass_i, pass_j)) continue;
         MergeCandidate pair{i, j, along_[i].foot(nodes_[from_j], pass_i), along_[j].foot(nodes_[from_i], pass_j)};
         if (are_unequal(pair.length_a, pair.length_b)) continue;
@@ -86,33 +118,30 @@ class CandidateSearch {
     return deviates_at_most(evaluator_, a, b, most, pair);
   }
 
-  // Adds the joins of a line that passes a node within the distance or ends in it. The first `num_pairs` candidates are
-  // pairs: a join of the same two lines is not needed.
-  void add_joins(int line, int node, size_t num_pairs) {
+  // Adds the joins of a line that passes a node within the distance or ends in it.
+  void add_joins(int line, NodePasses& passed) {
+    const int node = passed.node;
     if (lines_[line].launch.start.node == node) return;
     if (options_.distance == 0 && lines_[line].reached.node != node) return;
-    for (LinePass& pass : passes_[line][node]) {
+    for (LinePass& pass : passed.passes) {
       const double length = along_[line].foot(nodes_[node], pass);
       const double gap = distance(lines_[line].at(evaluator_, length), nodes_[node]);
       const int other = gap <= options_.distance ? line_against(line, length, node) : -1;
-      if (other < 0 || is_pair(line, other, num_pairs)) continue;
+      if (other < 0 || is_pair(line, other)) continue;
       MergeCandidate join{line, other, length, length, 0, gap, true};
       if (deviates_at_most(evaluator_, lines_[line], lines_[other], max_aggressive_angle, join))
         candidates_.push_back(join);
     }
   }
 
-  bool is_pair(int i, int j, size_t num_pairs) const {
-    return std::any_of(candidates_.begin(), candidates_.begin() + num_pairs,
-                       [&](const MergeCandidate& c) { return (c.a == i && c.b == j) || (c.a == j && c.b == i); });
-  }
+  // A join of two lines that are a pair is not needed.
+  bool is_pair(int i, int j) const { return pairs_.contains(std::minmax(i, j)); }
 
   // The line of a node whose direction is most nearly opposite to a line that passes there; -1: there is none.
   int line_against(int passing, double length, int node) const {
     int best = -1;
     double least = head_on_angle;
-    for (int j = 0; j < static_cast<int>(lines_.size()); ++j) {
-      if (lines_[j].launch.start.node != node) continue;
+    for (const int j : lines_of_[node]) {
       const double angle = meeting_angle(passing, length, j);
       if (angle < least) least = angle, best = j;
     }
@@ -130,9 +159,11 @@ class CandidateSearch {
   const std::vector<Streamline>& lines_;
   const std::vector<Vec2>& nodes_;
   const MergeOptions& options_;
+  std::vector<std::vector<int>> lines_of_;  // that start at each node
   std::vector<LinePasses> along_;
-  std::vector<std::vector<std::vector<LinePass>>> passes_;  // [line][node]
+  std::vector<std::vector<NodePasses>> passes_;  // of each line, by ascending node
   std::vector<MergeCandidate> candidates_;
+  std::set<std::pair<int, int>> pairs_;  // of lines, the lower one first
 };
 
 }  // namespace

@@ -27,7 +27,8 @@ struct MergeOptions {
 };
 
 /// All pairs that the rules allow, in the order in which fronts that advance at equal speed meet, delayed in proportion
-/// to the deviation (MergeCandidate::delayed_meeting). Linear in lines times nodes. `nodes`: positions, numbered as
+/// to the deviation (MergeCandidate::delayed_meeting). Near linear in the number of
+/// lines times that of the nodes near a line. `nodes`: positions, numbered as
 /// Launch::node.
 std::vector<MergeCandidate> merge_candidates(const field::FieldEvaluator& evaluator,
                                              const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,
