@@ -23,6 +23,7 @@ struct Building {
   std::vector<FinishedLine>& lines;
   double snap;
   std::size_t num_fixed = 0;
+  std::vector<int> fixed_on_boundary;        // nodes
   std::vector<std::array<int, 2>> ends;      // nodes of each line, -1: determined by a crossing
   std::vector<std::vector<OnLine>> on_line;  // the nodes of each line
   SeparatrixGraph graph;
@@ -30,9 +31,8 @@ struct Building {
 
 void snap_to_fixed(const Building& build, LineEnd& end) {
   const Vec2 x = curve::point(build.face.curves[end.curve], end.t);
-  for (size_t n = 0; n < build.num_fixed; ++n)
-    if (build.graph.nodes[n].curve >= 0 && distance(x, build.graph.nodes[n].position) <= build.snap)
-      end.node = static_cast<int>(n);
+  for (const int n : build.fixed_on_boundary)
+    if (distance(x, build.graph.nodes[n].position) <= build.snap) end.node = n;
 }
 
 void snap_to_joint(const Building& build, LineEnd& end) {
@@ -120,6 +120,7 @@ void add_fixed(Building& build, const std::vector<FixedNode>& fixed) {
   for (const FixedNode& n : fixed) {
     const int curve = n.joint >= 0 ? n.joint : n.curve;
     const double t = n.joint >= 0 ? build.face.curves[n.joint].begin() : n.t;
+    if (curve >= 0) build.fixed_on_boundary.push_back(static_cast<int>(build.graph.nodes.size()));
     build.graph.nodes.push_back({n.position, n.kind, n.valence, curve, t});
   }
   build.num_fixed = build.graph.nodes.size();
@@ -196,10 +197,11 @@ void add_line_arcs(Building& build) {
 }
 
 void add_boundary_arcs(Building& build) {
+  std::vector<std::vector<int>> nodes_of_loop(build.face.num_loops());
+  for (int n = 0; n < static_cast<int>(build.graph.nodes.size()); ++n)
+    if (build.graph.nodes[n].curve >= 0) nodes_of_loop[build.face.loop_of(build.graph.nodes[n].curve)].push_back(n);
   for (int loop = 0; loop < build.face.num_loops(); ++loop) {
-    std::vector<int> nodes;
-    for (int n = 0; n < static_cast<int>(build.graph.nodes.size()); ++n)
-      if (build.graph.nodes[n].curve >= 0 && build.face.loop_of(build.graph.nodes[n].curve) == loop) nodes.push_back(n);
+    std::vector<int>& nodes = nodes_of_loop[loop];
     if (nodes.empty()) nodes.push_back(node_at_start_of(build, loop));
     std::stable_sort(nodes.begin(), nodes.end(), [&](int a, int b) {
       const GraphNode &p = build.graph.nodes[a], &q = build.graph.nodes[b];
@@ -217,6 +219,7 @@ SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& f
                  lines,
                  snap,
                  0,
+                 {},
                  std::vector<std::array<int, 2>>(lines.size()),
                  std::vector<std::vector<OnLine>>(lines.size()),
                  {}};

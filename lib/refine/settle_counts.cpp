@@ -22,12 +22,9 @@ constexpr double anchor_reach = 0.5;
 constexpr int max_tie_rounds = 24;
 
 /// Two elements must not have two common edges, and no element may be its own neighbour.
-int least_topological_count(const BlockLayout& layout, int arc) {
-  const GraphArc& a = layout.arcs[arc];
-  if (a.from == a.to) return 3;
-  const auto ends = std::minmax(a.from, a.to);
-  const auto is_parallel = [&](const GraphArc& b) { return &b != &a && std::minmax(b.from, b.to) == ends; };
-  return std::any_of(layout.arcs.begin(), layout.arcs.end(), is_parallel) ? 2 : 1;
+int least_topological_count(const sizing::MeasuredLayout& measured, int arc) {
+  const GraphArc& a = measured.blocks().arcs[arc];
+  return a.from == a.to ? 3 : measured.is_parallel(arc) ? 2 : 1;
 }
 
 void require_bounded(const ChordTask& task, int count, const char* cause, const char* remedy) {
@@ -39,7 +36,7 @@ void require_bounded(const ChordTask& task, int count, const char* cause, const 
 
 int first_count(const ChordTask& task) {
   int count = task.plan.count;
-  for (const int arc : task.chord.arcs) count = std::max(count, least_topological_count(task.measured.blocks(), arc));
+  for (const int arc : task.chord.arcs) count = std::max(count, least_topological_count(task.measured, arc));
   require_bounded(task, count, "the prescribed size", "raise --size");
   return count;
 }

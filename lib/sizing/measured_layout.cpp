@@ -2,15 +2,29 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <utility>
 
 namespace quadrille::sizing {
+namespace {
+
+/// By arc: whether another one has the same two ends.
+std::vector<bool> parallel_arcs(const std::vector<GraphArc>& arcs) {
+  std::map<std::pair<int, int>, int> count;
+  for (const GraphArc& arc : arcs) ++count[std::minmax(arc.from, arc.to)];
+  std::vector<bool> are_parallel;
+  for (const GraphArc& arc : arcs) are_parallel.push_back(count[std::minmax(arc.from, arc.to)] > 1);
+  return are_parallel;
+}
+
+}  // namespace
 
 MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
     : blocks(&layout),
       curves(layout.face, layout.splines),
       arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()))),
-      chords(mesh::directed_chords(layout.block2arcs, arc_chord)) {
+      chords(mesh::directed_chords(layout.block2arcs, arc_chord)),
+      is_parallel(parallel_arcs(layout.arcs)) {
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(curves, arc.pieces);
 }
 

@@ -35,6 +35,8 @@ class MeasuredLayout {
 
   const std::vector<mesh::Chord>& chords() const { return geometry_->chords; }
   int chord_of(int arc) const { return geometry_->arc_chord[arc]; }
+  /// Whether another arc has the same two ends.
+  bool is_parallel(int arc) const { return geometry_->is_parallel[arc]; }
 
   const ArcParameter& parameter(int arc) const { return parameters_[arc]; }
   /// Whether all parameters are the identity.
@@ -50,6 +52,7 @@ class MeasuredLayout {
     std::vector<curve::Chain> chains;  ///< by arc; they refer to `curves`
     std::vector<int> arc_chord;
     std::vector<mesh::Chord> chords;
+    std::vector<bool> is_parallel;  ///< by arc
 
     explicit Geometry(const BlockLayout& layout);
     Geometry(const Geometry&) = delete;

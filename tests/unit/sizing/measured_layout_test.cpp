@@ -36,6 +36,14 @@ TEST(MeasuredLayout, NumbersChordsAsTheLayoutDoes) {
   }
 }
 
+TEST(MeasuredLayout, KnowsWhichArcsHaveTheSameEnds) {
+  const BlockLayout square = layout_of(hand_made::unit_square()), ring = layout_of(hand_made::cut_annulus(2));
+  const MeasuredLayout of_square(square), of_ring(ring);
+  for (int arc = 0; arc < of_square.num_arcs(); ++arc) EXPECT_FALSE(of_square.is_parallel(arc));
+  for (int arc = 0; arc < of_ring.num_arcs(); ++arc)
+    EXPECT_EQ(of_ring.is_parallel(arc), ring.arcs[arc].is_boundary) << "two halves of each circle";
+}
+
 TEST(MeasuredLayout, ParametersRunAlongTheChordAndFractionsAlongTheArc) {
   const BlockLayout layout = layout_of(hand_made::unit_square());
   const MeasuredLayout equal(layout);
