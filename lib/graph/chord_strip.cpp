@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "curve/chain.hpp"
-
 namespace quadrille::graph {
 namespace {
 
@@ -63,25 +61,18 @@ bool find_fixed_side(const Subdivision& subdivision, HalfEdge rung, FixedSide& s
 
 }  // namespace
 
-std::vector<double> arc_lengths(const ArcGraph& graph, PieceLengths& pieces) {
-  const curve::CurveTable table(graph.face, graph.splines);
-  std::vector<double> lengths;
-  lengths.reserve(graph.arcs.size());
-  for (const GraphArc& arc : graph.arcs) {
-    double sum = 0;
-    for (const ArcPiece& p : arc.pieces) {
-      const auto [at, is_new] = pieces.known.try_emplace({p.curve, p.t0, p.t1}, 0);
-      if (is_new) at->second = curve::Chain(table, {p}).length();
-      sum += at->second;
-    }
-    lengths.push_back(sum);
-  }
-  return lengths;
+double arc_length(const curve::CurveTable& table, const GraphArc& arc) {
+  double sum = 0;
+  for (const ArcPiece& p : arc.pieces) sum += curve::Chain(table, {p}).length();
+  return sum;
 }
 
 std::vector<double> arc_lengths(const ArcGraph& graph) {
-  PieceLengths pieces;
-  return arc_lengths(graph, pieces);
+  const curve::CurveTable table(graph.face, graph.splines);
+  std::vector<double> lengths;
+  lengths.reserve(graph.arcs.size());
+  for (const GraphArc& arc : graph.arcs) lengths.push_back(arc_length(table, arc));
+  return lengths;
 }
 
 ChordStrip strip_through(const Subdivision& subdivision, int arc) {
@@ -93,15 +84,20 @@ ChordStrip strip_through(const Subdivision& subdivision, int arc) {
   return follow(subdivision, first.arc <= last.arc ? first : last.reversed());
 }
 
+ChordStrip measured_strip(const Subdivision& subdivision, int arc, const std::vector<double>& lengths) {
+  ChordStrip strip = strip_through(subdivision, arc);
+  measure(lengths, strip);
+  return strip;
+}
+
 std::vector<ChordStrip> all_strips(const Subdivision& subdivision, const std::vector<double>& lengths) {
   std::vector<bool> seen(subdivision.arc_bound(), false);
   std::vector<ChordStrip> strips;
   for (int arc = 0; arc < subdivision.arc_bound(); ++arc) {
     if (seen[arc] || !subdivision.has_arc(arc)) continue;
-    strips.push_back(strip_through(subdivision, arc));
+    strips.push_back(measured_strip(subdivision, arc, lengths));
     seen[arc] = true;
     for (const HalfEdge h : strips.back().rungs) seen[h.arc] = true;
-    measure(lengths, strips.back());
   }
   return strips;
 }

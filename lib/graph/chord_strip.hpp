@@ -5,10 +5,9 @@
 //                  | block  | block  |           Rungs lead from left to right, rails forwards.
 //     right rail  r_0 ---- r_1 ---- r_2
 
-#include <map>
-#include <tuple>
 #include <vector>
 
+#include "curve/chain.hpp"
 #include "graph/subdivision.hpp"
 
 namespace quadrille::graph {
@@ -26,16 +25,17 @@ struct ChordStrip {
   double aspect() const { return width / length; }
 };
 
-/// Length of each arc. `known` caches the lengths of pieces between calls for graphs whose splines keep their numbers.
-struct PieceLengths {
-  std::map<std::tuple<int, double, double>, double> known;
-};
-std::vector<double> arc_lengths(const ArcGraph& graph, PieceLengths& pieces);
+/// Length of each arc.
 std::vector<double> arc_lengths(const ArcGraph& graph);
+/// `table`: of the curves of the arc's graph.
+double arc_length(const curve::CurveTable& table, const GraphArc& arc);
 
 /// The strip that has an arc as a rung, without its width and length. Begins at the end with the lower arc number, a
 /// closed one at its lowest arc. Every face must have four corners.
 ChordStrip strip_through(const Subdivision& subdivision, int arc);
+
+/// The same with its width and length; `lengths` of all arcs.
+ChordStrip measured_strip(const Subdivision& subdivision, int arc, const std::vector<double>& lengths);
 
 /// All strips, ordered by their lowest arcs; `lengths` of all arcs. Linear in the number of arcs.
 std::vector<ChordStrip> all_strips(const Subdivision& subdivision, const std::vector<double>& lengths);

@@ -49,7 +49,7 @@ void Subdivision::label(HalfEdge first, int face) {
   do {
     if (h.arc < 0) throw ComputeError("the arcs of a separatrix graph do not close around one of its nodes");
     record(h).face = face;
-    h = record(h).next;
+    h = next(h);
   } while (h != first);
 }
 

@@ -19,8 +19,9 @@
 // consecutive operations: new nodes, arcs and faces are numbered after the others, and the numbers of removed ones are
 // not used again. `compact` closes the gaps; then even the numbers are those of a subdivision built from the graph.
 //
-// Copies are independent values: try operations on a copy, and keep it or drop it.
+// Copies are independent values. To try operations without the cost of a copy, begin a trial, and keep or undo it.
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,7 @@ class Subdivision {
   int num_components() const { return num_components_; }
 
   bool has_arc(int arc) const { return face({arc}) >= 0; }
+  bool has_face(int face) const { return face_start_[face].arc >= 0; }
   int start(HalfEdge h) const { return start_of(graph_.arcs, h); }
   int end(HalfEdge h) const { return end_of(graph_.arcs, h); }
   HalfEdge next(HalfEdge h) const { return record(h).next; }
@@ -60,6 +62,13 @@ class Subdivision {
   /// The half-edges that start at a node, counter-clockwise; at a node of the boundary from the boundary arc that
   /// starts there to the one that ends there.
   std::vector<HalfEdge> around(int node) const;
+
+  /// All operations from here on up to undo_trial() can be undone, at the cost of the changes; after keep_trial() they
+  /// cannot any more. Trials are not nested. Numbers stay valid: there is no compact(), drop_unused_splines() or
+  /// release() during a trial.
+  void begin_trial();
+  void keep_trial() { trial_.reset(); }
+  void undo_trial();
 
   /// Divides an arc at a new node: interior of valence 4, or of valence 2 on the boundary. `first` and `second` are the
   /// two parts of h, in its direction, with these pieces. The arc keeps its number and becomes its part before the node
@@ -94,8 +103,8 @@ class Subdivision {
 
   /// Replaces the shape of an inner arc; it then runs in the direction of h.
   void reshape_arc(HalfEdge h, std::vector<ArcPiece> pieces);
-  void set_pieces(int arc, std::vector<ArcPiece> pieces) { graph_.arcs[arc].pieces = std::move(pieces); }
-  void move_node(int node, Vec2 position) { graph_.nodes[node].position = position; }
+  void set_pieces(int arc, std::vector<ArcPiece> pieces) { changing_arc(arc).pieces = std::move(pieces); }
+  void move_node(int node, Vec2 position) { changing_node(node).position = position; }
   /// Returns the number of the curve (ArcGraph::curve).
   int add_spline(Nurbs spline);
   /// Removes splines that no arc uses, and renumbers the others.
@@ -113,8 +122,21 @@ class Subdivision {
     int face = -1;
     int quarters = 0;
   };
+  /// The state before a trial of what it has changed, as often as that was changed, and the numbers of everything.
+  struct Trial {
+    std::vector<std::pair<std::size_t, Record>> records;
+    std::vector<std::pair<int, GraphArc>> arcs;
+    std::vector<std::pair<int, GraphNode>> nodes;
+    std::vector<std::pair<int, HalfEdge>> node_starts, face_starts;
+    std::size_t num_arcs = 0, num_nodes = 0, num_faces = 0, num_splines = 0;
+  };
   const Record& record(HalfEdge h) const { return records_[h.index()]; }
-  Record& record(HalfEdge h) { return records_[h.index()]; }
+  // What is changed is obtained from these.
+  Record& record(HalfEdge h);
+  GraphArc& changing_arc(int arc);
+  GraphNode& changing_node(int node);
+  HalfEdge& changing_node_start(int node);
+  HalfEdge& changing_face_start(int face);
   bool is_inside(HalfEdge h) const { return face(h) >= 0; }
   void link_around(int node, const std::vector<HalfEdge>& half_edges);
   HalfEdge add_arc(int from, int to, bool is_boundary, std::vector<ArcPiece> pieces);
@@ -128,6 +150,7 @@ class Subdivision {
   std::vector<HalfEdge> node_start_;  ///< of each node: one that starts there, on the boundary the boundary arc
   std::vector<HalfEdge> face_start_;  ///< of each face: one of its cycle
   int num_components_ = 0;
+  std::optional<Trial> trial_;
 };
 
 }  // namespace quadrille::graph

@@ -1,7 +1,6 @@
 // The operations of a subdivision: each rewires next and quarters where it changes something.
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -23,7 +22,7 @@ HalfEdge Subdivision::add_arc(int from, int to, bool is_boundary, std::vector<Ar
 
 void Subdivision::retire(int arc) {
   record({arc}) = record({arc, true}) = {};
-  graph_.arcs[arc].pieces.clear();
+  changing_arc(arc).pieces.clear();
 }
 
 Subdivision::Division Subdivision::divide_arc(HalfEdge h, const GraphNode& node, std::vector<ArcPiece> first,
@@ -41,8 +40,9 @@ Subdivision::Division Subdivision::divide_arc(HalfEdge h, const GraphNode& node,
   graph_.nodes.push_back(node);
   const HalfEdge rest = add_arc(n, to, is_boundary, std::move(second));
   node_start_.push_back(rest);
-  graph_.arcs[h.arc].to = n;
-  graph_.arcs[h.arc].pieces = std::move(first);
+  GraphArc& divided = changing_arc(h.arc);
+  divided.to = n;
+  divided.pieces = std::move(first);
   // The arc may end at a node without other arcs: then its reverse follows it.
   record(rest) = {left.next == back ? rest.reversed() : left.next, left.face, left.quarters};
   record(h) = {rest, left.face, straight};
@@ -50,7 +50,7 @@ Subdivision::Division Subdivision::divide_arc(HalfEdge h, const GraphNode& node,
     record(behind == h ? rest : behind).next = rest.reversed();
     record(rest.reversed()) = {back, right.face, straight};
   }
-  if (node_start_[to] == back) node_start_[to] = rest.reversed();
+  if (node_start_[to] == back) changing_node_start(to) = rest.reversed();
   return {n, h, rest};
 }
 
@@ -64,7 +64,7 @@ HalfEdge Subdivision::insert_arc(const Sector& from, const Sector& to, std::vect
   record(back) = {at_start.next, left_face, at_start.quarters - from.quarters};
   at_start.next = h, at_start.quarters = from.quarters;
   at_end.next = back, at_end.quarters = to.quarters;
-  face_start_[left_face] = h;
+  changing_face_start(left_face) = h;
   label(back, face_bound());
   face_start_.push_back(back);
   return h;
@@ -80,11 +80,11 @@ bool Subdivision::remove_arc(int arc) {
   const int quarters_end = quarters(before_end) + quarters(h);
   record(before_start).next = after_start, record(before_start).quarters = quarters_start;
   record(before_end).next = after_end, record(before_end).quarters = quarters_end;
-  if (node_start_[start(h)] == h) node_start_[start(h)] = after_start;
-  if (node_start_[end(h)] == back) node_start_[end(h)] = after_end;
+  if (node_start_[start(h)] == h) changing_node_start(start(h)) = after_start;
+  if (node_start_[end(h)] == back) changing_node_start(end(h)) = after_end;
   label(before_start, kept);
-  face_start_[kept] = before_start;
-  face_start_[removed] = {};
+  changing_face_start(kept) = before_start;
+  changing_face_start(removed) = {};
   retire(arc);
   return true;
 }
@@ -113,9 +113,10 @@ bool Subdivision::dissolve_node(int node) {
     record(behind).next = whole.reversed();
     record(whole.reversed()) = {renamed(right.next), right.face, right.quarters};
   }
-  for (HalfEdge* anchor : {&node_start_[from], &node_start_[to], &face_start_[left.face]}) *anchor = renamed(*anchor);
-  if (right.face >= 0) face_start_[right.face] = renamed(face_start_[right.face]);
-  node_start_[node] = {};
+  for (const int n : {from, to}) changing_node_start(n) = renamed(node_start_[n]);
+  for (const int f : {left.face, right.face})
+    if (f >= 0) changing_face_start(f) = renamed(face_start_[f]);
+  changing_node_start(node) = {};
   retire(in.arc), retire(out.arc);
   return true;
 }
@@ -128,7 +129,9 @@ void Subdivision::merge_ends(HalfEdge h) {
     throw Defect("Subdivision: these two nodes cannot be merged");
   const std::vector<HalfEdge> moved = around(gone);
   if (node_start_[kept].arc == h.arc)
-    node_start_[kept] = is_boundary ? node_start_[gone] : next(h) != h.reversed() ? next(h) : next(h.reversed());
+    changing_node_start(kept) = is_boundary               ? node_start_[gone]
+                                : next(h) != h.reversed() ? next(h)
+                                                          : next(h.reversed());
   // On either side of the arc two sectors become one; their quarters add up, less those of the straight line along the
   // arc.
   for (const HalfEdge side : {h, h.reversed()}) {
@@ -136,11 +139,14 @@ void Subdivision::merge_ends(HalfEdge h) {
     Record& before = record(previous(side));
     before.next = next(side);
     before.quarters += quarters(side) - straight;
-    if (face_start_[face(side)] == side) face_start_[face(side)] = next(side);
+    if (face_start_[face(side)] == side) changing_face_start(face(side)) = next(side);
   }
-  for (const HalfEdge m : moved) (m.is_backwards ? graph_.arcs[m.arc].to : graph_.arcs[m.arc].from) = kept;
-  graph_.nodes[kept].valence += graph_.nodes[gone].valence - (is_boundary ? straight : 2 * straight);
-  node_start_[gone] = {};
+  for (const HalfEdge m : moved) {
+    GraphArc& arc = changing_arc(m.arc);
+    (m.is_backwards ? arc.to : arc.from) = kept;
+  }
+  changing_node(kept).valence += graph_.nodes[gone].valence - (is_boundary ? straight : 2 * straight);
+  changing_node_start(gone) = {};
   retire(h.arc);
 }
 
@@ -153,15 +159,17 @@ void Subdivision::turn(int arc) {
   if (behind.arc != arc) record(behind).next = h;
   std::swap(record(h), record(back));
   for (const HalfEdge x : {h, back}) record(x).next = turned(record(x).next);
-  for (HalfEdge& anchor : {std::ref(node_start_[start(h)]), std::ref(face_start_[face(h)])}) anchor = turned(anchor);
-  if (end(h) != start(h)) node_start_[end(h)] = turned(node_start_[end(h)]);
-  if (face(back) != face(h)) face_start_[face(back)] = turned(face_start_[face(back)]);
-  std::swap(graph_.arcs[arc].from, graph_.arcs[arc].to);
+  changing_node_start(start(h)) = turned(node_start_[start(h)]);
+  changing_face_start(face(h)) = turned(face_start_[face(h)]);
+  if (end(h) != start(h)) changing_node_start(end(h)) = turned(node_start_[end(h)]);
+  if (face(back) != face(h)) changing_face_start(face(back)) = turned(face_start_[face(back)]);
+  GraphArc& turning = changing_arc(arc);
+  std::swap(turning.from, turning.to);
 }
 
 void Subdivision::reshape_arc(HalfEdge h, std::vector<ArcPiece> pieces) {
   if (h.is_backwards) turn(h.arc);
-  graph_.arcs[h.arc].pieces = std::move(pieces);
+  changing_arc(h.arc).pieces = std::move(pieces);
 }
 
 int Subdivision::add_spline(Nurbs spline) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <optional>
+#include <unordered_map>
 
 #include "base/angle.hpp"
 #include "curve/chain.hpp"
@@ -27,16 +26,14 @@ void add_angles(const ArcGraph& graph, const std::vector<HalfEdge>& cycle, Block
 BlockQuality worst_quality(const graph::Subdivision& subdivision, const std::vector<int>& faces) {
   const ArcGraph& graph = subdivision.graph();
   const curve::CurveTable table(graph.face, graph.splines);
-  std::vector<std::optional<curve::Chain>> chains(graph.arcs.size());
+  std::unordered_map<int, curve::Chain> chains;
   BlockQuality worst;
   for (const int f : faces) {
     const std::vector<HalfEdge> cycle = subdivision.cycle(f);
     std::array<const curve::Chain*, 4> sides{};
     std::array<bool, 4> backwards{};
     for (int k = 0; k < 4; ++k) {
-      std::optional<curve::Chain>& chain = chains[cycle[k].arc];
-      if (!chain) chain.emplace(table, graph.arcs[cycle[k].arc].pieces);
-      sides[k] = &*chain;
+      sides[k] = &chains.try_emplace(cycle[k].arc, table, graph.arcs[cycle[k].arc].pieces).first->second;
       backwards[k] = cycle[k].is_backwards;
     }
     add_angles(graph, cycle, worst);
@@ -48,18 +45,18 @@ BlockQuality worst_quality(const graph::Subdivision& subdivision, const std::vec
 }
 
 BlockQuality worst_quality(const graph::Subdivision& subdivision) {
-  std::vector<int> all(subdivision.face_bound());
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> all;
+  for (int f = 0; f < subdivision.face_bound(); ++f)
+    if (subdivision.has_face(f)) all.push_back(f);
   return worst_quality(subdivision, all);
 }
 
-std::vector<int> faces_beside(const graph::Subdivision& subdivision, const std::vector<bool>& is_marked) {
-  std::vector<int> beside;
-  for (int f = 0; f < subdivision.face_bound(); ++f) {
-    const std::vector<HalfEdge> cycle = subdivision.cycle(f);
-    if (std::any_of(cycle.begin(), cycle.end(), [&](HalfEdge h) { return is_marked[h.arc]; })) beside.push_back(f);
-  }
-  return beside;
+std::vector<int> faces_beside(const graph::Subdivision& subdivision, const std::set<int>& arcs) {
+  std::set<int> beside;
+  for (const int a : arcs)
+    for (const HalfEdge h : {HalfEdge{a}, HalfEdge{a, true}})
+      if (subdivision.face(h) >= 0) beside.insert(subdivision.face(h));
+  return {beside.begin(), beside.end()};
 }
 
 }  // namespace quadrille::simplify

@@ -1,6 +1,7 @@
 #pragma once
 // Quality measures of the blocks of a layout, by which changes are accepted or rejected.
 
+#include <set>
 #include <vector>
 
 #include "graph/subdivision.hpp"
@@ -20,7 +21,7 @@ BlockQuality worst_quality(const graph::Subdivision& subdivision, const std::vec
 /// The quality of all faces.
 BlockQuality worst_quality(const graph::Subdivision& subdivision);
 
-/// Faces with a side among the marked arcs, ascending.
-std::vector<int> faces_beside(const graph::Subdivision& subdivision, const std::vector<bool>& is_marked);
+/// Faces with a side among these arcs, ascending.
+std::vector<int> faces_beside(const graph::Subdivision& subdivision, const std::set<int>& arcs);
 
 }  // namespace quadrille::simplify

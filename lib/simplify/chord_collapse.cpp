@@ -68,19 +68,19 @@ std::optional<PlacedBlends> place_blends(const ArcGraph& graph, const ChordStrip
 // Prepends `pieces` to the arc that starts at a node of the strip and leads away from it: only one, as the node is
 // regular.
 void lengthen(Subdivision& subdivision, const std::set<int>& arcs_of_strip, int node, const graph::Pieces& pieces,
-              std::vector<bool>& is_changed) {
+              std::set<int>& changed) {
   for (const HalfEdge h : subdivision.around(node)) {
     if (arcs_of_strip.contains(h.arc)) continue;
     const graph::Pieces& own = subdivision.graph().arcs[h.arc].pieces;
     subdivision.set_pieces(
         h.arc, h.is_backwards ? graph::joined(own, graph::reversed_pieces(pieces)) : graph::joined(pieces, own));
-    is_changed[h.arc] = true;
+    changed.insert(h.arc);
   }
 }
 
 // Rung by rung: the lines that cross the strip are lengthened, the two ends become one node.
 void merge_rungs(Subdivision& subdivision, const ChordStrip& strip, const CollapsePlan& plan,
-                 const PlacedBlends& placed, std::vector<bool>& is_changed) {
+                 const PlacedBlends& placed, std::set<int>& changed) {
   std::set<int> arcs;
   for (const std::vector<HalfEdge>* half_edges : {&strip.rungs, &strip.left, &strip.right})
     for (const HalfEdge h : *half_edges) arcs.insert(h.arc);
@@ -91,20 +91,34 @@ void merge_rungs(Subdivision& subdivision, const ChordStrip& strip, const Collap
     if (placed.on_rung[i]) {
       const auto [before, behind] = graph::cut(pieces, *placed.on_rung[i]);
       subdivision.move_node(l, placed.on_rung[i]->position);
-      lengthen(subdivision, arcs, l, graph::reversed_pieces(before), is_changed);
-      lengthen(subdivision, arcs, r, behind, is_changed);
+      lengthen(subdivision, arcs, l, graph::reversed_pieces(before), changed);
+      lengthen(subdivision, arcs, r, behind, changed);
       subdivision.merge_ends(rung);
     } else if (plan.merged_into[i] == FixedSide::left) {
-      lengthen(subdivision, arcs, r, pieces, is_changed);
+      lengthen(subdivision, arcs, r, pieces, changed);
       subdivision.merge_ends(rung);
     } else {
-      lengthen(subdivision, arcs, l, graph::reversed_pieces(pieces), is_changed);
+      lengthen(subdivision, arcs, l, graph::reversed_pieces(pieces), changed);
       subdivision.merge_ends(rung.reversed());
     }
   }
 }
 
 }  // namespace
+
+int ArcChanges::now(int arc) const {
+  for (auto at = removed.find(arc); at != removed.end(); at = removed.find(arc)) arc = at->second;
+  return arc;
+}
+
+void ArcChanges::add(const ArcChanges& later) {
+  std::set<int> still;
+  for (const int a : changed)
+    if (const int to = later.now(a); to >= 0) still.insert(to);
+  changed = std::move(still);
+  changed.insert(later.changed.begin(), later.changed.end());
+  removed.insert(later.removed.begin(), later.removed.end());
+}
 
 std::optional<std::vector<Blend>> blends_of(const field::FieldEvaluator& evaluator, const Subdivision& subdivision,
                                             const ChordStrip& strip, const std::vector<FixedSide>& fixed,
@@ -130,25 +144,21 @@ std::optional<ArcChanges> collapse_strip(Subdivision& subdivision, const ChordSt
   std::optional<PlacedBlends> placed = place_blends(subdivision.graph(), strip, plan, blends);
   if (!placed) return std::nullopt;
   for (Nurbs& spline : placed->splines) subdivision.add_spline(std::move(spline));
-  std::vector<bool> is_changed(subdivision.arc_bound(), false);
-  merge_rungs(subdivision, strip, plan, *placed, is_changed);
+  ArcChanges changes;
+  merge_rungs(subdivision, strip, plan, *placed, changes.changed);
+  for (const HalfEdge rung : strip.rungs) changes.removed[rung.arc] = -1;
   // Every block has two remaining sides: one of them is removed.
-  std::vector<std::pair<int, int>> replaced;
   for (int b = 0; b < strip.num_blocks(); ++b) {
     const bool keeps_left = plan.kept_rail[b] != FixedSide::right;
     const HalfEdge kept = keeps_left ? strip.left[b] : strip.right[b],
                    gone = keeps_left ? strip.right[b] : strip.left[b];
     if (!subdivision.remove_arc(gone.arc))
       throw Defect("collapse_strip: a block's two rails have nothing between them");
-    replaced.push_back({gone.arc, kept.arc});
+    changes.removed[gone.arc] = kept.arc;
     if (plan.kept_rail[b] != FixedSide::none) continue;
     subdivision.reshape_arc(kept, {*placed->in_block[b]});
-    is_changed[kept.arc] = true;
+    changes.changed.insert(kept.arc);
   }
-  ArcChanges changes{subdivision.compact(), std::vector<bool>(subdivision.arc_bound(), false)};
-  for (std::size_t a = 0; a < is_changed.size(); ++a)
-    if (is_changed[a] && changes.arc2arc[a] >= 0) changes.is_changed[changes.arc2arc[a]] = true;
-  for (const auto& [gone, kept] : replaced) changes.arc2arc[gone] = changes.arc2arc[kept];
   return changes;
 }
 

@@ -5,7 +5,9 @@
 // that cross the strip keep their curves: where the new line crosses a rung, the arcs on both sides of the rung are
 // lengthened by its parts. So only the blends deviate from the field, and every inner arc stays a part of one spline.
 
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "graph/chord_strip.hpp"
@@ -19,15 +21,20 @@ std::optional<std::vector<Blend>> blends_of(const field::FieldEvaluator& evaluat
                                             const graph::Subdivision& subdivision, const graph::ChordStrip& strip,
                                             const std::vector<graph::FixedSide>& fixed, const BlendOptions& options);
 
-/// The arcs after a collapse.
+/// What collapses change. Arcs that are not removed keep their numbers.
 struct ArcChanges {
-  std::vector<int> arc2arc;      ///< the new arc of each old one: for a removed rail the other rail, for rungs -1
-  std::vector<bool> is_changed;  ///< by new arc: its shape has changed
+  std::map<int, int> removed;  ///< with the arc that takes its place: for a rail the other rail, for a rung -1
+  std::set<int> changed;       ///< whose shape has changed
+
+  /// The arc that has taken the place of an arc, itself if it was not removed; -1 if none has.
+  int now(int arc) const;
+  /// Adds changes after these.
+  void add(const ArcChanges& later);
 };
 
-/// Collapses a strip; the subdivision is compact again. `blends` must include those of the strip. They may have been
-/// computed before other strips that cross it were collapsed, so the result does not depend on the order of strips.
-/// std::nullopt, without any change, if one is missing or does not cross the rungs in order.
+/// Collapses a strip. `blends` must include those of the strip. They may have been computed before other strips that
+/// cross it were collapsed, so the result does not depend on the order of strips. std::nullopt, without any change, if
+/// one is missing or does not cross the rungs in order.
 std::optional<ArcChanges> collapse_strip(graph::Subdivision& subdivision, const graph::ChordStrip& strip,
                                          const std::vector<graph::FixedSide>& fixed, const std::vector<Blend>& blends);
 

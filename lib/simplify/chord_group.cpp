@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -24,43 +23,44 @@ bool share_a_rail(const std::vector<ChordStrip>& strips) {
   return false;
 }
 
-// Whether the curves around the ends of the marked arcs have the order of the topology.
-bool are_drawn_in_order(const Subdivision& subdivision, const std::vector<bool>& is_marked) {
+// Whether the curves around the ends of these arcs have the order of the topology.
+bool are_drawn_in_order(const Subdivision& subdivision, const std::set<int>& arcs) {
   std::set<int> nodes;
-  for (int a = 0; a < subdivision.arc_bound(); ++a)
-    if (is_marked[a]) nodes.insert({subdivision.start({a}), subdivision.end({a})});
+  for (const int a : arcs) nodes.insert({subdivision.start({a}), subdivision.end({a})});
   return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return graph::is_drawn_in_order(subdivision, n); });
 }
 
+std::set<int> all_arcs(const Subdivision& subdivision) {
+  std::set<int> arcs;
+  for (int a = 0; a < subdivision.arc_bound(); ++a) arcs.insert(arcs.end(), a);
+  return arcs;
+}
+
 // The strip after the collapse of others that cross it.
-bool collapse_one(const ChordStrip& old_strip, const std::vector<Blend>& blends, Trial& trial) {
+bool collapse_one(Subdivision& subdivision, const ChordStrip& old_strip, const std::vector<Blend>& blends,
+                  ArcChanges& changes) {
   int arc = -1;
   for (const HalfEdge h : old_strip.rungs)
-    if (arc < 0) arc = trial.arc2arc[h.arc];
+    if (arc < 0) arc = changes.now(h.arc);
   if (arc < 0) return false;
-  const ChordStrip strip = graph::strip_through(trial.subdivision, arc);
-  const std::vector<FixedSide> fixed = graph::fixed_sides(trial.subdivision, strip);
+  const ChordStrip strip = graph::strip_through(subdivision, arc);
+  const std::vector<FixedSide> fixed = graph::fixed_sides(subdivision, strip);
   if (fixed.empty()) return false;
-  std::optional<ArcChanges> changes = collapse_strip(trial.subdivision, strip, fixed, blends);
-  if (!changes || !are_drawn_in_order(trial.subdivision, changes->is_changed)) return false;
-  for (std::size_t a = 0; a < trial.is_changed.size(); ++a)
-    if (trial.is_changed[a] && changes->arc2arc[a] >= 0) changes->is_changed[changes->arc2arc[a]] = true;
-  trial.is_changed = std::move(changes->is_changed);
-  for (int& a : trial.arc2arc)
-    if (a >= 0) a = changes->arc2arc[a];
+  const std::optional<ArcChanges> own = collapse_strip(subdivision, strip, fixed, blends);
+  if (!own || !are_drawn_in_order(subdivision, own->changed)) return false;
+  changes.add(*own);
   return true;
 }
 
 // The shortcut of a line after others were applied; splines keep their numbers.
-bool shorten_one(int line, const Blend& blend, Trial& trial) {
+bool shorten_one(int line, const Blend& blend, Shortened& trial) {
   const std::vector<SpiralShortcut> now =
       find_shortcuts(trial.subdivision, graph::arc_lengths(trial.subdivision.graph()));
   const auto found = std::find_if(now.begin(), now.end(), [&](const SpiralShortcut& s) { return s.spline == line; });
   if (found == now.end()) return false;
   std::optional<Subdivision> result = with_shortcut(trial.subdivision, *found, blend);
   if (!result || result->num_faces() >= trial.subdivision.num_faces() ||
-      !graph::faces_without_four_corners(*result).empty() ||
-      !are_drawn_in_order(*result, std::vector<bool>(result->arc_bound(), true)))
+      !graph::faces_without_four_corners(*result).empty() || !are_drawn_in_order(*result, all_arcs(*result)))
     return false;
   trial.subdivision = std::move(*result);
   return true;
@@ -68,8 +68,9 @@ bool shorten_one(int line, const Blend& blend, Trial& trial) {
 
 }  // namespace
 
-std::optional<Trial> collapse_group(const field::FieldEvaluator& evaluator, const Subdivision& subdivision,
-                                    const std::vector<ChordStrip>& strips, const BlendOptions& options) {
+std::optional<std::vector<Blend>> blends_of_group(const field::FieldEvaluator& evaluator,
+                                                  const Subdivision& subdivision, const std::vector<ChordStrip>& strips,
+                                                  const BlendOptions& options) {
   if (share_a_rail(strips)) return std::nullopt;
   std::vector<Blend> blends;
   for (const ChordStrip& strip : strips) {
@@ -79,23 +80,31 @@ std::optional<Trial> collapse_group(const field::FieldEvaluator& evaluator, cons
     if (!own) return std::nullopt;
     for (Blend& b : *own) blends.push_back(std::move(b));
   }
-  Trial trial{subdivision, std::vector<int>(subdivision.arc_bound()), std::vector<bool>(subdivision.arc_bound(), false),
-              0};
-  std::iota(trial.arc2arc.begin(), trial.arc2arc.end(), 0);
-  for (const ChordStrip& strip : strips)
-    if (!collapse_one(strip, blends, trial)) return std::nullopt;
-  for (const Blend& b : blends) trial.deviation = std::max(trial.deviation, b.deviation);
-  return trial;
+  return blends;
 }
 
-std::optional<Trial> shorten_group(const field::FieldEvaluator& evaluator, const Subdivision& subdivision,
-                                   const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options) {
+std::optional<ArcChanges> collapse_group(Subdivision& subdivision, const std::vector<ChordStrip>& strips,
+                                         const std::vector<Blend>& blends) {
+  ArcChanges changes;
+  for (const ChordStrip& strip : strips)
+    if (!collapse_one(subdivision, strip, blends, changes)) return std::nullopt;
+  return changes;
+}
+
+double greatest_deviation(const std::vector<Blend>& blends) {
+  double deviation = 0;
+  for (const Blend& b : blends) deviation = std::max(deviation, b.deviation);
+  return deviation;
+}
+
+std::optional<Shortened> shorten_group(const field::FieldEvaluator& evaluator, const Subdivision& subdivision,
+                                       const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options) {
   std::map<int, Blend> line2blend;
   for (const SpiralShortcut& s : shortcuts) {
     auto blend = blend_of(evaluator, subdivision.graph(), s, options);
     if (!blend || !line2blend.emplace(s.spline, std::move(*blend)).second) return std::nullopt;
   }
-  Trial trial{subdivision, {}, {}, 0};
+  Shortened trial{subdivision, 0};
   for (const auto& [line, blend] : line2blend) {
     if (!shorten_one(line, blend, trial)) return std::nullopt;
     trial.deviation = std::max(trial.deviation, blend.deviation);

@@ -1,6 +1,6 @@
 #pragma once
-// Trials on copies of a subdivision: groups of equal chords, or of equal spiral shortcuts, are changed together or not
-// at all, so that symmetric layouts stay symmetric.
+// Groups of equal chords, or of equal spiral shortcuts, are changed together or not at all, so that symmetric layouts
+// stay symmetric.
 
 #include <optional>
 #include <vector>
@@ -10,20 +10,29 @@
 
 namespace quadrille::simplify {
 
-struct Trial {
+/// The blends that strips need together; std::nullopt if two have a common rail, or one of them cannot be collapsed.
+std::optional<std::vector<Blend>> blends_of_group(const field::FieldEvaluator& evaluator,
+                                                  const graph::Subdivision& subdivision,
+                                                  const std::vector<graph::ChordStrip>& strips,
+                                                  const BlendOptions& options);
+
+/// Collapses strips, given their blends. If one of them cannot be collapsed after others, the result is std::nullopt,
+/// and the subdivision may have changed: make it a trial.
+std::optional<ArcChanges> collapse_group(graph::Subdivision& subdivision, const std::vector<graph::ChordStrip>& strips,
+                                         const std::vector<Blend>& blends);
+
+/// The greatest deviation of blends, radians.
+double greatest_deviation(const std::vector<Blend>& blends);
+
+/// A compact subdivision, and the greatest deviation of its new lines (radians).
+struct Shortened {
   graph::Subdivision subdivision;
-  std::vector<int> arc2arc;      ///< the new arc of each old one, -1 if it was removed
-  std::vector<bool> is_changed;  ///< by new arc: its shape has changed
-  double deviation = 0;          ///< greatest of the new lines, radians
+  double deviation = 0;
 };
 
-/// std::nullopt if two strips have a common rail, or one of them cannot be collapsed.
-std::optional<Trial> collapse_group(const field::FieldEvaluator& evaluator, const graph::Subdivision& subdivision,
-                                    const std::vector<graph::ChordStrip>& strips, const BlendOptions& options);
-
-/// std::nullopt if one line has two shortcuts, if one of them does not fit, or if the result is not a smaller number of
-/// four-sided blocks. `arc2arc` is not filled in.
-std::optional<Trial> shorten_group(const field::FieldEvaluator& evaluator, const graph::Subdivision& subdivision,
-                                   const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options);
+/// A copy in which the shortcuts are taken. std::nullopt if one line has two shortcuts, if one of them does not fit, or
+/// if the result is not a smaller number of four-sided blocks.
+std::optional<Shortened> shorten_group(const field::FieldEvaluator& evaluator, const graph::Subdivision& subdivision,
+                                       const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options);
 
 }  // namespace quadrille::simplify

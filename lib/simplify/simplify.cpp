@@ -1,6 +1,7 @@
 #include "simplify/simplify.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "graph/separatrix_lines.hpp"
 #include "simplify/block_quality.hpp"
 #include "simplify/chord_group.hpp"
+#include "simplify/strip_queue.hpp"
 
 namespace quadrille::simplify {
 namespace {
@@ -16,7 +18,6 @@ using graph::ChordStrip;
 using graph::Subdivision;
 
 constexpr double relative_fit_tol = 2e-9;  // relative to the diameter, as for traced lines
-constexpr double equal_aspect = 1e-6;      // relative
 constexpr double slack = 1e-6;             // equal quality is accepted in spite of rounding
 
 // The key of a group of strips: the pieces of all its arcs.
@@ -60,6 +61,14 @@ bool is_acceptable(const SimplifyOptions& options, const BlockQuality& before, c
          after.least_scaled_jacobian >= std::min(before.least_scaled_jacobian, least) - slack;
 }
 
+// Arcs that are removed or changed, but for rails whose place a rail takes that stays as it was.
+std::set<int> touched_by(const ArcChanges& changes) {
+  std::set<int> touched = changes.changed;
+  for (const auto& [arc, in_its_place] : changes.removed)
+    if (const int now = changes.now(arc); now < 0 || changes.changed.contains(now)) touched.insert(arc);
+  return touched;
+}
+
 double fraction_left(const Subdivision& before, const Subdivision& after) {
   return static_cast<double>(after.num_faces()) / static_cast<double>(before.num_faces());
 }
@@ -69,18 +78,21 @@ class Simplifier {
   Simplifier(const field::FieldEvaluator& evaluator, Subdivision subdivision, const SimplifyOptions& options)
       : evaluator_(evaluator), options_(options), subdivision_(std::move(subdivision)) {}
 
-  // One group of equal chords; false where none can be collapsed.
-  bool collapse_chords() {
-    std::vector<ChordStrip> strips = graph::all_strips(subdivision_, lengths());
-    std::erase_if(strips, [&](const ChordStrip& s) { return graph::fixed_sides(subdivision_, s).empty(); });
-    return take_thinnest(
-        std::move(strips), [](const ChordStrip& s) { return s.aspect(); },
-        [&](const std::vector<ChordStrip>& group) { return try_collapse(group); });
+  // Until no group of equal chords can be collapsed.
+  void collapse_chords() {
+    StripQueue queue(subdivision_);
+    for (std::vector<ChordStrip> group = queue.thinnest(); !group.empty(); group = queue.thinnest())
+      if (const std::optional<ArcChanges> changes = try_collapse(group))
+        queue.update(subdivision_, *changes);
+      else
+        queue.refuse(group);
+    subdivision_.compact();
   }
 
   bool shorten_spirals() {
     return take_thinnest(
-        find_shortcuts(subdivision_, lengths()), [](const SpiralShortcut& s) { return s.aspect; },
+        find_shortcuts(subdivision_, graph::arc_lengths(subdivision_.graph())),
+        [](const SpiralShortcut& s) { return s.aspect; },
         [&](const std::vector<SpiralShortcut>& group) { return try_shorten(group); });
   }
 
@@ -90,44 +102,45 @@ class Simplifier {
   double deviation() const { return deviation_; }
 
  private:
-  bool try_collapse(const std::vector<ChordStrip>& strips) {
+  std::optional<ArcChanges> try_collapse(const std::vector<ChordStrip>& strips) {
     std::vector<double> key = key_of(subdivision_.graph(), strips);
-    if (refused_.contains(key)) return false;
-    std::optional<Trial> trial = collapse_group(evaluator_, subdivision_, strips, blend_options());
-    if (!trial || !improves(*trial)) {
+    if (refused_.contains(key)) return std::nullopt;
+    const std::optional<std::vector<Blend>> blends = blends_of_group(evaluator_, subdivision_, strips, blend_options());
+    if (!blends || !improves(strips, *blends)) {
       refused_.insert(std::move(key));
-      return false;
+      return std::nullopt;
     }
     num_collapsed_ += static_cast<int>(strips.size());
-    keep(std::move(*trial));
-    return true;
+    deviation_ = std::max(deviation_, greatest_deviation(*blends));
+    return collapse_group(subdivision_, strips, *blends);
   }
 
   bool try_shorten(const std::vector<SpiralShortcut>& shortcuts) {
-    std::optional<Trial> trial = shorten_group(evaluator_, subdivision_, shortcuts, blend_options());
+    std::optional<Shortened> trial = shorten_group(evaluator_, subdivision_, shortcuts, blend_options());
     if (!trial || !is_acceptable(options_, worst_quality(subdivision_), worst_quality(trial->subdivision),
                                  fraction_left(subdivision_, trial->subdivision)))
       return false;
     num_shortened_ += static_cast<int>(shortcuts.size());
-    keep(std::move(*trial));
+    subdivision_ = std::move(trial->subdivision);
+    deviation_ = std::max(deviation_, trial->deviation);
     return true;
   }
 
-  // Only blocks that the trial has changed are compared.
-  bool improves(const Trial& trial) const {
-    std::vector<bool> touched;
-    for (const int a : trial.arc2arc) touched.push_back(a < 0 || trial.is_changed[a]);
-    const BlockQuality after = worst_quality(trial.subdivision, faces_beside(trial.subdivision, trial.is_changed));
-    const BlockQuality before = worst_quality(subdivision_, faces_beside(subdivision_, touched));
-    return is_acceptable(options_, before, after, fraction_left(subdivision_, trial.subdivision));
+  // Whether the strips can be collapsed and may be: by the blocks that a trial changes. Leaves the subdivision as it
+  // is.
+  bool improves(const std::vector<ChordStrip>& strips, const std::vector<Blend>& blends) {
+    const double num_before = subdivision_.num_faces();
+    subdivision_.begin_trial();
+    const std::optional<ArcChanges> changes = collapse_group(subdivision_, strips, blends);
+    BlockQuality after;
+    if (changes) after = worst_quality(subdivision_, faces_beside(subdivision_, changes->changed));
+    const double num_after = subdivision_.num_faces();
+    subdivision_.undo_trial();
+    if (!changes) return false;
+    const BlockQuality before = worst_quality(subdivision_, faces_beside(subdivision_, touched_by(*changes)));
+    return is_acceptable(options_, before, after, num_after / num_before);
   }
 
-  void keep(Trial trial) {
-    subdivision_ = std::move(trial.subdivision);
-    deviation_ = std::max(deviation_, trial.deviation);
-  }
-
-  std::vector<double> lengths() { return graph::arc_lengths(subdivision_.graph(), piece_lengths_); }
   BlendOptions blend_options() const {
     return {options_.max_deviation, relative_fit_tol * subdivision_.graph().face.diameter};
   }
@@ -135,7 +148,6 @@ class Simplifier {
   const field::FieldEvaluator& evaluator_;
   const SimplifyOptions& options_;
   Subdivision subdivision_;
-  graph::PieceLengths piece_lengths_;
   std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: most are unchanged by other steps
   int num_collapsed_ = 0, num_shortened_ = 0;
   double deviation_ = 0;
@@ -158,8 +170,8 @@ graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::C
   report.set("simplify.least_scaled_jacobian_before", least);
   std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
   Simplifier simplifier(evaluator, std::move(layout.subdivision), options);
-  while (simplifier.collapse_chords() || simplifier.shorten_spirals()) {
-  }
+  do simplifier.collapse_chords();
+  while (simplifier.shorten_spirals());
   layout.subdivision = std::move(simplifier.subdivision());
   report_steps(simplifier, report);
   if (simplifier.num_collapsed() + simplifier.num_shortened() > 0) {

@@ -6,7 +6,9 @@
 // decreases at every step, so the loop ends. Chords whose ratios have a relative difference below 1e-6 are decided
 // together: if two of them have a common rail, or one cannot be collapsed, none is, so that symmetric layouts stay
 // symmetric. When no chord can be collapsed any more, spirals are shortened by the same rules
-// (simplify/spiral_shortcut.hpp). Every trial changes a copy of the subdivision; none is built from scratch.
+// (simplify/spiral_shortcut.hpp). A trial of a collapse is undone on the
+// subdivision itself, at the cost of its changes, and strips far from a collapse are not looked at again
+// (simplify/strip_queue.hpp); a trial of a shorter spiral changes a copy. None is built from scratch.
 
 #include "base/report.hpp"
 #include "field/evaluate.hpp"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <tuple>
 
 #include "../support/grid_layout.hpp"
 #include "base/error.hpp"
@@ -229,32 +230,102 @@ TEST(Subdivision, OnlyUnusedSplinesAreDropped) {
 }
 
 // Divisions, removals and flips in any order.
+void change_at_random(Subdivision& subdivision, std::mt19937& random) {
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  std::vector<int> nodes;
+  for (int i = 0; i < 12; ++i) {
+    const int arc = below(subdivision.arc_bound());
+    if (!subdivision.has_arc(arc)) continue;
+    const bool is_inner = !subdivision.graph().arcs[arc].is_boundary;
+    switch (below(4)) {
+      case 0:
+        nodes.push_back(divide(subdivision, arc, 0.5).node);
+        break;
+      case 1:
+        subdivision.remove_arc(arc);
+        break;
+      case 2:
+        if (is_inner) subdivision.reshape_arc({arc, true}, reversed_pieces(subdivision.graph().arcs[arc].pieces));
+        break;
+      default:
+        if (!nodes.empty()) subdivision.dissolve_node(nodes[below(static_cast<int>(nodes.size()))]);
+    }
+  }
+}
+
+Subdivision random_grid(std::mt19937& random) {
+  const int columns = 2 + static_cast<int>(random() % 3u);
+  return Subdivision(grid_layout(columns, 2 + static_cast<int>(random() % 3u)));
+}
+
 TEST(Subdivision, RandomOperationsLeaveWhatTheGraphGives) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::mt19937 random(seed);
-    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-    Subdivision subdivision(grid_layout(2 + below(3), 2 + below(3)));
-    std::vector<int> nodes;
-    for (int i = 0; i < 12; ++i) {
-      const int arc = below(subdivision.arc_bound());
-      if (!subdivision.has_arc(arc)) continue;
-      const bool is_inner = !subdivision.graph().arcs[arc].is_boundary;
-      switch (below(4)) {
-        case 0:
-          nodes.push_back(divide(subdivision, arc, 0.5).node);
-          break;
-        case 1:
-          subdivision.remove_arc(arc);
-          break;
-        case 2:
-          if (is_inner) subdivision.reshape_arc({arc, true}, reversed_pieces(subdivision.graph().arcs[arc].pieces));
-          break;
-        default:
-          if (!nodes.empty()) subdivision.dissolve_node(nodes[below(static_cast<int>(nodes.size()))]);
-      }
-    }
+    Subdivision subdivision = random_grid(random);
+    change_at_random(subdivision, random);
     expect_as_built(subdivision);
   }
+}
+
+void expect_same(const Subdivision& a, const Subdivision& b) {
+  ASSERT_EQ(a.arc_bound(), b.arc_bound());
+  ASSERT_EQ(a.node_bound(), b.node_bound());
+  ASSERT_EQ(a.face_bound(), b.face_bound());
+  EXPECT_EQ(a.graph().splines.size(), b.graph().splines.size());
+  for (int arc = 0; arc < a.arc_bound(); ++arc) {
+    const GraphArc &p = a.graph().arcs[arc], &q = b.graph().arcs[arc];
+    EXPECT_EQ(std::tie(p.from, p.to, p.is_boundary), std::tie(q.from, q.to, q.is_boundary));
+    ASSERT_EQ(p.pieces.size(), q.pieces.size());
+    for (std::size_t i = 0; i < p.pieces.size(); ++i)
+      EXPECT_EQ(std::tie(p.pieces[i].curve, p.pieces[i].t0, p.pieces[i].t1),
+                std::tie(q.pieces[i].curve, q.pieces[i].t0, q.pieces[i].t1));
+    for (const HalfEdge h : {HalfEdge{arc}, HalfEdge{arc, true}}) {
+      EXPECT_EQ(a.next(h), b.next(h));
+      EXPECT_EQ(a.face(h), b.face(h));
+      EXPECT_EQ(a.quarters(h), b.quarters(h));
+    }
+  }
+  for (int n = 0; n < a.node_bound(); ++n) {
+    EXPECT_EQ(a.graph().nodes[n].position, b.graph().nodes[n].position);
+    EXPECT_EQ(a.graph().nodes[n].valence, b.graph().nodes[n].valence);
+    EXPECT_EQ(a.around(n), b.around(n));
+  }
+  for (int f = 0; f < a.face_bound(); ++f) EXPECT_EQ(a.cycle(f), b.cycle(f));
+}
+
+TEST(Subdivision, ATrialThatIsUndoneLeavesNothing) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    Subdivision subdivision = random_grid(random);
+    change_at_random(subdivision, random);
+    const Subdivision before = subdivision;
+    subdivision.begin_trial();
+    change_at_random(subdivision, random);
+    subdivision.move_node(0, {9, 9});
+    subdivision.undo_trial();
+    expect_same(subdivision, before);
+    change_at_random(subdivision, random);
+    expect_as_built(subdivision);
+  }
+}
+
+TEST(Subdivision, ATrialCollapsesAndDividesAndIsUndone) {
+  Subdivision subdivision(grid_layout(4, 3));
+  const Subdivision before = subdivision;
+  subdivision.begin_trial();
+  collapse_column(subdivision, 1);
+  divide_block(subdivision, 0, 0);
+  subdivision.undo_trial();
+  expect_same(subdivision, before);
+}
+
+TEST(Subdivision, ATrialThatIsKeptIsAsBuilt) {
+  Subdivision subdivision(grid_layout(4, 3));
+  subdivision.begin_trial();
+  collapse_column(subdivision, 2);
+  subdivision.keep_trial();
+  EXPECT_EQ(subdivision.num_faces(), 9);
+  expect_as_built(subdivision);
 }
 
 }  // namespace

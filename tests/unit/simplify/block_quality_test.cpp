@@ -36,10 +36,8 @@ TEST(BlockQuality, AFoldedBlockIsNotValid) {
 
 TEST(BlockQuality, FacesBesideMarkedArcs) {
   const graph::Subdivision subdivision(hand_made::l_shape());
-  std::vector<bool> is_marked(subdivision.arc_bound(), false);
-  EXPECT_TRUE(faces_beside(subdivision, is_marked).empty());
-  is_marked[8] = true;  // one of the two lines inside: between two of three blocks
-  EXPECT_EQ(faces_beside(subdivision, is_marked).size(), 2u);
+  EXPECT_TRUE(faces_beside(subdivision, {}).empty());
+  EXPECT_EQ(faces_beside(subdivision, {8}).size(), 2u);  // one of the two lines inside: between two of three blocks
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ TEST_F(Collapse, TheStripIsGoneAndEveryFaceHasFourCorners) {
   const int num_faces = subdivision.num_faces(), num_arcs = subdivision.arc_bound();
   const auto changes = collapse_strip(subdivision, strip, fixed, blends);
   ASSERT_TRUE(changes);
+  subdivision.compact();
   EXPECT_EQ(subdivision.num_faces(), num_faces - strip.num_blocks());
   EXPECT_EQ(subdivision.arc_bound(), num_arcs - 3 - 2);  // three rungs, one rail of two blocks
   EXPECT_TRUE(graph::faces_without_four_corners(subdivision).empty());
@@ -38,15 +39,15 @@ TEST_F(Collapse, ArcsAreFollowedAndChangesMarked) {
   const ArcGraph before = subdivision.graph();
   const auto changes = collapse_strip(subdivision, strip, fixed, blends);
   ASSERT_TRUE(changes);
-  for (const HalfEdge rung : strip.rungs) EXPECT_EQ(changes->arc2arc[rung.arc], -1);
+  for (const HalfEdge rung : strip.rungs) EXPECT_EQ(changes->now(rung.arc), -1);
   for (int b = 0; b < strip.num_blocks(); ++b)
-    EXPECT_EQ(changes->arc2arc[strip.left[b].arc], changes->arc2arc[strip.right[b].arc]);
+    EXPECT_EQ(changes->now(strip.left[b].arc), changes->now(strip.right[b].arc));
   const auto same = [](const ArcPiece& p, const ArcPiece& q) {
     return p.curve == q.curve && p.t0 == q.t0 && p.t1 == q.t1;
   };
   for (std::size_t a = 0; a < before.arcs.size(); ++a) {
-    const int now = changes->arc2arc[a];
-    if (now < 0 || changes->is_changed[now]) continue;
+    const int now = changes->now(static_cast<int>(a));
+    if (now < 0 || changes->changed.contains(now)) continue;
     const auto &p = before.arcs[a].pieces, &q = subdivision.graph().arcs[now].pieces;
     if (std::none_of(strip.left.begin(), strip.left.end(), [&](HalfEdge h) { return h.arc == static_cast<int>(a); }) &&
         std::none_of(strip.right.begin(), strip.right.end(),
