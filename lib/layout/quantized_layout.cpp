@@ -59,18 +59,20 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, const CriticalPoi
     num_built = q.t_mesh.num_built += num_built;
     q.faces = quantize::t_mesh_faces(q.t_mesh.subdivision);
     const ArcGraph& graph = q.t_mesh.graph();
-    q.lengths = quantize::quantize(q.faces, arc_lengths(graph), relative_unit * graph.face.diameter);
-    if (!q.lengths.empty()) {
+    quantize::Quantization found =
+        quantize::quantize_or_explain(q.faces, arc_lengths(graph), relative_unit * graph.face.diameter);
+    if (!found.lengths.empty()) {
+      q.lengths = std::move(found.lengths);
       report.set("quantize.rejected_merges", num_rejected);
       report.set("quantize.merges_given_up", num_rejected);  // former name
       report.set("quantize.longest_arc", *std::max_element(q.lengths.begin(), q.lengths.end()));
       return q;
     }
-    const int num_arcs = static_cast<int>(graph.arcs.size());
-    const std::vector<int> zero_arcs = quantize::forced_zero_arcs(q.faces, num_arcs);
-    if (zero_arcs.empty()) throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
-    const std::vector<int> strip = quantize::infeasibility_certificate(q.faces, num_arcs, zero_arcs.front());
-    if (!tracer.reject_merge(q.t_mesh.lines, strip)) fail_to_quantize(graph, zero_arcs, strip, points, report);
+    if (!found.strips.empty() && tracer.reject_merges(q.t_mesh.lines, found.strips)) continue;
+    const std::vector<int> zero_arcs = quantize::forced_zero_arcs(q.faces, static_cast<int>(graph.arcs.size()));
+    if (found.strips.empty() || zero_arcs.empty())
+      throw ComputeError("no integer lengths were found for the arcs of the T-mesh");
+    fail_to_quantize(graph, zero_arcs, found.strips.front(), points, report);
   }
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "quantize/integer_program.hpp"
+#include "quantize/length_flow.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -15,6 +17,8 @@ using Term = IntegerProgram::Term;
 constexpr double max_length = 1e4;  // of one arc
 constexpr double relative_tie = 1e-6;
 constexpr int max_pieces = 60;  // of a cost function
+// The time that the integer program takes grows faster than the number of arcs.
+constexpr int max_program_arcs = 2000;
 
 void add_face_equations(const std::vector<TFace>& faces, IntegerProgram& program) {
   for (const TFace& face : faces)
@@ -68,6 +72,21 @@ std::vector<int> solve(const std::vector<TFace>& faces, const std::vector<double
 std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit) {
   std::vector<int> lengths = solve(faces, arc_lengths, unit, true);
   return lengths.empty() ? solve(faces, arc_lengths, unit, false) : lengths;
+}
+
+Quantization quantize_or_explain(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit) {
+  const int num_arcs = static_cast<int>(arc_lengths.size());
+  if (num_arcs > max_program_arcs) {
+    std::vector<double> targets;
+    for (const double length : arc_lengths) targets.push_back(length / unit);
+    FlowLengths found = flow_lengths(faces, targets);
+    return {std::move(found.lengths), std::move(found.strips)};
+  }
+  Quantization result{quantize(faces, arc_lengths, unit), {}};
+  if (!result.lengths.empty()) return result;
+  if (const std::vector<int> zero_arcs = forced_zero_arcs(faces, num_arcs); !zero_arcs.empty())
+    result.strips.push_back(infeasibility_certificate(faces, num_arcs, zero_arcs.front()));
+  return result;
 }
 
 // The equations are homogeneous: all arcs that can be positive can be 1 or more at once.

@@ -18,6 +18,18 @@ namespace quadrille::quantize {
 /// `arc_lengths` and `unit`: lengths. Returns integer lengths of the arcs, 1 or more; empty if there are none.
 std::vector<int> quantize(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit);
 
+/// Integer lengths, or why there are none.
+struct Quantization {
+  std::vector<int> lengths;
+  /// Without lengths: the arcs along strips that wind onto themselves, ascending. One strip as
+  /// infeasibility_certificate finds it; in a large T-mesh all that were found. Empty if none was.
+  std::vector<std::vector<int>> strips;
+};
+
+/// As quantize; lengths of more than 2000 arcs are nearly as good, not necessarily symmetric, and found in near linear
+/// time (quantize/length_flow.hpp).
+Quantization quantize_or_explain(const std::vector<TFace>& faces, const std::vector<double>& arc_lengths, double unit);
+
 /// Arcs that are zero in every solution with lengths >= 0: they cross strips of faces that wind onto themselves. If
 /// there are none, quantize() succeeds.
 std::vector<int> forced_zero_arcs(const std::vector<TFace>& faces, int num_arcs);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -10,13 +12,22 @@
 #include "graph/build_graph.hpp"
 #include "graph/face_corners.hpp"
 #include "trace/fixed_nodes.hpp"
+#include "trace/launch_all.hpp"
 
 namespace quadrille::quantize {
 namespace {
 
 constexpr double relative_tie = 1e-6;        // relative to the diameter: arrivals nearer than this are equal
 constexpr double relative_first_length = 2;  // relative to the diameter: length to which lines are traced first
+// So many lines stop each other much earlier: traced first so many times as far as the side of a square of which each
+// line has one, relative to the diameter squared.
+constexpr int many_lines = 500;
+constexpr double first_squares = 20;
 constexpr int max_cuts = 100;
+
+double first_length(int num_lines) {
+  return num_lines <= many_lines ? relative_first_length : first_squares / std::sqrt(num_lines);
+}
 
 // Traces all lines to the first length, always by the Runge-Kutta integrator.
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
@@ -25,7 +36,7 @@ trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const Crit
   options.integrator = trace::Integrator::runge_kutta;
   if (!(options.step > 0)) options.step = d / 20;
   trace::LineTracer tracer(evaluator, points, nodes, options);
-  tracer.follow_all_to(relative_first_length * d);
+  tracer.follow_all_to(first_length(trace::num_launches(points)) * d);
   return tracer;
 }
 
@@ -94,16 +105,23 @@ graph::CandidateLayout TMeshTracer::trace(Report& report) {
   }
 }
 
-bool TMeshTracer::reject_merge(const std::vector<SeparatrixLine>& lines, const std::vector<int>& arcs) {
-  std::vector<int> beside, all;
+bool TMeshTracer::reject_merges(const std::vector<SeparatrixLine>& lines, const std::vector<std::vector<int>>& strips) {
+  std::vector<int> all;
+  std::map<int, int> arc2merge;
   for (size_t i = 0; i < lines.size(); ++i) {
     const int merge = lines_.arrangement().lines[piece2line_[i]].merge;
     if (merge < 0) continue;
     all.push_back(merge);
-    const std::vector<int>& own = lines[i].arcs;
-    if (std::find_first_of(own.begin(), own.end(), arcs.begin(), arcs.end()) != own.end()) beside.push_back(merge);
+    for (const int arc : lines[i].arcs) arc2merge[arc] = merge;
   }
-  return lines_.reject_worst(beside, trace::same_line_angle) || lines_.reject_worst(all, trace::same_line_angle);
+  bool any = false;
+  for (const std::vector<int>& strip : strips) {
+    std::vector<int> beside;
+    for (const int arc : strip)
+      if (const auto at = arc2merge.find(arc); at != arc2merge.end()) beside.push_back(at->second);
+    any = lines_.reject_worst(beside, trace::same_line_angle) || any;
+  }
+  return any || lines_.reject_worst(all, trace::same_line_angle);
 }
 
 // A line of the greatest length that is not stopped is a limit cycle: a cut is added across it, and the motorcycle

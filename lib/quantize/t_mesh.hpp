@@ -19,7 +19,8 @@ namespace quadrille::quantize {
 
 /// Head-on separatrices are merged as in layout/trace_separatrices, then all fronts start together. Cuts are added for
 /// holes and limit cycles that meet no line (quantize/cuts.hpp). Lines are traced no farther than needed: from two
-/// diameters on, the greatest length of lines that are not stopped is doubled.
+/// diameters on, or a fraction of one where there are more than 500, the greatest length of lines that are not stopped
+/// is doubled.
 class TMeshTracer {
  public:
   /// `evaluator` must outlive the tracer. Throws ComputeError as trace::launch_all and trace::advance.
@@ -31,11 +32,11 @@ class TMeshTracer {
   /// if a line cannot be traced, if one that no other stops needs too many steps, or if 100 cuts are not enough.
   graph::CandidateLayout trace(Report& report);
 
-  /// Rejects, among the merges of lines with one of these arcs (`lines`: of the T-mesh traced last), those whose
-  /// deviation is within 1e-6 of the largest; if there are none, among all merges. Two merges may contradict each
-  /// other: one puts two nodes on one line of the integer grid, the other does not. Returns false if no merge remains
-  /// to be rejected.
-  bool reject_merge(const std::vector<SeparatrixLine>& lines, const std::vector<int>& arcs);
+  /// Rejects for each strip, given by its arcs, among the merges of lines with one of these (`lines`: of the T-mesh
+  /// traced last), those whose deviation is within 1e-6 of the largest; if no strip has any, among all merges. Two
+  /// merges may contradict each other: one puts two nodes on one line of the integer grid, the other does not. Returns
+  /// false if no merge remains to be rejected.
+  bool reject_merges(const std::vector<SeparatrixLine>& lines, const std::vector<std::vector<int>>& strips);
 
  private:
   bool follow_unstopped_lines(const std::vector<CoveredPart>& covered);
