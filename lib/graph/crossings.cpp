@@ -29,6 +29,7 @@ bool meet(const Box& a, const Box& b) {
 }
 
 constexpr double side_by_side = 0.1;  // radians
+constexpr std::size_t most_sought = 100;
 
 double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
 
@@ -180,13 +181,37 @@ std::vector<Overlap> overlaps(std::vector<Span> spans, const std::vector<bool>& 
   return all;
 }
 
+Box box_of(const Nurbs& spline, double margin) {
+  Box box;
+  for (const Vec2 pole : spline.poles) box.add(pole);
+  box.widen(margin);
+  return box;
+}
+
+/// By curve: whether it is sought or may meet one that is.
+std::vector<bool> concerned(const std::vector<Nurbs>& splines, double margin, const std::vector<bool>& sought) {
+  std::vector<Box> boxes;
+  for (std::size_t c = 0; c < sought.size(); ++c)
+    if (sought[c]) boxes.push_back(box_of(splines[c], margin));
+  // Tests of all pairs of boxes are worth their time only where few curves are sought.
+  if (sought.empty() || boxes.size() > most_sought) return std::vector<bool>(splines.size(), true);
+  std::vector<bool> result = sought;
+  for (std::size_t c = 0; c < splines.size(); ++c) {
+    if (result[c]) continue;
+    const Box own = box_of(splines[c], margin);
+    result[c] = std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return meet(own, box); });
+  }
+  return result;
+}
+
 class Finder {
  public:
   Finder(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds)
       : splines_(splines), same_(same), counter_(bounds) {
     std::vector<Span> boxes;
+    const std::vector<bool> is_concerned = concerned(splines, same, bounds.sought);
     for (int c = 0; c < static_cast<int>(splines.size()); ++c) {
-      beziers_.push_back(spans(splines[c]));
+      beziers_.push_back(is_concerned[c] ? spans(splines[c]) : std::vector<Bezier>());
       for (int i = 0; i < static_cast<int>(beziers_[c].size()); ++i) {
         boxes.push_back({c, i, beziers_[c][i].box()});
         boxes.back().box.widen(same);

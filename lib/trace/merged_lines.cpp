@@ -14,6 +14,8 @@
 namespace quadrille::trace {
 namespace {
 
+constexpr std::size_t many_lines = 500;
+
 [[noreturn]] void fail_endless(const CadFace& face, const Streamline& line) {
   const size_t count = line.steps.size();
   const std::string steps = count < max_stream_steps ? "" : fmt::format(" and {} steps, the most allowed", count);
@@ -49,7 +51,7 @@ bool MergedLines::merge() {
       arrangement_.chosen = *chosen;
     }
     arrange();
-  } while (reject_worst(merges_across_their_family(), 0));
+  } while (reject_crossing_merges());
   require_family_order();
   return true;
 }
@@ -59,6 +61,23 @@ bool MergedLines::reject_worst(const std::vector<int>& merges, double least_devi
   // Lines that stop at others may be continued later: no other pass of such a pair may be merged then.
   if (ends_ == LineEnds::optional) plan_.reject_whole_pairs();
   return true;
+}
+
+// The worst of all; among many lines, the worse one at every crossing, as these are far from each other.
+bool MergedLines::reject_crossing_merges() {
+  std::vector<int> all;
+  bool any = false;
+  for (const graph::Crossing& c : arrangement_.inner_crossings) {
+    if (!graph::is_of_one_family(c)) continue;
+    std::vector<int> merges;
+    for (const int i : {c.a, c.b})
+      if (arrangement_.lines[i].merge >= 0) merges.push_back(arrangement_.lines[i].merge);
+    all.insert(all.end(), merges.begin(), merges.end());
+    if (lines_.size() > many_lines) any = plan_.reject_worst(merges, 0) || any;
+  }
+  if (lines_.size() <= many_lines) return reject_worst(all, 0);
+  if (any && ends_ == LineEnds::optional) plan_.reject_whole_pairs();
+  return any;
 }
 
 void MergedLines::arrange() {
@@ -91,14 +110,6 @@ bool MergedLines::is_common_end(const graph::Crossing& crossing) const {
            distance(spline.poles.back(), crossing.position) <= near;
   };
   return ends_there(crossing.a) && ends_there(crossing.b);
-}
-
-std::vector<int> MergedLines::merges_across_their_family() const {
-  std::vector<int> merges;
-  for (const graph::Crossing& c : arrangement_.inner_crossings)
-    for (const int i : {c.a, c.b})
-      if (graph::is_of_one_family(c) && arrangement_.lines[i].merge >= 0) merges.push_back(arrangement_.lines[i].merge);
-  return merges;
 }
 
 void MergedLines::require_family_order() const {

@@ -66,7 +66,7 @@ class MergedLines {
   const CadFace& face() const { return evaluator_.field().mesh.face; }
   void arrange();
   bool is_common_end(const graph::Crossing& crossing) const;
-  std::vector<int> merges_across_their_family() const;
+  bool reject_crossing_merges();
   void require_family_order() const;
 
   const field::FieldEvaluator& evaluator_;
