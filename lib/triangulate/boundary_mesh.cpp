@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/angle.hpp"
 #include "base/blunted_angle.hpp"
@@ -27,6 +28,28 @@ constexpr double least_length = 1e-9;
 /// Touching curves would need infinitely many segments; curves at a relative distance of 1e-6 need some thousands.
 /// They end at wedges with straight sides of 0.005 degrees, and at crescents with tips of 0.1 degrees.
 constexpr std::size_t max_segments = 10000;
+
+/// Segments are split at knots that are farther from both ends than this part of their length.
+constexpr double least_part = 0.1;
+
+/// The inner knot of the segment, of continuity C3 or more, nearest to its middle. High derivatives jump there, so that
+/// polynomials converge slowly on both sides together. std::nullopt if there is none, or two are equally near.
+std::optional<SplitPoint> inner_knot(const Nurbs& curve, const curve::ArcLength& length, const Segment& segment) {
+  std::optional<SplitPoint> nearest;
+  double least = (0.5 - least_part) * segment.length();
+  const auto first = std::upper_bound(curve.knots.begin(), curve.knots.end(), segment.t0);
+  for (auto knot = first; knot != curve.knots.end() && *knot < segment.t1;) {
+    const auto next = std::upper_bound(knot, curve.knots.end(), *knot);
+    if (next - knot <= curve.degree - 3) {
+      const SplitPoint at{*knot, length.at(*knot)};
+      const double off = std::abs(at.s - (segment.s0 + segment.s1) / 2), same = 1e-6 * segment.length();
+      if (off < least + same) nearest = off < least - same ? std::optional(at) : std::nullopt;
+      least = std::min(least, off);
+    }
+    knot = next;
+  }
+  return nearest;
+}
 
 bool touch(const Segment& a, const Segment& b) {
   return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
@@ -109,23 +132,29 @@ void BoundaryMesh::split_to_limits(int i, const EdgeLimits& limits, int depth) {
   const bool turns = depth < max_turn_depth && fit_->turn(segment.curve, segment.t0, segment.t1) > limits.turn * slack;
   if (!turns && (depth >= max_fit_depth || fit_->error(segment.curve, segment.t0, segment.t1) <= limits.curve_tol))
     return;
-  split(i);
+  const auto knot = turns ? std::nullopt
+                          : inner_knot(fit_->outline().face().curves[segment.curve],
+                                       fit_->outline().arc_length(segment.curve), segment);
+  split_at(i, knot ? *knot : middle(segment));
   split_to_limits(static_cast<int>(segments_.size()) - 1, limits, depth + 1);
   split_to_limits(i, limits, depth + 1);
 }
 
-int BoundaryMesh::split(int i) {
+SplitPoint BoundaryMesh::middle(const Segment& segment) const {
+  if (segment.is_rim()) throw Defect("the rim of a fan is not split");
+  const ArcLengthTable stretch(fit_->outline().face().curves[segment.curve], segment.t0, segment.t1);
+  return {stretch.parameter(0.5), (segment.s0 + segment.s1) / 2};
+}
+
+int BoundaryMesh::split_at(int i, SplitPoint at) {
   Segment first = segments_[i], second = segments_[i];
-  if (first.is_rim()) throw Defect("the rim of a fan is not split");
   const Outline& outline = fit_->outline();
-  const double s = (first.s0 + first.s1) / 2;
-  const double t = ArcLengthTable(outline.face().curves[first.curve], first.t0, first.t1).parameter(0.5);
-  const Vec2 middle = outline.at(first.curve, t);
+  const Vec2 middle = outline.at(first.curve, at.t);
   if (first.length() < least_length * outline.face().diameter)
     refuse_contact({i}, "the boundary touches or crosses itself, or nearly");
   first.to = second.from = draft_->add_vertex(middle);
-  first.t1 = second.t0 = t;
-  first.s1 = second.s0 = s;
+  first.t1 = second.t0 = at.t;
+  first.s1 = second.s0 = at.s;
   first.radius = second.radius = 0;
   append(first);
   segments_[i] = segments_.back();

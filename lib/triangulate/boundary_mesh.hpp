@@ -10,6 +10,11 @@
 
 namespace quadrille::triangulate {
 
+/// Where a segment is split: the parameter of its curve, and the arc length.
+struct SplitPoint {
+  double t = 0, s = 0;
+};
+
 class BoundaryMesh {
  public:
   /// Constructs segments that satisfy the limits: each smooth piece is divided into equal parts, which are then
@@ -20,7 +25,7 @@ class BoundaryMesh {
   /// Origin of the face, added to positions in messages.
   Vec2 origin() const { return fit_->outline().face().origin; }
   /// Bisects segment i: i becomes the first half, the second half is appended. Returns the new vertex of the draft.
-  int split(int i);
+  int split(int i) { return split_at(i, middle(segments_[i])); }
   /// Bisects segments until none is longer than `ratio` times its distance to any segment that it does not touch.
   /// Throws ComputeError, with the position, if curves touch.
   void resolve_gaps(double ratio);
@@ -33,6 +38,8 @@ class BoundaryMesh {
   void add_rim(const Fan& fan);
   void split_to_limits(int i, const EdgeLimits& limits, int depth);
   void append(Segment segment);
+  SplitPoint middle(const Segment& segment) const;
+  int split_at(int i, SplitPoint at);
   bool is_too_near(int i, double ratio) const;
   double gap_at(int i, double most) const;
   [[noreturn]] void refuse_contact(const std::vector<int>& near, const std::string& what) const;

@@ -46,6 +46,19 @@ TEST(BoundaryMesh, ASideIsDividedEvenlyByTheSize) {
   expect_closed_loops(m);
 }
 
+TEST(BoundaryMesh, AnEdgeThatMissesTheCurveIsSplitAtAKnot) {
+  // Its fifth derivative jumps at 0.3, where it is C4.
+  const Nurbs bow{5,
+                  {0, 0, 0, 0, 0, 0, 0.3, 1, 1, 1, 1, 1, 1},
+                  {{1, 0}, {1, 0.1}, {0.9, 0.2}, {0.6, 0.35}, {0.35, 0.2}, {0.1, 0.15}, {0, 0}},
+                  std::vector<double>(7, 1.0)};
+  const Meshed m(make_face({{curve::segment({0, 0}, {1, 0}), bow}}), 10);
+  const auto& segments = m.boundary.segments();
+  EXPECT_TRUE(
+      std::any_of(segments.begin(), segments.end(), [](const Segment& s) { return s.curve == 1 && s.t1 == 0.3; }));
+  expect_closed_loops(m);
+}
+
 TEST(BoundaryMesh, SplittingHalvesByArcLengthOnTheCurve) {
   Meshed m(make_face({circle({0, 0}, 2)}), 10);
   const Segment whole = m.boundary.segments()[3];
