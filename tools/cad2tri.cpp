@@ -36,10 +36,20 @@ void report_face(const CadFace& face, Report& report) {
   report.set("face.length_unit", face.length_unit);
 }
 
+std::string fit_text(const CadFace& face, const std::vector<Repair>& repairs) {
+  const auto count = std::count_if(repairs.begin(), repairs.end(),
+                                   [](const Repair& repair) { return repair.kind == RepairKind::fit; });
+  return fmt::format("fitted {} with fewer knots, by at most {:.2g} diameters",
+                     count == 1 ? "1 spline" : fmt::format("{} splines", count), face.fit_distance / face.diameter);
+}
+
+// Empty if nothing was healed.
 std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs) {
   std::map<RepairKind, int> counts;
   double greatest = 0;
-  for (const Repair& repair : repairs) ++counts[repair.kind], greatest = std::max(greatest, repair.distance);
+  for (const Repair& repair : repairs)
+    if (repair.kind != RepairKind::fit) ++counts[repair.kind], greatest = std::max(greatest, repair.distance);
+  if (counts.empty()) return {};
   std::vector<std::string> parts;
   const auto add = [&](RepairKind kind, const char* one, const char* many) {
     if (counts[kind] > 0) parts.push_back(fmt::format("{} {}", counts[kind], counts[kind] == 1 ? one : many));
@@ -79,7 +89,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
-  double corner_angle = 1, heal_tolerance = -1, blunt = 0;
+  double corner_angle = 1, heal_tolerance = -1, blunt = 0, fit_tolerance = 1e-8;
   triangulate::TriangulateOptions options;
 
   cli::Tool tool;
@@ -119,6 +129,10 @@ int main(int argc, char** argv) {
              "cut off the tips of cusps (edges that meet at an angle of zero), of corners below 0.2 degrees and of "
              "corners in which the boundary touches itself: straight edges of this length take their place; 0: cusps "
              "and contacts are refused");
+    o.number(
+        "--fit-tolerance", fit_tolerance, 0, 1e-3, "diameters",
+        "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "
+        "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
     o.text("--write-healed", healed, "FILE", "also write the healed face as a CAD file: x.step or x.brep", false);
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
@@ -138,7 +152,7 @@ int main(int argc, char** argv) {
     if (is_listing) return list_faces(file, output, s.report());
     s.begin_phase("load");
     cad::LoadedFace loaded = cad::load_face_guarded(
-        file.bytes, file.name, {radians(corner_angle), heal_tolerance, face_choice, blunt}, s.report());
+        file.bytes, file.name, {radians(corner_angle), heal_tolerance, face_choice, blunt, fit_tolerance}, s.report());
     CadFace& face = loaded.face;
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
@@ -148,7 +162,8 @@ int main(int argc, char** argv) {
       inputs.push_back(names_file.digest("boundary-names"));
     }
     report_face(face, s.report());
-    if (!loaded.repairs.empty()) s.info(repairs_text(face, loaded.repairs), 0);
+    if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
+    if (face.fit_distance > 0) s.info(fit_text(face, loaded.repairs));
     if (!healed.empty()) write_healed(healed, face);
     s.begin_phase("triangulate");
     TriMesh mesh = triangulate::triangulate(face, options, s.report());

@@ -12,6 +12,7 @@ struct LoadOptions {
   double heal_tolerance = -1;                  ///< as in heal::HealOptions
   std::string face = {};                       ///< number or name; empty: the only face
   double blunt_width = 0;                      ///< as in heal::BluntOptions
+  double fit_tolerance = 0;                    ///< as in outline::AssembleOptions
 };
 
 enum class CadTask : int {

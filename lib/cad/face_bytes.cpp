@@ -79,13 +79,15 @@ class Reader {
 template <class Archive, class Face>
 void members(Archive& a, Face& f) {
   a(f.length_unit), a(f.metres_per_unit), a(f.plane_origin), a(f.plane_x), a(f.plane_y), a(f.origin), a(f.diameter);
+  a(f.fit_distance);
   a(f.curves), a(f.curve_names), a(f.unnamed_curves), a(f.curve_cad_edges), a(f.loop_offsets), a(f.joints), a(f.name);
 }
 
 template <class Archive, class Request>
 void request_members(Archive& a, Request& r) {
   a(r.task), a(r.name), a(r.bytes);
-  a(r.options.corner_angle), a(r.options.heal_tolerance), a(r.options.face), a(r.options.blunt_width);
+  a(r.options.corner_angle), a(r.options.heal_tolerance), a(r.options.face), a(r.options.blunt_width),
+      a(r.options.fit_tolerance);
   members(a, r.face);
 }
 

@@ -49,6 +49,8 @@ void numbers_are_finite(const CadFace& face, Findings& findings) {
   }
   if (!is_finite(face.origin)) findings.add("origin is not finite");
   if (!(face.diameter > 0) || !is_finite(face.diameter)) findings.add("diameter must be a positive number");
+  if (!(face.fit_distance >= 0) || !is_finite(face.fit_distance))
+    findings.add("fit_distance must be a number, not negative");
 }
 
 /// Curves of STEP files meet within the tolerance of their vertices; a larger distance is a gap in the outline.

@@ -23,6 +23,8 @@ void describe_face(Archive& archive, CadFace& face) {
     a.field("plane_y", face.plane_y, {"1", "y axis of the plane"});
     a.field("origin", face.origin, {"length", "to be added to every position"});
     a.field("diameter", face.diameter, {"length", "largest distance between two points of the outline"});
+    if (a.is_reading() ? a.has("fit_distance") : face.fit_distance > 0)
+      a.field("fit_distance", face.fit_distance, {"length", "greatest distance of the curves from those of the file"});
     a.field("loop_offsets", face.loop_offsets, {"", "loop l holds curves loop_offsets[l] to loop_offsets[l+1]-1"});
     a.field("curve_names", face.curve_names, {"", "name of each curve"});
     if (a.has("unnamed_curves"))

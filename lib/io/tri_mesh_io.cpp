@@ -7,7 +7,7 @@
 namespace quadrille::io {
 
 namespace {
-constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 2};
+constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 3};
 
 // Not in the files of later stages, which hold the mesh as a group.
 void describe_repairs(Archive& archive, std::vector<Repair>& repairs) {

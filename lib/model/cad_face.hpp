@@ -45,7 +45,10 @@ struct CadFace {
   std::array<double, 3> plane_origin{0, 0, 0};
   std::array<double, 3> plane_x{1, 0, 0};
   std::array<double, 3> plane_y{0, 1, 0};
-  Vec2 origin;          ///< add it to obtain the face's own 2-D coordinates
+  Vec2 origin;  ///< add it to obtain the face's own 2-D coordinates
+  /// Greatest distance of the curves from those of the file, a length: splines with many knots were replaced by splines
+  /// with few (curve/simplify_spline.hpp). 0: none was.
+  double fit_distance = 0;
   double diameter = 0;  ///< largest distance between two points of the outline; scale of all default lengths
 
   std::vector<Nurbs> curves;

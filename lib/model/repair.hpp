@@ -16,6 +16,7 @@ enum class RepairKind {
   cusp,    ///< the tip of a cusp was cut off
   fold,    ///< poles of a spline that ran back on itself were put in order
   knot,    ///< knots of a spline that lay close to each other or to its end were merged
+  fit,     ///< a spline was replaced by one with fewer knots
 };
 
 constexpr auto enum_names(RepairKind) {
@@ -25,15 +26,16 @@ constexpr auto enum_names(RepairKind) {
                                               {RepairKind::edge, "edge"},
                                               {RepairKind::cusp, "cusp"},
                                               {RepairKind::fold, "fold"},
-                                              {RepairKind::knot, "knot"}});
+                                              {RepairKind::knot, "knot"},
+                                              {RepairKind::fit, "fit"}});
 }
 
 struct Repair {
   RepairKind kind = RepairKind::joint;
   int cad_edge = 0;     ///< number of the edge in the file; of the edge that ends there for a joint, vertex or cusp
   Vec2 position;        ///< in the coordinates of the file, face.origin included
-  double distance = 0;  ///< how far it was moved; the length of a removed edge or between merged knots, or that cut off
-                        ///< both edges of a cusp
+  double distance = 0;  ///< how far it was moved, of a fit the most; the length of a removed edge or between merged
+                        ///< knots, or that cut off both edges of a cusp
 };
 
 }  // namespace quadrille

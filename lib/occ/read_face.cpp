@@ -39,8 +39,8 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
     cad::choose_names(raw);
     cad::LoadedFace loaded;
     loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
-    loaded.face =
-        outline::assemble_face(raw, {options.corner_angle, options.blunt_width, choice.piece}, loaded.repairs, report);
+    loaded.face = outline::assemble_face(
+        raw, {options.corner_angle, options.blunt_width, choice.piece, options.fit_tolerance}, loaded.repairs, report);
     return loaded;
   });
 }

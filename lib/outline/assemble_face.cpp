@@ -19,6 +19,7 @@
 #include "outline/extent.hpp"
 #include "outline/face_pieces.hpp"
 #include "outline/outline_checks.hpp"
+#include "outline/simplify_loops.hpp"
 #include "outline/wire_loop.hpp"
 
 namespace quadrille::outline {
@@ -173,6 +174,7 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width};
   heal::blunt_cusps(loops, blunt, repairs, report);
   heal::refuse_contacts(loops, blunt);
+  const double fit_distance = simplify_loops(loops, options.fit_tolerance, blunt.diameter, repairs, report);
   require_no_contact(raw, loops, size, blunt.diameter);
   require_nested(raw, loops);
   heal::refuse_cusps(loops, blunt);
@@ -186,6 +188,7 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   face.plane_y = raw.plane_y;
   const std::vector<Nurbs> outline = curves_of(loops.front());
   face.diameter = diameter(outline);
+  face.fit_distance = fit_distance;
   face.origin = chosen_origin(curve::pole_box(outline), face.diameter);
   face.loop_offsets = {0};
   for (const Loop& loop : loops) {

@@ -16,13 +16,14 @@ struct AssembleOptions {
   double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
   double blunt_width = 0;                      ///< as in heal::BluntOptions
   FacePiece piece = {};
+  double fit_tolerance = 0;  ///< diameters: splines with many knots are replaced by ones this near to them; 0: none is
 };
 
 /// Chains the edges of each wire, splits curves at tangent jumps, makes the ends of neighbours identical, orients loops
 /// so that the face lies on the left, sorts the outline first, chooses a piece where the boundary touches itself, cuts
-/// off cusps, and computes joints, names, diameter and origin. Throws FormatError, with the error, its position, size
-/// and a remedy, for an open or self-intersecting wire, vertices off their edges, holes outside or across the outline,
-/// a cusp, or a face without area. Adds what was cut off to `repairs`.
+/// off cusps, simplifies splines, and computes joints, names, diameter and origin. Throws FormatError, with the error,
+/// its position, size and a remedy, for an open or self-intersecting wire, vertices off their edges, holes outside or
+/// across the outline, a cusp, or a face without area. Adds what was cut off to `repairs`.
 CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
                       Report& report);
 

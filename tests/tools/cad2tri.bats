@@ -420,3 +420,36 @@ libraries_of() {
   cad2tri "$DATA/square.step" -o b.tri.h5 <&- >&- 2>&-
   cmp a.tri.h5 b.tri.h5
 }
+
+# disc_of_points N: a disc as points2step draws it, with a spline through N points.
+disc_of_points() {
+  awk -v n="$1" 'BEGIN { for (k = 0; k < n; ++k) { a = 8 * atan2(1, 1) * k / n; printf "%.17g %.17g\n", cos(a), sin(a) } }' |
+    "$ROOT/pipelines/points2step" --name rim
+}
+
+@test "--fit-tolerance: a spline through many points gets few knots, and the files say how far it moved" {
+  disc_of_points 600 > disc.step
+  run cad2tri disc.step -o disc.tri.h5 --report disc.json
+  assert_success
+  assert_output ''
+  jq -e '.fit.curves == 1 and .fit.knots_before == 599 and .fit.knots_after < 30 and .fit.greatest <= 1e-8
+    and .fit.greatest > 0 and .heal.repair["0"].kind == "fit" and .heal.repair["0"].distance <= 2e-8
+    and .heal.greatest == 0 and .mesh.elements < 100 and .face.curves == 1' disc.json
+  stagecheck disc.tri.h5
+  assert_equal "$(h5dump -d repairs/kind disc.tri.h5 | grep -o '"fit"')" '"fit"'
+  h5dump -d face/fit_distance disc.tri.h5 | grep -q 'e-0[89]\|e-1'
+  h5dump -d face/curve_names disc.tri.h5 | grep -q '"rim"'
+  run cad2tri disc.step -o none.tri.h5 --fit-tolerance 0 --report none.json
+  assert_success
+  jq -e '.fit == null and .heal.repairs == 0 and .mesh.elements > 1000' none.json
+  run h5dump -d face/fit_distance none.tri.h5
+  assert_failure
+  run cad2tri -v disc.step -o coarse.tri.h5 --fit-tolerance 1e-4 --report coarse.json
+  assert_output --regexp 'cad2tri: fitted 1 spline with fewer knots, by at most [0-9.]+e-[0-9]+ diameters'
+  jq -s -e '.[0].fit.knots_after > .[1].fit.knots_after' disc.json coarse.json
+  for value in -1 0.01; do
+    run cad2tri disc.step -o wrong.tri.h5 --fit-tolerance $value
+    assert_failure 2
+    assert_output --partial '--fit-tolerance'
+  done
+}

@@ -26,6 +26,7 @@ inline CadFace face() {
   f.length_unit = "millimetre";
   f.metres_per_unit = 0.001;
   f.diameter = 1.4142135623730951;
+  f.fit_distance = 1e-10;
   const Vec2 p[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const double out[4] = {0, pi / 2, pi, -pi / 2};
   for (int k = 0; k < 4; ++k) {

@@ -48,6 +48,7 @@ TEST(CadFaceCheck, FacR04CurvesAreClampedFiniteAndPositive) {
 }
 TEST(CadFaceCheck, FacR05NumbersAreFinite) {
   EXPECT_EQ(broken([](CadFace& f) { f.diameter = 0; }), Rules{"FAC-R05"});
+  EXPECT_EQ(broken([](CadFace& f) { f.fit_distance = -1e-9; }), Rules{"FAC-R05"});
   EXPECT_EQ(broken([](CadFace& f) { f.origin.x = std::numeric_limits<double>::infinity(); }), Rules{"FAC-R05"});
   EXPECT_EQ(broken([](CadFace& f) { f.joints[0].tangent_in = std::numeric_limits<double>::quiet_NaN(); }),
             Rules{"FAC-R05"});

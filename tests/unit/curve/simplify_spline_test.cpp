@@ -41,8 +41,8 @@ Nurbs ellipse_through(int count) {
 
 double farthest(const Nurbs& a, const Nurbs& b) {
   double greatest = 0;
-  for (int i = 0; i <= 300; ++i) {
-    const double t = a.begin() + (a.end() - a.begin()) * i / 300;
+  for (int i = 0; i <= 60; ++i) {
+    const double t = a.begin() + (a.end() - a.begin()) * i / 60;
     greatest = std::max(greatest, project(b, point(a, t)).distance);
   }
   return greatest;
