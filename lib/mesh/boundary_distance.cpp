@@ -108,8 +108,11 @@ BoundaryDistance boundary_distance(const QuadMesh& mesh) {
   const MeshBoundary boundary = mesh_boundary(mesh);
   std::vector<Vec2> cad_samples;
   for (const Nurbs& curve : mesh.face.curves) append_samples(curve, boundary.spacing, cad_samples);
-  return {curve::CurveSet(mesh.face.curves).farthest(boundary.samples),
-          curve::CurveSet(boundary.curves).farthest(cad_samples)};
+  BoundaryDistance result{curve::CurveSet(mesh.face.curves).farthest(boundary.samples),
+                          curve::CurveSet(boundary.curves).farthest(cad_samples)};
+  result.mesh_to_cad.distance += mesh.face.fit_distance;
+  result.cad_to_mesh.distance += mesh.face.fit_distance;
+  return result;
 }
 
 void report_distance(const BoundaryDistance& distance, const CadFace& face, double tolerance, Report& report) {
@@ -119,11 +122,13 @@ void report_distance(const BoundaryDistance& distance, const CadFace& face, doub
   report.set("boundary.cad_to_mesh", distance.cad_to_mesh.distance);
   report.set("boundary.position", std::vector<double>{position.x, position.y});
   report.set("boundary.tolerance", tolerance);
-  if (!distance.is_within(tolerance))
-    report.warn(warning::geometry_tol_missed,
-                fmt::format("the boundary of the mesh deviates from the CAD curves by up to {:.2g} diameters at {}, "
-                            "more than the geometric tolerance {:.2g}: raise --order or lower --size",
-                            worst.distance / face.diameter, position_text(position), tolerance / face.diameter));
+  if (distance.is_within(tolerance)) return;
+  const bool is_by_fit = 2 * face.fit_distance > tolerance;
+  report.warn(warning::geometry_tol_missed,
+              fmt::format("the boundary of the mesh deviates from the CAD curves by up to {:.2g} diameters at {}, "
+                          "more than the geometric tolerance {:.2g}: {}",
+                          worst.distance / face.diameter, position_text(position), tolerance / face.diameter,
+                          is_by_fit ? "lower --fit-tolerance of cad2tri" : "raise --order or lower --size"));
 }
 
 }  // namespace quadrille::mesh

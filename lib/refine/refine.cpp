@@ -33,6 +33,7 @@ constexpr int max_doublings = 3;           ///< of the counts of chords whose el
 /// Divisions are made anew if the finished mesh misses the tolerance: their own samples are fewer. The stricter
 /// tolerance of the next attempt, relative to the ratio by which the last one missed.
 constexpr int max_attempts = 3;
+constexpr double least_division = 0.5;  ///< of the tolerance, is left for divisions however far splines were moved
 constexpr double stricter = 0.8;
 /// Elongated elements are measured anew after they were made shorter.
 constexpr int max_shortenings = 6;
@@ -42,16 +43,19 @@ constexpr double most_refined = 10;  ///< elements, over those without that
 struct SplitRequest {
   const RefineOptions& options;
   sizing::SizeField sizes;
-  DivideOptions division;
+  double tolerance;        ///< of the boundary, a length
+  DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
   sizing::LengthLimits limits = {};
 };
 
-SplitRequest split_request(const RefineOptions& options, double diameter) {
-  const double size = options.size > 0 ? options.size : diameter * default_size;
-  const double tolerance = options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order);
+SplitRequest split_request(const RefineOptions& options, const CadFace& face) {
+  const double size = options.size > 0 ? options.size : face.diameter * default_size;
+  const double tolerance =
+      face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order));
   return {options,
           options.size_field ? *options.size_field : sizing::SizeField(size),
-          {options.order, tolerance * diameter}};
+          tolerance,
+          {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)}};
 }
 
 /// A measured mesh and the plans from which it was made.
@@ -138,7 +142,7 @@ struct MeasuredSplit {
 
 /// With more elements where the mesh, measured by projection, leaves the CAD curves by more than the tolerance.
 MeasuredSplit split_within_tolerance(const sizing::MeasuredLayout& aligned, const SplitRequest& request) {
-  const double tolerance = request.division.tolerance;
+  const double tolerance = request.tolerance;
   SplitRequest attempt = request;
   MeasuredSplit result{split_until_valid(aligned, attempt), {}};
   result.distance = mesh::boundary_distance(result.split.mesh);
@@ -248,7 +252,7 @@ double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ?
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
   const sizing::MeasuredLayout measured(layout);
-  const SplitRequest request = split_request(options, layout.face.diameter);
+  const SplitRequest request = split_request(options, layout.face);
   auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);
   if (options.relax > 0) {
     relax_and_report(split.mesh, {options.relax, request.division.tolerance, elements_in_layered_blocks(split)},
@@ -259,7 +263,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
   report.set("count_doublings", split.doublings);
   report.set("shortened_chords", split.shortened_chords);
   report_mesh(split.mesh, measured.chords().size(), report);
-  mesh::report_distance(distance, layout.face, request.division.tolerance, report);
+  mesh::report_distance(distance, layout.face, request.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);

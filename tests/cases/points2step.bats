@@ -257,3 +257,16 @@ names() { jq -c .names fit.json; }
   run -0 "$points2step" --version
   assert_output --regexp '^points2step \(Quadrille\) [0-9]'
 }
+
+@test "thousands of points cost no more than few, and the distance from their spline is counted" {
+  circle 3000 >points
+  "$points2step" points -o a.step
+  "$ROOT/pipelines/quadmesh" -q a.step -o a.msh --report a.json --workdir stages
+  jq -e '.boundary | .mesh_to_cad <= .tolerance and .cad_to_mesh <= .tolerance' a.json
+  for file in a.tri.h5 a.field.h5 a.blocks.h5 a.quad.h5; do stagecheck stages/$file; done
+  moved=$(h5dump -A 0 -m %.17g -d face/fit_distance stages/a.quad.h5 | sed -n 's/.*(0): //p')
+  jq -e --argjson moved "$moved" '$moved > 0 and .boundary.mesh_to_cad >= $moved and .boundary.cad_to_mesh >= $moved' a.json
+  # A tolerance that the fit alone misses is a warning that says what to lower.
+  "$ROOT/pipelines/quadmesh" a.step -o a.msh --fit-tolerance 1e-6 --geometry-tol 1e-8 >words 2>&1
+  grep -q 'W-QUA-003.*lower --fit-tolerance of cad2tri' words
+}

@@ -53,6 +53,18 @@ TEST(BoundaryDistance, SeesABulgeOfTheMesh) {
   EXPECT_GT(d.cad_to_mesh.distance, 0.1);
 }
 
+TEST(BoundaryDistance, CountsWhatSplinesWereMoved) {
+  QuadMesh mesh = one_quad(2, {curve::segment({1, 0}, {1, 1})});
+  mesh.face.fit_distance = 0.01;
+  const BoundaryDistance d = boundary_distance(mesh);
+  EXPECT_NEAR(d.mesh_to_cad.distance, 0.01, 1e-15);
+  EXPECT_NEAR(d.cad_to_mesh.distance, 0.01, 1e-15);
+  Report report;
+  report_distance(d, mesh.face, 0.005, report);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_NE(report.warnings()[0].message.find("lower --fit-tolerance"), std::string::npos);
+}
+
 TEST(BoundaryDistance, AboveTheToleranceIsAWarningWithThePlace) {
   QuadMesh mesh = one_quad(2, {curve::segment({1, 0}, {1, 1})});
   mesh.nodes[5].x = 1.125;
