@@ -1,6 +1,7 @@
 #pragma once
 // The machine-readable report of a run (--report): counts, timings, residuals, certificates, warnings. A flat list of
-// dotted keys in the order of their first use; io/report_io nests them and writes JSON.
+// dotted keys in the order of their first use; io/report_io nests them and writes JSON. It also leads to the progress,
+// since it is passed to all long work.
 
 #include <concepts>
 #include <string>
@@ -8,11 +9,18 @@
 #include <variant>
 #include <vector>
 
+#include "base/progress.hpp"
+
 namespace quadrille {
 
 class Report {
  public:
   using Value = std::variant<long long, double, bool, std::string, std::vector<double>>;
+
+  Report() = default;
+  /// With `progress`, which must outlive the report, for the parts of the work that is reported.
+  explicit Report(Progress* progress) : progress_(progress) {}
+  Progress* progress() const { return progress_; }  ///< null: not shown
 
   /// Sets `key` ("solve.residual"); a later value replaces an earlier one. Non-finite numbers are written as null.
   void set(const std::string& key, Value value);
@@ -34,6 +42,7 @@ class Report {
   const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
+  Progress* progress_ = nullptr;
   std::vector<std::pair<std::string, Value>> entries_;
   std::vector<Warning> warnings_;
 };

@@ -26,6 +26,12 @@ TEST(Report, KeepsTheKindOfEachValue) {
   EXPECT_EQ(std::get<std::vector<double>>(report.entries()[2].second).size(), 2u);
 }
 
+TEST(Report, LeadsToTheProgressThatItWasGiven) {
+  Progress progress;
+  EXPECT_EQ(Report().progress(), nullptr);
+  EXPECT_EQ(Report(&progress).progress(), &progress);
+}
+
 TEST(Report, CollectsWarnings) {
   Report report;
   report.warn("W-CAD-001", "something is odd");
