@@ -83,6 +83,7 @@ struct CommandLine::Impl {
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
+  const std::string* output = nullptr;
   std::vector<CLI::Option*> declared;  ///< before those of every command
 };
 
@@ -106,6 +107,7 @@ void CommandLine::inputs(const std::string& name, std::vector<std::string>& path
 void CommandLine::output(std::string& path, const std::string& help) {
   if (path.empty()) path = "-";
   impl_->page.options.push_back({"-o, --output FILE", help + " (default: -, standard output)"});
+  impl_->output = &path;
   impl_->app.add_option("-o,--output", path)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
@@ -201,6 +203,8 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->recorded.erase("threads");
   impl_->app.add_flag("-v,--verbose", impl_->verbose);
   impl_->app.add_flag("-q,--quiet", impl_->quiet);
+  impl_->app.add_option("--progress-title", common.progress_title);  // both for pipelines, and not shown by --help
+  impl_->app.add_option("--progress-since", common.progress_since);
   const std::vector<HelpRow> flags{{"-v, --verbose", "report what is done; given twice: also the time of each phase"},
                                    {"-q, --quiet", "print errors only, no warnings"},
                                    {"-h, --help", "print this help and exit"},
@@ -235,6 +239,8 @@ Request CommandLine::parse(int argc, char** argv) {
 }
 
 const HelpPage& CommandLine::page() const { return impl_->page; }
+
+bool CommandLine::writes_to_stdout() const { return impl_->output != nullptr && *impl_->output == "-"; }
 
 std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {

@@ -12,7 +12,9 @@ namespace quadrille::cli {
 
 /// The options that every command has.
 struct CommonOptions {
-  int verbosity = 0;  ///< -1 quiet, 0, 1, 2
+  int verbosity = 0;           ///< -1 quiet, 0, 1, 2
+  std::string progress_title;  ///< of the line, by a pipeline that runs the command; empty: the command's name
+  double progress_since = 0;   ///< start of the pipeline, Unix time in seconds; 0: none
   std::string report;
   std::string progress = "auto";
   int threads = 1;
@@ -45,6 +47,7 @@ class CommandLine : public Options {
   /// Fills the declared variables. Throws UsageError.
   Request parse(int argc, char** argv);
   const HelpPage& page() const;
+  bool writes_to_stdout() const;
   /// The tool's own options without --output, old names included, for programs: a line "TOOL --OPTION value" or
   /// "TOOL --OPTION flag" each.
   std::string option_list() const;

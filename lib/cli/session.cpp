@@ -39,7 +39,17 @@ Session::Session(std::string tool, std::string options_json, int verbosity, int 
       start_(wall_seconds()) {}
 
 void Session::info(const std::string& text, int level) const {
-  if (verbosity_ >= level) fmt::print(stderr, "{}: {}\n", tool_, text);
+  if (verbosity_ < level) return;
+  if (progress_line_)
+    progress_line_->print(tool_ + ": " + text);
+  else
+    fmt::print(stderr, "{}: {}\n", tool_, text);
+}
+
+void Session::show_progress(const ProgressStyle& style, double interval) {
+  report_ = Report(&progress_);
+  progress_line_.emplace(progress_, style, write_progress);
+  progress_ticker_.emplace(*progress_line_, interval);
 }
 
 Provenance Session::provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const {
@@ -51,17 +61,20 @@ Provenance Session::provenance(const Provenance& before, const std::vector<Input
 void Session::begin_phase(const std::string& name) {
   end_phase();
   phase_ = {name, cpu_seconds(), wall_seconds()};
-  if (phase_.wall - start_ >= progress_after_) fmt::print(stderr, "{}: {} ...\n", tool_, phase_.name);
+  if (progress_line_) progress_line_->begin_phase(name);
 }
 
 void Session::finish() {
   end_phase();
+  progress_ticker_.reset();
+  progress_line_.reset();
   report_.set("timings.total.cpu_seconds", cpu_seconds());
   report_.set("timings.total.wall_seconds", wall_seconds() - start_);
 }
 
 void Session::end_phase() {
   if (phase_.name.empty()) return;
+  if (progress_line_) progress_line_->end_phase();
   const double cpu = cpu_seconds() - phase_.cpu;
   const double wall = wall_seconds() - phase_.wall;
   report_.set("timings." + phase_.name + ".cpu_seconds", cpu);

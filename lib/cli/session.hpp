@@ -1,11 +1,13 @@
 #pragma once
 // The services of a running command: the report, messages, timings, the provenance of its output.
 
-#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "base/report.hpp"
+#include "cli/progress_line.hpp"
 #include "model/provenance.hpp"
 
 namespace quadrille::cli {
@@ -19,8 +21,9 @@ class Session {
   int threads() const { return threads_; }  ///< number of threads to use; results do not depend on it
   /// The chain `before` with the step of this run appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
-  /// Announces phases that begin later than `seconds` after the start (--progress).
-  void show_progress_after(double seconds) { progress_after_ = seconds; }
+  /// Shows how far the run is (--progress), with a new state after each `interval` seconds. To be called before the
+  /// work.
+  void show_progress(const ProgressStyle& style, double interval);
   /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.
   void begin_phase(const std::string& name);
   void end_phase();
@@ -35,9 +38,11 @@ class Session {
   std::string tool_, options_json_;
   int verbosity_ = 0, threads_ = 1;
   double start_ = 0;  ///< of the run, seconds
-  double progress_after_ = std::numeric_limits<double>::infinity();
   Phase phase_;
   Report report_;
+  Progress progress_;
+  mutable std::optional<ProgressLine> progress_line_;  ///< none: it is not shown; messages are written above it
+  std::optional<ProgressTicker> progress_ticker_;
 };
 
 }  // namespace quadrille::cli

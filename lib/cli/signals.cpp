@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "base/cleanup.hpp"
+#include "cli/progress_line.hpp"
 
 namespace quadrille::cli {
 
@@ -10,6 +11,7 @@ namespace {
 
 extern "C" void end_of_signal(int number) {
   remove_temporaries();
+  erase_progress_line();
   // The default action is in force again (SA_RESETHAND): the signal is delivered when the handler returns.
   std::raise(number);
 }

@@ -4,9 +4,12 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <new>
+#include <optional>
 
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
@@ -63,11 +66,27 @@ void write_report_of(const Tool& tool, Session& session, const Outcome& outcome,
   tool.report_writer(path, tool.name, version, session.report());
 }
 
-/// Seconds after which phases are announced: 0 for always, 1 on a terminal, else infinity (never).
-double progress_delay(const CommonOptions& common) {
-  if (common.progress == "always") return 0;
-  const bool is_shown = common.progress == "auto" && common.verbosity >= 0 && isatty(STDERR_FILENO);
-  return is_shown ? 1 : std::numeric_limits<double>::infinity();
+// Seconds: of work on a terminal before progress is shown; between its states on a terminal; between lines elsewhere.
+constexpr double progress_delay = 1, terminal_interval = 0.2, log_interval = 10;
+
+double seconds_since(double unix_time) {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return std::max(0.0, static_cast<double>(now.tv_sec) - unix_time + 1e-9 * static_cast<double>(now.tv_nsec));
+}
+
+/// How --progress asks for it; std::nullopt: not at all.
+std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOptions& common, bool writes_to_stdout) {
+  const bool is_always = common.progress == "always", is_terminal = isatty(STDERR_FILENO) == 1;
+  if (!is_always && !(common.progress == "auto" && common.verbosity >= 0 && is_terminal)) return std::nullopt;
+  ProgressStyle style;
+  style.is_terminal = is_terminal;
+  style.title = common.progress_title.empty() ? tool.name : common.progress_title;
+  if (common.progress_since > 0) style.seconds_before = seconds_since(common.progress_since);
+  if (!is_always) style.delay = progress_delay;
+  if (!is_always) style.hidden_phases.emplace_back("read");  // in a pipeline, tools wait there for their input
+  if (is_terminal && writes_to_stdout && isatty(STDOUT_FILENO) == 1) style.hidden_phases.emplace_back("write");
+  return style;
 }
 
 /// Runs the tool; the report is written in any case.
@@ -113,7 +132,8 @@ int tool_main(int argc, char** argv, const Tool& tool) {
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
     Session session(tool.name, line.options_json(), common.verbosity, common.threads);
-    session.show_progress_after(progress_delay(common));
+    if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
+      session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
     return run_session(tool, session, common);
   }();
   if (outcome.code != ExitCode::done) print_error(tool, outcome);

@@ -256,3 +256,65 @@ writers() {
     refute_output --regexp 'lib(stdc\+\+|fmt|TK[A-Za-z]+)\.so'
   done
 }
+
+# on_terminal COMMAND...: runs it on a terminal of its own and prints what is written there.
+on_terminal() {
+  script -qec "$(printf '%q ' "$@")" /dev/null </dev/null
+}
+
+# screen: what a terminal shows in the end of what is written to it (standard input), without empty lines.
+screen() {
+  /usr/bin/python3 -c '
+import sys
+for written in sys.stdin.buffer.read().replace(b"\r\n", b"\n").decode().split("\n"):
+    line, column = {}, 0
+    for c in written:
+        if c in "\r\b":
+            column = 0 if c == "\r" else column - 1
+        else:
+            line[column], column = c, column + 1
+    text = "".join(line[i] for i in sorted(line)).rstrip()
+    if text:
+        print(text)'
+}
+
+@test "progress on a terminal is one line, and nothing of it is left" {
+  for tool in $TOOLS; do
+    arguments="$(inputs_of "$tool") --progress always"
+    [ "$tool" = stagecheck ] || arguments="$arguments -o $(out_of "$tool")"
+    on_terminal "$tool" $arguments > written
+    grep -q $'\r'"$tool: [a-z]*.*, [0-9]* s" written || fail "$tool: $(cat -v written)"
+    assert_equal "$tool: $(screen < written)" "$tool: "
+  done
+}
+
+@test "messages stay on a terminal, whatever the progress" {
+  on_terminal padapt "$stem.solve.h5" --max-steps 0 -v --progress always -o out > written
+  screen < written > left
+  run -0 cat left
+  assert_line --index 0 --partial "padapt: orders "
+  refute_output --regexp ', [0-9]+ s$'
+}
+
+@test "--progress is silent without a terminal unless it is asked for, and --quiet on a terminal" {
+  for tool in $(writers); do
+    run -0 --separate-stderr "$tool" $(inputs_of "$tool") -o "$(out_of "$tool")"
+    assert_equal "$tool$stderr" "$tool"
+    run -0 --separate-stderr "$tool" $(inputs_of "$tool") --progress always -o "$(out_of "$tool")"
+    assert_regex "$stderr" "^$tool: [a-z]+ \.\.\."
+    run -0 on_terminal "$tool" $(inputs_of "$tool") -q -o "$(out_of "$tool")"
+    assert_output ""
+  done
+}
+
+@test "a pipeline's title replaces the name in the line of progress" {
+  on_terminal padapt "$stem.solve.h5" --progress-title "chain: stage 2 of 3, padapt" --progress-since 1 -o out > written
+  grep -q $'\r'"chain: stage 2 of 3, padapt: adapt, .*[0-9]\{9\} s" written
+  assert_equal "$(screen < written)" ""
+}
+
+@test "a signal erases the line of progress" {
+  mkfifo never
+  on_terminal timeout --foreground 1 bash -c 'exec critpoints - --progress always -o out <> never' > written || true
+  assert_equal "$(screen < written)" ""
+}
