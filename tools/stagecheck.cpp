@@ -48,13 +48,16 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
   try {
     const io::InputFile file = io::read_input(path);
     const std::string format = io::stage_format(file);
+    session.begin_phase("check");
     const std::vector<check::Violation> violations = violations_of(file, format, session);
+    session.end_phase();
     for (const check::Violation& violation : violations)
       fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
     session.info(fmt::format("{}: {}, {}", file.name, format,
                              violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
     return violations.size();
   } catch (const FormatError& e) {
+    session.end_phase();
     fmt::print("{}\n", e.what());  // the message contains the file name
     return 1;
   }

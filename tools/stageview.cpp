@@ -35,6 +35,7 @@ std::string draw_points(const io::InputFile& file, const Settings& settings) {
 std::string draw_stage(const Settings& settings, cli::Session& session) {
   const io::InputFile file = io::read_input(settings.input);
   const std::string format = io::stage_format(file);
+  session.begin_phase("draw");
   if (!settings.field.empty() && format != "critical-points")
     throw UsageError("--field needs a critical-points file, but " + file.name + " is a " + format + " file");
   const auto drawn = [&](auto model, auto check, auto draw) {
@@ -82,7 +83,11 @@ int main(int argc, char** argv) {
              "quantity of a field to show: cross angle, a component or the polynomial order");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
-  tool.run = [&](cli::Session& s) { io::write_output(settings.output, draw_stage(settings, s), false); };
+  tool.run = [&](cli::Session& s) {
+    const std::string picture = draw_stage(settings, s);
+    s.end_phase();
+    io::write_output(settings.output, picture, false);
+  };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);
 }

@@ -185,6 +185,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   std::vector<bool> was_raised(orders.size(), false);
   std::vector<AdaptStep> steps = history_of(start, was_raised);
   std::vector<double> seconds;  // CPU time of each new solution
+  const Progress::Part solutions(report.progress(), "solutions", options.max_steps, Progress::Total::bound);
   for (int round = 0;; ++round) {
     field.elem_sensor = element_sensors(field, options.sensor, options.scale);
     if (options.policy == AdaptPolicy::paper)
@@ -201,6 +202,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
     }
     const std::clock_t begin = std::clock();
     field = solver.solve(orders, report);
+    solutions.advance();
     seconds.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   field.provenance = start.provenance;

@@ -46,13 +46,16 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
 
 /// The blocks of a subdivision, measured.
 struct Trial {
-  explicit Trial(graph::Subdivision s) : subdivision(std::move(s)) { measure(); }
+  Trial(graph::Subdivision s, Progress* p) : subdivision(std::move(s)), progress(p) { measure(); }
   void measure() {
+    round.advance();
     blocks.layout = blocks_of(subdivision);
-    blocks.measures = measure_blocks(blocks.layout);
+    blocks.measures = measure_blocks(blocks.layout, progress);
   }
 
   graph::Subdivision subdivision;
+  Progress* progress;
+  Progress::Part round{progress, "round"};
   Blocks blocks;
 };
 
@@ -84,7 +87,7 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
 
 Blocks split_bad_chords(graph::Subdivision subdivision, Report& report) {
   const int blocks_before = subdivision.num_faces();
-  Trial trial(std::move(subdivision));
+  Trial trial(std::move(subdivision), report.progress());
   Blocks best = trial.blocks;
   int in_vain = 0;
   for (int round = 0; round < most_rounds && in_vain < 2; ++round) {

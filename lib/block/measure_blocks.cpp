@@ -112,10 +112,11 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int
   return m;
 }
 
-std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout) {
+std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress) {
   const BlockMaps maps(layout);
+  const Progress::Part part(progress, "blocks", layout.num_blocks());
   std::vector<BlockMeasure> measures;
-  for (int b = 0; b < layout.num_blocks(); ++b) measures.push_back(measure_block(layout, maps, b));
+  for (int b = 0; b < layout.num_blocks(); ++b, part.advance()) measures.push_back(measure_block(layout, maps, b));
   return measures;
 }
 

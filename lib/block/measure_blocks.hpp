@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "block/block_maps.hpp"
 
 namespace quadrille::block {
@@ -26,7 +27,7 @@ struct BlockMeasure {
 };
 
 BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block);
-std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout);
+std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress = nullptr);
 
 /// Copies the measures that the file contains into the layout.
 void store_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);

@@ -34,7 +34,9 @@ void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
   for (int e = 0; e < num_elems; ++e)
     if (const std::pair key{elem2shape_[e], elem_order[e]}; known.try_emplace(key).second)
       made.emplace_back(key, nullptr);
+  const Progress::Part part(context_->progress, "elements", static_cast<int>(made.size()));
   parallel_for(static_cast<int>(made.size()), num_threads_, [&](int i) {
+    part.advance();
     const auto [elem, order] = made[i].first;
     try {
       made[i].second =
@@ -60,7 +62,7 @@ void ContinuousSystem::set_orders(const std::vector<int>& elem_order, Stopwatch&
       make_dof_map(*context_->mesh, context_->topology, context_->tree.elimination_order, elem_order));
   cholesky_ = std::make_unique<CondensedCholesky>(context_->tree, *map_, num_threads_);
   watch.lap("structure");
-  cholesky_->factor(elements_);
+  cholesky_->factor(elements_, context_->progress);
   watch.lap("factorisation");
 }
 

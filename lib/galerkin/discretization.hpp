@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "base/stopwatch.hpp"
 #include "mesh/elimination_tree.hpp"
 #include "mesh/tri_topology.hpp"
@@ -22,6 +23,7 @@ struct MeshContext {
   mesh::TriTopology topology;
   std::vector<spectral::TriMap> maps;
   mesh::EliminationTree tree;
+  Progress* progress = nullptr;  ///< of the computations on this mesh, as long as it exists
 
   /// "element 7 near (0.5, 0.25)", in the user's coordinates.
   std::string describe(int elem) const;

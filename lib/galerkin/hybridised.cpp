@@ -21,7 +21,9 @@ HybridisedGalerkin::HybridisedGalerkin(const MeshContext& context, BoundaryData 
       elements_(context.maps.size()) {}
 
 void HybridisedGalerkin::update_elements(const std::vector<int>& elem_order, const DofMap& map) {
+  const Progress::Part part(context_->progress, "elements", static_cast<int>(elem_order.size()));
   parallel_for(static_cast<int>(elem_order.size()), num_threads_, [&](int e) {
+    part.advance();
     const auto& edges = context_->topology.elem2edges[e];
     const std::array<int, 3> edge_orders{map.edge2order[edges[0]], map.edge2order[edges[1]], map.edge2order[edges[2]]};
     const Orders orders{elem_order[e], edge_orders[0], edge_orders[1], edge_orders[2]};
@@ -51,7 +53,7 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   watch.lap("data");
   CondensedCholesky cholesky(context_->tree, map, num_threads_);
   watch.lap("structure");
-  cholesky.factor(elements_);
+  cholesky.factor(elements_, context_->progress);
   watch.lap("factorisation");
   Eigen::MatrixXd dofs(map.num_dofs, 2);
   dofs << cholesky.solve(rhs), given;

@@ -188,8 +188,14 @@ void CondensedCholesky::substitute_back(Eigen::MatrixXd& solution, int node) {
   for (int i = 0; i < k; ++i) solution.row(part.dofs[i]) = part.values.row(i);
 }
 
-void CondensedCholesky::factor(const CondensedElements& elements) {
-  upwards([&](int node, int num_threads) { factor_part(elements, node, num_threads); });
+void CondensedCholesky::factor(const CondensedElements& elements, Progress* progress) {
+  long long work = 0;
+  for (const Part& part : parts_) work += part.work();
+  const Progress::Part factorisation(progress, "factorisation", work);
+  upwards([&](int node, int num_threads) {
+    factor_part(elements, node, num_threads);
+    factorisation.advance(parts_[node].work());
+  });
 }
 
 Eigen::MatrixXd CondensedCholesky::solve(const Eigen::MatrixXd& rhs) {

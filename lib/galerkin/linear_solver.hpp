@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "galerkin/condense.hpp"
 #include "galerkin/dof_map.hpp"
 #include "galerkin/partial_cholesky.hpp"
@@ -21,7 +22,7 @@ class CondensedCholesky {
   /// Symbolic factorisation. `map` numbers its dofs in the order of tree.elimination_order; both must outlive this.
   CondensedCholesky(const mesh::EliminationTree& tree, const DofMap& map, int num_threads = 1);
   /// Throws ComputeError if the sum is not positive definite.
-  void factor(const CondensedElements& elements);
+  void factor(const CondensedElements& elements, Progress* progress = nullptr);
   /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
 
@@ -34,6 +35,8 @@ class CondensedCholesky {
     Front front;                           ///< the panel is kept, the rest is added to the parent
     Eigen::MatrixXd values;                ///< over dofs: right-hand side, then solution
     int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
+    /// Proportional to the operations of its elimination.
+    long long work() const { return static_cast<long long>(num_eliminated) * dofs.size() * dofs.size(); }
   };
   void find_dofs();
   void find_positions_in_parent();

@@ -67,6 +67,7 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   const TriMesh& mesh = *context_->mesh;
   if (elem_order.size() != context_->maps.size()) throw Defect("the order map does not fit the mesh");
+  context_->progress = report.progress();
   const Solution solution = discretization_->solve(elem_order);
   if (!std::isfinite(solution.residual))
     throw ComputeError("the solution is not finite: some element has a folded shape");

@@ -154,6 +154,7 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
 
 Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report) {
   parts_->watch = Stopwatch();
+  parts_->context.progress = report.progress();
   State state = this->state(asked, options);
   const TriMesh& mesh = *parts_->context.mesh;
   Field field;

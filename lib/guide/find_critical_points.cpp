@@ -94,8 +94,9 @@ void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points,
 }
 
 /// Throws ComputeError if the search cannot decide.
-void search_all(zeros::ZeroSearch& search, const TriMesh& mesh, const std::vector<bool>& is_empty) {
-  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e)
+void search_all(zeros::ZeroSearch& search, const TriMesh& mesh, const std::vector<bool>& is_empty, Progress* progress) {
+  const Progress::Part elements(progress, "elements", mesh.num_elems());
+  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e, elements.advance())
     if (!is_empty.empty() && is_empty[e])
       search.skip();
     else
@@ -142,7 +143,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
   zeros::ZeroSearch search(evaluator, valences.discs, options.noise);
-  search_all(search, mesh, is_empty);
+  search_all(search, mesh, is_empty, report.progress());
   const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros());
   const std::vector<zeros::FoundZero> zeros = filtered(found, [&](std::size_t i) {
     return std::none_of(valences.discs.begin(), valences.discs.end(),

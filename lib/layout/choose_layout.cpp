@@ -27,7 +27,7 @@ void report_choice(LayoutMethod method, const std::string& reason, Report& repor
 // The quantized layout if it is preferable to `traced`.
 std::optional<graph::CandidateLayout> preferable_layout(const graph::CandidateLayout& traced,
                                                         const LayoutComputation& quantized, Report& report) {
-  Report attempt_report;
+  Report attempt_report(report.progress());
   LayoutAttempt attempt = quantized(attempt_report);
   if (!attempt.layout || attempt.layout->subdivision.num_faces() >= traced.subdivision.num_faces()) return std::nullopt;
   const LayoutQuality before = quality_of(traced.subdivision), after = quality_of(attempt.layout->subdivision);

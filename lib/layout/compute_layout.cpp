@@ -20,8 +20,9 @@ namespace {
 
 // Only here an error is converted to the reason why there is no layout.
 template <class Layout>
-LayoutComputation attempting(const Layout& layout) {
-  return [&layout](Report& report) -> LayoutAttempt {
+LayoutComputation attempting(const char* name, const Layout& layout) {
+  return [&layout, name](Report& report) -> LayoutAttempt {
+    const Progress::Part part(report.progress(), name);
     try {
       return {layout(report), ""};
     } catch (const graph::CrowdedLinesError& error) {
@@ -56,9 +57,14 @@ graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, 
     return with_fine_tolerance(options, r,
                                [&](const LayoutOptions& o) { return quantized_layout(evaluator, points, o, r); });
   };
-  const auto midpoint = [&](Report& r) { return midpoint_layout(evaluator.field().mesh, r); };
+  const auto midpoint = [&](Report& r) {
+    const Progress::Part part(r.progress(), "midpoint");
+    return midpoint_layout(evaluator.field().mesh, r);
+  };
   ChosenLayout chosen = choose_layout(
-      trace::num_launches(points), {attempting(traced), attempting(quantized), attempting(crowded), midpoint}, report);
+      trace::num_launches(points),
+      {attempting("traced", traced), attempting("quantized", quantized), attempting("crowded", crowded), midpoint},
+      report);
   certify(evaluator, chosen.method, chosen.layout, report);
   if (!chosen.warning.empty()) report.warn(warning_code(chosen.method), chosen.warning);
   return std::move(chosen.layout);
@@ -69,7 +75,7 @@ graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator,
   const auto compute = [&](const LayoutOptions& o) {
     switch (method) {
       case LayoutMethod::t_mesh:
-        return quantize::TMeshTracer(evaluator, points, o.trace).trace(report);
+        return quantize::TMeshTracer(evaluator, points, o.trace, report.progress()).trace(report);
       case LayoutMethod::quantized:
         return quantized_layout(evaluator, points, o, report);
       case LayoutMethod::midpoint:

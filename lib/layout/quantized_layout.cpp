@@ -57,6 +57,7 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, const CriticalPoi
     QuantizedTMesh q;
     q.t_mesh = tracer.trace(report);
     num_built = q.t_mesh.num_built += num_built;
+    const Progress::Part part(report.progress(), "integer program");
     q.faces = quantize::t_mesh_faces(q.t_mesh.subdivision);
     const ArcGraph& graph = q.t_mesh.graph();
     quantize::Quantization found =
@@ -80,9 +81,12 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, const CriticalPoi
 
 graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report) {
-  quantize::TMeshTracer tracer(evaluator, points, options.trace);
+  quantize::TMeshTracer tracer(evaluator, points, options.trace, report.progress());
   const QuantizedTMesh q = quantized_t_mesh(tracer, points, report);
-  graph::CandidateLayout layout = quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
+  graph::CandidateLayout layout = [&] {
+    const Progress::Part part(report.progress(), "continued lines");
+    return quantize::extend_lines(q.t_mesh, q.faces, q.lengths);
+  }();
   report.set("quantize.faces", layout.subdivision.num_faces());
   if (options.simplify != SimplifyLevel::none)
     layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);

@@ -79,10 +79,13 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   const std::vector<Vec2> nodes = trace::positions(fixed);
   trace::LineTracer tracer(evaluator, points, nodes, options.trace);
   std::optional<Partition> found;
+  const Progress::Part round(report.progress(), "round");
   for (const double reach : reaches) {
-    tracer.follow_all_to(reach * face.diameter);
+    round.advance();
+    tracer.follow_all_to(reach * face.diameter, report.progress());
     report.set("trace.steps", tracer.num_steps());
     require_total_length(tracer, face.diameter, options.trace.max_total_length);
+    const Progress::Part part(report.progress(), "crossings and merges");
     found = partition(evaluator, fixed, nodes, tracer, options);
     if (found) break;
   }

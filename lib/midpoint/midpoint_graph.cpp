@@ -33,7 +33,7 @@ std::vector<int> doubtful(const TriMesh& mesh) { return doubtful_triangles(mesh,
 }  // namespace
 
 SeparatrixGraph midpoint_graph(const TriMesh& mesh, Report& report) {
-  Report unused;  // the report of the triangle mesh is that of another mesh
+  Report unused(report.progress());  // the report of the triangle mesh is that of another mesh
   const auto divide = [&](const TriMesh& triangles, const char* origin) {
     report.set("midpoint.triangles", triangles.num_elems());
     report.set("midpoint.origin", origin);

@@ -66,9 +66,12 @@ std::optional<Minimand::Sample> sample(const Problem& problem, const VectorXd& y
   return Minimand::Sample{sum.value, gradient};
 }
 
-Minimand minimand_of(const Problem& problem) {
+Minimand minimand_of(const Problem& problem, const Progress::Part& evaluations) {
   const ReducedCoordinates& coordinates = problem.coordinates;
-  return {[&problem](const VectorXd& y) { return sample(problem, y); },
+  return {[&problem, &evaluations](const VectorXd& y) {
+            evaluations.advance();
+            return sample(problem, y);
+          },
           [&problem, &coordinates](const VectorXd& y, const VectorXd& step) {
             return problem.objective.allowed_part(coordinates.moved(problem.points, y), coordinates.movement(step));
           },
@@ -80,7 +83,8 @@ Minimand minimand_of(const Problem& problem) {
 }
 
 /// Moves problem.points to a minimum, in rounds between which the scales are recomputed.
-Minimum find_minimum(Problem& problem, const PlacementOptions& options) {
+Minimum find_minimum(Problem& problem, const PlacementOptions& options, Progress* progress) {
+  const Progress::Part part(progress, "evaluations of the energy");
   Minimum result;
   int iterations = 0, evaluations = 0;
   do {
@@ -90,7 +94,7 @@ Minimum find_minimum(Problem& problem, const PlacementOptions& options) {
     round.tolerance = options.tolerance;
     round.max_iterations = std::min(iterations_between_scales, options.max_iterations - iterations);
     round.begins_with_hessian = iterations > 0;
-    result = minimise(minimand_of(problem), VectorXd::Zero(problem.coordinates.movements.cols()), round);
+    result = minimise(minimand_of(problem, part), VectorXd::Zero(problem.coordinates.movements.cols()), round);
     problem.points = problem.coordinates.moved(problem.points, result.x);
     iterations += result.iterations;
     evaluations += result.evaluations;
@@ -158,7 +162,7 @@ void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::v
   const SmoothBoundaryDistance boundary(face);
   Problem problem = problem_of(face, energy, boundary, is_free, options, points);
   report.set("placement.energy_before", problem.objective.at(problem.points).value);
-  const Minimum minimum = find_minimum(problem, options);
+  const Minimum minimum = find_minimum(problem, options, report.progress());
   report_minimum(minimum, report);
   report.set("placement.symmetries", problem.group.size());
   warn_if_not_converged(minimum, report);

@@ -31,12 +31,12 @@ double first_length(int num_lines) {
 
 // Traces all lines to the first length, always by the Runge-Kutta integrator.
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                              const std::vector<Vec2>& nodes, trace::TraceOptions options) {
+                              const std::vector<Vec2>& nodes, trace::TraceOptions options, Progress* progress) {
   const double d = evaluator.field().mesh.face.diameter;
   options.integrator = trace::Integrator::runge_kutta;
   if (!(options.step > 0)) options.step = d / 20;
   trace::LineTracer tracer(evaluator, points, nodes, options);
-  tracer.follow_all_to(first_length(trace::num_launches(points)) * d);
+  tracer.follow_all_to(first_length(trace::num_launches(points)) * d, progress);
   return tracer;
 }
 
@@ -65,11 +65,11 @@ std::ptrdiff_t num_stopped(const std::vector<CoveredPart>& covered) {
 }  // namespace
 
 TMeshTracer::TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                         const trace::TraceOptions& options)
+                         const trace::TraceOptions& options, Progress* progress)
     : evaluator_(evaluator),
       fixed_(trace::fixed_nodes(evaluator.field().mesh.face, points)),
       nodes_(trace::positions(fixed_)),
-      tracer_(first_lines(evaluator, points, nodes_, options)),
+      tracer_(first_lines(evaluator, points, nodes_, options, progress)),
       lines_(evaluator, tracer_.lines(), nodes_, radians(options.merge_angle), options.merge_distance,
              trace::LineEnds::optional) {
   cuts_.head_starts.resize(tracer_.lines().size(), 0);
@@ -78,7 +78,9 @@ TMeshTracer::TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalP
 
 graph::CandidateLayout TMeshTracer::trace(Report& report) {
   const CadFace& face = evaluator_.field().mesh.face;
+  const Progress::Part round(report.progress(), "round");
   for (;;) {
+    round.advance();
     lines_.merge();  // lines need no end here: merging can always be decided
     const trace::LineArrangement& arrangement = lines_.arrangement();
     const std::vector<CoveredPart> covered = trace_motorcycle_graph(

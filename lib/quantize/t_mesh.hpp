@@ -24,7 +24,8 @@ namespace quadrille::quantize {
 class TMeshTracer {
  public:
   /// `evaluator` must outlive the tracer. Throws ComputeError as trace::launch_all and trace::advance.
-  TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const trace::TraceOptions& options);
+  TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const trace::TraceOptions& options,
+              Progress* progress = nullptr);
   TMeshTracer(const TMeshTracer&) = delete;  // its members refer to each other
   TMeshTracer& operator=(const TMeshTracer&) = delete;
 

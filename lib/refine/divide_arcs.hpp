@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "refine/divide_options.hpp"
 #include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
@@ -22,6 +23,6 @@ namespace quadrille::refine {
 /// quarter than planned; prescribed counts are raised only if breaks and tolerance cannot be met otherwise. `plans`:
 /// one per chord. Throws ComputeError with the position if a chord would need more than 10000 intervals.
 sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
-                                 const DivideOptions& options);
+                                 const DivideOptions& options, Progress* progress = nullptr);
 
 }  // namespace quadrille::refine

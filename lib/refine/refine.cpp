@@ -46,16 +46,21 @@ struct SplitRequest {
   double tolerance;        ///< of the boundary, a length
   DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
   sizing::LengthLimits limits = {};
+  Progress* progress = nullptr;
+  const Progress::Part* attempt = nullptr;
 };
 
-SplitRequest split_request(const RefineOptions& options, const CadFace& face) {
+SplitRequest split_request(const RefineOptions& options, const CadFace& face, Progress* progress) {
   const double size = options.size > 0 ? options.size : face.diameter * default_size;
   const double tolerance =
       face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order));
   return {options,
           options.size_field ? *options.size_field : sizing::SizeField(size),
           tolerance,
-          {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)}};
+          {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)},
+          {},
+          progress,
+          nullptr};
 }
 
 /// A measured mesh and the plans from which it was made.
@@ -86,6 +91,7 @@ void require_bounded_size(const BlockLayout& layout, const sizing::ArcDivisions&
 
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
                 const std::vector<sizing::ChordCount>& coarse) {
+  request.attempt->advance();
   const RefineOptions& options = request.options;
   std::vector<sizing::ChordCount> counts = options.counts;
   counts.insert(counts.end(), coarse.begin(), coarse.end());
@@ -93,13 +99,13 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   sizing::apply_length_limits(request.limits, plans);
   SplitMesh result;
   result.shortened_chords = num_limited(request.limits);
-  result.divisions = divide_arcs(measured, plans, request.division);
+  result.divisions = divide_arcs(measured, plans, request.division, request.progress);
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
   require_bounded_size(measured.blocks(), result.divisions, options.order);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
-  measure_elements(result.mesh);
+  measure_elements(result.mesh, request.progress);
   return result;
 }
 
@@ -177,6 +183,8 @@ double worst_edge_ratio(const SplitMesh& split) {
 
 /// With shorter elements where blocks are thin: the best of several attempts, each of which corrects the last.
 MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, SplitRequest request) {
+  const Progress::Part part(request.progress, "attempt");
+  request.attempt = &part;
   const auto measured_split = [&] {
     MeasuredSplit result = split_within_tolerance(aligned, request);
     mesh::measure_element_sizes(result.split.mesh);
@@ -252,10 +260,11 @@ double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ?
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
   const sizing::MeasuredLayout measured(layout);
-  const SplitRequest request = split_request(options, layout.face);
+  const SplitRequest request = split_request(options, layout.face, report.progress());
   auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);
   if (options.relax > 0) {
-    relax_and_report(split.mesh, {options.relax, request.division.tolerance, elements_in_layered_blocks(split)},
+    relax_and_report(split.mesh,
+                     {options.relax, request.division.tolerance, elements_in_layered_blocks(split), report.progress()},
                      report);
     mesh::measure_element_sizes(split.mesh);
     distance = mesh::boundary_distance(split.mesh);

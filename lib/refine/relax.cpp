@@ -58,7 +58,8 @@ RelaxOutcome relax(QuadMesh& mesh, const RelaxOptions& options) {
   RelaxOutcome outcome;
   const double num_elems = mesh.num_elems(), energy_before = state.energy;
   double first_length = 1;
-  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+  const Progress::Part part(options.progress, "sweeps", options.sweeps, Progress::Total::bound);
+  for (int sweep = 0; sweep < options.sweeps; ++sweep, part.advance()) {
     const double before = state.energy;
     if (!step(problem, options.tolerance, descent.next(state.mesh.nodes, state.moves), first_length, state)) break;
     ++outcome.sweeps;

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::refine {
@@ -18,6 +19,7 @@ struct RelaxOptions {
   int sweeps = 0;                       ///< greatest number; fewer if no vertex moves any more
   double tolerance = 0;                 ///< greatest distance between mesh boundary and CAD curve, a length, > 0
   std::vector<bool> frozen_elems = {};  ///< elements that keep all nodes; empty: none
+  Progress* progress = nullptr;
 };
 
 struct RelaxOutcome {

@@ -69,10 +69,11 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
   return nodes;
 }
 
-void measure_elements(QuadMesh& mesh) {
+void measure_elements(QuadMesh& mesh, Progress* progress) {
+  const Progress::Part part(progress, "elements", mesh.num_elems());
   mesh.elem_jacobian_bound.clear();
   mesh.elem_scaled_jacobian.clear();
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+  for (int elem = 0; elem < mesh.num_elems(); ++elem, part.advance()) {
     const std::vector<Vec2> nodes = element_nodes(mesh, elem);
     mesh.elem_jacobian_bound.push_back(spectral::quad_jacobian_lower_bound(mesh.order, nodes.data()));
     mesh.elem_scaled_jacobian.push_back(spectral::quad_scaled_jacobian(mesh.order, nodes.data()));

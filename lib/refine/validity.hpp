@@ -14,7 +14,7 @@ namespace quadrille::refine {
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 
 /// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid.
-void measure_elements(QuadMesh& mesh);
+void measure_elements(QuadMesh& mesh, Progress* progress = nullptr);
 
 /// One of the worst elements, and the position of its least scaled Jacobian, in the face's own coordinates (origin
 /// included).

@@ -75,8 +75,12 @@ double fraction_left(const Subdivision& before, const Subdivision& after) {
 
 class Simplifier {
  public:
-  Simplifier(const field::FieldEvaluator& evaluator, Subdivision subdivision, const SimplifyOptions& options)
-      : evaluator_(evaluator), options_(options), subdivision_(std::move(subdivision)) {}
+  Simplifier(const field::FieldEvaluator& evaluator, Subdivision subdivision, const SimplifyOptions& options,
+             Progress* progress)
+      : evaluator_(evaluator),
+        options_(options),
+        subdivision_(std::move(subdivision)),
+        tried_(progress, "chords tried") {}
 
   // Until no group of equal chords can be collapsed.
   void collapse_chords() {
@@ -105,6 +109,7 @@ class Simplifier {
   std::optional<ArcChanges> try_collapse(const std::vector<ChordStrip>& strips) {
     std::vector<double> key = key_of(subdivision_.graph(), strips);
     if (refused_.contains(key)) return std::nullopt;
+    tried_.advance();
     const std::optional<std::vector<Blend>> blends = blends_of_group(evaluator_, subdivision_, strips, blend_options());
     if (!blends || !improves(strips, *blends)) {
       refused_.insert(std::move(key));
@@ -116,6 +121,7 @@ class Simplifier {
   }
 
   bool try_shorten(const std::vector<SpiralShortcut>& shortcuts) {
+    tried_.advance();
     std::optional<Shortened> trial = shorten_group(evaluator_, subdivision_, shortcuts, blend_options());
     if (!trial || !is_acceptable(options_, worst_quality(subdivision_), worst_quality(trial->subdivision),
                                  fraction_left(subdivision_, trial->subdivision)))
@@ -151,6 +157,7 @@ class Simplifier {
   std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: most are unchanged by other steps
   int num_collapsed_ = 0, num_shortened_ = 0;
   double deviation_ = 0;
+  Progress::Part tried_;
 };
 
 void report_steps(const Simplifier& simplifier, Report& report) {
@@ -169,7 +176,7 @@ graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::C
   report.set("simplify.blocks_before", layout.subdivision.num_faces());
   report.set("simplify.least_scaled_jacobian_before", least);
   std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
-  Simplifier simplifier(evaluator, std::move(layout.subdivision), options);
+  Simplifier simplifier(evaluator, std::move(layout.subdivision), options, report.progress());
   do simplifier.collapse_chords();
   while (simplifier.shorten_spirals());
   layout.subdivision = std::move(simplifier.subdivision());

@@ -26,12 +26,14 @@ struct Outcome {
 /// Follows choices to their nodes. Each is tried once.
 class Trials {
  public:
-  Trials(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve, const TieOptions& options)
+  Trials(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve, const TieOptions& options,
+         Progress* progress)
       : face_(field.field().mesh.face),
         ties_(ties),
         options_(options),
         tilted_(field.field(), ties, solve),
-        measure_(field, ties) {}
+        measure_(field, ties),
+        part_(progress, "choices") {}
 
   /// Null if the choice leads to no admissible set of nodes.
   const Outcome* of(const Choice& choice) {
@@ -42,6 +44,7 @@ class Trials {
       outcome = attempt(choice);
     } catch (const ComputeError&) {
     }
+    part_.advance();
     return outcome ? &*outcome : nullptr;
   }
   /// Null if the choice was not tried, or leads to no admissible set of nodes.
@@ -90,6 +93,7 @@ class Trials {
   TiltedField tilted_;
   CostMeasure measure_;
   std::map<Choice, std::optional<Outcome>> outcomes_;
+  Progress::Part part_;
 };
 
 /// The search for the best choice.
@@ -223,7 +227,7 @@ CriticalPoints choose_at_ties(const field::FieldEvaluator& field, const TieOrbit
                               const TieOptions& options, Report& report) {
   options.search.validate();
   const CadFace& face = field.field().mesh.face;
-  Trials trials(field, ties, solve, options);
+  Trials trials(field, ties, solve, options, report.progress());
   const Choice choice = Chooser(face, ties, trials).run();
   report.set("ties.corners", ties.ties.size());
   report.set("ties.orbits", ties.orbits.size());

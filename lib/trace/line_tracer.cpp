@@ -41,15 +41,21 @@ AdvanceOptions LineTracer::bounds(double length) const {
   return {options_.tolerance * d, step, std::min(length, max_length_), relative_hit_distance * d};
 }
 
-void LineTracer::follow_all_to(double length) {
+void LineTracer::follow_all_to(double length, Progress* progress) {
+  const Progress::Part part(progress, "lines", static_cast<int>(lines_.size() + launches_.size()));
   const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
   reach_ = is_fixed ? max_length_ : std::min(length, max_length_);
   const AdvanceOptions options = bounds(reach_);
   if (!is_fixed)
-    for (Streamline& line : lines_) follow_line(line, options);
-  for (const PlannedLaunch& planned : launches_)
+    for (Streamline& line : lines_) {
+      follow_line(line, options);
+      part.advance();
+    }
+  for (const PlannedLaunch& planned : launches_) {
     add_line(is_fixed ? advance_adams_bashforth(evaluator_, planned.launch, nodes_, options)
                       : traced(planned, options));
+    part.advance();
+  }
   launches_.clear();
 }
 

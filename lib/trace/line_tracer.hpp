@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "model/critical_points.hpp"
 #include "trace/advance.hpp"
 #include "trace/mirror_axes.hpp"
@@ -22,7 +23,7 @@ class LineTracer {
 
   /// Follows all lines that have no end yet to a length, at most options.max_length.
   /// Integrator::adams_bashforth follows them to options.max_length at once.
-  void follow_all_to(double length);
+  void follow_all_to(double length, Progress* progress = nullptr);
 
   /// Continues one line that was traced before, by the Runge-Kutta integrator.
   void follow_to(int line, double length);

@@ -175,10 +175,13 @@ void DomainRefiner::find_blockers(const Triangles& triangles, const Candidate& c
   }
 }
 
-bool DomainRefiner::insert_centres(const Triangles& triangles) {
+bool DomainRefiner::insert_centres(const Triangles& triangles, Progress* progress) {
   std::vector<Vec2> accepted;
   std::vector<int> blockers, marked;
-  for (const Candidate& candidate : candidates(triangles)) {
+  const std::vector<Candidate> found = candidates(triangles);
+  const Progress::Part part(progress, "triangles", static_cast<int>(found.size()));
+  for (const Candidate& candidate : found) {
+    part.advance();
     // An accepted centre inside the circumcircle of this triangle changes the triangle: it is re-examined in the next
     // round.
     const bool is_disturbed = std::any_of(accepted.begin(), accepted.end(), [&](Vec2 x) {
@@ -200,10 +203,11 @@ bool DomainRefiner::insert_centres(const Triangles& triangles) {
   return !accepted.empty() || !marked.empty();
 }
 
-void DomainRefiner::refine() {
-  for (int round = 0; round < max_rounds; ++round) {
+void DomainRefiner::refine(Progress* progress) {
+  const Progress::Part part(progress, "refinements", max_rounds, Progress::Total::bound);
+  for (int round = 0; round < max_rounds; ++round, part.advance()) {
     const Triangles triangles = delaunay_.triangles();
-    if (!split_encroached(triangles) && !insert_centres(triangles)) return;
+    if (!split_encroached(triangles) && !insert_centres(triangles, progress)) return;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "triangulate/boundary_mesh.hpp"
 #include "triangulate/delaunay.hpp"
 #include "triangulate/triangle_sizes.hpp"
@@ -19,7 +20,7 @@ class DomainRefiner {
   DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, double growth);
 
   /// Refines until sizes and angles satisfy the limits. The size field is fixed at construction.
-  void refine();
+  void refine(Progress* progress = nullptr);
   /// Bisects the segment between two vertices of the draft; returns false if it must not be bisected.
   bool split_between(int from, int to);
   /// The triangles, as vertices of the draft, in an order that depends on the vertices only.
@@ -39,7 +40,7 @@ class DomainRefiner {
   void split(int segment);
   bool may_split(int segment) const;
   bool split_encroached(const Triangles& triangles);
-  bool insert_centres(const Triangles& triangles);
+  bool insert_centres(const Triangles& triangles, Progress* progress);
   std::vector<Candidate> candidates(const Triangles& triangles);
   /// Sets `blockers` to the segments on which the circumcentre encroaches, or to the first segment between it and its
   /// triangle.

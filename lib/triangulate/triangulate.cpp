@@ -95,7 +95,7 @@ struct Result {
 };
 
 Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits,
-                   const Doubts& doubts) {
+                   const Doubts& doubts, Progress* progress) {
   const Outline& outline = fit.outline();
   Draft draft;
   std::vector<Fan> fans = plan_fans(fit, options, limits);
@@ -104,8 +104,10 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
   boundary.resolve_gaps(gap_ratio);
   boundary.grade(options.growth);
   DomainRefiner refiner(boundary, draft, limits.size, options.growth);
+  const Progress::Part part(progress, "round");
   for (int round = 1;; ++round) {
-    refiner.refine();
+    part.advance();
+    refiner.refine(progress);
     Result result{complete_mesh(outline.face(), options.order, draft, refiner, boundary), {}, 0, round};
     result.num_fans = static_cast<int>(fans.size());
     curve_elements(fit, result.mesh);
@@ -162,7 +164,7 @@ TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Repo
   limits.size = options.size > 0 ? options.size : default_share * face.diameter;
   limits.turn = edge_turn;
   limits.curve_tol = options.curve_tol * face.diameter;
-  Result result = proved_mesh(fit, options, limits, doubts);
+  Result result = proved_mesh(fit, options, limits, doubts, report.progress());
   write_report(result, fit, limits.curve_tol, report);
   return std::move(result.mesh);
 }
