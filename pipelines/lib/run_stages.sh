@@ -49,9 +49,11 @@ stage() {
   tool=$1 result=$2 name=$prefix$1 number=$((number + 1))
   case $result in "$stem".phase.*) name=${prefix}phase_$tool ;; esac
   shift 2
-  with_options "$tool" start_tool "$@"
+  title_progress
+  with_options "$tool" start_tool "$@" ${title:+--progress-title "$title" --progress-since "$start"}
   wait "$child"
   code=$?
+  if [ -n "$title" ] && [ "$code" -gt 128 ]; then printf '\r%79s\r' '' >&2; fi # it may have been killed
   child=''
   if [ "$code" -eq 1 ] && has_other_way "$tool" "$scratch/$number.$name.json"; then
     failed_stage=$tool
@@ -60,6 +62,27 @@ stage() {
   [ -z "$quiet" ] || cat "$scratch/messages" >&2
   [ "$code" -eq 0 ] || fail "$code" "$tool"
   last=$result
+}
+
+# title_progress: sets $title, the beginning of the line in which the next tool shows its progress on a terminal. The
+# pipeline sets $start, its Unix time, and $layout, the value of separatrix --layout; the number of all stages is known
+# as long as nothing unforeseen happens.
+title_progress() {
+  title=''
+  if [ -n "$quiet" ] || [ ! -t 2 ]; then return; fi
+  case $name in
+    *cad2tri) if [ "$layout" = midpoint ]; then after=4; else after=7; fi ;;
+    *phase_fieldsolve) after=5 ;;
+    *phase_padapt) after=4 ;;
+    *fieldsolve) after=6 ;;
+    *padapt) after=5 ;;
+    *critpoints) after=4 ;;
+    *separatrix) after=3 ;;
+    *blocksplit) after=2 ;;
+    *quadrefine) after=1 ;;
+    *) after=0 ;;
+  esac
+  title="${0##*/}: stage $((number - 10)) of $((number - 10 + after)), $tool"
 }
 
 # In the background, since a shell that waits for a process in the foreground handles signals only after it.

@@ -407,3 +407,25 @@ END
   assert_regex "$stderr" '--face 6: no face'
   assert_file_not_exists none.msh
 }
+
+# An hour has passed since the start, so that progress is shown from the first stage on.
+since_an_hour() {
+  mkdir -p clock
+  printf '#!/bin/sh\nexec /bin/date -d "1 hour ago" "$@"\n' >clock/date
+  chmod +x clock/date
+  PATH=$PWD/clock:$PATH script -qec "$(printf '%q ' "$@")" /dev/null </dev/null
+}
+
+@test "on a terminal, one line shows the stage and its progress" {
+  since_an_hour "$quadmesh" "$DATA/half_disc.step" -o out.msh >written
+  stage=0
+  for tool in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport; do
+    stage=$((stage + 1))
+    grep -q $'\r'"quadmesh: stage $stage of 8, $tool: [a-z]*, .*36[0-9][0-9] s" written || fail "$tool: $(cat -v written)"
+  done
+  assert_equal "$(grep -c '' written)" 1
+  since_an_hour "$quadmesh" "$DATA/half_disc.step" --layout midpoint -o out.msh >written
+  grep -q "quadmesh: stage 2 of 5, separatrix: divide, " written
+  run -0 since_an_hour "$quadmesh" -q "$DATA/half_disc.step" -o out.msh
+  assert_output ''
+}
