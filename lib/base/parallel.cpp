@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <ctime>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -11,17 +13,33 @@ namespace quadrille {
 
 namespace {
 
+// Many times what the start of a thread costs. A loop starts its k-th further thread after k such times.
+constexpr double seconds_per_start = 5e-4;
+
+double least_cpu_seconds = -1;  // of start_threads_after; negative: it was not called
+
+double seconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 // Chunks of indices, handed out in ascending order: when f(i) throws, all lower indices have been handed out already.
 class Loop {
  public:
   Loop(int n, const std::function<void(int)>& f) : n_(n), chunk_(std::max(1, n / 256)), f_(f) {}
 
   void run() {
-    while (!failed_) {
-      const int begin = next_.fetch_add(chunk_);
-      if (begin >= n_) return;
-      run_chunk(begin, std::min(n_, begin + chunk_));
+    while (run_next_chunk()) {
     }
+  }
+  /// False if there is nothing left to do.
+  bool run_next_chunk() {
+    if (failed_) return false;
+    const int begin = next_.fetch_add(chunk_);
+    if (begin >= n_) return false;
+    run_chunk(begin, std::min(n_, begin + chunk_));
+    return next_ < n_;
   }
   void rethrow() const {
     if (exception_) std::rethrow_exception(exception_);
@@ -50,7 +68,42 @@ class Loop {
   int where_ = 0;  ///< the index for which f threw exception_
 };
 
+/// Further threads for a loop, up to a number, as it lasts.
+class Helpers {
+ public:
+  Helpers(Loop& loop, int greatest_number) : loop_(&loop), greatest_number_(greatest_number) {
+    while (least_cpu_seconds < 0 && can_start()) start();
+  }
+
+  /// Starts a thread if that is worth it; called by the thread that runs the loop, between its chunks.
+  void start_if_due() {
+    if (can_start() && is_due()) start();
+  }
+
+ private:
+  bool can_start() const { return static_cast<int>(threads_.size()) < greatest_number_; }
+  bool is_due() const {
+    const double lasted = seconds(CLOCK_MONOTONIC) - begin_;
+    return lasted > seconds_per_start * static_cast<double>(threads_.size() + 1) &&
+           seconds(CLOCK_PROCESS_CPUTIME_ID) > least_cpu_seconds;
+  }
+  void start() {
+    try {
+      threads_.emplace_back([loop = loop_] { loop->run(); });
+    } catch (const std::system_error&) {
+      greatest_number_ = 0;  // no more can be had (a limit of processes or memory): those that there are do the work
+    }
+  }
+
+  Loop* loop_;
+  int greatest_number_;
+  double begin_ = seconds(CLOCK_MONOTONIC);
+  std::vector<std::jthread> threads_;
+};
+
 }  // namespace
+
+void start_threads_after(double cpu_seconds) { least_cpu_seconds = cpu_seconds; }
 
 void parallel_for(int n, int num_threads, const std::function<void(int)>& f) {
   num_threads = std::min(num_threads, n);
@@ -59,10 +112,10 @@ void parallel_for(int n, int num_threads, const std::function<void(int)>& f) {
     return;
   }
   Loop loop(n, f);
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < num_threads; ++i) helpers.emplace_back([&loop] { loop.run(); });
-  loop.run();
-  helpers.clear();  // joins
+  {
+    Helpers helpers(loop, num_threads - 1);
+    while (loop.run_next_chunk()) helpers.start_if_due();
+  }  // joins
   loop.rethrow();
 }
 

@@ -12,4 +12,10 @@ namespace quadrille {
 /// exception of the lowest such i is rethrown after all threads have ended; calls for higher i may be missing.
 void parallel_for(int n, int num_threads, const std::function<void(int)>& f);
 
+/// From now on, parallel_for works on the calling thread alone until this process has used `cpu_seconds` of CPU time,
+/// and in each loop until that has lasted some time for each further thread, so that work which is done sooner does not
+/// pay for the start of threads. Without this call, loops start all threads at once. Not to be called while a loop
+/// runs.
+void start_threads_after(double cpu_seconds);
+
 }  // namespace quadrille

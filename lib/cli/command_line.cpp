@@ -39,6 +39,15 @@ std::string interval(T low, T high) {
   return fmt::format("{} to {}", low, high);
 }
 
+/// `text` as the value of an option with this interval. Throws UsageError.
+int integer_within(const std::string& flag, const std::string& text, int low, int high) {
+  int given = 0;
+  if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not an integer", flag, text));
+  if (given < low || given > high)
+    throw UsageError(fmt::format("{}: {} is outside its interval ({})", flag, text, interval(low, high)));
+  return given;
+}
+
 /// The arguments with each old name, also in the form OLD=VALUE, replaced by the present one. Arguments after -- are
 /// kept.
 std::vector<std::string> with_present_names(int argc, char** argv,
@@ -75,6 +84,16 @@ struct CommandLine::Impl {
     return flag.substr(flag.rfind("--") == std::string::npos ? 0 : flag.rfind("--") + 2);
   }
   void record(const std::string& flag, std::function<std::string()> json) { recorded[key(flag)] = std::move(json); }
+
+  void add_threads(int& threads) {
+    const auto set = [&threads](const CLI::results_t& texts) {
+      threads = texts.back() == "auto" ? 0 : integer_within("--threads", texts.back(), 1, 1024);
+      return true;
+    };
+    add("--threads", "N|auto", set,
+        "number of threads, 1 to 1024; auto: as many as there are processors, for work that lasts longer than 0.2 s; "
+        "results do not depend on it (default: auto)");
+  }
 
   HelpPage page;
   CLI::App app;
@@ -130,12 +149,7 @@ void CommandLine::number(const std::string& flag, double& value, double low, dou
 void CommandLine::integer(const std::string& flag, int& value, int low, int high, const std::string& help) {
   const std::string range = interval(low, high);
   const auto set = [=, &value](const CLI::results_t& texts) {
-    int given = 0;
-    if (!parse_number(texts.back(), given))
-      throw UsageError(fmt::format("{}: '{}' is not an integer", flag, texts.back()));
-    if (given < low || given > high)
-      throw UsageError(fmt::format("{}: {} is outside its interval ({})", flag, texts.back(), range));
-    value = given;
+    value = integer_within(flag, texts.back(), low, high);
     return true;
   };
   impl_->add(flag, "N", set, fmt::format("{} (unit: none; default: {}; interval: {})", help, value, range));
@@ -198,9 +212,8 @@ void CommandLine::add_common(CommonOptions& common) {
        "write counts, timings, residuals and warnings as JSON, also after a failure (-: standard output)", false);
   choice("--progress", common.progress, {"auto", "always", "never"},
          "show progress on standard error; auto: on a terminal, for work longer than a second");
-  integer("--threads", common.threads, 1, 1024, "number of threads; results do not depend on it");
   impl_->recorded.erase("progress");
-  impl_->recorded.erase("threads");
+  impl_->add_threads(common.threads);
   impl_->app.add_flag("-v,--verbose", impl_->verbose);
   impl_->app.add_flag("-q,--quiet", impl_->quiet);
   impl_->app.add_option("--progress-title", common.progress_title);  // both for pipelines, and not shown by --help

@@ -17,7 +17,7 @@ struct CommonOptions {
   double progress_since = 0;   ///< start of the pipeline, Unix time in seconds; 0: none
   std::string report;
   std::string progress = "auto";
-  int threads = 1;
+  int threads = 0;  ///< 0: auto
 };
 
 /// The action that the command line requests.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "base/processors.hpp"
 #include "cli/version.hpp"
 
 namespace quadrille::cli {
@@ -51,6 +52,8 @@ void Session::show_progress(const ProgressStyle& style, double interval) {
   progress_line_.emplace(progress_, style, write_progress);
   progress_ticker_.emplace(*progress_line_, interval);
 }
+
+int Session::threads() const { return threads_ > 0 ? threads_ : available_processors(); }
 
 Provenance Session::provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const {
   Provenance chain = before;

@@ -14,11 +14,12 @@ namespace quadrille::cli {
 
 class Session {
  public:
+  /// `threads` 0: as many as there are processors.
   Session(std::string tool, std::string options_json, int verbosity, int threads = 1);
   Report& report() { return report_; }
   /// Prints "tool: text" on standard error if the verbosity is at least `level` (-v: 1, -v -v: 2).
   void info(const std::string& text, int level = 1) const;
-  int threads() const { return threads_; }  ///< number of threads to use; results do not depend on it
+  int threads() const;  ///< number of threads to use; results do not depend on it
   /// The chain `before` with the step of this run appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
   /// Shows how far the run is (--progress), with a new state after each `interval` seconds. To be called before the

@@ -13,6 +13,7 @@
 
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cli/command_line.hpp"
 #include "cli/signals.hpp"
 #include "cli/version.hpp"
@@ -20,6 +21,9 @@
 namespace quadrille::cli {
 
 namespace {
+
+// Work that takes less is done before threads are worth their start; with --threads N they start at once.
+constexpr double least_cpu_seconds_for_threads = 0.2;
 
 struct Outcome {
   ExitCode code = ExitCode::done;
@@ -131,6 +135,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
+    if (common.threads == 0) start_threads_after(least_cpu_seconds_for_threads);
     Session session(tool.name, line.options_json(), common.verbosity, common.threads);
     if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
       session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);

@@ -2,9 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace quadrille {
@@ -40,6 +47,45 @@ TEST(ParallelFor, LoopsMayBeNested) {
   std::vector<std::atomic<int>> calls(12 * 12);
   parallel_for(12, 2, [&](int i) { parallel_for(12, 2, [&](int j) { ++calls[12 * i + j]; }); });
   for (const auto& count : calls) EXPECT_EQ(count, 1);
+}
+
+/// The number of threads that work on a loop of n pieces on up to 4; these last a millisecond until there are two.
+int threads_of_loop(int n) {
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  parallel_for(n, 4, [&](int) {
+    bool is_alone = true;
+    {
+      const std::lock_guard lock(mutex);
+      threads.insert(std::this_thread::get_id());
+      is_alone = threads.size() < 2;
+    }
+    if (is_alone) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+  return static_cast<int>(threads.size());
+}
+
+// In a process of its own, since the call holds for the rest of it.
+TEST(ParallelForDeathTest, ThreadsStartOnlyAfterSomeWork) {
+  const auto exit_code = [](const std::function<bool()>& is_right) { std::_Exit(is_right() ? 0 : 1); };
+  EXPECT_EXIT(exit_code([] { return threads_of_loop(10000) > 1; }), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(exit_code([] {
+                start_threads_after(1e9);
+                return threads_of_loop(100) == 1;
+              }),
+              testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(exit_code([] {
+                start_threads_after(0);
+                return threads_of_loop(10000) > 1;
+              }),
+              testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(exit_code([] {
+                start_threads_after(0);
+                std::vector<std::atomic<int>> calls(1000);
+                parallel_for(1000, 3, [&](int i) { ++calls[i]; });
+                return std::all_of(calls.begin(), calls.end(), [](int count) { return count == 1; });
+              }),
+              testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "base/processors.hpp"
 
 namespace quadrille::cli {
 namespace {
@@ -166,6 +167,19 @@ TEST(ToolMain, ProvenanceHoldsOptionsAfterDefaultsWithSortedKeys) {
   EXPECT_EQ(s.chain[0].tool, "sample");
   EXPECT_EQ(s.chain[0].inputs[0].sha256, "abc");
   EXPECT_EQ(s.chain[0].options, R"({"loud":false,"mode":"fast","name":"plain","order":4,"size":0.10000000000000001})");
+}
+
+TEST(ToolMain, ThreadsAreAsManyAsProcessorsByDefault) {
+  Sample s;
+  int threads = 0;
+  const Tool tool = s.tool([&](Session& session) { threads = session.threads(); });
+  EXPECT_EQ(run(tool, {"--threads", "3"}).code, 0);
+  EXPECT_EQ(threads, 3);
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{}, {"--threads", "auto"}}) {
+    threads = 0;
+    EXPECT_EQ(run(tool, arguments).code, 0);
+    EXPECT_EQ(threads, available_processors());
+  }
 }
 
 TEST(ToolMain, TextInProvenanceIsEscaped) {
