@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,6 +31,13 @@ struct Outcome {
   std::string message;
 };
 
+std::string out_of_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format("out of memory, at {} MB: raise the limit, or ask for fewer elements or lower orders",
+                     usage.ru_maxrss / 1024);
+}
+
 std::string internal_error(const std::string& what) {
   return fmt::format("internal error, please report it: {}", what);
 }
@@ -45,7 +53,7 @@ Outcome outcome_of(const Work& work) {
   } catch (const Error& e) {
     return {e.code(), e.what()};
   } catch (const std::bad_alloc&) {
-    return {ExitCode::defect, "out of memory"};
+    return {ExitCode::no_result, out_of_memory()};
   } catch (const std::exception& e) {
     return {ExitCode::defect, internal_error(e.what())};
   } catch (...) {
