@@ -6,23 +6,35 @@ way=''          # "field or triangles" as long as there is a choice
 remedy=''       # options of critpoints that were added because a strip of blocks contained itself
 
 # make_quads LAYOUT: the value of separatrix --layout. With "auto" (or none) the quads are made from the triangles alone
-# where a stage finds no valid result.
+# where a stage finds no valid result, or is stopped (limit_stages.sh).
 make_quads() {
   case $1 in
     midpoint) quads_of_triangles; return ;;
-    '' | auto) way='field or triangles' ;;
+    '' | auto) way='field or triangles' may_use=most ;;
   esac
-  quads_of_field && return
-  [ -n "$quiet" ] || echo "${0##*/}: $failed_stage found no valid result: the quads are made without a field" >&2
-  way='' prefix=midpoint_
+  quads_of_field
+  made=$?
+  leave_one_way
+  [ "$made" -ne 0 ] || return 0
+  [ -n "$quiet" ] || warn_of_triangles
+  prefix=midpoint_
   quads_of_triangles
   prefix=''
 }
 
-# has_other_way TOOL REPORT: whether quads may be found without the tool after it found no valid result. What a user asks
-# of the quads, such as layers that do not fit, is refused.
+# leave_one_way: the stages that follow have no other, and may use all seconds.
+leave_one_way() { way='' may_use=all; }
+
+warn_of_triangles() {
+  if [ -n "$stopped" ]; then warn_of_limit && return; fi
+  echo "${0##*/}: $failed_stage found no valid result: the quads are made without a field" >&2
+}
+
+# has_other_way TOOL REPORT: whether quads may be found without the tool after it found no valid result or was stopped.
+# What a user asks of the quads, such as layers that do not fit, is refused.
 has_other_way() {
   [ -n "$way" ] || return
+  [ -z "$stopped" ] || return 0
   case $1 in
     fieldsolve | padapt | critpoints | separatrix) ;;
     quadrefine) [ "$(jq .valid "$2" 2>/dev/null)" = false ] ;;

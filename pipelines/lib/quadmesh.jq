@@ -1,7 +1,8 @@
 # What quadmesh reports of a run, from the reports of its stages (files NUMBER.STAGE.json, the inputs of jq).
 
 # report($start; $nodes; $remedy): the report of the whole run, begun $start seconds after 1970; $nodes is the file
-# x.crit.json, $remedy the options of try_remedies.sh. Runs of stages failed_* have only their times in it.
+# x.crit.json, $remedy the options of try_remedies.sh. Runs of stages failed_* have only their times in it, and the
+# warning of quadmesh that one of them was stopped.
 def report($start; $nodes; $remedy):
   [inputs | . + {stage: (input_filename | split(".")[-2])}] as $all |
   ($all | map(select(.stage | startswith("failed_") | not))) as $runs | ($runs | map({(.tool): .}) | add) as $of |
@@ -25,7 +26,8 @@ def report($start; $nodes; $remedy):
     wall_seconds: (now - $start),
     stages: (reduce $all[] as $run ({}; .[$run.stage] as $before |
       .[$run.stage] = ($run.timings.total | with_entries(.value += ($before[.key] // 0))))),
-    warnings: ($runs | map(.tool as $tool | .warnings[] | {tool: $tool} + .)) };
+    warnings: [$all[] | select((.stage | startswith("failed_") | not) or .warnings[0].tool == "quadmesh") |
+      {tool} + .warnings[]] };
 
 def count(n; noun): "\(n) \(noun)" + (if n == 1 then "" else "s" end);
 def places(n): . * pow(10; n) | round / pow(10; n) | tostring;

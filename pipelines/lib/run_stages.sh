@@ -1,7 +1,7 @@
 # shellcheck shell=sh
 # Runs stages one after another, each with the options chosen for it (stage_options.sh). A stage that fails ends the
-# pipeline with its exit code; a signal ends the running stage, then the pipeline. The pipeline sets $quiet, $stem, the
-# name of its files without the ending, and $field, the name of the present field.
+# pipeline with its exit code; a signal ends the running stage, then the pipeline. The pipeline sets $quiet, $threads,
+# $stem, the name of its files without the ending, and $field, the name of the present field.
 number=10       # counts stages, for the names of their reports: $scratch/NUMBER.STAGE.json
 last=''         # the file of the last stage that succeeded
 child=''        # the process of the running stage
@@ -55,6 +55,7 @@ stage() {
   code=$?
   if [ -n "$title" ] && [ "$code" -gt 128 ]; then printf '\r%79s\r' '' >&2; fi # it may have been killed
   child=''
+  if was_stopped "$code" "$scratch/$number.$name.json" "$tool"; then code=1; fi
   if [ "$code" -eq 1 ] && has_other_way "$tool" "$scratch/$number.$name.json"; then
     failed_stage=$tool
     return 1
@@ -87,17 +88,18 @@ title_progress() {
 
 # In the background, since a shell that waits for a process in the foreground handles signals only after it.
 start_tool() {
-  if [ -n "$quiet" ]; then
-    "$tool" "$@" -o "$result" -q --report "$scratch/$number.$name.json" <&3 2>"$scratch/messages" &
-  else
-    "$tool" "$@" -o "$result" --report "$scratch/$number.$name.json" <&3 &
-  fi
-  child=$!
+  set -- "$scratch/$number.$name.json" "$tool" "$@" -o "$result" --report "$scratch/$number.$name.json" \
+    ${threads:+--threads "$threads"}
+  if [ -n "$quiet" ]; then within_budget "$@" -q 2>"$scratch/messages"; else within_budget "$@"; fi
 }
 
 # fail CODE TOOL: ends the pipeline. The stage files are kept, with a picture of the last one, if the shape may be the
-# cause: after 1 (no valid result) and 70 (internal error).
+# cause: after 1 (no valid result, unless the stage was stopped) and 70 (internal error).
 fail() {
+  if [ -n "$stopped" ]; then
+    name_limit
+    last=''
+  fi
   picture=$stem.before-$2.svg beside=''
   case $last in *.crit.json) beside=$field ;; esac
   if [ -n "$last" ] && { [ "$1" -eq 1 ] || [ "$1" -eq 70 ]; } &&

@@ -1,7 +1,8 @@
 # shellcheck shell=sh
 # Where separatrix found a strip of blocks that contains itself, and could only divide triangles, other nodes may give a
 # layout: its report has the options of critpoints that change those on the strip (quantize.remedies). The first that
-# gives a layout replaces nodes, field and graph; if none does, they stay. Options that the user chose are not replaced.
+# gives a layout replaces nodes, field and graph; if none does, or a stage is stopped (limit_stages.sh), they stay.
+# Options that the user chose are not replaced.
 
 # try_remedies: after separatrix. Sets $remedy, and moves the files of the graph that is taken to the usual names.
 try_remedies() {
@@ -11,7 +12,9 @@ try_remedies() {
   while read -r option value; do
     [ -z "$(chosen_value critpoints "$option")" ] || continue
     try_remedy "$option" "$value" && return
+    [ -z "$stopped" ] || { leave_one_way && break; }
   done <"$scratch/remedies"
+  if [ -n "$stopped" ] && [ -z "$quiet" ]; then warn_of_limit; fi
   nodes=$usual_nodes field=$usual_field last=$usual_last
 }
 

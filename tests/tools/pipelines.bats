@@ -22,6 +22,10 @@ passes() {
   passes splines edges step_file build
 }
 
+@test "limits of time and memory" {
+  passes stage_budget
+}
+
 @test "search for node positions" {
   passes boundary symmetries layouts compass_search
 }

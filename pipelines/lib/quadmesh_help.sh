@@ -1,0 +1,66 @@
+# shellcheck shell=sh
+# The help text of quadmesh: its own options, then those of $stages as their own help has them.
+
+usage() {
+  cat <<'END'
+Usage: quadmesh [OPTIONS] SHAPE
+
+quadmesh meshes a planar CAD face with curved quads.
+
+Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
+with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
+passed on to them.
+Where a strip of blocks contains itself, so that nothing but triangles is left (W-SEP-002), critpoints runs again
+with other nodes on the strip, by up to seven options that separatrix proposes, one after another: --corner-absorb 0,
+--ties field, --place energy, --corner-valence A:B=V. The first that gives a layout is kept.
+Where the field gives no valid mesh, the face is meshed without it, by triangles divided into quads, with a
+warning (--layout midpoint; with --layout traced or quantized the exit code is 1 instead).
+
+OPTIONS
+  -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output)
+  --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
+  --boundary-names FILE     new names of boundary curves, JSON (see formats/boundary-names.md)
+  --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
+  --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see
+                            cad2tri --help)
+  --blunt WIDTH             cut off the tips of cusps, of corners below 0.2 degrees and of corners in which the
+                            boundary touches itself: straight edges of this length, in file units
+  --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
+  --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
+  --report FILE             write counts, least Jacobian and seconds of every stage as JSON (-: standard output)
+  --max-seconds S           stop the stage that runs when all stages together have used S seconds, of CPU time (that of
+                            all threads) or elapsed (unit: s; default: no limit; interval: above 0). A quarter of S
+                            (or five times what cad2tri took, if that is more) is kept for quads without a field
+                            (--layout midpoint), which are then made, with a warning (W-RUN-001). If they do not fit
+                            in either, the exit code is 1
+  --max-memory SIZE         stop a stage that has more in memory, with the same consequences: 500M, 2G (K, M, G, T:
+                            powers of 1024; default: no limit)
+  --threads N|auto          number of threads of a stage, 1 to 1024; auto: as many as there are processors, for work
+                            that lasts longer than 0.2 s; the mesh does not depend on it (default: auto)
+  -v, --verbose             print the seconds and the share of each stage
+  -q, --quiet               print errors only
+  -h, --help                print this help and exit
+  --version                 print the version and exit
+END
+  for tool in $stages; do "$tool" --help; done 2>/dev/null | awk '
+    /^Usage:/ { tool = toupper($2) }
+    /^OPTIONS$/ { in_options = shown = 1; $0 = "\nOPTIONS OF " tool }
+    /^$/ { in_options = 0 }
+    /^  -/ { shown = !/^  -o,/ }
+    in_options && shown'
+  cat <<'END'
+
+EXIT CODES
+Those of the stages: 0 success, 1 no valid result, 2 mistake on the command line, 3 bad input, 4 output not written,
+70 internal error, please report it, 128 + n signal n. After 1 and 70 the stage files are kept, with a picture, unless
+a stage was stopped by --max-seconds or --max-memory, or killed.
+
+EXAMPLES
+  quadmesh half_disc.step -o half_disc.msh
+  quadmesh half_disc.step -o fine.msh --size 0.05 --order 6 --workdir stages --report fine.json -v
+  quadmesh half_disc.step -o placed.msh --place energy
+  quadmesh half_disc.step -o in_time.msh --max-seconds 60 --max-memory 2G
+  quadmesh half_disc.step -o half_disc.xml --order 7
+  quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10
+END
+}

@@ -1,0 +1,151 @@
+# quadmesh --max-seconds, --max-memory and --threads: a stage that exceeds a limit is stopped and named, and nothing else
+# is left than the mesh without a field, if there is room for it.
+load ../tools/common
+
+quadmesh=$ROOT/pipelines/quadmesh
+
+# here COMMAND...: with the test's folder for temporaries too, so that what is left is seen.
+here() { TMPDIR=$PWD "$@"; }
+
+# replace TOOL LINE...: a folder `fake` in which the tool is this shell script, unless it is asked for its options or
+# whether they are right (without a file to read), when it is itself.
+replace() {
+  mkdir -p fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -sf "$tool" fake; done
+  rm "fake/$1"
+  cat >"fake/$1" <<END
+#!/bin/bash
+case " \$* " in *" --report "*) ;; *) exec "$BIN/$1" "\$@" ;; esac
+$(printf '%s\n' "${@:2}")
+exec "$BIN/$1" "\$@"
+END
+  chmod +x "fake/$1"
+  export QUADRILLE_BIN=$PWD/fake
+}
+
+wasteful="exec python3 -c 'import time; data = bytearray(b\"x\" * (1 << 30)); time.sleep(60)'"
+one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M of memory: --max-memory is 700M: the quads are made without a field$'
+
+@test "a stage with more memory than --max-memory is stopped, and the quads are made without a field" {
+  replace padapt "$wasteful"
+  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-memory 700M --report report.json
+  assert_output --regexp ', by midpoint division of triangles$'
+  assert_regex "${stderr_lines[0]}" "$one_line_of_limit"
+  assert_regex "${stderr_lines[1]}" '^separatrix: warning W-SEP-002: '
+  run -0 jq -c '[.certificate.method, .valid, (.warnings | map([.tool, .code])), (.stages | keys_unsorted)]' report.json
+  assert_output '["midpoint",true,[["quadmesh","W-RUN-001"],["separatrix","W-SEP-002"]],["cad2tri","fieldsolve","padapt","midpoint_separatrix","midpoint_blocksplit","midpoint_quadrefine","quadexport"]]'
+  run -0 jq -r '.given_up, "quadmesh: warning W-RUN-001: " + .warnings[0].message' report.json
+  assert_line --index 0 --regexp '^padapt: stopped at '
+  assert_line --index 1 --regexp "$one_line_of_limit"
+  run -0 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --max-memory 700M
+  assert_equal "$output$stderr" ""
+  rm -r fake
+  assert_nothing_left out.msh report.json
+}
+
+@test "a stage that takes longer than --max-seconds allows is stopped, and the quads are made without a field" {
+  replace padapt 'exec sleep 100'
+  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-seconds 20 --report report.json
+  assert_regex "${stderr_lines[0]}" '^quadmesh: warning W-RUN-001: padapt was stopped after 1[5-9]\.[0-9]+ s of all stages: --max-seconds is 20, and the rest is kept for quads without a field: the quads are made without a field$'
+  run -0 jq -c '[.certificate.method, .valid]' report.json
+  assert_output '["midpoint",true]'
+  rm -r fake
+  assert_nothing_left out.msh report.json
+}
+
+@test "without another way the exit code is 1, the stage is named and nothing is left" {
+  replace padapt "$wasteful"
+  run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-memory=700M --layout traced
+  assert_equal "${#stderr_lines[@]}" 1
+  assert_regex "$stderr" '^quadmesh: padapt was stopped at [0-9]+M of memory: --max-memory is 700M$'
+  rm -r fake
+  replace cad2tri 'exec sleep 100'
+  run -1 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --max-seconds 0.5
+  assert_equal "${#stderr_lines[@]}" 1
+  assert_regex "$stderr" '^quadmesh: cad2tri was stopped after [0-9.]+ s of all stages: --max-seconds is 0.5$'
+  rm -r fake
+  assert_nothing_left
+}
+
+@test "quads without a field for which there is no room either: the exit code is 1, the stage is named" {
+  replace padapt "$wasteful"
+  printf '#!/bin/sh\n%s\n' "case \" \$* \" in *' --report '*) $wasteful ;; esac; exec '$BIN/blocksplit' \"\$@\"" >fake/slow
+  chmod +x fake/slow && mv fake/slow fake/blocksplit
+  run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-memory 700M
+  assert_regex "${stderr_lines[0]}" 'padapt was stopped .*without a field$'
+  assert_regex "${stderr_lines[-1]}" '^quadmesh: blocksplit was stopped at [0-9]+M of memory: --max-memory is 700M$'
+  rm -r fake
+  assert_nothing_left
+}
+
+@test "a stage that the system kills, as it does for want of memory, is named" {
+  replace padapt 'kill -KILL $$'
+  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  assert_regex "$stderr" 'quadmesh: warning W-RUN-001: padapt was killed by signal 9, as systems do when memory runs out: the quads'
+  run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o other.msh --layout quantized
+  assert_regex "${stderr_lines[-1]}" '^quadmesh: padapt was killed by signal 9, as systems do when memory runs out$'
+  rm -r fake
+  assert_nothing_left out.msh
+}
+
+@test "a tool that gets no memory says so and ends with 1" {
+  cad2tri --size 0.05 "$DATA/half_disc.step" -o a.tri.h5
+  run -1 --separate-stderr bash -c 'ulimit -v 300000; fieldsolve --field-order 20 a.tri.h5 -o a.solve.h5'
+  assert_regex "$stderr" '^fieldsolve: out of memory, at [0-9]+ MB'
+  assert_nothing_left a.tri.h5
+}
+
+@test "where other nodes were tried and a stage was stopped, the triangles are divided that were there" {
+  awk 'BEGIN { pi = atan2(0, -1)
+    for (k = 0; k <= 48; ++k) { t = 2 * pi * k / 48; r = 10 + k / 16; print r * cos(t), r * sin(t) }
+    print ""
+    for (k = 0; k < 24; ++k) { t = 2 * pi * k / 24; print 5 * cos(t), 5 * sin(t) } }' |
+    "$ROOT/pipelines/points2step" -o snail.step
+  replace critpoints "case \" \$* \" in *.remedy.*) $wasteful ;; esac"
+  run -0 --separate-stderr here "$quadmesh" snail.step -o out.msh --report report.json --max-memory 700M
+  assert_equal "$(grep -c trying <<<"$stderr")" 1
+  assert_regex "$stderr" 'quadmesh: warning W-RUN-001: critpoints was stopped at'
+  run -0 jq -c '[.certificate.method, .remedy, .valid, (.warnings | map(.code) | sort)]' report.json
+  assert_output '["midpoint",null,true,["W-ADAPT-002","W-RUN-001","W-SEP-002"]]'
+  rm -r fake
+  assert_nothing_left out.msh report.json snail.step
+}
+
+@test "within the limits, and with any number of threads, the mesh is the same" {
+  "$quadmesh" "$DATA/half_disc.step" -o plain.msh --workdir plain
+  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o limited.msh --workdir limited --max-seconds 600 --max-memory 8G
+  assert_equal "$stderr" ""
+  "$quadmesh" - -o limits_and_pipe.msh --max-seconds 600 <"$DATA/half_disc.step" >words
+  cmp plain.msh limited.msh
+  cmp plain.msh limits_and_pipe.msh
+  for threads in 1 3 auto; do
+    "$quadmesh" "$DATA/half_disc.step" -o other.msh --workdir "threads_$threads" --threads "$threads"
+    cmp plain.msh other.msh
+    diff -r plain "threads_$threads"
+  done
+  diff -r plain limited
+}
+
+@test "a limit or a number of threads that cannot be understood is a mistake" {
+  for option in "--max-seconds 0" "--max-seconds x" "--max-seconds=" "--max-memory 2GB" "--max-memory -1" "--max-memory=" \
+    "--threads 0" "--threads many" "--threads="; do
+    # shellcheck disable=SC2086
+    run -2 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --workdir stages $option
+    assert_regex "${stderr_lines[0]}" "^quad[a-z]+: ${option%%[ =]*}"
+    assert_regex "${stderr_lines[1]}" "^try 'quad[a-z]+ --help'$"
+  done
+  assert_nothing_left
+}
+
+@test "a signal ends the stage and the pipeline within limits too" {
+  replace separatrix 'echo >started' 'exec sleep 30'
+  TMPDIR=$PWD "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-seconds 600 3>&- &
+  local pid=$!
+  until [[ -e started ]]; do sleep 0.05; done
+  kill -TERM $pid
+  local code=0
+  wait $pid || code=$?
+  assert_equal $code 143
+  rm -r fake started
+  assert_nothing_left
+}
