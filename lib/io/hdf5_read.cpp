@@ -171,7 +171,12 @@ Hdf5Reader::Hdf5Reader(std::string_view bytes, const std::string& file_name) {
   H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()), bytes.size());
   file_ = opened(H5Fopen("image", H5F_ACC_RDONLY, access.get()), H5Fclose);
   Hdf5Id root = opened(file_ ? H5Gopen2(file_.get(), "/", H5P_DEFAULT) : -1, H5Gclose);
-  if (!root) throw FormatError(fmt::format("{}: truncated or damaged: HDF5 cannot open it", file_name));
+  if (!root) {
+    // The library does not report that there is no memory for its copies of the image: std::bad_alloc is thrown here
+    // then.
+    ::operator delete(::operator new(2 * bytes.size()));
+    throw FormatError(fmt::format("{}: truncated or damaged: HDF5 cannot open it", file_name));
+  }
   root_ = std::make_unique<Hdf5GroupReader>(std::move(root), file_name, "");
 }
 

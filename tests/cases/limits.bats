@@ -95,6 +95,16 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_nothing_left a.tri.h5
 }
 
+@test "a file for which there is no memory is not called damaged" {
+  cad2tri --size 0.02 "$DATA/half_disc.step" -o a.tri.h5
+  fieldsolve --field-order 6 a.tri.h5 -o a.solve.h5 # 5 MB
+  for kilobytes in 20000 24000 28000 40000; do
+    run --separate-stderr bash -c "ulimit -v $kilobytes; padapt --max-steps 1 a.solve.h5 -o a.field.h5"
+    assert_equal "$status" 1
+    assert_regex "$stderr" '^padapt: out of memory, at '
+  done
+}
+
 @test "where other nodes were tried and a stage was stopped, the triangles are divided that were there" {
   awk 'BEGIN { pi = atan2(0, -1)
     for (k = 0; k <= 48; ++k) { t = 2 * pi * k / 48; r = 10 + k / 16; print r * cos(t), r * sin(t) }
