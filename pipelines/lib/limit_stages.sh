@@ -4,10 +4,10 @@ budget=''   # three words for stage_budget.py; empty: there is no limit
 may_use=all # the seconds, or most: some are kept for quads from triangles alone
 stopped=''  # the report of the last stage, if that was stopped or killed
 
-# open_budget SECONDS MEMORY: the time starts now. An empty word is no limit.
+# open_budget SECONDS MEMORY: seconds count from the start of the pipeline. An empty word is no limit.
 open_budget() {
   [ -n "$1$2" ] || return 0
-  budget=$(python3 -ISB "$lib/stage_budget.py" open "$1" "$2") || mistake "$budget"
+  budget=$(python3 -ISB "$lib/stage_budget.py" open $$ "$1" "$2") || mistake "$budget"
 }
 
 # within_budget REPORT COMMAND...: starts the command, with no more than what is left and the pipeline's standard input.

@@ -1,13 +1,14 @@
 """Runs the stages of a pipeline within limits of time and memory: a stage that exceeds them is stopped, with the
 processes that it started.
 
-    stage_budget.py open SECONDS MEMORY      checks both limits ("": none) and prints the words START SECONDS BYTES
+    stage_budget.py open PID SECONDS MEMORY  checks both limits ("": none) and prints the words START SECONDS BYTES;
+                                             START is when the process PID began: the pipeline
     stage_budget.py run START SECONDS BYTES all|most LEDGER REPORT TOOL ARGUMENT...
     stage_budget.py killed REPORT TOOL       writes the report of a stage that the system killed
 
 The stage may use all seconds, or most: then some are kept for quads that are made from the triangles alone. The file
-LEDGER has a line for each run: its CPU seconds, and the seconds from START to its end. The first run is that of the
-triangles. A stage that is stopped gets a report, with the reason, and the exit code STOPPED.
+LEDGER has a line for each run: its CPU seconds and its elapsed seconds. The first run is that of the triangles. A stage
+that is stopped gets a report, with the reason, and the exit code STOPPED.
 
 Both the CPU seconds of all runs, threads and child processes included, and the seconds since START are limited. The
 memory is what is resident or swapped out, not what is reserved: CAD kernels and threads reserve far more than they use.
@@ -67,6 +68,12 @@ def status_words(pid):
         return None
 
 
+def start_of(pid):
+    """The value of time.monotonic() when a process began."""
+    since_boot = int(status_words(pid)[19]) / os.sysconf("SC_CLK_TCK")
+    return time.monotonic() - (time.clock_gettime(time.CLOCK_BOOTTIME) - since_boot)
+
+
 class ProcessTree:
     """A process and those that descend from it. Only processes that were not seen before are looked at."""
 
@@ -110,7 +117,7 @@ class ProcessTree:
 
 class Budget:
     """The limits of one stage. `seconds` and `memory` are None without a limit. `runs` are those before: pairs of CPU
-    seconds and of seconds from the start to their end."""
+    seconds and elapsed seconds."""
 
     def __init__(self, start, seconds, memory, may_use="all", runs=()):
         self.start, self.seconds, self.memory, self.may_use = start, seconds, memory, may_use
@@ -233,19 +240,19 @@ def run(start_text, seconds, memory, may_use, ledger, report, *words):
                     may_use, runs_in(ledger))
     before = time.monotonic()
     code, cpu, reason = run_within(budget, words)
-    after = time.monotonic()
+    elapsed = time.monotonic() - before
     with open(ledger, "a", encoding="ascii") as file:
-        file.write(f"{cpu:.6f} {after - budget.start:.6f}\n")
+        file.write(f"{cpu:.6f} {elapsed:.6f}\n")
     if reason:
-        write_report(report, words[0], reason, cpu, after - before)
+        write_report(report, words[0], reason, cpu, elapsed)
     return code
 
 
 def main(action, *words):
     if action == "open":
-        seconds, memory = words
+        pid, seconds, memory = words
         try:
-            print(time.monotonic(), repr(seconds_of(seconds)) if seconds else "-", bytes_of(memory) if memory else "-")
+            print(start_of(pid), repr(seconds_of(seconds)) if seconds else "-", bytes_of(memory) if memory else "-")
         except Mistake as mistake:
             print(mistake)
             return 2

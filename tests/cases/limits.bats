@@ -46,7 +46,7 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
 @test "a stage that takes longer than --max-seconds allows is stopped, and the quads are made without a field" {
   replace padapt 'exec sleep 100'
   run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-seconds 20 --report report.json
-  assert_regex "${stderr_lines[0]}" '^quadmesh: warning W-RUN-001: padapt was stopped after 1[5-9]\.[0-9]+ s of all stages: --max-seconds is 20, and the rest is kept for quads without a field: the quads are made without a field$'
+  assert_regex "${stderr_lines[0]}" '^quadmesh: warning W-RUN-001: padapt was stopped after 1[0-9]\.[0-9]+ s of all stages: --max-seconds is 20, and the rest is kept for quads without a field: the quads are made without a field$'
   run -0 jq -c '[.certificate.method, .valid]' report.json
   assert_output '["midpoint",true]'
   rm -r fake
@@ -60,9 +60,9 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_regex "$stderr" '^quadmesh: padapt was stopped at [0-9]+M of memory: --max-memory is 700M$'
   rm -r fake
   replace cad2tri 'exec sleep 100'
-  run -1 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --max-seconds 0.5
+  run -1 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --max-seconds 5
   assert_equal "${#stderr_lines[@]}" 1
-  assert_regex "$stderr" '^quadmesh: cad2tri was stopped after [0-9.]+ s of all stages: --max-seconds is 0.5$'
+  assert_regex "$stderr" '^quadmesh: cad2tri was stopped after [0-9.]+ s of all stages: --max-seconds is 5$'
   rm -r fake
   assert_nothing_left
 }
