@@ -5,8 +5,8 @@
 namespace quadrille {
 namespace {
 
-constexpr double margin = 1e-9;   // of a cell's size: points on an edge of two cells may be counted to either
-constexpr int most_cells = 4096;  // along each side
+constexpr double margin = 1e-9;      // of a cell's size: points on an edge of two cells may be counted to either
+constexpr int most_cells = 1 << 20;  // along each side
 
 // Rounded down; `least` for NaN.
 int bounded(double value, int least, int most) {
@@ -23,7 +23,9 @@ PointGrid::PointGrid(std::vector<Vec2> points) : points_(std::move(points)) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   const double width = high.x - low_.x, height = high.y - low_.y, count = static_cast<double>(points_.size());
-  size_ = std::max({std::sqrt(width * height / std::max(count, 1.0)), width / most_cells, height / most_cells});
+  // As many cells as points, also where these lie on one line.
+  const double share = 1 / std::max(count, 1.0);
+  size_ = std::max({std::sqrt(share * width * height), share * width, share * height});
   if (!(size_ > 0) || !std::isfinite(size_)) size_ = 1;
   columns_ = bounded(width / size_, 0, most_cells - 1) + 1;
   rows_ = bounded(height / size_, 0, most_cells - 1) + 1;

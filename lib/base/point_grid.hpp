@@ -73,7 +73,7 @@ PointGrid::Nearest PointGrid::nearest(Vec2 x, const Counts& counts) const {
       if (searched > 0 && best.distance2 < searched * searched) break;
     }
     visit_row(cell.j - ring, cell.i - ring, cell.i + ring, look_at);
-    for (int j = cell.j - ring + 1; j < cell.j + ring; ++j) {
+    for (int j = std::max(cell.j - ring + 1, 0); j < std::min(cell.j + ring, rows_); ++j) {
       visit_row(j, cell.i - ring, cell.i - ring, look_at);
       visit_row(j, cell.i + ring, cell.i + ring, look_at);
     }
