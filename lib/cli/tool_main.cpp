@@ -115,8 +115,8 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   return outcome;
 }
 
-// Large matrices come and go. By default the C library returns their memory to the system each time, and the page faults
-// of taking it again cost up to a third of the CPU time.
+// Large matrices come and go. By default the C library returns their memory to the system each time, and the page
+// faults of taking it again cost up to a third of the CPU time.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 32 << 20);

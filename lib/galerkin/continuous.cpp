@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/element_matrices.hpp"
-#include "galerkin/element_shapes.hpp"
+#include "mesh/element_shapes.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
@@ -18,7 +18,7 @@ namespace quadrille::galerkin {
 ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads)
     : context_(&context),
       num_threads_(num_threads),
-      elem2shape_(first_of_shape(context.maps)),
+      elem2shape_(mesh::first_of_shape(context.maps)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {}
 

@@ -54,12 +54,9 @@ SplitRequest split_request(const RefineOptions& options, const CadFace& face, Pr
   const double size = options.size > 0 ? options.size : face.diameter * default_size;
   const double tolerance =
       face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order));
-  return {options,
-          options.size_field ? *options.size_field : sizing::SizeField(size),
-          tolerance,
-          {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)},
-          {},
-          progress,
+  return {options,   options.size_field ? *options.size_field : sizing::SizeField(size),
+          tolerance, {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)},
+          {},        progress,
           nullptr};
 }
 

@@ -38,6 +38,14 @@ TEST(ElementMatrices, IsSymmetricSemidefiniteWithConstantsAsItsKernel) {
   }
 }
 
+TEST(ElementMatrices, OfSimilarElementsAreEqual) {
+  // Turned by a right angle, halved and moved.
+  const auto moved = [](Vec2 x) { return Vec2{3 - x.y / 2, -2 + x.x / 2}; };
+  const spectral::TriMap similar(
+      {moved(straight.position({-1, -1})), moved(straight.position({1, -1})), moved(straight.position({-1, 1}))});
+  EXPECT_LT((stiffness_matrix(similar, 6) - stiffness_matrix(straight, 6)).norm(), 1e-11);
+}
+
 TEST(ElementMatrices, CurvedIntegrationAgreesWithTheAffineShortCut) {
   // An affine element given as one of order 4 takes the other path.
   std::vector<Vec2> nodes;
