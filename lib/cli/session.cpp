@@ -41,16 +41,16 @@ Session::Session(std::string tool, std::string options_json, int verbosity, int 
 
 void Session::info(const std::string& text, int level) const {
   if (verbosity_ < level) return;
-  if (progress_line_)
-    progress_line_->print(tool_ + ": " + text);
+  if (display_.line)
+    display_.line->print(tool_ + ": " + text);
   else
     fmt::print(stderr, "{}: {}\n", tool_, text);
 }
 
 void Session::show_progress(const ProgressStyle& style, double interval) {
-  report_ = Report(&progress_);
-  progress_line_.emplace(progress_, style, write_progress);
-  progress_ticker_.emplace(*progress_line_, interval);
+  report_ = Report(&display_.progress);
+  display_.line.emplace(display_.progress, style, write_progress);
+  display_.ticker.emplace(*display_.line, interval);
 }
 
 int Session::threads() const { return threads_ > 0 ? threads_ : available_processors(); }
@@ -64,20 +64,20 @@ Provenance Session::provenance(const Provenance& before, const std::vector<Input
 void Session::begin_phase(const std::string& name) {
   end_phase();
   phase_ = {name, cpu_seconds(), wall_seconds()};
-  if (progress_line_) progress_line_->begin_phase(name);
+  if (display_.line) display_.line->begin_phase(name);
 }
 
 void Session::finish() {
   end_phase();
-  progress_ticker_.reset();
-  progress_line_.reset();
+  display_.ticker.reset();
+  display_.line.reset();
   report_.set("timings.total.cpu_seconds", cpu_seconds());
   report_.set("timings.total.wall_seconds", wall_seconds() - start_);
 }
 
 void Session::end_phase() {
   if (phase_.name.empty()) return;
-  if (progress_line_) progress_line_->end_phase();
+  if (display_.line) display_.line->end_phase();
   const double cpu = cpu_seconds() - phase_.cpu;
   const double wall = wall_seconds() - phase_.wall;
   report_.set("timings." + phase_.name + ".cpu_seconds", cpu);

@@ -41,9 +41,13 @@ class Session {
   double start_ = 0;  ///< of the run, seconds
   Phase phase_;
   Report report_;
-  Progress progress_;
-  mutable std::optional<ProgressLine> progress_line_;  ///< none: it is not shown; messages are written above it
-  std::optional<ProgressTicker> progress_ticker_;
+  /// How far the run is. The ticker ends before the line that it writes.
+  struct Display {
+    Progress progress;
+    mutable std::optional<ProgressLine> line;  ///< none: it is not shown; messages are written above it
+    std::optional<ProgressTicker> ticker;
+  };
+  Display display_;
 };
 
 }  // namespace quadrille::cli

@@ -30,6 +30,13 @@
 
 namespace quadrille::graph {
 
+/// What is known of a half-edge, besides its arc.
+struct HalfEdgeRecord {
+  HalfEdge next;
+  int face = -1;
+  int quarters = 0;
+};
+
 class Subdivision {
  public:
   Subdivision() = default;
@@ -117,11 +124,7 @@ class Subdivision {
   std::vector<int> compact();
 
  private:
-  struct Record {
-    HalfEdge next;
-    int face = -1;
-    int quarters = 0;
-  };
+  using Record = HalfEdgeRecord;
   /// The state before a trial of what it has changed, as often as that was changed, and the numbers of everything.
   struct Trial {
     std::vector<std::pair<std::size_t, Record>> records;
