@@ -18,9 +18,10 @@ void restore(Saved& saved, std::size_t num, Values& values) {
 }  // namespace
 
 void Subdivision::begin_trial() {
-  trial_.emplace();
-  trial_->num_arcs = graph_.arcs.size(), trial_->num_nodes = graph_.nodes.size();
-  trial_->num_faces = face_start_.size(), trial_->num_splines = graph_.splines.size();
+  Trial trial;
+  trial.num_arcs = graph_.arcs.size(), trial.num_nodes = graph_.nodes.size();
+  trial.num_faces = face_start_.size(), trial.num_splines = graph_.splines.size();
+  trial_ = std::move(trial);
 }
 
 void Subdivision::undo_trial() {

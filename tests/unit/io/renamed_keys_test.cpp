@@ -70,8 +70,9 @@ class PreviousMajor : public Scratch {
 };
 
 TEST_F(PreviousMajor, SeparatrixGraph) {
-  expect_present("separatrix_graph/passed/version-1.1.sep.json", samples::separatrix_graph(), read_separatrix_graph,
-                 write_separatrix_graph);
+  SeparatrixGraph sample = samples::separatrix_graph();
+  sample.face.fit_distance = 0;  // a later key
+  expect_present("separatrix_graph/passed/version-1.1.sep.json", sample, read_separatrix_graph, write_separatrix_graph);
 }
 
 TEST_F(PreviousMajor, CriticalPoints) {
@@ -88,7 +89,9 @@ TEST_F(PreviousMajor, OffsetsOfCriticalPoints) {
 }
 
 TEST_F(PreviousMajor, Field) {
-  expect_present("field/passed/version-1.2.field.h5", samples::phase_field(), read_field, write_field);
+  Field sample = samples::phase_field();
+  sample.mesh.face.fit_distance = 0;  // a later key
+  expect_present("field/passed/version-1.2.field.h5", sample, read_field, write_field);
 }
 
 }  // namespace
