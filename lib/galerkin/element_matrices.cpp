@@ -1,54 +1,138 @@
 #include "galerkin/element_matrices.hpp"
 
-#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
+#include "spectral/factored_modes.hpp"
 #include "spectral/modified_basis.hpp"
-#include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
-#include "spectral/quadrature.hpp"
 
 namespace quadrille::galerkin {
 
 namespace {
 
-// Derivatives of the modified basis at the points of a collapsed Gauss rule.
-struct GradientTable {
-  std::vector<Vec2> points;
-  std::vector<double> weights;
-  Eigen::MatrixXd d1, d2;  // modes x points
+// The factors of the modified basis at a collapsed Gauss rule, and their products, on which sum factorisation works.
+struct FactorTable {
+  spectral::FactoredModes modes;
+  // Points along x pairs of factors, (a, b) in column a + b num_factors: f_a f_b, f_a' f_b, f_a' f_b'.
+  Eigen::MatrixXd products, mixed_products, slope_products;
 };
 
-GradientTable make_gradient_table(int order, int num_points) {
-  const spectral::Quadrature along = spectral::gauss_legendre(num_points),
-                             up = spectral::gauss_jacobi(num_points, 1, 0);
-  const int n = spectral::num_tri_modes(order), total = num_points * num_points;
-  GradientTable table;
-  Eigen::VectorXd values(n);
-  table.d1.resize(n, total);
-  table.d2.resize(n, total);
-  for (int i = 0, column = 0; i < num_points; ++i) {
-    for (int j = 0; j < num_points; ++j, ++column) {
-      const Vec2 xi{(1 + along.points[i]) * (1 - up.points[j]) / 2 - 1, up.points[j]};
-      table.points.push_back(xi);
-      table.weights.push_back(along.weights[i] * up.weights[j] / 2);
-      spectral::modified_gradients(order, xi, values.data(), table.d1.col(column).data(), table.d2.col(column).data());
+FactorTable make_factor_table(int order, int num_points) {
+  FactorTable table{spectral::factored_modes(order, num_points), {}, {}, {}};
+  const Eigen::MatrixXd &f = table.modes.f, &df = table.modes.df;
+  const int num_factors = table.modes.num_factors();
+  for (Eigen::MatrixXd* products : {&table.products, &table.mixed_products, &table.slope_products})
+    products->resize(num_points, num_factors * num_factors);
+  for (int a = 0; a < num_factors; ++a) {
+    for (int b = 0; b < num_factors; ++b) {
+      const int pair = a + b * num_factors;
+      table.products.col(pair) = f.col(a).cwiseProduct(f.col(b));
+      table.mixed_products.col(pair) = df.col(a).cwiseProduct(f.col(b));
+      table.slope_products.col(pair) = df.col(a).cwiseProduct(df.col(b));
     }
   }
   return table;
 }
 
-const GradientTable& gradient_table(int order, int num_points) {
+const FactorTable& factor_table(int order, int num_points) {
   static std::mutex mutex;
-  static std::map<std::pair<int, int>, std::unique_ptr<GradientTable>> tables;
+  static std::map<std::pair<int, int>, std::unique_ptr<FactorTable>> tables;
   const std::lock_guard lock(mutex);
   auto& entry = tables[{order, num_points}];
-  if (!entry) entry = std::make_unique<GradientTable>(make_gradient_table(order, num_points));
+  if (!entry) entry = std::make_unique<FactorTable>(make_factor_table(order, num_points));
   return *entry;
+}
+
+// A symmetric metric: the stiffness matrix is the integral of g11 d1 d1 + g12 (d1 d2 + d2 d1) + g22 d2 d2 over the
+// reference triangle, d1 and d2 the reference derivatives of the two modes.
+struct Metric {
+  double g11 = 0, g12 = 0, g22 = 0;
+};
+
+// |J| J^-1 J^-T.
+Metric metric_of(const Mat2& j) {
+  const double d = det(j);
+  return {(j.xy * j.xy + j.yy * j.yy) / d, -(j.xx * j.xy + j.yx * j.yy) / d, (j.xx * j.xx + j.yx * j.yx) / d};
+}
+
+// The same for the derivatives with respect to eta1 and eta2, times the weights: points along x points up.
+struct CollapsedMetric {
+  Eigen::MatrixXd h11, h12, h22;
+};
+
+template <class MetricAt>
+CollapsedMetric collapsed_metric(const spectral::FactoredModes& modes, const MetricAt& metric_at) {
+  const int n = static_cast<int>(modes.along.points.size());
+  CollapsedMetric h{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n)};
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const double t = (1 - modes.up.points[j]) / 2, s = (1 + modes.along.points[i]) / 2;
+      const Metric g = metric_at(Vec2{2 * s * t - 1, modes.up.points[j]});
+      // d1 = (1 / t) d/deta1, d2 = (s / t) d/deta1 + d/deta2
+      const double weight = modes.along.weights[i] * modes.up.weights[j] / 2;
+      h.h11(i, j) = weight * (g.g11 + 2 * s * g.g12 + s * s * g.g22) / (t * t);
+      h.h12(i, j) = weight * (g.g12 + s * g.g22) / t;
+      h.h22(i, j) = weight * g.g22;
+    }
+  }
+  return h;
+}
+
+// Columns of modes of factors c and up, multiplied by what the integrals along eta1 leave of the metric at each point
+// up.
+class ScaledModes {
+ public:
+  ScaledModes(const FactorTable& table, const CollapsedMetric& h)
+      : modes_(table.modes),
+        slopes_(h.h11.transpose() * table.slope_products),
+        mixed_(h.h12.transpose() * table.mixed_products),
+        values_(h.h22.transpose() * table.products) {}
+
+  // Rows: the points up for g, then for dg, of the other mode, which has factor c; columns: modes of all factors >= c.
+  Eigen::MatrixXd against(int c) const {
+    const int num_factors = modes_.num_factors(), n = static_cast<int>(modes_.g.rows()), begin = modes_.first[c];
+    Eigen::MatrixXd scaled(2 * n, modes_.g.cols() - begin);
+    for (int b = c; b < num_factors; ++b) {
+      const int pair = b + c * num_factors, swapped = c + b * num_factors;
+      for (int m = modes_.first[b]; m < modes_.first[b + 1]; ++m) {
+        const auto g = modes_.g.col(m).array(), dg = modes_.dg.col(m).array();
+        auto column = scaled.col(m - begin).array();
+        column.head(n) = slopes_.col(pair).array() * g + mixed_.col(swapped).array() * dg;
+        column.tail(n) = mixed_.col(pair).array() * g + values_.col(pair).array() * dg;
+      }
+    }
+    return scaled;
+  }
+
+ private:
+  const spectral::FactoredModes& modes_;
+  Eigen::MatrixXd slopes_, mixed_, values_;  // points up x pairs of factors
+};
+
+// metric_at(xi): the metric at a point of the reference triangle.
+template <class MetricAt>
+Eigen::MatrixXd integrate_stiffness(int order, int num_points, const MetricAt& metric_at) {
+  const FactorTable& table = factor_table(order, num_points);
+  const spectral::FactoredModes& modes = table.modes;
+  const ScaledModes scaled(table, collapsed_metric(modes, metric_at));
+  Eigen::MatrixXd stiffness(modes.g.cols(), modes.g.cols()), others;
+  for (int c = 0; c < modes.num_factors(); ++c) {
+    const int begin = modes.first[c], num = modes.num_modes(c);
+    others.resize(2 * num_points, num);
+    others << modes.g.middleCols(begin, num), modes.dg.middleCols(begin, num);
+    const Eigen::MatrixXd block = scaled.against(c).transpose() * others;
+    for (int column = 0; column < num; ++column) {
+      for (int row = column; row < block.rows(); ++row) {
+        const int a = modes.position[begin + row], b = modes.position[begin + column];
+        stiffness(a, b) = stiffness(b, a) = block(row, column);
+      }
+    }
+  }
+  return stiffness;
 }
 
 // The three reference matrices; the stiffness matrix of an affine element is a linear combination of them.
@@ -56,25 +140,11 @@ struct ReferenceMatrices {
   Eigen::MatrixXd k11, k12, k22;  // k12 contains both mixed products
 };
 
-// A A^T, both triangles.
-Eigen::MatrixXd gram(const Eigen::MatrixXd& a) {
-  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(a.rows(), a.rows());
-  product.selfadjointView<Eigen::Lower>().rankUpdate(a);
-  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
-  return product;
-}
-
 ReferenceMatrices make_reference_matrices(int order) {
-  GradientTable table = make_gradient_table(order, order + 1);
-  for (std::size_t i = 0; i < table.points.size(); ++i) {
-    table.d1.col(i) *= std::sqrt(table.weights[i]);
-    table.d2.col(i) *= std::sqrt(table.weights[i]);
-  }
-  // The mixed products are computed from the square of the sum: three symmetric products cost less than two symmetric
-  // ones and a general one.
-  ReferenceMatrices k{gram(table.d1), gram(table.d1 + table.d2), gram(table.d2)};
-  k.k12 -= k.k11 + k.k22;
-  return k;
+  const auto integrate = [&](const Metric& metric) {
+    return integrate_stiffness(order, order + 1, [&](Vec2) { return metric; });
+  };
+  return {integrate({1, 0, 0}), integrate({0, 1, 0}), integrate({0, 0, 1})};
 }
 
 const ReferenceMatrices& reference_matrices(int order) {
@@ -91,27 +161,18 @@ Eigen::MatrixXd affine_stiffness(const spectral::TriMap& map, int order) {
   Vec2 x;
   Mat2 j;
   map.evaluate({0, 0}, x, j);
-  const double d = det(j);
-  // |J| J^-1 J^-T: the metric that couples the reference derivatives.
-  const double g11 = (j.xy * j.xy + j.yy * j.yy) / d, g22 = (j.xx * j.xx + j.yx * j.yx) / d;
-  const double g12 = -(j.xx * j.xy + j.yx * j.yy) / d;
+  const Metric g = metric_of(j);
   const ReferenceMatrices& reference = reference_matrices(order);
-  return g11 * reference.k11 + g12 * reference.k12 + g22 * reference.k22;
+  return g.g11 * reference.k11 + g.g12 * reference.k12 + g.g22 * reference.k22;
 }
 
 Eigen::MatrixXd curved_stiffness(const spectral::TriMap& map, int order, int num_points) {
-  const GradientTable& table = gradient_table(order, num_points);
-  const int n = static_cast<int>(table.d1.rows()), total = static_cast<int>(table.points.size());
-  Eigen::MatrixXd gradients(n, 2 * total);  // physical derivatives times sqrt(weight det J)
-  for (int i = 0; i < total; ++i) {
+  return integrate_stiffness(order, num_points, [&](Vec2 xi) {
     Vec2 x;
     Mat2 j;
-    map.evaluate(table.points[i], x, j);
-    const double scale = std::sqrt(table.weights[i] / det(j));
-    gradients.col(2 * i) = (scale * j.yy) * table.d1.col(i) - (scale * j.yx) * table.d2.col(i);
-    gradients.col(2 * i + 1) = (scale * j.xx) * table.d2.col(i) - (scale * j.xy) * table.d1.col(i);
-  }
-  return gram(gradients);
+    map.evaluate(xi, x, j);
+    return metric_of(j);
+  });
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "field/corner_lifting.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/hybridised.hpp"
-#include "spectral/modified_basis.hpp"
+#include "spectral/modified_to_orthogonal.hpp"
 
 namespace quadrille::galerkin {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "galerkin/continuous.hpp"
-#include "spectral/modified_basis.hpp"
+#include "spectral/modified_to_orthogonal.hpp"
 
 namespace quadrille::galerkin {
 namespace {

@@ -13,7 +13,7 @@
 #include "galerkin/hole_winding.hpp"
 #include "galerkin/phase_gradient.hpp"
 #include "mesh/locate.hpp"
-#include "spectral/modified_basis.hpp"
+#include "spectral/modified_to_orthogonal.hpp"
 
 namespace quadrille::galerkin {
 

@@ -7,7 +7,6 @@
 #include "spectral/jacobi.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
-#include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
 
@@ -36,14 +35,12 @@ std::vector<Number> scaled_jacobi(int n, Number x, Number t, Number one) {
   return q;
 }
 
-double edge_scale(int degree) { return 2.0 / (degree - 1) * std::sqrt((2 * degree - 1) / 2.0); }
-
+// The modes of degree 2..P: product * q(x, t).
 template <class Number>
-void append_edge(int order, Number la, Number lb, Number one, std::vector<Number>& modes) {
+void append_edge(int order, Number product, Number x, Number t, Number one, std::vector<Number>& modes) {
   if (order < 2) return;
-  const std::vector<Number> q = scaled_jacobi(order - 2, lb - la, la + lb, one);
-  const Number product = la * lb;
-  for (int d = 2; d <= order; ++d) modes.push_back(edge_scale(d) * (product * q[d - 2]));
+  const std::vector<Number> q = scaled_jacobi(order - 2, x, t, one);
+  for (int d = 2; d <= order; ++d) modes.push_back(edge_mode_scale(d) * (product * q[d - 2]));
 }
 
 // P_0..P_n^(2i+3,1)(2 l - 1).
@@ -75,25 +72,12 @@ std::vector<Jet> modified_jets(int order, Vec2 xi) {
                              Jet{(1 + xi.y) / 2, 0, 0.5}};
   std::vector<Jet> modes(l.begin(), l.end());
   modes.reserve(num_tri_modes(order));
-  for (int k = 0; k < 3; ++k) append_edge(order, l[k], l[(k + 1) % 3], Jet{1, 0, 0}, modes);
+  const Jet one{1, 0, 0}, upward = 2.0 * l[2] - one;
+  append_edge(order, l[0] * l[1], l[1] - l[0], l[0] + l[1], one, modes);
+  append_edge(order, l[1] * l[2], upward, one, one, modes);
+  append_edge(order, l[2] * l[0], -1.0 * upward, one, one, modes);
   append_interior(order, l, modes);
   return modes;
-}
-
-// The product of both bases has degree 2 P, for which a collapsed Gauss rule of P + 1 points per direction is exact.
-Eigen::MatrixXd make_to_orthogonal(int order) {
-  const int n = num_tri_modes(order), m = order + 1;
-  const Quadrature along = gauss_legendre(m), up = gauss_jacobi(m, 1, 0);
-  Eigen::MatrixXd modified(n, m * m), orthogonal(n, m * m);
-  for (int i = 0, column = 0; i < m; ++i) {
-    for (int j = 0; j < m; ++j, ++column) {
-      const Vec2 xi{(1 + along.points[i]) * (1 - up.points[j]) / 2 - 1, up.points[j]};
-      modified_values(order, xi, modified.col(column).data());
-      orthogonal_values(order, xi, orthogonal.col(column).data());
-      orthogonal.col(column) *= along.weights[i] * up.weights[j] / 2;
-    }
-  }
-  return modified * orthogonal.transpose();
 }
 
 std::vector<int> make_subset(int order, int higher_order) {
@@ -124,18 +108,9 @@ const std::vector<int>& modified_subset(int order, int higher_order) {
   return tables[100 * order + higher_order];
 }
 
-const Eigen::MatrixXd& modified_to_orthogonal(int order) {
-  static PerOrder<Eigen::MatrixXd> tables([](int n) {
-    static PerOrder<Eigen::MatrixXd> large(make_to_orthogonal);
-    const int higher = table_order(n);
-    return Eigen::MatrixXd(large[higher](modified_subset(n, higher), Eigen::seqN(0, num_tri_modes(n))));
-  });
-  return tables[order];
-}
-
 void edge_mode_values(int order, double s, double* values) {
   std::vector<double> modes;
-  append_edge(order, (1 - s) / 2, (1 + s) / 2, 1.0, modes);
+  append_edge(order, (1 - s) * (1 + s) / 4, s, 1.0, 1.0, modes);
   std::copy(modes.begin(), modes.end(), values);
 }
 

@@ -9,6 +9,8 @@
 
 namespace quadrille::spectral {
 
+double orthogonal_scale(int p, int q) { return std::sqrt((2 * p + 1) * (p + q + 1) / 2.0); }
+
 namespace {
 
 constexpr int max_modes = num_tri_modes(max_tri_order);
@@ -21,8 +23,6 @@ struct Recurrence {
   std::array<double, max_modes> a{}, b{}, c{};
 };
 
-double scale(int p, int q) { return std::sqrt((2 * p + 1) * (p + q + 1) / 2.0); }
-
 Recurrence make_recurrence() {
   Recurrence r;
   for (int d = 1; d <= max_tri_order; ++d) {
@@ -30,14 +30,14 @@ Recurrence make_recurrence() {
     for (int p = 0; p < d; ++p) {
       const int q = d - p - 1;
       const JacobiStep step = jacobi_step(q, 2 * p + 1, 0);
-      const double ratio = scale(p, q + 1) / scale(p, q);
+      const double ratio = orthogonal_scale(p, q + 1) / orthogonal_scale(p, q);
       r.a[row + p] = step.a * ratio;
       r.b[row + p] = step.b * ratio;
-      r.c[row + p] = q == 0 ? 0 : step.c * scale(p, q + 1) / scale(p, q - 1);
+      r.c[row + p] = q == 0 ? 0 : step.c * orthogonal_scale(p, q + 1) / orthogonal_scale(p, q - 1);
     }
     const JacobiStep step = jacobi_step(d - 1, 0, 0);
-    r.a[row + d] = step.a * scale(d, 0) / scale(d - 1, 0);
-    r.c[row + d] = d == 1 ? 0 : step.c * scale(d, 0) / scale(d - 2, 0);
+    r.a[row + d] = step.a * orthogonal_scale(d, 0) / orthogonal_scale(d - 1, 0);
+    r.c[row + d] = d == 1 ? 0 : step.c * orthogonal_scale(d, 0) / orthogonal_scale(d - 2, 0);
   }
   return r;
 }
@@ -56,7 +56,7 @@ template <class Order>
 void fill_rows(Order order, Vec2 xi, double* __restrict f) {
   const Recurrence& r = recurrence();
   const double y = xi.y, s = xi.x + (1 + xi.y) / 2, h = (1 - xi.y) / 2, h2 = h * h;
-  f[0] = scale(0, 0);
+  f[0] = orthogonal_scale(0, 0);
   if (order == 0) return;
   f[1] = (r.a[1] * y + r.b[1]) * f[0];
   f[2] = r.a[2] * s * f[0];

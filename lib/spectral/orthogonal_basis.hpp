@@ -15,6 +15,9 @@ namespace quadrille::spectral {
 
 constexpr int num_tri_modes(int order) { return (order + 1) * (order + 2) / 2; }
 
+/// c_pq.
+double orthogonal_scale(int p, int q);
+
 /// The highest order of the tables behind all functions of this header; beyond it they throw Defect.
 inline constexpr int max_tri_order = 48;
 

@@ -6,6 +6,7 @@
 #include "mesh/tri_maps.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
+#include "spectral/quadrature.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -63,6 +64,31 @@ TEST(ElementMatrices, QuadratureOfCurvedElementsHasConverged) {
     const Eigen::MatrixXd fine = stiffness_matrix(map, order, 20);
     EXPECT_LT((stiffness_matrix(map, order) - fine).cwiseAbs().maxCoeff(), 1e-11);
   }
+}
+
+TEST(ElementMatrices, SumFactorisationGivesTheIntegralOfProductsOfGradients) {
+  const TriMesh disc = disc_mesh(6, 8);
+  const spectral::TriMap map = mesh::tri_maps(disc)[1];
+  const int order = 7, num_points = order + 6, n = spectral::num_tri_modes(order);
+  const spectral::Quadrature along = spectral::gauss_legendre(num_points),
+                             up = spectral::gauss_jacobi(num_points, 1, 0);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(n, n), d(n, 2);
+  Eigen::VectorXd values(n);
+  for (int i = 0; i < num_points; ++i) {
+    for (int j = 0; j < num_points; ++j) {
+      const Vec2 xi{(1 + along.points[i]) * (1 - up.points[j]) / 2 - 1, up.points[j]};
+      spectral::modified_gradients(order, xi, values.data(), d.col(0).data(), d.col(1).data());
+      Vec2 x;
+      Mat2 jacobian;
+      map.evaluate(xi, x, jacobian);
+      const Mat2 inverted = inverse(jacobian);
+      Eigen::Matrix2d to_physical;
+      to_physical << inverted.xx, inverted.xy, inverted.yx, inverted.yy;
+      const Eigen::MatrixXd gradients = d * to_physical;
+      expected += along.weights[i] * up.weights[j] / 2 * det(jacobian) * gradients * gradients.transpose();
+    }
+  }
+  EXPECT_LT((stiffness_matrix(map, order) - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(ElementMatrices, LowerOrdersAreCutOutOfHigherOnes) {

@@ -1,4 +1,5 @@
 #include "spectral/modified_basis.hpp"
+#include "spectral/modified_to_orthogonal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,127 @@
+#include "spectral/factored_modes.hpp"
+
+#include <utility>
+
+#include "spectral/jacobi.hpp"
+#include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
+
+namespace quadrille::spectral {
+
+namespace {
+
+using Values = Eigen::ArrayXd;  // at the points of one rule
+
+// A function of one variable at the points of a rule: its values and derivatives.
+struct Sampled {
+  Values f, df;
+};
+
+Sampled operator*(const Sampled& a, const Sampled& b) { return {a.f * b.f, a.df * b.f + a.f * b.df}; }
+Sampled operator*(double s, const Sampled& a) { return {s * a.f, s * a.df}; }
+
+// a + b x at the points x.
+Sampled linear(double a, double b, const Values& x) { return {a + b * x, Values::Constant(x.size(), b)}; }
+
+// P_0..P_n^(alpha, beta) of `sign` * x at the points x.
+std::vector<Sampled> jacobi_polynomials(int n, double alpha, double beta, const Values& x, double sign = 1) {
+  std::vector<Sampled> p{linear(1, 0, x)};
+  for (int k = 0; k < n; ++k) {
+    const JacobiStep step = jacobi_step(k, alpha, beta);
+    p.push_back(linear(step.b, sign * step.a, x) * p.back());
+    if (k > 0) p.back().f -= step.c * p[k - 1].f, p.back().df -= step.c * p[k - 1].df;
+  }
+  return p;
+}
+
+// Appends columns in pairs of values and derivatives.
+struct Columns {
+  Eigen::MatrixXd& f;
+  Eigen::MatrixXd& df;
+  int next = 0;
+
+  void append(const Sampled& column) {
+    f.col(next) = column.f;
+    df.col(next++) = column.df;
+  }
+};
+
+void append_factors(int order, const Values& x, Columns columns) {
+  columns.append(linear(1, 0, x));
+  columns.append(linear(0.5, -0.5, x));
+  columns.append(linear(0.5, 0.5, x));
+  const Sampled bubble = linear(0.5, -0.5, x) * linear(0.5, 0.5, x);
+  const std::vector<Sampled> jacobi = jacobi_polynomials(order - 2, 1, 1, x);
+  for (int i = 0; i <= order - 2; ++i) columns.append(bubble * jacobi[i]);
+}
+
+// Appends the modes of one factor after another, and their positions.
+class ModeColumns {
+ public:
+  ModeColumns(int order, const Values& y, FactoredModes& modes)
+      : order_(order), y_(y), columns_{modes.g, modes.dg}, modes_(modes) {}
+
+  void append_all() {
+    const Sampled t = linear(0.5, -0.5, y_), up = linear(0.5, 0.5, y_);
+    start_factor();
+    append(2, up);
+    append_vertex_and_edge(0, 2, t, up, -1);
+    append_vertex_and_edge(1, 1, t, up, 1);
+    Sampled power = t * t;
+    for (int i = 0; i <= order_ - 2; ++i, power = power * t) {
+      start_factor();
+      append(edge_mode(order_, 0, i + 2), edge_mode_scale(i + 2) * power);
+      append_interior(i, power * up);
+    }
+    start_factor();
+  }
+
+ private:
+  void start_factor() { modes_.first.push_back(columns_.next); }
+
+  void append(int position, const Sampled& values) {
+    columns_.append(values);
+    modes_.position.push_back(position);
+  }
+
+  void append_vertex_and_edge(int vertex, int edge, const Sampled& t, const Sampled& up, double sign) {
+    start_factor();
+    append(vertex, t);
+    const std::vector<Sampled> jacobi = jacobi_polynomials(order_ - 2, 1, 1, y_, sign);
+    for (int d = 2; d <= order_; ++d) append(edge_mode(order_, edge, d), edge_mode_scale(d) * (t * up * jacobi[d - 2]));
+  }
+
+  void append_interior(int i, const Sampled& bubble) {
+    const int top = order_ - 3 - i;
+    if (top < 0) return;
+    const std::vector<Sampled> jacobi = jacobi_polynomials(top, 2 * i + 3, 1, y_);
+    for (int j = 0; j <= top; ++j) append(interior_mode(order_, i, j), bubble * jacobi[j]);
+  }
+
+  int order_;
+  const Values& y_;
+  Columns columns_;
+  FactoredModes& modes_;
+};
+
+Values points_of(const Quadrature& rule) {
+  return Eigen::Map<const Values>(rule.points.data(), static_cast<Eigen::Index>(rule.points.size()));
+}
+
+}  // namespace
+
+FactoredModes factored_modes(int order, int num_points) {
+  FactoredModes modes;
+  modes.along = gauss_legendre(num_points);
+  modes.up = gauss_jacobi(num_points, 1, 0);
+  modes.f.resize(num_points, order + 2);
+  modes.df.resize(num_points, order + 2);
+  modes.g.resize(num_points, num_tri_modes(order));
+  modes.dg.resize(num_points, num_tri_modes(order));
+  append_factors(order, points_of(modes.along), {modes.f, modes.df});
+  const Values y = points_of(modes.up);
+  ModeColumns(order, y, modes).append_all();
+  return modes;
+}
+
+}  // namespace quadrille::spectral
