@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "field/boundary_apexes.hpp"
+#include "field/corner_terms.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/phase_terms.hpp"
@@ -22,14 +22,13 @@ struct TurnCentre {
   int winding_number(int of_loop) const { return of_loop == 0 ? (loop == 0 ? 0 : 1) : (loop == of_loop ? -1 : 0); }
 };
 
-/// The terms, their centres, and the assignment of apexes to corner angles.
+/// The terms and their centres.
 struct ExplicitTerms {
   PhaseTerms terms;
-  std::vector<TurnCentre> centres;     ///< of terms.nodes, then terms.holes, then terms.images
-  std::vector<int> apex2corner_angle;  ///< position in terms.corner_angles; -1 if the data do not jump at the apex
+  std::vector<TurnCentre> centres;  ///< of terms.nodes, then terms.holes, then terms.images
 };
 
-/// The terms for prescribed nodes and apexes. The turns D_j of each hole make its data single-valued.
-ExplicitTerms explicit_terms(const CadFace& face, const BoundaryApexes& apexes, const std::vector<PhaseNode>& nodes);
+/// The terms for prescribed nodes, beside those of the corners. The turns D_j of each hole make its data single-valued.
+ExplicitTerms explicit_terms(const CadFace& face, const CornerTerms& corners, const std::vector<PhaseNode>& nodes);
 
 }  // namespace quadrille::field

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
-#include "field/phase_value.hpp"
 
 namespace quadrille::field {
 
@@ -17,30 +17,18 @@ namespace {
 // Greatest gap of the data (radians) that is attributed to round-off and omitted jumps.
 constexpr double closure_tol = 1e-7;
 
-// The sum of beta_c theta_c at x. If x is the apex of corner angle `at_apex` (-1: x is no such apex), its limit along
-// the unit vector `inward`.
-double sum_of_corner_angles(const PhaseTerms& terms, Vec2 x, int at_apex, Vec2 inward) {
-  double sum = 0;
-  for (std::size_t c = 0; c < terms.corner_angles.size(); ++c) {
-    const CornerAngle& corner = terms.corner_angles[c];
-    sum += corner.beta * corner_angle(corner, static_cast<int>(c) == at_apex ? corner.apex : x, inward);
-  }
-  return sum;
-}
-
-BoundaryApexes checked_apexes(const CadFace& face, const PhaseNodes& prescribed) {
-  require_valence_sum(face, prescribed);
-  return boundary_apexes(face, prescribed);
-}
-
 }  // namespace
 
 PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed)
+    : PhaseBoundary(face, prescribed, std::make_shared<SharedCorners>(face, prescribed)) {}
+
+PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners)
     : face_(&face),
-      apexes_(checked_apexes(face, prescribed)),
-      explicit_(explicit_terms(face, apexes_, prescribed.nodes)),
-      apex_remainders_(apexes_.apexes.size(), 0.0),
+      corners_(std::move(corners)),
+      explicit_(explicit_terms(face, corners_->terms(), prescribed.nodes)),
+      apex_remainders_(apexes().apexes.size(), 0.0),
       pieces_(face.num_curves()) {
+  require_valence_sum(face, prescribed);
   for (int loop = 0; loop < face.num_loops(); ++loop) follow_loop(loop);
 }
 
@@ -49,14 +37,14 @@ void PhaseBoundary::follow_loop(int loop) {
   const int first = face_->loop_offsets[loop], last = face_->loop_offsets[loop + 1];
   const LoopAngles start = angles_at_start(*face_, centres, loop);
   LoopAngles angles = start;
-  for (int a = apexes_.offsets[first]; a < apexes_.offsets[last]; ++a) {
-    if (a > apexes_.offsets[first]) pass_apex(a, angles);
-    const BoundaryApex& apex = apexes_.apexes[a];
-    const bool is_last = a + 1 == apexes_.offsets[apex.curve + 1];
-    const double t1 = is_last ? face_->curves[apex.curve].end() : apexes_.apexes[a + 1].t;
+  for (int a = apexes().offsets[first]; a < apexes().offsets[last]; ++a) {
+    if (a > apexes().offsets[first]) pass_apex(a, angles);
+    const BoundaryApex& apex = apexes().apexes[a];
+    const bool is_last = a + 1 == apexes().offsets[apex.curve + 1];
+    const double t1 = is_last ? face_->curves[apex.curve].end() : apexes().apexes[a + 1].t;
     follow_angles(*face_, centres, apex.curve, apex.t, t1, angles, pieces_[apex.curve]);
   }
-  pass_apex(apexes_.offsets[first], angles);
+  pass_apex(apexes().offsets[first], angles);
   require_inside(loop, start, angles);
   require_closure(loop, start, angles);
 }
@@ -70,14 +58,14 @@ double PhaseBoundary::data(const LoopAngles& angles, double corner_angles) const
 
 // Computes g at the apex from the outgoing side; the incoming side must agree.
 void PhaseBoundary::pass_apex(int a, LoopAngles& angles) {
-  const BoundaryApex& apex = apexes_.apexes[a];
+  const BoundaryApex& apex = apexes().apexes[a];
   const Vec2 x = curve::point(face_->curves[apex.curve], apex.t);
   const auto [in, out] = tangents_at(*face_, apex);
-  const int corner = explicit_.apex2corner_angle[a];
-  const double incoming = data(angles, sum_of_corner_angles(explicit_.terms, x, corner, -in));
+  const int corner = corners_->terms().apex2corner_angle[a];
+  const double incoming = data(angles, sum_of_corner_angles(explicit_.terms.corner_angles, x, corner, -in));
   angles.tangent = nearest_branch(angles.tangent + pi - apex.interior_angle, angle_of(out));
   angles.corner_index += 2 - apex.valence;
-  apex_remainders_[a] = data(angles, sum_of_corner_angles(explicit_.terms, x, corner, out));
+  apex_remainders_[a] = data(angles, sum_of_corner_angles(explicit_.terms.corner_angles, x, corner, out));
   const double jump = apex_remainders_[a] - incoming;
   if (std::abs(jump) > closure_tol) throw Defect(fmt::format("phase data jump by {} at joint {}", jump, apex.curve));
 }
@@ -104,9 +92,9 @@ void PhaseBoundary::require_closure(int loop, const LoopAngles& start, const Loo
 
 std::vector<double> PhaseBoundary::interior_angles() const {
   std::vector<double> angles(explicit_.terms.corner_angles.size());
-  for (std::size_t a = 0; a < apexes_.apexes.size(); ++a) {
-    if (const int corner = explicit_.apex2corner_angle[a]; corner >= 0)
-      angles[corner] = apexes_.apexes[a].interior_angle;
+  for (std::size_t a = 0; a < apexes().apexes.size(); ++a) {
+    if (const int corner = corners_->terms().apex2corner_angle[a]; corner >= 0)
+      angles[corner] = apexes().apexes[a].interior_angle;
   }
   return angles;
 }
@@ -120,9 +108,9 @@ double PhaseBoundary::phase(int curve, double t) const {
 }
 
 double PhaseBoundary::remainder(int curve, double t) const {
-  if (const int apex = find_apex(*face_, apexes_, curve, t); apex >= 0) return apex_remainders_[apex];
+  if (const int apex = find_apex(*face_, apexes(), curve, t); apex >= 0) return apex_remainders_[apex];
   const Vec2 x = curve::point(face_->curves[curve], t);
-  return phase(curve, t) - sum_of_corner_angles(explicit_.terms, x, -1, {}) -
+  return phase(curve, t) - corners_->sum_of_angles(curve, t, x) -
          piece_at(pieces_[curve], t, false).sum_of_turns(explicit_.centres, x);
 }
 

@@ -8,12 +8,13 @@
 //       with 4 theta_t in (-4 pi, 4 pi] and the args with their principal values: the data of a hole are determined
 //       only up to 2 pi m_j.
 //
-// See field/boundary_apexes for apexes and their valences, field/explicit_terms for the explicit terms, and
-// field/followed_angles for the continuous angles.
+// See field/boundary_apexes for apexes and their valences, field/corner_terms and field/explicit_terms for the explicit
+// terms, and field/followed_angles for the continuous angles.
 
+#include <memory>
 #include <vector>
 
-#include "field/boundary_apexes.hpp"
+#include "field/corner_terms.hpp"
 #include "field/explicit_terms.hpp"
 #include "field/followed_angles.hpp"
 #include "model/cad_face.hpp"
@@ -27,6 +28,8 @@ class PhaseBoundary {
   /// Throws ComputeError for an impossible index sum, for nodes that are not inside the domain, for a boundary with a
   /// cusp, and for joints or curves that do not exist or are listed twice. `face` must outlive this object.
   PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed);
+  /// The same with corners that fit the nodes (SharedCorners::fit).
+  PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners);
 
   const PhaseTerms& terms() const { return explicit_.terms; }
   /// Interior angle omega_c, radians, for each of terms().corner_angles.
@@ -40,12 +43,13 @@ class PhaseBoundary {
  private:
   void follow_loop(int loop);
   void pass_apex(int apex, LoopAngles& angles);
+  const BoundaryApexes& apexes() const { return corners_->terms().apexes; }
   double data(const LoopAngles& angles, double corner_angles) const;
   void require_inside(int loop, const LoopAngles& start, const LoopAngles& end) const;
   void require_closure(int loop, const LoopAngles& start, const LoopAngles& end) const;
 
   const CadFace* face_;
-  BoundaryApexes apexes_;
+  std::shared_ptr<SharedCorners> corners_;
   ExplicitTerms explicit_;
   std::vector<double> apex_remainders_;          ///< g at each apex
   std::vector<std::vector<AnglePiece>> pieces_;  ///< by curve, ascending t

@@ -27,9 +27,10 @@ Eigen::VectorXd as_vector(const std::vector<int>& values) {
 
 /// The boundary data of one set of nodes, and their projections for the orders of the last solution.
 struct PhaseSolver::Given {
-  Given(const TriMesh& mesh, std::shared_ptr<BoundaryPoints> points, const PhaseNodes& nodes)
+  Given(const TriMesh& mesh, std::shared_ptr<BoundaryPoints> points, const PhaseNodes& nodes,
+        std::shared_ptr<field::SharedCorners> corners)
       : asked(nodes),
-        boundary(mesh.face, asked),
+        boundary(mesh.face, asked, std::move(corners)),
         data(std::move(points), [this](int curve, double t) { return boundary.remainder(curve, t); }) {}
 
   PhaseNodes asked;
@@ -49,9 +50,10 @@ struct PhaseSolver::Parts {
 
   std::vector<int> elem_order;
   bool is_factored = false;
-  Eigen::MatrixXd measures;        ///< all dofs of the harmonic measures w_j, one column per hole
-  Eigen::MatrixXd given_measures;  ///< their boundary part
-  Eigen::MatrixXd k;               ///< K_ij = a(w_i, w_j)
+  Eigen::MatrixXd measures;                       ///< all dofs of the harmonic measures w_j, one column per hole
+  Eigen::MatrixXd given_measures;                 ///< their boundary part
+  Eigen::MatrixXd k;                              ///< K_ij = a(w_i, w_j)
+  std::shared_ptr<field::SharedCorners> corners;  ///< of the valences of the last nodes
   std::unique_ptr<Given> given;
   Stopwatch watch;
 };
@@ -116,8 +118,10 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   if (!options.hole_winding_offsets.empty() && options.hole_winding_offsets.size() != num_holes)
     throw UsageError(fmt::format("hole_winding_offsets has {} entries for {} holes",
                                  options.hole_winding_offsets.size(), num_holes));
+  if (!parts_->corners || !parts_->corners->fit(asked))
+    parts_->corners = std::make_shared<field::SharedCorners>(mesh.face, asked);
   if (!parts_->given || parts_->given->asked != asked)
-    parts_->given = std::make_unique<Given>(mesh, parts_->points, asked);
+    parts_->given = std::make_unique<Given>(mesh, parts_->points, asked, parts_->corners);
   const field::PhaseBoundary& boundary = parts_->given->boundary;
   factor();
   const Eigen::MatrixXd given = parts_->given->data.values(parts_->context.topology, parts_->system.map());

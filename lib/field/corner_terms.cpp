@@ -1,0 +1,93 @@
+#include "field/corner_terms.hpp"
+
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+#include "field/corner_lifting.hpp"
+#include "field/hole_points.hpp"
+#include "field/phase_value.hpp"
+
+namespace quadrille::field {
+namespace {
+
+// Smaller jumps of the phase at corners are rounding of the tangents in the CAD file (see corner_lifting.cpp).
+constexpr double jump_tol = 1e-10;
+
+// The pole p_c. For a hole with bends, the focus nearest to the exterior pole among those visible from the apex c, if
+// any: the terms centred at c and at p_c then belong to the turns around the same hole.
+Vec2 pole_of(const CadFace& face, const std::vector<HoleFocus>& foci, int loop, Vec2 apex, Vec2 tangent_out,
+             double interior_angle) {
+  const Vec2 usual = exterior_pole(face, apex, tangent_out, interior_angle);
+  Vec2 pole = usual;
+  double nearest = INFINITY;
+  for (const HoleFocus& focus : foci) {
+    const double away = distance(focus.position, apex), from_usual = distance(focus.position, usual);
+    if (focus.loop != loop || !(from_usual < nearest)) continue;
+    const Vec2 direction = (focus.position - apex) / away;
+    const bool points_outside = wrap_two_pi(angle_of(direction) - angle_of(tangent_out)) > interior_angle;
+    if (!points_outside || away >= 1.9999 * distance(half_way(face, apex, direction), apex)) continue;
+    pole = focus.position;
+    nearest = from_usual;
+  }
+  return pole;
+}
+
+void add_corner_angles(const CadFace& face, CornerTerms& result) {
+  for (const BoundaryApex& apex : result.apexes.apexes) {
+    result.apex2corner_angle.push_back(-1);
+    const double angle = apex.interior_angle, jump = 4 * angle - 2 * pi * apex.valence;
+    if (std::abs(jump) <= jump_tol) continue;
+    const Vec2 x = curve::point(face.curves[apex.curve], apex.t);
+    const Vec2 pole = pole_of(face, result.foci, face.loop_of(apex.curve), x, tangents_at(face, apex).out, angle);
+    result.apex2corner_angle.back() = static_cast<int>(result.corner_angles.size());
+    result.corner_angles.push_back({x, pole, jump / angle});
+  }
+}
+
+// Adds D_j, the turns that make the data of hole j single-valued, initially centred at one point of the hole.
+void add_holes(const CadFace& face, CornerTerms& result) {
+  for (const Vec2 x : hole_points(face)) result.holes.push_back({x, 4});
+  for (const BoundaryApex& apex : result.apexes.apexes) {
+    const int loop = face.loop_of(apex.curve);
+    if (loop > 0) result.holes[loop - 1].turns += 2 - apex.valence;
+  }
+}
+
+}  // namespace
+
+CornerTerms corner_terms(const CadFace& face, const PhaseNodes& prescribed) {
+  CornerTerms result;
+  result.apexes = boundary_apexes(face, prescribed);
+  result.foci = hole_foci(face);
+  add_corner_angles(face, result);
+  add_holes(face, result);
+  return result;
+}
+
+double sum_of_corner_angles(const std::vector<CornerAngle>& corner_angles, Vec2 x, int at_apex, Vec2 inward) {
+  double sum = 0;
+  for (std::size_t c = 0; c < corner_angles.size(); ++c) {
+    const CornerAngle& corner = corner_angles[c];
+    sum += corner.beta * corner_angle(corner, static_cast<int>(c) == at_apex ? corner.apex : x, inward);
+  }
+  return sum;
+}
+
+SharedCorners::SharedCorners(const CadFace& face, const PhaseNodes& prescribed)
+    : corners_(prescribed.corners),
+      boundary_nodes_(prescribed.boundary_nodes),
+      terms_(corner_terms(face, prescribed)),
+      sums_(face.num_curves()) {}
+
+bool SharedCorners::fit(const PhaseNodes& prescribed) const {
+  return prescribed.corners == corners_ && prescribed.boundary_nodes == boundary_nodes_;
+}
+
+double SharedCorners::sum_of_angles(int curve, double t, Vec2 x) {
+  const auto [entry, is_new] = sums_[curve].try_emplace(t, 0.0);
+  if (is_new) entry->second = sum_of_corner_angles(terms_.corner_angles, x, -1, {});
+  return entry->second;
+}
+
+}  // namespace quadrille::field

@@ -1,0 +1,50 @@
+#pragma once
+// The part of the explicit terms (model/phase_terms.hpp) that does not depend on the irregular nodes inside the domain:
+// apexes, corner angles, and the turns about the holes. One object serves all sets of nodes with the same valences on
+// the boundary.
+
+#include <unordered_map>
+#include <vector>
+
+#include "field/boundary_apexes.hpp"
+#include "field/hole_foci.hpp"
+#include "model/cad_face.hpp"
+#include "model/phase_nodes.hpp"
+#include "model/phase_terms.hpp"
+
+namespace quadrille::field {
+
+struct CornerTerms {
+  BoundaryApexes apexes;
+  std::vector<HoleFocus> foci;
+  std::vector<CornerAngle> corner_angles;
+  std::vector<int> apex2corner_angle;  ///< position in corner_angles; -1 if the data do not jump at the apex
+  std::vector<PhaseTurn> holes;        ///< h_j and the turns D_j that make the data of hole j single-valued
+};
+
+/// Throws as boundary_apexes().
+CornerTerms corner_terms(const CadFace& face, const PhaseNodes& prescribed);
+
+/// The sum of beta_c theta_c at x. If x is the apex of corner angle `at_apex` (-1: x is no such apex), its limit along
+/// the unit vector `inward`.
+double sum_of_corner_angles(const std::vector<CornerAngle>& corner_angles, Vec2 x, int at_apex, Vec2 inward);
+
+/// Corner terms, and their sums at the points of the boundary asked for so far. Not to be used by two threads at once.
+class SharedCorners {
+ public:
+  /// Throws as corner_terms().
+  SharedCorners(const CadFace& face, const PhaseNodes& prescribed);
+  /// Whether `prescribed` has the valences on the boundary for which this was made.
+  bool fit(const PhaseNodes& prescribed) const;
+  const CornerTerms& terms() const { return terms_; }
+  /// The sum of beta_c theta_c at x, the point at parameter t of `curve`, which is no apex.
+  double sum_of_angles(int curve, double t, Vec2 x);
+
+ private:
+  std::vector<CornerValence> corners_;
+  std::vector<BoundaryNode> boundary_nodes_;
+  CornerTerms terms_;
+  std::vector<std::unordered_map<double, double>> sums_;  ///< by curve, then parameter
+};
+
+}  // namespace quadrille::field
