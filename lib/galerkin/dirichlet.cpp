@@ -20,7 +20,7 @@ struct EdgeProjection {
 };
 
 EdgeProjection make_projection(int order) {
-  const spectral::Quadrature rule = spectral::gauss_legendre(order + 10);
+  const spectral::Quadrature rule = spectral::gauss_legendre(order + 4);
   const int n = static_cast<int>(rule.points.size());
   EdgeProjection projection{rule.points, Eigen::MatrixXd(order - 1, n)};
   for (int i = 0; i < n; ++i) {
