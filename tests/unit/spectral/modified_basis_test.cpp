@@ -1,10 +1,10 @@
 #include "spectral/modified_basis.hpp"
-#include "spectral/modified_to_orthogonal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "spectral/modified_to_orthogonal.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_map.hpp"
