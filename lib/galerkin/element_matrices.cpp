@@ -17,7 +17,7 @@ namespace {
 // The factors of the modified basis at a collapsed Gauss rule, and their products, on which sum factorisation works.
 struct FactorTable {
   spectral::FactoredModes modes;
-  // Points along x pairs of factors, (a, b) in column a + b num_factors: f_a f_b, f_a' f_b, f_a' f_b'.
+  // Points eta1 x pairs of factors, (a, b) in column a + b num_factors: f_a f_b, f_a' f_b, f_a' f_b'.
   Eigen::MatrixXd products, mixed_products, slope_products;
 };
 
@@ -59,21 +59,21 @@ Metric metric_of(const Mat2& j) {
   return {(j.xy * j.xy + j.yy * j.yy) / d, -(j.xx * j.xy + j.yx * j.yy) / d, (j.xx * j.xx + j.yx * j.yx) / d};
 }
 
-// The same for the derivatives with respect to eta1 and eta2, times the weights: points along x points up.
+// The same for the derivatives with respect to eta1 and eta2, times the weights: points eta1 x points eta2.
 struct CollapsedMetric {
   Eigen::MatrixXd h11, h12, h22;
 };
 
 template <class MetricAt>
 CollapsedMetric collapsed_metric(const spectral::FactoredModes& modes, const MetricAt& metric_at) {
-  const int n = static_cast<int>(modes.along.points.size());
+  const int n = static_cast<int>(modes.eta1.points.size());
   CollapsedMetric h{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n)};
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
-      const double t = (1 - modes.up.points[j]) / 2, s = (1 + modes.along.points[i]) / 2;
-      const Metric g = metric_at(Vec2{2 * s * t - 1, modes.up.points[j]});
+      const double t = (1 - modes.eta2.points[j]) / 2, s = (1 + modes.eta1.points[i]) / 2;
+      const Metric g = metric_at(Vec2{2 * s * t - 1, modes.eta2.points[j]});
       // d1 = (1 / t) d/deta1, d2 = (s / t) d/deta1 + d/deta2
-      const double weight = modes.along.weights[i] * modes.up.weights[j] / 2;
+      const double weight = modes.eta1.weights[i] * modes.eta2.weights[j] / 2;
       h.h11(i, j) = weight * (g.g11 + 2 * s * g.g12 + s * s * g.g22) / (t * t);
       h.h12(i, j) = weight * (g.g12 + s * g.g22) / t;
       h.h22(i, j) = weight * g.g22;
@@ -82,8 +82,7 @@ CollapsedMetric collapsed_metric(const spectral::FactoredModes& modes, const Met
   return h;
 }
 
-// Columns of modes of factors c and up, multiplied by what the integrals along eta1 leave of the metric at each point
-// up.
+// The modes at the points eta2, weighted by the integrals along eta1 of the metric times two factors.
 class ScaledModes {
  public:
   ScaledModes(const FactorTable& table, const CollapsedMetric& h)
@@ -92,7 +91,8 @@ class ScaledModes {
         mixed_(h.h12.transpose() * table.mixed_products),
         values_(h.h22.transpose() * table.products) {}
 
-  // Rows: the points up for g, then for dg, of the other mode, which has factor c; columns: modes of all factors >= c.
+  // For products with a mode of factor c: rows are the points eta2, for its g and then for its dg; columns are the
+  // modes of the factors c, c + 1, ...
   Eigen::MatrixXd against(int c) const {
     const int num_factors = modes_.num_factors(), n = static_cast<int>(modes_.g.rows()), begin = modes_.first[c];
     Eigen::MatrixXd scaled(2 * n, modes_.g.cols() - begin);
@@ -110,7 +110,7 @@ class ScaledModes {
 
  private:
   const spectral::FactoredModes& modes_;
-  Eigen::MatrixXd slopes_, mixed_, values_;  // points up x pairs of factors
+  Eigen::MatrixXd slopes_, mixed_, values_;  // points eta2 x pairs of factors
 };
 
 // metric_at(xi): the metric at a point of the reference triangle.

@@ -112,14 +112,14 @@ Values points_of(const Quadrature& rule) {
 
 FactoredModes factored_modes(int order, int num_points) {
   FactoredModes modes;
-  modes.along = gauss_legendre(num_points);
-  modes.up = gauss_jacobi(num_points, 1, 0);
+  modes.eta1 = gauss_legendre(num_points);
+  modes.eta2 = gauss_jacobi(num_points, 1, 0);
   modes.f.resize(num_points, order + 2);
   modes.df.resize(num_points, order + 2);
   modes.g.resize(num_points, num_tri_modes(order));
   modes.dg.resize(num_points, num_tri_modes(order));
-  append_factors(order, points_of(modes.along), {modes.f, modes.df});
-  const Values y = points_of(modes.up);
+  append_factors(order, points_of(modes.eta1), {modes.f, modes.df});
+  const Values y = points_of(modes.eta2);
   ModeColumns(order, y, modes).append_all();
   return modes;
 }

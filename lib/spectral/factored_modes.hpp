@@ -16,12 +16,12 @@
 
 namespace quadrille::spectral {
 
-/// Factors at the points of the collapsed Gauss rule. The weight of point (i, j) is along.weights[i] * up.weights[j]
-/// / 2.
+/// Factors at the points (eta1_i, eta2_j) of the collapsed Gauss rule, whose weights are eta1.weights[i] *
+/// eta2.weights[j] / 2.
 struct FactoredModes {
-  Quadrature along, up;       ///< the rules for eta1 and eta2; the second has the weight 1 - eta2
-  Eigen::MatrixXd f, df;      ///< points along x factors: values and derivatives with respect to eta1
-  Eigen::MatrixXd g, dg;      ///< points up x modes, sorted by factor: values and derivatives with respect to eta2
+  Quadrature eta1, eta2;      ///< Gauss-Legendre, and Gauss-Jacobi for the weight 1 - eta2
+  Eigen::MatrixXd f, df;      ///< points eta1 x factors: values and derivatives with respect to eta1
+  Eigen::MatrixXd g, dg;      ///< points eta2 x modes, sorted by factor: values and derivatives with respect to eta2
   std::vector<int> first;     ///< the modes of factor c are columns first[c] to first[c + 1] - 1 of g
   std::vector<int> position;  ///< position in the modified basis of the mode of each column of g
 
@@ -29,7 +29,7 @@ struct FactoredModes {
   int num_modes(int factor) const { return first[factor + 1] - first[factor]; }
 };
 
-/// The modes of order P >= 1 at a rule of num_points points per direction.
+/// The modes of order P >= 1 at a rule of num_points >= 1 points per direction.
 FactoredModes factored_modes(int order, int num_points);
 
 }  // namespace quadrille::spectral

@@ -91,10 +91,6 @@ std::vector<int> make_subset(int order, int higher_order) {
 
 }  // namespace
 
-void modified_values(int order, Vec2 xi, double* values) {
-  for (const Jet& mode : modified_jets(order, xi)) *values++ = mode.f;
-}
-
 void modified_gradients(int order, Vec2 xi, double* values, double* d_xi1, double* d_xi2) {
   for (const Jet& mode : modified_jets(order, xi)) {
     *values++ = mode.f;

@@ -32,10 +32,7 @@ constexpr int interior_mode(int order, int i, int j) {
 /// c_d.
 inline double edge_mode_scale(int degree) { return 2.0 / (degree - 1) * std::sqrt((2 * degree - 1) / 2.0); }
 
-/// Values of all modes of order P >= 1 at xi: writes (P+1)(P+2)/2 numbers.
-void modified_values(int order, Vec2 xi, double* values);
-
-/// Values and both derivatives at xi; each array has (P+1)(P+2)/2 entries.
+/// Values and both derivatives of all modes of order P >= 1 at xi; each array has (P+1)(P+2)/2 entries.
 void modified_gradients(int order, Vec2 xi, double* values, double* d_xi1, double* d_xi2);
 
 /// Positions of the modes of `order` among those of `higher_order` (the basis is hierarchical). Tables are therefore

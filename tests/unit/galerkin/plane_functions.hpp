@@ -29,8 +29,8 @@ inline double greatest_error(const MeshContext& context, const std::vector<int>&
   double greatest = 0;
   for (std::size_t e = 0; e < coefs.size(); ++e)
     for (const Vec2 xi : spectral::tri_nodes(4)) {
-      Eigen::VectorXd modes(coefs[e].rows());
-      spectral::modified_values(orders[e], xi, modes.data());
+      Eigen::VectorXd modes(coefs[e].rows()), d1 = modes, d2 = modes;
+      spectral::modified_gradients(orders[e], xi, modes.data(), d1.data(), d2.data());
       const Eigen::RowVector2d value = modes.transpose() * coefs[e];
       greatest = std::max(greatest, distance({value[0], value[1]}, f(context.maps[e].position(xi))));
     }

@@ -17,8 +17,8 @@ TEST(FactoredModes, ProductsAreTheModesAndTheirDerivatives) {
     std::vector<double> values(n), d1(n), d2(n);
     for (int i = 0; i < order + 2; ++i) {
       for (int j = 0; j < order + 2; ++j) {
-        const double s = (1 + modes.along.points[i]) / 2, t = (1 - modes.up.points[j]) / 2;
-        modified_gradients(order, {2 * s * t - 1, modes.up.points[j]}, values.data(), d1.data(), d2.data());
+        const double s = (1 + modes.eta1.points[i]) / 2, t = (1 - modes.eta2.points[j]) / 2;
+        modified_gradients(order, {2 * s * t - 1, modes.eta2.points[j]}, values.data(), d1.data(), d2.data());
         for (int c = 0; c < modes.num_factors(); ++c) {
           for (int m = modes.first[c]; m < modes.first[c + 1]; ++m) {
             const double d_eta1 = modes.df(i, c) * modes.g(j, m), d_eta2 = modes.f(i, c) * modes.dg(j, m);
