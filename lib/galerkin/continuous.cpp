@@ -15,9 +15,10 @@
 
 namespace quadrille::galerkin {
 
-ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads)
+ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, std::size_t kept_numbers)
     : context_(&context),
       num_threads_(num_threads),
+      kept_numbers_(kept_numbers),
       elem2shape_(mesh::first_of_shape(context.maps)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {}
@@ -25,27 +26,38 @@ ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads)
 // The matrices of a shape and an order are those of the first element of that shape, whatever its own order is, so that
 // they do not depend on the orders solved for before.
 void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
-  using Matrices = std::pair<std::pair<int, int>, std::shared_ptr<const CondensedElement>>;  // of a shape and an order
-  std::map<std::pair<int, int>, std::shared_ptr<const CondensedElement>> known;
+  struct Made {
+    int elem, order;
+    bool keeps_interior;
+    std::shared_ptr<const CondensedElement> element;
+  };
+  std::map<std::pair<int, int>, std::shared_ptr<const CondensedElement>> known;  // by shape and order
   const int num_elems = static_cast<int>(elem_order.size());
-  for (int e = 0; e < num_elems; ++e)
-    if (elements_[e]) known[{elem2shape_[e], elem_order_[e]}] = elements_[e];
-  std::vector<Matrices> made;
-  for (int e = 0; e < num_elems; ++e)
-    if (const std::pair key{elem2shape_[e], elem_order[e]}; known.try_emplace(key).second)
-      made.emplace_back(key, nullptr);
+  std::size_t kept = 0;
+  for (int e = 0; e < num_elems; ++e) {
+    if (!elements_[e] || !known.try_emplace({elem2shape_[e], elem_order_[e]}, elements_[e]).second) continue;
+    if (elements_[e]->interior) kept += size_of_interior(elem_order_[e]);
+  }
+  std::vector<Made> made;
+  for (int e = 0; e < num_elems; ++e) {
+    if (!known.try_emplace({elem2shape_[e], elem_order[e]}).second) continue;
+    kept += size_of_interior(elem_order[e]);
+    made.push_back({elem2shape_[e], elem_order[e], kept <= kept_numbers_, nullptr});
+  }
   const Progress::Part part(context_->progress, "elements", static_cast<int>(made.size()));
   parallel_for(static_cast<int>(made.size()), num_threads_, [&](int i) {
     part.advance();
-    const auto [elem, order] = made[i].first;
+    Made& matrices = made[i];
     try {
-      made[i].second =
-          std::make_shared<CondensedElement>(condense(order, stiffness_matrix(context_->maps[elem], order)));
+      CondensedElement element =
+          condense(matrices.order, stiffness_matrix(context_->maps[matrices.elem], matrices.order));
+      if (!matrices.keeps_interior) element.interior.reset();
+      matrices.element = std::make_shared<CondensedElement>(std::move(element));
     } catch (const ComputeError& error) {
-      throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
+      throw ComputeError(fmt::format("{}: {}", context_->describe(matrices.elem), error.what()));
     }
   });
-  for (Matrices& matrices : made) known[matrices.first] = std::move(matrices.second);
+  for (Made& matrices : made) known[{matrices.elem, matrices.order}] = std::move(matrices.element);
   for (int e = 0; e < num_elems; ++e) elements_[e] = known.at({elem2shape_[e], elem_order[e]});
   elem_order_ = elem_order;
 }
@@ -81,17 +93,37 @@ Eigen::MatrixXd ContinuousSystem::reactions(const Eigen::MatrixXd& dofs) const {
   return galerkin::reactions(*map_, elements_, dofs);
 }
 
-Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs) const {
+InteriorModes ContinuousSystem::computed_interior(int elem) const {
+  const int order = elem_order_[elem];
+  return interior_modes(order, stiffness_matrix(context_->maps[elem2shape_[elem]], order));
+}
+
+Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs, const InteriorModes& interior) const {
   const int order = elem_order_[elem], nb = spectral::num_boundary_modes(order);
   Eigen::MatrixXd modes(spectral::num_tri_modes(order), dofs.cols());
   modes.topRows(nb) = element_dofs(*map_, elem, dofs);
-  modes.bottomRows(spectral::num_interior_modes(order)) = elements_[elem]->interior(modes.topRows(nb));
+  modes.bottomRows(spectral::num_interior_modes(order)) = interior.of(modes.topRows(nb));
   return modes;
 }
 
+Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs) const {
+  const std::optional<InteriorModes>& kept = elements_[elem]->interior;
+  return kept ? modes(elem, dofs, *kept) : modes(elem, dofs, computed_interior(elem));
+}
+
 std::vector<Eigen::MatrixXd> ContinuousSystem::all_modes(const Eigen::MatrixXd& dofs) const {
+  std::map<std::pair<int, int>, std::vector<int>> elems_by_matrices;  // by shape and order, as they share matrices
+  for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
+    elems_by_matrices[{elem2shape_[e], elem_order_[e]}].push_back(e);
+  std::vector<const std::vector<int>*> groups;
+  for (const auto& [matrices, elems] : elems_by_matrices) groups.push_back(&elems);
   std::vector<Eigen::MatrixXd> all(elements_.size());
-  parallel_for(static_cast<int>(all.size()), num_threads_, [&](int e) { all[e] = modes(e, dofs); });
+  parallel_for(static_cast<int>(groups.size()), num_threads_, [&](int i) {
+    const int first = groups[i]->front();
+    std::optional<InteriorModes> computed;
+    if (!elements_[first]->interior) computed = computed_interior(first);
+    for (const int e : *groups[i]) all[e] = modes(e, dofs, computed ? *computed : *elements_[e]->interior);
+  });
   return all;
 }
 

@@ -15,8 +15,12 @@ namespace quadrille::galerkin {
 /// column of a matrix is one function.
 class ContinuousSystem {
  public:
-  /// `context` must outlive this.
-  explicit ContinuousSystem(const MeshContext& context, int num_threads = 1);
+  /// The interior modes of this many numbers are kept by default, 0.5 GiB.
+  static constexpr std::size_t default_kept_numbers = std::size_t{1} << 26;
+  /// `context` must outlive this. Interior modes beyond `kept_numbers` are computed again each time that they are
+  /// asked for, which takes a third of the time of condensation; the results are the same.
+  explicit ContinuousSystem(const MeshContext& context, int num_threads = 1,
+                            std::size_t kept_numbers = default_kept_numbers);
   /// Recomputes the matrices of elements whose order has changed, and factors the system. Throws ComputeError if the
   /// factorisation breaks down.
   void set_orders(const std::vector<int>& elem_order, Stopwatch& watch);
@@ -38,9 +42,12 @@ class ContinuousSystem {
 
  private:
   void update_elements(const std::vector<int>& elem_order);
+  InteriorModes computed_interior(int elem) const;
+  Eigen::MatrixXd modes(int elem, const Eigen::MatrixXd& dofs, const InteriorModes& interior) const;
 
   const MeshContext* context_;
   int num_threads_;
+  std::size_t kept_numbers_;
   std::vector<int> elem2shape_;  ///< first_of_shape()
   std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
   CondensedElements elements_;

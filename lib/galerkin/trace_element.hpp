@@ -22,7 +22,7 @@ constexpr int num_trace_modes(int order) { return order + 1; }
 void trace_values(int order, double s, double* values);
 
 /// The element's Schur complement over the trace modes of its edges 0, 1, 2, each directed counter-clockwise;
-/// interior() gives all modes of u (modified basis). `stiffness`: of the modified basis
+/// `interior` gives all modes of u (modified basis). `stiffness`: of the modified basis
 /// of degree `order` >= 1. Throws ComputeError if the form is not definite, which only a folded element can cause.
 CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const std::array<int, 3>& edge_orders,
                                    const Eigen::MatrixXd& stiffness, double penalty);

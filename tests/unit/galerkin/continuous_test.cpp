@@ -65,6 +65,21 @@ TEST_F(Continuous, ModesOfAnElementBeginWithTheValuesAtItsVertices) {
   }
 }
 
+TEST_F(Continuous, ResultsDoNotDependOnWhatIsKept) {
+  const PlaneFunction rough = [](Vec2 x) { return Vec2{std::exp(3 * x.x), std::sin(5 * x.y)}; };
+  system.set_orders(mixed(), watch);
+  const Eigen::MatrixXd dofs = system.solve(given(rough), watch);
+  const std::vector<Eigen::MatrixXd> all = system.all_modes(dofs);
+  for (const std::size_t kept : {std::size_t{0}, 2 * size_of_interior(6)}) {
+    ContinuousSystem other(context, 2, kept);
+    other.set_orders(uniform(5), watch);
+    other.set_orders(mixed(), watch);
+    EXPECT_EQ(dofs, other.solve(given(rough), watch));
+    EXPECT_EQ(all, other.all_modes(dofs));
+    EXPECT_EQ(all.back(), other.modes(mesh.num_elems() - 1, dofs));
+  }
+}
+
 TEST_F(Continuous, ChangedOrdersLeaveNoTrace) {
   const PlaneFunction rough = [](Vec2 x) { return Vec2{std::exp(3 * x.x), std::sin(5 * x.y)}; };
   system.set_orders(uniform(6), watch);

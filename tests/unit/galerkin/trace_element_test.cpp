@@ -30,7 +30,7 @@ TEST(TraceElement, AConstantTraceHasAConstantInsideAndNoFlux) {
   Eigen::VectorXd trace = Eigen::VectorXd::Zero(element.schur.rows());
   for (const int first : {0, 6, 14}) trace[first] = std::sqrt(2.0);  // the value 1 on all three edges
   EXPECT_LT((element.schur * trace).norm(), 1e-11);
-  const Eigen::VectorXd inside = element.interior(trace);
+  const Eigen::VectorXd inside = element.interior->of(trace);
   EXPECT_LT((inside.head(3) - Eigen::Vector3d::Ones()).norm(), 1e-12);
   EXPECT_LT(inside.tail(inside.size() - 3).norm(), 1e-12);
 }
