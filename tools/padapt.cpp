@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
       "unknown, "
       "the phase in radians, and ignores --sensor.";
   tool.examples = {"padapt half_disc.solve.h5 -o half_disc.field.h5",
-                   "padapt --max-order 12 --raise-above 1e-16 half_disc.solve.h5 -o half_disc.field.h5",
+                   "padapt --max-order 12 --raise-above 1e-14 half_disc.solve.h5 -o half_disc.field.h5",
                    "fieldsolve half_disc.tri.h5 | padapt --sensor u -o half_disc.field.h5"};
   tool.options = [&](cli::Options& o) {
     o.input("SOLVE", input, "field to adapt (x.solve.h5, x.phase.h5)");

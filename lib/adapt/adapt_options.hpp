@@ -19,8 +19,8 @@ constexpr auto enum_names(AdaptPolicy) {
 
 struct AdaptOptions {
   AdaptPolicy policy = AdaptPolicy::predict;
-  double raise_above = 3e-18;         ///< epsilon_u on the squared sensor S_e
-  double lower_below = 1e-24;         ///< epsilon_l, below raise_above
+  double raise_above = 1e-16;         ///< epsilon_u on the squared sensor S_e
+  double lower_below = 1e-22;         ///< epsilon_l, below raise_above
   int num_threads = 1;                ///< the result does not depend on it
   int min_order = 2, max_order = 20;  ///< at most max_field_order of the field's method
   int max_steps = 20;                 ///< greatest number of new solutions; reaching it causes a warning

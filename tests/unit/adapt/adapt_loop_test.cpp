@@ -148,7 +148,7 @@ void expect_same_one_step_at_a_time(const AdaptOptions& options) {
 }
 
 TEST(AdaptLoop, OneStepAtATimeIsTheSameAsAllAtOnce) {
-  expect_same_one_step_at_a_time({.raise_above = 1e-22, .max_order = 20});
+  expect_same_one_step_at_a_time({.raise_above = 1e-22, .lower_below = 1e-28, .max_order = 20});
   // Thresholds close together: without its history a step would lower what one before it has raised.
   expect_same_one_step_at_a_time(
       {.policy = AdaptPolicy::paper, .raise_above = 1e-16, .lower_below = 5e-17, .max_order = 12});
