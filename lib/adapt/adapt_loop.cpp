@@ -25,7 +25,7 @@ namespace {
 constexpr double aim = 0.02;
 
 // The part of the expected rate of decay that predictions rely on.
-constexpr double trusted_rate = 0.95;
+constexpr double trusted_rate = 0.9;
 
 // Solves for a field of the same kind and options as the initial one, with other orders.
 struct Solver {
