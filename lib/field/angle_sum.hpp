@@ -1,37 +1,56 @@
 #pragma once
-// A sum of many angles at the cost of one arc tangent: angles add where complex numbers multiply.
+// Sums of many angles at the cost of one arc tangent each: angles add where complex numbers multiply.
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 #include "base/angle.hpp"
-#include "base/vec2.hpp"
 
 namespace quadrille::field {
 
-class AngleSum {
+/// Several sums of equally many terms. They are faster together than one after the other: no product waits for that of
+/// another sum, and compilers use vector instructions.
+class AngleSums {
  public:
-  /// Adds `times` times the angle of z, which must be less than half a turn.
-  void add(Vec2 z, int times) {
-    if (times < 0) z.y = -z.y;
-    for (int i = std::abs(times); i > 0; --i) multiply(z);
+  static constexpr int width = 8;  ///< number of sums
+  using Values = std::array<double, width>;
+
+  /// Adds `times` times the angle of (x[i], y[i]), which must be less than half a turn, to sum i.
+  void add(const Values& x, Values y, int times) {
+    if (times < 0)
+      for (double& part : y) part = -part;
+    for (int i = std::abs(times); i > 0; --i) multiply(x, y);
   }
 
-  /// Radians; not reduced by whole turns.
-  double value() const { return 2 * pi * turns_ + (z_.y == 0 && z_.x < 0 ? pi : angle_of(z_)); }
+  /// Sum i, radians; not reduced by whole turns.
+  double value(int i) const { return 2 * pi * turns_[i] + (y_[i] == 0 && x_[i] < 0 ? pi : std::atan2(y_[i], x_[i])); }
 
  private:
-  // The angle of z_ is in (-pi, pi]. It leaves this interval where both factors are above the real axis and the product
-  // is below, or the other way round.
-  void multiply(Vec2 factor) {
-    const Vec2 z = {z_.x * factor.x - z_.y * factor.y, z_.x * factor.y + z_.y * factor.x};
-    if (z_.y >= 0 && factor.y > 0 && z.y < 0) ++turns_;
-    if (z_.y < 0 && factor.y < 0 && z.y >= 0) --turns_;
-    z_ = z / (std::abs(z.x) + std::abs(z.y));
+  // The angle of (x_, y_) is in (-pi, pi]. It leaves this interval where both factors are above the real axis and the
+  // product is below, or the other way round.
+  void multiply(const Values& x, const Values& y) {
+    for (int i = 0; i < width; ++i) {
+      const double re = x_[i] * x[i] - y_[i] * y[i], im = x_[i] * y[i] + y_[i] * x[i];
+      const double was_below = is_negative(y_[i]), is_below = is_negative(im);
+      turns_[i] +=
+          (1 - was_below) * is_negative(0.0 - y[i]) * is_below - was_below * is_negative(y[i]) * (1 - is_below);
+      const double size = std::abs(re) + std::abs(im);
+      x_[i] = re / size;
+      y_[i] = im / size;
+    }
   }
 
-  Vec2 z_{1, 0};
-  int turns_ = 0;
+  // 1 or 0, without a branch. The sum turns -0 into 0.
+  static double is_negative(double a) { return 0.5 - std::copysign(0.5, a + 0.0); }
+
+  static constexpr Values filled(double value) {
+    Values values{};
+    values.fill(value);
+    return values;
+  }
+
+  Values x_ = filled(1), y_{}, turns_{};
 };
 
 }  // namespace quadrille::field

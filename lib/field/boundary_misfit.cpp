@@ -1,6 +1,7 @@
 #include "field/boundary_misfit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -18,10 +19,26 @@ namespace quadrille::field {
 
 namespace {
 
+constexpr std::array fractions{0.1, 0.37, 0.63, 0.9};
+
 struct EdgePoint {
   double t;
   Vec2 xi;
+  double phase_data;  ///< of a phase: its boundary data without the hole winding
 };
+
+/// `phase`: null for a harmonic field.
+std::array<EdgePoint, fractions.size()> edge_points(const BoundaryEdge& edge, const curve::ArcLength& length,
+                                                    const PhaseBoundary* phase) {
+  const double begin = length.at(edge.t0), whole = length.at(edge.t1) - begin;
+  std::array<double, fractions.size()> t{}, data{};
+  for (std::size_t i = 0; i < t.size(); ++i) t[i] = length.parameter(begin + fractions[i] * whole);
+  if (phase) phase->remainders(edge.curve, t, data.data());
+  std::array<EdgePoint, fractions.size()> points;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    points[i] = {t[i], spectral::tri_edge_point(edge.edge, fractions[i]), data[i]};
+  return points;
+}
 
 double misfit_at(const Field& field, const spectral::TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
   const CadFace& face = field.mesh.face;
@@ -40,8 +57,7 @@ double misfit_at(const Field& field, const spectral::TriMap& map, const Boundary
 }
 
 // |phi_h - Phi| of a phase, radians; equal to |v - v_h| to first order, because v is a unit vector.
-double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const spectral::TriMap& map,
-                       const BoundaryEdge& edge, const EdgePoint& at) {
+double phase_misfit_at(const Field& field, const spectral::TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
   const CadFace& face = field.mesh.face;
   const double* s = &field.phase.s[field.coef_offsets[edge.elem]];
   Vec2 x_h;
@@ -49,8 +65,7 @@ double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const 
   map.evaluate(at.xi, x_h, dx_dxi);
   const double value = spectral::orthogonal_sum(field.elem_order[edge.elem], s, s, at.xi, ds_dxi).x;
   const int loop = face.loop_of(edge.curve);
-  const double data =
-      boundary.remainder(edge.curve, at.t) + (loop > 0 ? 2 * pi * field.phase.hole_winding[loop - 1] : 0);
+  const double data = at.phase_data + (loop > 0 ? 2 * pi * field.phase.hole_winding[loop - 1] : 0);
   const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
   const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field.phase.terms, x_h);
   const Nurbs& curve = face.curves[edge.curve];
@@ -61,7 +76,6 @@ double phase_misfit_at(const Field& field, const PhaseBoundary& boundary, const 
 }  // namespace
 
 std::vector<double> boundary_misfit(const Field& field) {
-  constexpr double fractions[] = {0.1, 0.37, 0.63, 0.9};
   const TriMesh& mesh = field.mesh;
   const std::vector<spectral::TriMap> maps = mesh::tri_maps(mesh);
   std::vector<curve::ArcLength> lengths;
@@ -71,12 +85,9 @@ std::vector<double> boundary_misfit(const Field& field) {
   if (field.kind == FieldKind::phase) phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.prescribed);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
-    const curve::ArcLength& length = lengths[edge.curve];
-    const double begin = length.at(edge.t0), whole = length.at(edge.t1) - begin;
-    for (const double s : fractions) {
-      const EdgePoint at{length.parameter(begin + s * whole), spectral::tri_edge_point(edge.edge, s)};
-      const spectral::TriMap& map = maps[edge.elem];
-      const double misfit = phase ? phase_misfit_at(field, *phase, map, edge, at) : misfit_at(field, map, edge, at);
+    const spectral::TriMap& map = maps[edge.elem];
+    for (const EdgePoint& at : edge_points(edge, lengths[edge.curve], phase.get())) {
+      const double misfit = phase ? phase_misfit_at(field, map, edge, at) : misfit_at(field, map, edge, at);
       misfits[edge.elem] = std::max(misfits[edge.elem], misfit);
     }
   }

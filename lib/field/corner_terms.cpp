@@ -1,5 +1,6 @@
 #include "field/corner_terms.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/angle.hpp"
@@ -54,6 +55,21 @@ void add_holes(const CadFace& face, CornerTerms& result) {
   }
 }
 
+BoundarySamples samples_at(const CadFace& face, const CornerTerms& corners, int curve, std::span<const double> t) {
+  const Nurbs& nurbs = face.curves[curve];
+  BoundarySamples samples;
+  samples.t.assign(t.begin(), t.end());
+  for (const double at : t) {
+    const int apex = find_apex(face, corners.apexes, curve, at);
+    const Vec2 x = curve::point(nurbs, at);
+    samples.apexes.push_back(apex);
+    samples.x.push_back(x);
+    samples.tangent_angles.push_back(angle_of(curve::tangent(nurbs, at)));
+    samples.corner_angles.push_back(apex < 0 ? sum_of_corner_angles(corners.corner_angles, x, -1, {}) : 0);
+  }
+  return samples;
+}
+
 }  // namespace
 
 CornerTerms corner_terms(const CadFace& face, const PhaseNodes& prescribed) {
@@ -77,16 +93,24 @@ double sum_of_corner_angles(const std::vector<CornerAngle>& corner_angles, Vec2 
 SharedCorners::SharedCorners(const CadFace& face, const PhaseNodes& prescribed)
     : corners_(prescribed.corners),
       boundary_nodes_(prescribed.boundary_nodes),
+      face_(&face),
       terms_(corner_terms(face, prescribed)),
-      sums_(face.num_curves()) {}
+      samples_(face.num_curves()) {}
 
 bool SharedCorners::fit(const PhaseNodes& prescribed) const {
   return prescribed.corners == corners_ && prescribed.boundary_nodes == boundary_nodes_;
 }
 
-double SharedCorners::sum_of_angles(int curve, double t, Vec2 x) {
-  const auto [entry, is_new] = sums_[curve].try_emplace(t, 0.0);
-  if (is_new) entry->second = sum_of_corner_angles(terms_.corner_angles, x, -1, {});
+const BoundarySamples& SharedCorners::samples(int curve, std::span<const double> t) {
+  BoundarySamples& samples = samples_[curve][t.front()];
+  if (!std::equal(t.begin(), t.end(), samples.t.begin(), samples.t.end()))
+    samples = samples_at(*face_, terms_, curve, t);
+  return samples;
+}
+
+const std::vector<MirrorImage>& SharedCorners::images(Vec2 x) {
+  const auto [entry, is_new] = images_.try_emplace({x.x, x.y});
+  if (is_new) entry->second = mirror_images(*face_, x);
   return entry->second;
 }
 

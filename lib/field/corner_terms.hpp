@@ -3,11 +3,15 @@
 // apexes, corner angles, and the turns about the holes. One object serves all sets of nodes with the same valences on
 // the boundary.
 
+#include <map>
+#include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "field/boundary_apexes.hpp"
 #include "field/hole_foci.hpp"
+#include "field/mirror_images.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/phase_terms.hpp"
@@ -29,22 +33,36 @@ CornerTerms corner_terms(const CadFace& face, const PhaseNodes& prescribed);
 /// the unit vector `inward`.
 double sum_of_corner_angles(const std::vector<CornerAngle>& corner_angles, Vec2 x, int at_apex, Vec2 inward);
 
-/// Corner terms, and their sums at the points of the boundary asked for so far. Not to be used by two threads at once.
+/// What the data at parameters `t` of a curve need that does not depend on the nodes inside the domain.
+struct BoundarySamples {
+  std::vector<double> t;
+  std::vector<int> apexes;             ///< the apex at the point; -1: none
+  std::vector<Vec2> x;                 ///< the points
+  std::vector<double> tangent_angles;  ///< on the side of rising t, principal values
+  std::vector<double> corner_angles;   ///< the sums of beta_c theta_c; 0 at apexes
+};
+
+/// Corner terms, the samples of the boundary asked for so far, and the images of nodes. Not to be used by two threads
+/// at once.
 class SharedCorners {
  public:
-  /// Throws as corner_terms().
+  /// Throws as corner_terms(). `face` must outlive this object.
   SharedCorners(const CadFace& face, const PhaseNodes& prescribed);
   /// Whether `prescribed` has the valences on the boundary for which this was made.
   bool fit(const PhaseNodes& prescribed) const;
   const CornerTerms& terms() const { return terms_; }
-  /// The sum of beta_c theta_c at x, the point at parameter t of `curve`, which is no apex.
-  double sum_of_angles(int curve, double t, Vec2 x);
+  /// Valid until the next call. `t` is not empty.
+  const BoundarySamples& samples(int curve, std::span<const double> t);
+  /// mirror_images() of a node at x.
+  const std::vector<MirrorImage>& images(Vec2 x);
 
  private:
   std::vector<CornerValence> corners_;
   std::vector<BoundaryNode> boundary_nodes_;
+  const CadFace* face_;
   CornerTerms terms_;
-  std::vector<std::unordered_map<double, double>> sums_;  ///< by curve, then parameter
+  std::vector<std::unordered_map<double, BoundarySamples>> samples_;  ///< by curve, then first parameter
+  std::map<std::pair<double, double>, std::vector<MirrorImage>> images_;
 };
 
 }  // namespace quadrille::field

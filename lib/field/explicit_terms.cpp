@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "field/mirror_images.hpp"
-
 namespace quadrille::field {
 namespace {
 
@@ -20,8 +18,8 @@ PhaseTurn& nearest_centre(const std::vector<HoleFocus>& foci, const MirrorImage&
 }
 
 // Adds terms.nodes and terms.images; returns for each image the loop behind which it lies.
-std::vector<int> add_nodes_and_images(const CadFace& face, const std::vector<HoleFocus>& foci,
-                                      const std::vector<PhaseNode>& nodes, PhaseTerms& terms) {
+std::vector<int> add_nodes_and_images(SharedCorners& corners, const std::vector<PhaseNode>& nodes, PhaseTerms& terms) {
+  const std::vector<HoleFocus>& foci = corners.terms().foci;
   std::vector<int> image_loops;
   for (const HoleFocus& focus : foci) {
     PhaseTurn& hole = terms.holes[focus.loop - 1];
@@ -33,7 +31,7 @@ std::vector<int> add_nodes_and_images(const CadFace& face, const std::vector<Hol
   for (const PhaseNode& node : nodes) {
     const int turns = 4 - node.valence;
     terms.nodes.push_back({node.position, turns});
-    for (const MirrorImage& image : mirror_images(face, node.position)) {
+    for (const MirrorImage& image : corners.images(node.position)) {
       terms.images.push_back({image.position, turns});
       image_loops.push_back(image.loop);
       if (image.loop > 0) nearest_centre(foci, image, terms).turns -= turns;
@@ -44,12 +42,12 @@ std::vector<int> add_nodes_and_images(const CadFace& face, const std::vector<Hol
 
 }  // namespace
 
-ExplicitTerms explicit_terms(const CadFace& face, const CornerTerms& corners, const std::vector<PhaseNode>& nodes) {
+ExplicitTerms explicit_terms(SharedCorners& corners, const std::vector<PhaseNode>& nodes) {
   ExplicitTerms result;
   PhaseTerms& terms = result.terms;
-  terms.corner_angles = corners.corner_angles;
-  terms.holes = corners.holes;
-  const std::vector<int> image_loops = add_nodes_and_images(face, corners.foci, nodes, terms);
+  terms.corner_angles = corners.terms().corner_angles;
+  terms.holes = corners.terms().holes;
+  const std::vector<int> image_loops = add_nodes_and_images(corners, nodes, terms);
   const auto add_centre = [&](const PhaseTurn& turn, int loop) {
     result.centres.push_back({turn.position, turn.turns, loop});
   };

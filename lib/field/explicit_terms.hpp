@@ -29,6 +29,6 @@ struct ExplicitTerms {
 };
 
 /// The terms for prescribed nodes, beside those of the corners. The turns D_j of each hole make its data single-valued.
-ExplicitTerms explicit_terms(const CadFace& face, const CornerTerms& corners, const std::vector<PhaseNode>& nodes);
+ExplicitTerms explicit_terms(SharedCorners& corners, const std::vector<PhaseNode>& nodes);
 
 }  // namespace quadrille::field

@@ -80,18 +80,41 @@ void follow_piece(const CadFace& face, const std::vector<TurnCentre>& centres, c
   pieces.push_back(std::move(p));
 }
 
-}  // namespace
-
-double AnglePiece::sum_of_turns(const std::vector<TurnCentre>& centres, Vec2 x) const {
-  double references = 0;
-  AngleSum differences;
+// The sums of turns times the angle from the axis of the piece to the point, for at most AngleSums::width points. The
+// lanes beyond the last point repeat it.
+AngleSums sums_of_differences(const AnglePiece& piece, const std::vector<TurnCentre>& centres,
+                              std::span<const Vec2> points) {
+  AngleSums::Values x, y, along, across;
+  for (std::size_t lane = 0; lane < x.size(); ++lane) {
+    const Vec2 point = points[std::min(lane, points.size() - 1)];
+    x[lane] = point.x;
+    y[lane] = point.y;
+  }
+  AngleSums sums;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     if (centres[i].turns == 0) continue;
-    const Vec2 r = x - centres[i].position;
-    references += centres[i].turns * reference.centres[i];
-    differences.add({dot(axes[i], r), cross(axes[i], r)}, centres[i].turns);
+    const Vec2 centre = centres[i].position, axis = piece.axes[i];
+    for (std::size_t lane = 0; lane < x.size(); ++lane) {
+      const Vec2 r{x[lane] - centre.x, y[lane] - centre.y};
+      along[lane] = dot(axis, r);
+      across[lane] = cross(axis, r);
+    }
+    sums.add(along, across, centres[i].turns);
   }
-  return references + differences.value();
+  return sums;
+}
+
+}  // namespace
+
+void AnglePiece::sums_of_turns(const std::vector<TurnCentre>& centres, std::span<const Vec2> x, double* sums) const {
+  double references = 0;
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    if (centres[i].turns != 0) references += centres[i].turns * reference.centres[i];
+  for (std::size_t first = 0; first < x.size(); first += AngleSums::width) {
+    const std::span<const Vec2> few = x.subspan(first, std::min<std::size_t>(AngleSums::width, x.size() - first));
+    const AngleSums differences = sums_of_differences(*this, centres, few);
+    for (std::size_t i = 0; i < few.size(); ++i) sums[first + i] = references + differences.value(static_cast<int>(i));
+  }
 }
 
 LoopAngles angles_at_start(const CadFace& face, const std::vector<TurnCentre>& centres, int loop) {

@@ -3,6 +3,7 @@
 // the loop. Each curve is divided into pieces on which every angle provably differs by less than a quarter turn from a
 // reference, so that no turn is missed, however near a centre is to the boundary.
 
+#include <span>
 #include <vector>
 
 #include "base/angle.hpp"
@@ -27,8 +28,8 @@ struct AnglePiece {
   LoopAngles reference;
   std::vector<Vec2> axes;  ///< for each centre, the vector whose angle is its reference
 
-  /// The sum of turns times the angle at x, over the centres.
-  double sum_of_turns(const std::vector<TurnCentre>& centres, Vec2 x) const;
+  /// For each point x, the sum of turns times the angle at x, over the centres. `sums` has as many entries as `x`.
+  void sums_of_turns(const std::vector<TurnCentre>& centres, std::span<const Vec2> x, double* sums) const;
 };
 
 /// The angles at the start of a loop: principal values.

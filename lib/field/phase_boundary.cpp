@@ -25,7 +25,7 @@ PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed)
 PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners)
     : face_(&face),
       corners_(std::move(corners)),
-      explicit_(explicit_terms(face, corners_->terms(), prescribed.nodes)),
+      explicit_(explicit_terms(*corners_, prescribed.nodes)),
       apex_remainders_(apexes().apexes.size(), 0.0),
       pieces_(face.num_curves()) {
   require_valence_sum(face, prescribed);
@@ -108,10 +108,26 @@ double PhaseBoundary::phase(int curve, double t) const {
 }
 
 double PhaseBoundary::remainder(int curve, double t) const {
-  if (const int apex = find_apex(*face_, apexes(), curve, t); apex >= 0) return apex_remainders_[apex];
-  const Vec2 x = curve::point(face_->curves[curve], t);
-  return phase(curve, t) - corners_->sum_of_angles(curve, t, x) -
-         piece_at(pieces_[curve], t, false).sum_of_turns(explicit_.centres, x);
+  double value = 0;
+  remainders(curve, {&t, 1}, &value);
+  return value;
+}
+
+void PhaseBoundary::remainders(int curve, std::span<const double> t, double* values) const {
+  const BoundarySamples& samples = corners_->samples(curve, t);
+  for (std::size_t first = 0; first < t.size();) {
+    const AnglePiece& piece = piece_at(pieces_[curve], t[first], false);
+    std::size_t last = first + 1;
+    while (last < t.size() && t[last] < piece.t1 && t[last] >= piece.t0) ++last;
+    piece.sums_of_turns(explicit_.centres, std::span(samples.x).subspan(first, last - first), values + first);
+    for (std::size_t i = first; i < last; ++i) {
+      const double phase = 4 * nearest_branch(piece.reference.tangent, samples.tangent_angles[i]) -
+                           2 * pi * piece.reference.corner_index;
+      const int apex = samples.apexes[i];
+      values[i] = apex >= 0 ? apex_remainders_[apex] : phase - samples.corner_angles[i] - values[i];
+    }
+    first = last;
+  }
 }
 
 }  // namespace quadrille::field

@@ -37,6 +37,17 @@ const EdgeProjection& edge_projection(int order) {
   return tables[order];
 }
 
+// Calls f(first, last) for the boundary edges [first, last) of each curve.
+template <class F>
+void for_each_curve(const TriMesh& mesh, F&& f) {
+  const std::vector<BoundaryEdge>& edges = mesh.boundary_edges;
+  const int num_edges = static_cast<int>(edges.size());
+  for (int first = 0, last = 0; first < num_edges; first = last) {
+    while (last < num_edges && edges[last].curve == edges[first].curve) ++last;
+    f(first, last);
+  }
+}
+
 }  // namespace
 
 BoundaryPoints::BoundaryPoints(const TriMesh& mesh)
@@ -60,52 +71,87 @@ DirichletData::DirichletData(const TriMesh& mesh, BoundaryData data)
     : DirichletData(std::make_shared<BoundaryPoints>(mesh), std::move(data)) {}
 
 DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryData data)
-    : DirichletData(std::move(points), 2, [data = std::move(data)](int curve, double t, double* values) {
-        const Vec2 value = data(curve, t);
-        values[0] = value.x;
-        values[1] = value.y;
-      }) {}
+    : DirichletData(std::move(points), 2,
+                    [data = std::move(data)](int curve, std::span<const double> t, double* values) {
+                      for (const double at : t) {
+                        const Vec2 value = data(curve, at);
+                        *values++ = value.x;
+                        *values++ = value.y;
+                      }
+                    }) {}
 
-DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data)
-    : DirichletData(std::move(points), 1,
-                    [data = std::move(data)](int curve, double t, double* values) { values[0] = data(curve, t); }) {}
+DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalars data)
+    : DirichletData(std::move(points), 1, std::move(data)) {}
 
 DirichletData::DirichletData(std::shared_ptr<BoundaryPoints> points, int num_columns, Sampler sampler)
     : points_(std::move(points)),
       num_columns_(num_columns),
       sampler_(std::move(sampler)),
       edges_(points_->mesh().boundary_edges.size()) {
-  for (std::size_t b = 0; b < edges_.size(); ++b) {
-    const BoundaryEdge& boundary_edge = points_->mesh().boundary_edges[b];
-    edges_[b].first = at(boundary_edge.curve, boundary_edge.t0);
-    edges_[b].last = at(boundary_edge.curve, boundary_edge.t1);
-  }
+  for_each_curve(points_->mesh(), [&](int first, int last) { sample_ends(first, last); });
 }
 
-Eigen::RowVectorXd DirichletData::at(int curve, double t) const {
-  Eigen::RowVectorXd values(num_columns_);
+DirichletData::Samples DirichletData::at(int curve, std::span<const double> t) const {
+  Samples values(t.size(), num_columns_);
   sampler_(curve, t, values.data());
   return values;
 }
 
-void DirichletData::project(int b, int order) {
-  Edge& edge = edges_[b];
-  const EdgeProjection& projection = edge_projection(order);
-  const std::vector<double>& parameters = points_->parameters(b, order);
-  const int n = static_cast<int>(parameters.size()), curve = points_->mesh().boundary_edges[b].curve;
-  Eigen::MatrixXd bubble(n, num_columns_);
-  Eigen::RowVectorXd value(num_columns_);
-  for (int i = 0; i < n; ++i) {
-    const double f = (1 + projection.points[i]) / 2;
-    sampler_(curve, parameters[i], value.data());
-    bubble.row(i) = value - (1 - f) * edge.first - f * edge.last;
+// Of the edges [first, last) of one curve.
+void DirichletData::sample_ends(int first, int last) {
+  const std::vector<BoundaryEdge>& boundary_edges = points_->mesh().boundary_edges;
+  std::vector<double> t;
+  for (int b = first; b < last; ++b) {
+    for (const double end : {boundary_edges[b].t0, boundary_edges[b].t1})
+      if (t.empty() || t.back() != end) t.push_back(end);
   }
-  edge.coefs = projection.matrix * bubble;
-  edge.order = order;
+  const Samples values = at(boundary_edges[first].curve, t);
+  for (int b = first, i = 0; b < last; ++b) {
+    i += t[i] != boundary_edges[b].t0;
+    edges_[b].first = values.row(i);
+    edges_[b].last = values.row(++i);
+  }
+}
+
+// For edges of one curve: their points are sampled together.
+void DirichletData::project(const std::vector<int>& edges, const std::vector<int>& orders) {
+  std::vector<double> t;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const std::vector<double>& parameters = points_->parameters(edges[i], orders[i]);
+    t.insert(t.end(), parameters.begin(), parameters.end());
+  }
+  const Samples values = at(points_->mesh().boundary_edges[edges.front()].curve, t);
+  int row = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    Edge& edge = edges_[edges[k]];
+    const EdgeProjection& projection = edge_projection(orders[k]);
+    Eigen::MatrixXd bubble(projection.points.size(), num_columns_);
+    for (int i = 0; i < bubble.rows(); ++i, ++row) {
+      const double f = (1 + projection.points[i]) / 2;
+      bubble.row(i) = values.row(row) - (1 - f) * edge.first - f * edge.last;
+    }
+    edge.coefs = projection.matrix * bubble;
+    edge.order = orders[k];
+  }
+}
+
+void DirichletData::update_projections(const mesh::TriTopology& topology, const DofMap& map) {
+  for_each_curve(points_->mesh(), [&](int first, int last) {
+    std::vector<int> changed, orders;
+    for (int b = first; b < last; ++b) {
+      const BoundaryEdge& boundary_edge = points_->mesh().boundary_edges[b];
+      const int order = map.edge2order[topology.elem2edges[boundary_edge.elem][boundary_edge.edge]];
+      if (order < 2 || edges_[b].order == spectral::table_order(order)) continue;
+      changed.push_back(b);
+      orders.push_back(spectral::table_order(order));
+    }
+    if (!changed.empty()) project(changed, orders);
+  });
 }
 
 Eigen::MatrixXd DirichletData::values(const mesh::TriTopology& topology, const DofMap& map) {
   const TriMesh& mesh = points_->mesh();
+  update_projections(topology, map);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, num_columns_);
   for (std::size_t b = 0; b < edges_.size(); ++b) {
     const BoundaryEdge& boundary_edge = mesh.boundary_edges[b];
@@ -114,7 +160,6 @@ Eigen::MatrixXd DirichletData::values(const mesh::TriTopology& topology, const D
     values.row(map.vertex2dof[vertex0] - map.num_unknowns) = edges_[b].first;
     const int edge = topology.elem2edges[boundary_edge.elem][boundary_edge.edge], order = map.edge2order[edge];
     if (order < 2) continue;
-    if (edges_[b].order != spectral::table_order(order)) project(static_cast<int>(b), spectral::table_order(order));
     Eigen::MatrixXd coefs = edges_[b].coefs.topRows(order - 1);
     if (vertex0 > vertex1) {  // the direction of the edge is opposite: odd degrees change sign
       for (int d = 3; d <= order; d += 2) coefs.row(d - 2) *= -1;

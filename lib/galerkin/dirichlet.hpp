@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "curve/arc_length.hpp"
@@ -14,8 +15,8 @@ namespace quadrille::galerkin {
 
 /// The value (u, v) at parameter t of a boundary curve.
 using BoundaryData = std::function<Vec2(int curve, double t)>;
-/// The value of a scalar function at parameter t of a boundary curve.
-using BoundaryScalar = std::function<double(int curve, double t)>;
+/// Writes the values of a scalar function at some parameters t of a boundary curve.
+using BoundaryScalars = std::function<void(int curve, std::span<const double> t, double* values)>;
 
 /// The sample points of the data: Gauss points along each boundary edge. The point at fraction s of an edge lies at
 /// fraction s of the curve's arc length, as the geometry nodes of the element do. Computed once for all data on a mesh.
@@ -46,7 +47,7 @@ class DirichletData {
   /// `points` may be shared with other data on the same mesh.
   DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryData data);
   /// One scalar function.
-  DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalar data);
+  DirichletData(std::shared_ptr<BoundaryPoints> points, BoundaryScalars data);
   /// Values of the dofs [num_unknowns, num_dofs): columns u, v, or one column for a scalar function.
   Eigen::MatrixXd values(const mesh::TriTopology& topology, const DofMap& map);
 
@@ -57,11 +58,14 @@ class DirichletData {
     Eigen::RowVectorXd first, last;
     Eigen::MatrixXd coefs;  ///< of the edge modes of degree 2..order
   };
-  /// Writes num_columns_ values.
-  using Sampler = std::function<void(int curve, double t, double* values)>;
+  using Samples = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  ///< one row per point
+  /// Writes num_columns_ values for each t.
+  using Sampler = std::function<void(int curve, std::span<const double> t, double* values)>;
   DirichletData(std::shared_ptr<BoundaryPoints> points, int num_columns, Sampler sampler);
-  Eigen::RowVectorXd at(int curve, double t) const;
-  void project(int b, int order);
+  Samples at(int curve, std::span<const double> t) const;
+  void sample_ends(int first, int last);
+  void project(const std::vector<int>& edges, const std::vector<int>& orders);
+  void update_projections(const mesh::TriTopology& topology, const DofMap& map);
 
   std::shared_ptr<BoundaryPoints> points_;
   int num_columns_;

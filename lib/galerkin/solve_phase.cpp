@@ -31,7 +31,8 @@ struct PhaseSolver::Given {
         std::shared_ptr<field::SharedCorners> corners)
       : asked(nodes),
         boundary(mesh.face, asked, std::move(corners)),
-        data(std::move(points), [this](int curve, double t) { return boundary.remainder(curve, t); }) {}
+        data(std::move(points),
+             [this](int curve, std::span<const double> t, double* values) { boundary.remainders(curve, t, values); }) {}
 
   PhaseNodes asked;
   field::PhaseBoundary boundary;

@@ -7,34 +7,54 @@
 namespace quadrille::field {
 namespace {
 
-TEST(AngleSum, OfNothingIsZero) { EXPECT_EQ(AngleSum().value(), 0); }
-
-TEST(AngleSum, AddsAnglesTimesTheirFactors) {
-  AngleSum sum;
-  sum.add(2 * unit(0.3), 1);
-  sum.add(0.1 * unit(-0.5), 3);
-  sum.add(unit(0.7), -2);
-  sum.add(unit(1.5), 0);
-  EXPECT_NEAR(sum.value(), 0.3 - 1.5 - 1.4, 1e-14);
+// Adds to each sum an angle of its own: first + i * step.
+void add(AngleSums& sums, double size, double first, double step, int times) {
+  AngleSums::Values x, y;
+  for (int i = 0; i < AngleSums::width; ++i) {
+    x[i] = size * std::cos(first + i * step);
+    y[i] = size * std::sin(first + i * step);
+  }
+  sums.add(x, y, times);
 }
 
-TEST(AngleSum, CountsWholeTurnsInBothDirections) {
+TEST(AngleSums, OfNothingAreZero) {
+  for (int i = 0; i < AngleSums::width; ++i) EXPECT_EQ(AngleSums().value(i), 0);
+}
+
+TEST(AngleSums, AddAnglesTimesTheirFactors) {
+  AngleSums sums;
+  add(sums, 2, 0.3, 0.01, 1);
+  add(sums, 0.1, -0.5, 0.02, 3);
+  add(sums, 1, 0.7, -0.1, -2);
+  add(sums, 1, 1.5, 0, 0);
+  for (int i = 0; i < AngleSums::width; ++i)
+    EXPECT_NEAR(sums.value(i), 0.3 + 0.01 * i + 3 * (-0.5 + 0.02 * i) - 2 * (0.7 - 0.1 * i), 1e-14);
+}
+
+TEST(AngleSums, CountWholeTurnsInBothDirections) {
   for (const double angle : {1.4, -1.4, 0.01, -0.01, half_pi, -half_pi}) {
-    AngleSum sum;
+    AngleSums sums;
     for (int i = 1; i <= 1000; ++i) {
-      sum.add(unit(angle), 1);
-      ASSERT_NEAR(sum.value(), i * angle, 1e-12) << angle << " times " << i;
+      add(sums, 1, angle, 0, 1);
+      for (int k = 0; k < AngleSums::width; ++k)
+        ASSERT_NEAR(sums.value(k), i * angle, 1e-12) << angle << " times " << i;
     }
-    sum.add(unit(angle), -1000);
-    EXPECT_NEAR(sum.value(), 0, 1e-12);
+    add(sums, 1, angle, 0, -1000);
+    for (int k = 0; k < AngleSums::width; ++k) EXPECT_NEAR(sums.value(k), 0, 1e-12);
   }
 }
 
-TEST(AngleSum, NeitherOverflowsNorVanishes) {
-  AngleSum sum;
-  for (int i = 0; i < 500; ++i) sum.add(1e200 * unit(0.1), 1);
-  for (int i = 0; i < 500; ++i) sum.add(1e-200 * unit(0.1), 1);
-  EXPECT_NEAR(sum.value(), 100, 1e-11);
+TEST(AngleSums, CountTheTurnsOfEachSum) {
+  AngleSums sums;
+  for (int i = 0; i < 100; ++i) add(sums, 1, -1.4, 0.4, 1);  // from -1.4 to 1.4
+  for (int i = 0; i < AngleSums::width; ++i) EXPECT_NEAR(sums.value(i), 100 * (-1.4 + 0.4 * i), 1e-12);
+}
+
+TEST(AngleSums, NeitherOverflowNorVanish) {
+  AngleSums sums;
+  for (int i = 0; i < 500; ++i) add(sums, 1e200, 0.1, 0, 1);
+  for (int i = 0; i < 500; ++i) add(sums, 1e-200, 0.1, 0, 1);
+  for (int i = 0; i < AngleSums::width; ++i) EXPECT_NEAR(sums.value(i), 100, 1e-11);
 }
 
 }  // namespace

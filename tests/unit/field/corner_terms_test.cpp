@@ -19,7 +19,8 @@ TEST(CornerTerms, AssignApexesToTheCornersWhereTheDataJump) {
 }
 
 TEST(SharedCorners, FitAllNodesWithTheSameValencesOnTheBoundary) {
-  const SharedCorners corners(square(), one_smooth_corner);
+  const CadFace face = square();
+  const SharedCorners corners(face, one_smooth_corner);
   PhaseNodes other = one_smooth_corner;
   other.nodes = {{{0.5, 0.5}, 3}};
   EXPECT_TRUE(corners.fit(other));
@@ -28,16 +29,40 @@ TEST(SharedCorners, FitAllNodesWithTheSameValencesOnTheBoundary) {
   EXPECT_FALSE(corners.fit(other));
 }
 
-TEST(SharedCorners, SumsAreTheSameWhenAskedAgain) {
+TEST(SharedCorners, SamplesAreThoseOfTheParametersAskedFor) {
   const CadFace face = square();
   SharedCorners corners(face, one_smooth_corner);
-  for (int pass = 0; pass < 2; ++pass) {
-    for (int curve = 0; curve < 4; ++curve) {
-      const Nurbs& nurbs = face.curves[curve];
-      const double t = 0.3 * nurbs.begin() + 0.7 * nurbs.end();
-      const Vec2 x = curve::point(nurbs, t);
-      EXPECT_EQ(corners.sum_of_angles(curve, t, x), sum_of_corner_angles(corners.terms().corner_angles, x, -1, {}));
+  const Nurbs& nurbs = face.curves[1];
+  const auto at = [&](double f) { return (1 - f) * nurbs.begin() + f * nurbs.end(); };
+  // The second and third lists start as the first does, the last is the first once more.
+  const std::vector<std::vector<double>> lists{{at(0.3), at(0.7)}, {at(0.3), at(0.8)}, {at(0.3)}, {at(0.3), at(0.7)}};
+  for (const std::vector<double>& t : lists) {
+    const BoundarySamples& samples = corners.samples(1, t);
+    ASSERT_EQ(samples.t, t);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const Vec2 x = curve::point(nurbs, t[i]);
+      EXPECT_EQ(samples.x[i], x);
+      EXPECT_EQ(samples.apexes[i], -1);
+      EXPECT_EQ(samples.tangent_angles[i], angle_of(curve::tangent(nurbs, t[i])));
+      EXPECT_EQ(samples.corner_angles[i], sum_of_corner_angles(corners.terms().corner_angles, x, -1, {}));
     }
+  }
+  EXPECT_EQ(corners.samples(1, std::vector{nurbs.begin(), at(0.5), nurbs.end()}).apexes, (std::vector<int>{1, -1, 2}));
+}
+
+TEST(SharedCorners, KnowTheImagesOfEachNode) {
+  const CadFace face = square();
+  SharedCorners corners(face, right_corners);
+  const auto positions = [&](Vec2 x) {
+    std::vector<Vec2> found;
+    for (const MirrorImage& image : corners.images(x)) found.push_back(image.position);
+    return found;
+  };
+  for (const Vec2 x : {Vec2{0.1, 0.2}, Vec2{0.1, 0.4}, Vec2{0.1, 0.2}}) {
+    std::vector<Vec2> expected;
+    for (const MirrorImage& image : mirror_images(face, x)) expected.push_back(image.position);
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(positions(x), expected);
   }
 }
 

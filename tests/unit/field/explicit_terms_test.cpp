@@ -11,7 +11,8 @@ namespace {
 using namespace testing_faces;
 
 ExplicitTerms terms_of(const CadFace& face, const PhaseNodes& prescribed) {
-  return explicit_terms(face, corner_terms(face, prescribed), prescribed.nodes);
+  SharedCorners corners(face, prescribed);
+  return explicit_terms(corners, prescribed.nodes);
 }
 
 TEST(ExplicitTerms, OfASquareWithRightCornersAreNone) {

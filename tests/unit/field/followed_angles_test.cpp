@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
+#include "field/angle_sum.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -76,12 +77,20 @@ TEST(FollowedAngles, SumTheTurnsAboutAllCentres) {
   const std::vector<TurnCentre> centres{{{0.3, 0.2}, 3, -1}, {{-0.7, 0.1}, -2, -1}, {{0.1, -0.4}, 0, -1}};
   const Followed f = follow_circle(face, centres);
   for (const AnglePiece& piece : f.pieces) {
-    for (int k = 0; k <= 4; ++k) {
-      const Vec2 x = curve::point(face.curves[0], piece.t0 + (piece.t1 - piece.t0) * k / 4);
-      double sum = 0;
-      for (std::size_t i = 0; i < centres.size(); ++i)
-        sum += centres[i].turns * nearest_branch(piece.reference.centres[i], angle_of(x - centres[i].position));
-      EXPECT_NEAR(piece.sum_of_turns(centres, x), sum, 1e-13);
+    for (const std::size_t num_points : {1, 5, AngleSums::width, AngleSums::width + 3}) {
+      std::vector<Vec2> x;
+      for (double k = 0.5; k < static_cast<double>(num_points); ++k)
+        x.push_back(
+            curve::point(face.curves[0], piece.t0 + (piece.t1 - piece.t0) * k / static_cast<double>(num_points)));
+      std::vector<double> sums(num_points + 1, -7);
+      piece.sums_of_turns(centres, x, sums.data());
+      for (std::size_t k = 0; k < num_points; ++k) {
+        double sum = 0;
+        for (std::size_t i = 0; i < centres.size(); ++i)
+          sum += centres[i].turns * nearest_branch(piece.reference.centres[i], angle_of(x[k] - centres[i].position));
+        EXPECT_NEAR(sums[k], sum, 1e-13);
+      }
+      EXPECT_EQ(sums.back(), -7);
     }
   }
 }
