@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "base/angle.hpp"
@@ -11,6 +12,27 @@
 namespace quadrille::galerkin {
 
 namespace {
+
+/// The sum of integers times logarithms, at the cost of one logarithm for most sums.
+class LogSum {
+ public:
+  void add(double a, int times) {
+    double& product = times > 0 ? product_ : divisor_;
+    for (int i = std::abs(times); i > 0; --i) {
+      product *= a;
+      if (!(product > 1e-150 && product < 1e150)) take_logarithms();
+    }
+  }
+  double value() const { return sum_ + std::log(product_ / divisor_); }
+
+ private:
+  void take_logarithms() {
+    sum_ += std::log(product_) - std::log(divisor_);
+    product_ = divisor_ = 1;
+  }
+
+  double product_ = 1, divisor_ = 1, sum_ = 0;
+};
 
 /// weight * ln |z - position| in L.
 struct Source {
@@ -96,12 +118,21 @@ class BoundaryIntegral {
     const double least2 = 1e-34 * face_.diameter * face_.diameter;  // a point near an apex may be rounded onto it
     const auto [x, d1, d2, d3] = curve::derivatives(*curve_, t);
     const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
-    double log_sum = 0, turning = 0;
-    for (int i = 0; i < static_cast<int>(sources_.size()); ++i) {
+    double turning = 0;
+    LogSum turns;
+    for (int i = 0; i < first_apex_; ++i) {
       const Vec2 r = x - sources_[i].position;
       const double r2 = std::max(norm2(r), least2);
-      log_sum += sources_[i].weight * std::log(r2) / 2;
-      turning += sources_[i].weight * (i == apex && fraction < too_near ? bend / 2 : cross(r, d1) / r2);
+      turns.add(r2, static_cast<int>(sources_[i].weight));
+      turning += sources_[i].weight * cross(r, d1) / r2;
+    }
+    double log_sum = turns.value() / 2;
+    for (int i = first_apex_; i < static_cast<int>(sources_.size()); i += 2) {
+      const Vec2 r = x - sources_[i].position, from_pole = x - sources_[i + 1].position;
+      const double r2 = std::max(norm2(r), least2), pole2 = norm2(from_pole);
+      log_sum += sources_[i].weight * std::log(r2 / pole2) / 2;
+      turning += sources_[i].weight *
+                 ((i == apex && fraction < too_near ? bend / 2 : cross(r, d1) / r2) - cross(from_pole, d1) / pole2);
     }
     return log_sum * (4 * bend - turning / 2);
   }
