@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -39,6 +40,12 @@ struct PhaseSolver::Given {
   DirichletData data;
 };
 
+struct PhaseSolver::KnownEnergy {
+  PhaseNodes asked;
+  std::vector<int> hole_winding_offsets;
+  PhaseEnergy energy;
+};
+
 /// Data computed once: for the mesh, then for the order map, then for the nodes.
 struct PhaseSolver::Parts {
   Parts(const TriMesh& mesh, int num_threads)
@@ -56,6 +63,7 @@ struct PhaseSolver::Parts {
   Eigen::MatrixXd k;                              ///< K_ij = a(w_i, w_j)
   std::shared_ptr<field::SharedCorners> corners;  ///< of the valences of the last nodes
   std::unique_ptr<Given> given;
+  std::optional<KnownEnergy> known_energy;  ///< the last, for this order map
   Stopwatch watch;
 };
 
@@ -80,6 +88,7 @@ void PhaseSolver::set_orders(std::vector<int> elem_order) {
   if (elem_order == parts_->elem_order) return;
   parts_->elem_order = std::move(elem_order);
   parts_->is_factored = false;
+  parts_->known_energy.reset();
 }
 
 int PhaseSolver::num_unknowns(const std::vector<int>& elem_order) const {
@@ -203,6 +212,10 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
 }
 
 PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& options) {
+  // A minimisation starts where the energy was computed before.
+  if (const auto& known = parts_->known_energy;
+      known && known->asked == asked && known->hole_winding_offsets == options.hole_winding_offsets)
+    return known->energy;
   const State state = this->state(asked, options);
   const MeshContext& context = parts_->context;
   if (!parts_->locator) parts_->locator = std::make_unique<mesh::Locator>(*context.mesh, context.maps);
@@ -216,6 +229,7 @@ PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& opt
     const Vec2 slope = remainder_gradient(context.maps[at.elem], at.xi, parts_->elem_order[at.elem], s.data());
     energy.gradient.push_back(phase_energy_gradient(state.form.terms, static_cast<int>(k), slope));
   }
+  parts_->known_energy = {asked, options.hole_winding_offsets, energy};
   return energy;
 }
 

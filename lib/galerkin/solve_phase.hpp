@@ -44,6 +44,7 @@ class PhaseSolver {
 
  private:
   struct Given;
+  struct KnownEnergy;
   struct Parts;
   struct State;
   void factor();

@@ -286,6 +286,27 @@ TEST(SolvePhase, ASolverReusedGivesTheSameBits) {
   EXPECT_EQ(energy.value, same.value);
 }
 
+TEST(SolvePhase, EnergiesAreThoseOfTheNodesOrdersAndWindingAskedFor) {
+  Report report;
+  const TriMesh mesh = triangulate::triangulate(annulus(), {}, report);
+  const std::vector<int> low(mesh.num_elems(), 4), high(mesh.num_elems(), 6);
+  const auto nodes = [](double radius) {
+    return PhaseNodes{{{radius * unit(0.3), 3}, {radius * unit(2.4), 5}}, {}, {}};
+  };
+  const auto fresh = [&](const std::vector<int>& orders, double radius, int offset) {
+    return PhaseSolver(mesh, orders).energy(nodes(radius), {{offset}}).value;
+  };
+  PhaseSolver solver(mesh, low);
+  const auto known = [&](double radius, int offset) { return solver.energy(nodes(radius), {{offset}}).value; };
+  EXPECT_EQ(known(0.7, 0), fresh(low, 0.7, 0));
+  EXPECT_EQ(known(0.7, 0), fresh(low, 0.7, 0));
+  EXPECT_EQ(known(0.7, 1), fresh(low, 0.7, 1));
+  EXPECT_EQ(known(0.8, 1), fresh(low, 0.8, 1));
+  solver.set_orders(high);
+  EXPECT_EQ(known(0.8, 1), fresh(high, 0.8, 1));
+  EXPECT_NE(fresh(low, 0.8, 1), fresh(high, 0.8, 1));
+}
+
 TEST(SolvePhase, RefusesOffsetsThatDoNotFitTheHoles) {
   Report report;
   const TriMesh mesh = triangulate::triangulate(disc(), {}, report);
