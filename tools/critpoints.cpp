@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
@@ -24,7 +25,6 @@
 #include "features/resolve_features.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_energy.hpp"
-#include "galerkin/solve_parts.hpp"
 #include "guide/complete_nodes.hpp"
 #include "guide/divide_corners.hpp"
 #include "guide/find_critical_points.hpp"
@@ -85,15 +85,29 @@ void declare(cli::Options& o, NodeOptions& options) {
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
 }
 
+/// The solver that serves both the field tilted at ties and the energy of the nodes, so that the system is factored
+/// once. It is made at first use, because most fields need neither.
+class SharedSolver {
+ public:
+  SharedSolver(const Field& field, int num_threads) : field_(field), num_threads_(num_threads) {}
+  const std::shared_ptr<galerkin::PhaseSolver>& get() {
+    if (!solver_) solver_ = std::make_shared<galerkin::PhaseSolver>(field_.mesh, field_.elem_order, num_threads_);
+    return solver_;
+  }
+
+ private:
+  const Field& field_;
+  int num_threads_;
+  std::shared_ptr<galerkin::PhaseSolver> solver_;
+};
+
 /// The field's zeros as they are, or with ties those of the field tilted at them.
-CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, int num_threads,
+CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, SharedSolver& solver,
                         Report& report) {
   const CadFace& face = evaluator.field().mesh.face;
   const ties::TieOrbits ties = ties::tie_orbits(face);
   if (options.ties == ties::TiePolicy::choose && !ties.ties.empty()) {
-    const auto solve = [&](const std::vector<field::LiftedData>& data) {
-      return galerkin::solve_parts(evaluator.field(), data, num_threads);
-    };
+    const auto solve = [&](const std::vector<field::LiftedData>& data) { return solver.get()->harmonic_parts(data); };
     return ties::choose_at_ties(evaluator, ties, solve, {options.search, options.max_valence}, report);
   }
   CriticalPoints points = guide::find_critical_points(evaluator, options.search, report);
@@ -102,10 +116,10 @@ CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOption
 }
 
 /// Nodes and corners: by rule where the zeros of the field cannot be isolated.
-CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, int num_threads,
+CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, SharedSolver& solver,
                         Report& report) {
   try {
-    return zeros_of(evaluator, options, num_threads, report);
+    return zeros_of(evaluator, options, solver, report);
   } catch (const ComputeError& error) {
     report.warn(warning::nodes_by_rule,
                 fmt::format("{}: corner valences and nodes are chosen by rule instead; look at the layout, and improve "
@@ -115,13 +129,14 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
   return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
 }
 
-void place(const Field& field, const NodeOptions& options, int num_threads, CriticalPoints& points, Report& report) {
+void place(const Field& field, const NodeOptions& options, SharedSolver& solver, CriticalPoints& points,
+           Report& report) {
   std::vector<bool> is_free = guide::nodes_without_position(field.mesh.face, points);
   if (options.place == placement::PlaceRule::energy)
     for (std::size_t i = 0; i < is_free.size(); ++i)
       is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
-  const auto energy = galerkin::phase_energy_function(field, {points.hole_winding_offsets}, num_threads);
+  const auto energy = galerkin::phase_energy_function(solver.get(), {points.hole_winding_offsets});
   const auto of_points = [&](const CriticalPoints& at) {
     galerkin::PhaseEnergy e = energy(phase_nodes_of(at));
     return placement::NodeEnergy{e.value, std::move(e.gradient)};
@@ -172,7 +187,8 @@ int main(int argc, char** argv) {
     if (field.elem_error.empty()) field.elem_error = field::error_estimate(field);
     s.begin_phase("search");
     const field::FieldEvaluator evaluator(field);
-    CriticalPoints points = nodes_of(evaluator, options, s.threads(), s.report());
+    SharedSolver solver(field, s.threads());
+    CriticalPoints points = nodes_of(evaluator, options, solver, s.report());
     s.begin_phase("resolve");
     const CadFace& face = field.mesh.face;
     guide::override_corners(face, overrides, points);
@@ -183,7 +199,7 @@ int main(int argc, char** argv) {
     s.report().set("feature_size", feature_size);
     guide::require_index_sum(points);
     s.begin_phase("place");
-    place(field, options, s.threads(), points, s.report());
+    place(field, options, solver, points, s.report());
     s.begin_phase("write");
     guide::complete_nodes(evaluator, points);
     s.report().set("critical_points", points.critical_points.size());

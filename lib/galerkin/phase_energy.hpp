@@ -10,16 +10,15 @@
 // energy, W is continuous where the winding changes, but its gradient is not.
 
 #include <functional>
+#include <memory>
 
 #include "galerkin/solve_phase.hpp"
 
 namespace quadrille::galerkin {
 
-/// A function that evaluates W for any set of nodes on the mesh of `field` (of any kind) with its order map. It
-/// contains a copy of the mesh; its first call factors the system. It is not thread-safe. It throws as
-/// PhaseSolver::energy.
-std::function<PhaseEnergy(const PhaseNodes&)> phase_energy_function(const Field& field,
-                                                                    const PhaseOptions& options = {},
-                                                                    int num_threads = 1);
+/// A function that evaluates W for any set of nodes on the mesh of `solver` with its order map. Its first call factors
+/// the system, unless the solver has. It is not thread-safe. It throws as PhaseSolver::energy.
+std::function<PhaseEnergy(const PhaseNodes&)> phase_energy_function(std::shared_ptr<PhaseSolver> solver,
+                                                                    const PhaseOptions& options = {});
 
 }  // namespace quadrille::galerkin

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "galerkin/continuous.hpp"
 #include "spectral/modified_to_orthogonal.hpp"
 
 namespace quadrille::galerkin {
@@ -27,13 +26,11 @@ void add_element(const Eigen::MatrixXd& modes, int e, int order, field::Harmonic
 
 }  // namespace
 
-std::vector<field::HarmonicPart> solve_parts(const Field& field, const std::vector<field::LiftedData>& data,
-                                             int num_threads) {
-  const MeshContext context(field.mesh);
-  ContinuousSystem system(context, num_threads);
+std::vector<field::HarmonicPart> solve_parts(const MeshContext& context, ContinuousSystem& system,
+                                             const std::shared_ptr<BoundaryPoints>& points,
+                                             const std::vector<field::LiftedData>& data) {
+  const std::vector<int>& elem_order = system.elem_order();
   Stopwatch watch;
-  system.set_orders(field.elem_order, watch);
-  const auto points = std::make_shared<BoundaryPoints>(field.mesh);
   std::vector<field::HarmonicPart> parts(data.size());
   for (std::size_t first = 0; first < data.size(); first += batch) {
     const std::size_t last = std::min(first + batch, data.size());
@@ -44,8 +41,8 @@ std::vector<field::HarmonicPart> solve_parts(const Field& field, const std::vect
           DirichletData(points, data[i].values).values(context.topology, system.map());
     }
     const Eigen::MatrixXd dofs = system.solve(given, watch);
-    for (int e = 0; e < field.mesh.num_elems(); ++e)
-      add_element(system.modes(e, dofs), e, field.elem_order[e], &parts[first]);
+    for (int e = 0; e < static_cast<int>(elem_order.size()); ++e)
+      add_element(system.modes(e, dofs), e, elem_order[e], &parts[first]);
   }
   return parts;
 }

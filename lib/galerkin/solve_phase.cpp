@@ -13,6 +13,7 @@
 #include "galerkin/explicit_energy.hpp"
 #include "galerkin/hole_winding.hpp"
 #include "galerkin/phase_gradient.hpp"
+#include "galerkin/solve_parts.hpp"
 #include "mesh/locate.hpp"
 #include "spectral/modified_to_orthogonal.hpp"
 
@@ -57,7 +58,7 @@ struct PhaseSolver::Parts {
   std::unique_ptr<mesh::Locator> locator;  ///< constructed by the first call of energy()
 
   std::vector<int> elem_order;
-  bool is_factored = false;
+  bool is_factored = false, has_measures = false;
   Eigen::MatrixXd measures;                       ///< all dofs of the harmonic measures w_j, one column per hole
   Eigen::MatrixXd given_measures;                 ///< their boundary part
   Eigen::MatrixXd k;                              ///< K_ij = a(w_i, w_j)
@@ -87,7 +88,7 @@ void PhaseSolver::set_orders(std::vector<int> elem_order) {
   if (elem_order.size() != parts_->context.maps.size()) throw Defect("the order map does not fit the mesh");
   if (elem_order == parts_->elem_order) return;
   parts_->elem_order = std::move(elem_order);
-  parts_->is_factored = false;
+  parts_->is_factored = parts_->has_measures = false;
   parts_->known_energy.reset();
 }
 
@@ -98,8 +99,18 @@ int PhaseSolver::num_unknowns(const std::vector<int>& elem_order) const {
 void PhaseSolver::factor() {
   if (parts_->is_factored) return;
   parts_->system.set_orders(parts_->elem_order, parts_->watch);
-  measure_holes();
   parts_->is_factored = true;
+}
+
+void PhaseSolver::require_measures() {
+  factor();
+  if (!parts_->has_measures) measure_holes();
+  parts_->has_measures = true;
+}
+
+std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<field::LiftedData>& data) {
+  factor();
+  return solve_parts(parts_->context, parts_->system, parts_->points, data);
 }
 
 // w_j is 1 on hole j: its vertex modes are 1 there, and its edge modes vanish.
@@ -133,7 +144,7 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   if (!parts_->given || parts_->given->asked != asked)
     parts_->given = std::make_unique<Given>(mesh, parts_->points, asked, parts_->corners);
   const field::PhaseBoundary& boundary = parts_->given->boundary;
-  factor();
+  require_measures();
   const Eigen::MatrixXd given = parts_->given->data.values(parts_->context.topology, parts_->system.map());
 
   State state;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "base/report.hpp"
+#include "field/corner_tilt.hpp"
+#include "field/harmonic_part.hpp"
 #include "model/field.hpp"
 
 namespace quadrille::galerkin {
@@ -22,8 +24,9 @@ struct PhaseEnergy {
   std::vector<Vec2> gradient;
 };
 
-/// Solves for many sets of nodes on one mesh and for successive order maps: one factorisation for each order map,
-/// including the harmonic measures of all holes. Each set of nodes costs new boundary data and one back substitution.
+/// Solves for many sets of nodes on one mesh and for successive order maps: one factorisation for each order map, which
+/// serves the harmonic measures of all holes and other harmonic functions too. Each set of nodes costs new boundary
+/// data and one back substitution.
 class PhaseSolver {
  public:
   /// Order elem_order[e] on element e. `mesh` must outlive the solver. The system is factored at first use.
@@ -39,6 +42,9 @@ class PhaseSolver {
   /// The energy W of the field and its gradient. Throws as solve(), and ComputeError if a node lies outside the mesh
   /// (between a curve and its elements).
   PhaseEnergy energy(const PhaseNodes& asked, const PhaseOptions& options = {});
+  /// Harmonic functions with these boundary data (galerkin/solve_parts.hpp), to be added to a field on this mesh with
+  /// this order map. Throws ComputeError if the factorisation breaks down.
+  std::vector<field::HarmonicPart> harmonic_parts(const std::vector<field::LiftedData>& data);
   /// Size of the condensed system for this order map.
   int num_unknowns(const std::vector<int>& elem_order) const;
 
@@ -48,6 +54,7 @@ class PhaseSolver {
   struct Parts;
   struct State;
   void factor();
+  void require_measures();
   void measure_holes();
   State state(const PhaseNodes& asked, const PhaseOptions& options);
   std::unique_ptr<Parts> parts_;

@@ -18,6 +18,14 @@ Field solved_field(const CadFace& face) {
   return solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), report);
 }
 
+std::vector<field::HarmonicPart> parts_of(const Field& field, const std::vector<field::LiftedData>& data) {
+  const MeshContext context(field.mesh);
+  ContinuousSystem system(context);
+  Stopwatch watch;
+  system.set_orders(field.elem_order, watch);
+  return solve_parts(context, system, std::make_shared<BoundaryPoints>(field.mesh), data);
+}
+
 Vec2 value_at(const Field& field, Vec2 x) {
   Vec2 value;
   EXPECT_TRUE(field::FieldEvaluator(field).value_at(x, value));
@@ -32,7 +40,7 @@ TEST(SolveParts, adds_harmonic_functions_to_a_field) {
     return Vec2{x.x * x.x - x.y * x.y, 2 * x.x * x.y};
   };
   const auto constant = [](int, double) { return Vec2{0.5, -0.25}; };
-  const auto parts = solve_parts(field, {{square, {}}, {constant, {}}}, 1);
+  const auto parts = parts_of(field, {{square, {}}, {constant, {}}});
   ASSERT_EQ(parts.size(), 2u);
   Field sum = field;
   field::add(parts[0], 2, sum);
@@ -52,7 +60,7 @@ TEST(SolveParts, liftings_are_added_to_those_at_the_same_joint) {
     return -1 * field::liftings_on_boundary(face, {at_a_tie}, curve, t);
   };
   Field sum = field;
-  field::add(solve_parts(field, {{minus_lifting, {at_a_tie}}}, 1)[0], 1, sum);  // the data add up to nothing
+  field::add(parts_of(field, {{minus_lifting, {at_a_tie}}})[0], 1, sum);  // the data add up to nothing
   EXPECT_EQ(sum.liftings.size(), field.liftings.size());
   EXPECT_NEAR(norm(sum.liftings.front().jump - 2 * at_a_tie.jump), 0, 1e-14);
   EXPECT_NEAR(norm(value_at(sum, {2.5, 1.5}) - value_at(field, {2.5, 1.5})), 0, 1e-6);
@@ -60,7 +68,7 @@ TEST(SolveParts, liftings_are_added_to_those_at_the_same_joint) {
 
 TEST(SolveParts, elements_where_a_function_vanishes_are_left_out) {
   const Field field = solved_field(plate());
-  const auto parts = solve_parts(field, {{[](int, double) { return Vec2{}; }, {}}}, 1);
+  const auto parts = parts_of(field, {{[](int, double) { return Vec2{}; }, {}}});
   EXPECT_TRUE(parts[0].elems.empty());
 }
 

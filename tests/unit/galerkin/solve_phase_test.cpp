@@ -10,6 +10,7 @@
 #include "curve/arc_length.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/phase_energy.hpp"
+#include "spectral/orthogonal_basis.hpp"
 #include "spectral/tri_nodes.hpp"
 #include "triangulate/triangulate.hpp"
 
@@ -282,7 +283,8 @@ TEST(SolvePhase, ASolverReusedGivesTheSameBits) {
   EXPECT_EQ(c.phase.s, solve_phase(mesh, high, first, report).phase.s);
   EXPECT_EQ(c.phase.hole_winding, a.phase.hole_winding);
   EXPECT_GT(b.phase.hole_winding_energy, 1);
-  const PhaseEnergy energy = phase_energy_function(c)(first), same = solver.energy(first);
+  const auto other = std::make_shared<PhaseSolver>(mesh, high);
+  const PhaseEnergy energy = phase_energy_function(other)(first), same = solver.energy(first);
   EXPECT_EQ(energy.value, same.value);
 }
 
@@ -305,6 +307,23 @@ TEST(SolvePhase, EnergiesAreThoseOfTheNodesOrdersAndWindingAskedFor) {
   solver.set_orders(high);
   EXPECT_EQ(known(0.8, 1), fresh(high, 0.8, 1));
   EXPECT_NE(fresh(low, 0.8, 1), fresh(high, 0.8, 1));
+}
+
+TEST(SolvePhase, HarmonicPartsHaveTheOrdersOfTheSolver) {
+  Report report;
+  const TriMesh mesh = triangulate::triangulate(annulus(), {}, report);
+  PhaseSolver solver(mesh, std::vector<int>(mesh.num_elems(), 4));
+  const PhaseNodes nodes{{{{0.7, 0}, 3}, {{0, 0.7}, 5}}, {}, {}};
+  const double before = solver.energy(nodes).value;
+  const std::vector<field::LiftedData> constant{{[](int, double) { return Vec2{1, 2}; }, {}}};
+  for (const int order : {4, 6}) {
+    solver.set_orders(std::vector<int>(mesh.num_elems(), order));
+    const std::vector<field::HarmonicPart> parts = solver.harmonic_parts(constant);
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].u.size(), static_cast<std::size_t>(mesh.num_elems() * spectral::num_tri_modes(order)));
+  }
+  solver.set_orders(std::vector<int>(mesh.num_elems(), 4));
+  EXPECT_EQ(solver.energy(nodes).value, before);
 }
 
 TEST(SolvePhase, RefusesOffsetsThatDoNotFitTheHoles) {

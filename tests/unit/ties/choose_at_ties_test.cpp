@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "../support/polygon_field.hpp"
-#include "galerkin/solve_parts.hpp"
+#include "galerkin/solve_phase.hpp"
 #include "plates.hpp"
 
 namespace quadrille::ties {
@@ -16,7 +16,8 @@ using namespace testing_faces;
 CriticalPoints chosen(const CadFace& face, Report& report) {
   const Field field = adapted_field(face);
   const field::FieldEvaluator evaluator(field);
-  const auto solve = [&](const std::vector<field::LiftedData>& data) { return galerkin::solve_parts(field, data, 1); };
+  galerkin::PhaseSolver solver(field.mesh, field.elem_order);
+  const auto solve = [&](const std::vector<field::LiftedData>& data) { return solver.harmonic_parts(data); };
   const CriticalPoints points = choose_at_ties(evaluator, tie_orbits(field.mesh.face), solve, {}, report);
   EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(index_sum_of(points), 4 * face.euler_characteristic());
