@@ -142,6 +142,7 @@ Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
   const double negligible = 1e-13 * (curve.end() - curve.begin());
   Nurbs part;
   part.degree = p;
+  part.knots.reserve(curve.knots.size() + 2 * (p + 1));
   part.knots.assign(p + 1, t0);
   for (const double knot : curve.knots)
     if (knot > t0 + negligible && knot < t1 - negligible) part.knots.push_back(knot);
@@ -150,6 +151,8 @@ Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
   // Pole i is the blossom, at its p inner knots, of any polynomial piece that depends on it: of the longest, because a
   // knot may lie next to t0 or t1, and what is extrapolated from a tiny piece is noise.
   const int num_poles = static_cast<int>(part.knots.size()) - p - 1;
+  part.poles.reserve(num_poles);
+  part.weights.reserve(num_poles);
   for (int i = 0; i < num_poles; ++i) {
     const int j = longest_span(part.knots, std::max(i, p), std::min(i + p, num_poles - 1));
     const int k = find_span(curve, (part.knots[j] + part.knots[j + 1]) / 2);

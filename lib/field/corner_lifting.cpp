@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
@@ -37,11 +39,12 @@ Extent extent(const Nurbs& curve, const Ray& ray) {
   return e;
 }
 
+bool misses(const Extent& e) { return e.across_min > 0 || e.across_max < 0; }
+
 // The distance at which the ray first meets the hull of a short piece of the curve, if that is less than `nearest`.
 double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
   const Extent e = extent(curve, ray);
-  const bool misses = e.across_min > 0 || e.across_max < 0;
-  if (misses || e.along_max <= ray.shortest || e.along_min >= nearest) return nearest;
+  if (misses(e) || e.along_max <= ray.shortest || e.along_min >= nearest) return nearest;
   const double size = std::max(e.along_max - e.along_min, e.across_max - e.across_min);
   if (size <= ray.shortest) return std::max(e.along_min, ray.shortest);
   const double middle = (curve.begin() + curve.end()) / 2;
@@ -56,8 +59,15 @@ double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
 
 Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction) {
   const Ray ray{start, direction, 1e-6 * face.diameter};
+  // Curves that may be hit early come first: a near hit excludes the curves beyond it.
+  std::vector<std::pair<double, int>> order;
+  for (int c = 0; c < face.num_curves(); ++c) {
+    const Extent e = extent(face.curves[c], ray);
+    if (!misses(e)) order.emplace_back(e.along_min, c);
+  }
+  std::sort(order.begin(), order.end());
   double reach = 2 * face.diameter;
-  for (const Nurbs& curve : face.curves) reach = first_hit(curve, ray, reach);
+  for (const auto& [along_min, c] : order) reach = first_hit(face.curves[c], ray, reach);
   return start + (reach / 2) * direction;
 }
 
