@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
@@ -55,9 +54,13 @@ double BoundaryClearance::lower_bound(int curve, Vec2 x) const {
 }
 
 double BoundaryClearance::at(Vec2 x) const {
-  double nearest = std::numeric_limits<double>::infinity();
+  std::vector<double> bounds;
+  for (int c = 0; c < face_->num_curves(); ++c) bounds.push_back(lower_bound(c, x));
+  // The curve that may be nearest first: its distance excludes most of the others.
+  const int first = static_cast<int>(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
+  double nearest = curve::project(face_->curves[first], x).distance;
   for (int c = 0; c < face_->num_curves(); ++c) {
-    if (lower_bound(c, x) < nearest) nearest = std::min(nearest, curve::project(face_->curves[c], x).distance);
+    if (c != first && bounds[c] < nearest) nearest = std::min(nearest, curve::project(face_->curves[c], x).distance);
   }
   return nearest;
 }

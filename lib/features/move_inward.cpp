@@ -54,7 +54,10 @@ class InwardPath {
   double length_at_ridge(double a, double b) const {
     for (int i = 0; i < 2 * halvings; ++i) {
       const double c = a + (b - a) / 3, d = b - (b - a) / 3;
-      (clearance(c) < clearance(d) ? a : b) = clearance(c) < clearance(d) ? c : d;
+      if (clearance(c) < clearance(d))
+        a = c;
+      else
+        b = d;
     }
     return (a + b) / 2;
   }

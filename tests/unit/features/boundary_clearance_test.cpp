@@ -16,6 +16,11 @@ TEST(BoundaryClearance, IsTheDistanceToTheNearestCurve) {
   EXPECT_NEAR(clearance.at({0.6, 0.8}), 0.5, 1e-12);
 }
 
+TEST(BoundaryClearance, IsThatOfAnotherCurveThanTheOneWhoseBoxIsNearest) {
+  const CadFace face = plate(0.6, {round_hole({0, 0}, 0.5)});
+  EXPECT_NEAR(BoundaryClearance(face).at({0.49, 0.49}), 0.11, 1e-14);
+}
+
 TEST(BoundaryClearance, HasOneFootOnEachCurveInReach) {
   const CadFace face = plate(2);
   const BoundaryClearance clearance(face);
