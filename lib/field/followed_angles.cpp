@@ -24,7 +24,7 @@ double extent(const Nurbs& piece) {
   return most;
 }
 
-bool is_within(Vec2 a, Vec2 axis) { return dot(a, axis) >= least_cosine * norm(a) * norm(axis); }
+bool is_within(Vec2 a, Vec2 axis, double axis_length) { return dot(a, axis) >= least_cosine * norm(a) * axis_length; }
 
 Vec2 middle_of_ends(const Nurbs& piece) { return (piece.poles.front() + piece.poles.back()) / 2; }
 
@@ -33,8 +33,9 @@ Vec2 middle_of_ends(const Nurbs& piece) { return (piece.poles.front() + piece.po
 bool tangents_are_near_chord(const Nurbs& piece) {
   const Vec2 chord = piece.poles.back() - piece.poles.front();
   if (chord == Vec2{}) return false;
+  const double length = norm(chord);
   for (std::size_t i = 1; i < piece.poles.size(); ++i) {
-    if (!is_within(piece.poles[i] - piece.poles[i - 1], chord)) return false;
+    if (!is_within(piece.poles[i] - piece.poles[i - 1], chord, length)) return false;
   }
   return true;
 }
@@ -43,7 +44,9 @@ bool tangents_are_near_chord(const Nurbs& piece) {
 bool is_seen_within_a_quarter_turn(const Nurbs& piece, Vec2 from) {
   const Vec2 axis = middle_of_ends(piece) - from;
   if (axis == Vec2{}) return false;
-  return std::all_of(piece.poles.begin(), piece.poles.end(), [&](Vec2 pole) { return is_within(pole - from, axis); });
+  const double length = norm(axis);
+  return std::all_of(piece.poles.begin(), piece.poles.end(),
+                     [&](Vec2 pole) { return is_within(pole - from, axis, length); });
 }
 
 bool has_references(const Nurbs& piece, const std::vector<TurnCentre>& centres) {
