@@ -51,7 +51,7 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
     return graph;
   }
   const io::InputFile points_file = io::read_input(settings.points);
-  const field::FieldEvaluator evaluator(field);
+  const field::FieldEvaluator evaluator(field, field::FarTerms::expanded);
   const CriticalPoints points = read_points_of(evaluator, field_file, points_file);
   session.begin_phase("trace");
   SeparatrixGraph graph = layout::compute_layout(evaluator, points, settings.options, session.report());

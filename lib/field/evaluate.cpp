@@ -12,29 +12,49 @@ namespace {
 
 constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 
+Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+
 }  // namespace
 
-FieldEvaluator::FieldEvaluator(const Field& field)
+FieldEvaluator::FieldEvaluator(const Field& field, FarTerms far_terms)
     : field_(&field),
       is_phase_(field.kind == FieldKind::phase),
       maps_(mesh::tri_maps(field.mesh)),
       topology_(mesh::tri_topology(field.mesh)),
-      locator_(field.mesh, maps_) {}
+      locator_(field.mesh, maps_),
+      expanded_(far_terms == FarTerms::expanded ? maps_.size() : 0) {}
 
 Vec2 FieldEvaluator::inward(int elem, Vec2 x) const { return normalized(maps_[elem].position(centroid) - x); }
 
-Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
+const ElementTerms* FieldEvaluator::expanded_terms(int elem, Vec2 x) const {
+  if (expanded_.empty()) return nullptr;
+  ExpandedElement& element = expanded_[elem];
+  std::call_once(element.is_expanded,
+                 [&] { element.terms = std::make_unique<const ElementTerms>(*field_, maps_[elem]); });
+  return element.terms->contains(x) ? element.terms.get() : nullptr;
+}
+
+Vec2 FieldEvaluator::sum_of(const std::vector<Lifting>& liftings, int elem, Vec2 x) const {
   Vec2 sum;
-  for (const Lifting& lifting : field_->liftings) {
+  for (const Lifting& lifting : liftings) {
     const bool at_apex = x == lifting.apex;
     sum += lifting.jump * (at_apex ? lifting_angle_at_apex(lifting, inward(elem, x)) : lifting_angle(lifting, x));
   }
   return sum;
 }
 
+Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
+  if (field_->liftings.empty()) return {};
+  const ElementTerms* terms = expanded_terms(elem, x);
+  return terms ? terms->far_liftings(x) + sum_of(terms->near_liftings(), elem, x) : sum_of(field_->liftings, elem, x);
+}
+
 Vec2 FieldEvaluator::phase_value(double remainder, int elem, Vec2 x) const {
-  const Vec2 a = unit(remainder), b = explicit_direction(field_->phase.terms, x, maps_[elem].position(centroid));
-  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  const Vec2 centre = maps_[elem].position(centroid);
+  const ElementTerms* terms = expanded_terms(elem, x);
+  if (!terms) return product(unit(remainder), explicit_direction(field_->phase.terms, x, centre));
+  const Vec2 near = explicit_direction(terms->near_terms(), x, centre, remainder + terms->far_phase(x));
+  return product(terms->far_direction(), near);
 }
 
 Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {

@@ -1,8 +1,11 @@
 #pragma once
 // The guiding field at a point: value, gradient, position. Later stages access a field only through this header.
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
+#include "field/element_terms.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/field.hpp"
@@ -25,17 +28,21 @@ struct PointSample {
   Mat2 dv_dx;
 };
 
+/// How the explicit terms of a field, which are singular at corners and nodes, are evaluated: one by one, or those far
+/// from an element by one power series, which is made when the element is first used. Values differ by round-off.
+enum class FarTerms { summed, expanded };
+
 /// Evaluates a field on the elements of its mesh or at points of the plane.
 class FieldEvaluator {
  public:
   /// `field` must outlive the evaluator. Builds maps, topology and locator.
-  explicit FieldEvaluator(const Field& field);
+  explicit FieldEvaluator(const Field& field, FarTerms far_terms = FarTerms::summed);
   FieldEvaluator(const FieldEvaluator&) = delete;  // the locator refers to the maps
   FieldEvaluator& operator=(const FieldEvaluator&) = delete;
 
   /// Value, position and element map derivative, as a streamline integrator needs them. At a corner with a lifting the
-  /// value depends on the direction of approach: the limit from the element's centroid is returned. No allocation; cost
-  /// linear in the number of modes and of liftings.
+  /// value depends on the direction of approach: the limit from the element's centroid is returned. Cost: linear in
+  /// the number of modes and of explicit terms (of those that are not far if the far ones are expanded).
   Vec2 value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const;
   /// Value and gradient at reference coordinates xi of element `elem`. Liftings with their corner at this point do not
   /// contribute to the gradient, which has no limit there.
@@ -52,7 +59,15 @@ class FieldEvaluator {
   const mesh::Locator& locator() const { return locator_; }
 
  private:
+  struct ExpandedElement {
+    std::once_flag is_expanded;
+    std::unique_ptr<const ElementTerms> terms;
+  };
+
+  /// The terms as seen from the element; nullptr if they are evaluated one by one at x.
+  const ElementTerms* expanded_terms(int elem, Vec2 x) const;
   Vec2 liftings(int elem, Vec2 x) const;
+  Vec2 sum_of(const std::vector<Lifting>& liftings, int elem, Vec2 x) const;
   Vec2 inward(int elem, Vec2 x) const;  ///< from x towards the element's centroid
   Vec2 phase_value(double remainder, int elem, Vec2 x) const;
   FieldSample phase_sample(int elem, Vec2 xi) const;
@@ -62,6 +77,7 @@ class FieldEvaluator {
   std::vector<spectral::TriMap> maps_;
   mesh::TriTopology topology_;
   mesh::Locator locator_;
+  mutable std::vector<ExpandedElement> expanded_;  // by element; empty if far terms are summed
 };
 
 }  // namespace quadrille::field

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle_sum.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
-#include "field/angle_sum.hpp"
 
 namespace quadrille::field {
 namespace {

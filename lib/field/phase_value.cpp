@@ -64,13 +64,13 @@ double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward) {
   return phase;
 }
 
-Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards) {
-  double corners = 0;
+Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards, double remainder) {
+  double angle = remainder;
   for (const CornerAngle& corner : terms.corner_angles) {
     const Vec2 inward = is_apex(corner, x) ? normalized(towards - x) : Vec2{};
-    corners += corner.beta * corner_angle(corner, x, inward);
+    angle += corner.beta * corner_angle(corner, x, inward);
   }
-  const Vec2 z = turned(turned(turned(unit(corners), terms.nodes, x), terms.holes, x), terms.images, x);
+  const Vec2 z = turned(turned(turned(unit(angle), terms.nodes, x), terms.holes, x), terms.images, x);
   return normalized(z);
 }
 

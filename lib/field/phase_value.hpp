@@ -16,8 +16,8 @@ double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward = {});
 
 /// e^(i phi) of the explicit part, as a product of complex numbers: angles are evaluated for corners only, which is
 /// many times faster if there are many holes. `towards`: a point of the domain; limits at apexes are taken in its
-/// direction.
-Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards);
+/// direction. `remainder`, radians, is added to phi.
+Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards, double remainder = 0);
 
 /// Gradient of the explicit part: sum of d left_of(z - a) / |z - a|^2 and the corner terms. Undefined at nodes and
 /// apexes.

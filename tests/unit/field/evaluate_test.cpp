@@ -73,6 +73,39 @@ TEST(FieldEvaluator, is_finite_on_a_corner_with_a_lifting) {
   EXPECT_NEAR(above.x - below.x, std::atan2(2, 1) - std::atan2(1, 2), tol);
 }
 
+void expect_equal_values(const Field& field) {
+  const FieldEvaluator summed(field), expanded(field, FarTerms::expanded);
+  for (int e = 0; e < field.mesh.num_elems(); ++e)
+    for (const Vec2 xi : {Vec2{-1, -1}, Vec2{-0.2, -0.4}, Vec2{0.5, -0.9}, Vec2{-1, 1}, Vec2{4, 3}}) {
+      Vec2 x;
+      Mat2 dx_dxi;
+      const Vec2 expected = summed.value(e, xi, x, dx_dxi);
+      EXPECT_NEAR(distance(expanded.value(e, xi, x, dx_dxi), expected), 0, 5e-15) << e;
+      EXPECT_NEAR(distance(expanded.sample(e, xi).value, expected), 0, 5e-15) << e;
+    }
+}
+
+// Cuts, from apexes to poles, across elements, far from them, and between both.
+TEST(FieldEvaluator, expands_far_liftings) {
+  Field field = interpolated_field(square_mesh({0, 0}, 1, 8), 2, cubic);
+  field.liftings = {{0, {0, 0}, {-0.5, -0.5}, {0.3, -0.7}},
+                    {1, {1, 0}, {1.3, -2}, {-0.4, 0.9}},
+                    {2, {1, 1}, {1.4, 1.5}, {1, 0.2}},
+                    {3, {-0.2, 0.52}, {1.7, 0.53}, {0.1, 0.5}}};
+  expect_equal_values(field);
+}
+
+TEST(FieldEvaluator, expands_far_terms_of_a_phase) {
+  Field field = interpolated_field(square_mesh({0, 0}, 1, 8), 2, cubic);
+  field.kind = FieldKind::phase;
+  field.phase.s = field.u;
+  field.phase.terms = {{{{0.31, 0.42}, 1}, {{0.8, 0.77}, -1}, {{0.1, 0.9}, 0}},
+                       {{{0.52, 0.13}, -3}},
+                       {{{1.2, -0.3}, 2}},
+                       {{{0, 0}, {-0.5, -0.5}, -2.0 / 3}, {{1, 1}, {1.5, 1.7}, 1.25}}};
+  expect_equal_values(field);
+}
+
 TEST(FieldEvaluator, says_when_a_point_is_outside) {
   const Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2 p) { return p; });
   Vec2 value;

@@ -7,7 +7,7 @@
 
 #include "base/angle.hpp"
 
-namespace quadrille::field {
+namespace quadrille {
 
 /// Several sums of equally many terms. They are faster together than one after the other: no product waits for that of
 /// another sum, and compilers use vector instructions.
@@ -53,4 +53,4 @@ class AngleSums {
   Values x_ = filled(1), y_{}, turns_{};
 };
 
-}  // namespace quadrille::field
+}  // namespace quadrille

@@ -1,10 +1,10 @@
-#include "field/angle_sum.hpp"
+#include "base/angle_sum.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace quadrille::field {
+namespace quadrille {
 namespace {
 
 // Adds to each sum an angle of its own: first + i * step.
@@ -58,4 +58,4 @@ TEST(AngleSums, NeitherOverflowNorVanish) {
 }
 
 }  // namespace
-}  // namespace quadrille::field
+}  // namespace quadrille
