@@ -1,6 +1,6 @@
 #include "curve/fit_line.hpp"
 
-#include <map>
+#include <optional>
 #include <vector>
 
 #include "curve/nurbs.hpp"
@@ -16,6 +16,7 @@ class Fit {
     curve(0, start_);
     curve(length, end_);
     for (const double s : s_) x_.push_back(curve(s, unused));
+    tests_.resize(8);
   }
 
   Nurbs run() {
@@ -25,27 +26,41 @@ class Fit {
   }
 
  private:
-  Vec2 position(double s) {
-    const auto known = cache_.find(s);
-    if (known != cache_.end()) return known->second;
+  /// Positions in an interval, computed once: most curves cost more than their splines.
+  struct Tests {
+    std::optional<Vec2> middle, first_quarter, last_quarter;
+  };
+
+  Vec2 position(double s, std::optional<Vec2>& known) {
     Vec2 unused;
-    return cache_[s] = curve_(s, unused);
+    if (!known) known = curve_(s, unused);
+    return *known;
   }
 
-  bool is_close(const Nurbs& spline, double s) { return distance(point(spline, s), position(s)) <= tol_; }
+  bool is_close(const Nurbs& spline, double s, std::optional<Vec2>& known) {
+    return norm2(point(spline, s) - position(s, known)) <= tol_ * tol_;
+  }
 
   bool refine(const Nurbs& spline) {
     std::vector<double> s{s_.front()};
     std::vector<Vec2> x{x_.front()};
+    std::vector<Tests> tests;
     for (size_t i = 0; i + 1 < s_.size(); ++i) {
       const double a = s_[i], b = s_[i + 1], middle = (a + b) / 2;
-      const bool close =
-          is_close(spline, middle) && is_close(spline, (a + middle) / 2) && is_close(spline, (middle + b) / 2);
-      if (!close && b - a > 1e-6 * length_) s.push_back(middle), x.push_back(position(middle));
+      Tests& here = tests_[i];
+      const bool close = is_close(spline, middle, here.middle) &&
+                         is_close(spline, (a + middle) / 2, here.first_quarter) &&
+                         is_close(spline, (middle + b) / 2, here.last_quarter);
+      if (!close && b - a > 1e-6 * length_) {
+        s.push_back(middle), x.push_back(position(middle, here.middle));
+        tests.push_back({here.first_quarter, {}, {}}), tests.push_back({here.last_quarter, {}, {}});
+      } else {
+        tests.push_back(here);
+      }
       s.push_back(b), x.push_back(x_[i + 1]);
     }
     const bool refined = s.size() > s_.size();
-    s_ = std::move(s), x_ = std::move(x);
+    s_ = std::move(s), x_ = std::move(x), tests_ = std::move(tests);
     return refined;
   }
 
@@ -54,7 +69,7 @@ class Fit {
   Vec2 start_, end_;
   std::vector<double> s_;
   std::vector<Vec2> x_;
-  std::map<double, Vec2> cache_;
+  std::vector<Tests> tests_;  // of the intervals of s_
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
@@ -29,6 +31,16 @@ TEST(FitLine, KeepsEndsAndEndDirections) {
   EXPECT_EQ(point(spline, 1.3), unit(1.3));
   EXPECT_LT(distance(tangent(spline, 0), left_of(unit(0))), 1e-14);
   EXPECT_LT(distance(tangent(spline, 1.3, true), left_of(unit(1.3))), 1e-14);
+}
+
+TEST(FitLine, EvaluatesTheCurveOnceAtEachParameter) {
+  std::map<double, int> counts;
+  const CurveFunction counted = [&](double s, Vec2& d) {
+    ++counts[s];
+    return circle(s, d);
+  };
+  EXPECT_GT(fit_line(counted, 2 * pi, 1e-9).poles.size(), 50u);
+  for (const auto& [s, count] : counts) EXPECT_LE(count, s == 0 || s == 2 * pi ? 2 : 1) << s;  // ends: derivative too
 }
 
 TEST(FitLine, RefinesOnlyWhereTheCurveNeedsIt) {
