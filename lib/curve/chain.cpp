@@ -37,7 +37,7 @@ Chain::Chain(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&ta
   }
 }
 
-ChainPoint Chain::at(double s) const {
+Chain::Place Chain::place(double s) const {
   const double target = std::clamp(s, 0.0, 1.0) * length();
   const size_t i =
       std::min<size_t>(std::lower_bound(ends_.begin(), ends_.end(), target) - ends_.begin(), pieces_.size() - 1);
@@ -53,11 +53,21 @@ ChainPoint Chain::at(double s) const {
   else
     t = arc.parameter(starts_[i] + (backwards ? before - target : target - before));
   const auto [low, high] = std::minmax(piece.t0, piece.t1);
-  t = std::clamp(t, low, high);
+  return {i, std::clamp(t, low, high)};
+}
+
+ChainPoint Chain::at(double s) const {
+  const auto [i, t] = place(s);
+  const ArcPiece& piece = pieces_[i];
   const Nurbs& curve = table_->curve(piece.curve);
   // At the far end of a piece the tangent is the limit from inside the piece, not of the curve beyond the piece.
-  const Vec2 along = tangent(curve, t, t == high);
-  return {point(curve, t), backwards ? -along : along, static_cast<int>(i), t};
+  const Vec2 along = tangent(curve, t, t == std::max(piece.t0, piece.t1));
+  return {point(curve, t), piece.t0 > piece.t1 ? -along : along, static_cast<int>(i), t};
+}
+
+Vec2 Chain::position(double s) const {
+  const auto [i, t] = place(s);
+  return point(table_->curve(pieces_[i].curve), t);
 }
 
 std::vector<double> Chain::joint_fractions() const {

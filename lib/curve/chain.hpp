@@ -41,6 +41,8 @@ class Chain {
   double length() const { return ends_.back(); }
   /// The point at fraction s of the length, s in [0, 1] (clamped).
   ChainPoint at(double s) const;
+  /// at(s).position, in less time.
+  Vec2 position(double s) const;
   /// Fractions of the joints between pieces, ascending, without 0 and 1.
   std::vector<double> joint_fractions() const;
   /// Fractions that no element edge may straddle: joints between pieces and smoothness_breaks inside CAD pieces. The
@@ -50,6 +52,11 @@ class Chain {
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
  private:
+  struct Place {
+    size_t piece = 0;
+    double t = 0;
+  };
+  Place place(double s) const;
   /// Whether pieces i and i + 1 are joined at the seam of one smooth closed curve.
   bool is_smooth_seam(size_t i) const;
   bool is_whole_curve(size_t i) const;

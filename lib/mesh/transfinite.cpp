@@ -27,7 +27,7 @@ TransfiniteMap::TransfiniteMap(const std::array<const curve::Chain*, 4>& sides, 
 }
 
 Vec2 TransfiniteMap::side(int k, double fraction) const {
-  return sides_[k]->at(backwards_[k] ? 1 - fraction : fraction).position;
+  return sides_[k]->position(backwards_[k] ? 1 - fraction : fraction);
 }
 
 Vec2 TransfiniteMap::position(double s, double t) const {

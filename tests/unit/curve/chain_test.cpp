@@ -39,6 +39,8 @@ TEST_F(ChainTest, walked_backwards_gives_the_same_points) {
     const ChainPoint a = there.at(i / 20.0), b = back.at(1 - i / 20.0);
     EXPECT_NEAR(distance(a.position, b.position), 0, 1e-14);
     EXPECT_NEAR(distance(a.tangent, -b.tangent), 0, 1e-13);
+    EXPECT_EQ(there.position(i / 20.0), a.position);
+    EXPECT_EQ(back.position(1 - i / 20.0), b.position);
   }
 }
 
