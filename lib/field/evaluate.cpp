@@ -122,9 +122,9 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
     PointSample& here = result.emplace_back();
     here.at = at;
     if (at.elem < 0) continue;
-    const FieldSample s = sample(at.elem, at.xi);
-    here.value = s.value;
-    here.dv_dx = s.dv_dx;
+    Vec2 position;
+    Mat2 jacobian;
+    here.value = value(at.elem, at.xi, position, jacobian);
     last = at;
   }
   return result;

@@ -21,11 +21,10 @@ struct FieldSample {
   Mat2 dv_dx;  ///< rows u, v
 };
 
-/// The field at a point of the plane; at.elem = -1 outside the mesh, with zero value and gradient.
+/// The field at a point of the plane; at.elem = -1 outside the mesh, with zero value.
 struct PointSample {
   mesh::Location at;
   Vec2 value;
-  Mat2 dv_dx;
 };
 
 /// How the explicit terms of a field, which are singular at corners and nodes, are evaluated: one by one, or those far
@@ -49,7 +48,7 @@ class FieldEvaluator {
   FieldSample sample(int elem, Vec2 xi) const;
   /// Value at a physical point; false when x lies outside the mesh.
   bool value_at(Vec2 x, Vec2& value) const;
-  /// Value and gradient at many physical points: each is located by a walk through the mesh from the previous point
+  /// Value at many physical points: each is located by a walk through the mesh from the previous point
   /// (mesh/locate), and by the search grid if the walk fails. Fastest if successive points are near each other.
   std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
 

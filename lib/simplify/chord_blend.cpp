@@ -11,42 +11,48 @@ namespace {
 
 constexpr int num_samples = 64;
 
+struct BlendPoint {
+  Vec2 position, derivative;  // with respect to f
+  Vec2 guide;                 // the blended directions of both chains
+};
+
+// Of the blend at fraction f of both lengths.
+BlendPoint blend_at(const curve::Chain& from, const curve::Chain& to, double f) {
+  const double c = std::cos(half_pi * f), w = c * c, slope = -half_pi * std::sin(pi * f);
+  const curve::ChainPoint a = from.at(f), b = to.at(f);
+  BlendPoint point;
+  point.position = f == 0 ? a.position : f == 1 ? b.position : w * a.position + (1 - w) * b.position;
+  point.derivative =
+      w * from.length() * a.tangent + (1 - w) * to.length() * b.tangent + slope * (a.position - b.position);
+  point.guide = w * a.tangent + (1 - w) * b.tangent;
+  return point;
+}
+
 }  // namespace
 
 double blend_length(const curve::Chain& from, const curve::Chain& to) { return (from.length() + to.length()) / 2; }
 
 curve::CurveFunction blended_curve(const curve::Chain& from, const curve::Chain& to) {
-  const double length = blend_length(from, to);
-  return [&from, &to, length](double s, Vec2& derivative) {
-    const double f = std::clamp(s / length, 0.0, 1.0), c = std::cos(half_pi * f), w = c * c;
-    const curve::ChainPoint a = from.at(f), b = to.at(f);
-    const double slope = -half_pi * std::sin(pi * f);
-    derivative =
-        (w * from.length() * a.tangent + (1 - w) * to.length() * b.tangent + slope * (a.position - b.position)) /
-        length;
-    if (f == 0) return a.position;
-    if (f == 1) return b.position;
-    return w * a.position + (1 - w) * b.position;
+  return [&from, &to, length = blend_length(from, to)](double s, Vec2& derivative) {
+    const BlendPoint point = blend_at(from, to, std::clamp(s / length, 0.0, 1.0));
+    derivative = point.derivative / length;
+    return point.position;
   };
 }
 
 double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to) {
-  const curve::CurveFunction curve = blended_curve(from, to);
-  std::vector<Vec2> positions, directions;
-  std::vector<double> guides;
+  std::vector<BlendPoint> points;
+  std::vector<Vec2> positions;
   for (int i = 1; i < num_samples; ++i) {
-    const double f = static_cast<double>(i) / num_samples, c = std::cos(half_pi * f), w = c * c;
-    Vec2 along;
-    positions.push_back(curve(blend_length(from, to) * f, along));
-    directions.push_back(along);
-    guides.push_back(angle_of(w * from.at(f).tangent + (1 - w) * to.at(f).tangent));
+    points.push_back(blend_at(from, to, static_cast<double>(i) / num_samples));
+    positions.push_back(points.back().position);
   }
-  const std::vector<field::PointSample> samples = evaluator.values_at(positions);
+  const std::vector<field::PointSample> values = evaluator.values_at(positions);
   double deviation = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].at.elem < 0) continue;
-    const Vec2 field = unit(guided_angle(samples[i].value, guides[i]));
-    deviation = std::max(deviation, std::abs(std::atan2(cross(field, directions[i]), dot(field, directions[i]))));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].at.elem < 0) continue;
+    const Vec2 field = unit(guided_angle(values[i].value, angle_of(points[i].guide))), along = points[i].derivative;
+    deviation = std::max(deviation, std::abs(std::atan2(cross(field, along), dot(field, along))));
   }
   return deviation;
 }

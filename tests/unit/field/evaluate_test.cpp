@@ -133,7 +133,6 @@ TEST(FieldEvaluator, meets_single_evaluation_at_many_points_of_a_ring) {
     EXPECT_NEAR(distance(samples[i].value, value), 0, 1e-12);
     const FieldSample there = evaluator.sample(samples[i].at.elem, samples[i].at.xi);
     EXPECT_NEAR(distance(there.x, points[i]), 0, 1e-13);
-    expect_near(samples[i].dv_dx, there.dv_dx);
   }
   EXPECT_GT(num_inside, 500);
   EXPECT_LT(num_inside, 1900);
