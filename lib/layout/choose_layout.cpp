@@ -105,8 +105,9 @@ bool has_many_blocks(int num_blocks, int num_lines, int euler_characteristic) {
 }
 
 LayoutQuality quality_of(const graph::Subdivision& subdivision) {
-  const simplify::BlockQuality quality = simplify::worst_quality(subdivision);
-  return {subdivision.num_faces(), quality.is_valid, quality.least_scaled_jacobian};
+  simplify::BlockQuads quads;
+  const simplify::BlockQuality quality = simplify::worst_quality(subdivision, simplify::all_faces(subdivision), quads);
+  return {subdivision.num_faces(), simplify::are_valid(quads), quality.least_scaled_jacobian};
 }
 
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced) {

@@ -3,6 +3,8 @@
 //
 // The quad interpolates the block's exact map (mesh/transfinite.hpp) at the Gauss-Lobatto-Legendre points.
 
+#include <vector>
+
 #include "base/vec2.hpp"
 #include "mesh/transfinite.hpp"
 
@@ -21,5 +23,10 @@ struct BlockShape {
 };
 
 BlockShape block_shape(const TransfiniteMap& map);
+
+/// BlockShape::scaled_jacobian of a block sampled at block_order (TransfiniteMap::sampled).
+double scaled_jacobian(const std::vector<Vec2>& nodes);
+/// BlockShape::is_valid of it; takes longer.
+bool is_valid_block(const std::vector<Vec2>& nodes);
 
 }  // namespace quadrille::mesh

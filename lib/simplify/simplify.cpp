@@ -50,10 +50,9 @@ bool take_thinnest(std::vector<Item> items, const Aspect& aspect, const Take& ta
   return false;
 }
 
-// The loss of block quality must be justified by the number of blocks saved.
+// Apart from validity. The loss of block quality must be justified by the number of blocks saved.
 bool is_acceptable(const SimplifyOptions& options, const BlockQuality& before, const BlockQuality& after,
                    double fraction_left) {
-  if (!after.is_valid) return false;
   const double worth = options.limits_loss_by_saving ? fraction_left : 0;
   const double least = std::max(options.least_scaled_jacobian, worth * before.least_scaled_jacobian);
   return after.least_angle >= std::min(before.least_angle, options.least_angle) - slack &&
@@ -101,6 +100,7 @@ class Simplifier {
   }
 
   Subdivision& subdivision() { return subdivision_; }
+  double least_scaled_jacobian() { return qualities_.worst(subdivision_).least_scaled_jacobian; }
   int num_collapsed() const { return num_collapsed_; }
   int num_shortened() const { return num_shortened_; }
   double deviation() const { return deviation_; }
@@ -123,8 +123,12 @@ class Simplifier {
   bool try_shorten(const std::vector<SpiralShortcut>& shortcuts) {
     tried_.advance();
     std::optional<Shortened> trial = shorten_group(evaluator_, subdivision_, shortcuts, blend_options());
-    if (!trial || !is_acceptable(options_, worst_quality(subdivision_), worst_quality(trial->subdivision),
-                                 fraction_left(subdivision_, trial->subdivision)))
+    if (!trial) return false;
+    BlockQuads quads;
+    const BlockQuality after = worst_quality(trial->subdivision, all_faces(trial->subdivision), quads);
+    if (!is_acceptable(options_, qualities_.worst(subdivision_), after,
+                       fraction_left(subdivision_, trial->subdivision)) ||
+        !are_valid(quads))
       return false;
     num_shortened_ += static_cast<int>(shortcuts.size());
     subdivision_ = std::move(trial->subdivision);
@@ -139,12 +143,13 @@ class Simplifier {
     subdivision_.begin_trial();
     const std::optional<ArcChanges> changes = collapse_group(subdivision_, strips, blends);
     BlockQuality after;
-    if (changes) after = worst_quality(subdivision_, faces_beside(subdivision_, changes->changed));
+    BlockQuads quads;
+    if (changes) after = worst_quality(subdivision_, faces_beside(subdivision_, changes->changed), quads);
     const double num_after = subdivision_.num_faces();
     subdivision_.undo_trial();
     if (!changes) return false;
-    const BlockQuality before = worst_quality(subdivision_, faces_beside(subdivision_, touched_by(*changes)));
-    return is_acceptable(options_, before, after, num_after / num_before);
+    const BlockQuality before = qualities_.worst(subdivision_, faces_beside(subdivision_, touched_by(*changes)));
+    return is_acceptable(options_, before, after, num_after / num_before) && are_valid(quads);
   }
 
   BlendOptions blend_options() const {
@@ -154,6 +159,7 @@ class Simplifier {
   const field::FieldEvaluator& evaluator_;
   const SimplifyOptions& options_;
   Subdivision subdivision_;
+  BlockQualities qualities_;               // not of trials, whose splines get the numbers of later ones
   std::set<std::vector<double>> refused_;  // groups that were tried, by their arcs: most are unchanged by other steps
   int num_collapsed_ = 0, num_shortened_ = 0;
   double deviation_ = 0;
@@ -172,19 +178,18 @@ void report_steps(const Simplifier& simplifier, Report& report) {
 
 graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::CandidateLayout layout,
                                 const SimplifyOptions& options, Report& report) {
-  double least = worst_quality(layout.subdivision).least_scaled_jacobian;
   report.set("simplify.blocks_before", layout.subdivision.num_faces());
-  report.set("simplify.least_scaled_jacobian_before", least);
   std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
   Simplifier simplifier(evaluator, std::move(layout.subdivision), options, report.progress());
+  report.set("simplify.least_scaled_jacobian_before", simplifier.least_scaled_jacobian());
   do simplifier.collapse_chords();
   while (simplifier.shorten_spirals());
+  const double least = simplifier.least_scaled_jacobian();
   layout.subdivision = std::move(simplifier.subdivision());
   report_steps(simplifier, report);
   if (simplifier.num_collapsed() + simplifier.num_shortened() > 0) {
     kinds.resize(layout.graph().splines.size(), LineKind::merged);  // the new ones are blends
     layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
-    least = worst_quality(layout.subdivision).least_scaled_jacobian;
   }
   layout.subdivision.drop_unused_splines();
   report.set("simplify.least_scaled_jacobian", least);

@@ -7,6 +7,7 @@
 namespace quadrille::mesh {
 namespace {
 
+/// Also checks the measures of the sampled block.
 BlockShape shape_of(const std::vector<Vec2>& corners) {
   std::vector<Nurbs> loop;
   for (int k = 0; k < 4; ++k) loop.push_back(curve::segment(corners[k], corners[(k + 1) % 4]));
@@ -16,7 +17,11 @@ BlockShape shape_of(const std::vector<Vec2>& corners) {
   std::vector<curve::Chain> chains;
   for (int k = 0; k < 4; ++k)
     chains.emplace_back(table, std::vector<ArcPiece>{{k, face.curves[k].begin(), face.curves[k].end()}});
-  return block_shape(TransfiniteMap({&chains[0], &chains[1], &chains[2], &chains[3]}, {false, false, false, false}));
+  const TransfiniteMap map({&chains[0], &chains[1], &chains[2], &chains[3]}, {false, false, false, false});
+  BlockShape shape = block_shape(map);
+  EXPECT_EQ(scaled_jacobian(map.sampled(block_order)), shape.scaled_jacobian);
+  EXPECT_EQ(is_valid_block(map.sampled(block_order)), shape.is_valid());
+  return shape;
 }
 
 TEST(BlockShape, OfASquareOfSideTwo) {
