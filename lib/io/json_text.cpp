@@ -10,29 +10,45 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::size_t line_width = 110;
 
-std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
+constexpr std::size_t unlimited = std::string::npos;
 
-/// The value on one line, with blanks after commas and colons.
-std::string one_line(const Json& value) {
-  if (!value.is_structured()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string out(1, value.is_object() ? '{' : '[');
-  for (auto it = value.begin(); it != value.end(); ++it) {
+std::string leaf(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string quoted(const std::string& text) { return leaf(Json(text)); }
+
+/// Appends the value on one line, with blanks after commas and colons. Stops as soon as `out` is longer than `limit`.
+void append_line(const Json& value, std::string& out, std::size_t limit = unlimited) {
+  if (!value.is_structured()) {
+    out += leaf(value);
+    return;
+  }
+  out += value.is_object() ? '{' : '[';
+  for (auto it = value.begin(); it != value.end() && out.size() <= limit; ++it) {
     if (it != value.begin()) out += ", ";
     if (value.is_object()) out += quoted(it.key()) + ": ";
-    out += one_line(it.value());
+    append_line(it.value(), out, limit);
   }
-  return out += value.is_object() ? '}' : ']';
+  out += value.is_object() ? '}' : ']';
 }
 
-std::string pretty(const Json& value, std::size_t indent);
+/// Appends the value if it fits on the line.
+bool append_if_short(const Json& value, std::size_t indent, std::string& out) {
+  const std::size_t before = out.size(), limit = before + line_width;
+  append_line(value, out, limit);
+  if (out.size() + indent <= limit) return true;
+  out.resize(before);
+  return false;
+}
 
 /// Short items, as many on a line as fit.
-std::string wrapped_items(const Json& value, std::size_t indent) {
+void append_wrapped(const Json& value, std::size_t indent, std::string& out) {
   const std::string margin = '\n' + std::string(indent + 2, ' ');
-  std::string out = "[" + margin;
+  out += "[" + margin;
   std::size_t column = indent + 2;
+  std::string item;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    const std::string item = one_line(value[i]);
+    item.clear();
+    append_line(value[i], item);
     if (i > 0 && column + item.size() + 2 > line_width) {
       out += ',' + margin;
       column = indent + 2;
@@ -43,7 +59,7 @@ std::string wrapped_items(const Json& value, std::size_t indent) {
     out += item;
     column += item.size();
   }
-  return out + '\n' + std::string(indent, ' ') + ']';
+  out += '\n' + std::string(indent, ' ') + ']';
 }
 
 bool is_point_or_number(const Json& value) {
@@ -52,33 +68,36 @@ bool is_point_or_number(const Json& value) {
           std::none_of(value.begin(), value.end(), [](const Json& item) { return item.is_structured(); }));
 }
 
-std::string pretty(const Json& value, std::size_t indent) {
-  if (!value.is_structured() || value.empty()) return one_line(value);
+void append_pretty(const Json& value, std::size_t indent, std::string& out) {
+  if (!value.is_structured() || value.empty()) return append_line(value, out);
   // Only a leaf or a shallow structure can be short; testing the size first keeps this linear.
-  if (value.size() <= 12) {
-    std::string line = one_line(value);
-    if (line.size() + indent <= line_width) return line;
-  }
+  if (value.size() <= 12 && append_if_short(value, indent, out)) return;
   if (value.is_array() && std::all_of(value.begin(), value.end(), is_point_or_number))
-    return wrapped_items(value, indent);
+    return append_wrapped(value, indent, out);
   const std::string margin = '\n' + std::string(indent + 2, ' ');
-  std::string out(1, value.is_object() ? '{' : '[');
+  out += value.is_object() ? '{' : '[';
   for (auto it = value.begin(); it != value.end(); ++it) {
     out += it == value.begin() ? margin : ',' + margin;
     if (value.is_object()) out += quoted(it.key()) + ": ";
-    out += pretty(it.value(), indent + 2);
+    append_pretty(it.value(), indent + 2, out);
   }
-  return out + '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
+  out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
 }
 
 }  // namespace
 
 std::string json_text(const nlohmann::ordered_json& value) {
-  if (!value.is_object()) return pretty(value, 0) + '\n';
+  std::string out;
+  if (!value.is_object()) {
+    append_pretty(value, 0, out);
+    return out + '\n';
+  }
   // The top level always has a line for each key.
-  std::string out = "{";
-  for (auto it = value.begin(); it != value.end(); ++it)
-    out += std::string(it == value.begin() ? "\n  " : ",\n  ") + quoted(it.key()) + ": " + pretty(it.value(), 2);
+  out = "{";
+  for (auto it = value.begin(); it != value.end(); ++it) {
+    out += std::string(it == value.begin() ? "\n  " : ",\n  ") + quoted(it.key()) + ": ";
+    append_pretty(it.value(), 2, out);
+  }
   return out + "\n}\n";
 }
 
