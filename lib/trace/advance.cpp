@@ -173,6 +173,7 @@ class StreamlineIntegrator {
     line_.end_angle = state_.angle;
     line_.front.state = state_;
     line_.front.next_step = h_;
+    line_.index_steps();
   }
 
   const field::FieldEvaluator& evaluator_;

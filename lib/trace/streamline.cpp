@@ -1,6 +1,7 @@
 #include "trace/streamline.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "base/angle.hpp"
 
@@ -15,15 +16,28 @@ Vec2 Streamline::lead_in(double s, Vec2& direction) const {
   return launch.origin + f * (d0 + f * (c2 + f * c3));
 }
 
+void Streamline::index_steps() {
+  for (std::size_t i = step_starts_.size(); i < steps.size(); ++i) step_starts_.push_back(steps[i].s);
+}
+
+// The last step that begins at s or before, or the first one.
+const StreamStep& Streamline::step_at(double s) const {
+  if (step_starts_.size() == steps.size()) {
+    const auto after = std::upper_bound(step_starts_.begin(), step_starts_.end(), s);
+    return steps[std::max<std::ptrdiff_t>(after - step_starts_.begin(), 1) - 1];
+  }
+  const auto after =
+      std::upper_bound(steps.begin(), steps.end(), s, [](double v, const StreamStep& k) { return v < k.s; });
+  return after == steps.begin() ? steps.front() : *(after - 1);
+}
+
 Vec2 Streamline::at(const field::FieldEvaluator& evaluator, double s, Vec2& direction) const {
   if (s <= launch.radius || steps.empty()) return lead_in(std::max(s, 0.0), direction);
   if (s >= length()) {
     direction = unit(end_angle);
     return end_position;
   }
-  const auto after =
-      std::upper_bound(steps.begin(), steps.end(), s, [](double v, const StreamStep& k) { return v < k.s; });
-  const StreamStep& step = after == steps.begin() ? steps.front() : *(after - 1);
+  const StreamStep& step = step_at(s);
   const double theta = std::clamp((s - step.s) / step.h, 0.0, 1.0);
   if (step.elem == in_the_plane) {
     direction = normalized(step.slope(theta));

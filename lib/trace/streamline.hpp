@@ -45,6 +45,8 @@ class Streamline {
   bool is_endless() const { return end == End::length; }
   /// Whether it has no end because its steps became too short: it cannot be continued.
   bool is_stuck() const { return is_endless() && steps.size() >= max_stream_steps; }
+  /// Makes at() faster; to be called after steps were appended.
+  void index_steps();
   /// Position at arc length s in [0, length()].
   Vec2 at(const field::FieldEvaluator& evaluator, double s) const;
   /// Position and unit direction.
@@ -54,6 +56,9 @@ class Streamline {
 
  private:
   Vec2 lead_in(double s, Vec2& direction) const;
+  const StreamStep& step_at(double s) const;
+
+  std::vector<double> step_starts_;  // s of the steps that are indexed, near each other in memory
 };
 
 }  // namespace quadrille::trace

@@ -47,6 +47,24 @@ TEST_F(InASquare, PositionsAreThoseAtTheArcLength) {
   }
 }
 
+TEST_F(InASquare, PositionsAreTheSameWithAndWithoutTheIndexOfSteps) {
+  Streamline line = two_steps();
+  const Streamline plain = line;
+  line.index_steps();
+  const auto expect_equal = [&](const Streamline& expected) {
+    for (const double s : {0.1, 0.1000001, 0.2, 0.3, 0.30000001, 0.45, 0.5, 0.55, 0.59})
+      EXPECT_EQ(line.at(evaluator, s), expected.at(evaluator, s)) << s;
+  };
+  expect_equal(plain);
+  // Appended steps count, whether they are indexed or not.
+  Streamline longer = plain;
+  for (Streamline* l : {&line, &longer})
+    l->steps.push_back({in_the_plane, 0.5, 0.1, 0.1, {Vec2{0.5, 0}, {0, 0.1}, {}, {}, {}}});
+  expect_equal(longer);
+  line.index_steps();
+  expect_equal(longer);
+}
+
 TEST_F(InASquare, TheEndIsExactAndNothingLiesBeyondIt) {
   const Streamline line = two_steps();
   for (const double s : {0.5, 0.7}) {
