@@ -7,9 +7,9 @@
 #include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
+#include "base/angle_sum.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
-#include "field/angle_sum.hpp"
 
 namespace quadrille::field {
 namespace {
