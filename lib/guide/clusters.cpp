@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "guide/cluster_centre.hpp"
+#include "placement/clearance.hpp"
 #include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
 
@@ -17,6 +18,10 @@ namespace quadrille::guide {
 namespace {
 
 constexpr double equal = 1 + 1e-6;
+
+// Of the distance to the boundary from a zero: if one of opposite index is as near as the first, it forms a cluster
+// with all that are as near as the second.
+constexpr double nearest_opposite = 0.4, near_opposite = 0.6;
 
 /// A zero, or a set of open cells that touch.
 struct Part {
@@ -87,6 +92,7 @@ class ClusterFinder {
     for (int i = 0; i < num_parts; ++i)
       for (int j = 0; j < i; ++j)
         if (belong_together(parts_[i], parts_[j])) together.unite(i, j);
+    if (criterion_.distance > 0) unite_opposite(together);
     const std::vector<int> undecided = unite_undecided(together);
     Clustering result;
     for (const std::vector<int>& group : members(together, num_parts)) {
@@ -105,6 +111,29 @@ class ClusterFinder {
   }
 
  private:
+  /// Criterion (d).
+  void unite_opposite(DisjointSets& together) const {
+    const std::vector<zeros::FoundZero>& zeros = *zeros_;
+    const int num_zeros = static_cast<int>(zeros.size());
+    for (int i = 0; i < num_zeros; ++i) {
+      const auto gap = [&](int j) { return distance(zeros[i].x, zeros[j].x); };
+      std::vector<int> opposite;
+      for (int j = 0; j < num_zeros; ++j)
+        if (zeros[j].index * zeros[i].index < 0) opposite.push_back(j);
+      if (opposite.empty()) continue;
+      std::sort(opposite.begin(), opposite.end(), [&](int a, int b) { return gap(a) < gap(b); });
+      const double clearance = equal * placement::signed_clearance(evaluator_->field().mesh.face, zeros[i].x);
+      if (gap(opposite[0]) > nearest_opposite * clearance) continue;
+      std::erase_if(opposite, [&](int j) {
+        return gap(j) > near_opposite * clearance || !is_segment_in_mesh(*evaluator_, zeros[i].x, zeros[j].x);
+      });
+      int index = zeros[i].index;
+      for (const int j : opposite) index += zeros[j].index;
+      if (std::abs(index) > 1) continue;
+      for (const int j : opposite) together.unite(i, j);
+    }
+  }
+
   /// Criterion (c). Returns a zero of each group that was not united before.
   std::vector<int> unite_undecided(DisjointSets& together) const {
     std::vector<int> result;

@@ -9,8 +9,11 @@
 //       diameter; or
 //   (b) their distance is at most `distance`; or
 //   (c) a region connects them in which |v| is below the field's error, however far they are from each other and
-//       however it is bent (zeros/undecided_zeros): the field does not decide whether they exist.
-// In (a) and (b) the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros
+//       however it is bent (zeros/undecided_zeros): the field does not decide whether they exist; or
+//   (d) their indices are opposite, and they are nearer to each other than 0.4 of the distance of one of them to the
+//       boundary, if this one and all of opposite index nearer than 0.6 of that distance can be replaced by one node,
+//       or none, because their indices add up to -1, 0 or 1. Not if `distance` is 0.
+// In (a), (b) and (d) the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros
 // linked through others are in one cluster, so that a symmetric set of zeros has a symmetric set of clusters. Cells
 // that the search classified as open (|v| below noise all over) are parts of clusters too; neighbouring cells are
 // linked. The index of a cluster is the sum over its members; with open cells it is the winding number round the whole
@@ -25,7 +28,7 @@
 namespace quadrille::guide {
 
 struct ClusterCriterion {
-  double distance = 0;                ///< (b), in the file's unit; 0: multiple zeros only
+  double distance = 0;                ///< (b), in the file's unit; 0: multiple zeros only, without (d)
   double noise = zeros::field_noise;  ///< of |v|
 };
 

@@ -89,9 +89,12 @@ class Resolver {
 
   std::string subject(const Cluster& cluster) const {
     if (cluster.members.size() == 1) return "a multiple zero";
-    return fmt::format(
-        "{} zeros within {:.3g} of each other, {}", cluster.members.size(), 2 * cluster.radius,
-        cluster.is_undecided ? "whose existence the field does not decide" : "nearer than any block could be");
+    const auto [least, greatest] = std::minmax_element(cluster.member_indices.begin(), cluster.member_indices.end());
+    const bool are_opposite = least != cluster.member_indices.end() && *least < 0 && *greatest > 0;
+    return fmt::format("{} zeros within {:.3g} of each other, {}", cluster.members.size(), 2 * cluster.radius,
+                       cluster.is_undecided ? "whose existence the field does not decide"
+                       : are_opposite       ? "of opposite index and nearer to each other than to the boundary"
+                                            : "nearer than any block could be");
   }
 
   std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {

@@ -39,6 +39,17 @@ TEST_F(ClustersTest, hang_together_through_others) {
   EXPECT_EQ(found.simple[0].x, (Vec2{0.5, 0}));
 }
 
+TEST_F(ClustersTest, leave_zeros_of_opposite_index_that_more_than_one_node_would_replace) {
+  const auto ring = [](int n) {
+    std::vector<zeros::FoundZero> zeros{zero({0, 0}, 1)};
+    for (int k = 0; k < n; ++k) zeros.push_back(zero(0.39 * unit(2 * pi * k / n), -1));
+    return zeros;
+  };
+  ASSERT_EQ(find_clusters(evaluator, ring(2), {}, {1e-3, 1e-10}).clusters.size(), 1u);
+  EXPECT_EQ(find_clusters(evaluator, ring(2), {}, {1e-3, 1e-10}).clusters[0].index, -1);
+  EXPECT_TRUE(find_clusters(evaluator, ring(3), {}, {1e-3, 1e-10}).clusters.empty());
+}
+
 TEST_F(ClustersTest, do_not_reach_across_what_is_outside) {
   EXPECT_TRUE(is_segment_in_mesh(evaluator, {-0.9, -0.9}, {0.9, 0.9}));
   EXPECT_FALSE(is_segment_in_mesh(evaluator, {0.9, 0}, {1.3, 0}));

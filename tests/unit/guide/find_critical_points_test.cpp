@@ -212,19 +212,34 @@ TEST(FindCriticalPoints, the_centre_of_a_split_zero_is_that_of_the_multiple_one)
 
 TEST(FindCriticalPoints, zeros_nearer_than_the_cluster_distance_are_one_cluster) {
   const double d = 0.01;
-  const auto pair = [&](Vec2 x) { return Vec2{x.x * x.x - d * d / 4, x.y - 0.4}; };
+  const auto pair = [&](Vec2 x) {
+    const double y = x.y - 0.4;
+    return Vec2{x.x * x.x - y * y - d * d / 4, 2 * x.x * y};
+  };
   const double diameter = std::sqrt(8.0);
   EXPECT_TRUE(points_of(pair, 4, 2, {0.99 * d / diameter, 0, 1e-10}).clusters.empty());
   const CriticalPoints points = points_of(pair, 4, 2, {d / diameter, 0, 1e-10});  // equal counts as nearer
   ASSERT_EQ(points.clusters.size(), 1u);
   const Cluster& cluster = points.clusters[0];
-  EXPECT_EQ(cluster.index, 0);
+  EXPECT_EQ(cluster.index, 2);
   EXPECT_EQ(cluster.members.size(), 2u);
   EXPECT_EQ(cluster.member_indices.size(), 2u);
   EXPECT_NEAR(distance(cluster.centre, {0, 0.4}), 0, 1e-12);
   EXPECT_NEAR(cluster.radius, d / 2, 1e-12);
   EXPECT_EQ(points.zeros.size(), 2u);
   EXPECT_TRUE(points.critical_points.empty());
+}
+
+TEST(FindCriticalPoints, zeros_of_opposite_index_cancel_if_they_are_far_from_the_boundary) {
+  const auto clusters_of = [](double gap, double cluster_distance) {  // the boundary is at a distance of 1
+    const auto pair = [&](Vec2 x) { return Vec2{x.x * x.x - gap * gap / 4, x.y}; };
+    return points_of(pair, 4, 2, {cluster_distance, 0, 1e-10}).clusters;
+  };
+  const double nearest = 0.4 / 1.2;  // a gap of 0.4 of the distance from either zero to the boundary
+  ASSERT_EQ(clusters_of(nearest, 1e-3).size(), 1u);
+  EXPECT_EQ(clusters_of(nearest, 1e-3)[0].index, 0);
+  EXPECT_TRUE(clusters_of(1.01 * nearest, 1e-3).empty());
+  EXPECT_TRUE(clusters_of(nearest, 0).empty());
 }
 
 TEST(FindCriticalPoints, a_corner_absorbs_what_is_near_only_if_its_blocks_stay_admissible) {
