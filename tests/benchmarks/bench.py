@@ -77,6 +77,12 @@ def machine():
     return {"processor": model.strip(), "cores": int(re.search(r"^CPU\(s\):\s*(\d+)", text, re.M).group(1))}
 
 
+def is_native(tools):
+    """Whether the tools in a folder of a build tree were built for this machine (QUADRILLE_NATIVE, as quickstart does)."""
+    cache = tools.resolve().parent / "CMakeCache.txt"
+    return cache.exists() and "QUADRILLE_NATIVE:BOOL=ON" in cache.read_text()
+
+
 def rounded(value, digits=4):
     return float(f"{value:.{digits}g}")
 
