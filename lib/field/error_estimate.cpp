@@ -1,5 +1,6 @@
 #include "field/error_estimate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,6 +68,8 @@ Source source(const Field& field, int elem, double misfit) {
   return s;
 }
 
+constexpr double capacity = 0.73;  // of an equilateral triangle of circumradius 1
+
 double integer_power(double base, int exponent) {
   double power = 1;
   for (; exponent > 0; exponent /= 2, base *= base) {
@@ -75,11 +78,15 @@ double integer_power(double base, int exponent) {
   return power;
 }
 
-// Fraction of the tail of source s that contributes to the error at x.
-double weight(const Source& s, Vec2 x) {
-  constexpr double capacity = 0.73;  // of an equilateral triangle of circumradius 1
-  const double nearness = s.radius / std::max(std::sqrt(norm2(x - s.centre)), s.radius);
+// Fraction of the tail of source s that contributes to the error at a distance from it.
+double weight(const Source& s, double distance) {
+  const double nearness = s.radius / std::max(distance, s.radius);
   return nearness * std::max(integer_power(capacity * nearness, s.order + 1), s.unresolved);
+}
+
+// Beyond this distance the weight is s.unresolved * s.radius / distance.
+double end_of_near_field(const Source& s) {
+  return s.radius * std::max(1.0, capacity * std::pow(s.unresolved, -1.0 / (s.order + 1)));
 }
 
 // The sources with the greatest contributions, in descending order; equal ones by element number.
@@ -97,6 +104,41 @@ std::vector<int> strongest(const std::vector<Source>& sources) {
   return ranking;
 }
 
+// The sum of the tails of the strongest sources by their weights. Nearly all of them are far, and those are summed by
+// vector instructions.
+class RemoteErrors {
+ public:
+  explicit RemoteErrors(const std::vector<Source>& sources) : sources_(sources), senders_(strongest(sources)) {
+    const auto n = static_cast<Eigen::Index>(senders_.size());
+    x_.resize(n), y_.resize(n), strength_.resize(n), near2_.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Source& s = sources[senders_[i]];
+      const double near = end_of_near_field(s);
+      x_[i] = s.centre.x, y_[i] = s.centre.y;
+      strength_[i] = s.tail * s.unresolved * s.radius;
+      near2_[i] = near * near;
+    }
+  }
+
+  double at(int elem) {
+    const Vec2 x = sources_[elem].centre;
+    distance2_ = (x_ - x.x).square() + (y_ - x.y).square();
+    double sum = (distance2_ > near2_).select(strength_ / distance2_.sqrt(), 0).sum();
+    for (Eigen::Index i = 0; i < x_.size(); ++i) {
+      if (distance2_[i] > near2_[i] || senders_[i] == elem) continue;
+      const Source& s = sources_[senders_[i]];
+      sum += s.tail * weight(s, std::sqrt(distance2_[i]));
+    }
+    return sum;
+  }
+
+ private:
+  const std::vector<Source>& sources_;
+  std::vector<int> senders_;
+  Eigen::ArrayXd x_, y_, strength_, near2_;  // of the senders
+  Eigen::ArrayXd distance2_;
+};
+
 }  // namespace
 
 std::vector<double> error_estimate(const Field& field) {
@@ -105,15 +147,10 @@ std::vector<double> error_estimate(const Field& field) {
   const std::vector<double> misfits = boundary_misfit(field);
   std::vector<Source> sources(n);
   for (int e = 0; e < n; ++e) sources[e] = source(field, e, misfits[e]);
-  const std::vector<int> senders = strongest(sources);
+  RemoteErrors remote(sources);
   std::vector<double> errors(n);
-  for (int e = 0; e < n; ++e) {
-    double from_afar = 0;
-    for (const int f : senders) {
-      if (f != e) from_afar += sources[f].tail * weight(sources[f], sources[e].centre);
-    }
-    errors[e] = std::max(sources[e].tail, misfits[e]) + share_from_afar * from_afar + rounding;
-  }
+  for (int e = 0; e < n; ++e)
+    errors[e] = std::max(sources[e].tail, misfits[e]) + share_from_afar * remote.at(e) + rounding;
   return errors;
 }
 
