@@ -36,26 +36,11 @@ bool is_reflex(const CadFace& face, int curve, double t) {
 
 }  // namespace
 
-BoundaryClearance::BoundaryClearance(const CadFace& face) : face_(&face) {
-  for (const Nurbs& curve : face.curves) {
-    Box box{curve.poles.front(), curve.poles.front()};
-    for (const Vec2 pole : curve.poles) {
-      box.low = {std::min(box.low.x, pole.x), std::min(box.low.y, pole.y)};
-      box.high = {std::max(box.high.x, pole.x), std::max(box.high.y, pole.y)};
-    }
-    boxes_.push_back(box);
-  }
-}
-
-double BoundaryClearance::lower_bound(int curve, Vec2 x) const {
-  const Box& box = boxes_[curve];
-  return std::hypot(std::max({box.low.x - x.x, x.x - box.high.x, 0.0}),
-                    std::max({box.low.y - x.y, x.y - box.high.y, 0.0}));
-}
+BoundaryClearance::BoundaryClearance(const CadFace& face) : face_(&face), boxes_(face.curves) {}
 
 double BoundaryClearance::at(Vec2 x) const {
   std::vector<double> bounds;
-  for (int c = 0; c < face_->num_curves(); ++c) bounds.push_back(lower_bound(c, x));
+  for (int c = 0; c < face_->num_curves(); ++c) bounds.push_back(boxes_.distance_bound(c, x));
   // The curve that may be nearest first: its distance excludes most of the others.
   const int first = static_cast<int>(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
   double nearest = curve::project(face_->curves[first], x).distance;
@@ -68,7 +53,7 @@ double BoundaryClearance::at(Vec2 x) const {
 std::vector<CurveFoot> BoundaryClearance::feet(Vec2 x, double reach) const {
   std::vector<CurveFoot> feet;
   for (int c = 0; c < face_->num_curves(); ++c) {
-    if (lower_bound(c, x) >= reach) continue;
+    if (boxes_.distance_bound(c, x) >= reach) continue;
     const curve::Projection p = curve::project(face_->curves[c], x);
     const bool is_known = std::any_of(feet.begin(), feet.end(), [&](const CurveFoot& foot) {
       return distance(foot.position, p.position) <= feature_constants.equal_lengths * face_->diameter;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "curve/pole_boxes.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::features {
@@ -28,14 +29,8 @@ class BoundaryClearance {
   bool is_segment_inside(Vec2 a, Vec2 b) const;
 
  private:
-  struct Box {
-    Vec2 low, high;
-  };
-  /// A lower bound of the distance from x to the curve.
-  double lower_bound(int curve, Vec2 x) const;
-
   const CadFace* face_;
-  std::vector<Box> boxes_;  ///< around each curve's poles, which enclose the curve
+  curve::PoleBoxes boxes_;
 };
 
 }  // namespace quadrille::features

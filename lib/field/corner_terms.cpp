@@ -94,6 +94,7 @@ SharedCorners::SharedCorners(const CadFace& face, const PhaseNodes& prescribed)
     : corners_(prescribed.corners),
       boundary_nodes_(prescribed.boundary_nodes),
       face_(&face),
+      mirror_images_(face),
       terms_(corner_terms(face, prescribed)),
       samples_(face.num_curves()) {}
 
@@ -110,7 +111,7 @@ const BoundarySamples& SharedCorners::samples(int curve, std::span<const double>
 
 const std::vector<MirrorImage>& SharedCorners::images(Vec2 x) {
   const auto [entry, is_new] = images_.try_emplace({x.x, x.y});
-  if (is_new) entry->second = mirror_images(*face_, x);
+  if (is_new) entry->second = mirror_images_.of(x);
   return entry->second;
 }
 

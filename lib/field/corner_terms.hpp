@@ -53,13 +53,14 @@ class SharedCorners {
   const CornerTerms& terms() const { return terms_; }
   /// Valid until the next call. `t` is not empty.
   const BoundarySamples& samples(int curve, std::span<const double> t);
-  /// mirror_images() of a node at x.
+  /// The mirror images of a node at x.
   const std::vector<MirrorImage>& images(Vec2 x);
 
  private:
   std::vector<CornerValence> corners_;
   std::vector<BoundaryNode> boundary_nodes_;
   const CadFace* face_;
+  MirrorImages mirror_images_;
   CornerTerms terms_;
   std::vector<std::unordered_map<double, BoundarySamples>> samples_;  ///< by curve, then first parameter
   std::map<std::pair<double, double>, std::vector<MirrorImage>> images_;

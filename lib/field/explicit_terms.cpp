@@ -1,6 +1,9 @@
 #include "field/explicit_terms.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -40,7 +43,38 @@ std::vector<int> add_nodes_and_images(SharedCorners& corners, const std::vector<
   return image_loops;
 }
 
+// An empty expansion in a disc that contains the loop.
+AngleExpansion expansion_around(const CadFace& face, int loop) {
+  Vec2 low{INFINITY, INFINITY}, high = -low;
+  const auto for_each_pole = [&](const auto& use) {
+    for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c)
+      for (const Vec2 pole : face.curves[c].poles) use(pole);
+  };
+  for_each_pole([&](Vec2 pole) {
+    low = {std::min(low.x, pole.x), std::min(low.y, pole.y)};
+    high = {std::max(high.x, pole.x), std::max(high.y, pole.y)};
+  });
+  const Vec2 middle = (low + high) / 2;
+  double radius = 0;
+  for_each_pole([&](Vec2 pole) { radius = std::max(radius, distance(pole, middle)); });
+  return {middle, radius};
+}
+
 }  // namespace
+
+LoopCentres::LoopCentres(const CadFace& face, int loop, const std::vector<TurnCentre>& centres)
+    : far_(expansion_around(face, loop)) {
+  const Vec2 start = face.curves[face.loop_offsets[loop]].poles.front();
+  for (const TurnCentre& centre : centres) {
+    if (centre.winding_number(loop) != 0 || !far_.is_far(centre.position, centre.position)) {
+      followed_.push_back(centre);
+    } else if (centre.turns != 0) {
+      far_.add(centre.position, {static_cast<double>(centre.turns), 0});
+      constant_ += centre.turns * angle_of(start - centre.position);
+    }
+  }
+  constant_ -= far_.at(start).x;
+}
 
 ExplicitTerms explicit_terms(SharedCorners& corners, const std::vector<PhaseNode>& nodes) {
   ExplicitTerms result;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/angle_expansion.hpp"
 #include "field/corner_terms.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
@@ -26,6 +27,23 @@ struct TurnCentre {
 struct ExplicitTerms {
   PhaseTerms terms;
   std::vector<TurnCentre> centres;  ///< of terms.nodes, then terms.holes, then terms.images
+};
+
+/// The centres as seen from one loop. Most are so far from a small hole that the sum of their terms is one power
+/// series.
+class LoopCentres {
+ public:
+  LoopCentres(const CadFace& face, int loop, const std::vector<TurnCentre>& centres);
+  /// The centres that are near, or which the loop must enclose.
+  const std::vector<TurnCentre>& followed() const { return followed_; }
+  /// The sum of the terms of all others at a point of the loop: continuous along it, from the principal values at the
+  /// start of the loop.
+  double sum_of_far(Vec2 x) const { return constant_ + far_.at(x).x; }
+
+ private:
+  std::vector<TurnCentre> followed_;
+  AngleExpansion far_;
+  double constant_ = 0;
 };
 
 /// The terms for prescribed nodes, beside those of the corners. The turns D_j of each hole make its data single-valued.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
@@ -36,46 +37,71 @@ bool is_at_corner(const CadFace& face, int c, double t) {
   return std::abs(wrap_pi(joint.tangent_out - joint.tangent_in)) > 1e-3;
 }
 
-struct Candidate {
+}  // namespace
+
+/// The image in a curve, and the distance of the node from that curve.
+struct MirrorImages::Candidate {
   MirrorImage image;
   double depth;
+  int curve;
 };
 
-void add_candidate(const CadFace& face, int c, Vec2 x, std::vector<Candidate>& candidates) {
+std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) const {
+  const CadFace& face = *face_;
   const Nurbs& curve = face.curves[c];
   const curve::Projection foot = curve::project(curve, x);
   const double depth = foot.distance;
-  if (!(depth > 0 && depth <= farthest_foot * face.diameter) || is_at_corner(face, c, foot.t)) return;
+  if (!(depth > 0 && depth <= farthest_foot * face.diameter) || is_at_corner(face, c, foot.t)) return {};
   const Vec2 along = curve::tangent(curve, foot.t, foot.t >= curve.end()), from_foot = x - foot.position;
-  if (std::abs(dot(along, from_foot)) > 1e-6 * depth || cross(along, from_foot) <= 0) return;
+  if (std::abs(dot(along, from_foot)) > 1e-6 * depth || cross(along, from_foot) <= 0) return {};
   const double shrink = 1 - curve::curvature(curve, foot.t, foot.t >= curve.end()) * depth;
-  if (shrink * farthest_image < 1 || shrink > greatest_shrink) return;
+  if (shrink * farthest_image < 1 || shrink > greatest_shrink) return {};
   const Vec2 outward = -left_of(along);
   const double beyond = depth / shrink;
-  const double to_boundary = 2 * distance(half_way(face, foot.position, outward), foot.position);
-  if (beyond > 0.9 * to_boundary) return;
   const Vec2 image = foot.position + beyond * outward;
+  const double clearance = least_clearance * std::min(depth, beyond);
   for (int other = 0; other < face.num_curves(); ++other) {
-    if (other != c && curve::project(face.curves[other], image).distance < least_clearance * std::min(depth, beyond))
-      return;
+    if (other != c && boxes_.distance_bound(other, image) < clearance &&
+        curve::project(face.curves[other], image).distance < clearance)
+      return {};
   }
-  candidates.push_back({{image, face.loop_of(c)}, depth});
+  const double to_boundary = 2 * distance(half_way(face, foot.position, outward), foot.position);
+  if (beyond > 0.9 * to_boundary) return {};
+  return Candidate{{image, face.loop_of(c)}, depth, c};
 }
 
-}  // namespace
-
-std::vector<MirrorImage> mirror_images(const CadFace& face, Vec2 x) {
+// Curves that may be near come first: a near candidate excludes the curves beyond it.
+std::vector<MirrorImages::Candidate> MirrorImages::candidates(Vec2 x) const {
+  std::vector<std::pair<double, int>> order;
+  for (int c = 0; c < face_->num_curves(); ++c) {
+    const double bound = boxes_.distance_bound(c, x);
+    if (bound <= farthest_foot * face_->diameter) order.emplace_back(bound, c);
+  }
+  std::sort(order.begin(), order.end());
   std::vector<Candidate> candidates;
-  for (int c = 0; c < face.num_curves(); ++c) add_candidate(face, c, x, candidates);
-  double nearest = INFINITY;
-  for (const Candidate& candidate : candidates) nearest = std::min(nearest, candidate.depth);
+  double reach = INFINITY;
+  for (const auto& [bound, c] : order) {
+    if (bound > reach) break;
+    const std::optional<Candidate> found = candidate(c, x);
+    if (!found) continue;
+    reach = std::min(reach, farthest_ratio * found->depth * (1 + 1e-6));
+    candidates.push_back(*found);
+  }
+  std::erase_if(candidates, [&](const Candidate& found) { return found.depth > reach; });
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.curve < b.curve; });
+  return candidates;
+}
+
+MirrorImages::MirrorImages(const CadFace& face) : face_(&face), boxes_(face.curves) {}
+
+std::vector<MirrorImage> MirrorImages::of(Vec2 x) const {
   std::vector<MirrorImage> images;
-  for (const auto& [image, depth] : candidates) {
+  for (const auto& [image, depth, c] : candidates(x)) {
     const auto is_same = [&, at = image.position, tol = same_image * depth](const MirrorImage& other) {
       return distance(other.position, at) <= tol;
     };
-    if (depth <= farthest_ratio * nearest * (1 + 1e-6) && std::none_of(images.begin(), images.end(), is_same))
-      images.push_back(image);
+    if (std::none_of(images.begin(), images.end(), is_same)) images.push_back(image);
   }
   return images;
 }

@@ -5,8 +5,10 @@
 // where no mesh could resolve them otherwise. Any point outside the domain is equally valid: only accuracy depends on
 // the choice.
 
+#include <optional>
 #include <vector>
 
+#include "curve/pole_boxes.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::field {
@@ -17,10 +19,24 @@ struct MirrorImage {
   int loop = 0;   ///< 0: outside the outline; j: inside hole j
 };
 
-/// Images of x, a point inside the domain, by inversion in the circles of curvature at its feet on the curves: at most
-/// one for each curve. A foot counts if its distance is at most a quarter of the diameter and at most three times the
-/// distance of the nearest foot, if x is not far from a bend of small radius, and if the image has clearance to the
-/// boundary on all sides outside the domain.
-std::vector<MirrorImage> mirror_images(const CadFace& face, Vec2 x);
+/// The images of points in the curves of one face.
+class MirrorImages {
+ public:
+  /// `face` must outlive the object.
+  explicit MirrorImages(const CadFace& face);
+  /// Images of x, a point inside the domain, by inversion in the circles of curvature at its feet on the curves: at
+  /// most one for each curve. A foot counts if its distance is at most a quarter of the diameter and at most three
+  /// times the distance of the nearest foot, if x is not far from a bend of small radius, and if the image has
+  /// clearance to the boundary on all sides outside the domain.
+  std::vector<MirrorImage> of(Vec2 x) const;
+
+ private:
+  struct Candidate;
+  std::optional<Candidate> candidate(int curve, Vec2 x) const;
+  std::vector<Candidate> candidates(Vec2 x) const;
+
+  const CadFace* face_;
+  curve::PoleBoxes boxes_;
+};
 
 }  // namespace quadrille::field

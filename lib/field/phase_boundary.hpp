@@ -45,15 +45,16 @@ class PhaseBoundary {
 
  private:
   void follow_loop(int loop);
-  void pass_apex(int apex, LoopAngles& angles);
+  void pass_apex(int loop, int apex, LoopAngles& angles);
   const BoundaryApexes& apexes() const { return corners_->terms().apexes; }
-  double data(const LoopAngles& angles, double corner_angles) const;
+  double data(int loop, Vec2 x, const LoopAngles& angles, double corner_angles) const;
   void require_inside(int loop, const LoopAngles& start, const LoopAngles& end) const;
   void require_closure(int loop, const LoopAngles& start, const LoopAngles& end) const;
 
   const CadFace* face_;
   std::shared_ptr<SharedCorners> corners_;
   ExplicitTerms explicit_;
+  std::vector<LoopCentres> loops_;
   std::vector<double> apex_remainders_;          ///< g at each apex
   std::vector<std::vector<AnglePiece>> pieces_;  ///< by curve, ascending t
 };

@@ -20,6 +20,24 @@ bool has_given_dofs(const DofMap& map, int elem) {
                      [&](int dof) { return dof >= map.num_unknowns; });
 }
 
+// A boundary mode of an element that has a given value in one of many columns.
+struct GivenMode {
+  int mode, column;
+  double value;
+};
+
+std::vector<GivenMode> given_modes(const DofMap& map, int elem, const SparseColumns& given) {
+  std::vector<GivenMode> modes;
+  const int offset = map.elem2offset[elem], n = map.elem2offset[elem + 1] - offset;
+  for (int i = 0; i < n; ++i) {
+    const int row = map.elem2dofs[offset + i] - map.num_unknowns;
+    if (row < 0) continue;
+    for (SparseColumns::InnerIterator entry(given, row); entry; ++entry)
+      modes.push_back({i, static_cast<int>(entry.col()), map.elem2signs[offset + i] * entry.value()});
+  }
+  return modes;
+}
+
 }  // namespace
 
 Eigen::MatrixXd right_hand_side(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& given) {
@@ -30,6 +48,27 @@ Eigen::MatrixXd right_hand_side(const DofMap& map, const CondensedElements& elem
     if (has_given_dofs(map, e)) add_to_free(map, e, elements[e]->schur * element_dofs(map, e, dofs), rhs);
   }
   return rhs;
+}
+
+SparseData sparse_data(const DofMap& map, const CondensedElements& elements, const SparseColumns& given) {
+  SparseData data{SparseColumns(map.num_unknowns, given.cols()), Eigen::MatrixXd::Zero(given.cols(), given.cols())};
+  std::vector<Eigen::Triplet<double>> rhs;
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    const Eigen::MatrixXd& schur = elements[e]->schur;
+    const int offset = map.elem2offset[e];
+    const std::vector<GivenMode> modes = given_modes(map, e, given);
+    for (const GivenMode& of : modes) {
+      for (int i = 0; i < schur.rows(); ++i) {
+        const int dof = map.elem2dofs[offset + i];
+        if (dof >= 0 && dof < map.num_unknowns)
+          rhs.emplace_back(dof, of.column, -map.elem2signs[offset + i] * schur(i, of.mode) * of.value);
+      }
+      for (const GivenMode& other : modes)
+        data.product(other.column, of.column) += other.value * schur(other.mode, of.mode) * of.value;
+    }
+  }
+  data.rhs.setFromTriplets(rhs.begin(), rhs.end());
+  return data;
 }
 
 Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd& dofs) {

@@ -3,6 +3,7 @@
 // the free dofs, and the right-hand side from the given (boundary) dofs. Each column of a matrix is one function.
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "galerkin/condense.hpp"
@@ -13,6 +14,16 @@ namespace quadrille::galerkin {
 /// The right-hand side, num_unknowns rows: minus the reactions of `given`, the values of the dofs [num_unknowns,
 /// num_dofs).
 Eigen::MatrixXd right_hand_side(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& given);
+
+/// Many functions with few values each, one per column; stored by row.
+using SparseColumns = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Given values as the system receives them.
+struct SparseData {
+  SparseColumns rhs;        ///< as right_hand_side()
+  Eigen::MatrixXd product;  ///< the energy products of the functions that are 0 in all free dofs
+};
+SparseData sparse_data(const DofMap& map, const CondensedElements& elements, const SparseColumns& given);
 
 /// The coefficients of the boundary modes of one element; 0 for modes without a dof.
 Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd& dofs);

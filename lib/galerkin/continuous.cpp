@@ -89,6 +89,13 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
   return dofs;
 }
 
+// Of f = (x, given) with A x = b: the energy is that of (0, given) less b^T A^-1 b.
+Eigen::MatrixXd ContinuousSystem::energy_products(const SparseColumns& given) const {
+  const SparseData data = sparse_data(*map_, elements_, given);
+  const Eigen::MatrixXd products = data.product - cholesky_->inverse_products(data.rhs);
+  return (products + products.transpose()) / 2;
+}
+
 Eigen::MatrixXd ContinuousSystem::reactions(const Eigen::MatrixXd& dofs) const {
   return galerkin::reactions(*map_, elements_, dofs);
 }

@@ -29,6 +29,8 @@ class ContinuousSystem {
   const std::vector<int>& elem_order() const { return elem_order_; }
   /// All dofs (num_dofs rows) from the values of the given ones, [num_unknowns, num_dofs).
   Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch);
+  /// Energy products of the solutions for many given values that are sparse, without the solutions.
+  Eigen::MatrixXd energy_products(const SparseColumns& given) const;
   /// Residual of the last solve, relative to its right-hand side.
   double residual() const { return residual_; }
   /// The reactions of the given dofs (galerkin/condensed_system.hpp).

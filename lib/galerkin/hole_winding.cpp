@@ -1,6 +1,7 @@
 #include "galerkin/hole_winding.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace quadrille::galerkin {
 
@@ -14,43 +15,54 @@ struct Step {
   double a, b;
 };
 
-// All steps of +-1 in one or two entries, in a fixed order.
-std::vector<Step> steps(int size) {
-  std::vector<Step> all;
-  for (int i = 0; i < size; ++i) {
-    for (const double a : {1.0, -1.0}) {
-      all.push_back({i, i, a, 0});
-      for (int j = i + 1; j < size; ++j) {
-        for (const double b : {1.0, -1.0}) all.push_back({i, j, a, b});
+/// Goes from an integer vector to nearer ones by steps of +-1 in one or two entries.
+class Descent {
+ public:
+  Descent(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target, Eigen::VectorXd start)
+      : gram_(gram), m_(std::move(start)), slope_(gram * (m_ - target)) {}
+
+  /// Takes every step that reduces the norm, in a fixed order; returns whether there was one.
+  bool improve() {
+    bool improved = false;
+    const int size = static_cast<int>(m_.size());
+    for (int i = 0; i < size; ++i) {
+      for (const double a : {1.0, -1.0}) {
+        improved = take({i, i, a, 0}) || improved;
+        for (int j = i + 1; j < size; ++j) {
+          for (const double b : {1.0, -1.0}) improved = take({i, j, a, b}) || improved;
+        }
       }
     }
+    return improved;
   }
-  return all;
-}
+
+  const Eigen::VectorXd& position() const { return m_; }
+
+ private:
+  bool take(const Step& step) {
+    const auto& [i, j, a, b] = step;
+    // |m + step - target|^2 - |m - target|^2 in the norm of the Gram matrix
+    const double own = a * a * gram_(i, i) + b * b * gram_(j, j) + 2 * a * b * gram_(i, j);
+    if (2 * (a * slope_[i] + b * slope_[j]) + own >= -tie_tol * own) return false;
+    m_[i] += a;
+    m_[j] += b;
+    slope_ += a * gram_.col(i) + b * gram_.col(j);
+    return true;
+  }
+
+  const Eigen::MatrixXd& gram_;
+  Eigen::VectorXd m_, slope_;  ///< slope: gram (m - target)
+};
 
 }  // namespace
 
 std::vector<int> nearest_hole_winding(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target) {
-  const int size = static_cast<int>(target.size());
-  Eigen::VectorXd m(size);
-  for (int i = 0; i < size; ++i) m[i] = std::ceil(target[i] - 0.5 - tie_tol);
-
-  const std::vector<Step> all = steps(size);
-  Eigen::VectorXd slope = gram * (m - target);
-  for (bool improved = true; improved;) {
-    improved = false;
-    for (const auto& [i, j, a, b] : all) {
-      // |m + step - target|^2 - |m - target|^2 in the norm of the Gram matrix
-      const double own = a * a * gram(i, i) + b * b * gram(j, j) + 2 * a * b * gram(i, j);
-      if (2 * (a * slope[i] + b * slope[j]) + own >= -tie_tol * own) continue;
-      m[i] += a;
-      m[j] += b;
-      slope = gram * (m - target);
-      improved = true;
-    }
-  }
+  Eigen::VectorXd rounded(target.size());
+  for (Eigen::Index i = 0; i < target.size(); ++i) rounded[i] = std::ceil(target[i] - 0.5 - tie_tol);
+  Descent descent(gram, target, std::move(rounded));
+  while (descent.improve()) continue;
   std::vector<int> winding;
-  for (const double x : m) winding.push_back(static_cast<int>(std::lround(x)));
+  for (const double x : descent.position()) winding.push_back(static_cast<int>(std::lround(x)));
   return winding;
 }
 

@@ -205,4 +205,63 @@ Eigen::MatrixXd CondensedCholesky::solve(const Eigen::MatrixXd& rhs) {
   return solution;
 }
 
+// The columns that have entries in the dofs of a part that are eliminated with it, or were carried there.
+std::vector<int> CondensedCholesky::columns_in_part(const SparseColumns& b, const std::vector<Carried>& carried,
+                                                    int n) const {
+  std::vector<int> columns;
+  for (int i = 0; i < parts_[n].num_eliminated; ++i) {
+    for (SparseColumns::InnerIterator entry(b, parts_[n].dofs[i]); entry; ++entry)
+      columns.push_back(static_cast<int>(entry.col()));
+  }
+  for (const int half : {tree_->nodes[n].first, tree_->nodes[n].second}) {
+    if (half >= 0) columns.insert(columns.end(), carried[half].columns.begin(), carried[half].columns.end());
+  }
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  return columns;
+}
+
+// Forward substitution. Frees what the halves carried.
+CondensedCholesky::Carried CondensedCholesky::carry(const SparseColumns& b, std::vector<Carried>& carried,
+                                                    int n) const {
+  const Part& part = parts_[n];
+  const int k = part.num_eliminated, shared = part.num_shared();
+  Carried here{columns_in_part(b, carried, n), {}};
+  const auto position_of = [&](int column) {
+    return std::lower_bound(here.columns.begin(), here.columns.end(), column) - here.columns.begin();
+  };
+  here.values.setZero(static_cast<int>(part.dofs.size()), std::ssize(here.columns));
+  for (int i = 0; i < k; ++i) {
+    for (SparseColumns::InnerIterator entry(b, part.dofs[i]); entry; ++entry)
+      here.values(i, position_of(static_cast<int>(entry.col()))) += entry.value();
+  }
+  for (const int half : {tree_->nodes[n].first, tree_->nodes[n].second}) {
+    if (half < 0) continue;
+    const Part& from = parts_[half];
+    for (std::size_t c = 0; c < carried[half].columns.size(); ++c) {
+      auto source = carried[half].values.col(static_cast<Eigen::Index>(c));
+      auto target = here.values.col(position_of(carried[half].columns[c]));
+      for (int i = 0; i < from.num_shared(); ++i)
+        target[from.positions_in_parent[i]] += source[from.num_eliminated + i];
+    }
+    carried[half] = {};
+  }
+  if (k == 0 || here.columns.empty()) return here;
+  part.front.panel.topRows(k).triangularView<Eigen::Lower>().solveInPlace(here.values.topRows(k));
+  here.values.bottomRows(shared).noalias() -= part.front.panel.bottomRows(shared) * here.values.topRows(k);
+  return here;
+}
+
+Eigen::MatrixXd CondensedCholesky::inverse_products(const SparseColumns& b) const {
+  std::vector<Carried> carried(parts_.size()), products(parts_.size());
+  upwards([&](int n, int) {
+    carried[n] = carry(b, carried, n);
+    const auto eliminated = carried[n].values.topRows(parts_[n].num_eliminated);
+    products[n] = {carried[n].columns, eliminated.transpose() * eliminated};
+  });
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(b.cols(), b.cols());
+  for (const Carried& part : products) sum(part.columns, part.columns) += part.values;
+  return sum;
+}
+
 }  // namespace quadrille::galerkin

@@ -9,6 +9,7 @@
 
 #include "base/progress.hpp"
 #include "galerkin/condense.hpp"
+#include "galerkin/condensed_system.hpp"
 #include "galerkin/dof_map.hpp"
 #include "galerkin/partial_cholesky.hpp"
 #include "mesh/elimination_tree.hpp"
@@ -25,6 +26,9 @@ class CondensedCholesky {
   void factor(const CondensedElements& elements, Progress* progress = nullptr);
   /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
+  /// b^T A^-1 b for the factored A and many sparse columns b: each column is carried only through the parts of the mesh
+  /// between its entries and the whole. Requires factor().
+  Eigen::MatrixXd inverse_products(const SparseColumns& b) const;
 
  private:
   /// A part of the mesh: the dofs eliminated with it, then the dofs shared with the rest of the mesh, both ascending.
@@ -46,6 +50,13 @@ class CondensedCholesky {
   void factor_part(const CondensedElements& elements, int node, int num_threads);
   void substitute_forward(const Eigen::MatrixXd& rhs, int node);
   void substitute_back(Eigen::MatrixXd& solution, int node);
+  /// Columns that have values in a part of the mesh, ascending, and their values over the part's dofs.
+  struct Carried {
+    std::vector<int> columns;
+    Eigen::MatrixXd values;
+  };
+  std::vector<int> columns_in_part(const SparseColumns& b, const std::vector<Carried>& carried, int node) const;
+  Carried carry(const SparseColumns& b, std::vector<Carried>& carried, int node) const;
   /// Call f(node, threads) for children before parents, and f(node) for parents before children.
   void upwards(const std::function<void(int, int)>& f) const;
   void downwards(const std::function<void(int)>& f) const;

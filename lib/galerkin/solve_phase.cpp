@@ -21,9 +21,13 @@ namespace quadrille::galerkin {
 
 namespace {
 
-Eigen::VectorXd as_vector(const std::vector<int>& values) {
-  return Eigen::Map<const Eigen::VectorXi>(values.data(), static_cast<int>(values.size())).cast<double>();
-}
+/// The harmonic measures w_j of the holes: 1 on hole j, 0 on the other loops.
+struct HoleMeasures {
+  SparseColumns given;  ///< their boundary dofs, one column per hole
+  Eigen::MatrixXd k;    ///< K_ij = a(w_i, w_j)
+  Eigen::LDLT<Eigen::MatrixXd> factored_k;
+  Eigen::VectorXd m;  ///< the hole winding found last
+};
 
 }  // namespace
 
@@ -59,9 +63,7 @@ struct PhaseSolver::Parts {
 
   std::vector<int> elem_order;
   bool is_factored = false, has_measures = false;
-  Eigen::MatrixXd measures;                       ///< all dofs of the harmonic measures w_j, one column per hole
-  Eigen::MatrixXd given_measures;                 ///< their boundary part
-  Eigen::MatrixXd k;                              ///< K_ij = a(w_i, w_j)
+  HoleMeasures holes;
   std::shared_ptr<field::SharedCorners> corners;  ///< of the valences of the last nodes
   std::unique_ptr<Given> given;
   std::optional<KnownEnergy> known_energy;  ///< the last, for this order map
@@ -74,6 +76,8 @@ struct PhaseSolver::State {
   Eigen::VectorXd dofs;  ///< of s, including the hole winding
   double residual = 0;
   double remainder_energy = 0;          ///< a(s, s) / 2
+  Eigen::VectorXd hole_reactions;       ///< a(s, w_j)
+  Eigen::VectorXd best_winding;         ///< m* of lib/method.md §8.6
   std::vector<double> interior_angles;  ///< of the terms' corner angles
 };
 
@@ -113,24 +117,23 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
   return solve_parts(parts_->context, parts_->system, parts_->points, data);
 }
 
-// w_j is 1 on hole j: its vertex modes are 1 there, and its edge modes vanish.
+// On hole j the vertex modes of w_j are 1, and its edge modes vanish.
 void PhaseSolver::measure_holes() {
   const TriMesh& mesh = *parts_->context.mesh;
   const DofMap& map = parts_->system.map();
   const int num_holes = mesh.face.num_loops() - 1;
-  if (num_holes == 0) return;
-  parts_->given_measures = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, num_holes);
+  std::vector<Eigen::Triplet<double>> entries;
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const int loop = mesh.face.loop_of(edge.curve);
-    if (loop == 0) continue;
-    for (const int end : {edge.edge, (edge.edge + 1) % 3}) {
-      const int dof = map.vertex2dof[mesh.elem2vertices[edge.elem][end]];
-      parts_->given_measures(dof - map.num_unknowns, loop - 1) = 1;
-    }
+    const int begin = mesh.elem2vertices[edge.elem][edge.edge];  // each vertex of a loop begins one edge
+    if (loop > 0) entries.emplace_back(map.vertex2dof[begin] - map.num_unknowns, loop - 1, 1.0);
   }
-  parts_->measures = parts_->system.solve(parts_->given_measures, parts_->watch);
-  parts_->k = parts_->given_measures.transpose() * parts_->system.reactions(parts_->measures);
-  parts_->k = (parts_->k + parts_->k.transpose().eval()) / 2;
+  HoleMeasures& holes = parts_->holes;
+  holes.given.resize(map.num_dofs - map.num_unknowns, num_holes);
+  holes.given.setFromTriplets(entries.begin(), entries.end());
+  holes.k = parts_->system.energy_products(holes.given);
+  holes.factored_k.compute(holes.k);
+  if (holes.m.size() == 0) holes.m = Eigen::VectorXd::Zero(num_holes);
 }
 
 PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOptions& options) {
@@ -145,36 +148,53 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
     parts_->given = std::make_unique<Given>(mesh, parts_->points, asked, parts_->corners);
   const field::PhaseBoundary& boundary = parts_->given->boundary;
   require_measures();
-  const Eigen::MatrixXd given = parts_->given->data.values(parts_->context.topology, parts_->system.map());
+  const Eigen::MatrixXd data = parts_->given->data.values(parts_->context.topology, parts_->system.map());
 
   State state;
-  state.dofs = parts_->system.solve(given, parts_->watch);
-  state.residual = parts_->system.residual();
-  if (!std::isfinite(state.residual)) throw ComputeError("the solution is not finite: some element has a folded shape");
-  const Eigen::VectorXd reaction = parts_->system.reactions(state.dofs);
-  state.remainder_energy = given.col(0).dot(reaction) / 2;
-
   PhaseForm& form = state.form;
   form.prescribed = asked;
   form.terms = boundary.terms();
   state.interior_angles = boundary.interior_angles();
   form.hole_winding_offsets = options.hole_winding_offsets;
+  // The winding of the last nodes is mostly that of these nodes too.
+  solve_for_winding(data, state);
   if (num_holes == 0) return state;
-  const Eigen::MatrixXd& k = parts_->k;
-  const Eigen::VectorXd r = parts_->given_measures.transpose() * reaction;
-  const Eigen::VectorXd best = -k.ldlt().solve(r) / (2 * pi);
-  if (!best.allFinite()) throw ComputeError("the winding of the holes is not finite: some element has a folded shape");
-  form.hole_winding = nearest_hole_winding(k, best);
-  for (std::size_t j = 0; j < options.hole_winding_offsets.size(); ++j)
-    form.hole_winding[j] += options.hole_winding_offsets[j];
-  const Eigen::VectorXd m = as_vector(form.hole_winding);
-  const Eigen::VectorXd periods = (r + 2 * pi * k * m) / 4;
-  form.best_hole_winding.assign(best.begin(), best.end());
+  Eigen::VectorXd& m = parts_->holes.m;
+  const Eigen::VectorXd nearest = nearest_winding(state);
+  if (nearest != m) {
+    m = nearest;
+    solve_for_winding(data, state);
+  }
+  form.hole_winding.assign(m.begin(), m.end());
+  const Eigen::VectorXd above = m - state.best_winding;
+  form.best_hole_winding.assign(state.best_winding.begin(), state.best_winding.end());
+  const Eigen::VectorXd periods = state.hole_reactions / 4;
   form.hole_periods.assign(periods.begin(), periods.end());
-  form.hole_winding_energy = 2 * pi * pi * (m - best).dot(k * (m - best));
-  state.dofs += 2 * pi * (parts_->measures * m);
-  state.remainder_energy += 2 * pi * m.dot(r) + 2 * pi * pi * m.dot(k * m);
+  form.hole_winding_energy = pi * above.dot(state.hole_reactions);
   return state;
+}
+
+// lib/method.md §8.6: with the reactions R = r + 2 pi K m of the holes the best real winding is m - K^-1 R / (2 pi).
+void PhaseSolver::solve_for_winding(const Eigen::MatrixXd& data, State& state) {
+  const HoleMeasures& holes = parts_->holes;
+  const Eigen::MatrixXd given = holes.m.size() == 0 ? data : data + 2 * pi * (holes.given * holes.m);
+  state.dofs = parts_->system.solve(given, parts_->watch);
+  state.residual = parts_->system.residual();
+  if (!std::isfinite(state.residual)) throw ComputeError("the solution is not finite: some element has a folded shape");
+  const Eigen::VectorXd reaction = parts_->system.reactions(state.dofs);
+  state.remainder_energy = given.col(0).dot(reaction) / 2;
+  if (holes.m.size() == 0) return;
+  state.hole_reactions = holes.given.transpose() * reaction;
+  state.best_winding = holes.m - holes.factored_k.solve(state.hole_reactions) / (2 * pi);
+  if (!state.best_winding.allFinite())
+    throw ComputeError("the winding of the holes is not finite: some element has a folded shape");
+}
+
+Eigen::VectorXd PhaseSolver::nearest_winding(const State& state) const {
+  const std::vector<int> nearest = nearest_hole_winding(parts_->holes.k, state.best_winding);
+  Eigen::VectorXd m = Eigen::Map<const Eigen::VectorXi>(nearest.data(), std::ssize(nearest)).cast<double>();
+  for (std::size_t j = 0; j < state.form.hole_winding_offsets.size(); ++j) m[j] += state.form.hole_winding_offsets[j];
+  return m;
 }
 
 Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report) {

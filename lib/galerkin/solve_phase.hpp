@@ -2,6 +2,7 @@
 // The unit cross field with exactly the prescribed irregular nodes and corner valences (lib/method.md §8): s of §8.3 by
 // one continuous Laplace solve, the hole winding by §8.6.
 
+#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
@@ -57,6 +58,8 @@ class PhaseSolver {
   void require_measures();
   void measure_holes();
   State state(const PhaseNodes& asked, const PhaseOptions& options);
+  void solve_for_winding(const Eigen::MatrixXd& data, State& state);
+  Eigen::VectorXd nearest_winding(const State& state) const;
   std::unique_ptr<Parts> parts_;
 };
 

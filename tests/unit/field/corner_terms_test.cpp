@@ -60,7 +60,7 @@ TEST(SharedCorners, KnowTheImagesOfEachNode) {
   };
   for (const Vec2 x : {Vec2{0.1, 0.2}, Vec2{0.1, 0.4}, Vec2{0.1, 0.2}}) {
     std::vector<Vec2> expected;
-    for (const MirrorImage& image : mirror_images(face, x)) expected.push_back(image.position);
+    for (const MirrorImage& image : MirrorImages(face).of(x)) expected.push_back(image.position);
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(positions(x), expected);
   }

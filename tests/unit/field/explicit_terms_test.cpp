@@ -4,6 +4,7 @@
 
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
+#include "curve/nurbs.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -63,6 +64,31 @@ TEST(ExplicitTerms, KnowHowOftenLoopsWindRoundTheirCentres) {
   EXPECT_EQ(numbers(node), (std::vector<int>{1, 0, 0}));
   EXPECT_EQ(numbers(beyond), (std::vector<int>{0, 0, 0}));
   EXPECT_EQ(numbers(in_second_hole), (std::vector<int>{1, 0, -1}));
+}
+
+TEST(LoopCentres, SumTheFarOnesAsIfEachWereFollowed) {
+  const CadFace face = annulus();
+  const int hole = 1;
+  const Nurbs& curve = face.curves[face.loop_offsets[hole]];
+  const std::vector<TurnCentre> centres{
+      {{0.6, 0.1}, 1, -1}, {{2.5, -1}, -2, 0}, {{-3, 1.7}, 5, 0}, {{0, 0.1}, 3, hole}};
+  const LoopCentres seen(face, hole, centres);
+  ASSERT_EQ(seen.followed().size(), 2u);  // the near one and that inside the hole
+  double sum_at_start = 0, followed[2] = {};
+  for (int k = 0; k <= 100; ++k) {
+    const Vec2 x = curve::point(curve, curve.begin() + (curve.end() - curve.begin()) * k / 100);
+    double sum = 0;
+    for (int i = 1; i <= 2; ++i) {
+      const double angle = angle_of(x - centres[i].position);
+      followed[i - 1] = k == 0 ? angle : followed[i - 1] + wrap_pi(angle - followed[i - 1]);
+      sum += centres[i].turns * followed[i - 1];
+    }
+    EXPECT_NEAR(seen.sum_of_far(x), sum, 1e-13);
+    if (k == 0) sum_at_start = sum;
+    if (k == 100) {
+      EXPECT_NEAR(sum, sum_at_start, 1e-13);
+    }
+  }
 }
 
 }  // namespace

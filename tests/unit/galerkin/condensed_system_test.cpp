@@ -48,6 +48,17 @@ TEST(CondensedSystem, ReactionsGiveTheEnergyProduct) {
   EXPECT_LT((products - 3 * Eigen::MatrixXd::Identity(2, 2)).norm(), 1e-12);
 }
 
+TEST(CondensedSystem, SparseDataAreThoseOfDenseColumns) {
+  const System system;
+  const Eigen::MatrixXd given = system.given();
+  const SparseData data = sparse_data(system.map, system.elements, given.sparseView());
+  EXPECT_LT((data.rhs - right_hand_side(system.map, system.elements, given)).norm(), 1e-13);
+  Eigen::MatrixXd zero_inside = system.dofs;
+  zero_inside.topRows(system.map.num_unknowns).setZero();
+  const Eigen::MatrixXd products = given.transpose() * reactions(system.map, system.elements, zero_inside);
+  EXPECT_LT((data.product - products).norm(), 1e-13 * products.norm());
+}
+
 TEST(CondensedSystem, ConstantsHaveNoReaction) {
   const System system;
   Eigen::MatrixXd one = Eigen::MatrixXd::Zero(system.map.num_dofs, 1);

@@ -69,6 +69,18 @@ TEST(CondensedCholesky, GivesTheSameBytesOnAnyNumberOfThreads) {
   for (const int num_threads : {2, 3, 5}) EXPECT_EQ((p.solve(rhs, num_threads) - one).cwiseAbs().maxCoeff(), 0);
 }
 
+TEST(CondensedCholesky, ProductsOfSparseColumnsAreThoseOfTheirSolutions) {
+  for (const int n : {1, 3, 14}) {
+    const Problem p(n, 4);
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(p.map.num_unknowns, 7);  // the columns lie in different parts
+    for (int i = 0; i < b.rows(); i += 5) b(i, i * 7 / static_cast<int>(b.rows())) = std::sin(i + 1.0);
+    CondensedCholesky cholesky(p.context.tree, p.map);
+    cholesky.factor(p.elements);
+    const Eigen::MatrixXd products = b.transpose() * cholesky.solve(b);
+    EXPECT_LT((cholesky.inverse_products(b.sparseView()) - products).norm(), 1e-12 * products.norm()) << n;
+  }
+}
+
 TEST(CondensedCholesky, TheResidualIsThatOfTheSystem) {
   const Problem p(3, 4);
   const Eigen::MatrixX2d given = sample_rhs(p.map.num_dofs - p.map.num_unknowns);
