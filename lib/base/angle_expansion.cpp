@@ -59,6 +59,34 @@ void AngleExpansion::add(Vec2 a, Vec2 weight) {
   }
 }
 
+// Horner's rule gives the value at the offset as the remainder of a division by (z - offset), and again the first
+// derivative from the quotient, and so on.
+AngleExpansion::Series AngleExpansion::Series::about(Vec2 offset, double scale) const {
+  Series other = *this;
+  const auto n = static_cast<int>(re.size());  // the coefficient of power k is number k - 1
+  for (int divisions = 0; divisions < n; ++divisions) {
+    for (int k = n - 1; k > std::max(divisions - 1, 0); --k) {
+      const Vec2 term = product(offset, {other.re[k], other.im[k]});
+      other.re[k - 1] += term.x, other.im[k - 1] += term.y;
+    }
+  }
+  double power = 1;
+  for (int k = 0; k < n; ++k) {
+    power *= scale;
+    other.re[k] *= power, other.im[k] *= power;
+  }
+  return other;
+}
+
+AngleExpansion AngleExpansion::inside(Vec2 centre, double radius) const {
+  AngleExpansion other(centre, radius);
+  if (first_.re.empty()) return other;
+  const Vec2 offset = (centre - centre_) / radius_;
+  other.first_ = first_.about(offset, radius / radius_);
+  other.second_ = second_.about(offset, radius / radius_);
+  return other;
+}
+
 Vec2 AngleExpansion::at(Vec2 x) const {
   const auto n = static_cast<int>(first_.re.size());
   if (n == 0) return {};

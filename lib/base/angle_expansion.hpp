@@ -18,6 +18,8 @@ class AngleExpansion {
   bool is_far(Vec2 a, Vec2 b) const;
   /// Adds the angle from `a`, which must be far; the remainder of its series is below 1e-17 |weight|.
   void add(Vec2 a, Vec2 weight);
+  /// The same sum in a disc that lies inside this one, less its value at the new centre.
+  AngleExpansion inside(Vec2 centre, double radius) const;
   /// The sum at x, which must be in the disc.
   Vec2 at(Vec2 x) const;
 
@@ -27,6 +29,8 @@ class AngleExpansion {
   // of both components of the weights: real and imaginary parts of the coefficients of (x - centre)^k / radius^k, k > 0
   struct Series {
     std::vector<double> re, im;
+    /// In powers of (x - other centre) / other radius; `offset` and `scale` are relative to this disc.
+    Series about(Vec2 offset, double scale) const;
   };
   Series first_, second_;
 };

@@ -5,21 +5,15 @@
 
 namespace quadrille::curve {
 
-PoleBoxes::PoleBoxes(const std::vector<Nurbs>& curves) {
-  for (const Nurbs& curve : curves) {
-    Box box{curve.poles.front(), curve.poles.front()};
-    for (const Vec2 pole : curve.poles) {
-      box.low = {std::min(box.low.x, pole.x), std::min(box.low.y, pole.y)};
-      box.high = {std::max(box.high.x, pole.x), std::max(box.high.y, pole.y)};
-    }
-    boxes_.push_back(box);
+PoleBox::PoleBox(const Nurbs& curve) : low(curve.poles.front()), high(low) {
+  for (const Vec2 pole : curve.poles) {
+    low = {std::min(low.x, pole.x), std::min(low.y, pole.y)};
+    high = {std::max(high.x, pole.x), std::max(high.y, pole.y)};
   }
 }
 
-double PoleBoxes::distance_bound(int curve, Vec2 x) const {
-  const Box& box = boxes_[curve];
-  return std::hypot(std::max({box.low.x - x.x, x.x - box.high.x, 0.0}),
-                    std::max({box.low.y - x.y, x.y - box.high.y, 0.0}));
+double PoleBox::distance_bound(Vec2 x) const {
+  return std::hypot(std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0}));
 }
 
 }  // namespace quadrille::curve

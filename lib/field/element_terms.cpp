@@ -12,28 +12,46 @@ namespace {
 constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 constexpr double margin = 1.1;  // for the bulge of curved edges, and stages of steps that leave the element
 
-AngleExpansion expansion_on(const spectral::TriMap& map) {
-  const Vec2 centre = map.position(centroid);
+// With fewer terms, groups of elements save nothing.
+constexpr int least_terms_for_groups = 128;
+constexpr int elements_per_group = 64;
+
+// The radius of a disc around the centroid that contains the element.
+double radius_of(const spectral::TriMap& map, Vec2 centre) {
   double radius = 0;
   for (const Vec2 xi : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}})
     radius = std::max(radius, distance(centre, map.position(xi)));
-  return {centre, margin * radius};
+  return margin * radius;
 }
 
 }  // namespace
 
-ElementTerms::ElementTerms(const Field& field, const spectral::TriMap& map) : expansion_(expansion_on(map)) {
-  const Vec2 centre = map.position(centroid);
-  if (field.kind == FieldKind::phase)
-    split_terms(field.phase.terms, centre);
+DiscTerms::DiscTerms(const Field& field)
+    : is_phase_(field.kind == FieldKind::phase),
+      expansion_({}, 0),
+      at_centre_(is_phase_ ? Vec2{1, 0} : Vec2{}),
+      near_liftings_(field.liftings),
+      near_terms_(field.phase.terms) {}
+
+DiscTerms::DiscTerms(const DiscTerms& outer, Vec2 centre, double radius)
+    : is_phase_(outer.is_phase_), expansion_(outer.expansion_.inside(centre, radius)) {
+  if (is_phase_)
+    split_terms(outer, centre);
   else
-    split_liftings(field.liftings, centre);
+    split_liftings(outer, centre);
+}
+
+int DiscTerms::num_near() const {
+  const PhaseTerms& terms = near_terms_;
+  return static_cast<int>(near_liftings_.size() + terms.nodes.size() + terms.holes.size() + terms.images.size() +
+                          terms.corner_angles.size());
 }
 
 // The principal value of theta_c jumps across the segment from the apex to the pole: it is the continuous sum of the
 // expansion only if no point of that segment is near.
-void ElementTerms::split_liftings(const std::vector<Lifting>& liftings, Vec2 centre) {
-  for (const Lifting& lifting : liftings)
+void DiscTerms::split_liftings(const DiscTerms& outer, Vec2 centre) {
+  at_centre_ = outer.far_liftings(centre);
+  for (const Lifting& lifting : outer.near_liftings_)
     if (expansion_.is_far(lifting.apex, lifting.pole)) {
       expansion_.add(lifting.apex, lifting.jump);
       expansion_.add(lifting.pole, -lifting.jump);
@@ -43,8 +61,8 @@ void ElementTerms::split_liftings(const std::vector<Lifting>& liftings, Vec2 cen
     }
 }
 
-void ElementTerms::split_turns(const std::vector<PhaseTurn>& turns, std::vector<PhaseTurn>& near,
-                               std::vector<PhaseTurn>& far) {
+void DiscTerms::split_turns(const std::vector<PhaseTurn>& turns, std::vector<PhaseTurn>& near,
+                            std::vector<PhaseTurn>& far) {
   for (const PhaseTurn& turn : turns) {
     if (turn.turns == 0) continue;
     const bool is_far = expansion_.is_far(turn.position, turn.position);
@@ -53,7 +71,8 @@ void ElementTerms::split_turns(const std::vector<PhaseTurn>& turns, std::vector<
   }
 }
 
-void ElementTerms::split_terms(const PhaseTerms& terms, Vec2 centre) {
+void DiscTerms::split_terms(const DiscTerms& outer, Vec2 centre) {
+  const PhaseTerms& terms = outer.near_terms_;
   PhaseTerms far;
   split_turns(terms.nodes, near_terms_.nodes, far.nodes);
   split_turns(terms.holes, near_terms_.holes, far.holes);
@@ -66,7 +85,47 @@ void ElementTerms::split_terms(const PhaseTerms& terms, Vec2 centre) {
     } else {
       near_terms_.corner_angles.push_back(corner);
     }
-  at_centre_ = explicit_direction(far, centre, centre);
+  at_centre_ = product(outer.at_centre_, explicit_direction(far, centre, centre, outer.far_phase(centre)));
+}
+
+const DiscTerms& ElementTerms::Disc::made(const DiscTerms& outer) {
+  std::call_once(is_made, [&] { terms = std::make_unique<const DiscTerms>(outer, centre, radius); });
+  return *terms;
+}
+
+ElementTerms::ElementTerms(const Field& field, const std::vector<spectral::TriMap>& maps)
+    : all_(field), discs_(maps.size()) {
+  for (std::size_t e = 0; e < maps.size(); ++e) {
+    discs_[e].centre = maps[e].position(centroid);
+    discs_[e].radius = radius_of(maps[e], discs_[e].centre);
+  }
+  if (all_.num_near() >= least_terms_for_groups) group_elements();
+}
+
+// The groups are the cells of a grid over the centroids.
+void ElementTerms::group_elements() {
+  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const Disc& disc : discs_) {
+    low = {std::min(low.x, disc.centre.x), std::min(low.y, disc.centre.y)};
+    high = {std::max(high.x, disc.centre.x), std::max(high.y, disc.centre.y)};
+  }
+  const int n = 1 + static_cast<int>(std::sqrt(static_cast<double>(discs_.size()) / elements_per_group));
+  const double side = std::max(high.x - low.x, high.y - low.y) / n;
+  const auto cell = [&](double offset) { return side > 0 ? std::min(static_cast<int>(offset / side), n - 1) : 0; };
+  groups_ = std::vector<Disc>(static_cast<std::size_t>(n) * n);
+  for (const Disc& disc : discs_) {
+    const int i = cell(disc.centre.x - low.x), j = cell(disc.centre.y - low.y), group = i + n * j;
+    elem2group_.push_back(group);
+    groups_[group].centre = low + side * Vec2{i + 0.5, j + 0.5};
+  }
+  for (std::size_t e = 0; e < discs_.size(); ++e) {
+    Disc& group = groups_[elem2group_[e]];
+    group.radius = std::max(group.radius, distance(group.centre, discs_[e].centre) + discs_[e].radius);
+  }
+}
+
+const DiscTerms& ElementTerms::of(int elem) const {
+  return discs_[elem].made(groups_.empty() ? all_ : groups_[elem2group_[elem]].made(all_));
 }
 
 }  // namespace quadrille::field

@@ -1,7 +1,10 @@
 #pragma once
 // The explicit terms of a field (liftings, or those of a phase) for evaluation on one element: most apexes, nodes and
-// holes are far from it, and the sum of their angles is one power series there (base/angle_expansion).
+// holes are far from it, and the sum of their angles is one power series there (base/angle_expansion). Where there are
+// many terms, those far from a group of elements are summed once for the group.
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "base/angle_expansion.hpp"
@@ -10,12 +13,17 @@
 
 namespace quadrille::field {
 
-class ElementTerms {
+/// The terms as seen from a disc.
+class DiscTerms {
  public:
-  ElementTerms(const Field& field, const spectral::TriMap& map);
+  /// All terms of the field, none of them far.
+  explicit DiscTerms(const Field& field);
+  /// In a disc that lies inside that of `outer`.
+  DiscTerms(const DiscTerms& outer, Vec2 centre, double radius);
 
-  /// Whether far_liftings and far_phase are valid at x: in a disc that contains the element.
+  /// Whether far_liftings and far_phase are valid at x.
   bool contains(Vec2 x) const { return expansion_.contains(x); }
+  int num_near() const;
 
   /// Liftings that are not far, and the sum of the others at x.
   const std::vector<Lifting>& near_liftings() const { return near_liftings_; }
@@ -27,14 +35,39 @@ class ElementTerms {
   double far_phase(Vec2 x) const { return expansion_.at(x).x; }
 
  private:
-  void split_liftings(const std::vector<Lifting>& liftings, Vec2 centre);
-  void split_terms(const PhaseTerms& terms, Vec2 centre);
+  void split_liftings(const DiscTerms& outer, Vec2 centre);
+  void split_terms(const DiscTerms& outer, Vec2 centre);
   void split_turns(const std::vector<PhaseTurn>& turns, std::vector<PhaseTurn>& near, std::vector<PhaseTurn>& far);
 
+  bool is_phase_;
   AngleExpansion expansion_;
   Vec2 at_centre_;  // sum of the far liftings, or direction of the far terms, at the centre of the disc
   std::vector<Lifting> near_liftings_;
   PhaseTerms near_terms_;
+};
+
+/// The terms of each element, made when they are first asked for. May be used by several threads at once.
+class ElementTerms {
+ public:
+  /// Both must outlive the object.
+  ElementTerms(const Field& field, const std::vector<spectral::TriMap>& maps);
+  /// In a disc that contains the element.
+  const DiscTerms& of(int elem) const;
+
+ private:
+  struct Disc {
+    Vec2 centre;
+    double radius = 0;
+    std::once_flag is_made;
+    std::unique_ptr<const DiscTerms> terms;
+    const DiscTerms& made(const DiscTerms& outer);
+  };
+  void group_elements();
+
+  DiscTerms all_;
+  mutable std::vector<Disc> discs_;   // by element
+  mutable std::vector<Disc> groups_;  // empty if there are few terms
+  std::vector<int> elem2group_;
 };
 
 }  // namespace quadrille::field

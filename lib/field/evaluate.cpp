@@ -12,8 +12,6 @@ namespace {
 
 constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 
-Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-
 }  // namespace
 
 FieldEvaluator::FieldEvaluator(const Field& field, FarTerms far_terms)
@@ -22,16 +20,14 @@ FieldEvaluator::FieldEvaluator(const Field& field, FarTerms far_terms)
       maps_(mesh::tri_maps(field.mesh)),
       topology_(mesh::tri_topology(field.mesh)),
       locator_(field.mesh, maps_),
-      expanded_(far_terms == FarTerms::expanded ? maps_.size() : 0) {}
+      expanded_(far_terms == FarTerms::expanded ? std::make_unique<const ElementTerms>(field, maps_) : nullptr) {}
 
 Vec2 FieldEvaluator::inward(int elem, Vec2 x) const { return normalized(maps_[elem].position(centroid) - x); }
 
-const ElementTerms* FieldEvaluator::expanded_terms(int elem, Vec2 x) const {
-  if (expanded_.empty()) return nullptr;
-  ExpandedElement& element = expanded_[elem];
-  std::call_once(element.is_expanded,
-                 [&] { element.terms = std::make_unique<const ElementTerms>(*field_, maps_[elem]); });
-  return element.terms->contains(x) ? element.terms.get() : nullptr;
+const DiscTerms* FieldEvaluator::expanded_terms(int elem, Vec2 x) const {
+  if (!expanded_) return nullptr;
+  const DiscTerms& terms = expanded_->of(elem);
+  return terms.contains(x) ? &terms : nullptr;
 }
 
 Vec2 FieldEvaluator::sum_of(const std::vector<Lifting>& liftings, int elem, Vec2 x) const {
@@ -45,13 +41,13 @@ Vec2 FieldEvaluator::sum_of(const std::vector<Lifting>& liftings, int elem, Vec2
 
 Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
   if (field_->liftings.empty()) return {};
-  const ElementTerms* terms = expanded_terms(elem, x);
+  const DiscTerms* terms = expanded_terms(elem, x);
   return terms ? terms->far_liftings(x) + sum_of(terms->near_liftings(), elem, x) : sum_of(field_->liftings, elem, x);
 }
 
 Vec2 FieldEvaluator::phase_value(double remainder, int elem, Vec2 x) const {
   const Vec2 centre = maps_[elem].position(centroid);
-  const ElementTerms* terms = expanded_terms(elem, x);
+  const DiscTerms* terms = expanded_terms(elem, x);
   if (!terms) return product(unit(remainder), explicit_direction(field_->phase.terms, x, centre));
   const Vec2 near = explicit_direction(terms->near_terms(), x, centre, remainder + terms->far_phase(x));
   return product(terms->far_direction(), near);

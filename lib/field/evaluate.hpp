@@ -2,7 +2,6 @@
 // The guiding field at a point: value, gradient, position. Later stages access a field only through this header.
 
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "field/element_terms.hpp"
@@ -58,13 +57,8 @@ class FieldEvaluator {
   const mesh::Locator& locator() const { return locator_; }
 
  private:
-  struct ExpandedElement {
-    std::once_flag is_expanded;
-    std::unique_ptr<const ElementTerms> terms;
-  };
-
   /// The terms as seen from the element; nullptr if they are evaluated one by one at x.
-  const ElementTerms* expanded_terms(int elem, Vec2 x) const;
+  const DiscTerms* expanded_terms(int elem, Vec2 x) const;
   Vec2 liftings(int elem, Vec2 x) const;
   Vec2 sum_of(const std::vector<Lifting>& liftings, int elem, Vec2 x) const;
   Vec2 inward(int elem, Vec2 x) const;  ///< from x towards the element's centroid
@@ -76,7 +70,7 @@ class FieldEvaluator {
   std::vector<spectral::TriMap> maps_;
   mesh::TriTopology topology_;
   mesh::Locator locator_;
-  mutable std::vector<ExpandedElement> expanded_;  // by element; empty if far terms are summed
+  std::unique_ptr<const ElementTerms> expanded_;  // nullptr if far terms are summed
 };
 
 }  // namespace quadrille::field

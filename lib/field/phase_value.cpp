@@ -26,8 +26,6 @@ double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
   return sum;
 }
 
-Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-
 // z times (x - a)^d for each turn. The result is not normalised; it is rescaled only to avoid overflow and underflow.
 Vec2 turned(Vec2 z, const std::vector<PhaseTurn>& turns, Vec2 x) {
   for (const PhaseTurn& turn : turns) {

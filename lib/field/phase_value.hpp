@@ -14,6 +14,9 @@ double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward);
 /// x is an apex. Cost: linear in the number of terms.
 double explicit_phase(const PhaseTerms& terms, Vec2 x, Vec2 inward = {});
 
+/// The product of two complex numbers, which adds their angles.
+inline Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+
 /// e^(i phi) of the explicit part, as a product of complex numbers: angles are evaluated for corners only, which is
 /// many times faster if there are many holes. `towards`: a point of the domain; limits at apexes are taken in its
 /// direction. `remainder`, radians, is added to phi.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/pole_boxes.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::placement {
@@ -42,15 +44,22 @@ void add_hits(const Nurbs& curve, Vec2 x, Vec2 direction, std::vector<double>& h
 
 }  // namespace
 
+// Curves that may be near come first: their distances exclude most of the others.
 std::vector<BoundaryFoot> nearest_feet(const CadFace& face, Vec2 x) {
+  std::vector<std::pair<double, int>> order;
+  for (int c = 0; c < face.num_curves(); ++c) order.emplace_back(curve::PoleBox(face.curves[c]).distance_bound(x), c);
+  std::sort(order.begin(), order.end());
+  const double tol = 1e-6 * face.diameter;
   std::vector<BoundaryFoot> feet;
   double least = INFINITY;
-  for (int c = 0; c < face.num_curves(); ++c) {
+  for (const auto& [bound, c] : order) {
+    if (bound > least + tol) break;
     const curve::Projection p = curve::project(face.curves[c], x);
     feet.push_back({c, p.t, p.position, p.distance});
     least = std::min(least, p.distance);
   }
-  std::erase_if(feet, [&](const BoundaryFoot& foot) { return foot.distance > least + 1e-6 * face.diameter; });
+  std::erase_if(feet, [&](const BoundaryFoot& foot) { return foot.distance > least + tol; });
+  std::sort(feet.begin(), feet.end(), [](const BoundaryFoot& a, const BoundaryFoot& b) { return a.curve < b.curve; });
   return feet;
 }
 

@@ -29,6 +29,18 @@ TEST(AngleExpansion, SumsTheAnglesOfPointsAtAnyDistance) {
   }
 }
 
+TEST(AngleExpansion, MayBeMovedToADiscInside) {
+  AngleExpansion sum(centre, radius);
+  for (int i = 0; i < 20; ++i)
+    sum.add(centre + (3.001 * radius * std::pow(1.3, i)) * unit(2.4 * i), {std::sin(i + 1.0), std::cos(3.0 * i)});
+  const Vec2 other_centre = centre + Vec2{0.11, -0.05};
+  const AngleExpansion inside = sum.inside(other_centre, 0.07);
+  for (int k = 0; k < 40; ++k) {
+    const Vec2 x = other_centre + (0.07 * k / 40.0) * unit(1.9 * k);
+    EXPECT_NEAR(distance(inside.at(x), sum.at(x) - sum.at(other_centre)), 0, 2e-15) << k;
+  }
+}
+
 TEST(AngleExpansion, ContainsItsDisc) {
   const AngleExpansion sum(centre, radius);
   EXPECT_TRUE(sum.contains(centre + Vec2{0, 0.199}));
