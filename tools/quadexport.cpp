@@ -107,18 +107,19 @@ void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, cli::Session& 
   s.report().warn(warning::mesh_not_valid, warning_text);
 }
 
-void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,
-                bool allow_invalid, cli::Session& s) {
+void write_mesh(const std::string& input, const std::string& output, const std::string& format_name,
+                const exports::ExportOptions& options, bool allow_invalid, cli::Session& s) {
   s.begin_phase("read");
   const io::InputFile file = io::read_input(input);
-  const QuadMesh mesh = io::read_quad_mesh(file);
+  QuadMesh mesh = io::read_quad_mesh(file);
   check::require_valid(check::check_quad_mesh(mesh, check::CheckDepth::quick), file.name);
   require_valid_mesh(mesh, allow_invalid, s);
   s.begin_phase("write");
-  const exports::Exported exported = exports::export_mesh(mesh, *exports::find_export_format(format_name), in_space);
   s.report().set("format", format_name);
   s.report().set("quads", mesh.num_elems());
   s.report().set("nodes", mesh.nodes.size());
+  const exports::Exported exported =
+      exports::export_mesh(std::move(mesh), *exports::find_export_format(format_name), options);
   for (const std::string& loss : exported.losses) s.report().warn(warning::format_loss, loss);
   for (const exports::SideFile& side : exported.side_files) {
     if (takes_one_file(output))
@@ -145,6 +146,7 @@ std::string format_list() {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", format = "auto", frame = "2d";
   bool allow_invalid = false;
+  exports::ExportOptions options;
   std::vector<std::string> formats{"auto"};
   for (const exports::ExportFormat& f : exports::export_formats()) formats.emplace_back(f.name);
   formats.emplace_back("step");
@@ -166,14 +168,18 @@ int main(int argc, char** argv) {
     o.choice("--format", format, formats, "auto: from the ending of the output");
     o.choice("--frame", frame, {"2d", "3d"},
              "2d: coordinates in the plane of the face; 3d: coordinates of the CAD model");
+    o.flag("--block-groups", options.block_groups,
+           "write each block that has no name of its own as a region of its own, named by its number; without it all "
+           "blocks without a name are one region");
     o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
   };
   tool.run = [&](cli::Session& s) {
     const std::string name = format_of(output, format);
+    options.in_space = frame == "3d";
     if (name == "step")
       write_step(input, output);
     else
-      write_mesh(input, output, name, frame == "3d", allow_invalid, s);
+      write_mesh(input, output, name, options, allow_invalid, s);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

@@ -8,6 +8,7 @@
 #include "export/abaqus_inp.hpp"
 #include "export/block_mesh_dict.hpp"
 #include "export/gmsh.hpp"
+#include "export/groups.hpp"
 #include "export/hohqmesh_ism.hpp"
 #include "export/mfem.hpp"
 #include "export/nek_re2.hpp"
@@ -47,15 +48,16 @@ const ExportFormat* export_format_of(std::string_view file_name) {
   return at == formats.end() ? nullptr : &*at;
 }
 
-Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space) {
+Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options) {
   if (mesh.order > format.max_order)
     throw ComputeError(
         fmt::format("the format {} supports quads up to order {}, this mesh has order {}: refine with a "
                     "lower --order",
                     format.name, format.max_order, mesh.order));
-  if (in_space && !format.holds_space)
+  if (options.in_space && !format.holds_space)
     throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
-  return format.write(mesh, in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
+  if (options.block_groups) separate_blocks(mesh);
+  return format.write(mesh, options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
 }
 
 }  // namespace quadrille::exports

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "export/export_options.hpp"
 #include "export/exported.hpp"
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
@@ -30,6 +31,6 @@ const ExportFormat* export_format_of(std::string_view file_name);
 
 /// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space
 /// that it cannot.
-Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space);
+Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
 
 }  // namespace quadrille::exports

@@ -129,7 +129,7 @@ exports() {
   spoilt inp a.inp 's/degree = 4/degree = 5/'
   spoilt foam blockMeshDict 's/\(\(0\.1([0-9]{3})/((0.11\1/'
   spoilt foam blockMeshDict 's/hex \(0 1 2 3 /hex (1 2 3 0 /'
-  spoilt foam blockMeshDict 's/ block_0 / block_1 /'
+  spoilt foam blockMeshDict 's/ domain / block_1 /'
   spoilt foam blockMeshDict 's/^    curve_0$/    curve_2/'
   cp a0.f00000 b0.f00000
   for byte in 20 81 100 500; do

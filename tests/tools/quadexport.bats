@@ -24,10 +24,29 @@ setup() {
 
 @test "names boundaries and blocks" {
   quadexport "$quad" -o a.msh
-  run grep -c '^2 [0-9]* "block_' a.msh
-  assert_output 4
+  run grep '^2 [0-9]* "' a.msh
+  assert_output '2 3 "domain"'
   run grep -c '^1 [0-9]* "' a.msh
   assert_output 2
+}
+
+@test "--block-groups writes each block without a name as a region of its own" {
+  quadexport --block-groups "$quad" -o a.msh
+  assert_equal "$(grep -c '^2 [0-9]* "block_[0-3]"' a.msh)" 4
+  quadexport --block-groups --format mfem13 "$quad" -o a.mesh
+  assert_equal "$(grep -c '^"block_[0-3]" 1 [1-4]$' a.mesh)" 4
+  quadexport --block-groups "$quad" -o a.xml
+  assert_equal "$(grep -c 'NAME="block_[0-3]"> Q' a.xml)" 4
+  quadexport -q --block-groups "$quad" -o blockMeshDict
+  assert_equal "$(grep -oE 'hex .*\) block_[0-9]+ ' blockMeshDict | wc -l)" "$(grep -c '^    hex' blockMeshDict)"
+  run quadexport --block-groups "$quad" -o a.re2
+  assert_output --partial '4 region names are not stored'
+  # Named blocks keep their names, with the option and without.
+  echo '[{"id": 1, "name": "core"}]' >names.json
+  blocksplit --block-names names.json <(jq . "$BATS_FILE_TMPDIR/half_disc.sep.json") | quadrefine --size 0.5 -o b.quad.h5
+  regions() { quadexport "$@" b.quad.h5 | sed -nE 's/^2 [0-9]+ "(.*)"$/\1/p' | tr '\n' ' '; }
+  assert_equal "$(regions)" 'domain core '
+  assert_equal "$(regions --block-groups)" 'block_0 core block_2 block_3 '
 }
 
 @test "MSH 2.2 is there for those who ask" {
@@ -36,7 +55,7 @@ setup() {
   assert_output ""
   run sed -n 2p a.msh
   assert_output "2.2 0 8"
-  assert_equal "$(grep -c '^2 [0-9]* "block_' a.msh)" 4
+  assert_equal "$(grep -c '^2 [0-9]* "domain"' a.msh)" 1
 }
 
 @test "VTU has its curves in a second file, which standard output leaves out" {

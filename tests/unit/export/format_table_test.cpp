@@ -32,21 +32,21 @@ TEST(FormatTable, AFormatIsFoundByNameAndByEnding) {
 
 TEST(FormatTable, EveryFormatWritesAMeshThatItSupports) {
   for (const ExportFormat& format : export_formats())
-    EXPECT_FALSE(export_mesh(two_straight_quads(), format, false).bytes.empty()) << format.name;
+    EXPECT_FALSE(export_mesh(two_straight_quads(), format).bytes.empty()) << format.name;
 }
 
 TEST(FormatTable, AnOrderOrFrameThatAFormatDoesNotSupportIsRefused) {
   QuadMesh mesh = two_quads();
   mesh.order = 11;
   try {
-    export_mesh(mesh, *find_export_format("msh"), false);
+    export_mesh(mesh, *find_export_format("msh"));
     FAIL();
   } catch (const ComputeError& e) {
     EXPECT_STREQ(e.what(),
                  "the format msh supports quads up to order 10, this mesh has order 11: refine with a lower --order");
   }
-  EXPECT_THROW(export_mesh(two_straight_quads(), *find_export_format("re2"), true), UsageError);
-  EXPECT_NO_THROW(export_mesh(two_straight_quads(), *find_export_format("msh"), true));
+  EXPECT_THROW(export_mesh(two_straight_quads(), *find_export_format("re2"), {.in_space = true}), UsageError);
+  EXPECT_NO_THROW(export_mesh(two_straight_quads(), *find_export_format("msh"), {.in_space = true}));
 }
 
 }  // namespace

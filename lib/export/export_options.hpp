@@ -1,0 +1,11 @@
+#pragma once
+// What a user can choose about the files of other programs.
+
+namespace quadrille::exports {
+
+struct ExportOptions {
+  bool in_space = false;      ///< coordinates of the CAD model rather than of the face's plane
+  bool block_groups = false;  ///< each block without a name of its own is a region of its own (export/groups)
+};
+
+}  // namespace quadrille::exports
