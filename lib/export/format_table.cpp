@@ -13,6 +13,7 @@
 #include "export/mfem.hpp"
 #include "export/nek_re2.hpp"
 #include "export/nektar.hpp"
+#include "export/scale_mesh.hpp"
 #include "export/vtu.hpp"
 
 namespace quadrille::exports {
@@ -56,8 +57,12 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
                     format.name, format.max_order, mesh.order));
   if (options.in_space && !format.holds_space)
     throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
+  const LengthScale length = length_scale(mesh.face, options.length);
+  if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
   if (options.block_groups) separate_blocks(mesh);
-  return format.write(mesh, options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
+  Exported exported = format.write(mesh, options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
+  exported.length = length;
+  return exported;
 }
 
 }  // namespace quadrille::exports

@@ -30,7 +30,7 @@ const ExportFormat* find_export_format(std::string_view name);
 const ExportFormat* export_format_of(std::string_view file_name);
 
 /// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space
-/// that it cannot.
+/// that it cannot, or for a unit where that of the mesh is unknown.
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
 
 }  // namespace quadrille::exports

@@ -86,6 +86,15 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_file_not_exists other.msh
 }
 
+@test "--unit converts the mesh, and the line and the report say so" {
+  run -0 "$quadmesh" "$DATA/half_disc.step" -o out.msh --unit m --report out.json
+  assert_output --partial ", coordinates in metre, 0.001 times those of the CAD file"
+  assert_equal "$(jq -r '"\(.unit) \(.scale)"' out.json)" "metre 0.001"
+  run -0 "$quadmesh" "$DATA/half_disc.step" -o out.msh --report out.json
+  refute_output --partial "coordinates"
+  assert_equal "$(jq -r '"\(.unit) \(.scale)"' out.json)" "millimetre 1"
+}
+
 @test "the same shape twice gives the same bytes at every stage" {
   for shape in half_disc plate_hole; do
     "$quadmesh" "$DATA/$shape.step" -o a.msh --workdir a

@@ -121,6 +121,72 @@ setup() {
   cmp a.step b.step
 }
 
+# scaled FACTOR A B: every number of B is FACTOR times that of A, or, where it is no length, the same.
+scaled() {
+  python3 - "$@" <<'PYTHON'
+import re, sys
+factor = float(sys.argv[1])
+a, b = (re.split(r"[^0-9eE.+-]+", open(path).read()) for path in sys.argv[2:])
+assert len(a) == len(b)
+def number(text):
+    try: return float(text)
+    except ValueError: return 0
+lengths = 0
+for x, y in zip(a, b):
+    if x != y:
+        assert abs(number(y) - factor * number(x)) <= 1e-14 * abs(number(y)), (x, y)
+        lengths += 1
+assert lengths > 100, lengths
+PYTHON
+}
+
+@test "--unit and --scale change the coordinates of every format, and the report says so" {
+  for format in msh msh22 nektar mfem13 ism-v2 inp; do
+    quadexport -q --format $format "$quad" -o a.out
+    quadexport -q --format $format --unit m "$quad" -o b.out --report b.json
+    scaled 0.001 a.out b.out
+    quadexport -q --format $format --unit m --scale 1000 "$quad" -o c.out
+    cmp a.out c.out
+    assert_equal "$(jq -r '"\(.unit) \(.scale)"' b.json)" "metre 0.001"
+  done
+  run quadexport -v --format mfem13 --scale 2 "$quad" -o a.out --report a.json
+  assert_output --partial "quadexport: coordinates in an unknown unit, 2 times those of the CAD file"
+  assert_equal "$(jq -r '"\(.unit) \(.scale)"' a.json)" "unknown 2"
+  # OpenFOAM converts to metres itself, unless the unit is not known.
+  scale_of() { quadexport -q --format blockmesh "$@" "$quad" | sed -n 's/^scale //p'; }
+  assert_equal "$(scale_of) $(scale_of --unit m) $(scale_of --unit in) $(scale_of --scale 0.001)" "0.001; 1; 0.0254; 1;"
+}
+
+@test "--unit and --scale change a STEP model" {
+  quadexport "$blocks" -o a.step
+  quadexport --unit in "$blocks" -o b.step
+  quadexport --scale 2 "$blocks" -o c.step
+  diameter() { cad2tri --face 0 "$1" -q -o a.tri.h5 --report a.json && jq -r '"\(.face.length_unit) \(.face.diameter)"' a.json; }
+  read -r _ a <<<"$(diameter a.step)"
+  run -0 diameter b.step
+  assert_regex "$output" '^inch '
+  run -0 awk -v a="$a" '{ print ($2 * 25.4 / a - 1) ^ 2 < 1e-16 }' <<<"$output"
+  assert_output 1
+  run -0 diameter c.step
+  assert_regex "$output" '^millimetre '
+  run -0 awk -v a="$a" '{ print ($2 / 2 / a - 1) ^ 2 < 1e-16 }' <<<"$output"
+  assert_output 1
+}
+
+@test "--unit needs the unit of the CAD file" {
+  cad2tri "$DATA/square.step" --write-healed square.brep -o a.tri.h5
+  cad2tri square.brep | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints a.field.h5 | separatrix a.field.h5 - | blocksplit | quadrefine --size 0.5 -o a.quad.h5
+  run quadexport --unit m a.quad.h5 -o a.msh
+  assert_failure 2
+  assert_output --partial "--unit m: the CAD file states no length unit: give the factor by --scale instead"
+  quadexport --scale 0.001 a.quad.h5 -o a.msh
+  run quadexport --unit parsec a.quad.h5 -o b.msh
+  assert_failure 2
+  run quadexport --scale 0 a.quad.h5 -o b.msh
+  assert_failure 2
+}
+
 @test "an unknown ending ends with 2" {
   run quadexport "$quad" -o a.stl
   assert_failure 2

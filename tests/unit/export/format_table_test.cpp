@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "export/scale_mesh.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -47,6 +48,21 @@ TEST(FormatTable, AnOrderOrFrameThatAFormatDoesNotSupportIsRefused) {
   }
   EXPECT_THROW(export_mesh(two_straight_quads(), *find_export_format("re2"), {.in_space = true}), UsageError);
   EXPECT_NO_THROW(export_mesh(two_straight_quads(), *find_export_format("msh"), {.in_space = true}));
+}
+
+TEST(FormatTable, EveryFormatObeysUnitAndScale) {
+  QuadMesh mesh = two_straight_quads();
+  mesh.face.length_unit = "millimetre", mesh.face.metres_per_unit = 0.001;
+  QuadMesh doubled = mesh;
+  scale_mesh(doubled, {2, "unknown", 0});
+  for (const ExportFormat& format : export_formats()) {
+    const Exported whole = export_mesh(mesh, format), scaled = export_mesh(mesh, format, {.length = {"file", 2}});
+    EXPECT_NE(scaled.bytes, whole.bytes) << format.name;
+    EXPECT_EQ(scaled.bytes, export_mesh(doubled, format).bytes) << format.name;
+    EXPECT_EQ(scaled.length.factor, 2);
+    EXPECT_EQ(export_mesh(mesh, format, {.length = {"mm"}}).bytes, whole.bytes) << format.name;
+    EXPECT_EQ(export_mesh(mesh, format, {.length = {"m"}}).length.unit, "metre");
+  }
 }
 
 }  // namespace
