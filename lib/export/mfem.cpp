@@ -125,7 +125,7 @@ Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
   return {Writer(mesh, frame, false).text(),
           false,
           {names_table(groups)},
-          {fmt::format("MFEM v1.0 stores {} and {} by number only; their names are in a table beside the mesh "
+          {fmt::format("MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
                        "(--format mfem13 keeps them, for MFEM 4.7 and later)",
                        counted(groups.num_boundaries(), "boundary", "boundaries"),
                        counted(groups.num_regions(), "region", "regions"))}};

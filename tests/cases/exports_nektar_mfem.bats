@@ -72,7 +72,7 @@ exports() {
   cad2tri -q --boundary-names names.json "$DATA/half_disc.step" | fieldsolve -q | padapt -q -o a.field.h5
   critpoints -q a.field.h5 | separatrix -q a.field.h5 - | blocksplit -q | quadrefine -q -o a.quad.h5
   exports a
-  run -0 jq -r '.boundaries[] | [.id, .name] | @csv' a.names.json
+  run -0 jq -r '.boundaries[] | [.id, .name] | @csv' a.mesh.names.json
   assert_output '1,"Wand & ""Boden"" <Süd>"
 2,"back\slash"'
 }
@@ -85,7 +85,7 @@ exports() {
   assert_equal "$stderr" ""
   run -0 --separate-stderr quadexport a.quad.h5 -o a.xml
   assert_equal "$stderr" ""
-  assert_nothing_left a.mesh a.names.json a.quad.h5 a.xml b.mesh
+  assert_nothing_left a.mesh a.mesh.names.json a.quad.h5 a.xml b.mesh
 }
 
 @test "--frame 3d: the coordinates of a plane that does not lie level" {
