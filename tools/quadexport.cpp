@@ -183,7 +183,7 @@ int main(int argc, char** argv) {
   std::string input = "-", output = "-", format = "auto", frame = "2d";
   bool allow_invalid = false;
   exports::ExportOptions options;
-  std::vector<std::string> formats{"auto"};
+  std::vector<std::string> patch_types, formats{"auto"};
   for (const exports::ExportFormat& f : exports::export_formats()) formats.emplace_back(f.name);
   formats.emplace_back("step");
   cli::Tool tool;
@@ -205,6 +205,11 @@ int main(int argc, char** argv) {
     o.choice("--format", format, formats, "auto: from the ending of the output");
     o.choice("--frame", frame, {"2d", "3d"},
              "2d: coordinates in the plane of the face; 3d: coordinates of the CAD model");
+    o.texts(
+        "--patch-type", patch_types, "NAME=TYPE",
+        "type of the OpenFOAM patches whose name fits NAME, with the wild cards * and ?: patch, wall, symmetryPlane, "
+        "symmetry, empty or wedge; may be given several times, the last one decides; without it names that begin "
+        "with wall, symmetry or empty decide, and the rest is patch");
     o.choice("--unit", options.length.unit, unit_choices(),
              "length unit of the written coordinates; file: that of the CAD file, whose numbers are kept");
     o.number("--scale", options.length.scale, 1e-12, 1e12, "factor",
@@ -217,6 +222,7 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     const std::string name = format_of(output, format);
+    options.patch_types = exports::patch_type_options(patch_types);
     options.in_space = frame == "3d";
     if (name == "step")
       write_step(input, output, options.length);

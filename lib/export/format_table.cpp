@@ -30,7 +30,8 @@ const std::vector<ExportFormat>& export_formats() {
       {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
       {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
       {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
-      {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false, block_mesh_dict},
+      {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
+       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict},
   };
   return formats;
 }
@@ -57,10 +58,14 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
                     format.name, format.max_order, mesh.order));
   if (options.in_space && !format.holds_space)
     throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
+  if (!options.patch_types.empty() && format.write_with_types == nullptr)
+    throw UsageError(fmt::format("--patch-type: boundaries have no types in the format {}", format.name));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
   if (options.block_groups) separate_blocks(mesh);
-  Exported exported = format.write(mesh, options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
+  const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
+  Exported exported =
+      format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);
   exported.length = length;
   return exported;
 }

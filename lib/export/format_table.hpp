@@ -18,6 +18,8 @@ struct ExportFormat {
   int max_order = 20;        ///< greater ones are refused before the writer is called
   bool holds_space = false;  ///< can be written with --frame 3d
   Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
+  /// The same for a format whose boundaries have types; nullptr: they have none.
+  Exported (*write_with_types)(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) = nullptr;
 };
 
 /// All formats of a quad mesh, in the order of the help.
@@ -30,7 +32,8 @@ const ExportFormat* find_export_format(std::string_view name);
 const ExportFormat* export_format_of(std::string_view file_name);
 
 /// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space
-/// that it cannot, or for a unit where that of the mesh is unknown.
+/// that it cannot, for a unit where that of the mesh is unknown, or for types that the format
+/// or the mesh does not have.
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
 
 }  // namespace quadrille::exports

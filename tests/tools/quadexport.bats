@@ -187,6 +187,32 @@ PYTHON
   assert_failure 2
 }
 
+@test "--patch-type sets the types of OpenFOAM's patches, which names decide otherwise" {
+  cad2tri "$DATA/half_disc.step" --name Walls=0 --name symmetry=1 -q | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints a.field.h5 | separatrix a.field.h5 - | blocksplit | quadrefine --order 1 --size 0.5 --geometry-tol 1 -o a.quad.h5
+  types() { quadexport -q "$@" a.quad.h5 -o blockMeshDict && sed -n 's/^        type //p' blockMeshDict | tr -d '\n'; }
+  assert_equal "$(types)" "wall;symmetry;empty;"
+  assert_equal "$(types --patch-type 'W*=patch' --patch-type symmetry=symmetryPlane)" "patch;symmetryPlane;empty;"
+  run quadexport a.quad.h5 --patch-type lid=wall -o blockMeshDict
+  assert_failure 2
+  assert_output --partial "--patch-type lid=wall: no boundary has this name; the boundaries are Walls, symmetry"
+  run quadexport a.quad.h5 --patch-type Walls=cyclic -o blockMeshDict
+  assert_failure 2
+  run quadexport a.quad.h5 --patch-type Walls=wall -o a.msh
+  assert_failure 2
+  assert_output --partial "--patch-type: boundaries have no types in the format msh"
+}
+
+@test "tables of names beside two meshes do not overwrite each other, and messages have their paths" {
+  mkdir x.d
+  run -0 quadexport "$quad" -o x.d/a.re2
+  assert_output --partial "names are stored as numbers, which x.d/a.re2.names.json lists"
+  refute_output --partial " 0.f00000"
+  run -0 quadexport "$quad" -o x.d/a.mesh
+  assert_output --partial "their names are in x.d/a.mesh.names.json"
+  assert_equal "$(ls x.d | tr '\n' ' ')" "a.mesh a.mesh.names.json a.re2 a.re2.names.json a0.f00000 "
+}
+
 @test "an unknown ending ends with 2" {
   run quadexport "$quad" -o a.stl
   assert_failure 2
