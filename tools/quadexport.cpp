@@ -123,7 +123,9 @@ std::string unit_text(const LengthScale& length) {
 void report_length(const LengthScale& length, cli::Session& s) {
   s.report().set("unit", length.unit);
   s.report().set("scale", length.factor);
-  s.info(fmt::format("coordinates in {}, {} times those of the CAD file", unit_text(length), length.factor));
+  s.info(fmt::format(
+      "coordinates in {}, {}", unit_text(length),
+      length.factor == 1 ? "as in the CAD file" : fmt::format("{} times those of the CAD file", length.factor)));
 }
 
 /// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.

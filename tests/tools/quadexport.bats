@@ -152,6 +152,8 @@ PYTHON
   run quadexport -v --format mfem13 --scale 2 "$quad" -o a.out --report a.json
   assert_output --partial "quadexport: coordinates in an unknown unit, 2 times those of the CAD file"
   assert_equal "$(jq -r '"\(.unit) \(.scale)"' a.json)" "unknown 2"
+  run quadexport -v --format mfem13 "$quad" -o a.out
+  assert_output "quadexport: coordinates in millimetre, as in the CAD file"
   # OpenFOAM converts to metres itself, unless the unit is not known.
   scale_of() { quadexport -q --format blockmesh "$@" "$quad" | sed -n 's/^scale //p'; }
   assert_equal "$(scale_of) $(scale_of --unit m) $(scale_of --unit in) $(scale_of --scale 0.001)" "0.001; 1; 0.0254; 1;"
