@@ -226,7 +226,11 @@ int main(int argc, char** argv) {
     const std::string name = format_of(output, format);
     options.patch_types = exports::patch_type_options(patch_types);
     options.in_space = frame == "3d";
-    if (name == "step")
+    const bool is_step = name == "step";
+    if (is_step && !options.patch_types.empty())
+      throw UsageError("--patch-type: a STEP model has no types of boundaries");
+    if (!is_step) exports::require_options(*exports::find_export_format(name), options);
+    if (is_step)
       write_step(input, output, options.length);
     else
       write_mesh(input, output, name, options, allow_invalid, s);

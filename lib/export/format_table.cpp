@@ -50,16 +50,20 @@ const ExportFormat* export_format_of(std::string_view file_name) {
   return at == formats.end() ? nullptr : &*at;
 }
 
+void require_options(const ExportFormat& format, const ExportOptions& options) {
+  if (options.in_space && !format.holds_space)
+    throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
+  if (!options.patch_types.empty() && format.write_with_types == nullptr)
+    throw UsageError(fmt::format("--patch-type: boundaries have no types in the format {}", format.name));
+}
+
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options) {
+  require_options(format, options);
   if (mesh.order > format.max_order)
     throw ComputeError(
         fmt::format("the format {} supports quads up to order {}, this mesh has order {}: refine with a "
                     "lower --order",
                     format.name, format.max_order, mesh.order));
-  if (options.in_space && !format.holds_space)
-    throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
-  if (!options.patch_types.empty() && format.write_with_types == nullptr)
-    throw UsageError(fmt::format("--patch-type: boundaries have no types in the format {}", format.name));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
   if (options.block_groups) separate_blocks(mesh);

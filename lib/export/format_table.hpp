@@ -31,9 +31,11 @@ const ExportFormat* find_export_format(std::string_view name);
 /// The first row whose ending the file name has; nullptr if no format has that ending.
 const ExportFormat* export_format_of(std::string_view file_name);
 
-/// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space
-/// that it cannot, for a unit where that of the mesh is unknown, or for types that the format
-/// or the mesh does not have.
+/// Throws UsageError for a frame in space or types of boundaries that the format does not support.
+void require_options(const ExportFormat& format, const ExportOptions& options);
+
+/// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError as require_options,
+/// for a unit where that of the mesh is unknown, and for types of boundaries that the mesh does not have.
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
 
 }  // namespace quadrille::exports

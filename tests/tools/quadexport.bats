@@ -203,6 +203,10 @@ PYTHON
   run quadexport a.quad.h5 --patch-type Walls=wall -o a.msh
   assert_failure 2
   assert_output --partial "--patch-type: boundaries have no types in the format msh"
+  run quadexport nowhere.quad.h5 --patch-type Walls=wall -o a.msh # refused before the mesh is read
+  assert_failure 2
+  run quadexport "$blocks" --patch-type Walls=wall -o a.step
+  assert_failure 2
 }
 
 @test "tables of names beside two meshes do not overwrite each other, and messages have their paths" {
