@@ -14,6 +14,7 @@
 #include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
+#include "cad/name_options.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
@@ -89,6 +90,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
+  std::vector<std::string> name_options;
   double corner_angle = 1, heal_tolerance = -1, blunt = 0, fit_tolerance = 1e-8;
   triangulate::TriangulateOptions options;
 
@@ -103,8 +105,9 @@ int main(int argc, char** argv) {
       "which the field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own "
       "unit.";
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
-                   "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5", "cad2tri --list half_disc.step",
-                   "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
+                   "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
+                   "cad2tri half_disc.step --name axis=0 --name wall@0,1 -o named.tri.h5",
+                   "cad2tri --list half_disc.step", "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
   tool.options = [&](cli::Options& o) {
     constexpr double unlimited = std::numeric_limits<double>::max();
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
@@ -143,10 +146,17 @@ int main(int argc, char** argv) {
            "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the rest\"} or "
            "[{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
            false);
+    o.texts(
+        "--name", name_options, "NAME=LIST|NAME@X,Y",
+        "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
+        "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
+        "in file units, which must be within a tenth of the diameter; may be given several times; overrides "
+        "--boundary-names; stageview --curve-labels draws the numbers");
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
              "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
+    const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     const io::InputFile file = io::read_input(input);
     if (is_listing) return list_faces(file, output, s.report());
@@ -156,11 +166,13 @@ int main(int argc, char** argv) {
     CadFace& face = loaded.face;
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
+    std::vector<NameRule> name_rules;
     if (!names.empty()) {
       const io::InputFile names_file = io::read_input(names);
-      cad::rename_curves(face, io::read_boundary_names(names_file));
+      name_rules = io::read_boundary_names(names_file);
       inputs.push_back(names_file.digest("boundary-names"));
     }
+    cad::rename_curves(face, name_rules, chosen_names);
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
     if (face.fit_distance > 0) s.info(fit_text(face, loaded.repairs));

@@ -6,12 +6,15 @@
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "model/length_scale.hpp"
 #include "occ/write_cad.hpp"
 
 using namespace quadrille;
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
+  ScaleRequest length;
+  length.keeps_unit = true;
   cli::Tool tool;
   tool.name = "quadexport";
   tool.summary = "writes the blocks of a block layout as a STEP model of connected faces";
@@ -19,11 +22,14 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5), - for standard input");
     o.output(output, "STEP file");
+    o.text("--unit", length.unit, "UNIT", "length unit of the model, as quadexport has checked it");
+    o.number("--scale", length.scale, 1e-12, 1e12, "factor", "multiply the coordinates by this, after --unit");
   };
   tool.run = [&](cli::Session&) {
     const io::InputFile file = io::read_input(input);
-    const BlockLayout layout = io::read_block_layout(file);
+    BlockLayout layout = io::read_block_layout(file);
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
+    scale_lengths(layout, length_scale(layout.face, length));
     io::write_output(output, occ::step_of_blocks(layout), false);
   };
   tool.report_writer = io::write_report;

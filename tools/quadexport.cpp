@@ -56,9 +56,13 @@ std::string read_all(int fd) {
 }
 
 /// Runs the helper, which inherits standard input and output. Its message and exit code are passed on.
-void write_step(std::string input, std::string output) {
-  std::string helper = helper_program("quadexport-step"), flag = "-o";
-  std::array<char*, 5> argv{helper.data(), input.data(), flag.data(), output.data(), nullptr};
+void write_step(const std::string& input, const std::string& output, const ScaleRequest& length) {
+  const std::string helper = helper_program("quadexport-step");
+  std::vector<std::string> words{helper,   input,       "-o",      output,
+                                 "--unit", length.unit, "--scale", fmt::format("{}", length.scale)};
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
   std::array<int, 2> ends{};
   const pid_t child = pipe2(ends.data(), O_CLOEXEC) == 0 ? fork() : -1;
   if (child < 0) throw OutputError(fmt::format("{} cannot be run: {}", helper, std::strerror(errno)));
@@ -85,11 +89,23 @@ void write_step(std::string input, std::string output) {
   throw Error(static_cast<ExitCode>(WEXITSTATUS(status)), said.substr(0, said.find('\n')));
 }
 
-/// `output` with another ending: half_disc.re2 -> half_disc.names.json.
+/// `output` with another ending: half_disc.vtu -> half_disc.curves.vtu.
 std::string beside(const std::string& output, const std::string& ending) {
   const std::size_t slash = output.rfind('/'), dot = output.rfind('.');
   const bool has_ending = dot != std::string::npos && dot > 0 && (slash == std::string::npos || dot > slash + 1);
   return output.substr(0, has_ending ? dot : output.size()) + ending;
+}
+
+std::string path_of(const exports::SideFile& side, const std::string& output) {
+  return side.is_appended ? output + side.ending : beside(output, side.ending);
+}
+
+/// A message in which files beside the main one have their paths in place of * and their endings.
+std::string with_paths(std::string text, const std::vector<exports::SideFile>& sides, const std::string& output) {
+  for (const exports::SideFile& side : sides)
+    if (const std::size_t at = text.find('*' + side.ending); at != std::string::npos)
+      text.replace(at, 1 + side.ending.size(), path_of(side, output));
+  return text;
 }
 
 /// Standard output, a pipe or a device: no side file can be written beside it.
@@ -97,6 +113,19 @@ bool takes_one_file(const std::string& output) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::status(output, ignored);
   return output == "-" || (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there));
+}
+
+/// "metre" or, if that is not known, "an unknown unit"
+std::string unit_text(const LengthScale& length) {
+  return length.metres_per_unit > 0 ? length.unit : "an unknown unit";
+}
+
+void report_length(const LengthScale& length, cli::Session& s) {
+  s.report().set("unit", length.unit);
+  s.report().set("scale", length.factor);
+  s.info(fmt::format(
+      "coordinates in {}, {}", unit_text(length),
+      length.factor == 1 ? "as in the CAD file" : fmt::format("{} times those of the CAD file", length.factor)));
 }
 
 /// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.
@@ -107,26 +136,30 @@ void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, cli::Session& 
   s.report().warn(warning::mesh_not_valid, warning_text);
 }
 
-void write_mesh(const std::string& input, const std::string& output, const std::string& format_name, bool in_space,
-                bool allow_invalid, cli::Session& s) {
+void write_mesh(const std::string& input, const std::string& output, const std::string& format_name,
+                const exports::ExportOptions& options, bool allow_invalid, cli::Session& s) {
   s.begin_phase("read");
   const io::InputFile file = io::read_input(input);
-  const QuadMesh mesh = io::read_quad_mesh(file);
+  QuadMesh mesh = io::read_quad_mesh(file);
   check::require_valid(check::check_quad_mesh(mesh, check::CheckDepth::quick), file.name);
   require_valid_mesh(mesh, allow_invalid, s);
   s.begin_phase("write");
-  const exports::Exported exported = exports::export_mesh(mesh, *exports::find_export_format(format_name), in_space);
   s.report().set("format", format_name);
   s.report().set("quads", mesh.num_elems());
   s.report().set("nodes", mesh.nodes.size());
-  for (const std::string& loss : exported.losses) s.report().warn(warning::format_loss, loss);
+  const exports::Exported exported =
+      exports::export_mesh(std::move(mesh), *exports::find_export_format(format_name), options);
+  report_length(exported.length, s);
+  for (const std::string& loss : exported.losses)
+    s.report().warn(warning::format_loss,
+                    takes_one_file(output) ? loss : with_paths(loss, exported.side_files, output));
   for (const exports::SideFile& side : exported.side_files) {
     if (takes_one_file(output))
       s.report().warn(warning::side_file_not_written,
                       fmt::format("*{} is not written: {} can contain one file only", side.ending,
                                   output == "-" ? "standard output" : output));
     else
-      io::write_output(beside(output, side.ending), side.bytes, side.is_binary);
+      io::write_output(path_of(side, output), side.bytes, side.is_binary);
   }
   io::write_output(output, exported.bytes, exported.is_binary);
   s.end_phase();
@@ -140,12 +173,19 @@ std::string format_list() {
   return list;
 }
 
+std::vector<std::string> unit_choices() {
+  std::vector<std::string> choices{"file"};
+  for (const LengthUnit& unit : length_units) choices.emplace_back(unit.symbol);
+  return choices;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", format = "auto", frame = "2d";
   bool allow_invalid = false;
-  std::vector<std::string> formats{"auto"};
+  exports::ExportOptions options;
+  std::vector<std::string> patch_types, formats{"auto"};
   for (const exports::ExportFormat& f : exports::export_formats()) formats.emplace_back(f.name);
   formats.emplace_back("step");
   cli::Tool tool;
@@ -159,6 +199,7 @@ int main(int argc, char** argv) {
       format_list() + ".";
   tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
                    "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
+                   "quadexport --unit m half_disc.quad.h5 -o half_disc.xml",
                    "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
   tool.options = [&](cli::Options& o) {
     o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
@@ -166,14 +207,33 @@ int main(int argc, char** argv) {
     o.choice("--format", format, formats, "auto: from the ending of the output");
     o.choice("--frame", frame, {"2d", "3d"},
              "2d: coordinates in the plane of the face; 3d: coordinates of the CAD model");
+    o.texts(
+        "--patch-type", patch_types, "NAME=TYPE",
+        "type of the OpenFOAM patches whose name fits NAME, with the wild cards * and ?: patch, wall, symmetryPlane, "
+        "symmetry, empty or wedge; may be given several times, the last one decides; without it names that begin "
+        "with wall, symmetry or empty decide, and the rest is patch");
+    o.choice("--unit", options.length.unit, unit_choices(),
+             "length unit of the written coordinates; file: that of the CAD file, whose numbers are kept");
+    o.number("--scale", options.length.scale, 1e-12, 1e12, "factor",
+             "multiply the coordinates by this, after --unit; without --unit, the unit of the result counts as unknown "
+             "(for .step: a larger model in the unit of the CAD file)");
+    o.flag("--block-groups", options.block_groups,
+           "write each block that has no name of its own as a region of its own, named by its number; without it all "
+           "blocks without a name are one region");
     o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
   };
   tool.run = [&](cli::Session& s) {
     const std::string name = format_of(output, format);
-    if (name == "step")
-      write_step(input, output);
+    options.patch_types = exports::patch_type_options(patch_types);
+    options.in_space = frame == "3d";
+    const bool is_step = name == "step";
+    if (is_step && !options.patch_types.empty())
+      throw UsageError("--patch-type: a STEP model has no types of boundaries");
+    if (!is_step) exports::require_options(*exports::find_export_format(name), options);
+    if (is_step)
+      write_step(input, output, options.length);
     else
-      write_mesh(input, output, name, frame == "3d", allow_invalid, s);
+      write_mesh(input, output, name, options, allow_invalid, s);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

@@ -38,6 +38,8 @@ std::string draw_stage(const Settings& settings, cli::Session& session) {
   session.begin_phase("draw");
   if (!settings.field.empty() && format != "critical-points")
     throw UsageError("--field needs a critical-points file, but " + file.name + " is a " + format + " file");
+  if (settings.draw.curve_labels && format != "tri-mesh")
+    throw UsageError("--curve-labels needs a tri-mesh file, but " + file.name + " is a " + format + " file");
   const auto drawn = [&](auto model, auto check, auto draw) {
     require_valid(check(model, check::CheckDepth::quick), file.name);
     return draw(model, settings.draw);
@@ -74,6 +76,7 @@ int main(int argc, char** argv) {
       "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
+                   "stageview half_disc.tri.h5 --curve-labels -o curves.svg",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg"};
   tool.options = [&](cli::Options& o) {
     o.input("FILE", settings.input, "a stage file");
@@ -81,6 +84,8 @@ int main(int argc, char** argv) {
     o.text("--field", settings.field, "FILE", "field to draw under critical points", false);
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show: cross angle, a component or the polynomial order");
+    o.flag("--curve-labels", settings.draw.curve_labels,
+           "write number and name beside each boundary curve of a triangle mesh, for cad2tri --name");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
   tool.run = [&](cli::Session& s) {

@@ -67,4 +67,31 @@ std::string clean_name(std::string_view text) {
   return first == std::string::npos ? std::string() : name.substr(first, last - first + 1);
 }
 
+namespace {
+
+/// Bytes of the first character of `text`, which is not empty; a byte that is not UTF-8 is a character.
+std::size_t character_length(std::string_view text) { return static_cast<std::size_t>(std::max(1, utf8_length(text))); }
+
+}  // namespace
+
+bool matches_wildcard(std::string_view text, std::string_view pattern) {
+  std::size_t t = 0, p = 0;
+  std::size_t star = std::string_view::npos, resume = 0;  // the last star, and the text behind what it has taken
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++, resume = t;
+    } else if (p < pattern.size() && pattern[p] == '?') {
+      t += character_length(text.substr(t)), ++p;
+    } else if (p < pattern.size() && pattern[p] == text[t]) {
+      ++t, ++p;
+    } else if (star != std::string_view::npos) {
+      resume += character_length(text.substr(resume));  // the star takes one character more
+      t = resume, p = star + 1;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #pragma once
-// Converts names from other programs and people to names as the stage files store them: valid UTF-8, one line, trimmed.
+// Converts names from other programs and people to names as the stage files store them (valid UTF-8, one line,
+// trimmed), and compares them with patterns.
 
 #include <string>
 #include <string_view>
@@ -16,5 +17,9 @@ std::string utf8_or_latin1(const std::string& text);
 
 /// Replaces control characters by blanks and bytes that are not UTF-8 by U+FFFD, and removes blanks at both ends.
 std::string clean_name(std::string_view text);
+
+/// Whether the whole `text` fits `pattern`, both UTF-8: * is any text, also none, ? one character, all others are
+/// themselves. Upper and lower case differ. Cost: product of the lengths.
+bool matches_wildcard(std::string_view text, std::string_view pattern);
 
 }  // namespace quadrille

@@ -7,6 +7,7 @@
 
 #include "base/assign_names.hpp"
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "curve/face_position.hpp"
 #include "curve/project.hpp"
 
@@ -49,9 +50,10 @@ std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
   std::vector<double> distances;
   for (const Nurbs& curve : face.curves) distances.push_back(curve::project(curve, x).distance);
   const double least = *std::min_element(distances.begin(), distances.end());
-  if (!(least <= face.diameter))
-    throw FormatError(fmt::format("{}: {} lies {:.3g} away from the boundary, whose diameter is {:.3g}", rule.where,
-                                  text, least, face.diameter));
+  if (!(least <= rule.max_distance * face.diameter))
+    throw FormatError(fmt::format("{}: {} lies {:.3g} away from the boundary, whose diameter is {:.3g}{}", rule.where,
+                                  text, least, face.diameter,
+                                  rule.max_distance < 1 ? fmt::format(" (at most {} of it)", rule.max_distance) : ""));
   std::vector<std::string> equals;
   std::vector<int> curves;
   for (int c = 0; c < face.num_curves(); ++c)
@@ -65,8 +67,29 @@ std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
   return curves;
 }
 
+std::vector<int> curves_of_pattern(const CadFace& face, const NameRule& rule) {
+  std::vector<int> curves;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (matches_wildcard(face.curve_names[c], rule.text)) curves.push_back(c);
+  if (curves.empty())
+    throw FormatError(
+        fmt::format("{}: no boundary curve has the name {}; {}", rule.where, rule.text, known_curves(face)));
+  return curves;
+}
+
+std::vector<int> curves_of_range(const CadFace& face, const NameRule& rule) {
+  if (rule.last_number >= face.num_curves())
+    throw FormatError(fmt::format("{}: no boundary curve has the number {}; {}", rule.where,
+                                  std::max(rule.number, face.num_curves()), known_curves(face)));
+  std::vector<int> curves;
+  for (int c = rule.number; c <= rule.last_number; ++c) curves.push_back(c);
+  return curves;
+}
+
 std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
   if (rule.kind == NameRule::Kind::position) return nearest_curve(face, rule);
+  if (rule.kind == NameRule::Kind::pattern) return curves_of_pattern(face, rule);
+  if (rule.kind == NameRule::Kind::range) return curves_of_range(face, rule);
   std::vector<int> curves;
   if (rule.kind == NameRule::Kind::key || rule.kind == NameRule::Kind::old_name)
     curves = curves_of_name(face, rule.text);
@@ -74,6 +97,44 @@ std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
   if (curves.empty())
     throw FormatError(fmt::format("{}: no boundary curve has this name or number; {}", rule.where, known_curves(face)));
   return curves;
+}
+
+std::vector<GivenName> given_names(const CadFace& face, const std::vector<NameRule>& rules) {
+  std::vector<GivenName> given;
+  for (const NameRule& rule : rules) {
+    const bool is_for_rest = rule.kind == NameRule::Kind::rest;
+    given.push_back({rule.name, is_for_rest ? std::vector<int>() : curves_of(face, rule), is_for_rest, rule.where});
+  }
+  return given;
+}
+
+/// One entry for each name, with each of its curves once.
+std::vector<GivenName> merged_by_name(const std::vector<GivenName>& given) {
+  std::vector<GivenName> merged;
+  for (const GivenName& g : given) {
+    const auto is_same = [&](const GivenName& m) { return m.name == g.name && m.is_for_rest == g.is_for_rest; };
+    const auto found = std::find_if(merged.begin(), merged.end(), is_same);
+    if (found == merged.end()) {
+      merged.push_back(g);
+      continue;
+    }
+    std::vector<int>& targets = found->targets;
+    targets.insert(targets.end(), g.targets.begin(), g.targets.end());
+    std::sort(targets.begin(), targets.end());
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+  }
+  return merged;
+}
+
+/// Removes from `given` what `overriding` names.
+void yield(std::vector<GivenName>& given, const std::vector<GivenName>& overriding) {
+  for (const GivenName& winner : overriding) {
+    const auto is_taken = [&](int target) {
+      return std::find(winner.targets.begin(), winner.targets.end(), target) != winner.targets.end();
+    };
+    for (GivenName& g : given) std::erase_if(g.targets, is_taken);
+    if (winner.is_for_rest) std::erase_if(given, [](const GivenName& g) { return g.is_for_rest; });
+  }
 }
 
 }  // namespace
@@ -90,12 +151,15 @@ void choose_names(heal::RawFace& raw) {
   if (raw.name.empty() && !is_part_layer) raw.name = raw.layer;
 }
 
-void rename_curves(CadFace& face, const std::vector<NameRule>& rules) {
-  std::vector<GivenName> given;
-  for (const NameRule& rule : rules) {
-    const bool is_for_rest = rule.kind == NameRule::Kind::rest;
-    given.push_back({rule.name, is_for_rest ? std::vector<int>() : curves_of(face, rule), is_for_rest, rule.where});
-  }
+void rename_curves(CadFace& face, const std::vector<NameRule>& rules) { rename_curves(face, rules, {}); }
+
+void rename_curves(CadFace& face, const std::vector<NameRule>& rules, const std::vector<NameRule>& overriding) {
+  std::vector<GivenName> given = given_names(face, rules);
+  std::vector<std::string> names = face.curve_names;
+  assign_names(names, given, "curve");  // refuses contradictions of the first set, also where the second one decides
+  const std::vector<GivenName> winners = merged_by_name(given_names(face, overriding));
+  yield(given, winners);
+  given.insert(given.end(), winners.begin(), winners.end());
   const std::vector<int> named = assign_names(face.curve_names, given, "curve");
   std::erase_if(face.unnamed_curves, [&](int c) { return std::binary_search(named.begin(), named.end(), c); });
 }

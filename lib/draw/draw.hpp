@@ -13,8 +13,9 @@
 namespace quadrille::draw {
 
 struct DrawOptions {
-  int width = 1000;          ///< pixels
-  std::string show = "psi";  ///< of a field: "u", "v", "psi" or "order"
+  int width = 1000;           ///< pixels
+  bool curve_labels = false;  ///< of a triangle mesh: numbers and names beside the boundary curves
+  std::string show = "psi";   ///< of a field: "u", "v", "psi" or "order"
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);

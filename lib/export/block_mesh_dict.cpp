@@ -22,14 +22,15 @@ class Writer {
   Writer(const QuadMesh& mesh, const Frame& frame, const HexBlocks& hexes)
       : mesh_(mesh), frame_(frame), hexes_(hexes), above_(static_cast<int>(hexes.vertices.size())) {}
 
-  std::string text(const std::vector<std::string>& patches, const std::vector<std::string>& zones) {
+  std::string text(const std::vector<std::string>& patches, const std::vector<std::string>& types,
+                   const std::vector<std::string>& zones) {
     print(
         "FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class dictionary;\n    object blockMeshDict;\n}}\n\n");
     print("scale {};\n\n", mesh_.face.metres_per_unit > 0 ? mesh_.face.metres_per_unit : 1.0);
     write_vertices();
     write_splines();
     write_blocks(zones);
-    write_patches(patches);
+    write_patches(patches, types);
     print("mergePatchPairs\n(\n);\n");
     return fmt::to_string(out_);
   }
@@ -113,11 +114,11 @@ class Writer {
     print(")\n");
   }
 
-  void write_patches(const std::vector<std::string>& names) {
+  void write_patches(const std::vector<std::string>& names, const std::vector<std::string>& types) {
     print("boundary\n(\n");
     for (std::size_t p = 0; p < names.size(); ++p) {
       if (hexes_.patches[p].empty()) continue;
-      print("    {}\n    {{\n        type patch;\n        faces\n        (\n", names[p]);
+      print("    {}\n    {{\n        type {};\n        faces\n        (\n", names[p], types[p]);
       for (const auto& [from, to] : hexes_.patches[p])
         print("            ({} {} {} {})\n", from, to, to + above_, from + above_);
       print("        );\n    }}\n");
@@ -176,13 +177,13 @@ struct Words {
 
 }  // namespace
 
-Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame) {
+Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) {
   const Groups groups = mesh_groups(mesh);
   const HexBlocks hexes = hex_blocks(mesh, groups);
   Exported exported;
   tell_losses(mesh, hexes, exported.losses);
   const Words words(groups, exported);
-  exported.bytes = Writer(mesh, frame, hexes).text(words.patches, words.zones);
+  exported.bytes = Writer(mesh, frame, hexes).text(words.patches, patch_types(mesh, groups, types), words.zones);
   return exported;
 }
 

@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "model/length_scale.hpp"
+
 namespace quadrille::exports {
 
 /// A file that a format needs beside the main one, such as a table of names.
 struct SideFile {
-  std::string ending;  ///< replaces the ending of the main file: ".names.json"
+  std::string ending;  ///< replaces the ending of the main file: ".curves.vtu"
   std::string bytes;
   bool is_binary = false;
+  bool is_appended = false;  ///< `ending` follows the whole name of the main file: x.re2.names.json
 };
 
 struct Exported {
@@ -18,7 +21,9 @@ struct Exported {
   bool is_binary = false;
   std::vector<SideFile> side_files;
   /// Properties of this mesh that the format cannot represent: one sentence each, with the magnitude of the loss.
+  /// A file beside the main one is called * and its ending there.
   std::vector<std::string> losses;
+  LengthScale length{};  ///< of the coordinates, set by export_mesh
 };
 
 }  // namespace quadrille::exports

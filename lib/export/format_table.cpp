@@ -8,10 +8,12 @@
 #include "export/abaqus_inp.hpp"
 #include "export/block_mesh_dict.hpp"
 #include "export/gmsh.hpp"
+#include "export/groups.hpp"
 #include "export/hohqmesh_ism.hpp"
 #include "export/mfem.hpp"
 #include "export/nek_re2.hpp"
 #include "export/nektar.hpp"
+#include "export/scale_mesh.hpp"
 #include "export/vtu.hpp"
 
 namespace quadrille::exports {
@@ -28,7 +30,8 @@ const std::vector<ExportFormat>& export_formats() {
       {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
       {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
       {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
-      {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false, block_mesh_dict},
+      {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
+       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict},
   };
   return formats;
 }
@@ -47,15 +50,28 @@ const ExportFormat* export_format_of(std::string_view file_name) {
   return at == formats.end() ? nullptr : &*at;
 }
 
-Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space) {
+void require_options(const ExportFormat& format, const ExportOptions& options) {
+  if (options.in_space && !format.holds_space)
+    throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
+  if (!options.patch_types.empty() && format.write_with_types == nullptr)
+    throw UsageError(fmt::format("--patch-type: boundaries have no types in the format {}", format.name));
+}
+
+Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options) {
+  require_options(format, options);
   if (mesh.order > format.max_order)
     throw ComputeError(
         fmt::format("the format {} supports quads up to order {}, this mesh has order {}: refine with a "
                     "lower --order",
                     format.name, format.max_order, mesh.order));
-  if (in_space && !format.holds_space)
-    throw UsageError(fmt::format("the format {} supports coordinates of the plane only: omit --frame 3d", format.name));
-  return format.write(mesh, in_space ? model_frame(mesh.face) : plane_frame(mesh.face));
+  const LengthScale length = length_scale(mesh.face, options.length);
+  if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
+  if (options.block_groups) separate_blocks(mesh);
+  const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
+  Exported exported =
+      format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);
+  exported.length = length;
+  return exported;
 }
 
 }  // namespace quadrille::exports

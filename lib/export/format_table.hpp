@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "export/export_options.hpp"
 #include "export/exported.hpp"
 #include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
@@ -17,6 +18,8 @@ struct ExportFormat {
   int max_order = 20;        ///< greater ones are refused before the writer is called
   bool holds_space = false;  ///< can be written with --frame 3d
   Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
+  /// The same for a format whose boundaries have types; nullptr: they have none.
+  Exported (*write_with_types)(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) = nullptr;
 };
 
 /// All formats of a quad mesh, in the order of the help.
@@ -28,8 +31,11 @@ const ExportFormat* find_export_format(std::string_view name);
 /// The first row whose ending the file name has; nullptr if no format has that ending.
 const ExportFormat* export_format_of(std::string_view file_name);
 
-/// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError for a frame in space
-/// that it cannot.
-Exported export_mesh(const QuadMesh& mesh, const ExportFormat& format, bool in_space);
+/// Throws UsageError for a frame in space or types of boundaries that the format does not support.
+void require_options(const ExportFormat& format, const ExportOptions& options);
+
+/// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError as require_options,
+/// for a unit where that of the mesh is unknown, and for types of boundaries that the mesh does not have.
+Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
 
 }  // namespace quadrille::exports

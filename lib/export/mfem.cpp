@@ -16,6 +16,10 @@ namespace {
 /// MFEM's numbers of its geometries (geom.hpp of its source).
 constexpr int segment_type = 1, square_type = 3;
 
+std::string counted(int count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 /// As std::quoted writes it, which is how MFEM reads it.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -118,14 +122,13 @@ class Writer {
 
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
   const Groups groups = mesh_groups(mesh);
-  return {
-      Writer(mesh, frame, false).text(),
-      false,
-      {names_table(groups)},
-      {fmt::format(
-          "MFEM v1.0 stores {} boundaries and {} regions by number only; their names are in a table beside the mesh "
-          "(--format mfem13 keeps them, for MFEM 4.7 and later)",
-          groups.num_boundaries(), groups.num_regions())}};
+  return {Writer(mesh, frame, false).text(),
+          false,
+          {names_table(groups)},
+          {fmt::format("MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
+                       "(--format mfem13 keeps them, for MFEM 4.7 and later)",
+                       counted(groups.num_boundaries(), "boundary", "boundaries"),
+                       counted(groups.num_regions(), "region", "regions"))}};
 }
 
 Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) {

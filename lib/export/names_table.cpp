@@ -28,7 +28,8 @@ std::vector<NamedGroup> numbered(const std::vector<std::string>& names, int firs
 
 SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions) {
   return {".names.json",
-          fmt::format("{{\n  \"boundaries\": {},\n  \"regions\": {}\n}}\n", list(boundaries), list(regions)), false};
+          fmt::format("{{\n  \"boundaries\": {},\n  \"regions\": {}\n}}\n", list(boundaries), list(regions)), false,
+          true};
 }
 
 SideFile names_table(const Groups& groups, int first_boundary, int first_region) {

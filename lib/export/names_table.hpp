@@ -1,5 +1,5 @@
 #pragma once
-// A table of names beside the mesh, for formats whose groups have numbers only or restricted names: x.names.json =
+// A table of names beside the mesh, for formats whose groups have numbers only or restricted names: x.re2.names.json =
 // {"boundaries": [{"id": 1, "name": "wall"}, ...], "regions": [{"id": 1, "name": "block_0"}, ...]}.
 
 #include <string>
@@ -16,7 +16,7 @@ struct NamedGroup {
   std::string tag;   ///< its name in the main file; empty if it has no names or uses this one unchanged
 };
 
-/// The table as a side file with the ending .names.json.
+/// The table as a side file: .names.json behind the name of the main file, so that those of two formats differ.
 SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions);
 
 /// The same, numbered in the order of the groups: boundaries count from `first_boundary`, regions from

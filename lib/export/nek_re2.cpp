@@ -102,15 +102,15 @@ std::vector<std::string> told_losses(const QuadMesh& mesh, const Groups& groups)
   const double diameter = mesh.face.diameter, least = 1e-12 * diameter;
   if (loss.sides > least)
     losses.push_back(
-        fmt::format("sides are stored as parabolas, which moves them by up to {}; 0.f00000 contains the "
+        fmt::format("sides are stored as parabolas, which moves them by up to {}; *0.f00000 contains the "
                     "geometry of order {}",
                     length_text(loss.sides, diameter), mesh.order));
   else if (loss.interior > least)
     losses.push_back(
         fmt::format("nodes inside elements are rebuilt from the sides, which moves them by up to {}; "
-                    "0.f00000 contains the original ones",
+                    "*0.f00000 contains the original ones",
                     length_text(loss.interior, diameter)));
-  losses.push_back("names are stored as numbers, which .names.json lists");
+  losses.push_back("names are stored as numbers, which *.names.json lists");
   if (const std::string regions = region_loss(groups); !regions.empty()) losses.push_back(regions);
   return losses;
 }

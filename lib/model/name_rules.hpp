@@ -1,5 +1,6 @@
 #pragma once
-// Rules of a file of new names for boundary curves (formats/boundary-names.md) or blocks (formats/block-names.md).
+// Rules for new names of boundary curves (formats/boundary-names.md; a file, or --name) or blocks
+// (formats/block-names.md).
 
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ struct NameRule {
     number,    ///< number of a curve or block, base 0
     old_name,  ///< all curves of the name `text`
     position,  ///< the curve nearest to the position `position`, or the block around it
+    range,     ///< the numbers from `number` to `last_number`
+    pattern,   ///< all curves whose name fits `text`, with the wild cards * and ? (base/name_text)
     rest,      ///< all that no other rule names
   };
   Kind kind = Kind::rest;
@@ -20,7 +23,9 @@ struct NameRule {
   int number = -1;
   std::vector<double> position{};  ///< x, y of the face's plane (with face.origin), or x, y, z of the CAD model's space
   std::string name{};              ///< valid UTF-8, trimmed, not empty
-  std::string where{};             ///< the file and the entry, for messages
+  std::string where{};             ///< the file and the entry, or the option, for messages
+  int last_number = -1;            ///< of a range
+  double max_distance = 1;         ///< of a position from the curve, in diameters
 };
 
 }  // namespace quadrille

@@ -22,6 +22,8 @@ def report($start; $nodes; $remedy):
     greatest_area_jump: $of.quadrefine.greatest_area_jump,
     least_node_distance: $of.quadrefine.least_node_distance,
     boundary: $of.quadrefine.boundary,
+    unit: $of.quadexport.unit,
+    scale: $of.quadexport.scale,
     cpu_seconds: ($all | map(.timings.total.cpu_seconds) | add),
     wall_seconds: (now - $start),
     stages: (reduce $all[] as $run ({}; .[$run.stage] as $before |
@@ -43,4 +45,6 @@ def summary:
   "\(count(.blocks; "block")), \(count(.irregular_nodes; "irregular node")), \(count(.quads; "quad")), " +
     "worst scaled Jacobian \(.least_scaled_jacobian | places(2)), greatest edge ratio " +
     "\(.greatest_edge_ratio.value | places(1))" +
-    (if .certificate.method == "midpoint" then ", by midpoint division of triangles" else "" end);
+    (if .certificate.method == "midpoint" then ", by midpoint division of triangles" else "" end) +
+    (if .scale == 1 then "" else ", coordinates in \(if .unit == "unknown" then "an unknown unit" else .unit end), " +
+      "\(.scale) times those of the CAD file" end);

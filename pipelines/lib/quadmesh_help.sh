@@ -19,6 +19,8 @@ warning (--layout midpoint; with --layout traced or quantized the exit code is 1
 OPTIONS
   -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
+  --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
+                            of the curve nearest to a point; may be given several times (see cad2tri --help)
   --boundary-names FILE     new names of boundary curves, JSON (see formats/boundary-names.md)
   --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
   --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see
@@ -61,6 +63,7 @@ EXAMPLES
   quadmesh half_disc.step -o placed.msh --place energy
   quadmesh half_disc.step -o in_time.msh --max-seconds 60 --max-memory 2G
   quadmesh half_disc.step -o half_disc.xml --order 7
+  quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10
 END
 }

@@ -71,7 +71,7 @@ exports() {
   critpoints -q a.field.h5 | separatrix -q a.field.h5 - | blocksplit -q | quadrefine -q -o a.quad.h5
   run quadexport a.quad.h5 -o a.inp
   assert_output --partial '2 names are written in plain letters: "Wand "Boden" <Süd>" as Wand__Boden___S_d_, "---" as _---'
-  run -0 jq -r '.boundaries[] | [.id, .name, .tag] | @tsv' a.names.json
+  run -0 jq -r '.boundaries[] | [.id, .name, .tag] | @tsv' a.inp.names.json
   assert_output $'1\tWand "Boden" <Süd>\tWand__Boden___S_d_\n2\t---\t_---'
   exports
 }
@@ -87,13 +87,14 @@ exports() {
   quadrefine -q --order 3 "$blocks/half_disc.blocks.h5" -o a.quad.h5
   run quadexport a.quad.h5 -o a.re2
   assert_output --partial "sides are stored as parabolas, which moves them by up to"
-  assert_output --partial "0.f00000 contains the geometry of order 3"
-  assert_nothing_left a.quad.h5 a.re2 a0.f00000 a.names.json
+  assert_output --partial "; a0.f00000 contains the geometry of order 3"
+  assert_nothing_left a.quad.h5 a.re2 a0.f00000 a.re2.names.json
+  assert_output --partial "names are stored as numbers, which a.re2.names.json lists"
   run -0 "$compare" re2 a.re2 a.quad.h5
   quadrefine -q --order 1 --geometry-tol 1e-2 "$blocks/half_disc.blocks.h5" -o b.quad.h5
   run quadexport b.quad.h5 -o b.re2
-  assert_output "quadexport: warning W-EXP-001: names are stored as numbers, which .names.json lists"
-  assert_nothing_left a.quad.h5 a.re2 a0.f00000 a.names.json b.quad.h5 b.re2 b.names.json
+  assert_output "quadexport: warning W-EXP-001: names are stored as numbers, which b.re2.names.json lists"
+  assert_nothing_left a.quad.h5 a.re2 a0.f00000 a.re2.names.json b.quad.h5 b.re2 b.re2.names.json
 }
 
 @test "the file's name chooses the format" {
@@ -109,7 +110,6 @@ exports() {
 @test "the readers see what is wrong" {
   quadrefine -q "$blocks/half_disc.blocks.h5" -o a.quad.h5
   for name in a.ism a.inp a.re2 blockMeshDict; do quadexport -q a.quad.h5 -o $name; done
-  cp a.names.json b.names.json
   # spoilt READER FILE SED: a change that the reader must notice
   spoilt() {
     sed -E "$3" "$2" >"b.$1"
@@ -129,9 +129,10 @@ exports() {
   spoilt inp a.inp 's/degree = 4/degree = 5/'
   spoilt foam blockMeshDict 's/\(\(0\.1([0-9]{3})/((0.11\1/'
   spoilt foam blockMeshDict 's/hex \(0 1 2 3 /hex (1 2 3 0 /'
-  spoilt foam blockMeshDict 's/ block_0 / block_1 /'
+  spoilt foam blockMeshDict 's/ domain / block_1 /'
   spoilt foam blockMeshDict 's/^    curve_0$/    curve_2/'
   cp a0.f00000 b0.f00000
+  cp a.re2.names.json b.re2.names.json
   for byte in 20 81 100 500; do
     cp a.re2 b.re2
     printf '\x55' | dd of=b.re2 bs=1 seek=$byte conv=notrunc status=none

@@ -72,7 +72,7 @@ exports() {
   cad2tri -q --boundary-names names.json "$DATA/half_disc.step" | fieldsolve -q | padapt -q -o a.field.h5
   critpoints -q a.field.h5 | separatrix -q a.field.h5 - | blocksplit -q | quadrefine -q -o a.quad.h5
   exports a
-  run -0 jq -r '.boundaries[] | [.id, .name] | @csv' a.names.json
+  run -0 jq -r '.boundaries[] | [.id, .name] | @csv' a.mesh.names.json
   assert_output '1,"Wand & ""Boden"" <Süd>"
 2,"back\slash"'
 }
@@ -80,12 +80,12 @@ exports() {
 @test "MFEM v1.0 says on stderr which names are in the table; the others are silent" {
   quadrefine -q "$blocks/half_disc.blocks.h5" -o a.quad.h5
   run -0 --separate-stderr quadexport a.quad.h5 -o a.mesh
-  [[ $stderr == *"2 boundaries and 4 regions"* ]]
+  [[ $stderr == *"2 boundaries and 1 region"* ]]
   run -0 --separate-stderr quadexport --format mfem13 a.quad.h5 -o b.mesh
   assert_equal "$stderr" ""
   run -0 --separate-stderr quadexport a.quad.h5 -o a.xml
   assert_equal "$stderr" ""
-  assert_nothing_left a.mesh a.names.json a.quad.h5 a.xml b.mesh
+  assert_nothing_left a.mesh a.mesh.names.json a.quad.h5 a.xml b.mesh
 }
 
 @test "--frame 3d: the coordinates of a plane that does not lie level" {
@@ -114,11 +114,11 @@ exports() {
   spoilt nektar a.xml 's/(<V ID="2">)(\S+)/\10.1\2/'
   spoilt nektar a.xml 's/(<V ID="2">\S{8})/\11/'
   spoilt nektar a.xml 's/NAME="curve_1"/NAME="curve_0"/'
-  spoilt nektar a.xml 's/NAME="block_0"> Q\[0-/NAME="block_0"> Q[1-/'
+  spoilt nektar a.xml 's/NAME="domain"> Q\[0-/NAME="domain"> Q[1-/'
   spoilt nektar a.xml 's/(<Q ID="7">)(\S+) (\S+) (\S+) (\S+)</\1\3 \4 \5 \2</'
   spoilt nektar a.xml 's/(<E ID="5">)(\S+) (\S+)</\1\3 \2</'
   spoilt mfem a.mesh 's/^1 3 0 1 2 3$/1 3 1 2 3 0/'
-  spoilt mfem a.mesh 's/^"block_0" 1 1/"block_0" 1 2/'
+  spoilt mfem a.mesh 's/^"domain" 1 1/"domain" 1 2/'
   spoilt mfem a.mesh '/^Ordering/,$ s/^(-?0\.[0-9]{8})/\11/'
   spoilt mfem a.mesh '/^boundary$/,/^bdr/ s/^2 1 (\S+) (\S+)$/2 1 \2 \1/'
   spoilt mfem a.mesh '/^mfem_mesh_end/d'

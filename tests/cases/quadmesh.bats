@@ -76,6 +76,25 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_file_not_exists other.msh
 }
 
+@test "--name names boundary curves without a file, several times" {
+  "$quadmesh" "$DATA/half_disc.step" -o out.msh --name 'the floor=0' --name=roof@0,1
+  run -0 sed -n '/^\$PhysicalNames/,/^\$EndPhysicalNames/s/^1 [0-9]* //p' out.msh
+  assert_output '"the floor"
+"roof"'
+  run -3 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o other.msh --name lid=7
+  [[ $stderr == "cad2tri: --name lid=7: no boundary curve has the number 7; the curves are 0 "* ]] || fail "$stderr"
+  assert_file_not_exists other.msh
+}
+
+@test "--unit converts the mesh, and the line and the report say so" {
+  run -0 "$quadmesh" "$DATA/half_disc.step" -o out.msh --unit m --report out.json
+  assert_output --partial ", coordinates in metre, 0.001 times those of the CAD file"
+  assert_equal "$(jq -r '"\(.unit) \(.scale)"' out.json)" "metre 0.001"
+  run -0 "$quadmesh" "$DATA/half_disc.step" -o out.msh --report out.json
+  refute_output --partial "coordinates"
+  assert_equal "$(jq -r '"\(.unit) \(.scale)"' out.json)" "millimetre 1"
+}
+
 @test "the same shape twice gives the same bytes at every stage" {
   for shape in half_disc plate_hole; do
     "$quadmesh" "$DATA/$shape.step" -o a.msh --workdir a

@@ -95,7 +95,7 @@ def element_mesh(path, n, vertices, elements, curved, names):
 
 def real_names(path):
     """word in the file -> name, where the table beside the file has another one."""
-    table = Path(path).with_suffix(".names.json")
+    table = Path(f"{path}.names.json")
     if not table.exists():
         return {}
     groups = json.loads(table.read_text(encoding="utf-8"))["boundaries"]

@@ -124,7 +124,7 @@ def patches_of(items):
     patches = {}
     for name, body in zip(items[::2], items[1::2]):
         assert body[0] == "type" and body[3] == "faces" and name not in patches
-        assert body[1] == ("empty" if name == "frontAndBack" else "patch")
+        assert body[1] == ("empty" if name == "frontAndBack" else "wall" if name.startswith("wall") else "patch")
         patches[name] = [[int(v) for v in face] for face in body[4]]
     return patches
 

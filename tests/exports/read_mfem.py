@@ -127,6 +127,6 @@ def read(path, _order=None):
 
 
 def names_beside(path):
-    """x.names.json: regions and boundaries by number."""
-    table = json.loads(Path(path).with_suffix(".names.json").read_text(encoding="utf-8"))
+    """x.mesh.names.json: regions and boundaries by number."""
+    table = json.loads(Path(f"{path}.names.json").read_text(encoding="utf-8"))
     return [{group["id"]: group["name"] for group in table[what]} for what in ("regions", "boundaries")]

@@ -52,7 +52,7 @@ def read(path, order):
     for elem, side, numbers, word in file.records():
         assert word == "m       " and numbers[2:] == [0, 0, 0]
         middles[elem, side] = (numbers[0], numbers[1], 0.0)
-    names = {g["id"]: g["name"] for g in json.loads(Path(path).with_suffix(".names.json").read_text())["boundaries"]}
+    names = {g["id"]: g["name"] for g in json.loads(Path(f"{path}.names.json").read_text())["boundaries"]}
     boundaries = {}
     for elem, side, numbers, word in file.records():
         assert word == "MSH     " and (elem, side) not in boundaries

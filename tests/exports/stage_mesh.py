@@ -50,6 +50,8 @@ def mesh_of(file, in_space):
     ids, size = file.numbers("/elem_nodes", "i"), (order + 1) ** 2
     elements = [[nodes[i] for i in ids[e:e + size]] for e in range(0, len(ids), size)]
     block_names, curve_names = file.strings("/block_names"), file.strings("/face/curve_names")
+    for block in file.numbers("/unnamed_blocks", "i"):
+        block_names[block] = "domain"  # all blocks without a name are one region
     edges = zip(*(file.numbers(f"/boundary_edges/{part}", "i") for part in ("elem", "side", "curve")))
     return ElementMesh(
         order, elements,

@@ -27,6 +27,7 @@ class QuadFile:
             self.block = file["elem_block"][:]
             text = lambda values: [v.decode() if isinstance(v, bytes) else v for v in values]
             self.block_names = text(file["block_names"][:])
+            self.unnamed_blocks = set(file["unnamed_blocks"][:])
             names = text(file["face/curve_names"][:])
             self.curve_names = [name or f"curve_{k}" for k, name in enumerate(names)]
             self.sides = list(zip(*(file["boundary_edges/" + key][:] for key in ("elem", "side", "curve"))))
@@ -70,11 +71,12 @@ class QuadFile:
         return lengths
 
     def groups(self):
-        """Number of edges by boundary name, of quads by block name."""
+        """Number of edges by boundary name, of quads by the name of their region."""
         boundaries, regions = {}, {}
         for _, _, curve in self.sides:
             name = self.curve_names[curve]
             boundaries[name] = boundaries.get(name, 0) + 1
         for block in self.block:
-            regions[self.block_names[block]] = regions.get(self.block_names[block], 0) + 1
+            name = "domain" if block in self.unnamed_blocks else self.block_names[block]
+            regions[name] = regions.get(name, 0) + 1
         return boundaries, regions

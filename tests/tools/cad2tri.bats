@@ -154,6 +154,39 @@ curve_names() {
   assert_equal "$(curve_names space.tri.h5)" "$(curve_names plane.tri.h5)"
 }
 
+@test "--name names curves by number, range, pattern and nearest point, and wins over a file" {
+  cad2tri "$DATA/labels.step" --name floor=0,3 --name 'side=wal?s' --name inner@1.1,0.75 -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"floor""outlet""side""floor""inner"'
+  run stagecheck a.tri.h5
+  assert_success
+  echo '{"outlet": "far", "3": "inlet", "*": "wall"}' > names.json
+  cad2tri "$DATA/labels.step" --boundary-names names.json --name '*out=outlet' --name low=3 -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"wall""*out""wall""low""wall"'
+  cad2tri "$DATA/labels.step" --name 'wall=*' --name in=1-2 -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"wall""in""in""wall""wall"'
+  cad2tri "$DATA/bad/tilted.step" --name p@2,2,3 -o a.tri.h5 # a point of the model's space
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"p""curve_1""curve_2""curve_3"'
+}
+
+@test "a --name without a match ends with 3 and lists the curves, a mistaken one with 2" {
+  refused() { # CODE OPTION MESSAGE
+    run cad2tri "$DATA/labels.step" --name "$2" -o a.tri.h5
+    assert_failure "$1"
+    assert_output --partial "cad2tri: --name $2: $3"
+  }
+  refused 3 'x=edge_*' 'no boundary curve has the name edge_*; the curves are 0 "Zufluß", 1 "outlet"'
+  refused 3 x=5 'no boundary curve has the number 5; the curves are 0 "Zufluß", 1 "outlet"'
+  refused 3 x@2,0 '(2, 0) is equally near to the curves 0 "Zufluß" and 1 "outlet"'
+  refused 3 x@3,0.5 '(3, 0.5) lies 1 away from the boundary'
+  refused 2 x 'expected NAME=LIST'
+  refused 2 x=1,,2 'an item of the list is empty'
+  refused 2 x@1 'a point is X,Y or X,Y,Z'
+  run cad2tri "$DATA/labels.step" --name x=1 --name y=outlet -o a.tri.h5
+  assert_failure 3
+  assert_output --partial '--name y=outlet names curve 1, as --name x=1 does: "y" or "x"?'
+  assert_nothing_left
+}
+
 @test "names that fit no curve, several, or one twice end with 3 and say where" {
   refused() {
     echo "$1" > names.json

@@ -24,10 +24,29 @@ setup() {
 
 @test "names boundaries and blocks" {
   quadexport "$quad" -o a.msh
-  run grep -c '^2 [0-9]* "block_' a.msh
-  assert_output 4
+  run grep '^2 [0-9]* "' a.msh
+  assert_output '2 3 "domain"'
   run grep -c '^1 [0-9]* "' a.msh
   assert_output 2
+}
+
+@test "--block-groups writes each block without a name as a region of its own" {
+  quadexport --block-groups "$quad" -o a.msh
+  assert_equal "$(grep -c '^2 [0-9]* "block_[0-3]"' a.msh)" 4
+  quadexport --block-groups --format mfem13 "$quad" -o a.mesh
+  assert_equal "$(grep -c '^"block_[0-3]" 1 [1-4]$' a.mesh)" 4
+  quadexport --block-groups "$quad" -o a.xml
+  assert_equal "$(grep -c 'NAME="block_[0-3]"> Q' a.xml)" 4
+  quadexport -q --block-groups "$quad" -o blockMeshDict
+  assert_equal "$(grep -oE 'hex .*\) block_[0-9]+ ' blockMeshDict | wc -l)" "$(grep -c '^    hex' blockMeshDict)"
+  run quadexport --block-groups "$quad" -o a.re2
+  assert_output --partial '4 region names are not stored'
+  # Named blocks keep their names, with the option and without.
+  echo '[{"id": 1, "name": "core"}]' >names.json
+  blocksplit --block-names names.json <(jq . "$BATS_FILE_TMPDIR/half_disc.sep.json") | quadrefine --size 0.5 -o b.quad.h5
+  regions() { quadexport "$@" b.quad.h5 | sed -nE 's/^2 [0-9]+ "(.*)"$/\1/p' | tr '\n' ' '; }
+  assert_equal "$(regions)" 'domain core '
+  assert_equal "$(regions --block-groups)" 'block_0 core block_2 block_3 '
 }
 
 @test "MSH 2.2 is there for those who ask" {
@@ -36,7 +55,7 @@ setup() {
   assert_output ""
   run sed -n 2p a.msh
   assert_output "2.2 0 8"
-  assert_equal "$(grep -c '^2 [0-9]* "block_' a.msh)" 4
+  assert_equal "$(grep -c '^2 [0-9]* "domain"' a.msh)" 1
 }
 
 @test "VTU has its curves in a second file, which standard output leaves out" {
@@ -100,6 +119,104 @@ setup() {
   assert_output "ISO-10303-21;"
   quadexport --format step < "$blocks" > b.step
   cmp a.step b.step
+}
+
+# scaled FACTOR A B: every number of B is FACTOR times that of A, or, where it is no length, the same.
+scaled() {
+  python3 - "$@" <<'PYTHON'
+import re, sys
+factor = float(sys.argv[1])
+a, b = (re.split(r"[^0-9eE.+-]+", open(path).read()) for path in sys.argv[2:])
+assert len(a) == len(b)
+def number(text):
+    try: return float(text)
+    except ValueError: return 0
+lengths = 0
+for x, y in zip(a, b):
+    if x != y:
+        assert abs(number(y) - factor * number(x)) <= 1e-14 * abs(number(y)), (x, y)
+        lengths += 1
+assert lengths > 100, lengths
+PYTHON
+}
+
+@test "--unit and --scale change the coordinates of every format, and the report says so" {
+  for format in msh msh22 nektar mfem13 ism-v2 inp; do
+    quadexport -q --format $format "$quad" -o a.out
+    quadexport -q --format $format --unit m "$quad" -o b.out --report b.json
+    scaled 0.001 a.out b.out
+    quadexport -q --format $format --unit m --scale 1000 "$quad" -o c.out
+    cmp a.out c.out
+    assert_equal "$(jq -r '"\(.unit) \(.scale)"' b.json)" "metre 0.001"
+  done
+  run quadexport -v --format mfem13 --scale 2 "$quad" -o a.out --report a.json
+  assert_output --partial "quadexport: coordinates in an unknown unit, 2 times those of the CAD file"
+  assert_equal "$(jq -r '"\(.unit) \(.scale)"' a.json)" "unknown 2"
+  run quadexport -v --format mfem13 "$quad" -o a.out
+  assert_output "quadexport: coordinates in millimetre, as in the CAD file"
+  # OpenFOAM converts to metres itself, unless the unit is not known.
+  scale_of() { quadexport -q --format blockmesh "$@" "$quad" | sed -n 's/^scale //p'; }
+  assert_equal "$(scale_of) $(scale_of --unit m) $(scale_of --unit in) $(scale_of --scale 0.001)" "0.001; 1; 0.0254; 1;"
+}
+
+@test "--unit and --scale change a STEP model" {
+  quadexport "$blocks" -o a.step
+  quadexport --unit in "$blocks" -o b.step
+  quadexport --scale 2 "$blocks" -o c.step
+  diameter() { cad2tri --face 0 "$1" -q -o a.tri.h5 --report a.json && jq -r '"\(.face.length_unit) \(.face.diameter)"' a.json; }
+  read -r _ a <<<"$(diameter a.step)"
+  run -0 diameter b.step
+  assert_regex "$output" '^inch '
+  run -0 awk -v a="$a" '{ print ($2 * 25.4 / a - 1) ^ 2 < 1e-16 }' <<<"$output"
+  assert_output 1
+  run -0 diameter c.step
+  assert_regex "$output" '^millimetre '
+  run -0 awk -v a="$a" '{ print ($2 / 2 / a - 1) ^ 2 < 1e-16 }' <<<"$output"
+  assert_output 1
+}
+
+@test "--unit needs the unit of the CAD file" {
+  cad2tri "$DATA/square.step" --write-healed square.brep -o a.tri.h5
+  cad2tri square.brep | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints a.field.h5 | separatrix a.field.h5 - | blocksplit | quadrefine --size 0.5 -o a.quad.h5
+  run quadexport --unit m a.quad.h5 -o a.msh
+  assert_failure 2
+  assert_output --partial "--unit m: the CAD file states no length unit: give the factor by --scale instead"
+  quadexport --scale 0.001 a.quad.h5 -o a.msh
+  run quadexport --unit parsec a.quad.h5 -o b.msh
+  assert_failure 2
+  run quadexport --scale 0 a.quad.h5 -o b.msh
+  assert_failure 2
+}
+
+@test "--patch-type sets the types of OpenFOAM's patches, which names decide otherwise" {
+  cad2tri "$DATA/half_disc.step" --name Walls=0 --name symmetry=1 -q | fieldsolve -q | padapt -q -o a.field.h5
+  critpoints a.field.h5 | separatrix a.field.h5 - | blocksplit | quadrefine --order 1 --size 0.5 --geometry-tol 1 -o a.quad.h5
+  types() { quadexport -q "$@" a.quad.h5 -o blockMeshDict && sed -n 's/^        type //p' blockMeshDict | tr -d '\n'; }
+  assert_equal "$(types)" "wall;symmetry;empty;"
+  assert_equal "$(types --patch-type 'W*=patch' --patch-type symmetry=symmetryPlane)" "patch;symmetryPlane;empty;"
+  run quadexport a.quad.h5 --patch-type lid=wall -o blockMeshDict
+  assert_failure 2
+  assert_output --partial "--patch-type lid=wall: no boundary has this name; the boundaries are Walls, symmetry"
+  run quadexport a.quad.h5 --patch-type Walls=cyclic -o blockMeshDict
+  assert_failure 2
+  run quadexport a.quad.h5 --patch-type Walls=wall -o a.msh
+  assert_failure 2
+  assert_output --partial "--patch-type: boundaries have no types in the format msh"
+  run quadexport nowhere.quad.h5 --patch-type Walls=wall -o a.msh # refused before the mesh is read
+  assert_failure 2
+  run quadexport "$blocks" --patch-type Walls=wall -o a.step
+  assert_failure 2
+}
+
+@test "tables of names beside two meshes do not overwrite each other, and messages have their paths" {
+  mkdir x.d
+  run -0 quadexport "$quad" -o x.d/a.re2
+  assert_output --partial "names are stored as numbers, which x.d/a.re2.names.json lists"
+  refute_output --partial " 0.f00000"
+  run -0 quadexport "$quad" -o x.d/a.mesh
+  assert_output --partial "their names are in x.d/a.mesh.names.json"
+  assert_equal "$(ls x.d | tr '\n' ' ')" "a.mesh a.mesh.names.json a.re2 a.re2.names.json a0.f00000 "
 }
 
 @test "an unknown ending ends with 2" {

@@ -60,6 +60,19 @@ shown() { grep -cE "$1" a.svg; }
   assert_file_not_exists b.svg
 }
 
+@test "--curve-labels writes number and name beside each boundary curve, without overlaps" {
+  cad2tri "$DATA/gear_filleted.step" --name inlet=0 --name 'the hole=36' -o gear.tri.h5
+  run -0 stageview gear.tri.h5 --curve-labels -o a.svg
+  assert_output ''
+  xmllint --noout a.svg
+  assert_equal "$(grep -oP '(?<=class="label")[^>]*>\K[0-9]+' a.svg | sort -n | tr '\n' ' ')" "$(echo {0..36}) "
+  assert_equal "$(shown '>0 inlet<')$(shown '>36 the hole<')" 11
+  stageview gear.tri.h5 -o plain.svg
+  run ! grep -q 'class="label"' plain.svg
+  run -2 stageview "$X.quad.h5" --curve-labels -o b.svg
+  assert_output --partial "--curve-labels needs a tri-mesh file"
+}
+
 @test "what is no stage file is refused with exit 3" {
   run -3 stageview "$DATA/half_disc.step" -o a.svg
   assert_output --regexp '^stageview: .*half_disc.step'
@@ -78,6 +91,6 @@ shown() { grep -cE "$1" a.svg; }
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 3
+  assert_equal "$(wc -l <examples)" 4
   while read -r line; do run -0 bash -c "$line"; done <examples
 }

@@ -46,5 +46,37 @@ TEST(NameText, names_are_one_trimmed_line) {
   EXPECT_EQ(clean_name("W\xC3\xA4nde aus \xE9\x8B\xBC"), "W\xC3\xA4nde aus \xE9\x8B\xBC");
 }
 
+TEST(Wildcard, TextsWithoutWildCardsFitThemselves) {
+  EXPECT_TRUE(matches_wildcard("wall", "wall"));
+  EXPECT_FALSE(matches_wildcard("wall", "Wall"));
+  EXPECT_FALSE(matches_wildcard("wall", "wal"));
+  EXPECT_FALSE(matches_wildcard("wall", "walls"));
+  EXPECT_TRUE(matches_wildcard("", ""));
+  EXPECT_FALSE(matches_wildcard("", "a"));
+}
+
+TEST(Wildcard, AStarIsAnyText) {
+  EXPECT_TRUE(matches_wildcard("edge_12", "edge_*"));
+  EXPECT_TRUE(matches_wildcard("edge_", "edge_*"));
+  EXPECT_TRUE(matches_wildcard("", "**"));
+  EXPECT_TRUE(matches_wildcard("a_b_b_c", "a*b_c"));
+  EXPECT_TRUE(matches_wildcard("aXbYc", "*X*Y*"));
+  EXPECT_FALSE(matches_wildcard("aYbXc", "*X*Y*"));
+  EXPECT_FALSE(matches_wildcard("edge_1", "*_2"));
+}
+
+TEST(Wildcard, AQuestionMarkIsOneCharacter) {
+  EXPECT_TRUE(matches_wildcard("e1", "e?"));
+  EXPECT_TRUE(matches_wildcard("eß", "e?")) << "of two bytes";
+  EXPECT_FALSE(matches_wildcard("e", "e?"));
+  EXPECT_FALSE(matches_wildcard("e12", "e?"));
+  EXPECT_TRUE(matches_wildcard("ßß_1", "*?_1"));
+}
+
+TEST(Wildcard, ManyStarsAreCheap) {
+  const std::string text(2000, 'a');
+  EXPECT_FALSE(matches_wildcard(text, "*a*a*a*a*a*a*a*a*a*a*b"));
+}
+
 }  // namespace
 }  // namespace quadrille

@@ -5,6 +5,7 @@
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "cad/name_options.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::cad {
@@ -97,6 +98,44 @@ TEST(RenameCurves, TwoRulesForOneCurveAreRefused) {
     EXPECT_NE(std::string(e.what()).find("names curve 1, as n: entry 0 does"), std::string::npos) << e.what();
   }
   EXPECT_EQ(face.curve_names, (Names{"axis", "arc", "arc"})) << "all or nothing";
+}
+
+/// Names by --name in a half disc, whose names a file may have changed by `rules`.
+Names named(const std::vector<std::string>& options, const std::vector<NameRule>& rules = {}) {
+  CadFace face = half_disc();
+  rename_curves(face, rules, name_option_rules(options));
+  return face.curve_names;
+}
+
+TEST(RenameCurves, ByOptionsWithNumbersRangesPatternsAndPoints) {
+  EXPECT_EQ(named({"hole=2"}), (Names{"axis", "arc", "hole"}));
+  EXPECT_EQ(named({"wall=0,1-2"}), (Names{"wall", "wall", "wall"}));
+  EXPECT_EQ(named({"wall=a?c,1"}), (Names{"axis", "wall", "wall"}));
+  EXPECT_EQ(named({"wall=*", "hole@100.6,0.7"}), (Names{"wall", "hole", "wall"}));
+  EXPECT_EQ(named({"wall=1", "wall=arc"}), (Names{"axis", "wall", "wall"})) << "twice, but equal";
+}
+
+TEST(RenameCurves, OptionsWinOverAFileAndMeanTheSameOldNames) {
+  const NameRule arc{Kind::old_name, "arc", -1, {}, "axis", "n: 0"};
+  const NameRule rest{Kind::rest, "", -1, {}, "other", "n: 1"};
+  EXPECT_EQ(named({"top=1"}, {arc, rest}), (Names{"other", "top", "axis"}));
+  EXPECT_EQ(named({"top=axis"}, {arc}), (Names{"top", "axis", "axis"}));
+  EXPECT_EQ(named({"top=*"}, {arc, rest}), (Names{"top", "axis", "axis"}));
+}
+
+TEST(RenameCurves, OptionsWithoutAMatchListWhatExists) {
+  const auto message = [](const std::string& option) { return message_of<FormatError>([&] { named({option}); }); };
+  EXPECT_EQ(message("x=edge_*"),
+            "--name x=edge_*: no boundary curve has the name edge_*; the curves are 0 \"axis\", 1 \"arc\", 2 \"arc\"");
+  EXPECT_EQ(message("x=1-3"),
+            "--name x=1-3: no boundary curve has the number 3; the curves are 0 \"axis\", 1 \"arc\", 2 \"arc\"");
+  EXPECT_EQ(message("x@100,1.5"),
+            "--name x@100,1.5: (100, 1.5) lies 0.5 away from the boundary, whose diameter is 2 (at most 0.1 of it)");
+  EXPECT_EQ(message("x@101,0"), "--name x@101,0: (101, 0) is equally near to the curves 0 \"axis\" and 1 \"arc\"");
+  EXPECT_EQ(message_of<FormatError>([] {
+              named({"x=1", "y=arc"});
+            }),
+            "--name y=arc names curve 1, as --name x=1 does: \"y\" or \"x\"?");
 }
 
 heal::RawEdge edge(const std::string& name, const std::string& layer, const std::string& colour) {

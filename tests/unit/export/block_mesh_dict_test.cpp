@@ -54,7 +54,7 @@ boundary
 (
     wall
     {
-        type patch;
+        type wall;
         faces
         (
             (0 1 7 6)

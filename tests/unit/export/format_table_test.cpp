@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "export/scale_mesh.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -32,21 +33,36 @@ TEST(FormatTable, AFormatIsFoundByNameAndByEnding) {
 
 TEST(FormatTable, EveryFormatWritesAMeshThatItSupports) {
   for (const ExportFormat& format : export_formats())
-    EXPECT_FALSE(export_mesh(two_straight_quads(), format, false).bytes.empty()) << format.name;
+    EXPECT_FALSE(export_mesh(two_straight_quads(), format).bytes.empty()) << format.name;
 }
 
 TEST(FormatTable, AnOrderOrFrameThatAFormatDoesNotSupportIsRefused) {
   QuadMesh mesh = two_quads();
   mesh.order = 11;
   try {
-    export_mesh(mesh, *find_export_format("msh"), false);
+    export_mesh(mesh, *find_export_format("msh"));
     FAIL();
   } catch (const ComputeError& e) {
     EXPECT_STREQ(e.what(),
                  "the format msh supports quads up to order 10, this mesh has order 11: refine with a lower --order");
   }
-  EXPECT_THROW(export_mesh(two_straight_quads(), *find_export_format("re2"), true), UsageError);
-  EXPECT_NO_THROW(export_mesh(two_straight_quads(), *find_export_format("msh"), true));
+  EXPECT_THROW(export_mesh(two_straight_quads(), *find_export_format("re2"), {.in_space = true}), UsageError);
+  EXPECT_NO_THROW(export_mesh(two_straight_quads(), *find_export_format("msh"), {.in_space = true}));
+}
+
+TEST(FormatTable, EveryFormatObeysUnitAndScale) {
+  QuadMesh mesh = two_straight_quads();
+  mesh.face.length_unit = "millimetre", mesh.face.metres_per_unit = 0.001;
+  QuadMesh doubled = mesh;
+  scale_mesh(doubled, {2, "unknown", 0});
+  for (const ExportFormat& format : export_formats()) {
+    const Exported whole = export_mesh(mesh, format), scaled = export_mesh(mesh, format, {.length = {"file", 2}});
+    EXPECT_NE(scaled.bytes, whole.bytes) << format.name;
+    EXPECT_EQ(scaled.bytes, export_mesh(doubled, format).bytes) << format.name;
+    EXPECT_EQ(scaled.length.factor, 2);
+    EXPECT_EQ(export_mesh(mesh, format, {.length = {"mm"}}).bytes, whole.bytes) << format.name;
+    EXPECT_EQ(export_mesh(mesh, format, {.length = {"m"}}).length.unit, "metre");
+  }
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ $PhysicalNames
 1 1 "wall"
 1 2 "out'let'"
 1 3 "curve_3"
-2 4 "block_0"
+2 4 "domain"
 $EndPhysicalNames
 $Nodes
 4

@@ -20,5 +20,28 @@ TEST(Groups, BlocksOfOneNameAreOneRegion) {
   EXPECT_EQ(groups.block2region, (std::vector<int>{0, 0}));
 }
 
+TEST(Groups, BlocksWithoutANameAreOneRegion) {
+  QuadMesh mesh = two_quads();
+  mesh.unnamed_blocks = {0, 1};
+  EXPECT_EQ(mesh_groups(mesh).region_names, std::vector<std::string>{"domain"});
+  EXPECT_EQ(mesh_groups(mesh).is_region_named, std::vector<bool>{false});
+  mesh.unnamed_blocks = {0};
+  mesh.block_names[1] = "domain";
+  EXPECT_EQ(mesh_groups(mesh).region_names, (std::vector<std::string>{"domain_", "domain"}));
+  EXPECT_EQ(mesh_groups(mesh).is_region_named, (std::vector<bool>{false, true}));
+}
+
+TEST(Groups, SeparatedBlocksKeepNamesOfTheirOwn) {
+  QuadMesh mesh = two_quads();
+  mesh.face.name = "left";
+  separate_blocks(mesh);
+  EXPECT_EQ(mesh_groups(mesh).region_names, (std::vector<std::string>{"block_0", "right"}));
+  mesh = two_quads();
+  mesh.unnamed_blocks = {0, 1};
+  separate_blocks(mesh);
+  EXPECT_EQ(mesh_groups(mesh).region_names, (std::vector<std::string>{"block_0", "block_1"}));
+  EXPECT_EQ(mesh_groups(mesh).is_region_named, (std::vector<bool>{true, true}));
+}
+
 }  // namespace
 }  // namespace quadrille::exports

@@ -88,6 +88,7 @@ TEST(Vtu, NodesOfAQuadComeInVtkSequence) {
 TEST(Vtu, CellDataAreThoseOfTheMesh) {
   QuadMesh mesh = refined(hand_made::l_shape(), {0.5, 2, 5e-7});
   mesh.block_names = {"solid", "fluid", "solid"};
+  mesh.unnamed_blocks.clear();
   const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
   EXPECT_EQ(values<int>(text, "block_id"), mesh.elem_block);
   EXPECT_EQ(values<double>(text, "least_scaled_jacobian"), mesh.elem_scaled_jacobian);
@@ -149,7 +150,7 @@ TEST(Vtu, BezierHasItsTypesAndCorners) {
 TEST(Vtu, FrameInSpaceIsWritten) {
   QuadMesh mesh = refined(hand_made::unit_square(), {1, 1, 5e-7});
   mesh.face.plane_origin = {0, 0, 5}, mesh.face.plane_x = {0, 1, 0}, mesh.face.plane_y = {0, 0, 1};
-  const auto points = values<double>(export_mesh(mesh, *find_export_format("vtu"), true).bytes, "Points");
+  const auto points = values<double>(export_mesh(mesh, *find_export_format("vtu"), {.in_space = true}).bytes, "Points");
   EXPECT_EQ(std::vector<double>(points.begin(), points.begin() + 6), (std::vector<double>{0, 0, 5, 0, 1, 5}));
 }
 

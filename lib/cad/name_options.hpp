@@ -1,0 +1,20 @@
+#pragma once
+// The option --name of cad2tri (formats/boundary-names.md, "On the command line"): names of boundary curves without a
+// file.
+
+#include <string>
+#include <vector>
+
+#include "model/name_rules.hpp"
+
+namespace quadrille::cad {
+
+/// The greatest distance of a point of --name from its curve, in diameters: a point farther away was taken from another
+/// picture, or is in another unit.
+constexpr double max_option_distance = 0.1;
+
+/// One rule for each item of "NAME=LIST", a list of numbers, ranges a-b, names and patterns (base/name_text), or for
+/// "NAME@X,Y[,Z]". The list "*" is the rest. Throws UsageError, with the option, for anything else.
+std::vector<NameRule> name_option_rules(const std::vector<std::string>& options);
+
+}  // namespace quadrille::cad

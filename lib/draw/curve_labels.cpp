@@ -1,0 +1,184 @@
+#include "draw/curve_labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "curve/nurbs.hpp"
+#include "draw/marks.hpp"
+
+namespace quadrille::draw {
+namespace {
+
+// Pixels.
+constexpr double font_size = 13, box_height = 16, padding = 6, ink_step = 3;
+constexpr double shortest_leader = 16;  ///< labels nearer than this to their curve need no line
+constexpr double side_room = 33, room_above = 16, room_below = 46;  ///< beside the drawing that labels may use
+
+struct Box {
+  Vec2 centre, half;
+
+  bool holds(Vec2 x) const { return std::abs(x.x - centre.x) < half.x && std::abs(x.y - centre.y) < half.y; }
+  bool overlaps(const Box& b) const {
+    return std::abs(b.centre.x - centre.x) < half.x + b.half.x && std::abs(b.centre.y - centre.y) < half.y + b.half.y;
+  }
+};
+
+/// Points of a curve in the picture, at most ink_step apart, and the distance to each along the curve.
+struct Trace {
+  std::vector<Vec2> points;
+  std::vector<double> lengths;
+
+  Trace(const Picture& picture, const Nurbs& curve) {
+    constexpr int num_pieces = 64;
+    for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
+      for (int i = 0; i <= num_pieces && curve.knots[k] < curve.knots[k + 1]; ++i)
+        add(picture.at(curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / double{num_pieces}))));
+    if (points.empty()) add(picture.at(curve.poles.front()));  // a curve without length
+  }
+
+  double length() const { return lengths.back(); }
+
+  void add(Vec2 x) {
+    const double step = points.empty() ? 0 : distance(points.back(), x);
+    const int num_steps = std::max(1, static_cast<int>(std::ceil(step / ink_step)));
+    const Vec2 from = points.empty() ? x : points.back();
+    const double before = lengths.empty() ? 0 : lengths.back();
+    for (int i = 1; i <= num_steps; ++i) {
+      const double part = i / static_cast<double>(num_steps);
+      points.push_back(from + part * (x - from));
+      lengths.push_back(before + part * step);
+    }
+  }
+
+  std::size_t at(double fraction) const {
+    const auto found = std::lower_bound(lengths.begin(), lengths.end(), fraction * length());
+    return std::min(static_cast<std::size_t>(found - lengths.begin()), points.size() - 1);
+  }
+
+  Vec2 tangent(std::size_t i) const {
+    std::size_t from = i > 0 ? i - 1 : 0, to = std::min(i + 1, points.size() - 1);
+    while (to + 1 < points.size() && !(distance(points[from], points[to]) > 0)) ++to;
+    while (from > 0 && !(distance(points[from], points[to]) > 0)) --from;
+    return distance(points[from], points[to]) > 0 ? normalized(points[to] - points[from]) : Vec2{1, 0};
+  }
+};
+
+struct Place {
+  Vec2 foot;  ///< on the curve
+  Box box;
+  bool has_leader = false;
+
+  /// The point of the box that is nearest to the foot.
+  Vec2 leader_end() const {
+    const Vec2 low = box.centre - box.half, high = box.centre + box.half;
+    return {std::clamp(foot.x, low.x, high.x), std::clamp(foot.y, low.y, high.y)};
+  }
+};
+
+class Labels {
+ public:
+  Labels(Picture& picture, const CadFace& face) : picture_(picture) {
+    for (const Nurbs& curve : face.curves) traces_.emplace_back(picture, curve);
+    for (const Trace& trace : traces_) ink_.insert(ink_.end(), trace.points.begin(), trace.points.end());
+  }
+
+  /// Curves from the shortest to the longest, which has the most places.
+  std::vector<int> ascending() const {
+    std::vector<int> order(traces_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return traces_[a].length() < traces_[b].length(); });
+    return order;
+  }
+
+  /// Writes the text at the first free place beside the curve; false if there is none.
+  bool write(int curve, const std::string& text) {
+    const std::optional<Place> place = free_place(traces_[curve], text);
+    if (!place) return false;
+    if (place->has_leader) draw_leader(*place);
+    boxes_.push_back(place->box);
+    picture_.text(place->box.centre, "label", text);
+    return true;
+  }
+
+ private:
+  std::optional<Place> free_place(const Trace& trace, const std::string& text) const {
+    const Vec2 half{0.5 * (text_width(text, font_size) + padding), 0.5 * box_height};
+    for (const double gap : {7.0, 12.0, 24.0, 40.0, 60.0, 85.0, 115.0, 150.0})
+      for (const double fraction : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9})
+        for (const double side : {-1.0, 1.0})  // the face is on the left
+          for (const double turn : {0.0, 0.6, -0.6}) {
+            const std::size_t i = trace.at(fraction);
+            const Vec2 normal = side * left_of(trace.tangent(i));
+            const Vec2 away = std::cos(turn) * normal + std::sin(turn) * left_of(normal);
+            const double reach = half.x * std::abs(away.x) + half.y * std::abs(away.y);
+            const Place place{trace.points[i], {trace.points[i] + (gap + reach) * away, half}, gap > shortest_leader};
+            if (is_free(place)) return place;
+          }
+    return std::nullopt;
+  }
+
+  bool is_free(const Place& place) const {
+    const Box& box = place.box;
+    const Vec2 size = picture_.size();
+    if (box.centre.x - box.half.x < -side_room || box.centre.x + box.half.x > size.x + side_room ||
+        box.centre.y - box.half.y < -room_below || box.centre.y + box.half.y > size.y + room_above)
+      return false;
+    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& b) { return b.overlaps(box); })) return false;
+    if (std::any_of(ink_.begin(), ink_.end(), [&](Vec2 x) { return box.holds(x); })) return false;
+    if (!place.has_leader) return true;
+    const std::vector<Vec2> leader = leader_points(place);
+    return std::none_of(boxes_.begin(), boxes_.end(), [&](const Box& b) {
+      return std::any_of(leader.begin(), leader.end(), [&](Vec2 x) { return b.holds(x); });
+    });
+  }
+
+  static std::vector<Vec2> leader_points(const Place& place) {
+    const Vec2 end = place.leader_end();
+    const int count = 1 + static_cast<int>(distance(place.foot, end) / ink_step);
+    std::vector<Vec2> points;
+    for (int i = 0; i <= count; ++i)
+      points.push_back(place.foot + (i / static_cast<double>(count)) * (end - place.foot));
+    return points;
+  }
+
+  void draw_leader(const Place& place) {
+    const std::vector<Vec2> points = leader_points(place);
+    PathData path;
+    path.move_to(points.front());
+    path.line_to(points.back());
+    picture_.add(svg_element("path", {{"class", "edge"}, {"d", path.str()}}));
+    ink_.insert(ink_.end(), points.begin(), points.end() - 1);
+  }
+
+  Picture& picture_;
+  std::vector<Trace> traces_;
+  std::vector<Vec2> ink_;  ///< points of the boundary and of the lines that labels must not cover
+  std::vector<Box> boxes_;
+};
+
+void draw_joints(Picture& picture, const CadFace& face) {
+  for (const Joint& joint : face.joints)
+    if (!joint.is_corner) picture.add(circle_mark("dot", picture.at(joint.position), 3, "end of a boundary curve"));
+}
+
+}  // namespace
+
+int label_curves(Picture& picture, const CadFace& face) {
+  draw_joints(picture, face);
+  Labels labels(picture, face);
+  int num_omitted = 0;
+  for (const int c : labels.ascending()) {
+    const std::string number = fmt::format("{}", c);
+    const bool is_named = face.has_given_name(c) && !face.curve_names[c].empty();
+    const bool is_written = is_named && labels.write(c, number + ' ' + face.curve_names[c]);
+    if (!is_written && !labels.write(c, number)) ++num_omitted;
+  }
+  return num_omitted;
+}
+
+}  // namespace quadrille::draw

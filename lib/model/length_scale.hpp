@@ -1,0 +1,81 @@
+#pragma once
+// Changes the unit, or the size, of what a stage file has: all positions and lengths are multiplied by one factor.
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "model/arc_graph.hpp"
+
+namespace quadrille {
+
+struct LengthUnit {
+  std::string_view symbol;  ///< for --unit
+  std::string_view name;    ///< as in CadFace::length_unit
+  double metres;
+};
+
+inline constexpr std::array<LengthUnit, 8> length_units{{{"m", "metre", 1},
+                                                         {"cm", "centimetre", 1e-2},
+                                                         {"mm", "millimetre", 1e-3},
+                                                         {"um", "micrometre", 1e-6},
+                                                         {"nm", "nanometre", 1e-9},
+                                                         {"km", "kilometre", 1e3},
+                                                         {"in", "inch", 0.0254},
+                                                         {"ft", "foot", 0.3048}}};
+
+/// What a user asks of written coordinates.
+struct ScaleRequest {
+  std::string unit = "file";  ///< symbol of a length unit; "file": that of the CAD file
+  double scale = 1;           ///< > 0; a further factor
+  bool keeps_unit = false;    ///< a scale without a unit enlarges the shape; else its numbers have no known unit
+};
+
+/// Coordinates are multiplied by `factor`, which gives numbers in `unit`.
+struct LengthScale {
+  double factor = 1;
+  std::string unit = "unknown";  ///< "metre", ...
+  double metres_per_unit = 0;    ///< 0: unknown
+};
+
+/// The factor for a face in its own unit, rounded to 15 digits, so that an inch is 25.4 mm. Throws UsageError if a unit
+/// is requested of a face whose own is unknown.
+inline LengthScale length_scale(const CadFace& face, const ScaleRequest& request) {
+  LengthScale result{request.scale, face.length_unit, face.metres_per_unit};
+  for (const LengthUnit& unit : length_units) {
+    if (unit.symbol != request.unit) continue;
+    if (!(face.metres_per_unit > 0))
+      throw UsageError("--unit " + request.unit +
+                       ": the CAD file states no length unit: give the factor by --scale instead");
+    std::array<char, 40> digits{};
+    std::snprintf(digits.data(), digits.size(), "%.15g", request.scale * face.metres_per_unit / unit.metres);
+    return {std::strtod(digits.data(), nullptr), std::string(unit.name), unit.metres};
+  }
+  if (request.scale != 1 && !request.keeps_unit) result.unit = "unknown", result.metres_per_unit = 0;
+  return result;
+}
+
+inline void scale_lengths(CadFace& face, const LengthScale& scale) {
+  const double factor = scale.factor;
+  face.length_unit = scale.unit;
+  face.metres_per_unit = scale.metres_per_unit;
+  for (double& x : face.plane_origin) x *= factor;
+  face.origin = factor * face.origin;
+  face.fit_distance *= factor;
+  face.diameter *= factor;
+  for (Nurbs& curve : face.curves)
+    for (Vec2& pole : curve.poles) pole = factor * pole;
+  for (Joint& joint : face.joints) joint.position = factor * joint.position;
+}
+
+inline void scale_lengths(ArcGraph& graph, const LengthScale& scale) {
+  scale_lengths(graph.face, scale);
+  for (Nurbs& curve : graph.splines)
+    for (Vec2& pole : curve.poles) pole = scale.factor * pole;
+  for (GraphNode& node : graph.nodes) node.position = scale.factor * node.position;
+}
+
+}  // namespace quadrille

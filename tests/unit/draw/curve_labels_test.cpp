@@ -1,0 +1,98 @@
+#include "draw/curve_labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "../support/texts.hpp"
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille::draw {
+namespace {
+
+/// A regular polygon of radius 1; curve 0 is called `name`, the others by their numbers.
+CadFace polygon(int num_sides, const std::string& name) {
+  CadFace face;
+  for (int k = 0; k < num_sides; ++k) {
+    const auto corner = [&](int i) { return unit(2 * pi * (i % num_sides) / num_sides); };
+    face.curves.push_back(curve::segment(corner(k), corner(k + 1)));
+    Joint joint;
+    joint.position = corner(k), joint.is_corner = k % 2 == 0;
+    face.joints.push_back(joint);
+    face.curve_names.push_back(k == 0 ? name : "curve_" + std::to_string(k));
+    if (k > 0) face.unnamed_curves.push_back(k);
+  }
+  face.loop_offsets = {0, num_sides};
+  face.diameter = 2;
+  return face;
+}
+
+struct Label {
+  double x, y, width;
+  std::string text;
+};
+
+struct Drawn {
+  std::vector<Label> labels;
+  int num_omitted = 0, num_lines = 0, num_joints = 0;
+};
+
+Drawn drawn(const CadFace& face, int width) {
+  DrawOptions options;
+  options.width = width;
+  Picture picture(bounding_box(face), options, "", "");
+  Drawn result;
+  result.num_omitted = label_curves(picture, face);
+  const std::string svg = picture.str();
+  result.num_lines = count(svg, "class=\"edge\""), result.num_joints = count(svg, "class=\"dot\"");
+  const std::regex text(R"re(<text class="label" x="([^"]*)" y="([^"]*)">([^<]*)</text>)re");
+  for (std::sregex_iterator m(svg.begin(), svg.end(), text), end; m != end; ++m)
+    result.labels.push_back({std::stod((*m)[1]), std::stod((*m)[2]), text_width((*m)[3], 13), (*m)[3]});
+  return result;
+}
+
+void expect_no_overlap(const std::vector<Label>& labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Label &a = labels[i], &b = labels[k];
+      EXPECT_TRUE(std::abs(a.x - b.x) >= 0.5 * (a.width + b.width) || std::abs(a.y - b.y) >= 13)
+          << a.text << " and " << b.text;
+    }
+}
+
+TEST(CurveLabels, EachCurveHasItsNumberAndGivenName) {
+  const Drawn d = drawn(polygon(8, "inlet"), 600);
+  ASSERT_EQ(d.labels.size(), 8);
+  EXPECT_EQ(d.num_omitted, 0);
+  EXPECT_EQ(d.num_lines, 0) << "there is room beside each curve";
+  EXPECT_EQ(d.num_joints, 4) << "the others are corners";
+  std::vector<std::string> texts;
+  for (const Label& label : d.labels) texts.push_back(label.text);
+  std::sort(texts.begin(), texts.end());
+  EXPECT_EQ(texts, (std::vector<std::string>{"0 inlet", "1", "2", "3", "4", "5", "6", "7"}));
+  expect_no_overlap(d.labels);
+}
+
+TEST(CurveLabels, CrowdedCurvesGetLinesAndNoOverlap) {
+  const Drawn d = drawn(polygon(150, "a rather long name of a curve"), 600);
+  EXPECT_EQ(d.labels.size() + static_cast<std::size_t>(d.num_omitted), 150);
+  EXPECT_LT(d.num_omitted, 15);
+  EXPECT_GT(d.num_lines, 20);
+  expect_no_overlap(d.labels);
+}
+
+TEST(CurveLabels, WithoutRoomTheNameIsOmittedFirst) {
+  const Drawn d = drawn(polygon(4, std::string(200, 'x')), 200);
+  ASSERT_EQ(d.labels.size(), 4);
+  for (const Label& label : d.labels) EXPECT_EQ(label.text.size(), 1) << label.text;
+}
+
+TEST(CurveLabels, ADegenerateCurveIsNoError) {
+  CadFace face = polygon(4, "wall");
+  face.curves[2] = curve::segment(face.joints[2].position, face.joints[2].position);
+  EXPECT_EQ(drawn(face, 400).labels.size(), 4);
+}
+
+}  // namespace
+}  // namespace quadrille::draw
