@@ -1,6 +1,7 @@
 #include "curve/pole_box.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace quadrille::curve {
 namespace {
@@ -14,6 +15,10 @@ void extend(PoleBox& box, const std::vector<Vec2>& points) {
 
 }  // namespace
 
+double PoleBox::distance_from(Vec2 x) const {
+  return std::hypot(std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0}));
+}
+
 PoleBox pole_box(const Nurbs& curve) {
   PoleBox box{curve.poles.front(), curve.poles.front()};
   extend(box, curve.poles);
@@ -24,6 +29,12 @@ PoleBox pole_box(const std::vector<Nurbs>& curves) {
   PoleBox box = pole_box(curves.front());
   for (const Nurbs& curve : curves) extend(box, curve.poles);
   return box;
+}
+
+std::vector<PoleBox> pole_boxes(const std::vector<Nurbs>& curves) {
+  std::vector<PoleBox> boxes;
+  for (const Nurbs& curve : curves) boxes.push_back(pole_box(curve));
+  return boxes;
 }
 
 }  // namespace quadrille::curve

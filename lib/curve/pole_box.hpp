@@ -18,11 +18,17 @@ struct PoleBox {
   bool contains(Vec2 x, double margin = 0) const {
     return low.x - margin <= x.x && x.x <= high.x + margin && low.y - margin <= x.y && x.y <= high.y + margin;
   }
+
+  /// The distance from x to the box: a lower bound of that to the curve.
+  double distance_from(Vec2 x) const;
 };
 
 PoleBox pole_box(const Nurbs& curve);
 
 /// `curves`: one at least.
 PoleBox pole_box(const std::vector<Nurbs>& curves);
+
+/// The box of each curve.
+std::vector<PoleBox> pole_boxes(const std::vector<Nurbs>& curves);
 
 }  // namespace quadrille::curve

@@ -36,11 +36,11 @@ bool is_reflex(const CadFace& face, int curve, double t) {
 
 }  // namespace
 
-BoundaryClearance::BoundaryClearance(const CadFace& face) : face_(&face), boxes_(face.curves) {}
+BoundaryClearance::BoundaryClearance(const CadFace& face) : face_(&face), boxes_(curve::pole_boxes(face.curves)) {}
 
 double BoundaryClearance::at(Vec2 x) const {
   std::vector<double> bounds;
-  for (int c = 0; c < face_->num_curves(); ++c) bounds.push_back(boxes_.distance_bound(c, x));
+  for (int c = 0; c < face_->num_curves(); ++c) bounds.push_back(boxes_[c].distance_from(x));
   // The curve that may be nearest first: its distance excludes most of the others.
   const int first = static_cast<int>(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
   double nearest = curve::project(face_->curves[first], x).distance;
@@ -53,7 +53,7 @@ double BoundaryClearance::at(Vec2 x) const {
 std::vector<CurveFoot> BoundaryClearance::feet(Vec2 x, double reach) const {
   std::vector<CurveFoot> feet;
   for (int c = 0; c < face_->num_curves(); ++c) {
-    if (boxes_.distance_bound(c, x) >= reach) continue;
+    if (boxes_[c].distance_from(x) >= reach) continue;
     const curve::Projection p = curve::project(face_->curves[c], x);
     const bool is_known = std::any_of(feet.begin(), feet.end(), [&](const CurveFoot& foot) {
       return distance(foot.position, p.position) <= feature_constants.equal_lengths * face_->diameter;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "curve/pole_boxes.hpp"
+#include "curve/pole_box.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::features {
@@ -30,7 +30,7 @@ class BoundaryClearance {
 
  private:
   const CadFace* face_;
-  curve::PoleBoxes boxes_;
+  std::vector<curve::PoleBox> boxes_;
 };
 
 }  // namespace quadrille::features

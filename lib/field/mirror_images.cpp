@@ -61,7 +61,7 @@ std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) co
   const Vec2 image = foot.position + beyond * outward;
   const double clearance = least_clearance * std::min(depth, beyond);
   for (int other = 0; other < face.num_curves(); ++other) {
-    if (other != c && boxes_.distance_bound(other, image) < clearance &&
+    if (other != c && boxes_[other].distance_from(image) < clearance &&
         curve::project(face.curves[other], image).distance < clearance)
       return {};
   }
@@ -74,7 +74,7 @@ std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) co
 std::vector<MirrorImages::Candidate> MirrorImages::candidates(Vec2 x) const {
   std::vector<std::pair<double, int>> order;
   for (int c = 0; c < face_->num_curves(); ++c) {
-    const double bound = boxes_.distance_bound(c, x);
+    const double bound = boxes_[c].distance_from(x);
     if (bound <= farthest_foot * face_->diameter) order.emplace_back(bound, c);
   }
   std::sort(order.begin(), order.end());
@@ -93,7 +93,7 @@ std::vector<MirrorImages::Candidate> MirrorImages::candidates(Vec2 x) const {
   return candidates;
 }
 
-MirrorImages::MirrorImages(const CadFace& face) : face_(&face), boxes_(face.curves) {}
+MirrorImages::MirrorImages(const CadFace& face) : face_(&face), boxes_(curve::pole_boxes(face.curves)) {}
 
 std::vector<MirrorImage> MirrorImages::of(Vec2 x) const {
   std::vector<MirrorImage> images;

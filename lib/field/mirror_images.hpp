@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "curve/pole_boxes.hpp"
+#include "curve/pole_box.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::field {
@@ -36,7 +36,7 @@ class MirrorImages {
   std::vector<Candidate> candidates(Vec2 x) const;
 
   const CadFace* face_;
-  curve::PoleBoxes boxes_;
+  std::vector<curve::PoleBox> boxes_;
 };
 
 }  // namespace quadrille::field

@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/pole_boxes.hpp"
+#include "curve/pole_box.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::placement {
@@ -47,7 +47,7 @@ void add_hits(const Nurbs& curve, Vec2 x, Vec2 direction, std::vector<double>& h
 // Curves that may be near come first: their distances exclude most of the others.
 std::vector<BoundaryFoot> nearest_feet(const CadFace& face, Vec2 x) {
   std::vector<std::pair<double, int>> order;
-  for (int c = 0; c < face.num_curves(); ++c) order.emplace_back(curve::PoleBox(face.curves[c]).distance_bound(x), c);
+  for (int c = 0; c < face.num_curves(); ++c) order.emplace_back(curve::pole_box(face.curves[c]).distance_from(x), c);
   std::sort(order.begin(), order.end());
   const double tol = 1e-6 * face.diameter;
   std::vector<BoundaryFoot> feet;

@@ -38,5 +38,15 @@ TEST(PoleBox, a_margin_widens_every_side) {
   }
 }
 
+TEST(PoleBox, is_nearer_than_its_curve) {
+  const std::vector<Nurbs> curves{circular_arc({3, 1}, 0.5, 0, 2 * pi), segment({-1, 4}, {-2, 4})};
+  const std::vector<PoleBox> boxes = pole_boxes(curves);
+  EXPECT_EQ(boxes[0].distance_from({3, 1}), 0);
+  EXPECT_NEAR(boxes[0].distance_from({5, 1}), 1.5, 1e-15);
+  EXPECT_EQ(boxes[1].distance_from({2, 8}), 5);
+  for (const Vec2 x : {Vec2{0, 0}, Vec2{5, 2}, Vec2{-1, -2}})
+    EXPECT_LE(boxes[0].distance_from(x), distance(x, {3, 1}) - 0.5 + 1e-15);
+}
+
 }  // namespace
 }  // namespace quadrille::curve
