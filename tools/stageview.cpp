@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& o) {
     o.input("FILE", settings.input, "a stage file");
     o.output(settings.output, "picture to write (SVG)");
-    o.text("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show: cross angle, a component or the polynomial order");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
