@@ -104,7 +104,8 @@ class Page {
   /** Shows the item under the pointer. */
   point(px, py) {
     const [x, y] = this.view.toPlane(px, py);
-    byId("place").textContent = `${figure(x + this.data.x)}, ${figure(y + this.data.y)} ${unitSign(this.data)}`;
+    const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
+    byId("place").textContent = `${text(x + this.data.x)}, ${text(y + this.data.y)} ${unitSign(this.data)}`;
     const found = this.scene.itemAt(this.view, this.shown, px, py);
     this.forget();
     this.focus = found;
