@@ -17,6 +17,7 @@ namespace {
 struct Settings {
   std::vector<std::string> inputs;
   std::string field, output;
+  bool is_comparison = false;
   draw::DrawOptions draw;
 };
 
@@ -84,6 +85,24 @@ std::string picture_of(const std::vector<Read>& files, const draw::DrawOptions& 
   return draw::draw_critical_points(std::get<CriticalPoints>(stage), field, options);
 }
 
+/// Two layouts or meshes; they need not be of one chain.
+std::string comparison_of(const Settings& settings, cli::Session& session) {
+  if (settings.inputs.size() != 2) throw UsageError("--compare needs two files, layouts or meshes");
+  std::vector<page::Stage> stages;
+  for (const std::string& path : settings.inputs) {
+    const io::InputFile file = io::read_input(path);
+    stages.push_back(read_stage(file, session));
+    const page::Stage& stage = stages.back();
+    if (!std::holds_alternative<SeparatrixGraph>(stage) && !std::holds_alternative<BlockLayout>(stage) &&
+        !std::holds_alternative<QuadMesh>(stage))
+      throw UsageError("--compare needs layouts or meshes, but " + file.name + " is a " + io::stage_format(file) +
+                       " file");
+  }
+  if (stages[0].index() != stages[1].index())
+    throw UsageError("--compare needs two files of one format: two layouts, or two meshes");
+  return page::comparison_page(stages[0], stages[1]);
+}
+
 std::string page_of(std::vector<Read> files) {
   std::vector<page::Stage> stages;
   for (Read& read : files) stages.push_back(std::move(read.stage));
@@ -92,9 +111,12 @@ std::string page_of(std::vector<Read> files) {
 
 void run(const Settings& settings, cli::Session& session) {
   const bool is_page = settings.output.ends_with(".html") || settings.output.ends_with(".htm");
+  if (settings.is_comparison && !is_page)
+    throw UsageError("--compare makes a page: give -o with a name that ends in .html");
   if (!is_page && settings.inputs.size() > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
-  session.begin_phase("read");
+  session.begin_phase(settings.is_comparison ? "draw" : "read");
+  if (settings.is_comparison) return io::write_output(settings.output, comparison_of(settings, session), false);
   std::vector<Read> files = read_all(settings, session);
   session.begin_phase("draw");
   const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings.draw);
@@ -129,6 +151,9 @@ int main(int argc, char** argv) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
     o.output(settings.output, "picture to write (SVG), or page (if the name ends in .html)");
     o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.flag("--compare", settings.is_comparison,
+           "a page of two files of one format, separatrices, blocks or quads, which need not be of one chain: the "
+           "lines of one over the other, and a table of counts and qualities");
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");

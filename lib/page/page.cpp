@@ -38,21 +38,23 @@ draw::PictureBox box_of(const CriticalPoints& points) {
   return box;
 }
 
+/// Where the positions of a stage count from.
+Vec2 origin_of(const Stage& stage) {
+  const CadFace* face = face_of(stage);
+  return face ? face->origin : std::get<CriticalPoints>(stage).origin;
+}
+
+/// In the coordinates of the CAD file, origins included.
 draw::PictureBox box_of(const std::vector<Stage>& stages) {
   draw::PictureBox box = draw::empty_box();
   for (const Stage& stage : stages) {
     const CadFace* face = face_of(stage);
     const draw::PictureBox own = face ? draw::bounding_box(*face) : box_of(std::get<CriticalPoints>(stage));
     if (own.empty()) continue;
-    box.include(own.lower);
-    box.include(own.upper);
+    box.include(own.lower + origin_of(stage));
+    box.include(own.upper + origin_of(stage));
   }
   return box;
-}
-
-Vec2 origin_of(const std::vector<Stage>& stages) {
-  if (const CadFace* face = first_face(stages)) return face->origin;
-  return stages.empty() ? Vec2{} : std::get<CriticalPoints>(stages.front()).origin;
 }
 
 const Provenance& provenance_of(const Stage& stage) {
@@ -95,23 +97,25 @@ std::string title_of(const std::vector<Stage>& stages) {
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_json(const std::vector<Stage>& stages) {
+std::string data_json(const std::vector<Stage>& stages, bool is_comparison) {
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
-  const Vec2 origin = origin_of(stages), size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
+  const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
   const CadFace* face = first_face(stages);
   std::vector<std::string> sheets;
-  for (const Stage& stage : stages) sheets.push_back(sheet_json(stage, frame));
+  for (const Stage& stage : stages) {
+    PageFrame own = frame;
+    own.centre -= origin_of(stage);
+    sheets.push_back(sheet_json(stage, own));
+  }
   JsonObject object;
   object.text("title", title_of(stages)).text("unit", face ? face->length_unit : "unknown");
-  object.number("step", frame.step).number("x", frame.centre.x + origin.x).number("y", frame.centre.y + origin.y);
+  object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
-  return object.json("sheets", json_list(sheets)).str();
+  return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
 }
 
-}  // namespace
-
-std::string html_page(const std::vector<Stage>& stages) {
+std::string page_of(const std::vector<Stage>& stages, bool is_comparison) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -119,7 +123,13 @@ std::string html_page(const std::vector<Stage>& stages) {
       "script-src 'unsafe-inline'\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-      html_text(title_of(stages)), page_style(), page_body(), data_json(stages), page_script());
+      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison), page_script());
 }
+
+}  // namespace
+
+std::string html_page(const std::vector<Stage>& stages) { return page_of(stages, false); }
+
+std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true); }
 
 }  // namespace quadrille::page

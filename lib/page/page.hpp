@@ -23,4 +23,8 @@ using Stage = std::variant<TriMesh, Field, CriticalPoints, SeparatrixGraph, Bloc
 /// The page of the stages, a tab each, in this order. Equal stages give equal bytes. About 110 bytes for each quad.
 std::string html_page(const std::vector<Stage>& stages);
 
+/// The page of two layouts or meshes, of one chain or not, tabs A and B: the lines of the other one are drawn over
+/// each, and a table has the counts and qualities of both.
+std::string comparison_page(const Stage& a, const Stage& b);
+
 }  // namespace quadrille::page

@@ -111,6 +111,22 @@ page_data() {
   assert_nothing_left other.field.h5
 }
 
+@test "--compare shows two files of one format, which need not be of one chain" {
+  quadrefine "$X.blocks.h5" --size 0.2 -o b.quad.h5
+  run -0 stageview --compare "$X.quad.h5" b.quad.h5 -o a.html
+  assert_output ''
+  assert_equal "$(page_data a.html | jq -c '[.comparison, (.sheets | length)]')" '[true,2]'
+  stageview --compare "$X.sep.json" "$X.sep.json" -o b.html
+  assert_equal "$(page_data b.html | jq -r '.sheets[1].title')" Separatrices
+  run -2 stageview --compare "$X.quad.h5" "$X.blocks.h5" -o c.html
+  assert_line 'stageview: --compare needs two files of one format: two layouts, or two meshes'
+  run -2 stageview --compare "$X.tri.h5" "$X.tri.h5" -o c.html
+  assert_line --partial '--compare needs layouts or meshes'
+  run -2 stageview --compare "$X.quad.h5" -o c.html
+  run -2 stageview --compare "$X.quad.h5" b.quad.h5 -o c.svg
+  assert_file_not_exists c.html
+}
+
 @test "names are escaped in a page" {
   cad2tri "$DATA/half_disc.step" --boundary-names <(echo '{"*": "</script><b>&"}') -o named.tri.h5
   stageview named.tri.h5 -o a.html

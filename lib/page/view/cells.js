@@ -207,7 +207,8 @@ class Cells {
 
   heading(item) {
     const block = this.blocks ? this.blocks[item] : -1, name = this.blockNames[block] || "";
-    return block < 0 ? `${this.noun} ${item}` : `${this.noun} ${item} · block ${block}${nameSuffix(name, "block", block)}`;
+    const within = block < 0 ? "" : ` · block ${block}${nameSuffix(name, "block", block)}`;
+    return `${this.noun} ${item}${within}`;
   }
 
   /** Points along the sides, for lengths and areas. */

@@ -1,14 +1,16 @@
-// Colours that differ in lightness, so that readers who do not distinguish all hues can read them, for paper of two kinds.
+// Colours that differ in lightness, so that readers who do not distinguish all hues can read them; for light and dark.
 
 const themes = {
   light: {
     paper: [255, 255, 255], ink: "#1c2733", faint: "#6b7a89", line: "33,48,64", border: "#22303f", accent: "#c2410c",
+    other: { line: "194,65,12", border: "#c2410c" },
     fill: "#eef2f6", halo: "rgba(255,255,255,0.85)",
     ramp: ["#2d0f4f", "#4b3a93", "#2f6fa8", "#35a39b", "#93d19a", "#f1f5d6"],
     blocks: ["#dbe9f6", "#fdebd0", "#d9f0e3", "#f6e0ea", "#e9e4f5", "#f3f1d0", "#dff3f6"], angle: [0.86, 0.07],
   },
   dark: {
     paper: [18, 23, 30], ink: "#e6edf3", faint: "#93a1b0", line: "214,226,238", border: "#c9d6e3", accent: "#ff9f5a",
+    other: { line: "255,159,90", border: "#ff9f5a" },
     fill: "#1f2933", halo: "rgba(18,23,30,0.85)",
     ramp: ["#fdf3a0", "#a5d86c", "#3fae86", "#2f7d95", "#2c5072", "#223248"],
     blocks: ["#20394f", "#4a3a22", "#1f4234", "#472b39", "#363050", "#42401f", "#1f4448"], angle: [0.45, 0.09],

@@ -78,7 +78,9 @@ function decodeSheets(page) {
   return page.sheets.map((sheet) => {
     const boundary = sheet.boundary || (withFace && withFace.boundary);
     const layers = boundary ? [boundary, ...sheet.layers] : sheet.layers;
-    return { ...sheet, layers: layers.map((json) => layerTypes[json.type](json, page.step)) };
+    const decoded = layers.map((json) => layerTypes[json.type](json, page.step));
+    for (const layer of decoded) layer.isAdded = page.comparison && ["arcs", "lines", "mesh"].includes(layer.key);
+    return { ...sheet, layers: decoded };
   });
 }
 

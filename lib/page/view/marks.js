@@ -30,7 +30,8 @@ class Marks {
   }
 
   radius(item) {
-    return { node: this.valences[item] === 3 ? 9.5 : 8, boundary: 8, corner: 4.5, dot: 3.2, hollow: 7 }[this.kinds[item]];
+    const node = this.valences[item] === 3 ? 9.5 : 8;
+    return { node, boundary: 8, corner: 4.5, dot: 3.2, hollow: 7 }[this.kinds[item]];
   }
 
   outline(view, item) {

@@ -15,6 +15,7 @@ function tableRows(rows) {
 
 /** The titles of the tabs; equal ones are numbered. */
 function tabTitles(sheets) {
+  if (sheets.isComparison) return sheets.map((sheet, i) => `${"AB"[i]}: ${sheet.title}`);
   return sheets.map((sheet, i) => {
     const equal = sheets.filter((other) => other.title === sheet.title);
     return equal.length > 1 ? `${sheet.title} ${equal.indexOf(sheet) + 1}` : sheet.title;
@@ -133,6 +134,29 @@ function showFacts(sheet) {
   byId("steps").replaceChildren(
     ...sheet.steps.map(([tool, version, options]) =>
       element("li", {}, element("strong", {}, `${tool} ${version}`), ` ${optionsText(options)}`)),
+  );
+}
+
+/** Rows [label, value] of the counts and qualities of a stage. */
+function figuresOf(sheet) {
+  const rows = [...sheet.facts];
+  for (const { title, values, order, least, greatest } of sheet.layers.flatMap((layer) => layer.quantities))
+    rows.push([`${title}: least`, figure(least)], ["median", figure(values[order[order.length >> 1]]), title],
+      ["greatest", figure(greatest), title]);
+  return rows;
+}
+
+/** A table of the figures of two stages beside each other. */
+function showComparison(sheets) {
+  const keyOf = ([label, , group]) => `${group || ""}/${label}`;
+  const [a, b] = sheets.map((sheet) => new Map(figuresOf(sheet).map((row) => [keyOf(row), row])));
+  const rows = [...new Set([...a.keys(), ...b.keys()])].map((key) => {
+    const texts = [a, b].map((rowsOf) => (rowsOf.get(key) || ["", "–"])[1]);
+    return [(a.get(key) || b.get(key))[0], ...texts];
+  });
+  byId("facts").className = "comparison";
+  byId("facts").replaceChildren(
+    ...[["", "A", "B"], ...rows].map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text)))),
   );
 }
 

@@ -1,4 +1,4 @@
-// The field: samples (u, v) on a lattice of each triangle, shown as colours of the cross angle, with contours and crosses.
+// The field: samples (u, v) on a lattice of each triangle, as colours of the cross angle, with contours and crosses.
 
 class Samples {
   constructor(json, step) {
@@ -9,7 +9,8 @@ class Samples {
     this.count = 0;
     this.triangles = this.latticeTriangles(bytesOf(json.counts));
     this.boxes = emptyBoxes(this.triangles.length / 3);
-    this.triangles.forEach((p, i) => include(this.boxes, Math.floor(i / 3), this.points[2 * p], this.points[2 * p + 1]));
+    const at = (p) => [this.points[2 * p], this.points[2 * p + 1]];
+    this.triangles.forEach((p, i) => include(this.boxes, Math.floor(i / 3), ...at(p)));
   }
 
   /** Corners (numbers of samples) of the small triangles of all lattices. */
@@ -162,8 +163,9 @@ class Samples {
 function paintBlend(pixels, width, height, [a, b, c], colourOf) {
   const det = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   if (!det) return;
-  const x0 = Math.max(0, Math.floor(Math.min(a[0], b[0], c[0]))), x1 = Math.min(width, Math.ceil(Math.max(a[0], b[0], c[0])));
-  const y0 = Math.max(0, Math.floor(Math.min(a[1], b[1], c[1]))), y1 = Math.min(height, Math.ceil(Math.max(a[1], b[1], c[1])));
+  const first = (axis) => Math.max(0, Math.floor(Math.min(a[axis], b[axis], c[axis])));
+  const end = (axis, limit) => Math.min(limit, Math.ceil(Math.max(a[axis], b[axis], c[axis])));
+  const x0 = first(0), x1 = end(0, width), y0 = first(1), y1 = end(1, height);
   const slack = -1e-3;
   for (let row = y0; row < y1; ++row)
     for (let column = x0; column < x1; ++column) {

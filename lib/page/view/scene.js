@@ -1,4 +1,4 @@
-// Draws the layers. A sharp picture is somewhat larger than the window; while the view moves, that picture moves with it.
+// Draws the layers. A sharp picture is larger than the window; while the view moves, that picture moves with it.
 
 class Scene {
   constructor(canvas, overlay) {
@@ -19,7 +19,7 @@ class Scene {
   }
 
   /** Draws everything anew, with a margin of a fifth of the window on each side. */
-  drawSharp(view, theme, layers) {
+  drawSharp(view, theme, layers, added) {
     const start = performance.now(), large = view.copy();
     large.resize(...[view.width, view.height].map((size) => size + 2 * Math.round(size / 5))); // whole pixels
     const canvas = new OffscreenCanvas(Math.ceil(large.width * this.ratio), Math.ceil(large.height * this.ratio));
@@ -28,9 +28,11 @@ class Scene {
     context.lineJoin = context.lineCap = "round";
     context.fillStyle = css(theme.paper);
     context.fillRect(0, 0, large.width, large.height);
+    const other = { ...theme, ...theme.other }; // for lines of other stages
     const isMark = (layer) => layer instanceof Marks;
     for (const layer of layers) layer.fill(context, large, theme);
-    for (const layer of layers) if (!isMark(layer) && layer.style !== "boundary") layer.stroke(context, large, theme);
+    for (const layer of layers)
+      if (!isMark(layer) && layer.style !== "boundary") layer.stroke(context, large, added.has(layer) ? other : theme);
     for (const layer of layers) if (layer.style === "boundary") layer.stroke(context, large, theme);
     for (const layer of layers) if (isMark(layer)) layer.stroke(context, large, theme);
     this.sharp = { canvas, view: large };

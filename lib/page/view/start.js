@@ -4,7 +4,8 @@ class Page {
   constructor(data) {
     this.data = data;
     this.sheets = decodeSheets(data);
-    this.current = this.sheets.length - 1;
+    this.sheets.isComparison = data.comparison;
+    this.current = data.comparison ? 0 : this.sheets.length - 1;
     this.scene = new Scene(byId("picture"), byId("overlay"));
     this.view = new View(1, 1);
     this.focus = null;
@@ -18,10 +19,13 @@ class Page {
   get sheet() {
     return this.sheets[this.current];
   }
-  /** The layers of other stages that are added, below those of the stage that are switched on. */
+  /** The layers of other stages that are added to this one, below its own. */
+  get added() {
+    const others = this.sheets.filter((sheet) => sheet !== this.sheet);
+    return others.flatMap((sheet) => sheet.layers.filter((layer) => layer.isAdded));
+  }
   get shown() {
-    const others = this.sheets.filter((sheet) => sheet !== this.sheet).flatMap((sheet) => sheet.layers);
-    return [...others.filter((layer) => layer.isAdded), ...this.sheet.layers.filter((layer) => layer.isShown)];
+    return [...this.added, ...this.sheet.layers.filter((layer) => layer.isShown)];
   }
   get limits() {
     const fit = Math.min(this.view.width / this.data.width, this.view.height / this.data.height);
@@ -49,6 +53,7 @@ class Page {
     this.forget();
     showTabs(this.sheets, this.current, (i) => this.choose(i));
     showFacts(this.sheet);
+    if (this.data.comparison) showComparison(this.sheets);
     showLayers(this.sheet.layers, () => this.changed());
     showOthers(this.sheets, this.current, () => this.changed());
     this.changed();
@@ -64,7 +69,7 @@ class Page {
   drawSharp() {
     clearTimeout(this.timer);
     this.timer = 0;
-    this.scene.drawSharp(this.view, this.theme, this.shown);
+    this.scene.drawSharp(this.view, this.theme, this.shown, new Set(this.added));
     this.drawOverlay();
   }
 
@@ -73,7 +78,7 @@ class Page {
     if (this.isPinned) this.placeTip(...this.focusPoint());
   }
 
-  /** The view moved: the last picture moves with it, and a sharp one follows when it rests, or at once if it is quick. */
+  /** The view moved: the last picture moves with it; a sharp one follows when it rests, or at once if it is quick. */
   moved() {
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => {
@@ -115,7 +120,8 @@ class Page {
 
   showTip(px, py) {
     const { layer, item } = this.focus;
-    byId("tip").replaceChildren(element("strong", {}, layer.heading(item)), element("table", {}, ...tableRows(this.figures())));
+    const figures = element("table", {}, ...tableRows(this.figures()));
+    byId("tip").replaceChildren(element("strong", {}, layer.heading(item)), figures);
     byId("tip").hidden = false;
     this.placeTip(px, py);
   }
@@ -124,7 +130,8 @@ class Page {
   figures() {
     const { layer, item } = this.focus, unit = unitSign(this.data), sizes = layer.sizes(item), rows = [];
     if (sizes.least !== undefined) rows.push(["sides", `${figure(sizes.least)} to ${figure(sizes.greatest)} ${unit}`]);
-    if (sizes.length !== undefined) rows.push([layer.isClosed ? "perimeter" : "length", `${figure(sizes.length)} ${unit}`]);
+    const whole = layer.isClosed ? "perimeter" : "length";
+    if (sizes.length !== undefined) rows.push([whole, `${figure(sizes.length)} ${unit}`]);
     if (sizes.area !== undefined) rows.push(["area", `${figure(sizes.area)} ${unit && unit + "²"}`]);
     for (const quantity of layer.quantities) rows.push([quantity.title, figure(quantity.values[item])]);
     return rows;

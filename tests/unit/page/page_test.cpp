@@ -56,6 +56,15 @@ TEST(Page, CriticalPointsAloneHaveAPage) {
   EXPECT_EQ(count(page, "\"type\":\"marks\""), 2u);
 }
 
+TEST(Page, ComparedFacesLieWhereTheirOriginsPutThem) {
+  QuadMesh moved = samples::quad_mesh();
+  moved.face.origin = {3, 0};
+  const std::string page = comparison_page(samples::quad_mesh(), moved);
+  EXPECT_EQ(count(page, "\"comparison\":true"), 1u);
+  EXPECT_EQ(count(page, "\"x\":2,\"y\":0.5,\"width\":4,\"height\":1"), 1u) << "two unit squares, 2 apart";
+  EXPECT_EQ(count(html_page({moved}), "\"x\":3.5,\"y\":0.5,\"width\":1,"), 1u);
+}
+
 TEST(Page, FilesWithoutMeasuresOfLengthsHaveFewerQuantities) {
   QuadMesh mesh = samples::quad_mesh();
   const std::string all = html_page({mesh});
