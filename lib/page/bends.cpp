@@ -15,6 +15,7 @@ using draw::CurvePoint;
 
 constexpr double side_tolerance = 3e-4;      // of the chord
 constexpr double straight_tolerance = 5e-5;  // of the chord
+constexpr int greatest_depth = 8;            // of the halving of a curve between two knots
 constexpr double chain_tolerance = 1e-6;     // of the frame's extent
 
 Complex number(Vec2 x) { return {x.x, x.y}; }
@@ -56,7 +57,7 @@ void append_cubic(Chains& chains, const PageFrame& frame, const Nurbs& curve, do
   double error = 0;
   for (const double s : {0.25, 0.5, 0.75})
     error = std::max(error, distance(hermite(a, b, h, s), curve::point(curve, std::lerp(t0, t1, s))));
-  if (error > chain_tolerance * frame.extent && depth < 12) {
+  if (error > chain_tolerance * frame.extent && depth < greatest_depth) {
     const double half = 0.5 * (t0 + t1);
     append_cubic(chains, frame, curve, t0, half, depth + 1);
     append_cubic(chains, frame, curve, half, t1, depth + 1);
@@ -77,7 +78,8 @@ void Bends::append(const SideSamples& side) {
   const auto add = [&](Vec2 p) {
     const Complex z = 8192.0 * (number(p) - a) / chord;
     for (const double part : {z.real(), z.imag()})
-      points.push_back(static_cast<std::int16_t>(std::clamp(std::round(part), -32767.0, 32767.0)));
+      points.push_back(
+          static_cast<std::int16_t>(std::isnan(part) ? 0 : std::clamp(std::round(part), -32767.0, 32767.0)));
   };
   for (int i = 0; i < count; ++i) {
     const CurvePoint &from = side[i * 8 / count], &to = side[(i + 1) * 8 / count];

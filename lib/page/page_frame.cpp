@@ -7,7 +7,8 @@ namespace quadrille::page {
 
 std::int32_t PageFrame::quantised(double distance) const {
   constexpr double limit = 2147483647;
-  return static_cast<std::int32_t>(std::clamp(std::round(distance / step), -limit, limit));
+  const double steps = std::round(distance / step);
+  return std::isnan(steps) ? 0 : static_cast<std::int32_t>(std::clamp(steps, -limit, limit));
 }
 
 void PageFrame::append(std::vector<std::int32_t>& to, Vec2 x) const {

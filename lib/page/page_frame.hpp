@@ -13,6 +13,7 @@ struct PageFrame {
   double step = 1;    ///< a length: one unit of the integers
   double extent = 1;  ///< greater side of the box, a length
 
+  /// The nearest integer of the range; 0 for what is no number.
   std::int32_t quantised(double distance) const;
   void append(std::vector<std::int32_t>& to, Vec2 x) const;
 };

@@ -46,8 +46,8 @@ Quantity least_angles(const TriMesh& mesh) {
 
 /// Intervals along the edges of an element on which the field is sampled.
 int intervals(const Field& field, int elem) {
-  const int most = field.mesh.num_elems() > 8000 ? 3 : field.mesh.num_elems() > 2000 ? 6 : 10;
-  return std::clamp(field.elem_order[elem], 2, most);
+  const int most = field.mesh.num_elems() > 8000 ? 3 : field.mesh.num_elems() > 2000 ? 8 : 16;
+  return std::clamp(field.elem_order[elem] + 6, 2, most);
 }
 
 /// Samples of each element on the lattice of its intervals, row by row from its first edge to its third vertex.

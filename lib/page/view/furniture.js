@@ -104,7 +104,7 @@ function drawFocus(context, view, theme, focus) {
 /** A ring about an item that is too small to be seen. */
 function drawRing(context, view, theme, focus) {
   const { layer, item } = focus, k = 4 * item;
-  if (!layer.boxes) return;
+  if (!layer.boxes || layer instanceof Samples) return;
   const [x0, y0] = view.toScreen(layer.boxes[k], layer.boxes[k + 3]);
   const [x1, y1] = view.toScreen(layer.boxes[k + 2], layer.boxes[k + 1]);
   if (Math.max(x1 - x0, y1 - y0) > 14) return;

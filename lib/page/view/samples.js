@@ -45,16 +45,16 @@ class Samples {
     });
   }
 
-  /** The colour of (u, v): 256 angles by 16 magnitudes, fading to the paper's grey where the field vanishes. */
+  /** The colour of (u, v): 256 angles by 64 magnitudes, fading to the paper's grey where the field vanishes. */
   pixelColours(theme) {
-    const grey = theme.name === "light" ? [236, 236, 236] : [52, 58, 66], table = new Uint32Array(4096);
-    for (let i = 0; i < 4096; ++i) {
-      const strength = Math.sqrt((i >> 8) / 15), colour = theme.angleColours[i & 255];
+    const grey = theme.name === "light" ? [236, 236, 236] : [52, 58, 66], table = new Uint32Array(16384);
+    for (let i = 0; i < 16384; ++i) {
+      const strength = Math.sqrt((i >> 8) / 63), colour = theme.angleColours[i & 255];
       table[i] = pixelOf(colour.map((c, k) => Math.round(grey[k] + strength * (c - grey[k]))));
     }
     return (u, v) => {
       const angle = Math.round((Math.atan2(v, u) / (2 * Math.PI)) * 256) & 255;
-      return table[(Math.min(15, Math.round(Math.hypot(u, v) * 15)) << 8) | angle];
+      return table[(Math.min(63, Math.round(63 * Math.sqrt(u * u + v * v))) << 8) | angle];
     };
   }
 
@@ -131,14 +131,9 @@ class Samples {
     return [0, 1].map((k) => (1 - s - t) * this.values[a + k] + s * this.values[b + k] + t * this.values[c + k]);
   }
 
-  outline(view, triangle) {
-    const path = new Path2D(), [mx, my] = view.maps();
-    for (let k = 0; k < 3; ++k) {
-      const p = 2 * this.triangles[3 * triangle + k];
-      path.lineTo(mx(this.points[p]), my(this.points[p + 1]));
-    }
-    path.closePath();
-    return path;
+  /** Nothing: the field has no items that could be told apart. */
+  outline() {
+    return new Path2D();
   }
 
   itemAt(context, view, px, py) {
@@ -159,20 +154,34 @@ class Samples {
   }
 }
 
-/** Paints a triangle whose corners are [x, y, u, v], with (u, v) linear between them. */
+/** Paints a triangle whose corners are [x, y, u, v], with (u, v) linear between them, row by row. */
 function paintBlend(pixels, width, height, [a, b, c], colourOf) {
   const det = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   if (!det) return;
-  const first = (axis) => Math.max(0, Math.floor(Math.min(a[axis], b[axis], c[axis])));
-  const end = (axis, limit) => Math.min(limit, Math.ceil(Math.max(a[axis], b[axis], c[axis])));
-  const x0 = first(0), x1 = end(0, width), y0 = first(1), y1 = end(1, height);
-  const slack = -1e-3;
-  for (let row = y0; row < y1; ++row)
-    for (let column = x0; column < x1; ++column) {
-      const dx = column + 0.5 - a[0], dy = row + 0.5 - a[1];
-      const s = (dx * (c[1] - a[1]) - (c[0] - a[0]) * dy) / det, t = ((b[0] - a[0]) * dy - dx * (b[1] - a[1])) / det;
-      if (s < slack || t < slack || s + t > 1 - slack) continue;
-      const r = 1 - s - t;
-      pixels[row * width + column] = colourOf(r * a[2] + s * b[2] + t * c[2], r * a[3] + s * b[3] + t * c[3]);
+  const alongX = (k) => ((b[k] - a[k]) * (c[1] - a[1]) - (c[k] - a[k]) * (b[1] - a[1])) / det;
+  const alongY = (k) => ((c[k] - a[k]) * (b[0] - a[0]) - (b[k] - a[k]) * (c[0] - a[0])) / det;
+  const ux = alongX(2), uy = alongY(2), vx = alongX(3), vy = alongY(3);
+  const end = Math.min(height, Math.ceil(Math.max(a[1], b[1], c[1])));
+  for (let row = Math.max(0, Math.floor(Math.min(a[1], b[1], c[1]))); row < end; ++row) {
+    const dy = row + 0.5 - a[1], [first, last] = rowSpan(a, b, c, row + 0.5, width);
+    for (let column = first; column <= last; ++column) {
+      const dx = column + 0.5 - a[0];
+      pixels[row * width + column] = colourOf(a[2] + ux * dx + uy * dy, a[3] + vx * dx + vy * dy);
     }
+  }
+}
+
+/** The first and last column whose centres lie in the triangle at height y; a little more, against seams. */
+function rowSpan(a, b, c, y, width) {
+  let left = Infinity, right = -Infinity;
+  const meet = (p, q) => {
+    if (p[1] <= y === q[1] <= y) return;
+    const x = p[0] + ((y - p[1]) * (q[0] - p[0])) / (q[1] - p[1]);
+    if (x < left) left = x;
+    if (x > right) right = x;
+  };
+  meet(a, b);
+  meet(b, c);
+  meet(c, a);
+  return [Math.max(0, Math.ceil(left - 0.51)), Math.min(width - 1, Math.floor(right - 0.49))];
 }

@@ -80,6 +80,7 @@ class Page {
 
   /** The view moved: the last picture moves with it; a sharp one follows when it rests, or at once if it is quick. */
   moved() {
+    if (!this.isPinned) this.forget();
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => {
       if (this.scene.sharpTime < 12) return this.drawSharp();

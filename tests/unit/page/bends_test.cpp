@@ -101,6 +101,8 @@ TEST(PageFrame, PositionsAreExactToTheBillionthPartOfTheExtent) {
   frame.append(q, {103.3, 200.7});
   EXPECT_NEAR(frame.centre.x + q[0] * frame.step, 103.3, 4e-9);
   EXPECT_NEAR(frame.centre.y + q[1] * frame.step, 200.7, 4e-9);
+  EXPECT_EQ(frame.quantised(1e300), 2147483647);
+  EXPECT_EQ(frame.quantised(std::nan("")), 0);
   EXPECT_EQ(page_frame(draw::empty_box()).extent, 1);
   EXPECT_EQ(page_frame({{2, 2}, {2, 2}}).extent, 1);
 }
