@@ -29,10 +29,10 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& o) {
     o.input("SEP", input, "separatrix graph (x.sep.json)");
     o.output(output, "block layout to write (x.blocks.h5)");
-    o.text("--block-names", names, "FILE",
-           "names of blocks, JSON: \"name of all\", {\"number\": \"name\", \"*\": \"name of the rest\"} or "
-           "[{\"at\": [x, y], \"name\": \"fluid\"}] (see formats/block-names.md)",
-           false);
+    o.input_file("--block-names", names, "FILE",
+                 "names of blocks, JSON: \"name of all\", {\"number\": \"name\", \"*\": \"name of the rest\"} or "
+                 "[{\"at\": [x, y], \"name\": \"fluid\"}] (see formats/block-names.md)",
+                 false);
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");

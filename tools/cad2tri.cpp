@@ -136,16 +136,17 @@ int main(int argc, char** argv) {
         "--fit-tolerance", fit_tolerance, 0, 1e-3, "diameters",
         "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "
         "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
-    o.text("--write-healed", healed, "FILE", "also write the healed face as a CAD file: x.step or x.brep", false);
+    o.output_file("--write-healed", healed, "also write the healed face as a CAD file: x.step or x.brep");
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
              "growth of the element size with the distance from small features");
     o.integer("--fan-layers", options.fan_layers, -1, 40,
               "layers of the triangle fans at singular corners; -1: chosen for each corner from its exponent");
-    o.text("--boundary-names", names, "FILE",
-           "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the rest\"} or "
-           "[{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
-           false);
+    o.input_file(
+        "--boundary-names", names, "FILE",
+        "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the rest\"} or "
+        "[{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
+        false);
     o.texts(
         "--name", name_options, "NAME=LIST|NAME@X,Y",
         "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "

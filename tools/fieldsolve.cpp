@@ -80,11 +80,12 @@ int main(int argc, char** argv) {
     o.input("TRI", input, "triangle mesh (x.tri.h5)");
     o.output(output, "field to write (x.solve.h5)");
     o.integer("--field-order", order, 1, 20, "polynomial order of the field on every element (dg: at most 12)");
-    o.text("--orders", orders_path, "FILE",
-           "the order of each element, from an order map (JSON) or a field; replaces --field-order", false);
-    o.text("--nodes", nodes_path, "CRIT",
-           "critical points (x.crit.json) that prescribe the irregular nodes and corner valences of the field; cg only",
-           false);
+    o.input_file("--orders", orders_path, "FILE",
+                 "the order of each element, from an order map (JSON) or a field; replaces --field-order", false);
+    o.input_file(
+        "--nodes", nodes_path, "CRIT",
+        "critical points (x.crit.json) that prescribe the irregular nodes and corner valences of the field; cg only",
+        false);
     o.choice("--method", options.method, "continuous or discontinuous (hybridised) elements");
     o.choice("--corners", options.corners, "tangent discontinuities: lifted exactly, or left in the data");
   };

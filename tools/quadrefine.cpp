@@ -30,8 +30,8 @@ void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
   o.texts("--size-near", sizes.near, "NAME=H",
           "edge length H along the boundary NAME, growing with the distance from it");
-  o.text("--size-field", sizes.file, "FILE",
-         "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
+  o.input_file("--size-field", sizes.file, "FILE",
+               "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
   o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",
            "edge lengths from the curvature of the boundary; 0: none");
   o.number("--growth", sizes.options.growth, 0, 100, "1",

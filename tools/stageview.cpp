@@ -1,4 +1,6 @@
-// stageview: draws a picture of any stage file.
+// stageview: draws a picture of any stage file, or a page of several.
+
+#include <algorithm>
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
@@ -7,57 +9,121 @@
 #include "draw/draw.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "page/page.hpp"
 
 namespace quadrille {
 namespace {
 
 struct Settings {
-  std::string input, field, output;
+  std::vector<std::string> inputs;
+  std::string field, output;
+  bool is_comparison = false;
   draw::DrawOptions draw;
 };
 
-Field read_valid_field(const io::InputFile& file) {
-  Field field = io::read_field(file);
-  check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
-  return field;
+/// A struct of a stage file after its quick checks.
+template <typename Model, typename Check>
+Model valid(Model model, const Check& check, const io::InputFile& file) {
+  check::require_valid(check(model, check::CheckDepth::quick), file.name);
+  return model;
 }
 
-std::string draw_points(const io::InputFile& file, const Settings& settings) {
-  const CriticalPoints points = io::read_critical_points(file);
-  check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
-  if (settings.field.empty()) return draw::draw_critical_points(points, nullptr, settings.draw);
-  const io::InputFile field_file = io::read_input(settings.field);
-  const Field field = read_valid_field(field_file);
-  io::require_same_origin(field_file, field.provenance, file, points.provenance);
-  return draw::draw_critical_points(points, &field, settings.draw);
-}
-
-std::string draw_stage(const Settings& settings, cli::Session& session) {
-  const io::InputFile file = io::read_input(settings.input);
+page::Stage read_stage(const io::InputFile& file, cli::Session& session) {
   const std::string format = io::stage_format(file);
-  session.begin_phase("draw");
-  if (!settings.field.empty() && format != "critical-points")
-    throw UsageError("--field needs a critical-points file, but " + file.name + " is a " + format + " file");
-  if (settings.draw.curve_labels && format != "tri-mesh")
-    throw UsageError("--curve-labels needs a tri-mesh file, but " + file.name + " is a " + format + " file");
-  const auto drawn = [&](auto model, auto check, auto draw) {
-    require_valid(check(model, check::CheckDepth::quick), file.name);
-    return draw(model, settings.draw);
+  if (format == "tri-mesh") return valid(io::read_tri_mesh(file), check::check_tri_mesh, file);
+  if (format == "field") return valid(io::read_field(file), check::check_field, file);
+  if (format == "critical-points") return valid(io::read_critical_points(file), check::check_critical_points, file);
+  if (format == "separatrix-graph") return valid(io::read_separatrix_graph(file), check::check_separatrix_graph, file);
+  if (format == "block-layout") return valid(io::read_block_layout(file), check::check_block_layout, file);
+  if (format != "quad-mesh") throw FormatError(file.name + ": there is no picture for the format " + format);
+  QuadMesh mesh = valid(io::read_quad_mesh(file), check::check_quad_mesh, file);
+  if (!mesh.is_valid) session.report().warn(warning::mesh_not_valid, check::validity_warning(mesh));
+  return mesh;
+}
+
+const Provenance& provenance_of(const page::Stage& stage) {
+  return std::visit([](const auto& model) -> const Provenance& { return model.provenance; }, stage);
+}
+
+/// A stage with the file that it was read from.
+struct Read {
+  io::InputFile file;
+  page::Stage stage;
+};
+
+/// Reads a file that was made from one of `others`, or one of them from it.
+Read read_related(const std::string& path, const std::vector<Read>& others, cli::Session& session) {
+  io::InputFile file = io::read_input(path);
+  page::Stage stage = read_stage(file, session);
+  const auto is_related = [&](const Read& other) {
+    return io::have_same_origin(other.file, provenance_of(other.stage), file, provenance_of(stage));
   };
-  if (format == "tri-mesh") return drawn(io::read_tri_mesh(file), check::check_tri_mesh, draw::draw_tri_mesh);
-  if (format == "field") return drawn(io::read_field(file), check::check_field, draw::draw_field);
-  if (format == "critical-points") return draw_points(file, settings);
-  if (format == "separatrix-graph")
-    return drawn(io::read_separatrix_graph(file), check::check_separatrix_graph, draw::draw_separatrix_graph);
-  if (format == "block-layout")
-    return drawn(io::read_block_layout(file), check::check_block_layout, draw::draw_block_layout);
-  if (format == "quad-mesh")
-    return drawn(io::read_quad_mesh(file), check::check_quad_mesh,
-                 [&](const QuadMesh& mesh, const draw::DrawOptions& options) {
-                   if (!mesh.is_valid) session.report().warn(warning::mesh_not_valid, check::validity_warning(mesh));
-                   return draw::draw_quad_mesh(mesh, options);
-                 });
-  throw FormatError(file.name + ": there is no picture for the format " + format);
+  if (!others.empty() && std::none_of(others.begin(), others.end(), is_related))
+    io::require_same_origin(others.back().file, provenance_of(others.back().stage), file, provenance_of(stage));
+  file.bytes = {};
+  return {std::move(file), std::move(stage)};
+}
+
+std::vector<Read> read_all(const Settings& settings, cli::Session& session) {
+  std::vector<std::string> paths = settings.inputs;
+  if (!settings.field.empty()) paths.insert(paths.begin(), settings.field);
+  std::vector<Read> all;
+  for (const std::string& path : paths) all.push_back(read_related(path, all, session));
+  if (settings.field.empty() || std::holds_alternative<CriticalPoints>(all.back().stage)) return all;
+  throw UsageError("--field needs a critical-points file, but " + all.back().file.name + " is another");
+}
+
+/// The picture of the last of the files; with --field, the field is the first of two.
+std::string picture_of(const std::vector<Read>& files, const draw::DrawOptions& options) {
+  const page::Stage& stage = files.back().stage;
+  if (const auto* mesh = std::get_if<TriMesh>(&stage)) return draw::draw_tri_mesh(*mesh, options);
+  if (const auto* field = std::get_if<Field>(&stage)) return draw::draw_field(*field, options);
+  if (const auto* graph = std::get_if<SeparatrixGraph>(&stage)) return draw::draw_separatrix_graph(*graph, options);
+  if (const auto* layout = std::get_if<BlockLayout>(&stage)) return draw::draw_block_layout(*layout, options);
+  if (const auto* mesh = std::get_if<QuadMesh>(&stage)) return draw::draw_quad_mesh(*mesh, options);
+  const Field* field = std::get_if<Field>(&files.front().stage);
+  return draw::draw_critical_points(std::get<CriticalPoints>(stage), field, options);
+}
+
+/// Two layouts or meshes; they need not be of one chain.
+std::string comparison_of(const Settings& settings, cli::Session& session) {
+  if (settings.inputs.size() != 2) throw UsageError("--compare needs two files, layouts or meshes");
+  std::vector<page::Stage> stages;
+  for (const std::string& path : settings.inputs) {
+    const io::InputFile file = io::read_input(path);
+    stages.push_back(read_stage(file, session));
+    const page::Stage& stage = stages.back();
+    if (!std::holds_alternative<SeparatrixGraph>(stage) && !std::holds_alternative<BlockLayout>(stage) &&
+        !std::holds_alternative<QuadMesh>(stage))
+      throw UsageError("--compare needs layouts or meshes, but " + file.name + " is a " + io::stage_format(file) +
+                       " file");
+  }
+  if (stages[0].index() != stages[1].index())
+    throw UsageError("--compare needs two files of one format: two layouts, or two meshes");
+  return page::comparison_page(stages[0], stages[1]);
+}
+
+std::string page_of(std::vector<Read> files) {
+  std::vector<page::Stage> stages;
+  for (Read& read : files) stages.push_back(std::move(read.stage));
+  return page::html_page(stages);
+}
+
+void run(const Settings& settings, cli::Session& session) {
+  const bool is_page = settings.output.ends_with(".html") || settings.output.ends_with(".htm");
+  if (settings.is_comparison && !is_page)
+    throw UsageError("--compare makes a page: give -o with a name that ends in .html");
+  if (!is_page && settings.inputs.size() > 1)
+    throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
+  session.begin_phase(settings.is_comparison ? "draw" : "read");
+  if (settings.is_comparison) return io::write_output(settings.output, comparison_of(settings, session), false);
+  std::vector<Read> files = read_all(settings, session);
+  if (settings.draw.curve_labels && !std::holds_alternative<TriMesh>(files.back().stage))
+    throw UsageError("--curve-labels needs a tri-mesh file, but " + files.back().file.name + " is another");
+  session.begin_phase("draw");
+  const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings.draw);
+  session.end_phase();
+  io::write_output(settings.output, text, false);
 }
 
 }  // namespace
@@ -68,31 +134,36 @@ int main(int argc, char** argv) {
   Settings settings;
   cli::Tool tool;
   tool.name = "stageview";
-  tool.summary = "draws a picture (SVG) of any stage file";
+  tool.summary = "draws any stage file: a picture (SVG) or a page that zooms (HTML)";
   tool.description =
       "The format of FILE is detected from its content: triangle mesh, guiding field, critical points, separatrices, "
-      "blocks or quads. Critical points are drawn over the field that --field names, with error bars, clusters, "
+      "blocks or quads. If the output ends in .html, it is a page for a browser, which needs no other file and no "
+      "network: it moves and zooms, switches layers, shows number, size and quality of what is under the pointer and "
+      "goes to the worst element; the key ? lists its keys. Several files of one chain become the tabs of one page. "
+      "Any "
+      "other output is a picture. Critical points are drawn over the field that --field names, with error bars, "
+      "clusters, "
       "changes and the cells of the certificate. In a browser, elements, blocks and points show their numbers and "
       "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.tri.h5 --curve-labels -o curves.svg",
-                   "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg"};
+                   "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
+                   "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html"};
   tool.options = [&](cli::Options& o) {
-    o.input("FILE", settings.input, "a stage file");
-    o.output(settings.output, "picture to write (SVG)");
-    o.text("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
+    o.output(settings.output, "picture to write (SVG), or page (if the name ends in .html)");
+    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.flag("--compare", settings.is_comparison,
+           "a page of two files of one format, separatrices, blocks or quads, which need not be of one chain: the "
+           "lines of one over the other, and a table of counts and qualities");
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
-             "quantity of a field to show: cross angle, a component or the polynomial order");
+             "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
     o.flag("--curve-labels", settings.draw.curve_labels,
-           "write number and name beside each boundary curve of a triangle mesh, for cad2tri --name");
+           "in a picture, write number and name beside each boundary curve of a triangle mesh, for cad2tri --name");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
-  tool.run = [&](cli::Session& s) {
-    const std::string picture = draw_stage(settings, s);
-    s.end_phase();
-    io::write_output(settings.output, picture, false);
-  };
+  tool.run = [&](cli::Session& session) { run(settings, session); };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);
 }

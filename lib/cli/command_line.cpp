@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/json_string.hpp"
+#include "cli/overwrite.hpp"
 
 namespace quadrille::cli {
 
@@ -95,6 +96,13 @@ struct CommandLine::Impl {
         "results do not depend on it (default: auto)");
   }
 
+  static std::vector<std::string> named(const std::vector<std::function<std::vector<std::string>()>>& files) {
+    std::vector<std::string> names;
+    for (const auto& list : files)
+      for (std::string& name : list()) names.push_back(std::move(name));
+    return names;
+  }
+
   HelpPage page;
   CLI::App app;
   std::map<std::string, std::function<std::string()>> recorded;
@@ -103,7 +111,8 @@ struct CommandLine::Impl {
   bool quiet = false;
   CommonOptions* common = nullptr;
   const std::string* output = nullptr;
-  std::vector<CLI::Option*> declared;  ///< before those of every command
+  std::vector<std::function<std::vector<std::string>()>> read, written;  ///< files, after parsing
+  std::vector<CLI::Option*> declared;                                    ///< before those of every command
 };
 
 CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
@@ -113,6 +122,7 @@ void CommandLine::input(const std::string& name, std::string& path, const std::s
   if (path.empty() && !required) path = "-";
   impl_->page.inputs.push_back({name, required ? help : help + " (default: -, standard input)"});
   impl_->page.synopsis += required ? ' ' + name : " [" + name + ']';
+  impl_->read.emplace_back([&path] { return std::vector{path}; });
   impl_->app.add_option(name, path)->required(required);
 }
 
@@ -120,6 +130,7 @@ void CommandLine::inputs(const std::string& name, std::vector<std::string>& path
   if (paths.empty()) paths = {"-"};
   impl_->page.inputs.push_back({name + "...", help + " (default: -, standard input)"});
   impl_->page.synopsis += " [" + name + "...]";
+  impl_->read.emplace_back([&paths] { return paths; });
   impl_->app.add_option(name, paths);
 }
 
@@ -127,6 +138,7 @@ void CommandLine::output(std::string& path, const std::string& help) {
   if (path.empty()) path = "-";
   impl_->page.options.push_back({"-o, --output FILE", help + " (default: -, standard output)"});
   impl_->output = &path;
+  impl_->written.emplace_back([&path] { return std::vector{path}; });
   impl_->app.add_option("-o,--output", path)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
@@ -180,6 +192,17 @@ void CommandLine::text(const std::string& flag, std::string& value, const std::s
   if (recorded) impl_->record(flag, [&value] { return json_string(value); });
 }
 
+void CommandLine::input_file(const std::string& flag, std::string& path, const std::string& placeholder,
+                             const std::string& help, bool recorded) {
+  text(flag, path, placeholder, help, recorded);
+  impl_->read.emplace_back([&path] { return std::vector{path}; });
+}
+
+void CommandLine::output_file(const std::string& flag, std::string& path, const std::string& help) {
+  text(flag, path, "FILE", help, false);
+  impl_->written.emplace_back([&path] { return std::vector{path}; });
+}
+
 void CommandLine::texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
                         const std::string& help) {
   const auto set = [&values](const CLI::results_t& texts) {
@@ -208,8 +231,8 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->declared = impl_->app.get_options();
   std::vector<HelpRow> own;
   own.swap(impl_->page.options);
-  text("--report", common.report, "FILE",
-       "write counts, timings, residuals and warnings as JSON, also after a failure (-: standard output)", false);
+  output_file("--report", common.report,
+              "write counts, timings, residuals and warnings as JSON, also after a failure (-: standard output)");
   choice("--progress", common.progress, {"auto", "always", "never"},
          "show progress on standard error; auto: on a terminal, for work longer than a second");
   impl_->recorded.erase("progress");
@@ -247,6 +270,7 @@ Request CommandLine::parse(int argc, char** argv) {
     for (char& c : message) c = c == '\n' ? ' ' : c;
     throw UsageError(message);
   }
+  refuse_to_overwrite(Impl::named(impl_->read), Impl::named(impl_->written));
   impl_->common->verbosity = impl_->quiet ? -1 : std::min(impl_->verbose, 2);
   return Request::run;
 }

@@ -37,6 +37,9 @@ class CommandLine : public Options {
   void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
   void text(const std::string& flag, std::string& value, const std::string& placeholder, const std::string& help,
             bool recorded) override;
+  void input_file(const std::string& flag, std::string& path, const std::string& placeholder, const std::string& help,
+                  bool recorded) override;
+  void output_file(const std::string& flag, std::string& path, const std::string& help) override;
   void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
              const std::string& help) override;
   void flag(const std::string& flag, bool& value, const std::string& help) override;
@@ -44,7 +47,7 @@ class CommandLine : public Options {
 
   /// Adds the options of every command; called after the tool has declared its own.
   void add_common(CommonOptions& common);
-  /// Fills the declared variables. Throws UsageError.
+  /// Fills the declared variables. Throws UsageError, also if a file that is read would be overwritten.
   Request parse(int argc, char** argv);
   const HelpPage& page() const;
   bool writes_to_stdout() const;

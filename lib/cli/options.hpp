@@ -25,6 +25,11 @@ class Options {
   virtual void integer(const std::string& flag, int& value, int low, int high, const std::string& help) = 0;
   virtual void text(const std::string& flag, std::string& value, const std::string& placeholder,
                     const std::string& help, bool recorded = true) = 0;
+  /// As `text`: a file that is read. No output may overwrite it.
+  virtual void input_file(const std::string& flag, std::string& path, const std::string& placeholder,
+                          const std::string& help, bool recorded = true) = 0;
+  /// As `text`, never recorded: a file that is written beside the output. It may not be a file that is read.
+  virtual void output_file(const std::string& flag, std::string& path, const std::string& help) = 0;
   /// May be given several times; the values keep their order.
   virtual void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
                      const std::string& help) = 0;

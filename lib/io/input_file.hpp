@@ -19,8 +19,11 @@ struct InputFile {
 /// Reads `path` ("-": standard input). Throws FormatError when it cannot be read, is a directory or a terminal.
 InputFile read_input(const std::string& path);
 
-/// Throws FormatError unless one of the files was made from the other: the provenance chain of one must contain the
-/// digest of the other.
+/// Whether one of the files was made from the other: the provenance chain of one contains the digest of the other.
+bool have_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
+                      const Provenance& second_chain);
+
+/// Throws FormatError unless one of the files was made from the other.
 void require_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
                          const Provenance& second_chain);
 

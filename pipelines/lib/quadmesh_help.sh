@@ -29,6 +29,8 @@ OPTIONS
                             boundary touches itself: straight edges of this length, in file units
   --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
   --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
+  --html FILE               also write a page for a browser (x.html): every stage as a tab, with histograms of the
+                            shapes of elements and the options that made it
   --report FILE             write counts, least Jacobian and seconds of every stage as JSON (-: standard output)
   --max-seconds S           stop the stage that runs when all stages together have used S seconds, of CPU time (that of
                             all threads) or elapsed (unit: s; default: no limit; interval: above 0). A quarter of S
@@ -64,6 +66,7 @@ EXAMPLES
   quadmesh half_disc.step -o in_time.msh --max-seconds 60 --max-memory 2G
   quadmesh half_disc.step -o half_disc.xml --order 7
   quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
+  quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10
 END
 }

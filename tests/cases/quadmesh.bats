@@ -34,6 +34,17 @@ here() { TMPDIR=$PWD "$@"; }
   cmp piped.msh file.msh
 }
 
+@test "--html writes a page of all stages, not of files that an earlier run left" {
+  folder=$BATS_TEST_TMPDIR/stages
+  mkdir "$folder" && echo old >"$folder/half_disc.phase.h5"
+  run -0 "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --html page.html --workdir "$folder"
+  assert_output ''
+  run -0 grep -oE '"title":"[A-Z][a-z ]+","caption"' page.html
+  assert_equal "${#lines[@]}" 6
+  run -2 "$quadmesh" "$DATA/half_disc.step" -o other.msh --html page.svg
+  assert_nothing_left out.msh page.html
+}
+
 @test "--workdir keeps the file of every stage, --report the counts and the seconds of every stage" {
   run -0 "$quadmesh" "$DATA/half_disc.step" --output=out.msh --workdir=stages --report=report.json
   assert_equal "$(ls stages | xargs)" "half_disc.blocks.h5 half_disc.crit.json half_disc.field.h5 half_disc.quad.h5 \

@@ -136,6 +136,26 @@ writers() {
   done
 }
 
+@test "no tool replaces a file that it reads, under any of its names: exit 2" {
+  for tool in $(writers); do
+    for name in input ./input link; do
+      set -- $(inputs_of "$tool")
+      cp "${@: -1}" input
+      ln -sf input link
+      run --separate-stderr "$tool" "${@:1:$#-1}" input -o "$name"
+      assert_equal "$tool $name $status" "$tool $name 2"
+      assert_equal "${stderr_lines[0]}" \
+        "$tool: $name: is the input input and would be overwritten: give another output file"
+      cmp input "${@: -1}"
+      run -2 "$tool" "${@:1:$#-1}" input -o out --report "$name"
+      cmp input "${@: -1}"
+    done
+    run -2 --separate-stderr "$tool" "${@:1:$#-1}" - -o input <input
+    cmp input "${@: -1}"
+    assert_nothing_left input link
+  done
+}
+
 @test "unwritable output ends with 4 and leaves nothing" {
   for tool in $(writers); do
     for target in "no/such/folder/$(out_of "$tool")" /dev/full; do

@@ -1,4 +1,4 @@
-# stageview: a picture of every kind of stage file.
+# stageview: a picture and a page of every kind of stage file.
 load common
 
 setup_file() {
@@ -88,9 +88,74 @@ shown() { grep -cE "$1" a.svg; }
   done
 }
 
+@test "every stage file gives a page that needs nothing else, silently, and the same bytes twice" {
+  for file in tri.h5 solve.h5 field.h5 crit.json sep.json blocks.h5 quad.h5; do
+    run -0 stageview "$X.$file" -o a.html
+    assert_output ''
+    run ! grep -qE 'https?:|src=|@import|url\(|import\(|fetch\(' a.html
+    run ! grep -qF "$BATS_FILE_TMPDIR" a.html
+    page_data a.html >data.json
+    assert_equal "$(jq '.sheets | length' data.json)" 1
+    stageview "$X.$file" -o b.html
+    cmp a.html b.html
+  done
+}
+
+# page_data FILE: the data of a page, JSON.
+page_data() {
+  sed -n 's/^.*<script type="application\/json" id="data">\(.*\)<\/script>$/\1/p' "$1"
+}
+
+@test "several files of one chain are tabs of one page, in their order" {
+  run -0 stageview "$X.tri.h5" "$X.field.h5" "$X.crit.json" "$X.sep.json" "$X.blocks.h5" "$X.quad.h5" -o a.html
+  page_data a.html >data.json
+  assert_equal "$(jq -c '[.sheets[].title]' data.json)" \
+    '["Triangle mesh","Guiding field","Critical points","Separatrices","Blocks","Quad mesh"]'
+  stageview "$X.crit.json" --field "$X.field.h5" -o b.html
+  assert_equal "$(page_data b.html | jq -c '[.sheets[].title]')" '["Guiding field","Critical points"]'
+}
+
+@test "files of different chains, and several files without a page, are refused" {
+  fieldsolve "$X.tri.h5" --field-order 4 -o other.field.h5
+  run -3 stageview "$X.field.h5" other.field.h5 -o a.html
+  assert_output --partial 'was not made from'
+  run -2 stageview "$X.tri.h5" "$X.quad.h5" -o a.svg
+  assert_line "stageview: several files are shown by a page only: give -o with a name that ends in .html"
+  assert_nothing_left other.field.h5
+}
+
+@test "--compare shows two files of one format, which need not be of one chain" {
+  quadrefine "$X.blocks.h5" --size 0.2 -o b.quad.h5
+  run -0 stageview --compare "$X.quad.h5" b.quad.h5 -o a.html
+  assert_output ''
+  assert_equal "$(page_data a.html | jq -c '[.comparison, (.sheets | length)]')" '[true,2]'
+  stageview --compare "$X.sep.json" "$X.sep.json" -o b.html
+  assert_equal "$(page_data b.html | jq -r '.sheets[1].title')" Separatrices
+  run -2 stageview --compare "$X.quad.h5" "$X.blocks.h5" -o c.html
+  assert_line 'stageview: --compare needs two files of one format: two layouts, or two meshes'
+  run -2 stageview --compare "$X.tri.h5" "$X.tri.h5" -o c.html
+  assert_line --partial '--compare needs layouts or meshes'
+  run -2 stageview --compare "$X.quad.h5" -o c.html
+  run -2 stageview --compare "$X.quad.h5" b.quad.h5 -o c.svg
+  assert_file_not_exists c.html
+}
+
+@test "names are escaped in a page" {
+  cad2tri "$DATA/half_disc.step" --boundary-names <(echo '{"*": "</script><b>&"}') -o named.tri.h5
+  stageview named.tri.h5 -o a.html
+  assert_equal "$(grep -c '</script><b>' a.html)" 0
+  page_data a.html | jq -e '.sheets[0].boundary.names | all(startswith("</script><b>&"))'
+}
+
+@test "a page of many quads of high order is small: less than 200 bytes for each" {
+  quadrefine "$X.blocks.h5" --size 0.04 --order 7 -o fine.quad.h5 --report report.json
+  stageview fine.quad.h5 -o a.html
+  assert [ "$(stat -c %s a.html)" -lt $((60000 + 200 * $(jq .quads report.json))) ]
+}
+
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 4
+  assert_equal "$(wc -l <examples)" 5
   while read -r line; do run -0 bash -c "$line"; done <examples
 }

@@ -1,0 +1,68 @@
+#include "page/sheet.hpp"
+
+#include <fmt/format.h>
+
+#include "base/enum_names.hpp"
+#include "base/position_text.hpp"
+
+namespace quadrille::page {
+
+std::string figure(double value) { return fmt::format("{:.4g}", value); }
+
+JsonObject boundary_layer(const CadFace& face, const PageFrame& frame) {
+  Chains chains;
+  for (const Nurbs& curve : face.curves) {
+    chains.append_piece(frame, curve, curve.begin(), curve.end());
+    chains.close_chain();
+  }
+  JsonObject layer;
+  layer.text("type", "chains").text("key", "boundary").text("title", "boundary").text("noun", "curve");
+  layer.text("style", "boundary").flag("shown", true).json("names", json_texts(face.curve_names));
+  layer.data("offsets", packed(chains.offsets)).data("points", packed(chains.points));
+  return layer;
+}
+
+std::string quantities_json(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> list;
+  for (const Quantity& quantity : quantities) {
+    if (quantity.values.empty()) continue;
+    JsonObject object;
+    object.text("title", quantity.title).text("worst", quantity.worst).flag("log", quantity.is_logarithmic);
+    object.number("low", quantity.low).number("high", quantity.high).data("values", packed_floats(quantity.values));
+    list.push_back(object.str());
+  }
+  return json_list(list);
+}
+
+void Marks::add(const PageFrame& frame, Vec2 x, int valence, const std::string& kind, const std::string& text) {
+  frame.append(positions, x);
+  valences.push_back(valence);
+  kinds.push_back(kind);
+  texts.push_back(text);
+}
+
+JsonObject Marks::layer(const std::string& key, const std::string& title, bool is_shown) const {
+  JsonObject layer;
+  layer.text("type", "marks").text("key", key).text("title", title).text("noun", "node").flag("shown", is_shown);
+  layer.data("points", packed(positions)).data("valences", packed(valences));
+  layer.json("kinds", json_texts(kinds)).json("names", json_texts(texts));
+  return layer;
+}
+
+Marks marks_of(const ArcGraph& graph, const PageFrame& frame, bool with_crossings) {
+  Marks marks;
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const GraphNode& node = graph.nodes[n];
+    const bool is_boundary_node = node.kind == NodeKind::boundary && node.valence != 2;
+    const std::string kind = node.kind == NodeKind::irregular ? "node"
+                             : node.kind == NodeKind::corner  ? "corner"
+                             : is_boundary_node               ? "boundary"
+                                                              : "dot";
+    if (kind == "dot" && !with_crossings) continue;
+    marks.add(frame, node.position, node.valence, kind,
+              fmt::format("node {}: {}, valence {}", n, enum_name(node.kind), node.valence));
+  }
+  return marks;
+}
+
+}  // namespace quadrille::page

@@ -1,0 +1,66 @@
+#pragma once
+// What a page shows of one stage: a tab with layers. Private to page; one .cpp for each kind of stage.
+
+#include <string>
+#include <vector>
+
+#include "model/block_layout.hpp"
+#include "model/critical_points.hpp"
+#include "model/field.hpp"
+#include "model/quad_mesh.hpp"
+#include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
+#include "page/bends.hpp"
+#include "page/page_data.hpp"
+
+namespace quadrille::page {
+
+struct Fact {
+  std::string label, value;
+};
+
+struct Sheet {
+  std::string title, caption;
+  std::vector<Fact> facts;
+  std::vector<JsonObject> layers;  ///< drawn in this order
+};
+
+Sheet sheet_of(const TriMesh& mesh, const PageFrame& frame);
+Sheet sheet_of(const Field& field, const PageFrame& frame);
+Sheet sheet_of(const CriticalPoints& points, const PageFrame& frame);
+Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame);
+Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame);
+Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame);
+
+/// The boundary of the face with the names of its curves, in every tab.
+JsonObject boundary_layer(const CadFace& face, const PageFrame& frame);
+
+/// A figure of each item of a layer. `worst` is "low", "high" or empty; the ramp runs from `low` to `high`, or over the
+/// values if they are equal.
+struct Quantity {
+  std::string title, worst;
+  double low = 0, high = 0;
+  std::vector<double> values;
+  bool is_logarithmic = false;
+};
+std::string quantities_json(const std::vector<Quantity>& quantities);
+
+/// Marks at nodes: shape and colour by valence, `kind` "node", "corner", "boundary", "dot" or "hollow".
+struct Marks {
+  std::vector<std::int32_t> positions;
+  std::vector<std::int32_t> valences;
+  std::vector<std::string> kinds, texts;
+  void add(const PageFrame& frame, Vec2 x, int valence, const std::string& kind, const std::string& text);
+  JsonObject layer(const std::string& key, const std::string& title, bool is_shown = true) const;
+};
+/// The nodes of a graph: irregular ones and corners; with `crossings` also where lines cross and end.
+Marks marks_of(const ArcGraph& graph, const PageFrame& frame, bool with_crossings);
+
+/// The triangles as cells. `is_shown`: at first.
+JsonObject triangle_layer(const TriMesh& mesh, const std::vector<Quantity>& quantities, bool is_shown,
+                          const PageFrame& frame);
+
+/// "0.0123": four significant digits.
+std::string figure(double value);
+
+}  // namespace quadrille::page

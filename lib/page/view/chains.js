@@ -1,0 +1,103 @@
+// Chains of cubic pieces: boundary curves, separatrices, arcs, and blocks, which are closed and filled.
+
+class Chains {
+  constructor(json, step) {
+    Object.assign(this, layerBase(json));
+    this.style = json.style;
+    this.offsets = intsOf(json.offsets);
+    this.points = positionsOf(json.points, step);
+    this.colours = json.colours ? intsOf(json.colours) : null;
+    this.count = this.offsets.length - 1;
+    this.isClosed = this.style === "block";
+    this.boxes = emptyBoxes(this.count);
+    for (let i = 0; i < this.count; ++i)
+      for (let k = this.offsets[i]; k < this.offsets[i + 1]; ++k)
+        include(this.boxes, i, this.points[2 * k], this.points[2 * k + 1]);
+  }
+
+  trace(path, maps, item) {
+    const [mx, my] = maps, p = this.points, end = 2 * this.offsets[item + 1];
+    let k = 2 * this.offsets[item];
+    path.moveTo(mx(p[k]), my(p[k + 1]));
+    for (k += 2; k < end; k += 6)
+      path.bezierCurveTo(mx(p[k]), my(p[k + 1]), mx(p[k + 2]), my(p[k + 3]), mx(p[k + 4]), my(p[k + 5]));
+    if (this.isClosed) path.closePath();
+  }
+
+  fill(context, view, theme) {
+    if (!this.isClosed) return;
+    const quantity = this.quantities[this.quantity], last = theme.rampColours.length - 1;
+    for (const item of itemsWithin(this.boxes, view.rectangle())) {
+      const ramp = quantity && theme.rampColours[Math.round(last * rampPosition(quantity, quantity.values[item]))];
+      context.fillStyle = ramp ? css(ramp) : theme.blocks[this.colours[item] % theme.blocks.length];
+      context.fill(this.outline(view, item));
+    }
+  }
+
+  stroke(context, view, theme) {
+    if (this.isClosed) return;
+    const maps = view.maps(), hues = lineHues[theme.name];
+    context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1 }[this.style];
+    for (const item of itemsWithin(this.boxes, view.rectangle())) {
+      const colour = this.colours ? this.colours[item] : -1;
+      context.strokeStyle = this.style === "line" && colour >= 0 ? hues[colour % hues.length] : theme.border;
+      context.beginPath();
+      this.trace(context, maps, item);
+      context.stroke();
+    }
+  }
+
+  outline(view, item) {
+    const path = new Path2D();
+    this.trace(path, view.maps(), item);
+    return path;
+  }
+
+  itemAt(context, view, px, py) {
+    const slack = 6 / view.scale, [x, y] = view.toPlane(px, py);
+    context.lineWidth = 10;
+    for (const i of itemsWithin(this.boxes, [x - slack, y - slack, x + slack, y + slack])) {
+      const path = this.outline(view, i);
+      if (this.isClosed ? context.isPointInPath(path, px, py) : context.isPointInStroke(path, px, py)) return i;
+    }
+    return -1;
+  }
+
+  controls(item) {
+    const controls = [];
+    for (let k = this.offsets[item]; k < this.offsets[item + 1]; ++k)
+      controls.push([this.points[2 * k], this.points[2 * k + 1]]);
+    return controls;
+  }
+
+  heading(item) {
+    const name = this.names[item] || "";
+    if (!this.noun) return name;
+    return this.style === "arc" ? `arc ${item}, ${name}` : `${this.noun} ${item}${nameSuffix(name, this.noun, item)}`;
+  }
+
+  sizes(item) {
+    const points = flattened(this.controls(item), 8);
+    return this.isClosed ? { area: areaOf(points), length: lengthOf(points) } : { length: lengthOf(points) };
+  }
+
+  /** Labels [text, x, y, normal]: names of curves beside their middles, names or numbers of blocks in them. */
+  labels(view) {
+    if (this.style !== "boundary" && !this.isClosed) return [];
+    return itemsWithin(this.boxes, view.rectangle()).map((item) => {
+      const points = flattened(this.controls(item), 4), middle = points[points.length >> 1];
+      if (this.isClosed) {
+        const centre = [0, 1].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
+        return { text: this.shortName(item), at: centre, away: [0, 0] };
+      }
+      const before = points[(points.length >> 1) - 1] || middle;
+      const length = Math.hypot(middle[0] - before[0], middle[1] - before[1]) || 1;
+      const away = [(middle[1] - before[1]) / length, (middle[0] - before[0]) / length];
+      return { text: this.names[item], at: middle, away };
+    });
+  }
+
+  shortName(item) {
+    return nameSuffix(this.names[item] || "", this.noun, item) ? this.names[item] : String(item);
+  }
+}

@@ -1,0 +1,93 @@
+// The page's data as typed arrays. Positions become lengths relative to the centre of the page's frame.
+
+function bytesOf(text) {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+const intsOf = (text) => new Int32Array(bytesOf(text).buffer);
+const shortsOf = (text) => new Int16Array(bytesOf(text).buffer);
+const floatsOf = (text) => new Float32Array(bytesOf(text).buffer);
+
+function positionsOf(text, step) {
+  const units = intsOf(text);
+  const positions = new Float64Array(units.length);
+  for (let i = 0; i < units.length; ++i) positions[i] = units[i] * step;
+  return positions;
+}
+
+/** A quantity with its range and the items sorted from the worst to the best. */
+function decodeQuantity(json) {
+  const values = floatsOf(json.values);
+  const order = Uint32Array.from(values.keys());
+  const sign = json.worst === "high" ? -1 : 1;
+  order.sort((a, b) => sign * (values[a] - values[b]) || a - b);
+  const ends = [values[order[0]], values[order[order.length - 1]]];
+  const [least, greatest] = sign < 0 ? ends.reverse() : ends;
+  const isGiven = json.high > json.low;
+  const low = isGiven ? Math.min(json.low, least) : least, high = isGiven ? json.high : greatest;
+  const isLog = json.log && low > 0;
+  return { title: json.title, worst: json.worst, values, order, least, greatest, low, high, isLog };
+}
+
+/** Where a value lies on the ramp: 0 is bad (or low), 1 is good (or high). */
+function rampPosition(quantity, value) {
+  const at = quantity.isLog ? Math.log : (x) => x;
+  const width = at(quantity.high) - at(quantity.low);
+  const t = width > 0 ? (at(value) - at(quantity.low)) / width : quantity.worst ? 1 : 0.5;
+  const clamped = Math.min(1, Math.max(0, t));
+  return quantity.worst === "high" ? 1 - (width > 0 ? clamped : 0) : clamped;
+}
+
+/** Boxes of items: x0, y0, x1, y1 each. */
+function emptyBoxes(count) {
+  const boxes = new Float64Array(4 * count);
+  for (let i = 0; i < count; ++i) boxes.set([Infinity, Infinity, -Infinity, -Infinity], 4 * i);
+  return boxes;
+}
+
+function include(boxes, item, x, y) {
+  const k = 4 * item;
+  if (x < boxes[k]) boxes[k] = x;
+  if (y < boxes[k + 1]) boxes[k + 1] = y;
+  if (x > boxes[k + 2]) boxes[k + 2] = x;
+  if (y > boxes[k + 3]) boxes[k + 3] = y;
+}
+
+/** The items whose boxes meet the rectangle [x0, x1] x [y0, y1]. */
+function itemsWithin(boxes, rectangle) {
+  const [x0, y0, x1, y1] = rectangle;
+  const items = [];
+  for (let i = 0, k = 0; k < boxes.length; ++i, k += 4)
+    if (boxes[k] <= x1 && boxes[k + 2] >= x0 && boxes[k + 1] <= y1 && boxes[k + 3] >= y0) items.push(i);
+  return items;
+}
+
+const layerTypes = {
+  cells: (json, step) => new Cells(json, step),
+  chains: (json, step) => new Chains(json, step),
+  marks: (json, step) => new Marks(json, step),
+  samples: (json, step) => new Samples(json, step),
+};
+
+/** The tabs with their layers. The boundary is a layer of every tab that has a face, or of the page's first face. */
+function decodeSheets(page) {
+  const withFace = page.sheets.find((sheet) => sheet.boundary);
+  return page.sheets.map((sheet) => {
+    const boundary = sheet.boundary || (withFace && withFace.boundary);
+    const layers = boundary ? [boundary, ...sheet.layers] : sheet.layers;
+    const decoded = layers.map((json) => layerTypes[json.type](json, page.step));
+    for (const layer of decoded) layer.isAdded = page.comparison && ["arcs", "lines", "mesh"].includes(layer.key);
+    return { ...sheet, layers: decoded };
+  });
+}
+
+/** Fields that all layers have. */
+function layerBase(json) {
+  return {
+    key: json.key, title: json.title, noun: json.noun, names: json.names || [], isShown: json.shown, isAdded: false,
+    quantities: (json.quantities || []).map(decodeQuantity), quantity: json.quantities && !json.plain ? 0 : -1,
+  };
+}

@@ -1,0 +1,211 @@
+// The page at work: its state, and what keys, pointer and buttons change in it.
+
+class Page {
+  constructor(data) {
+    this.data = data;
+    this.sheets = decodeSheets(data);
+    this.sheets.isComparison = data.comparison;
+    this.current = data.comparison ? 0 : this.sheets.length - 1;
+    this.scene = new Scene(byId("picture"), byId("overlay"));
+    this.view = new View(1, 1);
+    this.focus = null;
+    this.isPinned = false;
+    this.hasLabels = data.sheets.length > 0;
+    this.rank = -1;
+    this.theme = themeNamed(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    this.timer = 0;
+  }
+
+  get sheet() {
+    return this.sheets[this.current];
+  }
+  /** The layers of other stages that are added to this one, below its own. */
+  get added() {
+    const others = this.sheets.filter((sheet) => sheet !== this.sheet);
+    return others.flatMap((sheet) => sheet.layers.filter((layer) => layer.isAdded));
+  }
+  get shown() {
+    return [...this.added, ...this.sheet.layers.filter((layer) => layer.isShown)];
+  }
+  get limits() {
+    const fit = Math.min(this.view.width / this.data.width, this.view.height / this.data.height);
+    return [fit / 20, fit * 1e6];
+  }
+
+  start() {
+    byId("title").textContent = this.data.title;
+    fillHelp();
+    this.resize();
+    this.fit();
+    this.setTheme(this.theme.name);
+    this.choose(this.current);
+    listen(this);
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = byId("window");
+    this.view.resize(clientWidth, clientHeight);
+    this.scene.resize(clientWidth, clientHeight);
+  }
+
+  choose(number) {
+    this.current = (number + this.sheets.length) % this.sheets.length;
+    this.forget();
+    showTabs(this.sheets, this.current, (i) => this.choose(i));
+    showFacts(this.sheet);
+    if (this.data.comparison) showComparison(this.sheets);
+    showLayers(this.sheet.layers, () => this.changed());
+    showOthers(this.sheets, this.current, () => this.changed());
+    this.changed();
+  }
+
+  /** Layers, quantity or theme changed: everything is drawn anew. */
+  changed() {
+    this.rank = -1;
+    showMeasure(this.sheet.layers, this.theme);
+    this.drawSharp();
+  }
+
+  drawSharp() {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.scene.drawSharp(this.view, this.theme, this.shown, new Set(this.added));
+    this.drawOverlay();
+  }
+
+  drawOverlay() {
+    this.scene.drawOverlay(this.view, this.theme, this.data, this.shown, this.focus, this.hasLabels);
+    if (this.isPinned) this.placeTip(...this.focusPoint());
+  }
+
+  /** The view moved: the last picture moves with it; a sharp one follows when it rests, or at once if it is quick. */
+  moved() {
+    if (!this.isPinned) this.forget();
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => {
+      if (this.scene.sharpTime < 12) return this.drawSharp();
+      this.scene.show(this.view, this.theme);
+      this.drawOverlay();
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.drawSharp(), 120);
+    });
+  }
+
+  fit() {
+    const { width, height } = this.data;
+    this.view.fit(-width / 2, -height / 2, width / 2, height / 2, 64);
+  }
+
+  setTheme(name) {
+    this.theme = themeNamed(name);
+    document.documentElement.dataset.theme = name;
+  }
+
+  forget() {
+    this.focus = null;
+    this.isPinned = false;
+    byId("tip").hidden = true;
+  }
+
+  /** Shows the item under the pointer. */
+  point(px, py) {
+    const [x, y] = this.view.toPlane(px, py);
+    const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
+    byId("place").textContent = `${text(x + this.data.x)}, ${text(y + this.data.y)} ${unitSign(this.data)}`;
+    const found = this.scene.itemAt(this.view, this.shown, px, py);
+    this.forget();
+    this.focus = found;
+    if (found) this.showTip(px, py);
+    this.drawOverlay();
+  }
+
+  showTip(px, py) {
+    const { layer, item } = this.focus;
+    const figures = element("table", {}, ...tableRows(this.figures()));
+    byId("tip").replaceChildren(element("strong", {}, layer.heading(item)), figures);
+    byId("tip").hidden = false;
+    this.placeTip(px, py);
+  }
+
+  /** Size and quality of the item in focus. */
+  figures() {
+    const { layer, item } = this.focus, unit = unitSign(this.data), sizes = layer.sizes(item), rows = [];
+    if (sizes.least !== undefined) rows.push(["sides", `${figure(sizes.least)} to ${figure(sizes.greatest)} ${unit}`]);
+    const whole = layer.isClosed ? "perimeter" : "length";
+    if (sizes.length !== undefined) rows.push([whole, `${figure(sizes.length)} ${unit}`]);
+    if (sizes.area !== undefined) rows.push(["area", `${figure(sizes.area)} ${unit && unit + "²"}`]);
+    for (const quantity of layer.quantities) rows.push([quantity.title, figure(quantity.values[item])]);
+    return rows;
+  }
+
+  placeTip(px, py) {
+    const tip = byId("tip"), { width, height } = this.view;
+    const x = px + 18 + tip.offsetWidth > width ? px - 18 - tip.offsetWidth : px + 18;
+    const y = py + 18 + tip.offsetHeight > height ? py - 18 - tip.offsetHeight : py + 18;
+    tip.style.left = `${Math.max(4, x)}px`;
+    tip.style.top = `${Math.max(4, y)}px`;
+  }
+
+  focusPoint() {
+    const [x0, y0, x1, y1] = this.boxOf(this.focus);
+    return this.view.toScreen((x0 + x1) / 2, (y0 + y1) / 2);
+  }
+
+  boxOf({ layer, item }) {
+    if (layer.boxes) return layer.boxes.subarray(4 * item, 4 * item + 4);
+    const [x, y] = layer.points.subarray(2 * item, 2 * item + 2);
+    return [x, y, x, y];
+  }
+
+  /** Zooms to an item and pins its figures. */
+  goTo(layer, item) {
+    this.focus = { layer, item };
+    const [x0, y0, x1, y1] = this.boxOf(this.focus);
+    const size = Math.max(x1 - x0, y1 - y0) || Math.max(this.data.width, this.data.height) / 10;
+    this.view.fit((x0 + x1 - size) / 2, (y0 + y1 - size) / 2, (x0 + x1 + size) / 2, (y0 + y1 + size) / 2, 0);
+    this.view.scale = Math.min(this.view.scale / 7, this.limits[1]);
+    this.isPinned = true;
+    this.showTip(...this.focusPoint());
+    this.drawSharp();
+    byId("status").textContent = layer.heading(item);
+  }
+
+  worst(step) {
+    const layer = measuredLayer(this.sheet.layers);
+    if (!layer) return this.tell("This stage has no quality: choose another one.");
+    const quantity = layer.quantities[Math.max(0, layer.quantity)], count = quantity.order.length;
+    this.rank = (this.rank + step + count) % count;
+    this.goTo(layer, quantity.order[this.rank]);
+    this.tell(`${layer.heading(quantity.order[this.rank])}: number ${this.rank + 1} from the worst, ${quantity.title}`);
+  }
+
+  nextQuantity(step) {
+    const layer = measuredLayer(this.sheet.layers);
+    if (!layer) return;
+    layer.quantity = ((layer.quantity + 1 + step + layer.quantities.length + 1) % (layer.quantities.length + 1)) - 1;
+    showLayers(this.sheet.layers, () => this.changed());
+    this.changed();
+  }
+
+  find(text) {
+    const wanted = text.trim().toLowerCase();
+    if (!wanted) return;
+    const layers = [...this.shown].reverse();
+    const number = /^\d+$/.test(wanted) ? Number(wanted) : -1;
+    const numbered = layers.find((layer) => layer.boxes && number >= 0 && number < layer.count);
+    if (numbered) return this.goTo(numbered, number);
+    for (const layer of layers) {
+      const item = layer.names.findIndex((name) => name.toLowerCase().includes(wanted));
+      if (item >= 0) return this.goTo(layer, item);
+    }
+    this.tell(`Nothing that is shown has the number or name ${text.trim()}.`);
+  }
+
+  tell(text) {
+    byId("status").textContent = text;
+  }
+}
+
+function start() {
+  new Page(JSON.parse(byId("data").textContent)).start();
+}

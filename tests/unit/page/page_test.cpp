@@ -1,0 +1,80 @@
+#include "page/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../samples.hpp"
+
+namespace quadrille::page {
+namespace {
+
+std::vector<Stage> all_stages() {
+  return {samples::tri_mesh(),         samples::field(),        samples::critical_points(),
+          samples::separatrix_graph(), samples::block_layout(), samples::quad_mesh()};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(Page, EveryStageIsATabWithLayers) {
+  const std::string page = html_page(all_stages());
+  for (const char* title : {"Triangle mesh", "Guiding field", "Critical points", "Separatrices", "Blocks", "Quad mesh"})
+    EXPECT_EQ(count(page, std::string("{\"title\":\"") + title + "\",\"caption\""), 1u) << title;
+  for (const char* key : {"field", "corners", "lines", "blocks", "arcs"})
+    EXPECT_EQ(count(page, std::string("\"key\":\"") + key + '"'), 1u) << key;
+  EXPECT_EQ(count(page, "\"key\":\"mesh\""), 3u);
+  EXPECT_EQ(count(page, "\"key\":\"boundary\""), 5u) << "of every stage but the critical points";
+}
+
+TEST(Page, ItReadsNothingFromElsewhereAndIsTheSameTwice) {
+  const std::string page = html_page(all_stages());
+  EXPECT_EQ(page, html_page(all_stages()));
+  for (const char* reference : {"http:", "https:", " src=", "@import", "url(", "import(", "fetch("})
+    EXPECT_EQ(count(page, reference), 0u) << reference;
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+}
+
+TEST(Page, NamesAreEscaped) {
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.face.name = "<b>&\"name\"";
+  mesh.face.curve_names[0] = "</script><script>alert(1)</script>";
+  const std::string page = html_page({mesh});
+  EXPECT_EQ(count(page, "alert(1)"), 1u);
+  EXPECT_EQ(count(page, "</script><script>alert"), 0u);
+  EXPECT_EQ(count(page, "<title>&lt;b&gt;&amp;&quot;name&quot;</title>"), 1u);
+  EXPECT_EQ(count(page, "<script"), 2u) << "the data and the script";
+}
+
+TEST(Page, CriticalPointsAloneHaveAPage) {
+  const std::string page = html_page({samples::critical_points()});
+  EXPECT_EQ(count(page, "\"key\":\"boundary\""), 0u);
+  EXPECT_EQ(count(page, "\"type\":\"marks\""), 2u);
+}
+
+TEST(Page, ComparedFacesLieWhereTheirOriginsPutThem) {
+  QuadMesh moved = samples::quad_mesh();
+  moved.face.origin = {3, 0};
+  const std::string page = comparison_page(samples::quad_mesh(), moved);
+  EXPECT_EQ(count(page, "\"comparison\":true"), 1u);
+  EXPECT_EQ(count(page, "\"x\":2,\"y\":0.5,\"width\":4,\"height\":1"), 1u) << "two unit squares, 2 apart";
+  EXPECT_EQ(count(html_page({moved}), "\"x\":3.5,\"y\":0.5,\"width\":1,"), 1u);
+}
+
+TEST(Page, FilesWithoutMeasuresOfLengthsHaveFewerQuantities) {
+  QuadMesh mesh = samples::quad_mesh();
+  const std::string all = html_page({mesh});
+  mesh.elem_edge_ratio.clear();
+  mesh.elem_area_jump.clear();
+  const std::string few = html_page({mesh});
+  EXPECT_EQ(count(all, "\"title\":\"area jump\""), 1u);
+  EXPECT_EQ(count(few, "\"title\":\"area jump\""), 0u);
+  EXPECT_EQ(count(few, "\"title\":\"skewness\""), 1u);
+}
+
+}  // namespace
+}  // namespace quadrille::page
