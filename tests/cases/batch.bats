@@ -91,13 +91,48 @@ PYTHON=/usr/bin/python3
 
 @test "mistakes on the command line are exit 2 with a hint, before anything is meshed" {
   for arguments in "" "a.step" "a.step --to" "a.step --to out --frob" "a.step --to out --size -1" \
-    "a.step --to out -o x" "a/x.step b/x.iges --to out"; do
+    "a.step --to out -o x" "a.step --to out --jobs x" "- --to out" "a/x.step b/x.iges --to out"; do
     # shellcheck disable=SC2086
     run -2 --separate-stderr "$batch" $arguments
     assert_equal "${stderr_lines[1]}" "try 'batch --help'"
   done
   run -3 "$batch" out --to out
   run -4 "$batch" x.step --to /dev/null/out
+}
+
+@test "names with blanks, quotes and braces" {
+  cp "$DATA/square.step" "it's {} a \$shape; 1.step"
+  echo '"a b"' >'block names'
+  run -0 here "$batch" ./*.step --to 'the {.} "meshes"' --block-names 'block names'
+  assert_file_exists "the {.} \"meshes\"/it's {} a \$shape; 1.msh"
+  assert_file_exists 'the {.} "meshes"/table.csv'
+}
+
+# tree PID: the process and all below it.
+tree() {
+  local child
+  echo "$1"
+  for child in $(pgrep -P "$1"); do tree "$child"; done
+}
+
+@test "killed without warning, it leaves no half result under a result's name, and is continued" {
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm fake/quadexport
+  printf '#!/bin/sh\ncase "$*" in *square.quad.h5*) echo >started; exec sleep 60 ;; esac; exec "%s" "$@"\n' \
+    "$BIN/quadexport" >fake/quadexport
+  chmod +x fake/quadexport
+  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD HOME=$PWD "$batch" "$DATA"/{half_disc,square}.step --to out --jobs 1 3>&- &
+  until [[ -e started ]]; do sleep 0.05; done
+  # shellcheck disable=SC2046
+  kill -KILL $(tree $!)
+  wait $! || true
+  assert_equal "$(cd out && ls -A | paste -sd ' ')" \
+    ".square.part half_disc.msh half_disc.report.json half_disc.result.json"
+  run -0 here "$batch" "$DATA"/{half_disc,square}.step --to out --jobs 1
+  assert_output "2 shapes: 2 with a mesh, 0 without, 1 done before: out/table.html"
+  assert_equal "$(find out -type f | wc -l)" 8
+  assert_not_exists out/.square.part
 }
 
 @test "other hosts by parallel's own options" {
