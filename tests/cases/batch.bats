@@ -53,6 +53,8 @@ PYTHON=/usr/bin/python3
   assert_equal "$(changed)" "half_disc"
   again --retry
   assert_equal "$(changed)" "slit"
+  again --threads 2
+  assert_equal "$(changed)" ""
   again --size 0.3
   assert_equal "$(changed)" "half_disc slit square"
 }
@@ -91,7 +93,8 @@ PYTHON=/usr/bin/python3
 
 @test "mistakes on the command line are exit 2 with a hint, before anything is meshed" {
   for arguments in "" "a.step" "a.step --to" "a.step --to out --frob" "a.step --to out --size -1" \
-    "a.step --to out -o x" "a.step --to out --jobs x" "- --to out" "a/x.step b/x.iges --to out"; do
+    "a.step --to out -o x" "a.step --to out --jobs x" \
+    "a.step --to out --threads x" "- --to out" "a/x.step b/x.iges --to out"; do
     # shellcheck disable=SC2086
     run -2 --separate-stderr "$batch" $arguments
     assert_equal "${stderr_lines[1]}" "try 'batch --help'"

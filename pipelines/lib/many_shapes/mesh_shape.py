@@ -1,5 +1,6 @@
-"""One job of pipelines/batch: meshes one shape, in a folder of its own below the results, and moves what is
-complete there; the row of the table is last. The argument is JSON: shape, folder, ending, version, options, verbose, quadmesh."""
+"""One job of pipelines/batch: meshes one shape, in a folder of its own below the results, and moves what is complete
+there; the row of the table is last. The argument is JSON: shape, folder, ending, version, options, threads, verbose,
+quadmesh."""
 import json
 import os
 import pathlib
@@ -42,8 +43,7 @@ def mesh_shape(job):
     try:
         made.mkdir(parents=True)
         words = [job["quadmesh"], "-q", shape, "-o", made / results.mesh(shape).name, "--report", work / "report"]
-        threads = [] if "--threads" in job["options"] else ["--threads", "1"]
-        code, text, seconds = run_quadmesh([*map(str, words), *threads, *job["options"]], work)
+        code, text, seconds = run_quadmesh([*map(str, words), "--threads", job["threads"], *job["options"]], work)
         report = json.loads((work / "report").read_text(encoding="utf-8")) if code == 0 else None
         message = message_of(text, code, work.resolve())
         row = results.new_row(shape, code, round(seconds, 3), message, report)

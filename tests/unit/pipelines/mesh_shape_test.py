@@ -35,7 +35,7 @@ class MeshShapeTest(unittest.TestCase):
         program.write_text(quadmesh)
         program.chmod(0o755)
         return {"shape": "a.step", "folder": str(self.out), "ending": "msh", "version": "1", "options": [],
-                "verbose": True, "quadmesh": str(program)}
+                "threads": "1", "verbose": True, "quadmesh": str(program)}
 
     def files(self):
         return sorted(os.listdir(self.out))
