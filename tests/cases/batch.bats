@@ -82,6 +82,7 @@ PYTHON=/usr/bin/python3
     assert_not_exists out/ellipse.result.json
     first=$(cd out && stat -c '%n %.9Y' ./*.result.json | sort)
     assert_equal "$(find . -name '.*' ! -name .)" ""
+    assert_equal "$(ls | paste -sd ' ')" "fake out started words"
     assert_equal "$(($(wc -l <out/table.csv) - 1))" "$(wc -l <<<"$first")"
     run -0 here "$batch" "${shapes[@]}" --to out --jobs 2
     assert_output "6 shapes: 6 with a mesh, 0 without, $(wc -l <<<"$first") done before: out/table.html"

@@ -1,6 +1,8 @@
 """One job of pipelines/batch: meshes one shape, in a folder of its own below the results, and moves what is complete
 there; the row of the table is last. The argument is JSON: shape, folder, ending, version, options, threads, verbose,
 quadmesh."""
+import contextlib
+import fcntl
 import json
 import os
 import pathlib
@@ -31,13 +33,27 @@ def run_quadmesh(words, folder):
         return code if code >= 0 else 128 - code, messages.read(), used.ru_utime + used.ru_stime
 
 
+@contextlib.contextmanager
+def only_job(shape):
+    """Waits until no other process meshes the shape. File systems that have no such locks are no reason to stop."""
+    with contextlib.ExitStack() as files:
+        with contextlib.suppress(OSError):
+            fcntl.flock(files.enter_context(open(shape, "rb")), fcntl.LOCK_EX)
+        yield
+
+
 def mesh_shape(job):
-    """Returns the row, which is then written."""
+    """Returns the row, which is written; another process may just have done so."""
     results = Results(job["folder"], job["ending"], job["options"], job["version"])
-    shape = job["shape"]
+    with only_job(job["shape"]):
+        row = results.row(job["shape"])
+        return row if row is not None and row["exit_code"] == 0 else new_result(job, results, job["shape"])
+
+
+def new_result(job, results, shape):
     for old in (results.row_file(shape), results.mesh(shape), results.report(shape)):
         old.unlink(missing_ok=True)
-    work = results.folder / f".{results.name(shape)}.part"
+    work = results.part(shape)
     shutil.rmtree(work, ignore_errors=True)
     made = work / "made"
     try:

@@ -45,6 +45,10 @@ class Results:
     def row_file(self, shape):
         return self.folder / f"{self.name(shape)}.result.json"
 
+    def part(self, shape):
+        """The folder in which a shape is meshed."""
+        return self.folder / f".{self.name(shape)}.part"
+
     def row(self, shape):
         """The row of a shape that is done, else None."""
         files = [self.row_file(shape)]

@@ -54,6 +54,18 @@ class MeshShapeTest(unittest.TestCase):
         self.assertEqual(row["message"], "separatrix: x.sep.json: no layout")
         self.assertEqual(self.files(), ["a.result.json"])
 
+    def test_a_shape_waits_for_another_job_with_it_and_is_not_meshed_again(self):
+        shape = self.here / "a.step"
+        shape.touch()
+        os.utime(shape, (1, 1))
+        count = f"echo x >>'{self.here}/runs'; sleep 0.5\n"
+        job = json.dumps(self.job(GOOD + count) | {"shape": str(shape)})
+        jobs = [subprocess.Popen([sys.executable, "-B", mesh_shape.__file__, job], stdout=subprocess.DEVNULL)
+                for _ in range(3)]
+        self.assertEqual([process.wait(20) for process in jobs], [0, 0, 0])
+        self.assertEqual((self.here / "runs").read_text(), "x\n")
+        self.assertEqual(self.files(), ["a.msh", "a.names.json", "a.report.json", "a.result.json"])
+
     def test_a_signal_ends_the_shape_and_leaves_nothing(self):
         process = subprocess.Popen([sys.executable, "-B", mesh_shape.__file__, json.dumps(self.job(SLOW))])
         deadline = time.monotonic() + 20
