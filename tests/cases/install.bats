@@ -31,6 +31,11 @@ setup() {
   "$ROOT/pipelines/points2step" points | cmp - triangle.step
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/place -q "$DATA/square.step" -o placed.msh
   cmp placed.msh out.msh
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/gallery -q --to gallery
+  assert_file_exists gallery/gallery.html
+  command -v parallel || skip "no GNU parallel"
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/batch "$DATA/square.step" --to batch
+  cmp batch/square.msh out.msh
 }
 
 @test "every command has a manual page that renders without a warning and ends with its examples" {

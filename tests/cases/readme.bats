@@ -38,6 +38,25 @@ load ../tools/common
   assert_equal "$(sed -nE 's/^[12] [0-9]+ (".*")$/\1/p' aerofoil.msh | tr -d '\n')" '"farfield""lower""upper""fluid"'
 }
 
+@test "the commands that mesh one shape and many work" {
+  ln -s "$ROOT/pipelines" .
+  cp "$DATA/half_disc.step" shape.step
+  mkdir shapes && cp "$DATA/square.step" shapes
+  for section in "One command" "Many shapes"; do
+    [[ $section != Many* ]] || command -v parallel || skip "no GNU parallel"
+    sed -n "/^## $section/,/^## /p" "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+    assert [ "$(wc -l <commands)" -eq 1 ]
+    run -0 bash -euo pipefail commands
+  done
+  for file in shape.msh meshes/square.msh meshes/table.html; do assert_file_exists "$file"; done
+}
+
+@test "the sections whose commands are run above are all that have commands, but for the set-up" {
+  run -0 awk '/^## / { heading = substr($0, 4) } /^    [^ ]/ && !seen[heading]++ { print heading }' "$ROOT/README.md"
+  assert_output "$(printf '%s\n' Set-up 'One command' 'Many shapes' 'Step by step' 'From points' Names \
+    'Irregular nodes where you want them' 'Sizes and wall layers')"
+}
+
 @test "every file that it links is there" {
   grep -oE '\]\([^):]+\)' "$ROOT/README.md" | tr -d '])(' | sort -u >links
   assert [ "$(wc -l <links)" -ge 7 ]

@@ -59,3 +59,4 @@ case_of() {
 @test "s_bend" { case_of s_bend any any; }
 @test "stadium: two nodes of valence 3 at each end" { case_of stadium any 4; }
 @test "geometry_1" { case_of geometry_1 any any; }
+@test "geometry_2: a disc's four nodes of valence 3 in a spiral" { case_of geometry_2 any 4; }

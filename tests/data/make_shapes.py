@@ -30,10 +30,21 @@ def naca0012(sides=48):
     return [("spline", poles, knots)]
 
 
+def nautilus(sides=96):
+    """The spiral r = 0.8 + 0.4 t / (2 pi), one turn, and the straight step back to its start."""
+    parameters = [2 * math.pi * k / sides for k in range(sides + 1)]
+    growth = 0.4 / (2 * math.pi)
+    points = [(0.8 + growth * t) * cmath.exp(1j * t) for t in parameters]
+    points[0], points[-1] = 0.8 + 0j, 1.2 + 0j
+    poles, knots = cubic_through(points, parameters, complex(growth, 0.8), complex(growth, 1.2))
+    return [("spline", poles, knots), ("line", points[-1], points[0])]
+
+
 def shapes():
     octagon = [cmath.exp(1j * math.pi * (2 * k + 1) / 8) for k in range(8)]
     return {
         "naca0012": [rectangle(-1.5 - 1.5j, 2.5 + 1.5j), naca0012()],
+        "geometry_2": [nautilus()],
         "octagon": [polygon(octagon)],
         "plate_chamfered_4": [polygon([0.5, 3.5, 4 + 0.5j, 4 + 2.5j, 3.5 + 3j, 0.5 + 3j, 2.5j, 0.5j])],
         "cavity_ramp": [polygon([-2, 0, -1j, 2 - 1j, 3, 5, 5 + 1j, -2 + 1j])],

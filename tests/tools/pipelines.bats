@@ -30,6 +30,10 @@ passes() {
   passes boundary symmetries layouts compass_search
 }
 
+@test "many shapes: jobs, results, tables" {
+  passes mesh_shape shape_results result_table
+}
+
 @test "every module has a test, and the tests of all modules are run above" {
   for file in "$ROOT"/pipelines/lib/*.py "$ROOT"/pipelines/lib/*/[a-z]*.py; do
     module=$(basename "$file" .py)

@@ -1,0 +1,101 @@
+"""Results of a batch: for each shape NAME the mesh NAME.ENDING, NAME.report.json, and, written last, NAME.result.json,
+a row of the table. A shape whose row is missing, or older than the shape, is to be done."""
+import json
+import os
+import pathlib
+import re
+
+import command_frame as frame
+
+SHAPE_ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+FIGURES = ("blocks", "quads", "irregular_nodes", "least_scaled_jacobian", "greatest_edge_ratio")  # of the report
+FINAL = (0, 1, 2, 3, 70)  # exit codes that would be the same again; not those of a full disk or a signal
+
+
+def shape_files(words):
+    """The shapes that words of a command line name: files, and those in folders, in alphabetical order."""
+    shapes = []
+    for word in words:
+        if os.path.isdir(word):
+            found = sorted(name for name in os.listdir(word) if name.lower().endswith(SHAPE_ENDINGS))
+            if not found:
+                raise frame.Failure(frame.BAD_INPUT, f"{word} holds no file of {' '.join(SHAPE_ENDINGS)}")
+            shapes += [os.path.join(word, name) for name in found]
+        else:
+            shapes.append(word)
+    return shapes
+
+
+class Results:
+    """What lies in the folder. `options` are those of quadmesh, as words; `version` is that of the tools."""
+
+    def __init__(self, folder, ending="msh", options=(), version=""):
+        self.folder = pathlib.Path(folder)
+        self.ending, self.options, self.version = ending, list(options), version
+
+    def name(self, shape):
+        return pathlib.Path(shape).stem
+
+    def mesh(self, shape):
+        return self.folder / f"{self.name(shape)}.{self.ending}"
+
+    def report(self, shape):
+        return self.folder / f"{self.name(shape)}.report.json"
+
+    def row_file(self, shape):
+        return self.folder / f"{self.name(shape)}.result.json"
+
+    def part(self, shape):
+        """The folder in which a shape is meshed."""
+        return self.folder / f".{self.name(shape)}.part"
+
+    def row(self, shape):
+        """The row of a shape that is done, else None."""
+        files = [self.row_file(shape)]
+        row = read_row(files[0])
+        if row is None or (row["shape"], row["options"], row["version"], row["ending"]) != (
+                str(shape), self.options, self.version, self.ending) or row["exit_code"] not in FINAL:
+            return None
+        if row["exit_code"] == 0:
+            files += [self.mesh(shape), self.report(shape)]
+        try:
+            changed = os.stat(shape).st_mtime_ns
+            return row if all(os.stat(file).st_mtime_ns > changed for file in files) else None
+        except OSError:
+            return None
+
+    def new_row(self, shape, exit_code, cpu_seconds, message, report):
+        """`report` is that of quadmesh, or None."""
+        row = {"tool": "batch", "version": self.version, "shape": str(shape), "ending": self.ending,
+               "options": self.options, "exit_code": exit_code}
+        figures = report or {}
+        row |= {key: figures.get(key) for key in FIGURES}
+        if isinstance(row["greatest_edge_ratio"], dict):
+            row["greatest_edge_ratio"] = row["greatest_edge_ratio"]["value"]
+        row["cpu_seconds"] = cpu_seconds
+        row["warnings"] = sorted({warning["code"] for warning in figures.get("warnings", [])})
+        return row | {"message": message}
+
+    def all_rows(self):
+        """Those of all shapes that have a result in the folder, in the order of their names."""
+        rows = (read_row(path) for path in sorted(self.folder.glob("*.result.json")))
+        return [row for row in rows if row is not None]
+
+
+def read_row(path):
+    """None if there is none, or a part of one."""
+    try:
+        row = json.loads(path.read_text(encoding="utf-8"))
+        return row if row.get("tool") == "batch" else None
+    except (OSError, ValueError, AttributeError):
+        return None
+
+
+def message_of(text, exit_code, folder):
+    """What quadmesh printed of a failure, in one line, without warnings and the place of its temporary files."""
+    lines = [line.strip() for line in text.replace(f"{folder}/", "").splitlines()]
+    kept = [line for line in lines if line and not re.search(
+        r": warning W-|^xdg-open |: the files of the stages before |^try '", line)]
+    if exit_code > 128 and not kept:
+        return f"ended by signal {exit_code - 128}"
+    return " ".join(kept) or ("" if exit_code == 0 else "no message")

@@ -1,0 +1,77 @@
+# Every command of pipelines/tutorial.md, on copies of its inputs. Those that need a solver are skipped without it, with
+# the reason; the meshes are made all the same.
+load ../tools/common
+
+setup() {
+  common_setup
+  page=$ROOT/pipelines/tutorial.md
+  export XDG_CACHE_HOME=$PWD/cache # of dolfinx
+  mkdir build && ln -s "$BIN" build/bin
+  ln -s "$ROOT/pipelines" .
+}
+
+# code HEADING: the pieces of code below a heading of the page, before the next one.
+code() {
+  awk -v heading="$1" '/^#/ && !inside { wanted = index($0, heading) } /^```$/ { inside = 0; if (wanted) print "" }
+    inside && wanted; /^```sh$/ { inside = 1 }' "$page"
+}
+
+# runs HEADING [PROGRAM]: the first pieces of the page and those of the section; without PROGRAM, up to the first piece
+# that needs it.
+runs() {
+  { code 'From a drawing'; code "$1"; } >commands
+  assert [ "$(grep -c . commands)" -ge 5 ]
+  missing=
+  if [[ -n ${2-} ]] && ! eval "$2" >/dev/null 2>&1; then
+    missing=yes
+    sed -i -E '/^export WM_PROJECT_DIR|pipe_heat\.py/,$d' commands
+  fi
+  run -0 bash -euo pipefail commands
+}
+
+# near VALUE LOW HIGH
+near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x + 0 < high) }' || fail "$1"; }
+
+@test "flow around a cylinder: drag and lift of the benchmark" {
+  runs '## 1.' 'command -v simpleFoam'
+  assert_line --partial '12 blocks, 4 irregular nodes, 6191 quads'
+  assert_file_not_empty work/channel.svg
+  assert_equal "$(sed -n '/^boundary/,$p' work/channel/system/blockMeshDict | sed -nE 's/^    ([a-zA-Z]+)$/\1/p' |
+    sort | paste -sd ' ')" "cylinder frontAndBack inlet outlet walls"
+  [[ -z $missing ]] || skip "no OpenFOAM: the mesh was made, nothing was solved"
+  assert_line 'Mesh OK.'
+  read -r drag lift <<<"${lines[-1]}"
+  near "$drag" 5.54 5.58
+  near "$lift" 0.0100 0.0115
+}
+
+@test "heat loss of a pipe: the exact one" {
+  runs '## 2.' "/usr/bin/python3 -c 'import dolfinx, gmsh'"
+  assert_file_not_empty work/pipe.msh
+  [[ -z $missing ]] || skip "no dolfinx: the mesh was made, nothing was solved"
+  assert_line --regexp '^heat loss 18\.84783. W/m, exact 18\.847830 W/m, relative error [1-9]\.[0-9]e-0[89]$'
+}
+
+@test "an aerofoil from points: the drag of a finer mesh, no lift" {
+  runs '## 3.' 'command -v simpleFoam'
+  assert_line --partial ' 3054 quads'
+  [[ -z $missing ]] || skip "no OpenFOAM: the mesh was made, nothing was solved"
+  read -r drag lift <<<"${lines[-1]}"
+  near "$drag" 0.118 0.123
+  near "$lift" -1e-6 1e-6
+}
+
+@test "the sections above are all that have commands, and every option of the table is one of quadmesh" {
+  run -0 awk '/^## / { heading = $2 } /^```sh$/ && !seen[heading]++ { printf " %s", heading }' "$page"
+  assert_output "  1. 2. 3."
+  "$ROOT/pipelines/quadmesh" --help >help
+  sed -n '/^## Which option/,/^## /p' "$page" | sed 's/`cad2tri[^`]*`//' | grep -oE -- '--[a-z][a-z-]+' | sort -u >options
+  assert [ "$(wc -l <options)" -ge 20 ]
+  while read -r option; do grep -qE "^  (-., )?$option\b" help || fail "quadmesh has no $option"; done <options
+}
+
+@test "the shapes and points are those that make_examples.py draws" {
+  mkdir made
+  python3 -B "$DATA/make_examples.py" made
+  for file in made/*; do cmp "$file" "$ROOT/pipelines/examples/${file##*/}"; done
+}
