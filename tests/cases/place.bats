@@ -32,7 +32,7 @@ here() { TMPDIR=$PWD "$@"; }
   "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" -o mesh.msh
   cmp placed.msh mesh.msh
   run -0 "$place" "$DATA/square.step" -o placed.msh
-  assert_output "least scaled Jacobian of the blocks 1 -> 1, 0 of 0 nodes moved, 0 trials"
+  assert_output "least scaled Jacobian of the blocks 1 -> 1, 0 of 0 nodes moved, 0 trials: there is no irregular node inside"
   "$ROOT/pipelines/quadmesh" -q "$DATA/square.step" -o mesh.msh
   cmp placed.msh mesh.msh
 }
@@ -59,7 +59,7 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "the options of critpoints are passed on to it, and listed by --help" {
   run -2 --separate-stderr here "$place" "$DATA/square.step" -o out.msh --max-valence=3
-  [[ ${stderr_lines[0]} == "critpoints: --max-valence: "* ]] || fail "$stderr"
+  [[ ${stderr_lines[0]} == "place: --max-valence: "* ]] || fail "$stderr"
   run -0 "$place" -q "$DATA/half_disc.step" -o out.msh --rounds 0 --place energy --nodes energy.crit.json
   jq -e '.form == "phase"' energy.crit.json
   run -2 "$place" "$DATA/square.step" --max-valence
