@@ -100,15 +100,17 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   for shape in empty truncated garbage missing; do
     run -3 --separate-stderr here "$quadmesh" "$shape.step" -o out.msh
     assert_equal "${#stderr_lines[@]}" 1
-    [[ $stderr == "cad2tri: "*"$shape.step"* ]] || fail "$shape: $stderr"
+    [[ $stderr == *": "*"$shape.step"* ]] || fail "$shape: $stderr"
+    case $shape in empty | missing) assert_regex "$stderr" "^quadmesh: " ;; *) assert_regex "$stderr" "^cad2tri: " ;; esac
     assert_output ''
   done
   assert_nothing_left empty.step garbage.step truncated.step
 }
 
-@test "an impossible option of a stage is that stage's usage error" {
+@test "an impossible option of a stage is a usage error of quadmesh" {
   run -2 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --order 0
-  [[ $stderr == "quadrefine: --order"* ]] || fail "$stderr"
+  assert_equal "${stderr_lines[0]}" "quadmesh: --order: 0 is outside its interval (1 to 20)"
+  assert_equal "${stderr_lines[1]}" "try 'quadmesh --help'"
   assert_nothing_left
 }
 
@@ -127,9 +129,12 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
 
 @test "an output that cannot be written is exit 4, nothing is left" {
   run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o nowhere/out.msh
-  [[ $stderr == "quadexport: "*nowhere/out.msh* ]] || fail "$stderr"
+  [[ $stderr == "quadmesh: "*nowhere/out.msh* ]] || fail "$stderr"
   run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --report nowhere/report.json
-  assert_nothing_left out.msh
+  [[ $stderr == "quadmesh: "*nowhere/report.json* ]] || fail "$stderr"
+  run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" --format msh -o /dev/full
+  [[ $stderr == "quadexport: "*/dev/full* ]] || fail "$stderr"
+  assert_nothing_left
 }
 
 @test "mistakes on the command line are exit 2 with a hint" {
@@ -154,10 +159,13 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   xmllint --noout kept/half_disc.before-blocksplit.svg
   assert_file_exists kept/half_disc.sep.json
   assert_file_not_exists out.msh
-  # Without --workdir the temporary folder stays, and only then.
+  # Without --workdir nothing stays, and the message says how to keep the files.
+  rm -r kept
   QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
-  picture=$(sed -n "s/.*xdg-open '\(.*\)'/\1/p" <<<"$stderr")
-  assert_file_exists "$picture"
+  assert_equal "${stderr_lines[1]}" \
+    "quadmesh: run it again with --workdir DIR to keep the files of the stages before blocksplit and a picture"
+  rm -r fake
+  assert_nothing_left
 }
 
 # failing TOOL REPORT: a folder `fake` in which the tool finds no valid result, and reports this JSON.
