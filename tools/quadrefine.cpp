@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
@@ -136,7 +137,7 @@ int main(int argc, char** argv) {
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);
-    s.info(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
+    s.info(fmt::format("{} of order {}, the worst:", counted(mesh.num_elems(), "quad"), mesh.order));
     for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.info(refine::describe(worst, mesh));
     s.info(mesh::describe(mesh::worst_element_sizes(mesh)));
     s.begin_phase("write");

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
@@ -54,10 +55,8 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
     session.end_phase();
     for (const check::Violation& violation : violations)
       fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
-    session.info(fmt::format(
-        "{}: {}, {}", file.name, format,
-        violations.empty() ? "all rules hold"
-                           : fmt::format("{} violation{}", violations.size(), violations.size() == 1 ? "" : "s")));
+    session.info(fmt::format("{}: {}, {}", file.name, format,
+                             violations.empty() ? "all rules hold" : counted(violations.size(), "violation")));
     return violations.size();
   } catch (const FormatError& e) {
     session.end_phase();
@@ -96,8 +95,8 @@ void check_files(const std::vector<std::string>& paths, cli::Session& session) {
   session.report().set("files", paths.size());
   session.report().set("violations", num_violations);
   if (num_bad > 0)
-    throw FormatError(fmt::format("{} of {} {} {} broken", num_bad, paths.size(), paths.size() == 1 ? "file" : "files",
-                                  num_bad == 1 ? "is" : "are"));
+    throw FormatError(
+        fmt::format("{} of {} {} broken", num_bad, counted(paths.size(), "file"), num_bad == 1 ? "is" : "are"));
 }
 
 }  // namespace

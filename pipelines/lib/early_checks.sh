@@ -15,8 +15,8 @@ refuse() {
 check_command_line() {
   [ -n "$shape" ] || [ -n "$first_stage" ] || mistake "no shape given"
   limit_range "$first_stage" "$last_stage"
-  check_options cad2tri /dev/null ${heal:+--heal-tolerance "$heal"} ${fit:+--fit-tolerance "$fit"} \
-    ${blunt:+--blunt "$blunt"} ${threads:+--threads "$threads"}
+  check_options cad2tri /dev/null ${healed:+--write-healed "$healed"} ${heal:+--heal-tolerance "$heal"} \
+    ${fit:+--fit-tolerance "$fit"} ${blunt:+--blunt "$blunt"} ${threads:+--threads "$threads"}
   for tool in critpoints separatrix blocksplit quadrefine; do check_options "$tool" /dev/null; done
   check_output_format
   check_given_nodes_option

@@ -66,6 +66,7 @@ table() {
 2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
 2 | quadmesh half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval (1 to 20)
 2 | quadmesh half_disc.step -o out.msh --heal-tolerance wide | --heal-tolerance: 'wide' is not a number
+2 | quadmesh half_disc.step -o out.msh --write-healed out.iges | out.iges: the file must end in .step, .stp or .brep
 2 | quadmesh half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
 2 | quadmesh half_disc.step -o out.msh --wall hole | expected NAME:first=H
 2 | quadmesh half_disc.step -o out.msh --size-near hole | hole
