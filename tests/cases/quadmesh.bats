@@ -387,6 +387,33 @@ END
   assert_nothing_left
 }
 
+# sleeping STAGE: a folder `fake` in which this stage creates `started` and sleeps.
+sleeping() {
+  rm -rf fake started && mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm "fake/$1"
+  printf '%s\n' '#!/bin/sh' "case \" \$* \" in *' --report '*) ;; *) exec '$BIN/$1' \"\$@\" ;; esac" 'echo >started' \
+    'exec sleep 30' >"fake/$1"
+  chmod +x "fake/$1"
+}
+
+@test "an interrupt in any stage leaves no temporary file, and no output" {
+  for stage in cad2tri critpoints quadexport; do
+    for signal in INT HUP; do
+      sleeping $stage
+      TMPDIR=$PWD QUADRILLE_BIN=$PWD/fake env --default-signal "$quadmesh" "$DATA/square.step" -o out.msh \
+        --report report.json 3>&- &
+      local pid=$! code=0
+      until [[ -e started ]]; do sleep 0.05; done
+      kill -$signal $pid
+      wait $pid || code=$?
+      assert_equal "$stage $signal $code" "$stage $signal $((128 + $(kill -l $signal)))"
+      rm -r fake started
+      assert_nothing_left
+    done
+  done
+}
+
 @test "--help shows examples that run" {
   cp "$DATA/half_disc.step" .
   "$quadmesh" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadmesh' >examples
