@@ -1,5 +1,6 @@
 # shellcheck shell=sh
-# From the triangles to the quads, or to the last stage of --until, by the stages between cad2tri and quadexport. Sets $nodes, the file of critical points.
+# From the triangles to the quads, or to the last stage of --until, by the stages between cad2tri and quadexport. Sets
+# $nodes, the file of critical points.
 field=''
 nodes=/dev/null # as long as no file of critical points is written
 way=''          # "field or triangles" as long as there is a choice
@@ -10,7 +11,7 @@ remedy=''       # options of critpoints that were added because a strip of block
 make_quads() {
   case $1 in
     midpoint) quads_of_triangles; return ;;
-    '' | auto) if [ "$first_position" -le 5 ] && [ "$final_position" -ge 5 ]; then way='field or triangles' may_use=most; fi ;;
+    '' | auto) [ "$first_position" -gt 5 ] || [ "$final_position" -lt 5 ] || way='field or triangles' may_use=most ;;
   esac
   quads_of_field
   made=$?

@@ -64,7 +64,8 @@ write_report() {
 # stdout.
 report_run() {
   # shellcheck disable=SC2016 # variables of jq
-  merge_reports '. + {exit_code: 0, stage: null, error: null} | ., if $verbose then times else empty end, summary($until; $last)' \
+  merge_reports '. + {exit_code: 0, stage: null, error: null} |
+    ., if $verbose then times else empty end, summary($until; $last)' \
     --arg until "$last_stage" --arg last "$last" >"$scratch/words" || fail 70 quadmesh "internal error"
   sed '/^}$/q' "$scratch/words" >"$scratch/report.json" || fail 4 quadmesh "no space for temporary files"
   if [ "${out:--}" = - ] || [ "$report" = - ]; then uses_stdout=yes; else uses_stdout=; fi
