@@ -20,7 +20,7 @@ The stages are cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, 
 --from run some of them. In between, files of --workdir may be edited: --from STAGE reads the files of the stages
 before it and writes those from it on. --from separatrix (or --nodes) uses an edited x.crit.json; so does
 --from critpoints, which first finds the nodes again: if x.crit.json has the same provenance but other content, it was
-edited and is kept, else it is replaced. Results are those of the single commands, byte for byte.
+edited and is kept, else it is replaced (but not nodes that were set by hand: then it ends with 2). Results are those of the single commands, byte for byte.
 
 OPTIONS
   -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output)

@@ -50,19 +50,34 @@ refuse_options_before() {
     mistake "$of_cad2tri is an option of cad2tri, which --from $first_stage does not run: leave one of them out"
   fi
   for tool in critpoints separatrix blocksplit quadrefine; do
-    position_of "$tool"
-    if [ "$position" -lt "$first_position" ]; then refuse_options_of "$tool"; fi
+    if is_skipped "$tool"; then refuse_options_of "$tool"; fi
   done
 }
 
+# refuse_options_of STAGE: those that no stage has which runs.
 refuse_options_of() {
-  case $separator$chosen in
-    *"$separator$1 --"*)
-      option=${chosen#*"$1 --"}
-      mistake "--${option%%"$separator"*} is an option of $1, which --from $first_stage does not run: leave it out, or \
-begin with --from $1" ;;
-  esac
+  set -f && IFS=$separator
+  # shellcheck disable=SC2086 # words
+  set -- "$1" $chosen
+  set +f && unset IFS
+  skipped=$1 refused=''
+  shift
+  for word in "$@"; do
+    case $word in "$skipped --"*) has_runner "${word#* }" || refused=${word#* } ;; esac
+  done
+  [ -z "$refused" ] || mistake "$refused is an option of $skipped, which --from $first_stage does not run: leave it out, or \
+begin with --from $skipped"
 }
+
+# has_runner OPTION: whether it was also chosen for a stage from --from on.
+has_runner() {
+  for runner in critpoints separatrix blocksplit quadrefine quadexport; do
+    is_skipped "$runner" || case $separator$chosen in *"$separator$runner $1$separator"*) return 0 ;; esac
+  done
+  return 1
+}
+
+is_skipped() { position_of "$1" && [ "$position" -lt "$first_position" ]; }
 
 # require_files: the files in the work folder from which --from goes on.
 require_files() {

@@ -95,6 +95,20 @@ by_hand() {
   cp -r "$whole" stages
   "$quadmesh" "$shape" --workdir stages --from critpoints --until critpoints --place energy
   critpoints --place energy "$whole/half_disc.field.h5" | cmp - stages/half_disc.crit.json
+  # Nodes that were set by hand are not lost so.
+  edited "$whole/half_disc.crit.json" >stages/half_disc.crit.json
+  cp stages/half_disc.crit.json nodes.json
+  run -2 "$quadmesh" "$shape" --workdir stages --from critpoints --place energy -o out.msh
+  assert_line --partial "quadmesh: stages/half_disc.crit.json was edited, but made with other options of critpoints"
+  cmp nodes.json stages/half_disc.crit.json
+}
+
+@test "an option that a stage before --from has too goes to the stages that run" {
+  cp -r "$whole" stages
+  run -0 "$quadmesh" "$shape" --workdir stages --from quadexport --allow-invalid -o out.msh
+  cmp out.msh "$BATS_FILE_TMPDIR/whole.msh"
+  run -2 "$quadmesh" "$shape" --workdir stages --from quadexport --allow-invalid --relax 3 -o out.msh
+  assert_line --partial "--relax is an option of quadrefine"
 }
 
 @test "nodes that were given or edited are not replaced where a strip of blocks contains itself" {
@@ -125,6 +139,8 @@ by_hand() {
   run -0 "$quadmesh" "$shape" --dry-run --workdir "$whole" --from quadrefine -o 3.msh
   assert_equal "${#lines[@]}" 2
   assert_line --index 0 "quadrefine $whole/half_disc.blocks.h5 -o $whole/half_disc.quad.h5"
+  run -0 "$quadmesh" "$shape" --dry-run --workdir "$whole" --from critpoints -o 3.msh
+  assert_line --index 0 "# $whole/half_disc.crit.json is kept if it was edited after critpoints wrote it"
   run -0 "$quadmesh" "$shape" --dry-run --until cad2tri --workdir "$whole"
   assert_equal "${#lines[@]}" 1
   run -0 "$quadmesh" "$shape" --dry-run --layout midpoint -o 3.msh
