@@ -9,6 +9,7 @@
 #include <map>
 
 #include "base/angle.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/face_table.hpp"
@@ -66,13 +67,12 @@ std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs
                      face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
 }
 
-// The healed face as a CAD file, in the format that the ending of `path` names.
-void write_healed(const std::string& path, const CadFace& face) {
+// The format that the ending of the name determines.
+cad::CadFormat healed_format(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending != ".step" && ending != ".stp" && ending != ".brep")
     throw UsageError("--write-healed " + path + ": the file must end in .step, .stp or .brep");
-  const cad::CadFormat format = ending == ".brep" ? cad::CadFormat::brep : cad::CadFormat::step;
-  io::write_output(path, cad::file_of_face(face, format), false);
+  return ending == ".brep" ? cad::CadFormat::brep : cad::CadFormat::step;
 }
 
 void list_faces(const io::InputFile& file, const std::string& output, Report& report) {
@@ -159,6 +159,7 @@ int main(int argc, char** argv) {
   tool.run = [&](cli::Session& s) {
     const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
+    if (!healed.empty()) healed_format(healed);  // a wrong name is told before any work
     const io::InputFile file = io::read_input(input);
     if (is_listing) return list_faces(file, output, s.report());
     s.begin_phase("load");
@@ -177,14 +178,14 @@ int main(int argc, char** argv) {
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
     if (face.fit_distance > 0) s.info(fit_text(face, loaded.repairs));
-    if (!healed.empty()) write_healed(healed, face);
+    if (!healed.empty()) io::write_output(healed, cad::file_of_face(face, healed_format(healed)), false);
     s.begin_phase("triangulate");
     TriMesh mesh = triangulate::triangulate(face, options, s.report());
     s.end_phase();
     mesh.provenance = s.provenance({}, inputs);
     mesh.repairs = loaded.repairs;
-    s.info(fmt::format("{} curves, {} elements, {} of them curved", face.num_curves(), mesh.num_elems(),
-                       mesh.curved_elems.size()));
+    s.info(fmt::format("{}, {}, {} of them curved", counted(face.num_curves(), "curve"),
+                       counted(mesh.num_elems(), "element"), mesh.curved_elems.size()));
     io::write_tri_mesh(output, mesh);
   };
   tool.report_writer = io::write_report;

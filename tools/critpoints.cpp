@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
@@ -206,9 +207,10 @@ int main(int argc, char** argv) {
     s.report().set("critical_points", points.critical_points.size());
     s.report().set("form", enum_name(points.form));
     s.report().set("changes", points.changes.size());
-    s.info(fmt::format("{} irregular nodes, {} corners, index sum {}, {} changes, form {}",
-                       points.critical_points.size() + points.boundary_nodes.size(), points.corners.size(),
-                       points.index_sum, points.changes.size(), enum_name(points.form)));
+    s.info(fmt::format("{}, {}, index sum {}, {}, form {}",
+                       counted(points.critical_points.size() + points.boundary_nodes.size(), "irregular node"),
+                       counted(points.corners.size(), "corner"), points.index_sum,
+                       counted(points.changes.size(), "change"), enum_name(points.form)));
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
     io::write_critical_points(output, points);
   };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
@@ -42,7 +43,7 @@ void report_phase(const PhaseForm& phase, cli::Session& s) {
   std::vector<int> nodes, corners;
   for (const PhaseNode& node : phase.prescribed.nodes) nodes.push_back(node.valence);
   for (const CornerValence& corner : phase.prescribed.corners) corners.push_back(corner.valence);
-  s.info(fmt::format("{} nodes of valence {}; corners of valence {}", nodes.size(), fmt::join(nodes, " "),
+  s.info(fmt::format("{} of valence {}; corners of valence {}", counted(nodes.size(), "node"), fmt::join(nodes, " "),
                      fmt::join(corners, " ")));
   for (std::size_t j = 0; j < phase.hole_winding.size(); ++j)
     s.info(fmt::format("hole {}: winding {}, best {:.6f}, period of lambda {:.3e}", j + 1, phase.hole_winding[j],
@@ -125,8 +126,9 @@ int main(int argc, char** argv) {
     s.report().set("solve.field_order", *highest);
     s.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
     field.provenance = s.provenance(mesh.provenance, inputs);
-    s.info(fmt::format("{} elements of order {}..{}, {} liftings", mesh.num_elems(), *lowest, *highest,
-                       nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size()));
+    s.info(fmt::format(
+        "{} of order {}..{}, {}", counted(mesh.num_elems(), "element"), *lowest, *highest,
+        counted(nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size(), "lifting")));
     io::write_field(output, field);
   };
   tool.report_writer = io::write_report;

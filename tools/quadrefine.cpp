@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
@@ -44,7 +45,15 @@ void declare(cli::Options& o, SizeArguments& sizes) {
           "arc_chord in BLOCKS show the numbers of the chords");
 }
 
-/// Reads the files and names of the size options, and sets the sizes of `options`.
+/// The texts of the command line, before any file is read.
+void parse(SizeArguments& sizes, const std::vector<std::string>& walls, refine::RefineOptions& options) {
+  for (const std::string& text : sizes.near) sizes.options.near.push_back(sizing::parse_near_size(text));
+  for (const std::string& text : sizes.counts) options.counts.push_back(sizing::parse_chord_count(text));
+  for (const std::string& wall : walls) options.walls.push_back(layers::parse_wall_spec(wall));
+  options.validate();
+}
+
+/// Reads the file of prescribed sizes, and sets the sizes of `options`.
 void set_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
                refine::RefineOptions& options) {
   sizing::SizeOptions prescribed = sizes.options;
@@ -53,10 +62,8 @@ void set_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<Inpu
     prescribed.sources = io::read_size_field(file, face.origin);
     inputs.push_back(file.digest("size-field"));
   }
-  for (const std::string& text : sizes.near) prescribed.near.push_back(sizing::parse_near_size(text));
   options.size_field = sizing::make_size_field(face, prescribed);
   options.size_rule = sizes.rule;
-  for (const std::string& text : sizes.counts) options.counts.push_back(sizing::parse_chord_count(text));
 }
 
 }  // namespace
@@ -113,10 +120,13 @@ int main(int argc, char** argv) {
     o.number("--max-edge-ratio", options.max_edge_ratio, 0, 1e300, "1",
              "exit with 1 if the longest side of an element exceeds its shortest by more than this factor, >= 1; 0: no "
              "limit");
+    o.integer("--max-elements", options.max_elements, 1, 100000000,
+              "refuse sizes that require more quads, with exit code 1 and an estimate of their number, before they "
+              "take memory");
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
-    for (const std::string& wall : walls) options.walls.push_back(layers::parse_wall_spec(wall));
+    parse(sizes, walls, options);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_block_layout(file);
@@ -127,7 +137,7 @@ int main(int argc, char** argv) {
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);
-    s.info(fmt::format("{} quads of order {}, the worst:", mesh.num_elems(), mesh.order));
+    s.info(fmt::format("{} of order {}, the worst:", counted(mesh.num_elems(), "quad"), mesh.order));
     for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.info(refine::describe(worst, mesh));
     s.info(mesh::describe(mesh::worst_element_sizes(mesh)));
     s.begin_phase("write");

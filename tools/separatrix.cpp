@@ -32,12 +32,15 @@ CriticalPoints read_points_of(const field::FieldEvaluator& evaluator, const io::
   const Field& field = evaluator.field();
   CriticalPoints points = io::read_critical_points(file);
   check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
-  check::require_valid(check::check_critical_points_of(points, field), file.name);
-  // A phase that was solved for other nodes does not have this file in its provenance either: the message that states
-  // the remedy must be the first.
-  if (field.kind == FieldKind::phase) field::check_nodes_match_field(evaluator, points);
-  io::require_same_origin(field_file, field.provenance, file, points.provenance);
-  if (field.kind != FieldKind::phase) field::check_nodes_match_field(evaluator, points);
+  // A file of another field refers to elements and corners that this one does not have: then the origin is the cause. A
+  // phase that was solved for other nodes of the same face does not have this file in its provenance either: the
+  // message that states the remedy must be the first.
+  const bool is_phase = field.kind == FieldKind::phase;
+  const std::vector<check::Violation> violations = check::check_critical_points_of(points, field);
+  if (!is_phase || !violations.empty()) io::require_same_origin(field_file, field.provenance, file, points.provenance);
+  check::require_valid(violations, file.name);
+  field::check_nodes_match_field(evaluator, points);
+  if (is_phase) io::require_same_origin(field_file, field.provenance, file, points.provenance);
   return points;
 }
 

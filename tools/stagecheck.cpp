@@ -5,10 +5,12 @@
 #include <functional>
 #include <map>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "io/history.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
@@ -54,7 +56,7 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
     for (const check::Violation& violation : violations)
       fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
     session.info(fmt::format("{}: {}, {}", file.name, format,
-                             violations.empty() ? "all rules hold" : fmt::format("{} violations", violations.size())));
+                             violations.empty() ? "all rules hold" : counted(violations.size(), "violation")));
     return violations.size();
   } catch (const FormatError& e) {
     session.end_phase();
@@ -63,31 +65,67 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
   }
 }
 
+Provenance provenance_of(const io::InputFile& file) {
+  const std::string format = io::stage_format(file);
+  if (format == "tri-mesh") return io::read_tri_mesh(file).provenance;
+  if (format == "field") return io::read_field(file).provenance;
+  if (format == "critical-points") return io::read_critical_points(file).provenance;
+  if (format == "separatrix-graph") return io::read_separatrix_graph(file).provenance;
+  if (format == "block-layout") return io::read_block_layout(file).provenance;
+  return io::read_quad_mesh(file).provenance;
+}
+
+/// Prints the commands by which the files were made, each once.
+void print_history(const std::vector<std::string>& paths) {
+  io::History history;
+  for (const std::string& path : paths) {
+    const io::InputFile file = io::read_input(path);
+    for (const std::string& line : history.lines_of(provenance_of(file), file.sha256, io::history_stem(path)))
+      fmt::print("{}\n", line);
+  }
+}
+
+void check_files(const std::vector<std::string>& paths, cli::Session& session) {
+  std::size_t num_violations = 0, num_bad = 0;
+  for (const std::string& path : paths) {
+    const std::size_t found = check_file(path, session);
+    num_violations += found;
+    num_bad += found > 0 ? 1 : 0;
+  }
+  session.report().set("files", paths.size());
+  session.report().set("violations", num_violations);
+  if (num_bad > 0)
+    throw FormatError(
+        fmt::format("{} of {} {} broken", num_bad, counted(paths.size(), "file"), num_bad == 1 ? "is" : "are"));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<std::string> paths;
+  bool is_history = false;
   cli::Tool tool;
   tool.name = "stagecheck";
   tool.summary = "checks stage files against the numbered rules of their formats";
   tool.description =
       "Reads each FILE (tri-mesh, field, critical-points, separatrix-graph, block-layout or quad-mesh), checks every "
       "rule of its format page in formats/, including proofs of positive Jacobians, and prints one line for each "
-      "violation: FILE: RULE: text. Nothing is printed if all rules hold; -v reports what was checked.";
-  tool.examples = {"stagecheck half_disc.tri.h5", "stagecheck -v half_disc.crit.json half_disc.quad.h5"};
-  tool.options = [&](cli::Options& options) { options.inputs("FILE", paths, "stage files to check"); };
+      "violation: FILE: RULE: text. Nothing is printed if all rules hold; -v reports what was checked. --history "
+      "prints how the files were made instead.";
+  tool.examples = {"stagecheck half_disc.tri.h5", "stagecheck -v half_disc.crit.json half_disc.quad.h5",
+                   "stagecheck --history half_disc.crit.json half_disc.quad.h5"};
+  tool.options = [&](cli::Options& options) {
+    options.inputs("FILE", paths, "stage files to check");
+    options.flag("--history", is_history,
+                 "print the commands by which each FILE was made, with all options, from its provenance; commands that "
+                 "were printed for an earlier FILE are left out, inputs that no command makes are described by their "
+                 "SHA-256. Give x.crit.json before the files made from it: only it knows the options of critpoints");
+  };
   tool.run = [&](cli::Session& session) {
-    std::size_t num_violations = 0, num_bad = 0;
-    for (const std::string& path : paths) {
-      const std::size_t found = check_file(path, session);
-      num_violations += found;
-      num_bad += found > 0 ? 1 : 0;
-    }
-    session.report().set("files", paths.size());
-    session.report().set("violations", num_violations);
-    if (num_bad > 0)
-      throw FormatError(
-          fmt::format("{} of {} {} broken", num_bad, paths.size(), num_bad == 1 ? "file is" : "files are"));
+    if (is_history)
+      print_history(paths);
+    else
+      check_files(paths, session);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

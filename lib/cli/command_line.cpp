@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/json_string.hpp"
+#include "cli/nearest_word.hpp"
 #include "cli/overwrite.hpp"
 
 namespace quadrille::cli {
@@ -64,6 +65,9 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   return arguments;
 }
 
+/// For pipelines, not shown by --help: the title and the start of the line of progress; warnings only in the report.
+const std::set<std::string> hidden{"list-options", "progress-title", "progress-since", "silent-warnings"};
+
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
 
@@ -100,6 +104,26 @@ struct CommandLine::Impl {
     std::vector<std::string> names;
     for (const auto& list : files)
       for (std::string& name : list()) names.push_back(std::move(name));
+    return names;
+  }
+
+  /// Names the first word that is no option, with the nearest one, or the first surplus argument. Throws UsageError.
+  void require_no_extras() const {
+    const std::vector<std::string> extras = app.remaining();
+    if (extras.empty()) return;
+    const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+    const auto unknown = std::find_if(extras.begin(), extras.end(), is_option);
+    if (unknown == extras.end()) throw UsageError(fmt::format("surplus argument '{}'", extras.front()));
+    const std::string name = unknown->substr(0, unknown->find('='));
+    const std::string nearest = nearest_word(name, visible_options());
+    throw UsageError(fmt::format("unknown option {}{}", name,
+                                 nearest.empty() ? std::string() : fmt::format(": did you mean {}?", nearest)));
+  }
+  std::vector<std::string> visible_options() const {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames())
+        if (!hidden.contains(name)) names.push_back("--" + name);
     return names;
   }
 
@@ -239,8 +263,9 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->add_threads(common.threads);
   impl_->app.add_flag("-v,--verbose", impl_->verbose);
   impl_->app.add_flag("-q,--quiet", impl_->quiet);
-  impl_->app.add_option("--progress-title", common.progress_title);  // both for pipelines, and not shown by --help
+  impl_->app.add_option("--progress-title", common.progress_title);
   impl_->app.add_option("--progress-since", common.progress_since);
+  impl_->app.add_flag("--silent-warnings", common.silent_warnings);
   const std::vector<HelpRow> flags{{"-v, --verbose", "report what is done; given twice: also the time of each phase"},
                                    {"-q, --quiet", "print errors only, no warnings"},
                                    {"-h, --help", "print this help and exit"},
@@ -262,10 +287,11 @@ Request CommandLine::parse(int argc, char** argv) {
     return Request::show_version;
   } catch (const CallForOptionList&) {
     return Request::list_options;
-  } catch (const CLI::ExtrasError&) {
-    const std::vector<std::string> extras = impl_->app.remaining();
-    throw UsageError(fmt::format("unknown option or surplus argument '{}'", extras.empty() ? "" : extras.front()));
+  } catch (const CLI::ArgumentMismatch& e) {
+    const std::string message = e.what();
+    throw UsageError(message.substr(0, message.find(':')) + " needs a value");
   } catch (const CLI::ParseError& e) {
+    impl_->require_no_extras();
     std::string message = e.what();
     for (char& c : message) c = c == '\n' ? ' ' : c;
     throw UsageError(message);

@@ -109,7 +109,7 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   Outcome outcome = outcome_of([&] { tool.run(session); });
   session.finish();
   if (outcome.code != ExitCode::done) remove_temporaries();
-  if (common.verbosity >= 0)
+  if (common.verbosity >= 0 && !common.silent_warnings)
     for (const auto& [code, message] : session.report().warnings())
       fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
   Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });

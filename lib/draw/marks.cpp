@@ -140,8 +140,4 @@ void legend_valences(Picture& picture, std::vector<int> valences) {
 
 std::string position_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }
 
-std::string counted(int count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 }  // namespace quadrille::draw

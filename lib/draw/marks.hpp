@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "draw/picture.hpp"
 #include "model/separatrix_graph.hpp"
 
@@ -37,8 +38,5 @@ void legend_valences(Picture& picture, std::vector<int> valences);
 
 /// "(0.5, -0.25)" with the face's origin added.
 std::string position_text(Vec2 x, Vec2 origin);
-
-/// "1 block", "2 blocks".
-std::string counted(int count, const std::string& noun);
 
 }  // namespace quadrille::draw

@@ -19,6 +19,7 @@
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
+#include "sizing/element_limit.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/length_limits.hpp"
 #include "sizing/measured_layout.hpp"
@@ -27,7 +28,6 @@
 namespace quadrille::refine {
 namespace {
 
-constexpr double max_element_nodes = 1e8;
 constexpr double default_size = 1.0 / 20;  ///< diameters
 constexpr int max_doublings = 3;           ///< of the counts of chords whose elements are not proved valid
 /// Divisions are made anew if the finished mesh misses the tolerance: their own samples are fewer. The stricter
@@ -73,19 +73,6 @@ int num_limited(const sizing::LengthLimits& limits) {
   return static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const auto& own) { return !own.empty(); }));
 }
 
-/// Limits the number of nodes, so that a mistyped size does not exhaust the memory.
-void require_bounded_size(const BlockLayout& layout, const sizing::ArcDivisions& divisions, int order) {
-  double num_elems = 0;
-  for (const auto& sides : layout.block2arcs)
-    num_elems += static_cast<double>(divisions[sides[0].arc].num_intervals()) *
-                 static_cast<double>(divisions[sides[1].arc].num_intervals());
-  if (num_elems * (order + 1) * (order + 1) > max_element_nodes)
-    throw ComputeError(
-        fmt::format("size and geometric tolerance require {:.0f} elements of order {}, with more than 1e8 nodes: "
-                    "raise --size or --geometry-tol",
-                    num_elems, order));
-}
-
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
                 const std::vector<sizing::ChordCount>& coarse) {
   request.attempt->advance();
@@ -94,13 +81,15 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   counts.insert(counts.end(), coarse.begin(), coarse.end());
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
   sizing::apply_length_limits(request.limits, plans);
+  const sizing::ElementLimit limit{options.max_elements, options.order};
+  sizing::require_planned_within(measured, plans, limit);
   SplitMesh result;
   result.shortened_chords = num_limited(request.limits);
   result.divisions = divide_arcs(measured, plans, request.division, request.progress);
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
-  require_bounded_size(measured.blocks(), result.divisions, options.order);
+  sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.progress);
   return result;
@@ -178,6 +167,16 @@ double worst_edge_ratio(const SplitMesh& split) {
   return worst;
 }
 
+/// No value if shorter elements would be too many.
+template <typename MakeSplit>
+std::optional<MeasuredSplit> split_unless_too_many(const MakeSplit& make) {
+  try {
+    return make();
+  } catch (const sizing::TooManyElements&) {
+    return std::nullopt;
+  }
+}
+
 /// With shorter elements where blocks are thin: the best of several attempts, each of which corrects the last.
 MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, SplitRequest request) {
   const Progress::Part part(request.progress, "attempt");
@@ -196,13 +195,14 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
     if (!sizing::add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,
                                    elements_in_layered_blocks(last), request.limits))
       break;
-    MeasuredSplit next = measured_split();
-    const QuadMesh& mesh = next.split.mesh;
+    std::optional<MeasuredSplit> next = split_unless_too_many(measured_split);
+    if (!next) break;
+    const QuadMesh& mesh = next->split.mesh;
     if (mesh.is_valid < best.split.mesh.is_valid || mesh.num_elems() > most_elems) break;
     // Prescribed counts, for instance, leave nothing to change.
-    if (mesh.num_elems() == last.mesh.num_elems() && worst_edge_ratio(next.split) == worst_edge_ratio(last)) break;
-    if (worst_edge_ratio(next.split) < worst_edge_ratio(best.split)) {
-      best = std::move(next);
+    if (mesh.num_elems() == last.mesh.num_elems() && worst_edge_ratio(next->split) == worst_edge_ratio(last)) break;
+    if (worst_edge_ratio(next->split) < worst_edge_ratio(best.split)) {
+      best = std::move(*next);
       worse.reset();
     } else {
       worse = std::move(next);
@@ -249,6 +249,7 @@ void RefineOptions::validate() const {
   if (!(target_edge_ratio == 0 || target_edge_ratio >= 1))
     throw UsageError("--target-edge-ratio must be 0 or at least 1");
   if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
+  if (max_elements < 1) throw UsageError("--max-elements must be at least 1");
   if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
 }
 

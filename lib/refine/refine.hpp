@@ -40,14 +40,16 @@ struct RefineOptions {
   /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
   /// (sizing/length_limits); 0: none do, else at least 1.
   double target_edge_ratio = 100;
-  double max_edge_ratio = 0;  ///< a mesh with a higher one is an error, 0: none is, else at least 1
-  int relax = 0;              ///< sweeps of relaxation (refine/relax)
-  void validate() const;      ///< throws UsageError
+  double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
+  int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
+  int relax = 0;               ///< sweeps of relaxation (refine/relax)
+  void validate() const;       ///< throws UsageError
 };
 
 /// If aligned lines result in an invalid element and equal arc-length fractions do not, the mesh has equal fractions.
 /// Throws ComputeError with the position of the worst element if one cannot be proved valid (unless allow_invalid) or
-/// misses min_scaled_jacobian or max_edge_ratio, and if the mesh would have more than 1e8 nodes.
+/// misses min_scaled_jacobian or max_edge_ratio, and if the mesh would have more than max_elements or
+/// 1e8 nodes.
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report);
 
 }  // namespace quadrille::refine

@@ -7,6 +7,8 @@ import signal
 import subprocess
 import sys
 
+from nearest_word import nearest_word
+
 SHORT = {"-o": "--output", "-v": "--verbose", "-q": "--quiet", "-h": "--help"}
 USAGE, BAD_INPUT, NOT_WRITTEN, INTERNAL = 2, 3, 4, 70  # exit codes
 
@@ -27,13 +29,15 @@ def mistake(message):
     return Failure(USAGE, message)
 
 
-def option_pairs(words, kind_of):
+def option_pairs(words, kind_of, names=tuple):
     """Splits a command line: yields (option, value), (flag, None), and (None, word) for a word that is no option.
-    `kind_of(option)` is "value", "flag" or None for an unknown option; the name is the long one."""
+    `kind_of(option)` is "value", "flag" or None for an unknown option; the name is the long one. `names()` are those
+    of all options, for the nearest one to an unknown one."""
     words = list(words)
     while words:
-        word = words.pop(0)
-        if word.startswith("--") and "=" in word:
+        word, *words = _separated(words.pop(0)) + words
+        has_value = word.startswith("--") and "=" in word
+        if has_value:
             word, value = word.split("=", 1)
             words.insert(0, value)
         word = SHORT.get(word, word)
@@ -42,10 +46,22 @@ def option_pairs(words, kind_of):
             continue
         kind = kind_of(word)
         if kind is None:
-            raise mistake(f"unknown option {word}")
+            nearest = nearest_word(word, list(names()))
+            raise mistake(f"unknown option {word}" + (f": did you mean {nearest}?" if nearest else ""))
+        if kind == "flag" and has_value:
+            raise mistake(f"{word} takes no value")
         if kind == "value" and not words:
             raise mistake(f"{word} needs a value")
+        if kind == "value" and not has_value and len(words[0]) > 2 and words[0].startswith("--"):
+            raise mistake(f"{word} needs a value, not the option {words[0]}")
         yield word, words.pop(0) if kind == "value" else None
+
+
+def _separated(word):
+    """-qv as -q -v, -oFILE as -o FILE."""
+    if len(word) < 3 or word[0] != "-" or word[1] == "-" or word[:2] not in SHORT:
+        return [word]
+    return ["-o", word[2:]] if word[1] == "o" else [word[:2], "-" + word[2:]]
 
 
 def number(option, text, low, high, kind=float, is_open=False):
@@ -71,6 +87,52 @@ def add_tools_to_path(script):
 def require_tools():
     if not shutil.which("cad2tri"):
         raise Failure(1, "no cad2tri on PATH; pipelines/quickstart builds it")
+
+
+def require_input(path):
+    """That the file exists, can be read and is not empty; - is standard input."""
+    if path == "-":
+        return
+    if not os.path.exists(path):
+        raise Failure(BAD_INPUT, f"{path}: no such file")
+    if os.path.isdir(path):
+        raise Failure(BAD_INPUT, f"{path}: is a directory, not a file")
+    if not os.access(path, os.R_OK):
+        raise Failure(BAD_INPUT, f"{path}: cannot be read: permission denied")
+    if os.path.isfile(path) and not os.path.getsize(path):
+        raise Failure(BAD_INPUT, f"{path}: is empty")
+
+
+def require_outputs(outputs, inputs):
+    """That the outputs can be written, and are neither inputs nor each other, by whatever name."""
+    named = [path for path in outputs if path and path != "-"]
+    for k, path in enumerate(named):
+        if os.path.isdir(path):
+            raise Failure(NOT_WRITTEN, f"{path} cannot be written: is a directory")
+        folder = os.path.dirname(path) or "."
+        if not os.path.isdir(folder):
+            raise Failure(NOT_WRITTEN, f"{path} cannot be written: there is no folder {folder}")
+        if any(_is_same_file(path, other) for other in inputs if other and other != "-"):
+            raise mistake(f"the output {path} is an input")
+        if any(_is_same_file(path, other) for other in named[:k]):
+            raise mistake(f"two outputs are the same file: {path}")
+
+
+def _is_same_file(path, other):
+    if not (os.path.exists(path) and os.path.exists(other)):
+        return os.path.realpath(path) == os.path.realpath(other)
+    return os.path.isfile(path) and os.path.samefile(path, other)
+
+
+def check_options(tool, *words):
+    """That these are arguments of the tool; a mistake is one of this command. Without input the tool ends at once."""
+    tried = subprocess.run([tool, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    if tried.returncode == USAGE:
+        raise mistake(tried.stderr.splitlines()[0].removeprefix(f"{tool}: "))
+
+
+def counted(count, noun):
+    return f"{count} {noun}{'s' * (count != 1)}"
 
 
 def output_of(*words):

@@ -1,5 +1,6 @@
 # shellcheck shell=sh
-# From the triangles to the quads, by the stages between cad2tri and quadexport. Sets $nodes, the file of critical points.
+# From the triangles to the quads, or to the last stage of --until, by the stages between cad2tri and quadexport. Sets
+# $nodes, the file of critical points.
 field=''
 nodes=/dev/null # as long as no file of critical points is written
 way=''          # "field or triangles" as long as there is a choice
@@ -10,7 +11,7 @@ remedy=''       # options of critpoints that were added because a strip of block
 make_quads() {
   case $1 in
     midpoint) quads_of_triangles; return ;;
-    '' | auto) way='field or triangles' may_use=most ;;
+    '' | auto) [ "$first_position" -gt 5 ] || [ "$final_position" -lt 5 ] || way='field or triangles' may_use=most ;;
   esac
   quads_of_field
   made=$?
@@ -53,14 +54,30 @@ quads_of_field() {
 graph_of_nodes() {
   triangles=$1.tri.h5 field=$1.field.h5
   shift
-  stage critpoints "$stem.crit.json" "$field" "$@" || return
+  make_nodes "$@" || return
   nodes=$stem.crit.json
-  if grep -q '^ *"form": *"phase"' "$nodes"; then # the nodes are not those of the field: solve for one with them
-    stage fieldsolve "$stem.phase.solve.h5" --nodes "$nodes" --orders "$field" "$triangles" &&
-      stage padapt "$stem.phase.h5" "$stem.phase.solve.h5" || return
-    field=$stem.phase.h5 last=$nodes
+  if [ -n "$dry_run" ] && [ -z "$known_nodes" ]; then
+    print_phase_stages
+  elif grep -qs '^ *"form": *"phase"' "${known_nodes:-$nodes}"; then # not those of the field: solve for one with them
+    stages_of_phase || return
+    field=$stem.phase.h5
+    [ "$final_position" -lt 5 ] || last=$nodes
   fi
   stage separatrix "$stem.sep.json" "$field" "$nodes"
+}
+
+stages_of_phase() {
+  stage fieldsolve "$stem.phase.solve.h5" --nodes "$nodes" --orders "$field" "$triangles" &&
+    stage padapt "$stem.phase.h5" "$stem.phase.solve.h5"
+}
+
+# print_phase_stages: with --dry-run, for a person: whether they run depends on what critpoints finds.
+print_phase_stages() {
+  is_due separatrix '' || return 0
+  echo "# if \"form\" is \"phase\" in $nodes; separatrix then reads $stem.phase.h5:"
+  before=$last
+  stages_of_phase | sed 's/^/# /'
+  last=$before
 }
 
 quads_of_triangles() { stage separatrix "$stem.sep.json" "$stem.tri.h5" && quads_of_graph; }

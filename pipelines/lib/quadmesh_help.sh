@@ -16,6 +16,12 @@ with other nodes on the strip, by up to seven options that separatrix proposes, 
 Where the field gives no valid mesh, the face is meshed without it, by triangles divided into quads, with a
 warning (--layout midpoint; with --layout traced or quantized the exit code is 1 instead).
 
+The stages are cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, quadrefine and quadexport. --until and
+--from run some of them. In between, files of --workdir may be edited: --from STAGE reads the files of the stages
+before it and writes those from it on. --from separatrix (or --nodes) uses an edited x.crit.json; so does
+--from critpoints, which first finds the nodes again: if x.crit.json has the same provenance but other content, it was
+edited and is kept, else it is replaced (but not nodes that were set by hand: then it ends with 2). Results are those of the single commands, byte for byte.
+
 OPTIONS
   -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
@@ -29,9 +35,17 @@ OPTIONS
                             boundary touches itself: straight edges of this length, in file units
   --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
   --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
+  --until STAGE             end after this stage; needs --workdir; -o is then not written and may be left out
+  --from STAGE              begin with this stage, with the files of earlier ones in --workdir; of SHAPE only the name
+                            is used, and it may be left out if --workdir has the files of one shape
+  --nodes FILE              use these irregular nodes (x.crit.json, edited or of another run; -: standard input) in
+                            place of those that critpoints finds
+  --dry-run                 print the commands that would be run, one a line, and run nothing (without --workdir with
+                            the files of the stages in the present folder)
   --html FILE               also write a page for a browser (x.html): every stage as a tab, with histograms of the
                             shapes of elements and the options that made it
-  --report FILE             write counts, least Jacobian and seconds of every stage as JSON (-: standard output)
+  --report FILE             write counts, least Jacobian and seconds of every stage as JSON, also after a failure, with
+                            the stage, the exit code and the message (-: standard output)
   --max-seconds S           stop the stage that runs when all stages together have used S seconds, of CPU time (that of
                             all threads) or elapsed (unit: s; default: no limit; interval: above 0). A quarter of S
                             (or five times what cad2tri took, if that is more) is kept for quads without a field
@@ -56,8 +70,8 @@ END
 
 EXIT CODES
 Those of the stages: 0 success, 1 no valid result, 2 mistake on the command line, 3 bad input, 4 output not written,
-70 internal error, please report it, 128 + n signal n. After 1 and 70 the stage files are kept, with a picture, unless
-a stage was stopped by --max-seconds or --max-memory, or killed.
+70 internal error, please report it, 128 + n signal n. After 1 and 70 a picture of the last stage file is written to
+--workdir, unless a stage was stopped by --max-seconds or --max-memory, or killed. Temporary folders are removed.
 
 EXAMPLES
   quadmesh half_disc.step -o half_disc.msh
@@ -68,5 +82,9 @@ EXAMPLES
   quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
   quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10
+  quadmesh half_disc.step --until critpoints --workdir stages
+  quadmesh half_disc.step --from separatrix --workdir stages -o half_disc.msh
+  quadmesh half_disc.step --nodes stages/half_disc.crit.json -o half_disc.msh
+  quadmesh half_disc.step --dry-run -o half_disc.msh
 END
 }

@@ -35,27 +35,45 @@ require_tools() {
 
 cannot_write() { echo "${0##*/}: $1 cannot be written: ${2##*: }" >&2; }
 
-# make_folders [DIR]: stage files are kept in DIR; without DIR they are temporary.
+# make_folders [DIR]: stage files are kept in DIR; without DIR they are temporary. With --dry-run nothing is made.
 make_folders() {
+  if [ -n "$dry_run" ]; then
+    dir=${1:-.}
+    [ -d "$dir" ] || print_command mkdir -p "$dir"
+    return
+  fi
   scratch=$(mktemp -d 2>&1) || { cannot_write "the temporary folder in ${TMPDIR:-/tmp}" "$scratch"; exit 4; }
   dir=${1:-$scratch}
   message=$(mkdir -p "$dir" 2>&1) || { cannot_write "$dir" "$message"; rm -rf "$scratch"; exit 4; }
   if (exec 3<&0) 2>/dev/null; then exec 3<&0; else exec 3</dev/null; fi
 }
 
-# stage TOOL OUTPUT ARGUMENT...: returns 1 only if it finds no valid result and has_other_way, which the
-# pipeline defines. With -q, its message is then dropped: it is no error of the pipeline.
+# stage TOOL OUTPUT ARGUMENT...: skips it if it is not due (stage_range.sh). Returns 1 only if it finds no valid result
+# and has_other_way, which the pipeline defines. With -q, its message is then dropped: it is no error of the pipeline.
 stage() {
+  if ! is_due "$1" "$2"; then
+    [ "$position" -gt "$final_position" ] || last=$2
+    return 0
+  fi
   tool=$1 result=$2 name=$prefix$1 number=$((number + 1))
   case $result in "$stem".phase.*) name=${prefix}phase_$tool ;; esac
   shift 2
+  if [ -n "$dry_run" ]; then
+    with_options "$tool" print_tool "$@"
+    last=$result
+    return
+  fi
   title_progress
   with_options "$tool" start_tool "$@" ${title:+--progress-title "$title" --progress-since "$start"}
   wait "$child"
   code=$?
   if [ -n "$title" ] && [ "$code" -gt 128 ]; then printf '\r%79s\r' '' >&2; fi # it may have been killed
   child=''
-  if was_stopped "$code" "$scratch/$number.$name.json" "$tool"; then code=1; fi
+  if was_stopped "$code" "$scratch/$number.$name.json" "$tool"; then
+    code=1
+  elif [ "$prefix" != failed_ ]; then
+    print_warnings "$scratch/$number.$name.json"
+  fi
   if [ "$code" -eq 1 ] && has_other_way "$tool" "$scratch/$number.$name.json"; then
     failed_stage=$tool
     return 1
@@ -83,44 +101,40 @@ title_progress() {
     *quadrefine) after=1 ;;
     *) after=0 ;;
   esac
+  after=$((after > 8 - final_position ? after - 8 + final_position : 0))
   title="${0##*/}: stage $((number - 10)) of $((number - 10 + after)), $tool"
 }
 
 # In the background, since a shell that waits for a process in the foreground handles signals only after it.
 start_tool() {
   set -- "$scratch/$number.$name.json" "$tool" "$@" -o "$result" --report "$scratch/$number.$name.json" \
-    ${threads:+--threads "$threads"}
+    ${threads:+--threads "$threads"} --silent-warnings
   if [ -n "$quiet" ]; then within_budget "$@" -q 2>"$scratch/messages"; else within_budget "$@"; fi
 }
 
-# fail CODE TOOL: ends the pipeline. The stage files are kept, with a picture of the last one, if the shape may be the
-# cause: after 1 (no valid result, unless the stage was stopped) and 70 (internal error).
+# fail CODE TOOL [MESSAGE]: ends the pipeline, with a report; the stage has printed its message. In --workdir, a picture of
+# the last file is added if the shape may be the cause: after 1 (no valid result, unless the stage was stopped) and 70
+# (internal error). Temporary folders are always removed.
 fail() {
   if [ -n "$stopped" ]; then
     name_limit
     last=''
   fi
-  picture=$stem.before-$2.svg beside=''
-  case $last in *.crit.json) beside=$field ;; esac
-  if [ -n "$last" ] && { [ "$1" -eq 1 ] || [ "$1" -eq 70 ]; } &&
-    stageview "$last" ${beside:+--field "$beside"} -o "$picture" 2>/dev/null; then
-    echo "${0##*/}: the files of the stages before $2 are kept in $dir; look at the last one with" >&2
-    echo "  xdg-open '$picture'" >&2
-    [ "$dir" != "$scratch" ] || scratch=''
-  fi
+  report_failure "$@"
+  if [ -n "$last" ] && { [ "$1" -eq 1 ] || [ "$1" -eq 70 ]; }; then show_last_file "$2"; fi
   [ -z "$scratch" ] || rm -rf "$scratch"
   exit "$1"
 }
 
-# write_file SOURCE TARGET: all or nothing, with 4 and a message if it fails; straight into a pipe or a device.
-write_file() {
-  if [ "$2" = - ]; then
-    cat "$1" || fail 4 "${0##*/}"
+# show_last_file TOOL: where to look after the tool failed.
+show_last_file() {
+  if [ "$dir" = "$scratch" ]; then
+    echo "${0##*/}: run it again with --workdir DIR to keep the files of the stages before $1 and a picture" >&2
     return
-  elif [ -e "$2" ] && [ ! -f "$2" ]; then
-    message=$({ cat "$1" >"$2"; } 2>&1)
-  else
-    part=$2.part
-    message=$({ cp "$1" "$part" && mv "$part" "$2"; } 2>&1)
-  fi || { cannot_write "$2" "$message"; rm -f "$part"; fail 4 "${0##*/}"; }
+  fi
+  picture=$stem.before-$1.svg beside=''
+  case $last in *.crit.json) beside=$field ;; esac
+  stageview "$last" ${beside:+--field "$beside"} -o "$picture" 2>/dev/null || return
+  echo "${0##*/}: the files of the stages before $1 are kept in $dir; look at the last one with" >&2
+  echo "  xdg-open '$picture'" >&2
 }

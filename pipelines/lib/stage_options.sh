@@ -44,10 +44,10 @@ with_options() {
   "$@"
 }
 
-# check_options TOOL INPUT [ARGUMENT...]: exits with 2 and the tool's message if these arguments or the options chosen
-# for it contain a mistake. With an empty INPUT the tool ends at once, and with 2 only after a mistake.
+# check_options TOOL INPUT [ARGUMENT...]: exits with 2 and the tool's message, as one of this command, if these arguments
+# or the options chosen for it contain a mistake. With an empty INPUT the tool ends at once, and with 2 only after a mistake.
 check_options() {
   [ $# -gt 2 ] || case $separator$chosen in *"$separator$1 "*) ;; *) return ;; esac
   message=$(with_options "$1" "$@" 2>&1 </dev/null)
-  [ $? -ne 2 ] || { echo "$message" >&2; exit 2; }
+  [ $? -ne 2 ] || { printf '%s\n' "$message" | sed "s/^$1: /${0##*/}: /; s/^try '$1 /try '${0##*/} /" >&2; exit 2; }
 }

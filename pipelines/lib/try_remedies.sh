@@ -2,11 +2,12 @@
 # Where separatrix found a strip of blocks that contains itself, and could only divide triangles, other nodes may give a
 # layout: its report has the options of critpoints that change those on the strip (quantize.remedies). The first that
 # gives a layout replaces nodes, field and graph; if none does, or a stage is stopped (limit_stages.sh), they stay.
-# Options that the user chose are not replaced.
+# Options that the user chose are not replaced, nor nodes that a user gave or edited (choose_nodes.sh).
 
 # try_remedies: after separatrix. Sets $remedy, and moves the files of the graph that is taken to the usual names.
 try_remedies() {
   usual=$stem usual_nodes=$nodes usual_field=$field usual_last=$last first=$number
+  [ -z "$known_nodes$dry_run" ] && is_due separatrix '' || return 0
   [ -z "$way" ] || list_remedies "$scratch/$number.separatrix.json" >"$scratch/remedies" || fail 70 jq
   [ -s "$scratch/remedies" ] || return 0
   while read -r option value; do
@@ -41,6 +42,7 @@ take_remedy() {
     run=${json#"$scratch"/} && run=${run%%.*}
     [ "$run" -le "$before" ] || mv "$json" "${json%%.failed_*}.remedy_${json#*.failed_}"
   done
+  for json in "$scratch"/*.remedy_*; do print_warnings "$json"; done
   rm -f "$usual".phase.*
   for file in "$usual".remedy.*; do mv "$file" "$usual${file#"$usual".remedy}"; done
   nodes=$usual.crit.json last=$usual.sep.json

@@ -21,6 +21,22 @@ setup() {
   run -0 env PATH=/usr/bin:/bin "$usr/bin/quadmesh" --version
 }
 
+@test "the installed Makefile.example finds the installed tools" {
+  cp "$DATA/half_disc.step" "$DATA/bad/half_disc_inches.iges" .
+  run -0 env -u BIN PATH=/usr/bin:/bin make -s -f "$usr/share/doc/quadrille/Makefile.example" half_disc.msh half_disc_inches.vtu
+  run -0 env -u BIN PATH=/usr/bin:/bin make -f "$usr/share/doc/quadrille/Makefile.example" half_disc.msh
+  assert_output ''
+}
+
+@test "the installed quadmesh runs a part of the chain, and answers wrong usage with the nearest option" {
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" "$DATA/square.step" --workdir w --until critpoints
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" --workdir w --from separatrix -o out.msh
+  run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" --verbos
+  assert_line "quadmesh: unknown option --verbos: did you mean --verbose?"
+  run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/place" --verbos
+  assert_line "place: unknown option --verbos: did you mean --verbose?"
+}
+
 @test "the folder may be moved, and a link to a command is the command" {
   cp -r "$usr" moved
   ln -s moved/bin/quadmesh mesh

@@ -62,3 +62,52 @@ stages_run() {
   for ending in vtu xml mesh ism inp re2; do assert_file_exists "half_disc.$ending"; done
   assert_equal "$(stages_run)" ""
 }
+
+@test "options are remembered for each target: another target does not change them" {
+  cp half_disc.step other.step
+  run -0 make -s -f "$ROOT/Makefile.example" BIN="$BIN" other.msh quadrefine='--size 0.5'
+  assert_equal "$(stages_run)" ""
+  run -0 make -f "$ROOT/Makefile.example" BIN="$BIN" other.msh quadrefine='--size 0.5'
+  assert_output ''
+  # Options of one shape replace those of all, also where they are empty.
+  assert_equal "$(stages_run quadrefine='--size 0.2' half_disc.quadrefine=)" ""
+  assert_equal "$(stages_run half_disc.quadrefine="--size 0.2 --size-near 'a b'=1" half_disc.separatrix='--merge-angle 9')" \
+    "separatrix blocksplit quadrefine"
+  assert_equal "$(stages_run quadexport='--frame 3d')" "separatrix blocksplit quadrefine quadexport"
+  assert_equal "$(stages_run quadexport='--frame 3d')" ""
+}
+
+@test "a changed option of the field for given nodes makes that again, and what follows" {
+  jq '.form = "phase" | .critical_points[0].position[0] -= 0.1' half_disc.crit.json > moved
+  mv moved half_disc.crit.json
+  stages_run
+  assert_equal "$(stages_run phase='--field-order 9')" "fieldsolve padapt separatrix blocksplit quadrefine quadexport"
+  assert_equal "$(stages_run phase='--field-order 9')" ""
+}
+
+@test "shapes are STEP, IGES or BREP files, also in other folders" {
+  mkdir shapes
+  cp "$DATA/bad/half_disc_inches.iges" shapes/inches.iges
+  cp "$DATA/bad/half_disc_inches.iges" inches.igs
+  cp "$DATA/bad/rectangle.brep" .
+  cp half_disc.step disc.stp
+  run -0 make -s -f "$ROOT/Makefile.example" BIN="$BIN" shapes/inches.msh inches.msh rectangle.vtu disc.msh
+  cmp shapes/inches.msh inches.msh
+  [[ -s disc.msh && -s rectangle.vtu ]]
+  run -0 make -f "$ROOT/Makefile.example" BIN="$BIN" shapes/inches.msh shapes.quadrefine='--size 1'
+  assert_output ''
+  run -0 make -f "$ROOT/Makefile.example" BIN="$BIN" shapes/inches.msh inches.quadrefine='--size 1'
+  assert_output --partial 'quadrefine --size 1 shapes/inches.blocks.h5 -o shapes/inches.quad.h5'
+  run -0 make -s -f "$ROOT/Makefile.example" BIN="$BIN" clean
+  assert_file_not_exists half_disc.quad.h5
+}
+
+@test "the tools are found on PATH where the file was copied to; without them it says what to do" {
+  mkdir elsewhere
+  cp "$ROOT/Makefile.example" elsewhere/Makefile
+  cp half_disc.step elsewhere
+  run -0 env -u BIN make -s -C elsewhere half_disc.msh
+  cmp elsewhere/half_disc.msh half_disc.msh
+  run -2 env -u BIN PATH=/usr/bin:/bin make -C elsewhere half_disc.msh
+  assert_output --partial 'no cad2tri on PATH: give BIN=FOLDER'
+}

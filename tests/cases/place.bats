@@ -10,7 +10,7 @@ here() { TMPDIR=$PWD "$@"; }
   run -0 --separate-stderr here "$place" "$DATA/half_disc.step" -o out.msh --nodes out.crit.json --report out.json \
     --workdir kept --rounds 2 --size 0.2
   assert_equal "$stderr" ""
-  assert_output --regexp '^least scaled Jacobian of the blocks 0\.[0-9]+ -> 0\.[0-9]+, 2 of 2 nodes moved, [0-9]+ trials$'
+  assert_output --regexp '^least scaled Jacobian of the blocks 0\.[0-9]+ -> 0\.[0-9]+, 2 of 2 nodes moved, (1 trial|([2-9]|[0-9]{2,}) trials)$'
   jq -e '.best > .start + 0.01 and .rounds <= 2 and (.moves[-1].quality == .best)' out.json
   jq -e '.form == "phase" and ([.critical_points[].valence] == [3, 3]) and
     ([.critical_points[].position[0]] | add | fabs < 1e-9) and
@@ -32,7 +32,7 @@ here() { TMPDIR=$PWD "$@"; }
   "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" -o mesh.msh
   cmp placed.msh mesh.msh
   run -0 "$place" "$DATA/square.step" -o placed.msh
-  assert_output "least scaled Jacobian of the blocks 1 -> 1, 0 of 0 nodes moved, 0 trials"
+  assert_output "least scaled Jacobian of the blocks 1 -> 1, 0 of 0 nodes moved, 0 trials: there is no irregular node inside"
   "$ROOT/pipelines/quadmesh" -q "$DATA/square.step" -o mesh.msh
   cmp placed.msh mesh.msh
 }
@@ -59,7 +59,7 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "the options of critpoints are passed on to it, and listed by --help" {
   run -2 --separate-stderr here "$place" "$DATA/square.step" -o out.msh --max-valence=3
-  [[ ${stderr_lines[0]} == "critpoints: --max-valence: "* ]] || fail "$stderr"
+  [[ ${stderr_lines[0]} == "place: --max-valence: "* ]] || fail "$stderr"
   run -0 "$place" -q "$DATA/half_disc.step" -o out.msh --rounds 0 --place energy --nodes energy.crit.json
   jq -e '.form == "phase"' energy.crit.json
   run -2 "$place" "$DATA/square.step" --max-valence
@@ -79,14 +79,18 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "what a stage has against its input, and what cannot be written, comes through with its exit code" {
   run -3 --separate-stderr here "$place" missing.step -o out.msh
+  assert_equal "$stderr" "place: missing.step: no such file"
+  head -c 3000 "$DATA/half_disc.step" >truncated.step
+  run -3 --separate-stderr here "$place" truncated.step -o out.msh
   [[ $stderr == "cad2tri: "* ]] || fail "$stderr"
+  rm truncated.step
   echo '{}' >start.crit.json
   run -3 --separate-stderr here "$place" "$DATA/half_disc.step" --start start.crit.json -o out.msh
   run -3 --separate-stderr here "$place" "$DATA/half_disc.step" --start nowhere.crit.json -o out.msh
   [[ $stderr == "place: nowhere.crit.json"* ]] || fail "$stderr"
   run -4 --separate-stderr here "$place" "$DATA/square.step" --rounds 0 -o nowhere/out.msh
   run -4 --separate-stderr here "$place" "$DATA/square.step" --rounds 0 -o out.msh --nodes nowhere/crit.json
-  assert_nothing_left start.crit.json out.msh
+  assert_nothing_left start.crit.json
 }
 
 @test "a pipe stays a pipe, and is written into" {

@@ -130,15 +130,17 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   for shape in empty truncated garbage missing; do
     run -3 --separate-stderr here "$quadmesh" "$shape.step" -o out.msh
     assert_equal "${#stderr_lines[@]}" 1
-    [[ $stderr == "cad2tri: "*"$shape.step"* ]] || fail "$shape: $stderr"
+    [[ $stderr == *": "*"$shape.step"* ]] || fail "$shape: $stderr"
+    case $shape in empty | missing) assert_regex "$stderr" "^quadmesh: " ;; *) assert_regex "$stderr" "^cad2tri: " ;; esac
     assert_output ''
   done
   assert_nothing_left empty.step garbage.step truncated.step
 }
 
-@test "an impossible option of a stage is that stage's usage error" {
+@test "an impossible option of a stage is a usage error of quadmesh" {
   run -2 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --order 0
-  [[ $stderr == "quadrefine: --order"* ]] || fail "$stderr"
+  assert_equal "${stderr_lines[0]}" "quadmesh: --order: 0 is outside its interval (1 to 20)"
+  assert_equal "${stderr_lines[1]}" "try 'quadmesh --help'"
   assert_nothing_left
 }
 
@@ -157,9 +159,12 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
 
 @test "an output that cannot be written is exit 4, nothing is left" {
   run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o nowhere/out.msh
-  [[ $stderr == "quadexport: "*nowhere/out.msh* ]] || fail "$stderr"
+  [[ $stderr == "quadmesh: "*nowhere/out.msh* ]] || fail "$stderr"
   run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" -o out.msh --report nowhere/report.json
-  assert_nothing_left out.msh
+  [[ $stderr == "quadmesh: "*nowhere/report.json* ]] || fail "$stderr"
+  run -4 --separate-stderr here "$quadmesh" "$DATA/square.step" --format msh -o /dev/full
+  [[ $stderr == "quadexport: "*/dev/full* ]] || fail "$stderr"
+  assert_nothing_left
 }
 
 @test "mistakes on the command line are exit 2 with a hint" {
@@ -184,10 +189,13 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   xmllint --noout kept/half_disc.before-blocksplit.svg
   assert_file_exists kept/half_disc.sep.json
   assert_file_not_exists out.msh
-  # Without --workdir the temporary folder stays, and only then.
+  # Without --workdir nothing stays, and the message says how to keep the files.
+  rm -r kept
   QUADRILLE_BIN=$PWD/fake run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
-  picture=$(sed -n "s/.*xdg-open '\(.*\)'/\1/p" <<<"$stderr")
-  assert_file_exists "$picture"
+  assert_equal "${stderr_lines[1]}" \
+    "quadmesh: run it again with --workdir DIR to keep the files of the stages before blocksplit and a picture"
+  rm -r fake
+  assert_nothing_left
 }
 
 # failing TOOL REPORT: a folder `fake` in which the tool finds no valid result, and reports this JSON.
@@ -407,6 +415,33 @@ END
   assert_equal $code 143
   rm -r fake started
   assert_nothing_left
+}
+
+# sleeping STAGE: a folder `fake` in which this stage creates `started` and sleeps.
+sleeping() {
+  rm -rf fake started && mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
+  rm "fake/$1"
+  printf '%s\n' '#!/bin/sh' "case \" \$* \" in *' --report '*) ;; *) exec '$BIN/$1' \"\$@\" ;; esac" 'echo >started' \
+    'exec sleep 30' >"fake/$1"
+  chmod +x "fake/$1"
+}
+
+@test "an interrupt in any stage leaves no temporary file, and no output" {
+  for stage in cad2tri critpoints quadexport; do
+    for signal in INT HUP; do
+      sleeping $stage
+      TMPDIR=$PWD QUADRILLE_BIN=$PWD/fake env --default-signal "$quadmesh" "$DATA/square.step" -o out.msh \
+        --report report.json 3>&- &
+      local pid=$! code=0
+      until [[ -e started ]]; do sleep 0.05; done
+      kill -$signal $pid
+      wait $pid || code=$?
+      assert_equal "$stage $signal $code" "$stage $signal $((128 + $(kill -l $signal)))"
+      rm -r fake started
+      assert_nothing_left
+    done
+  done
 }
 
 @test "--help shows examples that run" {

@@ -11,7 +11,7 @@ passes() {
 }
 
 @test "the frame of the Python commands" {
-  passes command_frame
+  passes command_frame nearest_word
 }
 
 @test "outlines: reading points, loops, corners" {

@@ -56,12 +56,14 @@ class Search:
         marks = [((node["kind"], node["valence"]), complex(*node["position"])) for node in graph["nodes"]]
         self.orbits = orbits(node_positions(start.nodes), Marks(marks, self.diameter))
         self.trials, self.moves = 0, []
+        self.num_layouts = 0  # trials that gave blocks
 
     def keep_if_better(self, moves):
         """Tries the best layout with these moves; the worse of the two is removed."""
         self.trials += 1
         folder = self.first / f"trial{self.trials}"
         layout = self.try_layout(moved_nodes(self.best.nodes, moves), folder)
+        self.num_layouts += layout is not None
         if layout is None or layout.quality < self.best.quality + LEAST_GAIN:
             shutil.rmtree(folder)
             return False
@@ -91,6 +93,20 @@ class Search:
         self.moves.append({"nodes": nodes, "step": step / self.diameter, "quality": self.best.quality})
         self.report_move(f"nodes {', '.join(map(str, nodes))}: by {step:.3g}, node {first} to "
                          f"({position.real:.6g}, {position.imag:.6g}): {self.best.quality:.4g}")
+
+    def reason_to_stay(self, rounds):
+        """Why no node was moved in these rounds."""
+        if not self.orbits:
+            return "there is no irregular node inside"
+        if not rounds and self.best.quality >= upper_bound(self.best.nodes) - LEAST_GAIN:
+            return "the blocks are as good as the valences allow"
+        if not rounds:
+            return "no round was allowed"
+        if not self.trials:
+            return "symmetry leaves the nodes no direction"
+        if not self.num_layouts:
+            return "no trial gave blocks: try a smaller --step"
+        return f"no trial raised it by {LEAST_GAIN:g}: try a smaller --step or more --rounds"
 
     def run(self, rounds, step):
         """At most `rounds` rounds, the first with a step of `step` diameters; returns the number of rounds made."""

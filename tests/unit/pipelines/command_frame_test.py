@@ -27,12 +27,23 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(pairs("a", "-o", "b", "--size=1=2", "-v", "-"),
                          [(None, "a"), ("--output", "b"), ("--size", "1=2"), ("--verbose", None), (None, "-")])
 
+    def test_bundled_short_options(self):
+        self.assertEqual(pairs("-vob", "-o=b", "-vv"),
+                         [("--verbose", None), ("--output", "b"), ("--output", "=b"), ("--verbose", None),
+                          ("--verbose", None)])
+
     def test_mistakes(self):
         for words, message in ((["--none"], "unknown option --none"), (["-x"], "unknown option -x"),
-                               (["a", "--size"], "--size needs a value")):
+                               (["a", "--size"], "--size needs a value"), (["-vx"], "unknown option -x"),
+                               (["--size", "--verbose"], "--size needs a value, not the option --verbose"),
+                               (["--verbose=3"], "--verbose takes no value")):
             with self.assertRaises(Failure) as raised:
                 pairs(*words)
             self.assertEqual((raised.exception.code, str(raised.exception)), (2, message))
+
+    def test_the_nearest_option(self):
+        with self.assertRaisesRegex(Failure, "^unknown option --sise: did you mean --size\\?$"):
+            list(command_frame.option_pairs(["--sise"], KINDS.get, lambda: KINDS))
 
     def test_numbers(self):
         self.assertEqual(command_frame.number("--x", "1e3", 0, 1e3), 1000)
@@ -41,6 +52,41 @@ class OptionsTest(unittest.TestCase):
                                     ("nan", float, False)):
             with self.assertRaisesRegex(Failure, "^--x: "):
                 command_frame.number("--x", text, 0, 5, kind, is_open)
+
+
+class FilesTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "shape").write_text("text")
+        (self.folder / "link").symlink_to("shape")
+        (self.folder / "empty").touch()
+
+    def code_of(self, function, *arguments):
+        with self.assertRaises(Failure) as raised:
+            function(*arguments)
+        return raised.exception.code
+
+    def test_inputs(self):
+        command_frame.require_input("-")
+        command_frame.require_input(str(self.folder / "link"))
+        for name in ("empty", "missing", "."):
+            self.assertEqual(self.code_of(command_frame.require_input, str(self.folder / name)), 3)
+
+    def test_outputs(self):
+        name = lambda path: str(self.folder / path)
+        command_frame.require_outputs([None, "-", name("new"), "/dev/null"], ["-", name("shape")])
+        for path in ("shape", "link", "./shape"):
+            self.assertEqual(self.code_of(command_frame.require_outputs, [name(path)], ["-", name("shape")]), 2)
+        self.assertEqual(self.code_of(command_frame.require_outputs, [name("new"), name("./new")], []), 2)
+        self.assertEqual(self.code_of(command_frame.require_outputs, [name("no/new")], []), 4)
+        self.assertEqual(self.code_of(command_frame.require_outputs, [name(".")], []), 4)
+
+
+class CountsTest(unittest.TestCase):
+    def test_one_is_singular(self):
+        self.assertEqual([command_frame.counted(n, "trial") for n in (0, 1, 2)], ["0 trials", "1 trial", "2 trials"])
 
 
 class WriteFileTest(unittest.TestCase):

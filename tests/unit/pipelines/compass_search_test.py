@@ -55,6 +55,16 @@ class SearchTest(unittest.TestCase):
             raise Failure(1)
         return Layout(nodes, folder, 0.9 - (abs(a - 1) + abs(b + 1)) / 10)
 
+    def test_a_search_that_moves_nothing_has_a_reason(self):
+        search = self.search()
+        self.assertEqual(search.reason_to_stay(0), "no round was allowed")
+        search.trials = 3
+        self.assertRegex(search.reason_to_stay(1), "^no trial gave blocks")
+        search.num_layouts = 1
+        self.assertRegex(search.reason_to_stay(1), "^no trial raised it")
+        search.orbits = []
+        self.assertRegex(search.reason_to_stay(1), "^there is no irregular node")
+
     def search(self):
         start = self.make_layout(NODES, self.first / "start", self.first, False)
         lines = [{"degree": 1, "knots": [0, 0, 1, 1], "poles": [[a.real, a.imag], [b.real, b.imag]], "weights": [1, 1]}

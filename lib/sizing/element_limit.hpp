@@ -1,0 +1,30 @@
+#pragma once
+// The greatest number of elements, so that a mistyped size is refused before it exhausts the memory.
+
+#include <vector>
+
+#include "base/error.hpp"
+#include "model/block_layout.hpp"
+#include "sizing/arc_division.hpp"
+#include "sizing/grade_chords.hpp"
+#include "sizing/measured_layout.hpp"
+
+namespace quadrille::sizing {
+
+struct ElementLimit {
+  int max_elements = 1000000;
+  int order = 4;  ///< shape order; meshes with more than 1e8 nodes are refused too
+};
+
+/// The message states the number of elements and by how much --size must rise.
+struct TooManyElements : ComputeError {
+  using ComputeError::ComputeError;
+};
+
+/// For the planned counts, which the tolerance of the boundary may raise: an estimate, before anything is divided.
+void require_planned_within(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans,
+                            const ElementLimit& limit);
+/// For the divisions of all arcs: the exact number. Both throw TooManyElements.
+void require_divided_within(const BlockLayout& layout, const ArcDivisions& divisions, const ElementLimit& limit);
+
+}  // namespace quadrille::sizing

@@ -1,0 +1,135 @@
+# shellcheck shell=sh
+# What the command line and the headers of files tell before any work: options of all stages, inputs that are missing,
+# outputs that cannot be written or would replace an input.
+
+# refuse CODE MESSAGE: ends quadmesh, with a report.
+refuse() {
+  printf '%s\n' "quadmesh: $2" >&2
+  [ -n "$scratch" ] || scratch=$(mktemp -d) || exit "$1"
+  report_failure "$1" quadmesh "$2"
+  rm -rf "$scratch"
+  exit "$1"
+}
+
+# check_command_line: what needs no files.
+check_command_line() {
+  [ -n "$shape" ] || [ -n "$first_stage" ] || mistake "no shape given"
+  case $html in '' | *?.html) ;; *) mistake "--html: '$html' does not end in .html" ;; esac
+  limit_range "$first_stage" "$last_stage"
+  check_options cad2tri /dev/null ${healed:+--write-healed "$healed"} ${heal:+--heal-tolerance "$heal"} \
+    ${fit:+--fit-tolerance "$fit"} ${blunt:+--blunt "$blunt"} ${threads:+--threads "$threads"}
+  for tool in critpoints separatrix blocksplit quadrefine; do check_options "$tool" /dev/null; done
+  check_output_format
+  check_given_nodes_option
+}
+
+# check_output_format: quadexport writes other formats from other files.
+check_output_format() {
+  format=$(chosen_value quadexport --format)
+  case ${format:-auto}:$out in
+    step:* | auto:*.step | auto:*.stp)
+      mistake "${out:+$out: }STEP is a format of blocks, not of meshes: $(mesh_endings); for a STEP model of the \
+blocks run quadexport on x.blocks.h5 of --workdir" ;;
+  esac
+  check_options quadexport /dev/null -o "${out:--}"
+}
+
+# mesh_endings: those that quadexport knows, from its message about a name that it does not know.
+mesh_endings() {
+  quadexport /dev/null -o x.no-such-ending 2>&1 </dev/null |
+    sed -n 's/.*end it in one of \(.*\) or give --format.*/\1/p' |
+    sed 's/\.step *//; s/^/end the name in one of /; s/$/ (--format names others)/'
+}
+
+check_given_nodes_option() {
+  [ -n "$given_nodes" ] || return 0
+  [ "$layout" != midpoint ] || mistake "--nodes and --layout midpoint exclude each other: it uses no nodes"
+  [ "$first_position" -le 5 ] || mistake "--nodes needs separatrix, which --from $first_stage does not run"
+  [ "$final_position" -ge 4 ] || mistake "--nodes is not used before critpoints, where --until $last_stage ends"
+  case $separator$chosen in
+    *"${separator}critpoints --"*)
+      option=${chosen#*"critpoints --"}
+      mistake "--nodes takes the place of critpoints: --${option%%"$separator"*} is an option of it, leave it out" ;;
+  esac
+  [ "$given_nodes" != - ] || [ "$shape" != - ] || mistake "SHAPE and --nodes cannot both be standard input"
+}
+
+# check_files: inputs and outputs. Needs $shape, which may be found in the work folder.
+check_files() {
+  require_files
+  if [ "$first_position" -eq 1 ]; then require_input "$shape"; fi
+  size_file=$(chosen_value quadrefine --size-field)
+  block_file=$(chosen_value blocksplit --block-names)
+  for json in "$names" "$block_file" "$size_file" "$given_nodes"; do
+    case $json in '' | -) ;; *) require_input "$json" && require_json "$json" ;; esac
+  done
+  case $given_nodes in '' | -) ;; *) require_nodes "$given_nodes" ;; esac
+  check_outputs
+}
+
+# require_input FILE: exists, can be read, is not empty.
+require_input() {
+  if [ "$1" = - ]; then return; fi
+  [ -e "$1" ] || refuse 3 "$1: no such file"
+  [ ! -d "$1" ] || refuse 3 "$1: is a directory, not a file"
+  [ -r "$1" ] || refuse 3 "$1: cannot be read: permission denied"
+  [ ! -f "$1" ] || [ -s "$1" ] || refuse 3 "$1: is empty"
+}
+
+require_json() {
+  [ -f "$1" ] || return 0
+  problem=$(jq empty "$1" 2>&1 </dev/null) || refuse 3 "$1: is not JSON: ${problem##*: }"
+}
+
+# require_nodes FILE: has the format of x.crit.json and keeps the rules that stages check. CRT-R07 and CRT-R16 are about
+# the record of the search, which an editor may leave as it was.
+require_nodes() {
+  [ -f "$1" ] || return 0
+  format=$(jq -r '.format? // "none"' "$1" 2>/dev/null)
+  [ "$format" = critical-points ] || refuse 3 "$1: expected a critical-points file (x.crit.json), found format $format"
+  broken=$(stagecheck "$1" 2>/dev/null | grep -v -e ': CRT-R07: ' -e ': CRT-R16: ' | head -n 1)
+  [ -z "$broken" ] || refuse 3 "$broken"
+}
+
+# identity_of FILE: the same words for all names of a file, also through links.
+identity_of() { stat -L -c '%d:%i' -- "$1" 2>/dev/null || readlink -m -- "$1"; }
+
+is_same_file() { [ "$(identity_of "$1")" = "$(identity_of "$2")" ]; }
+
+check_outputs() {
+  [ "${out:--}" != - ] || [ "$report" != - ] || [ "$final_position" -lt 8 ] ||
+    mistake "the mesh and the report cannot both go to standard output: give -o FILE"
+  for output in "$out" "$report" "$healed"; do
+    case $output in '' | -) ;; *) check_output "$output" ;; esac
+  done
+  refuse_pair "$out" "$report" "the mesh" "the report"
+  refuse_pair "$out" "$healed" "the mesh" "the healed face"
+  refuse_pair "$report" "$healed" "the report" "the healed face"
+}
+
+# refuse_pair FILE OTHER WHAT OF_OTHER
+refuse_pair() {
+  case $1:$2 in :* | *: | -:* | *:- | /dev/*) return ;; esac
+  if is_same_file "$1" "$2"; then mistake "$3 and $4 are the same file: $1"; fi
+}
+
+# check_output FILE: would replace no input and no file of the stages; its folder exists.
+check_output() {
+  for input in "$shape" "$names" "$block_file" "$size_file" "$given_nodes"; do
+    case $input in '' | -) continue ;; esac
+    if [ -f "$input" ] && is_same_file "$1" "$input"; then mistake "the output $1 is the input $input"; fi
+  done
+  if [ -n "$workdir" ]; then refuse_stage_file "$1"; fi
+  [ ! -d "$1" ] || refuse 4 "$1 cannot be written: is a directory"
+  case $1 in */*) folder=${1%/*} ;; *) folder=. ;; esac
+  [ -d "${folder:-/}" ] || refuse 4 "$1 cannot be written: there is no folder $folder"
+  [ -e "$1" ] || [ -w "${folder:-/}" ] || refuse 4 "$1 cannot be written: the folder is write-protected"
+}
+
+refuse_stage_file() {
+  for ending in tri.h5 solve.h5 field.h5 crit.json phase.solve.h5 phase.h5 sep.json blocks.h5 quad.h5; do
+    if is_same_file "$1" "$workdir/$(stem_of "$shape").$ending"; then
+      mistake "the output $1 is a file of the stages in --workdir $workdir"
+    fi
+  done
+}

@@ -1,0 +1,233 @@
+# Wrong usage: each is answered before any work, under the name of the command that was typed, with the remedy.
+load ../tools/common
+
+# A line for each: exit code | command | words that the message must contain, in this order (* stands for anything).
+table() {
+  cat <<'END'
+2 | cad2tri --verbos half_disc.step | unknown option --verbos: did you mean --verbose?
+2 | cad2tri --face-name 3 half_disc.step | unknown option --face-name
+2 | cad2tri --heal-tol 1e-4 half_disc.step | unknown option --heal-tol: did you mean --heal-tolerance?
+2 | cad2tri -z half_disc.step | unknown option -z
+2 | cad2tri half_disc.step square.step | surplus argument 'square.step'
+2 | cad2tri half_disc.step --size | --size needs a value
+2 | cad2tri half_disc.step --size big | --size: 'big' is not a number
+2 | cad2tri half_disc.step --order 99 | --order: 99 is outside its interval (1 to 16)
+2 | cad2tri --list --face 1 half_disc.step | --list and --face exclude each other
+3 | cad2tri missing.step | missing.step*No such file
+2 | fieldsolve --field-ordr 9 w/half_disc.tri.h5 | unknown option --field-ordr: did you mean --field-order?
+2 | fieldsolve --method cgg w/half_disc.tri.h5 | --method: 'cgg' is not one of cg|dg
+2 | fieldsolve --nodes w/half_disc.crit.json --method dg w/half_disc.tri.h5 | --nodes needs --method cg
+3 | fieldsolve half_disc.step | half_disc.step
+3 | fieldsolve w/half_disc.field.h5 | expected a tri-mesh file, found a field file
+2 | padapt --max-ordr 9 w/half_disc.solve.h5 | did you mean --max-order?
+2 | padapt --max-order 2.5 w/half_disc.solve.h5 | --max-order: '2.5' is not an integer
+3 | padapt w/half_disc.tri.h5 | expected a field file, found a tri-mesh file
+2 | critpoints --plase energy w/half_disc.field.h5 | unknown option --plase: did you mean --place?
+2 | critpoints --corner-valence 3=1 w/half_disc.field.h5 | '3=1' is not a corner valence: write CURVE_A:CURVE_B=VALENCE
+2 | critpoints --threads 0 w/half_disc.field.h5 | --threads: 0 is outside its interval
+3 | critpoints w/half_disc.tri.h5 | expected a field file, found a tri-mesh file
+2 | separatrix --verbos | unknown option --verbos: did you mean --verbose?
+2 | separatrix | FIELD is required
+2 | separatrix w/half_disc.field.h5 w/half_disc.crit.json more.json | surplus argument 'more.json'
+2 | separatrix --layout trased w/half_disc.field.h5 w/half_disc.crit.json | 'trased' is not one of
+3 | separatrix w/half_disc.field.h5 square.crit.json | square.crit.json was not made from w/half_disc.field.h5
+3 | separatrix square.field.h5 w/half_disc.crit.json | w/half_disc.crit.json was not made from square.field.h5
+3 | separatrix w/half_disc.field.h5 edited.json | fieldsolve --nodes
+2 | blocksplit --block-name x.json w/half_disc.sep.json | did you mean --block-names?
+3 | blocksplit w/half_disc.blocks.h5 | expected a separatrix-graph file
+2 | quadrefine --sise 0.1 w/half_disc.blocks.h5 | unknown option --sise: did you mean --size?
+2 | quadrefine --max-elements 0 w/half_disc.blocks.h5 | --max-elements: 0 is outside its interval
+1 | quadrefine --size 1e-3 w/half_disc.blocks.h5 -o out.quad.h5 | require about * quads, more than --max-elements 1000000: raise --size by a factor of
+1 | quadrefine --size 0.1 --max-elements 50 w/half_disc.blocks.h5 -o out.quad.h5 | more than --max-elements 50
+2 | quadrefine --wall curve_0 w/half_disc.blocks.h5 | --wall curve_0: expected NAME:first=H,layers=N
+2 | quadrefine --size-near hole w/half_disc.blocks.h5 | hole
+2 | quadrefine --count x w/half_disc.blocks.h5 | x
+2 | quadrefine --target-edge-ratio 0.5 w/half_disc.blocks.h5 | --target-edge-ratio must be 0 or at least 1
+3 | quadrefine w/half_disc.quad.h5 | expected a block-layout file
+2 | quadexport --formt msh w/half_disc.quad.h5 | unknown option --formt: did you mean --format?
+2 | quadexport w/half_disc.quad.h5 -o out.unknown | out.unknown does not determine the format: end it in one of
+2 | quadexport w/half_disc.quad.h5 --format exodus -o out.exo | 'exodus' is not one of
+3 | quadexport w/half_disc.blocks.h5 -o out.msh | expected a quad-mesh file
+2 | stageview --feild w/half_disc.field.h5 w/half_disc.crit.json | did you mean --field?
+2 | stageview w/half_disc.quad.h5 --field w/half_disc.field.h5 -o out.svg | --field needs a critical-points file
+2 | stagecheck --histroy w/half_disc.quad.h5 | unknown option --histroy: did you mean --history?
+3 | stagecheck half_disc.step w/half_disc.quad.h5 | 1 of 2 files is broken
+3 | stagecheck half_disc.step | 1 of 1 file is broken
+2 | quadmesh | no shape given
+2 | quadmesh --verbos half_disc.step | unknown option --verbos: did you mean --verbose?
+2 | quadmesh --sise 0.1 half_disc.step | unknown option --sise: did you mean --size?
+2 | quadmesh -qz half_disc.step | unknown option -z
+2 | quadmesh half_disc.step square.step | more than one shape: half_disc.step and square.step
+2 | quadmesh half_disc.step -o | -o needs a value
+2 | quadmesh half_disc.step -o --size 0.1 | -o needs a value, not the option --size
+2 | quadmesh half_disc.step --quiet=yes | --quiet takes no value
+2 | quadmesh half_disc.step -oout.step | out.step: STEP is a format of blocks, not of meshes: end the name in one of .msh
+2 | quadmesh half_disc.step -o out.m --format step | STEP is a format of blocks
+2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
+2 | quadmesh half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval (1 to 20)
+2 | quadmesh half_disc.step -o out.msh --heal-tolerance wide | --heal-tolerance: 'wide' is not a number
+2 | quadmesh half_disc.step -o out.msh --write-healed out.iges | out.iges: the file must end in .step, .stp or .brep
+2 | quadmesh half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
+2 | quadmesh half_disc.step -o out.msh --wall hole | expected NAME:first=H
+2 | quadmesh half_disc.step -o out.msh --size-near hole | hole
+2 | quadmesh half_disc.step -o out.msh --layout best | --layout: 'best' is not one of
+2 | quadmesh half_disc.step -o out.msh --threads none | --threads
+2 | quadmesh half_disc.step -o out.msh --max-seconds soon | soon
+2 | quadmesh half_disc.step -o half_disc.step --format msh | half_disc.step is the input half_disc.step
+2 | quadmesh half_disc.step -o ./half_disc.step --format msh | the output ./half_disc.step is the input
+2 | quadmesh half_disc.step -o link.msh | the output link.msh is the input half_disc.step
+2 | quadmesh half_disc.step -o out.msh --report link.msh | the output link.msh is the input
+2 | quadmesh half_disc.step -o out.msh --report ./out.msh | the mesh and the report are the same file
+2 | quadmesh half_disc.step --report - | cannot both go to standard output
+2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | a file of the stages in --workdir w
+2 | quadmesh half_disc.step -o out.msh --report w/../w/half_disc.crit.json --workdir w | a file of the stages
+2 | quadmesh half_disc.step --nodes edited.json -o out.msh --report edited.json | the output edited.json is the input edited.json
+3 | quadmesh missing.step -o out.msh | missing.step: no such file
+3 | quadmesh empty.step -o out.msh | empty.step: is empty
+3 | quadmesh w -o out.msh | w: is a directory
+3 | quadmesh half_disc.step -o out.msh --boundary-names missing.json | missing.json: no such file
+3 | quadmesh half_disc.step -o out.msh --block-names missing.json | missing.json: no such file
+3 | quadmesh half_disc.step -o out.msh --size-field half_disc.step | half_disc.step: is not JSON
+3 | quadmesh half_disc.step -o out.msh --nodes missing.json | missing.json: no such file
+3 | quadmesh half_disc.step -o out.msh --nodes w/half_disc.sep.json | expected a critical-points file (x.crit.json), found format separatrix-graph
+3 | quadmesh half_disc.step -o out.msh --nodes unbalanced.json | unbalanced.json: CRT-R05: index_sum
+4 | quadmesh half_disc.step -o nowhere/out.msh | nowhere/out.msh cannot be written: there is no folder nowhere
+4 | quadmesh half_disc.step -o out.msh --report nowhere/report.json | there is no folder nowhere
+4 | quadmesh half_disc.step -o folder.msh | folder.msh cannot be written: is a directory
+2 | quadmesh half_disc.step --until critpoints | --until critpoints needs --workdir
+2 | quadmesh half_disc.step --until critpoint --workdir w | 'critpoint' is no stage (did you mean critpoints?)
+2 | quadmesh half_disc.step --from separatrix -o out.msh | --from separatrix needs --workdir
+2 | quadmesh half_disc.step --from quadrefine --until separatrix --workdir w | --from quadrefine comes after --until separatrix
+2 | quadmesh half_disc.step --from quadrefine --place energy --workdir w -o out.msh | --place is an option of critpoints, which --from quadrefine does not run
+2 | quadmesh half_disc.step --from padapt --face 1 --workdir w -o out.msh | --face is an option of cad2tri, which --from padapt does not run
+3 | quadmesh square.step --from quadrefine --workdir w -o out.msh | w/square.blocks.h5, which does not exist
+2 | quadmesh half_disc.step --from blocksplit --nodes edited.json --workdir w -o out.msh | --nodes needs separatrix, which --from blocksplit does not run
+2 | quadmesh half_disc.step --nodes edited.json --place energy -o out.msh | --nodes takes the place of critpoints
+2 | quadmesh half_disc.step --nodes edited.json --layout midpoint -o out.msh | --nodes and --layout midpoint exclude each other
+2 | place | no shape given
+2 | place --roundes 3 half_disc.step | unknown option --roundes: did you mean --rounds?
+2 | place half_disc.step --rounds 1.5 | --rounds: '1.5' is not an integer
+2 | place half_disc.step -oout.step | out.step: STEP is a format of blocks, not of meshes
+2 | place half_disc.step -o out.unknown | out.unknown does not determine the format
+2 | place half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval
+2 | place half_disc.step -o out.msh --size many | --size: 'many' is not a number
+2 | place half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
+2 | place half_disc.step --start edited.json --nodes ./edited.json -o out.msh | the output ./edited.json is an input
+3 | place missing.step -o out.msh | missing.step: no such file
+3 | place half_disc.step --start w/half_disc.sep.json -o out.msh | expected a critical-points file
+4 | place half_disc.step -o nowhere/out.msh | there is no folder nowhere
+2 | points2step --unitt mm points.dat | unknown option --unitt: did you mean --unit?
+2 | points2step points.dat -o points.dat | the output points.dat is an input
+4 | points2step points.dat -o nowhere/out.step | there is no folder nowhere
+END
+}
+
+# Files for the commands, and tools that leave the file `started` if they begin to work for a pipeline.
+setup_file() {
+  cd "$BATS_FILE_TMPDIR" || return 1
+  mkdir files tools && cd files || return 1
+  cp "$DATA/half_disc.step" "$DATA/square.step" .
+  quadmesh=$ROOT/pipelines/quadmesh
+  "$quadmesh" -q half_disc.step --workdir w -o /dev/null --format msh
+  "$quadmesh" -q square.step --workdir other --until critpoints
+  cp other/square.field.h5 other/square.crit.json . && rm -r other
+  jq '.critical_points[0].position[0] -= 0.1' w/half_disc.crit.json >edited.json
+  jq '.form = "phase" | .critical_points = []' w/half_disc.crit.json >unbalanced.json
+  : >empty.step
+  ln -s half_disc.step link.msh
+  mkdir folder.msh
+  printf '0 0\n1 0\n1 1\n' >points.dat
+  local tool
+  for tool in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck; do
+    printf '%s\n' '#!/bin/sh' 'case " $*" in *" /dev/null"*) ;; *" -o "*) : >"$STARTED" ;; esac' \
+      "exec '$BIN/$tool' \"\$@\"" >"../tools/$tool"
+    chmod +x "../tools/$tool"
+  done
+}
+
+setup() {
+  common_setup
+  cp -a "$BATS_FILE_TMPDIR/files/." .
+  mkdir ../tmp
+}
+
+# check_usage CODE COMMAND WORDS: prints what is wrong about the answer.
+check_usage() {
+  local before code=0 message name=${2%% *} command=$2 work
+  before=$(find . | sort)
+  case $name in
+    quadmesh | place | points2step) command="$ROOT/pipelines/$2" ;;
+  esac
+  # shellcheck disable=SC2086 # words
+  message=$(export TMPDIR=$PWD/../tmp STARTED=$PWD/../started QUADRILLE_BIN=$BIN
+    case $name in quadmesh | place) QUADRILLE_BIN=$BATS_FILE_TMPDIR/tools ;; esac
+    $command 2>&1 >/dev/null </dev/null) || code=$?
+  [ "$code" = "$1" ] || echo "$2: exit code $code, not $1: $message"
+  # shellcheck disable=SC2053 # a pattern
+  [[ ${message%%$'\n'*} == "$name: "*$3* ]] || echo "$2: $message"
+  case $1 in 2) [[ $message == *"try '$name --help'" ]] || echo "$2: no hint" ;; esac
+  [ "$before" = "$(find . | sort)" ] || echo "$2: files have changed"
+  work=$(ls -A ../tmp)
+  [ -z "$work" ] || { echo "$2: left $work" && rm -rf ../tmp/*; }
+  [ ! -e ../started ] || { echo "$2: a stage was started" && rm ../started; }
+}
+
+# check_rows COMMAND...: of these commands.
+check_rows() {
+  local code command words problems=''
+  while IFS='|' read -r code command words; do
+    command=$(xargs <<<"$command") code=$(xargs <<<"$code") words=${words# }
+    words=${words//\?/\\?} words=${words//\[/\\[}
+    case " $* " in *" ${command%% *} "*) problems+=$(check_usage "$code" "$command" "$words") ;; esac
+  done < <(table)
+  assert_equal "$problems" ''
+}
+
+@test "the table has at least 80 rows, and each command of the chain has one" {
+  [ "$(table | wc -l)" -ge 80 ]
+  for command in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck \
+    quadmesh place points2step; do
+    table | grep -q "| $command\b"
+  done
+}
+
+@test "wrong usage of the tools" {
+  check_rows cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck
+}
+
+@test "wrong usage of quadmesh" {
+  check_rows quadmesh
+}
+
+@test "wrong usage of place and points2step" {
+  check_rows place points2step
+}
+
+@test "bundled short options are those one by one" {
+  for tool in critpoints stageview; do
+    out=out.${tool/stageview/svg}
+    "$tool" -qo"$out" w/half_disc.field.h5
+    cp "$out" first
+    "$tool" -q -o "$out" w/half_disc.field.h5
+    cmp "$out" first
+    run -0 --separate-stderr "$tool" -vq -oother.svg w/half_disc.field.h5
+    assert_equal "$stderr" ''
+  done
+  run -0 "$ROOT/pipelines/quadmesh" -qvo"out.msh" square.step
+  assert_output ''
+  run -0 "$ROOT/pipelines/quadmesh" -qv square.step -oother.msh
+  cmp out.msh other.msh
+  run -0 "$ROOT/pipelines/place" -qoplaced.msh square.step
+  assert_output ''
+  cmp out.msh placed.msh
+}
+
+@test "a name that begins with two dots, or a link to the folder, is the same file" {
+  ln -s . here
+  run -2 "$ROOT/pipelines/quadmesh" half_disc.step --format msh -o here/half_disc.step
+  assert_line --partial "is the input half_disc.step"
+  ln half_disc.step hard.msh
+  run -2 "$ROOT/pipelines/quadmesh" half_disc.step -o hard.msh
+  run -2 "$ROOT/pipelines/quadmesh" half_disc.step -o out.msh --report ../here/w/half_disc.sep.json --workdir here/w
+  cmp half_disc.step "$DATA/half_disc.step"
+}
