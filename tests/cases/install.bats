@@ -52,9 +52,19 @@ setup() {
   assert_file_exists "$usr/share/doc/quadrille/LICENSE"
 }
 
+@test "the Python package is installed and reads files" {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  "$usr/bin/cad2tri" "$DATA/square.step" -o a.tri.h5
+  export PYTHONPATH=$usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
+  run -0 /usr/bin/python3 -c 'import quadrille; print(quadrille.read("a.tri.h5").locate([[0.2, 0.3], [2, 2]])[0][1])'
+  assert_output -1
+  assert_file_executable "$usr/share/doc/quadrille/pipelines/python/examples/plot_nodes"
+}
+
 @test "links of the installed README, of the method and of the formats lead to installed pages" {
   cd "$usr/share/doc/quadrille"
-  run -0 python3 "$ROOT/tests/pages.py" "$PWD" links README.md lib/method.md formats/*.md formats/export/*.md
+  run -0 python3 "$ROOT/tests/pages.py" "$PWD" links README.md lib/method.md formats/*.md formats/export/*.md \
+    pipelines/python/README.md
   assert_output ''
   mv lib/method.md moved
   run -1 python3 "$ROOT/tests/pages.py" "$PWD" links formats/glossary.md
