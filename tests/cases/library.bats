@@ -19,7 +19,7 @@ setup() {
   consumer=$files/consumer/build
 }
 
-@test "a program of twenty lines makes the nodes and quads that the tools make" {
+@test "a short program makes the nodes and quads that the tools make" {
   for shape in half_disc eccentric_annulus; do
     run -0 "$consumer/mesh_face" "$files/$shape.tri.h5" $shape.crit.json $shape.quad.h5
     assert_line --regexp '^[0-9]+ nodes, [0-9]+ quads, 0 broken rules$'
@@ -28,6 +28,22 @@ setup() {
       "$(jq 'del(.provenance, .producer)' "$files/$shape.crit.json")"
     h5diff --exclude-attribute / "$files/$shape.quad.h5" $shape.quad.h5
   done
+}
+
+@test "nodes that are no zeros get a field of their own, as with the tools" {
+  cad2tri "$DATA/disc.step" -o d.tri.h5
+  fieldsolve d.tri.h5 | padapt | critpoints -o d.crit.json
+  assert_equal "$(jq -r .form d.crit.json)" phase
+  fieldsolve --nodes d.crit.json d.tri.h5 | padapt -o d.phase.h5
+  separatrix d.phase.h5 d.crit.json | blocksplit | quadrefine -o d.quad.h5
+  run -0 "$consumer/mesh_face" d.tri.h5 a.crit.json a.quad.h5
+  assert_equal "$(jq 'del(.provenance, .producer)' a.crit.json)" "$(jq 'del(.provenance, .producer)' d.crit.json)"
+  h5diff --exclude-attribute / d.quad.h5 a.quad.h5
+}
+
+@test "the quantized layout is computed, with CBC" {
+  run -0 "$consumer/mesh_face" "$files/eccentric_annulus.tri.h5" a.crit.json a.quad.h5 quantized
+  assert_line --regexp ' 0 broken rules$'
 }
 
 @test "values of the field are those of the Python package" {
