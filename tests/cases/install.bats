@@ -54,15 +54,51 @@ setup() {
   cmp batch/square.msh out.msh
 }
 
-@test "every command has a manual page that renders without a warning and ends with its examples" {
+@test "every command has a manual page that renders without a warning and ends with its examples and SEE ALSO" {
   command -v groff || skip "no groff"
   assert_equal "$(ls "$usr/share/man/man1" | sed 's/\.1$//')" "$(ls "$usr/bin")"
-  for page in "$usr"/share/man/man1/*.1; do
+  for page in "$usr"/share/man/man1/*.1 "$usr/share/man/man7/quadrille.7"; do
     run -0 --separate-stderr groff -man -ww -Tascii "$page"
     assert_equal "$stderr" ""
-    assert_equal "$(grep '^\.SH' "$page" | tail -1)" ".SH EXAMPLES"
+    assert_equal "$(grep '^\.SH' "$page" | tail -1)" ".SH SEE ALSO"
+  done
+  for page in "$usr"/share/man/man1/*.1; do
+    assert_equal "$(grep '^\.SH' "$page" | tail -3 | tr '\n' ' ')" ".SH ENVIRONMENT .SH EXAMPLES .SH SEE ALSO "
     assert_equal "$(sed -n '/^\.EX$/,/^\.EE$/p' "$page" | sed '1d;$d; s/\\-/-/g; s/\\e/\\/g')" \
       "$("$usr/bin/$(basename "$page" .1)" --help | sed '1,/^EXAMPLES$/d; s/^  //')"
+  done
+}
+
+@test "SEE ALSO names manual pages that exist, and quadrille(7) all commands" {
+  for page in "$usr"/share/man/man*/*; do
+    sed '1,/^\.SH SEE ALSO/d' "$page" | sed -nE 's/^\.BR ([a-z0-9]+) \(([17])\),?$/\1.\2/p' >names
+    assert_file_not_empty names
+    while read -r name; do assert_file_exists "$usr/share/man/man${name##*.}/$name"; done <names
+  done
+  for command in "$usr"/bin/*; do
+    run -0 grep -E "^\.(B|BR) ${command##*/}( |\$)" "$usr/share/man/man7/quadrille.7"
+  done
+}
+
+@test "ENVIRONMENT names the variables that the scripts read" {
+  for command in "$usr"/bin/*; do
+    page=$usr/share/man/man1/${command##*/}.1
+    run -0 grep -A1 '^\.SH ENVIRONMENT' "$page"
+    if [[ $(head -c 2 "$command") == '#!' ]]; then refute_output --partial None; else assert_output --partial None; fi
+  done
+  run grep -rn 'getenv' "$ROOT/lib" "$ROOT/tools" --include='*pp'
+  assert_output ''
+  while read -r name; do
+    run -0 grep -l "^$name$" "$usr/share/man/man1/quadmesh.1" "$usr/share/man/man7/quadrille.7"
+  done < <(grep -rohE '\$\{(QUADRILLE_[A-Z]+|TMPDIR)' "$ROOT/pipelines" --include=quadmesh --include='*.sh' | tr -d '${' | sort -u)
+  QUADRILLE_BIN=$PWD/none TMPDIR=$PWD/no/folder run -4 "$usr/bin/quadmesh" "$DATA/square.step" -o a.msh
+}
+
+@test "man finds the pages" {
+  command -v man || skip "no man"
+  for name in quadmesh cad2tri quadrille; do
+    MANPATH=$usr/share/man run -0 man -w $name
+    assert_output --partial "$usr/share/man"
   done
 }
 
@@ -73,9 +109,19 @@ setup() {
   assert_file_exists "$usr/share/doc/quadrille/LICENSE"
 }
 
+@test "the Python package is installed and reads files" {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  "$usr/bin/cad2tri" "$DATA/square.step" -o a.tri.h5
+  export PYTHONPATH=$usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
+  run -0 /usr/bin/python3 -c 'import quadrille; print(quadrille.read("a.tri.h5").locate([[0.2, 0.3], [2, 2]])[0][1])'
+  assert_output -1
+  assert_file_executable "$usr/share/doc/quadrille/pipelines/python/examples/plot_nodes"
+}
+
 @test "links of the installed README, of the method and of the formats lead to installed pages" {
   cd "$usr/share/doc/quadrille"
-  run -0 python3 "$ROOT/tests/pages.py" "$PWD" links README.md lib/method.md formats/*.md formats/export/*.md
+  run -0 python3 "$ROOT/tests/pages.py" "$PWD" links README.md lib/method.md formats/*.md formats/export/*.md \
+    pipelines/python/README.md
   assert_output ''
   mv lib/method.md moved
   run -1 python3 "$ROOT/tests/pages.py" "$PWD" links formats/glossary.md

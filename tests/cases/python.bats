@@ -1,0 +1,85 @@
+# The Python module for stage files (pipelines/python): its unit tests, and its results against files of the tools.
+load ../tools/common
+
+python=$ROOT/pipelines/python
+
+setup_file() {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  for shape in half_disc plate_hole slanted_l; do
+    stage_chain $shape "$BATS_FILE_TMPDIR"
+    fieldsolve --nodes "$BATS_FILE_TMPDIR/$shape.crit.json" "$BATS_FILE_TMPDIR/$shape.tri.h5" |
+      padapt -o "$BATS_FILE_TMPDIR/$shape.phase.h5"
+  done
+}
+
+setup() {
+  common_setup
+  files=$BATS_FILE_TMPDIR
+  export PYTHONPATH=$python CHAINS=$files PYTHONDONTWRITEBYTECODE=1
+}
+
+# passes PATTERN: the unit tests in the files of this name pass, and there are some.
+passes() {
+  run -0 /usr/bin/python3 -m unittest discover -s "$ROOT/tests/unit/python" -p "$1_test.py"
+  assert_line --regexp '^Ran [1-9][0-9]* tests? in '
+}
+
+@test "polynomials, splines, and the sample files of every format and version" {
+  passes reference
+  passes face
+  passes samples
+}
+
+@test "fields, blocks and quads agree with what the tools wrote" {
+  passes chain
+}
+
+@test "positions include the origin of a face far from that of the model" {
+  "$DATA/move_step.py" --move 5000 300 "$DATA/half_disc.step" moved.step
+  cad2tri moved.step -o a.tri.h5
+  fieldsolve a.tri.h5 | padapt -o a.field.h5
+  critpoints a.field.h5 -o a.crit.json
+  run -0 /usr/bin/python3 -c "
+import numpy, quadrille
+field, points = quadrille.read('a.field.h5'), quadrille.read('a.crit.json')
+assert abs(field.face.origin).max() > 0
+numpy.testing.assert_allclose(field.value(points.positions), 0, atol=1e-9)
+former = quadrille.read('$files/half_disc.crit.json')
+numpy.testing.assert_allclose(points.positions - [5000, 300], former.positions, atol=1e-6)"
+}
+
+@test "the example of crosses prints the angle at each point, nan outside" {
+  run -0 "$python/examples/cross_directions" "$files/half_disc.field.h5" <<<$'0 0.5\n0 0.01\n9 9'
+  assert_line --index 0 --regexp '^0 0.5 -?0\.00000[0-9]$'
+  assert_line --index 1 --regexp '^0 0.01 -?0\.00000[0-9]$'
+  assert_line --index 2 "9 9 nan"
+}
+
+@test "the example of blocks prints the least scaled Jacobian that blocksplit reports" {
+  blocksplit "$files/plate_hole.sep.json" -o /dev/null --report report.json
+  run -0 "$python/examples/block_quality" "$files/plate_hole.blocks.h5"
+  assert_equal "${#lines[@]}" "$((1 + $(jq .blocks report.json)))"
+  read -r _ name least _ <<<"${lines[1]}"
+  assert_equal "$name $least" "$(jq -r .least_scaled_jacobian_block report.json) $(
+    printf '%.6f' "$(jq .least_scaled_jacobian report.json)")"
+}
+
+@test "the example of nodes draws a picture" {
+  /usr/bin/python3 -c 'import matplotlib' || skip "no matplotlib: apt-get install python3-matplotlib"
+  MPLCONFIGDIR=$PWD run -0 "$python/examples/plot_nodes" "$files/half_disc."{field.h5,crit.json} nodes.png
+  assert_equal "$(head -c 4 nodes.png | tail -c 3)" PNG
+}
+
+@test "the examples of the page run" {
+  cp "$files"/half_disc.{field,blocks,quad}.h5 "$files"/half_disc.{crit,sep}.json .
+  sed -n '/^    >>> /,/^$/p' "$python/README.md" | sed 's/^    //' >examples
+  assert [ "$(grep -c '^>>> ' examples)" -gt 5 ]
+  run -0 /usr/bin/python3 -c 'import doctest, sys; sys.exit(doctest.testfile("examples", module_relative=False).failed)'
+}
+
+@test "every module is named on the page and has at most 350 lines" {
+  for file in "$python"/quadrille/[a-z]*.py; do
+    grep -qF "\`$(basename "$file")\`" "$python/README.md" || fail "$file is not on the page"
+    assert [ "$(wc -l <"$file")" -le 350 ]
+  done
+}

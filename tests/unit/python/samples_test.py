@@ -1,0 +1,115 @@
+"""The sample files of tests/formats, whose contents the pages of the formats show."""
+import os
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import quadrille
+
+SAMPLES = pathlib.Path(os.environ["ROOT"]) / "tests" / "formats"
+
+
+def sample(path):
+    return quadrille.read(SAMPLES / path)
+
+
+class FilesTest(unittest.TestCase):
+    def test_every_sample_can_be_read_former_versions_too(self):
+        files = sorted(SAMPLES.glob("*/passed/*"))
+        self.assertGreater(len(files), 15)
+        for file in files:
+            made = quadrille.read(file)
+            self.assertEqual(type(made).__name__.lower(), file.parent.parent.name.replace("_", ""))
+            self.assertIsInstance(made.provenance, list)
+
+    def test_bytes_are_read_as_files_are(self):
+        path = SAMPLES / "quad_mesh/passed/square.quad.h5"
+        np.testing.assert_array_equal(quadrille.read(path.read_bytes()).nodes, quadrille.read(path).nodes)
+
+    def test_former_names_are_renamed(self):
+        former = quadrille.load(SAMPLES / "separatrix_graph/passed/version-1.1.sep.json")
+        self.assertIn("face_valence_histogram", former["certificate"])
+
+    def test_other_files_are_refused(self):
+        for data, words in ((b"no json", "neither HDF5 nor JSON"), (b'{"format": "mesh"}', "no stage file"), (b"[]", "object"),
+                            (b'{"format": "critical-points", "version": [3, 0]}', "versions 1 and 2"),
+                            (b"\x89HDF\r\n\x1a\nnothing", "cannot be read as HDF5")):
+            with self.assertRaisesRegex(quadrille.StageFileError, words):
+                quadrille.read(data)
+        with self.assertRaises(OSError), tempfile.TemporaryDirectory() as folder:
+            quadrille.read(pathlib.Path(folder) / "absent")
+
+
+class SquareTest(unittest.TestCase):
+    def test_mesh(self):
+        mesh = sample("tri_mesh/passed/square.tri.h5")
+        self.assertEqual((mesh.num_elements, mesh.order), (4, 2))
+        elem, xi = mesh.locate([[0.5, 0.25], [0.5, 0.75], [2, 2], [np.nan, 0]])
+        np.testing.assert_array_equal(elem, [0, 2, -1, -1])
+        np.testing.assert_allclose(mesh.map(elem[:2], xi[:2])[0], [[0.5, 0.25], [0.5, 0.75]])
+
+    def test_points_near_the_boundary_belong_to_the_nearest_element_if_wanted(self):
+        mesh = sample("tri_mesh/passed/square.tri.h5")
+        self.assertEqual(mesh.locate([[0.5, -1e-4]])[0][0], -1)
+        self.assertEqual(mesh.locate([[0.5, -1e-4]], tolerance=1e-3)[0][0], 0)
+
+    def test_field(self):
+        field = sample("field/passed/square.field.h5")
+        value, gradient = field.sample([[0.3, 0.2], [0.5, 0.5], [1, 1]])
+        np.testing.assert_allclose(value, [[1, 0]] * 3, atol=1e-15)
+        np.testing.assert_allclose(gradient, 0, atol=1e-14)
+        np.testing.assert_allclose(field.cross_directions([[0.3, 0.2]])[0], [[1, 0], [0, 1], [-1, 0], [0, -1]], atol=1e-15)
+
+    def test_phase(self):
+        field, x = sample("field/passed/phase.field.h5"), np.array([[0.3, 0.2], [0.6, 0.8]])
+        z = x[:, 0] + 1j * x[:, 1]
+        phase = np.angle(z - (0.5 + 0.375j)) + np.angle(z - (0.5 - 0.375j)) - 4 * np.angle(z / (z + 1 + 1j))
+        value, gradient = field.sample(x)
+        np.testing.assert_allclose(value, np.column_stack([np.cos(phase), np.sin(phase)]), atol=1e-14)
+        step = 1e-6
+        for k in range(2):
+            shift = step * np.eye(2)[k]
+            difference = (field.value(x + shift) - field.value(x - shift)) / (2 * step)
+            np.testing.assert_allclose(gradient[:, :, k], difference, atol=1e-7)
+        self.assertTrue(np.isnan(field.value([[0.5, 0.375]])).all())
+
+    def test_nodes(self):
+        nodes = sample("critical_points/passed/resolved.crit.json")
+        self.assertEqual([node.valence for node in nodes.nodes], [3, 3])
+        self.assertEqual([corner.valence for corner in nodes.corners], [2, 1, 1, 1])
+        self.assertEqual([(b.curve, b.t, b.valence) for b in nodes.boundary_nodes], [(1, 0.5, 3)])
+        self.assertEqual((nodes.index_sum, nodes.expected_index_sum, len(nodes.zeros)), (4, 4, 3))
+
+    def test_graph(self):
+        graph = sample("separatrix_graph/passed/square.sep.json")
+        self.assertEqual([graph.nodes[i].kind for i in (0, 4)], ["corner", "boundary"])
+        self.assertEqual(graph.arcs[1].names, ["side 0"])
+        np.testing.assert_allclose(graph.lines[0].points(3), [[0.5, 0], [0.5, 0.5], [0.5, 1]])
+        self.assertAlmostEqual(graph.arcs[6].arc_length, 1)
+
+    def test_blocks(self):
+        layout = sample("block_layout/passed/square.blocks.h5")
+        left, right = layout.blocks
+        self.assertEqual((left.name, left.nodes, left.chords), ("block-0", (0, 4, 5, 3), (0, 2)))
+        self.assertEqual(left.boundary_names, [["side 0"], [], ["side 2"], ["side 3"]])
+        self.assertEqual(layout.neighbour(left, 1), (right, 3))
+        self.assertIsNone(layout.neighbour(left, 0))
+        np.testing.assert_allclose(right.map([[-1, -1], [0, 0], [1, 1]]), [[0.5, 0], [0.75, 0.5], [1, 1]])
+        self.assertAlmostEqual(right.measure(), 1)
+
+    def test_quads(self):
+        mesh = sample("quad_mesh/passed/square.quad.h5")
+        self.assertEqual((mesh.num_elements, mesh.order, mesh.elem_names), (2, 1, ["block-0", "block-1"]))
+        np.testing.assert_array_equal(mesh.corners, [[0, 1, 4, 3], [1, 2, 5, 4]])
+        np.testing.assert_array_equal(mesh.side_nodes(2)[0], [4, 3])
+        self.assertEqual(mesh.boundary_names[:3], ["side 0", "side 0", "side 1"])
+        x, derivative = mesh.map([1], [[0, 0]])
+        np.testing.assert_allclose(x, [[0.75, 0.5]])
+        np.testing.assert_allclose(derivative, [[[0.25, 0], [0, 0.5]]])
+        np.testing.assert_allclose(mesh.measure_scaled_jacobian(), mesh.elem_scaled_jacobian)
+
+
+if __name__ == "__main__":
+    unittest.main()
