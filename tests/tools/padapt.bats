@@ -70,7 +70,8 @@ setup() {
     (($(jq .adapt.steps report.json) > 2))
     cp half_disc.solve.h5 a.field.h5
     for ((step = 1; step < $(jq .adapt.steps report.json); ++step)); do
-      padapt -q $options --max-steps 1 a.field.h5 -o a.field.h5
+      padapt -q $options --max-steps 1 a.field.h5 -o next.field.h5
+      mv next.field.h5 a.field.h5
     done
     padapt $options a.field.h5 -o b.field.h5 # would add something if it were not finished
     for dataset in elem_order u adapt_steps/num_raised adapt_steps/elem_order adapt_steps/elem_sensor; do
