@@ -120,10 +120,16 @@ check_output() {
     if [ -f "$input" ] && is_same_file "$1" "$input"; then mistake "the output $1 is the input $input"; fi
   done
   if [ -n "$workdir" ]; then refuse_stage_file "$1"; fi
-  [ ! -d "$1" ] || refuse 4 "$1 cannot be written: is a directory"
+  [ ! -d "$1" ] || cannot_be_written "$1" "is a directory"
   case $1 in */*) folder=${1%/*} ;; *) folder=. ;; esac
-  [ -d "${folder:-/}" ] || refuse 4 "$1 cannot be written: there is no folder $folder"
-  [ -e "$1" ] || [ -w "${folder:-/}" ] || refuse 4 "$1 cannot be written: the folder is write-protected"
+  [ -d "${folder:-/}" ] || cannot_be_written "$1" "there is no folder $folder"
+  [ -e "$1" ] || [ -w "${folder:-/}" ] || cannot_be_written "$1" "the folder is write-protected"
+}
+
+# cannot_be_written FILE REASON: where it is the report, there is none.
+cannot_be_written() {
+  [ "$1" != "$report" ] || report=''
+  refuse 4 "$1: cannot be written: $2"
 }
 
 refuse_stage_file() {

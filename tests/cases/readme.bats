@@ -14,6 +14,15 @@ load ../tools/common
   assert_file_not_empty d.field.svg
 }
 
+@test "the commands that run a part of the chain work" {
+  cp "$DATA/half_disc.step" d.step
+  sed -n '/^## Part of the chain/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+  assert [ "$(wc -l <commands)" -ge 7 ]
+  PATH=$ROOT/pipelines:$PATH run -0 bash -euo pipefail commands
+  assert_line --partial 'critpoints'
+  run -0 stagecheck stages/d.quad.h5
+}
+
 @test "the commands that choose irregular nodes work" {
   cad2tri "$DATA/half_disc.step" -o d.tri.h5
   fieldsolve d.tri.h5 | padapt -o d.field.h5
@@ -51,10 +60,11 @@ load ../tools/common
   for file in shape.msh meshes/square.msh meshes/table.html; do assert_file_exists "$file"; done
 }
 
+# The lines of "In a program" are run by python.bats and library.bats.
 @test "the sections whose commands are run above are all that have commands, but for the set-up" {
   run -0 awk '/^## / { heading = substr($0, 4) } /^    [^ ]/ && !seen[heading]++ { print heading }' "$ROOT/README.md"
-  assert_output "$(printf '%s\n' Set-up 'One command' 'Many shapes' 'Step by step' 'From points' Names \
-    'Irregular nodes where you want them' 'Sizes and wall layers')"
+  assert_output "$(printf '%s\n' Set-up 'One command' 'Many shapes' 'Step by step' 'Part of the chain' 'From points' \
+    Names 'Irregular nodes where you want them' 'Sizes and wall layers' 'In a program')"
 }
 
 @test "every file that it links is there" {

@@ -91,9 +91,9 @@ table() {
 3 | quadmesh half_disc.step -o out.msh --nodes missing.json | missing.json: no such file
 3 | quadmesh half_disc.step -o out.msh --nodes w/half_disc.sep.json | expected a critical-points file (x.crit.json), found format separatrix-graph
 3 | quadmesh half_disc.step -o out.msh --nodes unbalanced.json | unbalanced.json: CRT-R05: index_sum
-4 | quadmesh half_disc.step -o nowhere/out.msh | nowhere/out.msh cannot be written: there is no folder nowhere
+4 | quadmesh half_disc.step -o nowhere/out.msh | nowhere/out.msh: cannot be written: there is no folder nowhere
 4 | quadmesh half_disc.step -o out.msh --report nowhere/report.json | there is no folder nowhere
-4 | quadmesh half_disc.step -o folder.msh | folder.msh cannot be written: is a directory
+4 | quadmesh half_disc.step -o folder.msh | folder.msh: cannot be written: is a directory
 2 | quadmesh half_disc.step --until critpoints | --until critpoints needs --workdir
 2 | quadmesh half_disc.step --until critpoint --workdir w | 'critpoint' is no stage (did you mean critpoints?)
 2 | quadmesh half_disc.step --from separatrix -o out.msh | --from separatrix needs --workdir
