@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -39,16 +40,28 @@ CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
   return points;
 }
 
+// "2 of valence 3, 1 of valence 5"
+std::string counts_by_valence(const std::vector<int>& valences) {
+  std::map<int, int> counts;
+  for (const int valence : valences) ++counts[valence];
+  std::vector<std::string> texts;
+  for (const auto& [valence, count] : counts) texts.push_back(fmt::format("{} of valence {}", count, valence));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 void report_phase(const PhaseForm& phase, cli::Session& s) {
+  constexpr std::size_t most_holes = 20;
   std::vector<int> nodes, corners;
   for (const PhaseNode& node : phase.prescribed.nodes) nodes.push_back(node.valence);
   for (const CornerValence& corner : phase.prescribed.corners) corners.push_back(corner.valence);
-  s.info(fmt::format("{} of valence {}; corners of valence {}", counted(nodes.size(), "node"), fmt::join(nodes, " "),
-                     fmt::join(corners, " ")));
-  for (std::size_t j = 0; j < phase.hole_winding.size(); ++j)
+  s.info(fmt::format("nodes: {}; corners: {}", nodes.empty() ? "none" : counts_by_valence(nodes),
+                     corners.empty() ? "none" : counts_by_valence(corners)));
+  const std::size_t num_holes = phase.hole_winding.size();
+  for (std::size_t j = 0; j < std::min(num_holes, most_holes); ++j)
     s.info(fmt::format("hole {}: winding {}, best {:.6f}, period of lambda {:.3e}", j + 1, phase.hole_winding[j],
                        phase.best_hole_winding[j], phase.hole_periods[j]));
-  if (!phase.hole_winding.empty())
+  if (num_holes > most_holes) s.info(fmt::format("{} more holes: see --report", num_holes - most_holes));
+  if (num_holes > 0)
     s.info(fmt::format("energy of integer winding above real winding: {:.3e}", phase.hole_winding_energy));
 }
 

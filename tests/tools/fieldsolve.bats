@@ -142,7 +142,7 @@ nodes_of() {
   run -0 jq -c '[.phase.num_nodes, .phase.node_valences, .phase.corner_valences, .phase.hole_winding, .phase.hole_periods]' report.json
   assert_output '[2,[3,3],[1,1],[],[]]'
   run -0 --separate-stderr fieldsolve -v --nodes nodes.json half_disc.tri.h5 -o b.phase.h5
-  assert_regex "$stderr" '2 nodes of valence 3 3; corners of valence 1 1'
+  assert_regex "$stderr" 'nodes: 2 of valence 3; corners: 2 of valence 1'
   cmp a.phase.h5 b.phase.h5
   fieldsolve --nodes - half_disc.tri.h5 < nodes.json > c.phase.h5
   cmp a.phase.h5 c.phase.h5
