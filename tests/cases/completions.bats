@@ -72,15 +72,13 @@ complete_bash() {
   cat >typed <<'END'
 zmodload zsh/zpty
 zpty z zsh -f -i
-zpty -w z "PROMPT=; fpath=($PWD \$fpath); autoload -Uz compinit; compinit -u -d $PWD/dump; print READY"
-zpty -r z out '*READY*READY*'
+zpty -w z "PROMPT=; fpath=($PWD \$fpath); autoload -Uz compinit; compinit -u -d $PWD/dump; print REA''DY"
+zpty -r z out '*READY*' # printed, not the echo of the line
 zpty -w -n z $'separatrix --layout quan\t'
-sleep 2
-zpty -r -t z out
-zpty -r -t z rest
-print -r -- "$out$rest"
+zpty -r z out '*quantized*'
+print -r -- "$out"
 END
-  run zsh -f typed
+  run -0 timeout 60 zsh -f typed
   assert_output --partial quantized
 }
 

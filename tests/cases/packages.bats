@@ -81,7 +81,7 @@ setup() {
 # in_root COMMAND...: runs it in the Debian below $root, which sees its own processes: programs find the ones beside
 # them by /proc.
 in_root() {
-  unshare --mount --pid --fork bash -c 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$root" "$@"
+  unshare --mount --pid --fork bash -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -u TMPDIR "$@"' "$root" "$@"
 }
 
 @test "the package installs in a bare Debian 12, quadmesh runs there and man finds its page" {
@@ -94,9 +94,9 @@ in_root() {
   cp "$DATA/half_disc.step" "$root"
   run -0 in_root env DEBIAN_FRONTEND=noninteractive apt-get -y --no-install-recommends install /quadrille.deb \
     man-db python3-h5py
-  run -0 in_root quadmesh /half_disc.step -o /half_disc.msh --workdir /work
+  run -0 in_root quadmesh /half_disc.step -o /half_disc.msh --workdir /stages
   assert_output --regexp '^4 blocks, .*'
   run -0 in_root man -w quadmesh quadrille
-  run -0 in_root python3 -c 'import quadrille; print(quadrille.read("/work/half_disc.crit.json").valences)'
+  run -0 in_root python3 -c 'import quadrille; print(quadrille.read("/stages/half_disc.crit.json").valences)'
   assert_output '[3 3]'
 }

@@ -226,7 +226,7 @@ names() { jq -c .names fit.json; }
   cmp a.step b.step
   cmp a.step c.step
   run -4 "$points2step" points -o nowhere/a.step
-  assert_output "points2step: nowhere/a.step cannot be written: No such file or directory"
+  assert_output "points2step: nowhere/a.step cannot be written: there is no folder nowhere"
   if [ -c /dev/full ]; then
     run -4 "$points2step" points -o /dev/full
     run -4 bash -c '"$1" points >/dev/full' - "$points2step"
