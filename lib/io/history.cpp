@@ -53,7 +53,8 @@ std::string shell_word(const std::string& word) {
 }
 
 std::string option_text(const std::string& name, const nlohmann::json& value) {
-  if (value.is_null() || value == false || value == "") return "";
+  if (value.is_null() || value == false || (value.is_string() && value.get_ref<const std::string&>().empty()))
+    return "";
   if (value == true) return " --" + name;
   if (value.is_array()) {
     std::string out;
