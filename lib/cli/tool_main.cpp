@@ -121,7 +121,7 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
 // The first address of a huge page at or above an address.
 char* next_huge_page(void* address) {
   constexpr std::uintptr_t huge_page = 2 << 20;
-  return reinterpret_cast<char*>((reinterpret_cast<std::uintptr_t>(address) + huge_page - 1) / huge_page * huge_page);
+  return static_cast<char*>(address) + (huge_page - reinterpret_cast<std::uintptr_t>(address) % huge_page) % huge_page;
 }
 
 // Large matrices come and go. By default the C library returns their memory to the system each time, and the page
