@@ -95,7 +95,7 @@ class Labels {
     return order;
   }
 
-  /// Writes the text at the first free place beside the curve; false if there is none.
+  /// Writes the text at the first free place beside the curve. Returns false if no place is free.
   bool write(int curve, const std::string& text) {
     const std::optional<Place> place = free_place(traces_[curve], text);
     if (!place) return false;

@@ -126,7 +126,7 @@ check_output() {
   [ -e "$1" ] || [ -w "${folder:-/}" ] || cannot_be_written "$1" "the folder is write-protected"
 }
 
-# cannot_be_written FILE REASON: where it is the report, there is none.
+# cannot_be_written FILE REASON: ends with 4; if FILE is the report, no report is written.
 cannot_be_written() {
   [ "$1" != "$report" ] || report=''
   refuse 4 "$1: cannot be written: $2"
