@@ -1,6 +1,7 @@
 // stageview: draws a picture of any stage file, or a page of several.
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
@@ -74,8 +75,11 @@ std::vector<Read> read_all(const Settings& settings, cli::Session& session) {
 }
 
 /// The picture of the last of the files; with --field, the field is the first of two.
-std::string picture_of(const std::vector<Read>& files, const draw::DrawOptions& options) {
+std::string picture_of(const std::vector<Read>& files, const Settings& settings) {
   const page::Stage& stage = files.back().stage;
+  draw::DrawOptions options = settings.draw;
+  if (!settings.inputs.empty() && settings.inputs.back() != "-")
+    options.file = std::filesystem::path(settings.inputs.back()).filename().string();
   if (const auto* mesh = std::get_if<TriMesh>(&stage)) return draw::draw_tri_mesh(*mesh, options);
   if (const auto* field = std::get_if<Field>(&stage)) return draw::draw_field(*field, options);
   if (const auto* graph = std::get_if<SeparatrixGraph>(&stage)) return draw::draw_separatrix_graph(*graph, options);
@@ -121,7 +125,7 @@ void run(const Settings& settings, cli::Session& session) {
   if (settings.draw.curve_labels && !std::holds_alternative<TriMesh>(files.back().stage))
     throw UsageError("--curve-labels needs a tri-mesh file, but " + files.back().file.name + " is another");
   session.begin_phase("draw");
-  const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings.draw);
+  const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings);
   session.end_phase();
   io::write_output(settings.output, text, false);
 }

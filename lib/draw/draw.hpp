@@ -16,6 +16,7 @@ struct DrawOptions {
   int width = 1000;           ///< pixels
   bool curve_labels = false;  ///< of a triangle mesh: numbers and names beside the boundary curves
   std::string show = "psi";   ///< of a field: "u", "v", "psi" or "order"
+  std::string file;           ///< name of the file without folders, written beside the title; empty: none
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);

@@ -142,6 +142,7 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
     picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6,-5H6V5H-6Z"}}),
                         fmt::format("the worst: scaled Jacobian {:.3f}", layout.block_scaled_jacobian[worst.front()]));
   legend_corner(picture, layout.face);
+  legend_scale(picture, layout.face);
   return picture.str();
 }
 

@@ -149,6 +149,7 @@ std::string draw_critical_points(const CriticalPoints& points, const Field* fiel
   draw_corner_valences(picture, points, face);
   draw_boundary_nodes(picture, points);
   draw_nodes(picture, points);
+  face ? legend_scale(picture, *face) : picture.legend_scale("");
   return picture.str();
 }
 

@@ -147,6 +147,7 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
   draw_boundary(picture, field.mesh.face);
   draw_corners(picture, field.mesh.face);
   if (is_phase(field)) draw_nodes_asked(picture, field);
+  legend_scale(picture, field.mesh.face);
   return picture.str();
 }
 

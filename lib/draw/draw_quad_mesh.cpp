@@ -128,6 +128,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
   if (!worst_elems(mesh).empty()) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
   draw_unproved(picture, mesh);
+  legend_scale(picture, mesh.face);
   return picture.str();
 }
 

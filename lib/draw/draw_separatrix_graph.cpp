@@ -111,6 +111,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   legend_valences(picture, valences);
   legend_corner(picture, graph.face);
   picture.legend_mark(circle_mark("dot", {0, 0}, 3), "crossing or end");
+  legend_scale(picture, graph.face);
   return picture.str();
 }
 

@@ -62,6 +62,7 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
                             : fmt::format("end of a curve; curves by number and name, without room for {}: "
                                           "raise --width",
                                           counted(num_omitted, "label")));
+  legend_scale(picture, mesh.face);
   return picture.str();
 }
 

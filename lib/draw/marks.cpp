@@ -8,6 +8,7 @@
 #include "base/angle.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "model/length_scale.hpp"
 
 namespace quadrille::draw {
 
@@ -95,6 +96,13 @@ void legend_corner(Picture& picture, const CadFace& face) {
   const auto is_corner = [](const Joint& joint) { return joint.is_corner; };
   if (std::any_of(face.joints.begin(), face.joints.end(), is_corner))
     picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
+}
+
+void legend_scale(Picture& picture, const CadFace& face) {
+  std::string unit = face.length_unit == "unknown" ? "" : face.length_unit;
+  for (const LengthUnit& known : length_units)
+    if (known.name == unit) unit = known.symbol;
+  picture.legend_scale(unit);
 }
 
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {

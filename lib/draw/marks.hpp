@@ -23,6 +23,9 @@ void draw_corners(Picture& picture, const CadFace& face);
 /// Its legend entry, where the face has corners.
 void legend_corner(Picture& picture, const CadFace& face);
 
+/// A scale bar in the legend, in the unit of the face.
+void legend_scale(Picture& picture, const CadFace& face);
+
 /// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.
 std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
 /// The same polygon, hollow and pale: a node that was removed or moved.

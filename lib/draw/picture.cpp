@@ -13,16 +13,18 @@ namespace quadrille::draw {
 
 namespace {
 
-constexpr double margin = 36, header = 76, legend_row = 34, caption_size = 13, caption_row = 18;
+constexpr double margin = 36, header = 76, legend_row = 34, title_size = 17, caption_size = 13, caption_row = 18;
 
 /// The common line styles: the boundary thick, blocks medium, elements thin.
 const char* const style_sheet = R"(
 svg{font-family:Helvetica,Arial,"Liberation Sans",sans-serif;fill:#26323d}
-path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
+path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
 .title{font-size:17px;font-weight:bold}
 .caption{font-size:13px;fill:#66727d}
 .legend{font-size:12px}
 .tick{font-size:11px;fill:#66727d}
+.file{font-size:13px;fill:#66727d;text-anchor:end}
+.scale{fill:none;stroke:#26323d;stroke-width:1.4}
 .face{fill:#f6f5f1;stroke:none;fill-rule:evenodd}
 .boundary{fill:none;stroke:#1d2731;stroke-width:2.6}
 .line{fill:none;stroke-width:1.8}
@@ -94,12 +96,22 @@ std::vector<std::string> wrapped_text(const std::string& text, double font_size,
   return lines;
 }
 
+double round_length(double limit) {
+  const double power = std::pow(10, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= limit * (1 + 1e-12)) return factor * power;
+  return power;
+}
+
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)),
-      view_(view_of(box, options.width, caption_lines_.size())),
-      legend_{margin, view_.top + view_.size.y + 2 * margin + 2, {}},
-      title_(title) {}
+    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)), title_(title) {
+  const double text = text_width(title, title_size) + text_width(options.file, caption_size);
+  (text + 2 * margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
+      options.file;
+  view_ = view_of(box, options.width, caption_lines_.size());
+  legend_ = {margin, view_.top + view_.size.y + 2 * margin + 2, {}};
+}
 
 Picture::View Picture::view_of(const PictureBox& box, int width, std::size_t num_caption_lines) {
   const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
@@ -176,6 +188,24 @@ void Picture::legend_mark(const std::string& markup, const std::string& label) {
   legend_.x += width + 24;
 }
 
+void Picture::legend_scale(const std::string& unit) {
+  constexpr double longest = 130, tick = 4, gap = 8;
+  const double length = round_length(longest / view_.scale), bar = length * view_.scale;
+  const std::string label = fmt::format("{:g}{}{}", length, unit.empty() ? "" : " ", unit);
+  const double width = bar + gap + text_width(label, 12);
+  reserve_legend(width);
+  legend_.markup += svg_element("path", {{"class", "scale"},
+                                         {"d", fmt::format("M{0} {1}v{2}m0 -{3}h{4}m0 -{3}v{2}", svg_number(legend_.x),
+                                                           svg_number(legend_.y - tick), svg_number(2 * tick),
+                                                           svg_number(tick), svg_number(bar))}});
+  legend_.markup +=
+      svg_element("text",
+                  {{"class", "legend"}, {"x", svg_number(legend_.x + bar + gap)}, {"y", svg_number(legend_.y + 4)}}, {},
+                  xml_escaped(label)) +
+      '\n';
+  legend_.x += width + 24;
+}
+
 std::string Picture::str() const {
   const double left = margin + 0.5 * std::max(0.0, view_.width - 2 * margin - view_.size.x);
   const int height = static_cast<int>(std::ceil(legend_.y + (legend_.markup.empty() ? -14 : 32)));
@@ -187,6 +217,9 @@ std::string Picture::str() const {
   if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));
+  if (!file_.empty())
+    out += svg_element("text", {{"class", "file"}, {"x", svg_number(view_.width - margin)}, {"y", "32"}}, {},
+                       xml_escaped(file_));
   for (std::size_t i = 0; i < caption_lines_.size(); ++i)
     out += svg_element(
         "text",

@@ -49,6 +49,9 @@ class Picture {
   void legend_bar(const Ramp& ramp, const std::string& label, const std::vector<std::string>& ticks);
   void legend_mark(const std::string& markup, const std::string& label);  ///< markup centred at (0, 0), y up
 
+  /// A scale bar with a round length in `unit`, which may be empty.
+  void legend_scale(const std::string& unit);
+
   /// The whole SVG.
   std::string str() const;
 
@@ -71,9 +74,11 @@ class Picture {
   std::vector<std::string> caption_lines_;
   View view_;
   Legend legend_;
-  std::string title_, drawing_, texts_, definitions_;
+  std::string title_, file_, drawing_, texts_, definitions_;
 };
 
+/// The largest of 1, 2 and 5 times a power of ten that is at most `limit` > 0.
+double round_length(double limit);
 /// Approximate width of a text in pixels; `font_size` in pixels.
 double text_width(const std::string& text, double font_size);
 /// The text in lines of at most `width` pixels, broken between words; a longer word is a line of its own.

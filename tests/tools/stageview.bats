@@ -16,8 +16,10 @@ setup() {
     assert_output ''
     xmllint --noout a.svg
     run ! grep -iE '\bnan\b|\binf\b' a.svg
-    stageview <"$X.$file" >b.svg
+    stageview "$X.$file" >b.svg
     cmp a.svg b.svg
+    stageview <"$X.$file" >b.svg
+    cmp <(sed 's|<text class="file"[^<]*</text>||' a.svg) b.svg # without the name of the file
   done
 }
 
@@ -48,6 +50,13 @@ shown() { grep -cE "$1" a.svg; }
   run ! cmp u.svg v.svg
   run -2 stageview "$X.field.h5" --show w -o a.svg
   assert_file_not_exists a.svg
+}
+
+@test "a picture has the name of the file without folders, and a scale bar with the unit" {
+  stageview "$X.quad.h5" -o a.svg
+  assert_equal "$(shown '>half_disc.quad.h5<')" 1
+  run ! grep -F "$BATS_FILE_TMPDIR" a.svg
+  assert_equal "$(shown 'class="scale"')$(shown '>0.2 mm<')" 11
 }
 
 @test "--field puts critical points over their field, and no other" {

@@ -98,6 +98,38 @@ TEST(Picture, LegendEntriesThatDoNotFitBeginANewRow) {
   EXPECT_GT(height(1), height(0));
 }
 
+TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
+  EXPECT_EQ(round_length(1), 1);
+  EXPECT_EQ(round_length(1.99), 1);
+  EXPECT_EQ(round_length(2), 2);
+  EXPECT_EQ(round_length(49), 20);
+  EXPECT_DOUBLE_EQ(round_length(0.0051), 0.005);
+  EXPECT_DOUBLE_EQ(round_length(9.99e-7), 5e-7);
+}
+
+TEST(Picture, TheScaleBarHasARoundLengthAndItsUnit) {
+  Picture picture({{0, 0}, {40, 10}}, wide(472), "", "");  // 10 pixels a unit
+  picture.legend_scale("mm");
+  const std::string svg = picture.str();
+  EXPECT_TRUE(contains(svg, ">10 mm</text>"));
+  EXPECT_TRUE(contains(svg, "h100m")) << "ten units";
+}
+
+TEST(Picture, TheFileStandsBesideTheTitleOrBelowItIfThereIsNoRoom) {
+  DrawOptions options = wide(472);
+  options.file = "a < b.h5";
+  const Picture beside({{0, 0}, {4, 1}}, options, "title", "caption");
+  EXPECT_TRUE(contains(beside.str(), "<text class=\"file\" x=\"436\" y=\"32\">a &lt; b.h5</text>"));
+  options.file = "a_name_that_is_too_long_for_a_place_beside_the_title.h5";
+  const std::string svg = Picture({{0, 0}, {4, 1}}, options, "title", "caption").str();
+  EXPECT_FALSE(contains(svg, "class=\"file\""));
+  EXPECT_TRUE(contains(svg, "<text class=\"caption\" x=\"36\" y=\"70\">a_name"));
+}
+
+TEST(Picture, LinesKeepTheirWidthWhenThePictureIsEnlarged) {
+  EXPECT_TRUE(contains(Picture(empty_box(), wide(472), "", "").str(), "vector-effect:non-scaling-stroke"));
+}
+
 TEST(Picture, ACaptionThatIsTooWideTakesLinesAndMovesTheDrawingDown) {
   const auto svg = [](const std::string& caption) {
     return Picture({{0, 0}, {4, 1}}, wide(300), "title", caption).str();
