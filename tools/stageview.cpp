@@ -147,7 +147,9 @@ int main(int argc, char** argv) {
       "Any "
       "other output is a picture. Critical points are drawn over the field that --field names, with error bars, "
       "clusters, "
-      "changes and the cells of the certificate. In a browser, elements, blocks and points show their numbers and "
+      "changes and the cells of the certificate; without --field, the outline of the face is missing, as the file does "
+      "not contain it. The worst element or block is marked if its scaled Jacobian is below 0.5. In a browser, "
+      "elements, blocks and points show their numbers and "
       "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
@@ -157,7 +159,8 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& o) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
     o.output(settings.output, "picture to write (SVG), or page (if the name ends in .html)");
-    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.input_file("--field", settings.field, "FILE", "field to draw under critical points, with the outline of the face",
+                 false);
     o.flag("--compare", settings.is_comparison,
            "a page of two files of one format, separatrices, blocks or quads, which need not be of one chain: the "
            "lines of one over the other, and a table of counts and qualities");

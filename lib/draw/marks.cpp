@@ -146,6 +146,13 @@ void legend_valences(Picture& picture, std::vector<int> valences) {
     picture.legend_mark(valence_mark({0, 0}, v, 7), fmt::format("irregular node, valence {}", v));
 }
 
+int worst_to_mark(const std::vector<double>& scaled_jacobians) {
+  constexpr double poor_quality = 0.5;
+  const auto worst = std::min_element(scaled_jacobians.begin(), scaled_jacobians.end());
+  return worst != scaled_jacobians.end() && *worst < poor_quality ? static_cast<int>(worst - scaled_jacobians.begin())
+                                                                  : -1;
+}
+
 std::string position_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }
 
 }  // namespace quadrille::draw

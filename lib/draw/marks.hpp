@@ -39,6 +39,10 @@ std::string circle_mark(const std::string& css_class, Vec2 centre, double radius
 /// Legend entries for the valences that occur, each once, ascending.
 void legend_valences(Picture& picture, std::vector<int> valences);
 
+/// The one with the least scaled Jacobian, which pictures mark: only below 0.5, which is an angle of 30 degrees between
+/// the coordinate lines. -1: none is below, or the qualities are unknown.
+int worst_to_mark(const std::vector<double>& scaled_jacobians);
+
 /// "(0.5, -0.25)" with the face's origin added.
 std::string position_text(Vec2 x, Vec2 origin);
 
