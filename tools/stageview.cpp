@@ -18,7 +18,7 @@ namespace {
 struct Settings {
   std::vector<std::string> inputs;
   std::string field, output;
-  bool is_comparison = false;
+  bool is_comparison = false, labels_all = false, labels_none = false;
   draw::DrawOptions draw;
 };
 
@@ -78,6 +78,8 @@ std::vector<Read> read_all(const Settings& settings, cli::Session& session) {
 std::string picture_of(const std::vector<Read>& files, const Settings& settings) {
   const page::Stage& stage = files.back().stage;
   draw::DrawOptions options = settings.draw;
+  if (settings.labels_all) options.curve_labels = draw::CurveLabels::all;
+  if (settings.labels_none) options.curve_labels = draw::CurveLabels::none;
   if (!settings.inputs.empty() && settings.inputs.back() != "-")
     options.file = std::filesystem::path(settings.inputs.back()).filename().string();
   if (const auto* mesh = std::get_if<TriMesh>(&stage)) return draw::draw_tri_mesh(*mesh, options);
@@ -119,11 +121,13 @@ void run(const Settings& settings, cli::Session& session) {
     throw UsageError("--compare makes a page: give -o with a name that ends in .html");
   if (!is_page && settings.inputs.size() > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
+  if (settings.labels_all && settings.labels_none)
+    throw UsageError("--curve-labels and --no-curve-labels exclude each other");
   session.begin_phase(settings.is_comparison ? "draw" : "read");
   if (settings.is_comparison) return io::write_output(settings.output, comparison_of(settings, session), false);
   std::vector<Read> files = read_all(settings, session);
-  if (settings.draw.curve_labels && !std::holds_alternative<TriMesh>(files.back().stage))
-    throw UsageError("--curve-labels needs a tri-mesh file, but " + files.back().file.name + " is another");
+  if (settings.labels_all && std::holds_alternative<CriticalPoints>(files.back().stage) && settings.field.empty())
+    throw UsageError("--curve-labels needs --field for a critical-points file, which does not contain the face");
   session.begin_phase("draw");
   const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings);
   session.end_phase();
@@ -166,8 +170,10 @@ int main(int argc, char** argv) {
            "lines of one over the other, and a table of counts and qualities");
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
-    o.flag("--curve-labels", settings.draw.curve_labels,
-           "in a picture, write number and name beside each boundary curve of a triangle mesh, for cad2tri --name");
+    o.flag("--curve-labels", settings.labels_all,
+           "in a picture, write number and name beside each boundary curve, for cad2tri --name; without it, given "
+           "names only, each once for successive curves that have it");
+    o.flag("--no-curve-labels", settings.labels_none, "in a picture, do not write the names of boundary curves");
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
   tool.run = [&](cli::Session& session) { run(settings, session); };

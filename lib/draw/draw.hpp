@@ -12,11 +12,14 @@
 
 namespace quadrille::draw {
 
+/// Boundary curves with a label: those with a given name, all of them (with their numbers), or none.
+enum class CurveLabels { given, all, none };
+
 struct DrawOptions {
-  int width = 1000;           ///< pixels
-  bool curve_labels = false;  ///< of a triangle mesh: numbers and names beside the boundary curves
-  std::string show = "psi";   ///< of a field: "u", "v", "psi" or "order"
-  std::string file;           ///< name of the file without folders, written beside the title; empty: none
+  int width = 1000;                               ///< pixels
+  CurveLabels curve_labels = CurveLabels::given;  ///< where the face is known
+  std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
+  std::string file;  ///< name of the file without folders, written beside the title; empty: none
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);

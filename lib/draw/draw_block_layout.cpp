@@ -8,6 +8,7 @@
 #include <set>
 
 #include "curve/nurbs.hpp"
+#include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
 
 namespace quadrille::draw {
@@ -136,6 +137,7 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
     picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6,-5H6V5H-6Z"}}),
                         fmt::format("the worst: scaled Jacobian {:.3f}", quality[worst]));
   legend_corner(picture, layout.face);
+  label_curves(picture, layout.face, options.curve_labels);
   legend_scale(picture, layout.face);
   return picture.str();
 }

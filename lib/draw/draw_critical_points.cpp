@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/angle.hpp"
+#include "draw/curve_labels.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
 #include "draw/node_history.hpp"
@@ -149,6 +150,7 @@ std::string draw_critical_points(const CriticalPoints& points, const Field* fiel
   draw_corner_valences(picture, points, face);
   draw_boundary_nodes(picture, points);
   draw_nodes(picture, points);
+  if (face) label_curves(picture, *face, options.curve_labels);
   face ? legend_scale(picture, *face) : picture.legend_scale("");
   return picture.str();
 }

@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
+#include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
@@ -147,6 +148,7 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
   draw_boundary(picture, field.mesh.face);
   draw_corners(picture, field.mesh.face);
   if (is_phase(field)) draw_nodes_asked(picture, field);
+  label_curves(picture, field.mesh.face, options.curve_labels);
   legend_scale(picture, field.mesh.face);
   return picture.str();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/marks.hpp"
 
@@ -115,6 +116,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
   if (worst >= 0) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
   draw_unproved(picture, mesh);
+  label_curves(picture, mesh.face, options.curve_labels);
   legend_scale(picture, mesh.face);
   return picture.str();
 }

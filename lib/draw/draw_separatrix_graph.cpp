@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
 
 namespace quadrille::draw {
@@ -111,6 +112,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   legend_valences(picture, valences);
   legend_corner(picture, graph.face);
   picture.legend_mark(circle_mark("dot", {0, 0}, 3), "crossing or end");
+  label_curves(picture, graph.face, options.curve_labels);
   legend_scale(picture, graph.face);
   return picture.str();
 }

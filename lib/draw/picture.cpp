@@ -55,6 +55,7 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 .error{fill:#1d2731;fill-opacity:.06;stroke:#1d2731;stroke-width:1}
 .inner{font-size:10px;font-weight:bold;text-anchor:middle;fill:#fff}
 .label{font-size:13px;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
+.name{font-size:13px;font-style:italic;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
 .small{font-size:10px;text-anchor:middle}
 path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
 )";
@@ -132,7 +133,8 @@ void Picture::open_clipped_group(const std::string& css_class, const std::string
 }
 
 void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
-  texts_ +=
+  texts_.boxes.push_back({x, {0.5 * text_width(content, caption_size) + 2, 8}});
+  texts_.markup +=
       svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(view_.size.y - x.y + 4)}}, {},
                   xml_escaped(content)) +
       '\n';
@@ -229,7 +231,7 @@ std::string Picture::str() const {
                      svg_number(view_.top + view_.size.y));
   out += drawing_ + "</g>\n";
   out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left),
-                     svg_number(view_.top), texts_);
+                     svg_number(view_.top), texts_.markup);
   if (!legend_.markup.empty()) out += "<g id=\"legend\">\n" + legend_.markup + "</g>\n";
   return out + "</svg>\n";
 }

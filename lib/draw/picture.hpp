@@ -4,6 +4,7 @@
 // Everything geometric is in pixels with y up, as `at` returns it, and is written into one group that flips y; texts
 // are outside this group.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,15 @@ struct PictureBox {
   Vec2 lower, upper;
   void include(Vec2 x);
   bool empty() const { return !(lower.x <= upper.x); }
+};
+
+/// A rectangle in the picture, pixels, y up.
+struct TextBox {
+  Vec2 centre, half;
+  bool holds(Vec2 x) const { return std::abs(x.x - centre.x) < half.x && std::abs(x.y - centre.y) < half.y; }
+  bool overlaps(const TextBox& b) const {
+    return std::abs(b.centre.x - centre.x) < half.x + b.half.x && std::abs(b.centre.y - centre.y) < half.y + b.half.y;
+  }
 };
 
 /// The empty box.
@@ -44,6 +54,8 @@ class Picture {
 
   /// A text centred at x (pixels, y up), moved by `offset`; drawn above everything.
   void text(Vec2 x, const std::string& css_class, const std::string& content);
+  /// The places of the texts, with some room around each.
+  const std::vector<TextBox>& text_boxes() const { return texts_.boxes; }
 
   /// Legend entries, drawn from left to right below the picture.
   void legend_bar(const Ramp& ramp, const std::string& label, const std::vector<std::string>& ticks);
@@ -68,13 +80,19 @@ class Picture {
     std::string markup;
   };
 
+  struct Texts {
+    std::string markup;
+    std::vector<TextBox> boxes;
+  };
+
   static View view_of(const PictureBox& box, int width, std::size_t num_caption_lines);
   void reserve_legend(double width);
 
   std::vector<std::string> caption_lines_;
   View view_;
   Legend legend_;
-  std::string title_, file_, drawing_, texts_, definitions_;
+  Texts texts_;
+  std::string title_, file_, drawing_, definitions_;
 };
 
 /// The largest of 1, 2 and 5 times a power of ten that is at most `limit` > 0.

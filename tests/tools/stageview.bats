@@ -78,8 +78,14 @@ shown() { grep -cE "$1" a.svg; }
   assert_equal "$(shown '>0 inlet<')$(shown '>36 the hole<')" 11
   stageview gear.tri.h5 -o plain.svg
   run ! grep -q 'class="label"' plain.svg
-  run -2 stageview "$X.quad.h5" --curve-labels -o b.svg
-  assert_output --partial "--curve-labels needs a tri-mesh file"
+  assert_equal "$(grep -oP '(?<=class="name")[^>]*>\K[^<]+' plain.svg | sort | tr '\n' ' ')" "inlet the hole "
+  stageview gear.tri.h5 --no-curve-labels -o plain.svg
+  run ! grep -q '<text class="name"' plain.svg
+  fieldsolve gear.tri.h5 --field-order 2 | stageview -o a.svg
+  assert_equal "$(shown '<text class="name".*>inlet<')" 1
+  run -2 stageview "$X.crit.json" --curve-labels -o b.svg
+  assert_output --partial "--curve-labels needs --field for a critical-points file"
+  run -2 stageview gear.tri.h5 --curve-labels --no-curve-labels -o b.svg
 }
 
 @test "what is no stage file is refused with exit 3" {
