@@ -8,6 +8,7 @@
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "draw/draw.hpp"
+#include "io/converted_picture.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "page/page.hpp"
@@ -129,9 +130,11 @@ void run(const Settings& settings, cli::Session& session) {
   if (settings.labels_all && std::holds_alternative<CriticalPoints>(files.back().stage) && settings.field.empty())
     throw UsageError("--curve-labels needs --field for a critical-points file, which does not contain the face");
   session.begin_phase("draw");
-  const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings);
+  const io::PictureFormat format = io::picture_format(settings.output);
+  const std::string bytes =
+      is_page ? page_of(std::move(files)) : io::converted_picture(picture_of(files, settings), format, settings.output);
   session.end_phase();
-  io::write_output(settings.output, text, false);
+  io::write_output(settings.output, bytes, format != io::PictureFormat::svg);
 }
 
 }  // namespace
@@ -142,14 +145,15 @@ int main(int argc, char** argv) {
   Settings settings;
   cli::Tool tool;
   tool.name = "stageview";
-  tool.summary = "draws any stage file: a picture (SVG) or a page that zooms (HTML)";
+  tool.summary = "draws any stage file: a picture (SVG, PNG, PDF) or a page that zooms (HTML)";
   tool.description =
       "The format of FILE is detected from its content: triangle mesh, guiding field, critical points, separatrices, "
       "blocks or quads. If the output ends in .html, it is a page for a browser, which needs no other file and no "
       "network: it moves and zooms, switches layers, shows number, size and quality of what is under the pointer and "
       "goes to the worst element; the key ? lists its keys. Several files of one chain become the tabs of one page. "
       "Any "
-      "other output is a picture. Critical points are drawn over the field that --field names, with error bars, "
+      "other output is a picture: PNG or PDF if its name ends so (made by the program rsvg-convert, which must be "
+      "installed), else SVG. Critical points are drawn over the field that --field names, with error bars, "
       "clusters, "
       "changes and the cells of the certificate; without --field, the outline of the face is missing, as the file does "
       "not contain it. The worst element or block is marked if its scaled Jacobian is below 0.5. In a browser, "
@@ -158,11 +162,13 @@ int main(int argc, char** argv) {
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.tri.h5 --curve-labels -o curves.svg",
+                   "stageview half_disc.blocks.h5 -o blocks.pdf",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
                    "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html"};
   tool.options = [&](cli::Options& o) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
-    o.output(settings.output, "picture to write (SVG), or page (if the name ends in .html)");
+    o.output(settings.output,
+             "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");
     o.input_file("--field", settings.field, "FILE", "field to draw under critical points, with the outline of the face",
                  false);
     o.flag("--compare", settings.is_comparison,

@@ -103,6 +103,29 @@ shown() { grep -cE "$1" a.svg; }
   done
 }
 
+@test "names that end in .png and .pdf choose the format, with the same bytes each time" {
+  command -v rsvg-convert >/dev/null || skip "no rsvg-convert"
+  for ending in png pdf; do
+    run -0 stageview "$X.quad.h5" -o a.$ending
+    assert_output ''
+    sleep 1.1 # a time stamp would differ
+    stageview "$X.quad.h5" -o b.$ending
+    cmp a.$ending b.$ending
+  done
+  assert_equal "$(head -c 4 a.png | tail -c 3)$(head -c 4 a.pdf)" PNG%PDF
+  stageview "$X.quad.h5" --width 300 -o c.png
+  assert_equal "$(od -An -tu1 -j 18 -N 2 c.png | xargs)" "1 44" # 300 pixels
+}
+
+@test "without rsvg-convert, PNG and PDF are refused with a message, SVG is written" {
+  mkdir bin
+  ln -s "$BIN/stageview" bin/
+  PATH=$PWD/bin run -4 stageview "$X.quad.h5" -o a.png
+  assert_output "stageview: a.png: cannot be written: the program rsvg-convert is not installed (package librsvg2-bin of Debian): install it, or end the name in .svg"
+  assert_file_not_exists a.png
+  PATH=$PWD/bin run -0 stageview "$X.quad.h5" -o a.svg
+}
+
 @test "every stage file gives a page that needs nothing else, silently, and the same bytes twice" {
   for file in tri.h5 solve.h5 field.h5 crit.json sep.json blocks.h5 quad.h5; do
     run -0 stageview "$X.$file" -o a.html
@@ -171,6 +194,7 @@ page_data() {
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 5
+  assert_equal "$(wc -l <examples)" 6
+  command -v rsvg-convert >/dev/null || sed -i '/pdf$/d' examples
   while read -r line; do run -0 bash -c "$line"; done <examples
 }
