@@ -1,6 +1,9 @@
 // stageview: draws a picture of any stage file, or a page of several.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -18,10 +21,26 @@ namespace {
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string field, output;
+  std::string field, output, window;
   bool is_comparison = false, labels_all = false, labels_none = false;
   draw::DrawOptions draw;
 };
+
+/// "X0,Y0,X1,Y1".
+draw::Window parsed_window(const std::string& text) {
+  std::array<double, 4> numbers{};
+  const char* at = text.c_str();
+  bool is_sound = true;
+  for (std::size_t k = 0; k < 4 && is_sound; ++k) {
+    char* end = nullptr;
+    numbers[k] = std::strtod(at, &end);
+    is_sound = end != at && std::isfinite(numbers[k]) && *end == (k < 3 ? ',' : '\0');
+    at = end + 1;
+  }
+  if (!is_sound || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
+    throw UsageError("--window: '" + text + "' is not X0,Y0,X1,Y1, two corners with X0 < X1 and Y0 < Y1");
+  return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
 
 /// A struct of a stage file after its quick checks.
 template <typename Model, typename Check>
@@ -80,6 +99,7 @@ std::string picture_of(const std::vector<Read>& files, const Settings& settings)
   const page::Stage& stage = files.back().stage;
   draw::DrawOptions options = settings.draw;
   if (settings.labels_all) options.curve_labels = draw::CurveLabels::all;
+  if (!settings.window.empty()) options.window = parsed_window(settings.window);
   if (settings.labels_none) options.curve_labels = draw::CurveLabels::none;
   if (!settings.inputs.empty() && settings.inputs.back() != "-")
     options.file = std::filesystem::path(settings.inputs.back()).filename().string();
@@ -122,6 +142,8 @@ void run(const Settings& settings, cli::Session& session) {
     throw UsageError("--compare makes a page: give -o with a name that ends in .html");
   if (!is_page && settings.inputs.size() > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
+  if (!settings.window.empty()) static_cast<void>(parsed_window(settings.window));  // refused before a file is read
+  if (!settings.window.empty() && is_page) throw UsageError("--window is for pictures: a page zooms by itself");
   if (settings.labels_all && settings.labels_none)
     throw UsageError("--curve-labels and --no-curve-labels exclude each other");
   session.begin_phase(settings.is_comparison ? "draw" : "read");
@@ -163,6 +185,7 @@ int main(int argc, char** argv) {
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.tri.h5 --curve-labels -o curves.svg",
                    "stageview half_disc.blocks.h5 -o blocks.pdf",
+                   "stageview half_disc.quad.h5 --window 0.5,0,1,0.5 -o corner.png",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
                    "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html"};
   tool.options = [&](cli::Options& o) {
@@ -180,6 +203,11 @@ int main(int argc, char** argv) {
            "in a picture, write number and name beside each boundary curve, for cad2tri --name; without it, given "
            "names only, each once for successive curves that have it");
     o.flag("--no-curve-labels", settings.labels_none, "in a picture, do not write the names of boundary curves");
+    o.text(
+        "--window", settings.window, "X0,Y0,X1,Y1",
+        "the part of the plane that a picture shows: its lower left and upper right corner in the coordinates and the "
+        "unit of the file",
+        false);
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
   tool.run = [&](cli::Session& session) { run(settings, session); };

@@ -33,6 +33,16 @@ struct Element {
 
   Vec2 pixel(Vec2 xi) const { return picture.at(evaluator.maps()[elem].position(xi)); }
 
+  /// Whether it lies beyond one side of the drawing: judged by points of its sides.
+  bool is_outside() const {
+    PictureBox box = empty_box();
+    for (int side = 0; side < 3; ++side)
+      for (int k = 0; k < 8; ++k) box.include(pixel(spectral::tri_edge_point(side, k / 8.0)));
+    const Vec2 end = picture.size(), margin = 0.1 * (box.upper - box.lower);
+    return box.upper.x + margin.x < 0 || box.upper.y + margin.y < 0 || box.lower.x - margin.x > end.x ||
+           box.lower.y - margin.y > end.y;
+  }
+
   double size() const {
     const Vec2 a = pixel({-1, -1}), b = pixel({1, -1}), c = pixel({-1, 1});
     return std::max({distance(a, b), distance(b, c), distance(c, a)});
@@ -144,12 +154,14 @@ bool SideSigns::is_significant_at(double s) const {
 ElementContour element_contour(const Picture& picture, const field::FieldEvaluator& evaluator, int elem,
                                const Component& component) {
   const Element element{picture, evaluator, component, elem};
+  if (picture.is_window() && element.is_outside()) return {};
   const Lattice lattice(element);
   return {lattice.segments(), {lattice.side(0), lattice.side(1), lattice.side(2)}};
 }
 
 std::vector<ContourSegment> side_contour(const Picture& picture, const field::FieldEvaluator& evaluator, int elem,
                                          int side, const SideSigns& own, const SideSigns& other) {
+  if (own.is_significant.empty() || other.is_significant.empty()) return {};  // outside the picture
   std::vector<double> cuts = own.roots;
   for (const double s : other.roots) cuts.push_back(1 - s);
   for (std::size_t k = 0; k <= own.is_significant.size(); ++k)

@@ -35,7 +35,8 @@ struct ElementContour {
 
 /// The contour in element `elem`. Ends of segments are exact zeros on the sides of the small triangles, so that those
 /// on a side of the element are the roots of its SideSigns. Nothing is drawn where the component is identically zero
-/// up to solver errors: below 1e-7 in a whole neighbourhood of 16 pixels within the element.
+/// up to solver errors: below 1e-7 in a whole neighbourhood of 16 pixels within the element. Empty, sides included, if
+/// the element is outside the window that the picture shows.
 ElementContour element_contour(const Picture& picture, const field::FieldEvaluator& evaluator, int elem,
                                const Component& component);
 

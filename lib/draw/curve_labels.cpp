@@ -29,9 +29,19 @@ struct Trace {
       for (int i = 0; i <= num_pieces && curve.knots[k] < curve.knots[k + 1]; ++i)
         add(picture.at(curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / double{num_pieces}))));
     if (points.empty()) add(picture.at(curve.poles.front()));  // a curve without length
+    if (picture.is_window()) keep_inside(picture);
   }
 
   double length() const { return lengths.back(); }
+
+  /// Removes the points outside the picture, unless all are.
+  void keep_inside(const Picture& picture) {
+    const std::vector<Vec2> all = std::move(points);
+    points.clear(), lengths.clear();
+    for (const Vec2 x : all)
+      if (picture.holds(x)) points.push_back(x), lengths.push_back(static_cast<double>(points.size()) * ink_step);
+    if (points.empty()) points = {all.front()}, lengths = {0};
+  }
 
   void add(Vec2 x) {
     const double step = points.empty() ? 0 : distance(points.back(), x);
@@ -78,6 +88,8 @@ class Labels {
   }
 
   double length(int curve) const { return traces_[curve].length(); }
+  /// Whether something of the curve is in the picture.
+  bool is_seen(int curve) const { return !picture_.is_window() || picture_.holds(traces_[curve].points.front()); }
 
   /// Writes the text at the first free place beside the curve; false if there is none.
   bool write(int curve, const std::string& css_class, const std::string& text) {
@@ -108,9 +120,11 @@ class Labels {
 
   bool is_free(const Place& place) const {
     const TextBox& box = place.box;
+    if (picture_.is_window() && !picture_.holds(place.foot)) return false;
     const Vec2 size = picture_.size();
-    if (box.centre.x - box.half.x < -side_room || box.centre.x + box.half.x > size.x + side_room ||
-        box.centre.y - box.half.y < -room_below || box.centre.y + box.half.y > size.y + room_above)
+    const double room = picture_.is_window() ? 0 : 1;  // the labels of a window are inside
+    if (box.centre.x - box.half.x < -room * side_room || box.centre.x + box.half.x > size.x + room * side_room ||
+        box.centre.y - box.half.y < -room * room_below || box.centre.y + box.half.y > size.y + room * room_above)
       return false;
     if (std::any_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) { return b.overlaps(box); })) return false;
     if (std::any_of(ink_.begin(), ink_.end(), [&](Vec2 x) { return box.holds(x); })) return false;
@@ -180,7 +194,7 @@ std::vector<int> longest_of_names(const CadFace& face, const Labels& labels) {
 int label_names(Labels& labels, const CadFace& face) {
   std::vector<int> curves = longest_of_names(face, labels);
   sort_by_length(curves, labels);
-  const auto is_omitted = [&](int c) { return !labels.write(c, "name", face.curve_names[c]); };
+  const auto is_omitted = [&](int c) { return labels.is_seen(c) && !labels.write(c, "name", face.curve_names[c]); };
   return static_cast<int>(std::count_if(curves.begin(), curves.end(), is_omitted));
 }
 
@@ -190,6 +204,7 @@ int label_all(Labels& labels, const CadFace& face) {
   sort_by_length(curves, labels);
   int num_omitted = 0;
   for (const int c : curves) {
+    if (!labels.is_seen(c)) continue;
     const std::string number = fmt::format("{}", c);
     const bool is_written = is_named(face, c) && labels.write(c, "label", number + ' ' + face.curve_names[c]);
     if (!is_written && !labels.write(c, "label", number)) ++num_omitted;

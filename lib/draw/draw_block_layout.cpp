@@ -108,7 +108,7 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
     return n.kind == NodeKind::irregular || is_irregular_on_boundary(n);
   };
   const auto num_irregular = std::count_if(layout.nodes.begin(), layout.nodes.end(), is_irregular);
-  Picture picture(bounding_box(layout.face), options, "Blocks",
+  Picture picture(shown_box(bounding_box(layout.face), layout.face.origin, options), options, "Blocks",
                   fmt::format("{}, {}, {}{}", counted(layout.num_blocks(), "block"),
                               counted(static_cast<int>(chords.size()), "chord"),
                               counted(static_cast<int>(num_irregular), "irregular node"),

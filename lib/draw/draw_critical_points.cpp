@@ -140,7 +140,7 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
 std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options) {
   const CadFace* face = field ? &field->mesh.face : nullptr;
   const bool is_phase = points.form == NodeForm::phase;
-  Picture picture(face ? bounding_box(*face) : box_of(points), options,
+  Picture picture(shown_box(face ? bounding_box(*face) : box_of(points), points.origin, options), options,
                   is_phase ? "Irregular nodes and corners (phase form)" : "Critical points and corners",
                   caption(points));
   if (field) draw_quiet_field(picture, *field);

@@ -134,7 +134,8 @@ void draw_nodes_asked(Picture& picture, const Field& field) {
 }  // namespace
 
 std::string draw_field(const Field& field, const DrawOptions& options) {
-  Picture picture(bounding_box(field.mesh.face), options, title(field, options.show), caption(field));
+  Picture picture(shown_box(bounding_box(field.mesh.face), field.mesh.face.origin, options), options,
+                  title(field, options.show), caption(field));
   if (options.show == "order") {
     draw_orders(picture, field);
   } else if (options.show == "psi" || options.show == "u" || options.show == "v") {

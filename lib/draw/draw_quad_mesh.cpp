@@ -88,7 +88,7 @@ std::string caption(const QuadMesh& mesh) {
 }  // namespace
 
 std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
-  Picture picture(bounding_box(mesh.face), options, "Quad mesh", caption(mesh));
+  Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const double quality = mesh.elem_scaled_jacobian.empty() ? 1 : mesh.elem_scaled_jacobian[e];

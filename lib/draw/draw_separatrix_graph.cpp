@@ -94,7 +94,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
                                     counted(static_cast<int>(graph.nodes.size()), "node"),
                                     counted(static_cast<int>(graph.arcs.size()), "arc"));
   if (graph.certificate.method) caption += "; " + certificate_text(graph.certificate);
-  Picture picture(bounding_box(graph.face), options, "Separatrices", caption);
+  Picture picture(shown_box(bounding_box(graph.face), graph.face.origin, options), options, "Separatrices", caption);
   draw_face_area(picture, graph.face);
   draw_loose_arcs(picture, graph);
   for (std::size_t l = 0; l < graph.lines.size(); ++l) draw_line(picture, graph, static_cast<int>(l));

@@ -22,7 +22,7 @@ const Ramp& layer_ramp() {
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   const int num_curved = static_cast<int>(mesh.curved_elems.size());
   Picture picture(
-      bounding_box(mesh.face), options, "Triangle mesh",
+      shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Triangle mesh",
       fmt::format("{}, {} of them curved (order {}), {} boundary edges", counted(mesh.num_elems(), "triangle"),
                   num_curved, mesh.order, mesh.boundary_edges.size()));
   const int last_layer =

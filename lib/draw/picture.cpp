@@ -7,6 +7,8 @@
 #include <limits>
 #include <sstream>
 
+#include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::draw {
@@ -24,6 +26,7 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 .legend{font-size:12px}
 .tick{font-size:11px;fill:#66727d}
 .file{font-size:13px;fill:#66727d;text-anchor:end}
+.frame{fill:none;stroke:#66727d;stroke-width:1}
 .scale{fill:none;stroke:#26323d;stroke-width:1.4}
 .face{fill:#f6f5f1;stroke:none;fill-rule:evenodd}
 .boundary{fill:none;stroke:#1d2731;stroke-width:2.6}
@@ -60,6 +63,15 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
 )";
 
+/// The markup clipped to the rectangle from (0, 0) to `size`, with a thin frame.
+std::string in_frame(const std::string& markup, Vec2 size) {
+  const Attributes corners{{"width", svg_number(size.x)}, {"height", svg_number(size.y)}};
+  Attributes frame = corners;
+  frame.insert(frame.begin(), {"class", "frame"});
+  return svg_element("clipPath", {{"id", "window"}}, {}, svg_element("rect", corners)) +
+         "\n<g clip-path=\"url(#window)\">\n" + markup + "</g>\n" + svg_element("rect", frame) + '\n';
+}
+
 }  // namespace
 
 void PictureBox::include(Vec2 x) {
@@ -79,6 +91,17 @@ PictureBox bounding_box(const CadFace& face) {
       for (int i = 0; i <= 32 && curve.knots[k] < curve.knots[k + 1]; ++i)
         box.include(curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / 32.0)));
   return box;
+}
+
+PictureBox shown_box(const PictureBox& whole, Vec2 origin, const DrawOptions& options) {
+  if (!options.window) return whole;
+  const PictureBox shown{options.window->lower - origin, options.window->upper - origin};
+  const bool meets = whole.lower.x <= shown.upper.x && whole.upper.x >= shown.lower.x &&
+                     whole.lower.y <= shown.upper.y && whole.upper.y >= shown.lower.y;
+  if (!meets && !whole.empty())
+    throw UsageError(fmt::format("--window: nothing is there; the picture extends from {} to {}",
+                                 position_text(whole.lower + origin), position_text(whole.upper + origin)));
+  return shown;
 }
 
 double text_width(const std::string& text, double font_size) {
@@ -111,6 +134,7 @@ Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::s
   (text + 2 * margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
       options.file;
   view_ = view_of(box, options.width, caption_lines_.size());
+  view_.is_window = options.window.has_value();
   legend_ = {margin, view_.top + view_.size.y + 2 * margin + 2, {}};
 }
 
@@ -133,6 +157,7 @@ void Picture::open_clipped_group(const std::string& css_class, const std::string
 }
 
 void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
+  if (is_window() && !holds(x)) return;
   texts_.boxes.push_back({x, {0.5 * text_width(content, caption_size) + 2, 8}});
   texts_.markup +=
       svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(view_.size.y - x.y + 4)}}, {},
@@ -229,7 +254,8 @@ std::string Picture::str() const {
         {}, xml_escaped(caption_lines_[i]));
   out += fmt::format("\n<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", svg_number(left),
                      svg_number(view_.top + view_.size.y));
-  out += drawing_ + "</g>\n";
+  out += is_window() ? in_frame(drawing_, view_.size) : drawing_;
+  out += "</g>\n";
   out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left),
                      svg_number(view_.top), texts_.markup);
   if (!legend_.markup.empty()) out += "<g id=\"legend\">\n" + legend_.markup + "</g>\n";

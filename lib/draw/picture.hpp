@@ -35,6 +35,10 @@ PictureBox empty_box();
 /// The box of the face's boundary curves, by dense sampling.
 PictureBox bounding_box(const CadFace& face);
 
+/// The box that the picture shows: the whole or, where the options have one, the window, which is in the coordinates of
+/// the file (`origin` included). Throws UsageError if nothing of the whole is in the window.
+PictureBox shown_box(const PictureBox& whole, Vec2 origin, const DrawOptions& options);
+
 class Picture {
  public:
   /// A caption that is wider than the picture takes several lines.
@@ -44,6 +48,9 @@ class Picture {
   Vec2 at(Vec2 x) const { return view_.scale * (x - view_.lower); }
   double scale() const { return view_.scale; }  ///< pixels per unit of length
   Vec2 size() const { return view_.size; }      ///< of the drawing, pixels
+  bool is_window() const { return view_.is_window; }
+  /// Whether a point (pixels, y up) is in the drawing.
+  bool holds(Vec2 x) const { return x.x >= 0 && x.y >= 0 && x.x <= view_.size.x && x.y <= view_.size.y; }
 
   /// Markup inside the flipped group, in the order of the calls. Groups set a common class for many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
@@ -52,7 +59,7 @@ class Picture {
   void open_clipped_group(const std::string& css_class, const std::string& outline);
   void close_group() { add("</g>"); }
 
-  /// A text centred at x (pixels, y up), moved by `offset`; drawn above everything.
+  /// A text centred at x (pixels, y up), drawn above everything; omitted outside a window.
   void text(Vec2 x, const std::string& css_class, const std::string& content);
   /// The places of the texts, with some room around each.
   const std::vector<TextBox>& text_boxes() const { return texts_.boxes; }
@@ -69,11 +76,12 @@ class Picture {
 
  private:
   struct View {
-    double scale = 1;  ///< pixels per unit of length
-    Vec2 lower;        ///< the point at the drawing's lower left corner
-    Vec2 size;         ///< of the drawing, pixels
-    int width = 0;     ///< of the picture, pixels
-    double top = 0;    ///< of the drawing, pixels from the top of the picture
+    double scale = 1;        ///< pixels per unit of length
+    Vec2 lower;              ///< the point at the drawing's lower left corner
+    Vec2 size;               ///< of the drawing, pixels
+    int width = 0;           ///< of the picture, pixels
+    double top = 0;          ///< of the drawing, pixels from the top of the picture
+    bool is_window = false;  ///< a part of the whole: the drawing is clipped
   };
   struct Legend {
     double x = 0, y = 0;  ///< of the next entry, pixels, y down

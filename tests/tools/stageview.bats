@@ -103,6 +103,23 @@ shown() { grep -cE "$1" a.svg; }
   done
 }
 
+@test "--window shows a part of the plane, in the coordinates of the file" {
+  for file in tri.h5 field.h5 crit.json sep.json blocks.h5 quad.h5; do
+    run -0 stageview "$X.$file" --window -1,0,0,0.5 -o a.svg
+    assert_output ''
+    xmllint --noout a.svg
+    assert_equal "$(shown 'class="frame"')$(shown '<clipPath id="window"><rect width="928" height="464"/>')" 11
+  done
+  run -2 stageview "$X.quad.h5" --window 5,5,6,6 -o b.svg
+  assert_output --regexp 'nothing is there; the picture extends from \(-1, .*\) to \(1, 1\)'
+  for window in 1,2,3 0,0,0,1 0,1,1,0 a,b,c,d 0,0,1,nan 0,0,1,1,; do
+    run -2 stageview "$X.quad.h5" --window "$window" -o b.svg
+    assert_line --partial "--window: '$window' is not X0,Y0,X1,Y1"
+  done
+  run -2 stageview "$X.quad.h5" --window 0,0,1,1 -o b.html
+  assert_file_not_exists b.svg
+}
+
 @test "names that end in .png and .pdf choose the format, with the same bytes each time" {
   command -v rsvg-convert >/dev/null || skip "no rsvg-convert"
   for ending in png pdf; do
@@ -194,7 +211,7 @@ page_data() {
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 6
-  command -v rsvg-convert >/dev/null || sed -i '/pdf$/d' examples
+  assert_equal "$(wc -l <examples)" 7
+  command -v rsvg-convert >/dev/null || sed -i '/p[dn][fg]$/d' examples
   while read -r line; do run -0 bash -c "$line"; done <examples
 }

@@ -90,6 +90,19 @@ TEST_F(SquareContour, PointsAreExactZerosWhereTheComponentIsCurved) {
     for (const Vec2 p : line) EXPECT_NEAR(std::abs(p.x / 200 - 1), std::pow(0.1, 0.25), 1e-5);
 }
 
+TEST_F(SquareContour, OfAWindowIsTheSameContourWithoutWhatIsOutside) {
+  const Field field = field_of(4, 2, [](Vec2 x) { return Vec2{norm2(x) - 0.7, 1}; });
+  const field::FieldEvaluator evaluator(field);
+  DrawOptions window = options();
+  window.window = Window{{0, 0}, {1, 1}};
+  const Picture part({{0, 0}, {1, 1}}, window, "", "");
+  const double quarter = 400 * std::sqrt(0.7) * half_pi, shown = length(zero_contours(part, evaluator, u));
+  EXPECT_GT(shown, quarter - 1);
+  EXPECT_LT(shown, 2.5 * quarter) << "elements at the rim of the window are drawn, not those beyond";
+  const Picture none({{0, 0}, {0.2, 0.2}}, window, "", "");
+  EXPECT_TRUE(zero_contours(none, evaluator, u).empty());
+}
+
 TEST(SideSigns, ChangeAtEachRoot) {
   const SideSigns signs{true, {0.25, 0.5}, {true, false, true, true}};
   EXPECT_TRUE(signs.is_positive_at(0.1));

@@ -6,6 +6,7 @@
 
 #include "../hand_made.hpp"
 #include "../support/texts.hpp"
+#include "base/error.hpp"
 
 namespace quadrille::draw {
 namespace {
@@ -124,6 +125,24 @@ TEST(Picture, TheFileStandsBesideTheTitleOrBelowItIfThereIsNoRoom) {
   const std::string svg = Picture({{0, 0}, {4, 1}}, options, "title", "caption").str();
   EXPECT_FALSE(contains(svg, "class=\"file\""));
   EXPECT_TRUE(contains(svg, "<text class=\"caption\" x=\"36\" y=\"70\">a_name"));
+}
+
+TEST(Picture, AWindowIsClippedAndShowsNoTextsOutside) {
+  DrawOptions options = wide(472);
+  options.window = Window{{11, 20}, {12, 21}};
+  const PictureBox whole{{0, 0}, {4, 1}};
+  const PictureBox box = shown_box(whole, {10, 20}, options);
+  EXPECT_EQ(box.lower, (Vec2{1, 0}));
+  EXPECT_EQ(box.upper, (Vec2{2, 1}));
+  Picture picture(box, options, "", "");
+  picture.text({100, 100}, "label", "inside");
+  picture.text({-1, 100}, "label", "outside");
+  const std::string svg = picture.str();
+  EXPECT_TRUE(contains(svg, ">inside<") && !contains(svg, ">outside<"));
+  EXPECT_TRUE(contains(svg, "<clipPath id=\"window\"><rect width=\"400\" height=\"400\"/>"));
+  options.window = Window{{0, 0}, {1, 1}};
+  EXPECT_THROW(shown_box(whole, {10, 20}, options), UsageError);
+  EXPECT_EQ(shown_box(whole, {10, 20}, {}).upper, whole.upper);
 }
 
 TEST(Picture, LinesKeepTheirWidthWhenThePictureIsEnlarged) {
