@@ -24,6 +24,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What no program is linked with: quadmesh runs jq and Python, separatrix loads CBC.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "coinor-libcbc3, jq, python3")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "man-db, python3-h5py")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin, man-db, python3-h5py")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libgmp-dev, libhdf5-dev, python3-matplotlib")
 include(CPack)

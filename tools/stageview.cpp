@@ -1,12 +1,17 @@
 // stageview: draws a picture of any stage file, or a page of several.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "draw/draw.hpp"
+#include "io/converted_picture.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "page/page.hpp"
@@ -16,10 +21,26 @@ namespace {
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string field, output;
-  bool is_comparison = false;
+  std::string field, output, window;
+  bool is_comparison = false, labels_all = false, labels_none = false;
   draw::DrawOptions draw;
 };
+
+/// "X0,Y0,X1,Y1".
+draw::Window parsed_window(const std::string& text) {
+  std::array<double, 4> numbers{};
+  const char* at = text.c_str();
+  bool is_sound = true;
+  for (std::size_t k = 0; k < 4 && is_sound; ++k) {
+    char* end = nullptr;
+    numbers[k] = std::strtod(at, &end);
+    is_sound = end != at && std::isfinite(numbers[k]) && *end == (k < 3 ? ',' : '\0');
+    at = end + 1;
+  }
+  if (!is_sound || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
+    throw UsageError("--window: '" + text + "' is not X0,Y0,X1,Y1, two corners with X0 < X1 and Y0 < Y1");
+  return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
 
 /// A struct of a stage file after its quick checks.
 template <typename Model, typename Check>
@@ -74,8 +95,14 @@ std::vector<Read> read_all(const Settings& settings, cli::Session& session) {
 }
 
 /// The picture of the last of the files; with --field, the field is the first of two.
-std::string picture_of(const std::vector<Read>& files, const draw::DrawOptions& options) {
+std::string picture_of(const std::vector<Read>& files, const Settings& settings) {
   const page::Stage& stage = files.back().stage;
+  draw::DrawOptions options = settings.draw;
+  if (settings.labels_all) options.curve_labels = draw::CurveLabels::all;
+  if (!settings.window.empty()) options.window = parsed_window(settings.window);
+  if (settings.labels_none) options.curve_labels = draw::CurveLabels::none;
+  if (!settings.inputs.empty() && settings.inputs.back() != "-")
+    options.file = std::filesystem::path(settings.inputs.back()).filename().string();
   if (const auto* mesh = std::get_if<TriMesh>(&stage)) return draw::draw_tri_mesh(*mesh, options);
   if (const auto* field = std::get_if<Field>(&stage)) return draw::draw_field(*field, options);
   if (const auto* graph = std::get_if<SeparatrixGraph>(&stage)) return draw::draw_separatrix_graph(*graph, options);
@@ -115,15 +142,21 @@ void run(const Settings& settings, cli::Session& session) {
     throw UsageError("--compare makes a page: give -o with a name that ends in .html");
   if (!is_page && settings.inputs.size() > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
+  if (!settings.window.empty()) static_cast<void>(parsed_window(settings.window));  // refused before a file is read
+  if (!settings.window.empty() && is_page) throw UsageError("--window is for pictures: a page zooms by itself");
+  if (settings.labels_all && settings.labels_none)
+    throw UsageError("--curve-labels and --no-curve-labels exclude each other");
   session.begin_phase(settings.is_comparison ? "draw" : "read");
   if (settings.is_comparison) return io::write_output(settings.output, comparison_of(settings, session), false);
   std::vector<Read> files = read_all(settings, session);
-  if (settings.draw.curve_labels && !std::holds_alternative<TriMesh>(files.back().stage))
-    throw UsageError("--curve-labels needs a tri-mesh file, but " + files.back().file.name + " is another");
+  if (settings.labels_all && std::holds_alternative<CriticalPoints>(files.back().stage) && settings.field.empty())
+    throw UsageError("--curve-labels needs --field for a critical-points file, which does not contain the face");
   session.begin_phase("draw");
-  const std::string text = is_page ? page_of(std::move(files)) : picture_of(files, settings.draw);
+  const io::PictureFormat format = io::picture_format(settings.output);
+  const std::string bytes =
+      is_page ? page_of(std::move(files)) : io::converted_picture(picture_of(files, settings), format, settings.output);
   session.end_phase();
-  io::write_output(settings.output, text, false);
+  io::write_output(settings.output, bytes, format != io::PictureFormat::svg);
 }
 
 }  // namespace
@@ -134,33 +167,47 @@ int main(int argc, char** argv) {
   Settings settings;
   cli::Tool tool;
   tool.name = "stageview";
-  tool.summary = "draws any stage file: a picture (SVG) or a page that zooms (HTML)";
+  tool.summary = "draws any stage file: a picture (SVG, PNG, PDF) or a page that zooms (HTML)";
   tool.description =
       "The format of FILE is detected from its content: triangle mesh, guiding field, critical points, separatrices, "
       "blocks or quads. If the output ends in .html, it is a page for a browser, which needs no other file and no "
       "network: it moves and zooms, switches layers, shows number, size and quality of what is under the pointer and "
       "goes to the worst element; the key ? lists its keys. Several files of one chain become the tabs of one page. "
       "Any "
-      "other output is a picture. Critical points are drawn over the field that --field names, with error bars, "
+      "other output is a picture: PNG or PDF if its name ends so (made by the program rsvg-convert, which must be "
+      "installed), else SVG. Critical points are drawn over the field that --field names, with error bars, "
       "clusters, "
-      "changes and the cells of the certificate. In a browser, elements, blocks and points show their numbers and "
+      "changes and the cells of the certificate; without --field, the outline of the face is missing, as the file does "
+      "not contain it. The worst element or block is marked if its scaled Jacobian is below 0.5. In a browser, "
+      "elements, blocks and points show their numbers and "
       "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
                    "stageview half_disc.field.h5 --show order -o orders.svg",
                    "stageview half_disc.tri.h5 --curve-labels -o curves.svg",
+                   "stageview half_disc.blocks.h5 -o blocks.pdf",
+                   "stageview half_disc.quad.h5 --window 0.5,0,1,0.5 -o corner.png",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
                    "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html"};
   tool.options = [&](cli::Options& o) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
-    o.output(settings.output, "picture to write (SVG), or page (if the name ends in .html)");
-    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.output(settings.output,
+             "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");
+    o.input_file("--field", settings.field, "FILE", "field to draw under critical points, with the outline of the face",
+                 false);
     o.flag("--compare", settings.is_comparison,
            "a page of two files of one format, separatrices, blocks or quads, which need not be of one chain: the "
            "lines of one over the other, and a table of counts and qualities");
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
-    o.flag("--curve-labels", settings.draw.curve_labels,
-           "in a picture, write number and name beside each boundary curve of a triangle mesh, for cad2tri --name");
+    o.flag("--curve-labels", settings.labels_all,
+           "in a picture, write number and name beside each boundary curve, for cad2tri --name; without it, given "
+           "names only, each once for successive curves that have it");
+    o.flag("--no-curve-labels", settings.labels_none, "in a picture, do not write the names of boundary curves");
+    o.text(
+        "--window", settings.window, "X0,Y0,X1,Y1",
+        "the part of the plane that a picture shows: its lower left and upper right corner in the coordinates and the "
+        "unit of the file",
+        false);
     o.integer("--width", settings.draw.width, 200, 20000, "width of the picture in pixels");
   };
   tool.run = [&](cli::Session& session) { run(settings, session); };

@@ -18,15 +18,6 @@ constexpr double font_size = 13, box_height = 16, padding = 6, ink_step = 3;
 constexpr double shortest_leader = 16;  ///< labels nearer than this to their curve need no line
 constexpr double side_room = 33, room_above = 16, room_below = 46;  ///< beside the drawing that labels may use
 
-struct Box {
-  Vec2 centre, half;
-
-  bool holds(Vec2 x) const { return std::abs(x.x - centre.x) < half.x && std::abs(x.y - centre.y) < half.y; }
-  bool overlaps(const Box& b) const {
-    return std::abs(b.centre.x - centre.x) < half.x + b.half.x && std::abs(b.centre.y - centre.y) < half.y + b.half.y;
-  }
-};
-
 /// Points of a curve in the picture, at most ink_step apart, and the distance to each along the curve.
 struct Trace {
   std::vector<Vec2> points;
@@ -38,9 +29,19 @@ struct Trace {
       for (int i = 0; i <= num_pieces && curve.knots[k] < curve.knots[k + 1]; ++i)
         add(picture.at(curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / double{num_pieces}))));
     if (points.empty()) add(picture.at(curve.poles.front()));  // a curve without length
+    if (picture.is_window()) keep_inside(picture);
   }
 
   double length() const { return lengths.back(); }
+
+  /// Removes the points outside the picture, unless all are.
+  void keep_inside(const Picture& picture) {
+    const std::vector<Vec2> all = std::move(points);
+    points.clear(), lengths.clear();
+    for (const Vec2 x : all)
+      if (picture.holds(x)) points.push_back(x), lengths.push_back(static_cast<double>(points.size()) * ink_step);
+    if (points.empty()) points = {all.front()}, lengths = {0};
+  }
 
   void add(Vec2 x) {
     const double step = points.empty() ? 0 : distance(points.back(), x);
@@ -69,7 +70,7 @@ struct Trace {
 
 struct Place {
   Vec2 foot;  ///< on the curve
-  Box box;
+  TextBox box;
   bool has_leader = false;
 
   /// The point of the box that is nearest to the foot.
@@ -81,27 +82,22 @@ struct Place {
 
 class Labels {
  public:
-  Labels(Picture& picture, const CadFace& face) : picture_(picture) {
+  Labels(Picture& picture, const CadFace& face) : picture_(picture), boxes_(picture.text_boxes()) {
     for (const Nurbs& curve : face.curves) traces_.emplace_back(picture, curve);
     for (const Trace& trace : traces_) ink_.insert(ink_.end(), trace.points.begin(), trace.points.end());
   }
 
-  /// Curves from the shortest to the longest, which has the most places.
-  std::vector<int> ascending() const {
-    std::vector<int> order(traces_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return traces_[a].length() < traces_[b].length(); });
-    return order;
-  }
+  double length(int curve) const { return traces_[curve].length(); }
+  /// Whether something of the curve is in the picture.
+  bool is_seen(int curve) const { return !picture_.is_window() || picture_.holds(traces_[curve].points.front()); }
 
   /// Writes the text at the first free place beside the curve. Returns false if no place is free.
-  bool write(int curve, const std::string& text) {
+  bool write(int curve, const std::string& css_class, const std::string& text) {
     const std::optional<Place> place = free_place(traces_[curve], text);
     if (!place) return false;
     if (place->has_leader) draw_leader(*place);
     boxes_.push_back(place->box);
-    picture_.text(place->box.centre, "label", text);
+    picture_.text(place->box.centre, css_class, text);
     return true;
   }
 
@@ -123,16 +119,18 @@ class Labels {
   }
 
   bool is_free(const Place& place) const {
-    const Box& box = place.box;
+    const TextBox& box = place.box;
+    if (picture_.is_window() && !picture_.holds(place.foot)) return false;
     const Vec2 size = picture_.size();
-    if (box.centre.x - box.half.x < -side_room || box.centre.x + box.half.x > size.x + side_room ||
-        box.centre.y - box.half.y < -room_below || box.centre.y + box.half.y > size.y + room_above)
+    const double room = picture_.is_window() ? 0 : 1;  // the labels of a window are inside
+    if (box.centre.x - box.half.x < -room * side_room || box.centre.x + box.half.x > size.x + room * side_room ||
+        box.centre.y - box.half.y < -room * room_below || box.centre.y + box.half.y > size.y + room * room_above)
       return false;
-    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& b) { return b.overlaps(box); })) return false;
+    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) { return b.overlaps(box); })) return false;
     if (std::any_of(ink_.begin(), ink_.end(), [&](Vec2 x) { return box.holds(x); })) return false;
     if (!place.has_leader) return true;
     const std::vector<Vec2> leader = leader_points(place);
-    return std::none_of(boxes_.begin(), boxes_.end(), [&](const Box& b) {
+    return std::none_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) {
       return std::any_of(leader.begin(), leader.end(), [&](Vec2 x) { return b.holds(x); });
     });
   }
@@ -157,8 +155,8 @@ class Labels {
 
   Picture& picture_;
   std::vector<Trace> traces_;
-  std::vector<Vec2> ink_;  ///< points of the boundary and of the lines that labels must not cover
-  std::vector<Box> boxes_;
+  std::vector<Vec2> ink_;       ///< points of the boundary and of the lines that labels must not cover
+  std::vector<TextBox> boxes_;  ///< of texts
 };
 
 void draw_joints(Picture& picture, const CadFace& face) {
@@ -166,19 +164,69 @@ void draw_joints(Picture& picture, const CadFace& face) {
     if (!joint.is_corner) picture.add(circle_mark("dot", picture.at(joint.position), 3, "end of a boundary curve"));
 }
 
-}  // namespace
+bool is_named(const CadFace& face, int curve) { return face.has_given_name(curve) && !face.curve_names[curve].empty(); }
 
-int label_curves(Picture& picture, const CadFace& face) {
-  draw_joints(picture, face);
-  Labels labels(picture, face);
+/// Curves from the shortest to the longest, which has the most places.
+void sort_by_length(std::vector<int>& curves, const Labels& labels) {
+  std::stable_sort(curves.begin(), curves.end(), [&](int a, int b) { return labels.length(a) < labels.length(b); });
+}
+
+/// Of each run of curves with one given name in a loop, the longest.
+std::vector<int> longest_of_names(const CadFace& face, const Labels& labels) {
+  std::vector<int> longest(face.curves.size(), -1);  // by the first curve of the run
+  for (int c = 0; c < face.num_curves(); ++c) {
+    if (!is_named(face, c)) continue;
+    const auto continues = [&](int curve) {
+      const int before = face.previous_in_loop(curve);
+      return is_named(face, before) && face.curve_names[before] == face.curve_names[c];
+    };
+    const int loop_start = face.loop_offsets[face.loop_of(c)];
+    int first = c;
+    while (continues(first) && face.previous_in_loop(first) != c) first = face.previous_in_loop(first);
+    if (continues(first)) first = loop_start;  // the whole loop has one name
+    int& known = longest[first];
+    if (known < 0 || labels.length(c) > labels.length(known)) known = c;
+  }
+  std::erase(longest, -1);
+  return longest;
+}
+
+int label_names(Labels& labels, const CadFace& face) {
+  std::vector<int> curves = longest_of_names(face, labels);
+  sort_by_length(curves, labels);
+  const auto is_omitted = [&](int c) { return labels.is_seen(c) && !labels.write(c, "name", face.curve_names[c]); };
+  return static_cast<int>(std::count_if(curves.begin(), curves.end(), is_omitted));
+}
+
+int label_all(Labels& labels, const CadFace& face) {
+  std::vector<int> curves(face.curves.size());
+  std::iota(curves.begin(), curves.end(), 0);
+  sort_by_length(curves, labels);
   int num_omitted = 0;
-  for (const int c : labels.ascending()) {
+  for (const int c : curves) {
+    if (!labels.is_seen(c)) continue;
     const std::string number = fmt::format("{}", c);
-    const bool is_named = face.has_given_name(c) && !face.curve_names[c].empty();
-    const bool is_written = is_named && labels.write(c, number + ' ' + face.curve_names[c]);
-    if (!is_written && !labels.write(c, number)) ++num_omitted;
+    const bool is_written = is_named(face, c) && labels.write(c, "label", number + ' ' + face.curve_names[c]);
+    if (!is_written && !labels.write(c, "label", number)) ++num_omitted;
   }
   return num_omitted;
+}
+
+}  // namespace
+
+void label_curves(Picture& picture, const CadFace& face, CurveLabels which) {
+  if (which == CurveLabels::none) return;
+  const bool all = which == CurveLabels::all;
+  if (all) draw_joints(picture, face);
+  Labels labels(picture, face);
+  const int num_omitted = all ? label_all(labels, face) : label_names(labels, face);
+  const std::string omitted =
+      num_omitted > 0 ? fmt::format("without room for {}: raise --width", counted(num_omitted, "label")) : "";
+  if (all)
+    picture.legend_mark(circle_mark("dot", {0, 0}, 3),
+                        "end of a curve; curves by number and name" + (omitted.empty() ? "" : ", " + omitted));
+  else if (!omitted.empty())
+    picture.legend_mark("", omitted);
 }
 
 }  // namespace quadrille::draw

@@ -1,8 +1,10 @@
 #pragma once
 // One SVG picture per stage file, all with the same line styles (one .cpp per stage over svg.hpp).
 
+#include <optional>
 #include <string>
 
+#include "base/vec2.hpp"
 #include "model/block_layout.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
@@ -12,10 +14,20 @@
 
 namespace quadrille::draw {
 
+/// Boundary curves with a label: those with a given name, all of them (with their numbers), or none.
+enum class CurveLabels { given, all, none };
+
+/// The part of the plane that a picture shows, in the coordinates of the file; lower < upper.
+struct Window {
+  Vec2 lower, upper;
+};
+
 struct DrawOptions {
-  int width = 1000;           ///< pixels
-  bool curve_labels = false;  ///< of a triangle mesh: numbers and names beside the boundary curves
-  std::string show = "psi";   ///< of a field: "u", "v", "psi" or "order"
+  int width = 1000;                               ///< pixels
+  CurveLabels curve_labels = CurveLabels::given;  ///< where the face is known
+  std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
+  std::optional<Window> window;                   ///< none: everything
+  std::string file;  ///< name of the file without folders, written beside the title; empty: none
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);

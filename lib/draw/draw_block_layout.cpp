@@ -1,4 +1,5 @@
-// Draws the blocks in pale colours with their numbers, the worst of them outlined, irregular nodes and corners.
+// Draws the blocks in pale colours with their numbers, the worst of them outlined if it is poor, irregular nodes and
+// corners.
 
 #include <fmt/format.h>
 
@@ -7,6 +8,7 @@
 #include <set>
 
 #include "curve/nurbs.hpp"
+#include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
 
 namespace quadrille::draw {
@@ -58,17 +60,6 @@ Vec2 block_centre(const BlockLayout& layout, int block) {
   return centre;
 }
 
-/// The blocks with the least scaled Jacobian, equal ones together; empty if it is unknown or at least 0.995.
-std::vector<int> worst_blocks(const BlockLayout& layout) {
-  const std::vector<double>& quality = layout.block_scaled_jacobian;
-  std::vector<int> worst;
-  if (quality.empty()) return worst;
-  const double least = *std::min_element(quality.begin(), quality.end());
-  for (std::size_t b = 0; least <= 0.995 && b < quality.size(); ++b)
-    if (quality[b] <= least + 1e-6) worst.push_back(static_cast<int>(b));
-  return worst;
-}
-
 bool is_irregular_on_boundary(const GraphNode& node) { return node.kind == NodeKind::boundary && node.valence != 2; }
 
 /// Draws inner nodes as polygons with one vertex per block, and boundary nodes as squares standing on a vertex.
@@ -111,15 +102,19 @@ void draw_block(Picture& picture, const BlockLayout& layout, int block) {
 
 std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options) {
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
-  const std::vector<int> worst = worst_blocks(layout);
+  const std::vector<double>& quality = layout.block_scaled_jacobian;
+  const int worst = worst_to_mark(quality);
   const auto is_irregular = [](const GraphNode& n) {
     return n.kind == NodeKind::irregular || is_irregular_on_boundary(n);
   };
   const auto num_irregular = std::count_if(layout.nodes.begin(), layout.nodes.end(), is_irregular);
-  Picture picture(bounding_box(layout.face), options, "Blocks",
-                  fmt::format("{}, {}, {}", counted(layout.num_blocks(), "block"),
+  Picture picture(shown_box(bounding_box(layout.face), layout.face.origin, options), options, "Blocks",
+                  fmt::format("{}, {}, {}{}", counted(layout.num_blocks(), "block"),
                               counted(static_cast<int>(chords.size()), "chord"),
-                              counted(static_cast<int>(num_irregular), "irregular node")));
+                              counted(static_cast<int>(num_irregular), "irregular node"),
+                              quality.empty() ? ""
+                                              : fmt::format(", worst scaled Jacobian {:.3f}",
+                                                            *std::min_element(quality.begin(), quality.end()))));
   picture.open_group("blocks");
   for (int b = 0; b < layout.num_blocks(); ++b) draw_block(picture, layout, b);
   picture.close_group();
@@ -132,16 +127,18 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
                             fmt::format("arc {}, chord {}", a, layout.arc_chord.empty() ? -1 : layout.arc_chord[a])));
   }
   draw_boundary(picture, layout.face);
-  for (const int b : worst)
-    picture.add(svg_element("path", {{"class", "worst"}, {"d", block_outline(picture, layout, b).str()}},
-                            fmt::format("block {}, scaled Jacobian {:.4g}", b, layout.block_scaled_jacobian[b])));
+  if (worst >= 0)
+    picture.add(svg_element("path", {{"class", "worst"}, {"d", block_outline(picture, layout, worst).str()}},
+                            fmt::format("block {}, scaled Jacobian {:.4g}", worst, quality[worst])));
   draw_corners(picture, layout.face);
   draw_irregular_nodes(picture, layout);
   legend_irregular_nodes(picture, layout);
-  if (!worst.empty())
+  if (worst >= 0)
     picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6,-5H6V5H-6Z"}}),
-                        fmt::format("the worst: scaled Jacobian {:.3f}", layout.block_scaled_jacobian[worst.front()]));
+                        fmt::format("the worst: scaled Jacobian {:.3f}", quality[worst]));
   legend_corner(picture, layout.face);
+  label_curves(picture, layout.face, options.curve_labels);
+  legend_scale(picture, layout.face);
   return picture.str();
 }
 

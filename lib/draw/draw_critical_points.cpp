@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/angle.hpp"
+#include "draw/curve_labels.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
 #include "draw/node_history.hpp"
@@ -139,7 +140,7 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
 std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options) {
   const CadFace* face = field ? &field->mesh.face : nullptr;
   const bool is_phase = points.form == NodeForm::phase;
-  Picture picture(face ? bounding_box(*face) : box_of(points), options,
+  Picture picture(shown_box(face ? bounding_box(*face) : box_of(points), points.origin, options), options,
                   is_phase ? "Irregular nodes and corners (phase form)" : "Critical points and corners",
                   caption(points));
   if (field) draw_quiet_field(picture, *field);
@@ -149,6 +150,8 @@ std::string draw_critical_points(const CriticalPoints& points, const Field* fiel
   draw_corner_valences(picture, points, face);
   draw_boundary_nodes(picture, points);
   draw_nodes(picture, points);
+  if (face) label_curves(picture, *face, options.curve_labels);
+  face ? legend_scale(picture, *face) : picture.legend_scale("");
   return picture.str();
 }
 

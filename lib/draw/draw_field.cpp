@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
+#include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
@@ -133,7 +134,8 @@ void draw_nodes_asked(Picture& picture, const Field& field) {
 }  // namespace
 
 std::string draw_field(const Field& field, const DrawOptions& options) {
-  Picture picture(bounding_box(field.mesh.face), options, title(field, options.show), caption(field));
+  Picture picture(shown_box(bounding_box(field.mesh.face), field.mesh.face.origin, options), options,
+                  title(field, options.show), caption(field));
   if (options.show == "order") {
     draw_orders(picture, field);
   } else if (options.show == "psi" || options.show == "u" || options.show == "v") {
@@ -147,6 +149,8 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
   draw_boundary(picture, field.mesh.face);
   draw_corners(picture, field.mesh.face);
   if (is_phase(field)) draw_nodes_asked(picture, field);
+  label_curves(picture, field.mesh.face, options.curve_labels);
+  legend_scale(picture, field.mesh.face);
   return picture.str();
 }
 

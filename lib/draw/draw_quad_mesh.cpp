@@ -1,11 +1,12 @@
-// The quad mesh: elements coloured by scaled Jacobian, blocks outlined, the worst elements ringed, those that are not
-// proved valid outlined in red.
+// The quad mesh: elements coloured by scaled Jacobian, blocks outlined, the worst element ringed if it is poor, those
+// that are not proved valid outlined in red.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
+#include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/marks.hpp"
 
@@ -24,20 +25,6 @@ std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
       if (!is_new && mesh.elem_block[known->second.first] != mesh.elem_block[e]) borders.push_back(known->second);
     }
   return borders;
-}
-
-/// The elements whose defect 1 - scaled Jacobian is within 2 % of the largest one, so that equal elements are all
-/// ringed.
-std::vector<int> worst_elems(const QuadMesh& mesh) {
-  const auto& quality = mesh.elem_scaled_jacobian;
-  std::vector<int> worst;
-  if (quality.empty()) return worst;
-  const double least = *std::min_element(quality.begin(), quality.end());
-  if (least > 0.995) return worst;
-  const double limit = least + 0.02 * (1 - least);
-  for (int e = 0; e < mesh.num_elems(); ++e)
-    if (quality[e] <= limit) worst.push_back(e);
-  return worst;
 }
 
 Vec2 centre(const QuadMesh& mesh, int elem) {
@@ -101,7 +88,7 @@ std::string caption(const QuadMesh& mesh) {
 }  // namespace
 
 std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
-  Picture picture(bounding_box(mesh.face), options, "Quad mesh", caption(mesh));
+  Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const double quality = mesh.elem_scaled_jacobian.empty() ? 1 : mesh.elem_scaled_jacobian[e];
@@ -119,15 +106,18 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   }
   if (!borders.empty()) picture.add(svg_element("path", {{"class", "edge"}, {"d", borders.str()}}));
   draw_boundary(picture, mesh.face);
-  for (const int e : worst_elems(mesh)) {
-    const Vec2 c = centre(mesh, e);
-    picture.add(circle_mark("ring", picture.at(c), ring_radius(picture, mesh, e),
-                            fmt::format("quad {} at {}: scaled Jacobian {:.3f}", e, position_text(c, mesh.face.origin),
-                                        mesh.elem_scaled_jacobian[e])));
+  const int worst = worst_to_mark(mesh.elem_scaled_jacobian);
+  if (worst >= 0) {
+    const Vec2 c = centre(mesh, worst);
+    picture.add(circle_mark("ring", picture.at(c), ring_radius(picture, mesh, worst),
+                            fmt::format("quad {} at {}: scaled Jacobian {:.3f}", worst,
+                                        position_text(c, mesh.face.origin), mesh.elem_scaled_jacobian[worst])));
   }
   picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
-  if (!worst_elems(mesh).empty()) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
+  if (worst >= 0) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
   draw_unproved(picture, mesh);
+  label_curves(picture, mesh.face, options.curve_labels);
+  legend_scale(picture, mesh.face);
   return picture.str();
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
 
 namespace quadrille::draw {
@@ -93,7 +94,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
                                     counted(static_cast<int>(graph.nodes.size()), "node"),
                                     counted(static_cast<int>(graph.arcs.size()), "arc"));
   if (graph.certificate.method) caption += "; " + certificate_text(graph.certificate);
-  Picture picture(bounding_box(graph.face), options, "Separatrices", caption);
+  Picture picture(shown_box(bounding_box(graph.face), graph.face.origin, options), options, "Separatrices", caption);
   draw_face_area(picture, graph.face);
   draw_loose_arcs(picture, graph);
   for (std::size_t l = 0; l < graph.lines.size(); ++l) draw_line(picture, graph, static_cast<int>(l));
@@ -111,6 +112,8 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   legend_valences(picture, valences);
   legend_corner(picture, graph.face);
   picture.legend_mark(circle_mark("dot", {0, 0}, 3), "crossing or end");
+  label_curves(picture, graph.face, options.curve_labels);
+  legend_scale(picture, graph.face);
   return picture.str();
 }
 

@@ -22,7 +22,7 @@ const Ramp& layer_ramp() {
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   const int num_curved = static_cast<int>(mesh.curved_elems.size());
   Picture picture(
-      bounding_box(mesh.face), options, "Triangle mesh",
+      shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Triangle mesh",
       fmt::format("{}, {} of them curved (order {}), {} boundary edges", counted(mesh.num_elems(), "triangle"),
                   num_curved, mesh.order, mesh.boundary_edges.size()));
   const int last_layer =
@@ -40,7 +40,6 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   picture.close_group();
   draw_boundary(picture, mesh.face);
   draw_corners(picture, mesh.face);
-  const int num_omitted = options.curve_labels ? label_curves(picture, mesh.face) : 0;
   const auto square = [](const std::string& fill) {
     return svg_element("rect", {{"x", "-7"},
                                 {"y", "-7"},
@@ -55,13 +54,8 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   if (num_curved > 0) picture.legend_mark(square("#d7e6ef"), "curved");
   if (last_layer >= 0) picture.legend_mark(square(ramp_colour(layer_ramp(), 0.3)), "corner fan");
   legend_corner(picture, mesh.face);
-  if (options.curve_labels)
-    picture.legend_mark(circle_mark("dot", {0, 0}, 3),
-                        num_omitted == 0
-                            ? "end of a curve; curves by number and name"
-                            : fmt::format("end of a curve; curves by number and name, without room for {}: "
-                                          "raise --width",
-                                          counted(num_omitted, "label")));
+  label_curves(picture, mesh.face, options.curve_labels);
+  legend_scale(picture, mesh.face);
   return picture.str();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/contour_lattice.hpp"
 #include "draw/picture.hpp"
 #include "field/evaluate.hpp"
 
@@ -18,9 +19,10 @@ void draw_field_cells(Picture& picture, const field::FieldEvaluator& evaluator,
 
 using Polyline = std::vector<Vec2>;
 
-/// The polylines (pixels) on which `component` of the value vanishes; none in regions where it is identically zero.
+/// The polylines (pixels) on which `component` of the value vanishes; none in regions where it is identically zero. A
+/// line ends only at the boundary, at another line or at such a region.
 std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
-                                    const std::function<double(Vec2 value)>& component);
+                                    const Component& component);
 
 /// Draws the contours u = 0 and v = 0 with their legend; jump lines, the part of v = 0 where the cross angle jumps, are
 /// dashed.

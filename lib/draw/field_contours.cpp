@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "draw/contour_lattice.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
 
@@ -10,72 +11,13 @@ namespace quadrille::draw {
 
 namespace {
 
-constexpr double lattice_step = 4;  // pixels
-constexpr double join_distance = 0.6;
-/// Where a component stays below it over a whole cell, the component is identically zero up to solver errors.
-constexpr double noise = 1e-7;
-constexpr double least_value = 1e-13;
-
-struct Segment {
-  std::array<Vec2, 2> ends;
-};
-
-bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-/// A lattice of n x n cells on the reference triangle of one element.
-class Lattice {
- public:
-  Lattice(const Picture& picture, const field::FieldEvaluator& evaluator, int elem,
-          const std::function<double(Vec2)>& component) {
-    const auto pixel_of = [&](Vec2 xi) { return picture.at(evaluator.maps()[elem].position(xi)); };
-    const Vec2 a = pixel_of({-1, -1}), b = pixel_of({1, -1}), c = pixel_of({-1, 1});
-    const double size = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    n_ = static_cast<int>(std::clamp(std::ceil(size / lattice_step), 1.0, 200.0));
-    for (int j = 0; j <= n_; ++j)
-      for (int i = 0; i + j <= n_; ++i) {
-        const Vec2 xi{2.0 * i / n_ - 1, 2.0 * j / n_ - 1};
-        Vec2 x;
-        Mat2 dx_dxi;
-        const double value = component(evaluator.value(elem, xi + 1e-7 * (Vec2{-1.0 / 3, -1.0 / 3} - xi), x, dx_dxi));
-        pixels_.push_back(picture.at(x));
-        values_.push_back(std::abs(value) < least_value ? least_value : value);
-      }
-  }
-
-  void contour(std::vector<Segment>& segments) const {
-    for (int j = 0; j < n_; ++j)
-      for (int i = 0; i + j < n_; ++i) {
-        cell({id(i, j), id(i + 1, j), id(i, j + 1)}, segments);
-        if (i + j + 1 < n_) cell({id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}, segments);
-      }
-  }
-
- private:
-  int id(int i, int j) const { return j * (n_ + 1) - j * (j - 1) / 2 + i; }
-
-  void cell(const std::array<int, 3>& corners, std::vector<Segment>& segments) const {
-    std::array<Vec2, 2> ends;
-    int num_ends = 0;
-    const auto is_noise = [&](int i) { return std::abs(values_[i]) < noise; };
-    if (std::all_of(corners.begin(), corners.end(), is_noise)) return;
-    for (int k = 0; k < 3; ++k) {
-      const int a = std::min(corners[k], corners[(k + 1) % 3]), b = std::max(corners[k], corners[(k + 1) % 3]);
-      if ((values_[a] > 0) == (values_[b] > 0)) continue;
-      const double s = values_[a] / (values_[a] - values_[b]);
-      ends[num_ends++] = pixels_[a] + s * (pixels_[b] - pixels_[a]);
-    }
-    if (num_ends == 2 && is_finite(ends[0]) && is_finite(ends[1])) segments.push_back({ends});
-  }
-
-  int n_ = 1;
-  std::vector<Vec2> pixels_;
-  std::vector<double> values_;
-};
+constexpr double join_distance = 0.6;  // pixels
 
 /// Joins segments whose ends lie within join_distance into polylines.
 class Joiner {
  public:
-  explicit Joiner(std::vector<Segment> segments) : segments_(std::move(segments)), is_used_(segments_.size(), false) {
+  explicit Joiner(std::vector<ContourSegment> segments)
+      : segments_(std::move(segments)), is_used_(segments_.size(), false) {
     for (std::size_t s = 0; s < segments_.size(); ++s)
       for (int e = 0; e < 2; ++e) cells_[cell(segments_[s].ends[e])].push_back({s, e});
   }
@@ -120,7 +62,7 @@ class Joiner {
     return true;
   }
 
-  std::vector<Segment> segments_;
+  std::vector<ContourSegment> segments_;
   std::vector<bool> is_used_;
   std::map<Cell, std::vector<std::pair<std::size_t, int>>> cells_;
 };
@@ -152,10 +94,22 @@ std::vector<Polyline> parts_where(const std::vector<Polyline>& lines, const std:
 }  // namespace
 
 std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
-                                    const std::function<double(Vec2 value)>& component) {
-  std::vector<Segment> segments;
+                                    const Component& component) {
+  std::vector<ContourSegment> segments;
+  const auto append = [&](const std::vector<ContourSegment>& more) {
+    segments.insert(segments.end(), more.begin(), more.end());
+  };
+  std::vector<std::array<SideSigns, 3>> sides;
+  for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e) {
+    ElementContour contour = element_contour(picture, evaluator, e, component);
+    append(contour.segments);
+    sides.push_back(std::move(contour.sides));
+  }
+  const auto& topology = evaluator.topology();
   for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e)
-    Lattice(picture, evaluator, e, component).contour(segments);
+    for (int k = 0; k < 3; ++k)
+      if (const int other = topology.elem2neighbors[e][k]; other > e)
+        append(side_contour(picture, evaluator, e, k, sides[e][k], sides[other][topology.elem2neighbor_edges[e][k]]));
   return Joiner(std::move(segments)).polylines();
 }
 

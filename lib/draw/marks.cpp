@@ -8,6 +8,7 @@
 #include "base/angle.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "model/length_scale.hpp"
 
 namespace quadrille::draw {
 
@@ -97,6 +98,13 @@ void legend_corner(Picture& picture, const CadFace& face) {
     picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
 }
 
+void legend_scale(Picture& picture, const CadFace& face) {
+  std::string unit = face.length_unit == "unknown" ? "" : face.length_unit;
+  for (const LengthUnit& known : length_units)
+    if (known.name == unit) unit = known.symbol;
+  picture.legend_scale(unit);
+}
+
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {
   return svg_element(
       "circle",
@@ -136,6 +144,13 @@ void legend_valences(Picture& picture, std::vector<int> valences) {
   valences.erase(std::unique(valences.begin(), valences.end()), valences.end());
   for (const int v : valences)
     picture.legend_mark(valence_mark({0, 0}, v, 7), fmt::format("irregular node, valence {}", v));
+}
+
+int worst_to_mark(const std::vector<double>& scaled_jacobians) {
+  constexpr double poor_quality = 0.5;
+  const auto worst = std::min_element(scaled_jacobians.begin(), scaled_jacobians.end());
+  return worst != scaled_jacobians.end() && *worst < poor_quality ? static_cast<int>(worst - scaled_jacobians.begin())
+                                                                  : -1;
 }
 
 std::string position_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }

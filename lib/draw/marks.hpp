@@ -23,6 +23,9 @@ void draw_corners(Picture& picture, const CadFace& face);
 /// Its legend entry, where the face has corners.
 void legend_corner(Picture& picture, const CadFace& face);
 
+/// A scale bar in the legend, in the unit of the face.
+void legend_scale(Picture& picture, const CadFace& face);
+
 /// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.
 std::string valence_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
 /// The same polygon, hollow and pale: a node that was removed or moved.
@@ -35,6 +38,10 @@ std::string circle_mark(const std::string& css_class, Vec2 centre, double radius
 
 /// Legend entries for the valences that occur, each once, ascending.
 void legend_valences(Picture& picture, std::vector<int> valences);
+
+/// The one with the least scaled Jacobian, which pictures mark: only below 0.5, which is an angle of 30 degrees between
+/// the coordinate lines. -1: none is below, or the qualities are unknown.
+int worst_to_mark(const std::vector<double>& scaled_jacobians);
 
 /// "(0.5, -0.25)" with the face's origin added.
 std::string position_text(Vec2 x, Vec2 origin);

@@ -7,22 +7,27 @@
 #include <limits>
 #include <sstream>
 
+#include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::draw {
 
 namespace {
 
-constexpr double margin = 36, header = 76, legend_row = 34, caption_size = 13, caption_row = 18;
+constexpr double margin = 36, header = 76, legend_row = 34, title_size = 17, caption_size = 13, caption_row = 18;
 
 /// The common line styles: the boundary thick, blocks medium, elements thin.
 const char* const style_sheet = R"(
 svg{font-family:Helvetica,Arial,"Liberation Sans",sans-serif;fill:#26323d}
-path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
+path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
 .title{font-size:17px;font-weight:bold}
 .caption{font-size:13px;fill:#66727d}
 .legend{font-size:12px}
 .tick{font-size:11px;fill:#66727d}
+.file{font-size:13px;fill:#66727d;text-anchor:end}
+.frame{fill:none;stroke:#66727d;stroke-width:1}
+.scale{fill:none;stroke:#26323d;stroke-width:1.4}
 .face{fill:#f6f5f1;stroke:none;fill-rule:evenodd}
 .boundary{fill:none;stroke:#1d2731;stroke-width:2.6}
 .line{fill:none;stroke-width:1.8}
@@ -53,9 +58,19 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round}
 .error{fill:#1d2731;fill-opacity:.06;stroke:#1d2731;stroke-width:1}
 .inner{font-size:10px;font-weight:bold;text-anchor:middle;fill:#fff}
 .label{font-size:13px;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
+.name{font-size:13px;font-style:italic;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
 .small{font-size:10px;text-anchor:middle}
 path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
 )";
+
+/// The markup clipped to the rectangle from (0, 0) to `size`, with a thin frame.
+std::string in_frame(const std::string& markup, Vec2 size) {
+  const Attributes corners{{"width", svg_number(size.x)}, {"height", svg_number(size.y)}};
+  Attributes frame = corners;
+  frame.insert(frame.begin(), {"class", "frame"});
+  return svg_element("clipPath", {{"id", "window"}}, {}, svg_element("rect", corners)) +
+         "\n<g clip-path=\"url(#window)\">\n" + markup + "</g>\n" + svg_element("rect", frame) + '\n';
+}
 
 }  // namespace
 
@@ -78,6 +93,17 @@ PictureBox bounding_box(const CadFace& face) {
   return box;
 }
 
+PictureBox shown_box(const PictureBox& whole, Vec2 origin, const DrawOptions& options) {
+  if (!options.window) return whole;
+  const PictureBox shown{options.window->lower - origin, options.window->upper - origin};
+  const bool meets = whole.lower.x <= shown.upper.x && whole.upper.x >= shown.lower.x &&
+                     whole.lower.y <= shown.upper.y && whole.upper.y >= shown.lower.y;
+  if (!meets && !whole.empty())
+    throw UsageError(fmt::format("--window: nothing is there; the picture extends from {} to {}",
+                                 position_text(whole.lower + origin), position_text(whole.upper + origin)));
+  return shown;
+}
+
 double text_width(const std::string& text, double font_size) {
   const auto is_first_byte = [](unsigned char c) { return (c & 0xc0) != 0x80; };
   return 0.56 * font_size * static_cast<double>(std::count_if(text.begin(), text.end(), is_first_byte));
@@ -94,12 +120,23 @@ std::vector<std::string> wrapped_text(const std::string& text, double font_size,
   return lines;
 }
 
+double round_length(double limit) {
+  const double power = std::pow(10, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= limit * (1 + 1e-12)) return factor * power;
+  return power;
+}
+
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)),
-      view_(view_of(box, options.width, caption_lines_.size())),
-      legend_{margin, view_.top + view_.size.y + 2 * margin + 2, {}},
-      title_(title) {}
+    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)), title_(title) {
+  const double text = text_width(title, title_size) + text_width(options.file, caption_size);
+  (text + 2 * margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
+      options.file;
+  view_ = view_of(box, options.width, caption_lines_.size());
+  view_.is_window = options.window.has_value();
+  legend_ = {margin, view_.top + view_.size.y + 2 * margin + 2, {}};
+}
 
 Picture::View Picture::view_of(const PictureBox& box, int width, std::size_t num_caption_lines) {
   const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
@@ -120,7 +157,9 @@ void Picture::open_clipped_group(const std::string& css_class, const std::string
 }
 
 void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
-  texts_ +=
+  if (is_window() && !holds(x)) return;
+  texts_.boxes.push_back({x, {0.5 * text_width(content, caption_size) + 2, 8}});
+  texts_.markup +=
       svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(view_.size.y - x.y + 4)}}, {},
                   xml_escaped(content)) +
       '\n';
@@ -176,6 +215,24 @@ void Picture::legend_mark(const std::string& markup, const std::string& label) {
   legend_.x += width + 24;
 }
 
+void Picture::legend_scale(const std::string& unit) {
+  constexpr double longest = 130, tick = 4, gap = 8;
+  const double length = round_length(longest / view_.scale), bar = length * view_.scale;
+  const std::string label = fmt::format("{:g}{}{}", length, unit.empty() ? "" : " ", unit);
+  const double width = bar + gap + text_width(label, 12);
+  reserve_legend(width);
+  legend_.markup += svg_element("path", {{"class", "scale"},
+                                         {"d", fmt::format("M{0} {1}v{2}m0 -{3}h{4}m0 -{3}v{2}", svg_number(legend_.x),
+                                                           svg_number(legend_.y - tick), svg_number(2 * tick),
+                                                           svg_number(tick), svg_number(bar))}});
+  legend_.markup +=
+      svg_element("text",
+                  {{"class", "legend"}, {"x", svg_number(legend_.x + bar + gap)}, {"y", svg_number(legend_.y + 4)}}, {},
+                  xml_escaped(label)) +
+      '\n';
+  legend_.x += width + 24;
+}
+
 std::string Picture::str() const {
   const double left = margin + 0.5 * std::max(0.0, view_.width - 2 * margin - view_.size.x);
   const int height = static_cast<int>(std::ceil(legend_.y + (legend_.markup.empty() ? -14 : 32)));
@@ -187,6 +244,9 @@ std::string Picture::str() const {
   if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));
+  if (!file_.empty())
+    out += svg_element("text", {{"class", "file"}, {"x", svg_number(view_.width - margin)}, {"y", "32"}}, {},
+                       xml_escaped(file_));
   for (std::size_t i = 0; i < caption_lines_.size(); ++i)
     out += svg_element(
         "text",
@@ -194,9 +254,10 @@ std::string Picture::str() const {
         {}, xml_escaped(caption_lines_[i]));
   out += fmt::format("\n<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", svg_number(left),
                      svg_number(view_.top + view_.size.y));
-  out += drawing_ + "</g>\n";
+  out += is_window() ? in_frame(drawing_, view_.size) : drawing_;
+  out += "</g>\n";
   out += fmt::format("<g id=\"texts\" transform=\"translate({} {})\">\n{}</g>\n", svg_number(left),
-                     svg_number(view_.top), texts_);
+                     svg_number(view_.top), texts_.markup);
   if (!legend_.markup.empty()) out += "<g id=\"legend\">\n" + legend_.markup + "</g>\n";
   return out + "</svg>\n";
 }

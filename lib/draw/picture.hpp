@@ -4,6 +4,7 @@
 // Everything geometric is in pixels with y up, as `at` returns it, and is written into one group that flips y; texts
 // are outside this group.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,23 @@ struct PictureBox {
   bool empty() const { return !(lower.x <= upper.x); }
 };
 
+/// A rectangle in the picture, pixels, y up.
+struct TextBox {
+  Vec2 centre, half;
+  bool holds(Vec2 x) const { return std::abs(x.x - centre.x) < half.x && std::abs(x.y - centre.y) < half.y; }
+  bool overlaps(const TextBox& b) const {
+    return std::abs(b.centre.x - centre.x) < half.x + b.half.x && std::abs(b.centre.y - centre.y) < half.y + b.half.y;
+  }
+};
+
 /// The empty box.
 PictureBox empty_box();
 /// The box of the face's boundary curves, by dense sampling.
 PictureBox bounding_box(const CadFace& face);
+
+/// The box that the picture shows: the whole or, where the options have one, the window, which is in the coordinates of
+/// the file (`origin` included). Throws UsageError if nothing of the whole is in the window.
+PictureBox shown_box(const PictureBox& whole, Vec2 origin, const DrawOptions& options);
 
 class Picture {
  public:
@@ -34,6 +48,9 @@ class Picture {
   Vec2 at(Vec2 x) const { return view_.scale * (x - view_.lower); }
   double scale() const { return view_.scale; }  ///< pixels per unit of length
   Vec2 size() const { return view_.size; }      ///< of the drawing, pixels
+  bool is_window() const { return view_.is_window; }
+  /// Whether a point (pixels, y up) is in the drawing.
+  bool holds(Vec2 x) const { return x.x >= 0 && x.y >= 0 && x.x <= view_.size.x && x.y <= view_.size.y; }
 
   /// Markup inside the flipped group, in the order of the calls. Groups set a common class for many elements.
   void add(const std::string& markup) { drawing_ += markup + '\n'; }
@@ -42,27 +59,38 @@ class Picture {
   void open_clipped_group(const std::string& css_class, const std::string& outline);
   void close_group() { add("</g>"); }
 
-  /// A text centred at x (pixels, y up), moved by `offset`; drawn above everything.
+  /// A text centred at x (pixels, y up), drawn above everything; omitted outside a window.
   void text(Vec2 x, const std::string& css_class, const std::string& content);
+  /// The places of the texts, with some room around each.
+  const std::vector<TextBox>& text_boxes() const { return texts_.boxes; }
 
   /// Legend entries, drawn from left to right below the picture.
   void legend_bar(const Ramp& ramp, const std::string& label, const std::vector<std::string>& ticks);
   void legend_mark(const std::string& markup, const std::string& label);  ///< markup centred at (0, 0), y up
+
+  /// A scale bar with a round length in `unit`, which may be empty.
+  void legend_scale(const std::string& unit);
 
   /// The whole SVG.
   std::string str() const;
 
  private:
   struct View {
-    double scale = 1;  ///< pixels per unit of length
-    Vec2 lower;        ///< the point at the drawing's lower left corner
-    Vec2 size;         ///< of the drawing, pixels
-    int width = 0;     ///< of the picture, pixels
-    double top = 0;    ///< of the drawing, pixels from the top of the picture
+    double scale = 1;        ///< pixels per unit of length
+    Vec2 lower;              ///< the point at the drawing's lower left corner
+    Vec2 size;               ///< of the drawing, pixels
+    int width = 0;           ///< of the picture, pixels
+    double top = 0;          ///< of the drawing, pixels from the top of the picture
+    bool is_window = false;  ///< a part of the whole: the drawing is clipped
   };
   struct Legend {
     double x = 0, y = 0;  ///< of the next entry, pixels, y down
     std::string markup;
+  };
+
+  struct Texts {
+    std::string markup;
+    std::vector<TextBox> boxes;
   };
 
   static View view_of(const PictureBox& box, int width, std::size_t num_caption_lines);
@@ -71,9 +99,12 @@ class Picture {
   std::vector<std::string> caption_lines_;
   View view_;
   Legend legend_;
-  std::string title_, drawing_, texts_, definitions_;
+  Texts texts_;
+  std::string title_, file_, drawing_, definitions_;
 };
 
+/// The largest of 1, 2 and 5 times a power of ten that is at most `limit` > 0.
+double round_length(double limit);
 /// Approximate width of a text in pixels; `font_size` in pixels.
 double text_width(const std::string& text, double font_size);
 /// The text in lines of at most `width` pixels, broken between words; a longer word is a line of its own.

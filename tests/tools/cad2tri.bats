@@ -382,7 +382,7 @@ print(step_text("touching", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1.5 + 0j, 1 + 
   assert_equal "$(jq -c '.list.face["3"] | [.part, .layer]' list.json)" '["rig/bolt/shank","steel"]'
   cad2tri "$DATA/assemblies/parts.step" --face inlet -o inlet.tri.h5
   cad2tri "$DATA/assemblies/parts.step" --face 8 -o number.tri.h5
-  assert_equal "$(stageview inlet.tri.h5 | cksum)" "$(stageview number.tri.h5 | cksum)"
+  assert_equal "$(stageview <inlet.tri.h5 | cksum)" "$(stageview <number.tri.h5 | cksum)"
   run cad2tri "$DATA/assemblies/parts.step" --face bolt -o none.tri.h5
   assert_failure 3
   assert_output --partial '--face bolt: the faces 0-7 lie in the part or layer of this name: choose one by its number'

@@ -16,8 +16,10 @@ setup() {
     assert_output ''
     xmllint --noout a.svg
     run ! grep -iE '\bnan\b|\binf\b' a.svg
-    stageview <"$X.$file" >b.svg
+    stageview "$X.$file" >b.svg
     cmp a.svg b.svg
+    stageview <"$X.$file" >b.svg
+    cmp <(sed 's|<text class="file"[^<]*</text>||' a.svg) b.svg # without the name of the file
   done
 }
 
@@ -50,6 +52,13 @@ shown() { grep -cE "$1" a.svg; }
   assert_file_not_exists a.svg
 }
 
+@test "a picture has the name of the file without folders, and a scale bar with the unit" {
+  stageview "$X.quad.h5" -o a.svg
+  assert_equal "$(shown '>half_disc.quad.h5<')" 1
+  run ! grep -F "$BATS_FILE_TMPDIR" a.svg
+  assert_equal "$(shown 'class="scale"')$(shown '>0.2 mm<')" 11
+}
+
 @test "--field puts critical points over their field, and no other" {
   run -0 stageview "$X.crit.json" --field "$X.field.h5" -o a.svg
   assert [ "$(shown '<title>boundary curve')" -ge 2 ]
@@ -69,8 +78,14 @@ shown() { grep -cE "$1" a.svg; }
   assert_equal "$(shown '>0 inlet<')$(shown '>36 the hole<')" 11
   stageview gear.tri.h5 -o plain.svg
   run ! grep -q 'class="label"' plain.svg
-  run -2 stageview "$X.quad.h5" --curve-labels -o b.svg
-  assert_output --partial "--curve-labels needs a tri-mesh file"
+  assert_equal "$(grep -oP '(?<=class="name")[^>]*>\K[^<]+' plain.svg | sort | tr '\n' ' ')" "inlet the hole "
+  stageview gear.tri.h5 --no-curve-labels -o plain.svg
+  run ! grep -q '<text class="name"' plain.svg
+  fieldsolve gear.tri.h5 --field-order 2 | stageview -o a.svg
+  assert_equal "$(shown '<text class="name".*>inlet<')" 1
+  run -2 stageview "$X.crit.json" --curve-labels -o b.svg
+  assert_output --partial "--curve-labels needs --field for a critical-points file"
+  run -2 stageview gear.tri.h5 --curve-labels --no-curve-labels -o b.svg
 }
 
 @test "what is no stage file is refused with exit 3" {
@@ -86,6 +101,46 @@ shown() { grep -cE "$1" a.svg; }
     stageview "$X.$file" | rsvg-convert -o "$file.png"
     assert_file_not_empty "$file.png"
   done
+}
+
+@test "--window shows a part of the plane, in the coordinates of the file" {
+  for file in tri.h5 field.h5 crit.json sep.json blocks.h5 quad.h5; do
+    run -0 stageview "$X.$file" --window -1,0,0,0.5 -o a.svg
+    assert_output ''
+    xmllint --noout a.svg
+    assert_equal "$(shown 'class="frame"')$(shown '<clipPath id="window"><rect width="928" height="464"/>')" 11
+  done
+  run -2 stageview "$X.quad.h5" --window 5,5,6,6 -o b.svg
+  assert_output --regexp 'nothing is there; the picture extends from \(-1, .*\) to \(1, 1\)'
+  for window in 1,2,3 0,0,0,1 0,1,1,0 a,b,c,d 0,0,1,nan 0,0,1,1,; do
+    run -2 stageview "$X.quad.h5" --window "$window" -o b.svg
+    assert_line --partial "--window: '$window' is not X0,Y0,X1,Y1"
+  done
+  run -2 stageview "$X.quad.h5" --window 0,0,1,1 -o b.html
+  assert_file_not_exists b.svg
+}
+
+@test "names that end in .png and .pdf choose the format, with the same bytes each time" {
+  command -v rsvg-convert >/dev/null || skip "no rsvg-convert"
+  for ending in png pdf; do
+    run -0 stageview "$X.quad.h5" -o a.$ending
+    assert_output ''
+    sleep 1.1 # a time stamp would differ
+    stageview "$X.quad.h5" -o b.$ending
+    cmp a.$ending b.$ending
+  done
+  assert_equal "$(head -c 4 a.png | tail -c 3)$(head -c 4 a.pdf)" PNG%PDF
+  stageview "$X.quad.h5" --width 300 -o c.png
+  assert_equal "$(od -An -tu1 -j 18 -N 2 c.png | xargs)" "1 44" # 300 pixels
+}
+
+@test "without rsvg-convert, PNG and PDF are refused with a message, SVG is written" {
+  mkdir bin
+  ln -s "$BIN/stageview" bin/
+  PATH=$PWD/bin run -4 stageview "$X.quad.h5" -o a.png
+  assert_output "stageview: a.png: cannot be written: the program rsvg-convert is not installed (package librsvg2-bin of Debian): install it, or end the name in .svg"
+  assert_file_not_exists a.png
+  PATH=$PWD/bin run -0 stageview "$X.quad.h5" -o a.svg
 }
 
 @test "every stage file gives a page that needs nothing else, silently, and the same bytes twice" {
@@ -156,6 +211,7 @@ page_data() {
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 5
+  assert_equal "$(wc -l <examples)" 7
+  command -v rsvg-convert >/dev/null || sed -i '/p[dn][fg]$/d' examples
   while read -r line; do run -0 bash -c "$line"; done <examples
 }

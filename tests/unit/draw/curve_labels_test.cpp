@@ -38,15 +38,20 @@ struct Drawn {
   int num_omitted = 0, num_lines = 0, num_joints = 0;
 };
 
-Drawn drawn(const CadFace& face, int width) {
+Drawn drawn(const CadFace& face, int width, CurveLabels which = CurveLabels::all) {
   DrawOptions options;
   options.width = width;
   Picture picture(bounding_box(face), options, "", "");
   Drawn result;
-  result.num_omitted = label_curves(picture, face);
+  label_curves(picture, face, which);
   const std::string svg = picture.str();
-  result.num_lines = count(svg, "class=\"edge\""), result.num_joints = count(svg, "class=\"dot\"");
-  const std::regex text(R"re(<text class="label" x="([^"]*)" y="([^"]*)">([^<]*)</text>)re");
+  std::smatch found;
+  if (std::regex_search(svg, found, std::regex("without room for ([0-9]+) label")))
+    result.num_omitted = std::stoi(found[1]);
+  const int num_legend_dots = which == CurveLabels::all ? 1 : 0;
+  result.num_lines = count(svg, "class=\"edge\"");
+  result.num_joints = count(svg, "class=\"dot\"") - num_legend_dots;
+  const std::regex text(R"re(<text class="(?:label|name)" x="([^"]*)" y="([^"]*)">([^<]*)</text>)re");
   for (std::sregex_iterator m(svg.begin(), svg.end(), text), end; m != end; ++m)
     result.labels.push_back({std::stod((*m)[1]), std::stod((*m)[2]), text_width((*m)[3], 13), (*m)[3]});
   return result;
@@ -92,6 +97,36 @@ TEST(CurveLabels, ADegenerateCurveIsNoError) {
   CadFace face = polygon(4, "wall");
   face.curves[2] = curve::segment(face.joints[2].position, face.joints[2].position);
   EXPECT_EQ(drawn(face, 400).labels.size(), 4);
+}
+
+TEST(CurveLabels, GivenNamesStandOnceForSuccessiveCurves) {
+  CadFace face = polygon(8, "inlet");
+  face.curve_names = {"inlet", "curve_1", "wall", "wall", "wall", "outlet", "curve_6", "inlet"};
+  face.unnamed_curves = {1, 6};
+  const Drawn d = drawn(face, 600, CurveLabels::given);
+  std::vector<std::string> texts;
+  for (const Label& label : d.labels) texts.push_back(label.text);
+  std::sort(texts.begin(), texts.end());
+  EXPECT_EQ(texts, (std::vector<std::string>{"inlet", "outlet", "wall"})) << "curves 7 and 0 are successive";
+  EXPECT_EQ(d.num_joints, 0);
+  expect_no_overlap(d.labels);
+  face.curve_names.assign(8, "wall");
+  face.unnamed_curves.clear();
+  EXPECT_EQ(drawn(face, 600, CurveLabels::given).labels.size(), 1) << "a loop with one name";
+  EXPECT_EQ(drawn(face, 600, CurveLabels::none).labels.size(), 0);
+}
+
+TEST(CurveLabels, OtherTextsAreNotCovered) {
+  const CadFace face = polygon(4, "inlet");
+  DrawOptions options;
+  options.width = 600;
+  Picture picture(bounding_box(face), options, "", "");
+  const auto first = [](const Picture& p) { return p.text_boxes().back(); };
+  label_curves(picture, face, CurveLabels::given);
+  Picture crowded(bounding_box(face), options, "", "");
+  crowded.text(first(picture).centre, "label", "7");
+  label_curves(crowded, face, CurveLabels::given);
+  EXPECT_FALSE(first(crowded).overlaps(crowded.text_boxes().front()));
 }
 
 }  // namespace

@@ -355,7 +355,9 @@ TEST(Draw, BlocksShowNumbersInTheirMiddle) {
   EXPECT_EQ(count(measured, "on the boundary, valence 3<"), 1);
   EXPECT_EQ(count(measured, "1 irregular node"), 1);
 
-  layout.block_scaled_jacobian = {1, 1};
+  layout.block_scaled_jacobian = {0.25, 0.25};
+  EXPECT_EQ(count(draw_block_layout(layout, options), "class=\"worst\""), 2) << "one mark for the worst";
+  layout.block_scaled_jacobian = {1, 0.5};
   EXPECT_EQ(count(draw_block_layout(layout, options), "class=\"worst\""), 0) << "nothing to complain of";
 }
 
@@ -414,7 +416,13 @@ TEST(Draw, LengthsOfQuadsAreInTheCaptionIfTheFileHasThem) {
   EXPECT_EQ(count(svg, "scaled Jacobian 0.500, edge ratio 2.5<"), 1);
 }
 
-TEST(Draw, PerfectMeshHasNoRing) { EXPECT_EQ(count(draw_quad_mesh(two_quads(1, 1), {}), "class=\"ring\""), 0); }
+TEST(Draw, OnlyTheWorstIsRingedAndOnlyIfItIsPoor) {
+  QuadMesh mesh = two_quads(1, 0.49);
+  mesh.elem_scaled_jacobian[0] = 0.49;
+  EXPECT_EQ(count(draw_quad_mesh(mesh, {}), "<circle class=\"ring\""), 2) << "the ring and its legend";
+  for (const double quality : {0.5, 1.0})
+    EXPECT_EQ(count(draw_quad_mesh(two_quads(1, quality), {}), "class=\"ring\""), 0) << quality;
+}
 
 }  // namespace
 }  // namespace quadrille::draw

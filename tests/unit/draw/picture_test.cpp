@@ -6,6 +6,7 @@
 
 #include "../hand_made.hpp"
 #include "../support/texts.hpp"
+#include "base/error.hpp"
 
 namespace quadrille::draw {
 namespace {
@@ -96,6 +97,56 @@ TEST(Picture, LegendEntriesThatDoNotFitBeginANewRow) {
   EXPECT_EQ(height(1), height(2));
   EXPECT_EQ(height(3) - height(2), 34);
   EXPECT_GT(height(1), height(0));
+}
+
+TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
+  EXPECT_EQ(round_length(1), 1);
+  EXPECT_EQ(round_length(1.99), 1);
+  EXPECT_EQ(round_length(2), 2);
+  EXPECT_EQ(round_length(49), 20);
+  EXPECT_DOUBLE_EQ(round_length(0.0051), 0.005);
+  EXPECT_DOUBLE_EQ(round_length(9.99e-7), 5e-7);
+}
+
+TEST(Picture, TheScaleBarHasARoundLengthAndItsUnit) {
+  Picture picture({{0, 0}, {40, 10}}, wide(472), "", "");  // 10 pixels a unit
+  picture.legend_scale("mm");
+  const std::string svg = picture.str();
+  EXPECT_TRUE(contains(svg, ">10 mm</text>"));
+  EXPECT_TRUE(contains(svg, "h100m")) << "ten units";
+}
+
+TEST(Picture, TheFileStandsBesideTheTitleOrBelowItIfThereIsNoRoom) {
+  DrawOptions options = wide(472);
+  options.file = "a < b.h5";
+  const Picture beside({{0, 0}, {4, 1}}, options, "title", "caption");
+  EXPECT_TRUE(contains(beside.str(), "<text class=\"file\" x=\"436\" y=\"32\">a &lt; b.h5</text>"));
+  options.file = "a_name_that_is_too_long_for_a_place_beside_the_title.h5";
+  const std::string svg = Picture({{0, 0}, {4, 1}}, options, "title", "caption").str();
+  EXPECT_FALSE(contains(svg, "class=\"file\""));
+  EXPECT_TRUE(contains(svg, "<text class=\"caption\" x=\"36\" y=\"70\">a_name"));
+}
+
+TEST(Picture, AWindowIsClippedAndShowsNoTextsOutside) {
+  DrawOptions options = wide(472);
+  options.window = Window{{11, 20}, {12, 21}};
+  const PictureBox whole{{0, 0}, {4, 1}};
+  const PictureBox box = shown_box(whole, {10, 20}, options);
+  EXPECT_EQ(box.lower, (Vec2{1, 0}));
+  EXPECT_EQ(box.upper, (Vec2{2, 1}));
+  Picture picture(box, options, "", "");
+  picture.text({100, 100}, "label", "inside");
+  picture.text({-1, 100}, "label", "outside");
+  const std::string svg = picture.str();
+  EXPECT_TRUE(contains(svg, ">inside<") && !contains(svg, ">outside<"));
+  EXPECT_TRUE(contains(svg, "<clipPath id=\"window\"><rect width=\"400\" height=\"400\"/>"));
+  options.window = Window{{0, 0}, {1, 1}};
+  EXPECT_THROW(shown_box(whole, {10, 20}, options), UsageError);
+  EXPECT_EQ(shown_box(whole, {10, 20}, {}).upper, whole.upper);
+}
+
+TEST(Picture, LinesKeepTheirWidthWhenThePictureIsEnlarged) {
+  EXPECT_TRUE(contains(Picture(empty_box(), wide(472), "", "").str(), "vector-effect:non-scaling-stroke"));
 }
 
 TEST(Picture, ACaptionThatIsTooWideTakesLinesAndMovesTheDrawingDown) {
