@@ -71,7 +71,7 @@ void print_error(const Tool& tool, const Outcome& outcome) {
 
 void print_to_stdout(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw OutputError("standard output cannot be written");
+    throw OutputError("standard output: cannot be written");
 }
 
 void write_report_of(const Tool& tool, Session& session, const Outcome& outcome, const std::string& path) {

@@ -108,10 +108,10 @@ def require_outputs(outputs, inputs):
     named = [path for path in outputs if path and path != "-"]
     for k, path in enumerate(named):
         if os.path.isdir(path):
-            raise Failure(NOT_WRITTEN, f"{path} cannot be written: is a directory")
+            raise Failure(NOT_WRITTEN, f"{path}: cannot be written: is a directory")
         folder = os.path.dirname(path) or "."
         if not os.path.isdir(folder):
-            raise Failure(NOT_WRITTEN, f"{path} cannot be written: there is no folder {folder}")
+            raise Failure(NOT_WRITTEN, f"{path}: cannot be written: there is no folder {folder}")
         if any(_is_same_file(path, other) for other in inputs if other and other != "-"):
             raise mistake(f"the output {path} is an input")
         if any(_is_same_file(path, other) for other in named[:k]):
@@ -175,7 +175,7 @@ def write_file(path, content):
     except OSError as error:
         _remove_part()
         name = "standard output" if path == "-" else path
-        raise Failure(NOT_WRITTEN, f"{name} cannot be written: {error.strerror}") from None
+        raise Failure(NOT_WRITTEN, f"{name}: cannot be written: {error.strerror}") from None
 
 
 def _replace(path, content):
@@ -209,7 +209,7 @@ def _failure_of(error):
     if isinstance(error, Failure):
         return error
     if isinstance(error, OSError):
-        return Failure(NOT_WRITTEN, f"{error.filename or 'output'} cannot be written: {error.strerror}")
+        return Failure(NOT_WRITTEN, f"{error.filename or 'output'}: cannot be written: {error.strerror}")
     return Failure(INTERNAL, f"internal error, please report it: {error!r}")
 
 

@@ -33,7 +33,7 @@ require_tools() {
   command -v cad2tri >/dev/null || { echo "${0##*/}: no cad2tri on PATH; pipelines/quickstart builds it" >&2; exit 1; }
 }
 
-cannot_write() { echo "${0##*/}: $1 cannot be written: ${2##*: }" >&2; }
+cannot_write() { echo "${0##*/}: $1: cannot be written: ${2##*: }" >&2; }
 
 # make_folders [DIR]: stage files are kept in DIR; without DIR they are temporary. With --dry-run nothing is made.
 make_folders() {

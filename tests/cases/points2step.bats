@@ -201,7 +201,7 @@ names() { jq -c .names fit.json; }
   printf 'title\n0 0\n1 1\n2 0\n' | refused 'line 2: expected the numbers of points of the upper and lower side' --format lednicer
   printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose is the first or the last point: one side has no points'
   run -3 "$points2step" nowhere.txt
-  assert_output "points2step: nowhere.txt cannot be read: No such file or directory"
+  assert_output "points2step: nowhere.txt: cannot be read: No such file or directory"
   assert_nothing_left points
 }
 
@@ -226,11 +226,11 @@ names() { jq -c .names fit.json; }
   cmp a.step b.step
   cmp a.step c.step
   run -4 "$points2step" points -o nowhere/a.step
-  assert_output "points2step: nowhere/a.step cannot be written: there is no folder nowhere"
+  assert_output "points2step: nowhere/a.step: cannot be written: there is no folder nowhere"
   if [ -c /dev/full ]; then
     run -4 "$points2step" points -o /dev/full
     run -4 bash -c '"$1" points >/dev/full' - "$points2step"
-    assert_output "points2step: standard output cannot be written: No space left on device"
+    assert_output "points2step: standard output: cannot be written: No space left on device"
   fi
   mkfifo pipe
   "$points2step" points -o pipe &

@@ -58,7 +58,7 @@ def read_point_file(path):
     try:
         data = sys.stdin.buffer.read() if path == "-" else pathlib.Path(path).read_bytes()
     except OSError as error:
-        raise Failure(BAD_INPUT, f"{path} cannot be read: {error.strerror}") from None
+        raise Failure(BAD_INPUT, f"{path}: cannot be read: {error.strerror}") from None
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:

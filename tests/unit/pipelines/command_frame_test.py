@@ -115,7 +115,7 @@ class RunCommandTest(unittest.TestCase):
         self.check("raise frame.mistake('wrong')", 2, "tool: wrong\ntry 'tool --help'\n")
         self.check("raise frame.Failure(3, 'bad input')", 3, "tool: bad input\n")
         self.check("raise frame.Failure(1)", 1, "")
-        self.check("open('/no/file', 'w')", 4, "tool: /no/file cannot be written: No such file or directory\n")
+        self.check("open('/no/file', 'w')", 4, "tool: /no/file: cannot be written: No such file or directory\n")
         self.check("1 / 0", 70, "tool: internal error, please report it: ZeroDivisionError('division by zero')\n")
 
     def test_a_signal_ends_it_by_that_signal(self):
