@@ -39,8 +39,8 @@ double automatic_feature_size(const CadFace& face) {
   return std::min(of_diameter * face.diameter, whole.area / whole.perimeter);
 }
 
-double parse_feature_size(const std::string& text, const CadFace& face) {
-  if (text == "auto") return automatic_feature_size(face);
+std::optional<double> parse_feature_size(const std::string& text) {
+  if (text == "auto") return std::nullopt;
   double size = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
   if (error != std::errc() || end != text.data() + text.size() || !(size >= 0) || !std::isfinite(size))

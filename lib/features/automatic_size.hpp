@@ -1,6 +1,7 @@
 #pragma once
 // The feature size of a face when the user prescribes none.
 
+#include <optional>
 #include <string>
 
 #include "model/cad_face.hpp"
@@ -12,7 +13,7 @@ namespace quadrille::features {
 /// depends on the face alone, never on element sizes, so that refinement keeps the blocks.
 double automatic_feature_size(const CadFace& face);
 
-/// "auto", or a length, 0 for none. Throws UsageError.
-double parse_feature_size(const std::string& text, const CadFace& face);
+/// "auto", which gives std::nullopt, or a length, 0 for none. Throws UsageError.
+std::optional<double> parse_feature_size(const std::string& text);
 
 }  // namespace quadrille::features

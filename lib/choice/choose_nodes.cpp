@@ -1,0 +1,108 @@
+#include "choice/choose_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "base/error.hpp"
+#include "base/warning_codes.hpp"
+#include "features/automatic_size.hpp"
+#include "features/resolve_features.hpp"
+#include "field/evaluate.hpp"
+#include "galerkin/phase_energy.hpp"
+#include "guide/complete_nodes.hpp"
+#include "guide/index_sum.hpp"
+#include "guide/line_field.hpp"
+#include "guide/override_corners.hpp"
+#include "guide/resolve_clusters.hpp"
+
+namespace quadrille::choice {
+namespace {
+
+/// The solver that serves both the field tilted at ties and the energy of the nodes, so that the system is factored
+/// once. It is made at first use, because most fields need neither.
+class SharedSolver {
+ public:
+  SharedSolver(const Field& field, int num_threads) : field_(field), num_threads_(num_threads) {}
+  const std::shared_ptr<galerkin::PhaseSolver>& get() {
+    if (!solver_) solver_ = std::make_shared<galerkin::PhaseSolver>(field_.mesh, field_.elem_order, num_threads_);
+    return solver_;
+  }
+
+ private:
+  const Field& field_;
+  int num_threads_;
+  std::shared_ptr<galerkin::PhaseSolver> solver_;
+};
+
+/// The field's zeros as they are, or with ties those of the field tilted at them.
+CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, SharedSolver& solver,
+                        Report& report) {
+  const CadFace& face = evaluator.field().mesh.face;
+  const ties::TieOrbits ties = ties::tie_orbits(face);
+  if (options.ties == ties::TiePolicy::choose && !ties.ties.empty()) {
+    const auto solve = [&](const std::vector<field::LiftedData>& data) { return solver.get()->harmonic_parts(data); };
+    return ties::choose_at_ties(evaluator, ties, solve, {options.search, options.max_valence}, report);
+  }
+  CriticalPoints points = guide::find_critical_points(evaluator, options.search, report);
+  guide::resolve_clusters(face, options.max_valence, points);
+  return points;
+}
+
+/// Nodes and corners: by rule where the zeros of the field cannot be isolated.
+CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOptions& options, SharedSolver& solver,
+                        Report& report) {
+  try {
+    return zeros_of(evaluator, options, solver, report);
+  } catch (const ComputeError& error) {
+    report.warn(warning::nodes_by_rule,
+                fmt::format("{}: corner valences and nodes are chosen by rule instead; look at the layout, and improve "
+                            "it with --corner-valence or by editing the nodes",
+                            error.what()));
+  }
+  return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
+}
+
+void place(const Field& field, const NodeOptions& options, SharedSolver& solver, CriticalPoints& points,
+           Report& report) {
+  std::vector<bool> is_free = guide::nodes_without_position(field.mesh.face, points);
+  if (options.place == placement::PlaceRule::energy)
+    for (std::size_t i = 0; i < is_free.size(); ++i)
+      is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
+  if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
+  const auto energy = galerkin::phase_energy_function(solver.get(), {points.hole_winding_offsets});
+  const auto of_points = [&](const CriticalPoints& at) {
+    galerkin::PhaseEnergy e = energy(phase_nodes_of(at));
+    return placement::NodeEnergy{e.value, std::move(e.gradient)};
+  };
+  placement::place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);
+}
+
+}  // namespace
+
+CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int num_threads, Report& report,
+                            const PartBegins& begin) {
+  const auto begin_part = [&](const char* name) {
+    if (begin) begin(name);
+  };
+  begin_part("search");
+  const CadFace& face = field.mesh.face;
+  const field::FieldEvaluator evaluator(field);
+  SharedSolver solver(field, num_threads);
+  CriticalPoints points = nodes_of(evaluator, options, solver, report);
+  begin_part("resolve");
+  guide::override_corners(face, options.overrides, points);
+  if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
+  guide::report_sharp_corners(face, points, report);
+  const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
+  features::resolve_features(face, feature_size, points);
+  report.set("feature_size", feature_size);
+  guide::require_index_sum(points);
+  begin_part("place");
+  place(field, options, solver, points, report);
+  guide::complete_nodes(evaluator, points);
+  return points;
+}
+
+}  // namespace quadrille::choice

@@ -1,0 +1,35 @@
+#include "choice/choose_nodes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/polygon_field.hpp"
+#include "base/error.hpp"
+
+namespace quadrille::choice {
+namespace {
+
+const std::vector<Vec2> hexagon{{2, 0}, {1, 1.7}, {-1, 1.7}, {-2, 0}, {-1, -1.7}, {1, -1.7}};
+
+TEST(ChooseNodes, TheIndexSumHoldsAndThePartsBeginInOrder) {
+  const Field field = adapted_field(polygon_face(hexagon));
+  Report report;
+  std::vector<std::string> parts;
+  const CriticalPoints points = choose_nodes(field, {}, 1, report, [&](const char* part) { parts.emplace_back(part); });
+  EXPECT_EQ(parts, (std::vector<std::string>{"search", "resolve", "place"}));
+  EXPECT_EQ(index_sum_of(points), 4);
+  for (const CriticalPoint& node : points.critical_points) EXPECT_GE(node.elem, 0) << "elements are set";
+}
+
+TEST(ChooseNodes, OverridesAreUsedAndCheckedAgainstTheFace) {
+  const Field field = adapted_field(polygon_face({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  Report report;
+  NodeOptions options;
+  options.overrides = {{0, 1, 2}};
+  EXPECT_EQ(index_sum_of(choose_nodes(field, options, 1, report)), 4);
+  EXPECT_EQ(choose_nodes(field, options, 1, report).critical_points.size(), 1U);
+  options.overrides = {{0, 2, 1}};
+  EXPECT_THROW(choose_nodes(field, options, 1, report), UsageError);
+}
+
+}  // namespace
+}  // namespace quadrille::choice
