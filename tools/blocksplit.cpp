@@ -1,5 +1,7 @@
 // Turns the graph of separatrices into a conforming layout of four-sided blocks.
 
+#include <optional>
+
 #include "block/make_blocks.hpp"
 #include "block/name_blocks.hpp"
 #include "block/report_layout.hpp"
@@ -36,18 +38,16 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
+    std::optional<io::InputFile> names_file;  // read before SEP, which may be made for long
+    if (!names.empty()) names_file = io::read_input(names);
+    const std::vector<NameRule> rules = names_file ? io::read_block_names(*names_file) : std::vector<NameRule>();
     const io::InputFile file = io::read_input(input);
     const SeparatrixGraph graph = io::read_separatrix_graph(file);
     check::require_valid(check::check_separatrix_graph(graph, check::CheckDepth::quick), file.name);
     s.begin_phase("blocks");
     block::Blocks blocks = block::make_blocks(graph, s.report());
     std::vector<InputDigest> inputs{file.digest("separatrix-graph")};
-    std::vector<NameRule> rules;
-    if (!names.empty()) {
-      const io::InputFile names_file = io::read_input(names);
-      rules = io::read_block_names(names_file);
-      inputs.push_back(names_file.digest("block-names"));
-    }
+    if (names_file) inputs.push_back(names_file->digest("block-names"));
     block::name_blocks(blocks.layout, rules);
     blocks.layout.provenance = s.provenance(graph.provenance, inputs);
     s.info(block::summarise_layout(blocks.layout, blocks.measures));

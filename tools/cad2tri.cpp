@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/angle.hpp"
 #include "base/counted.hpp"
@@ -160,6 +161,10 @@ int main(int argc, char** argv) {
     const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     if (!healed.empty()) healed_format(healed);  // a wrong name is told before any work
+    std::optional<io::InputFile> names_file;
+    if (!names.empty()) names_file = io::read_input(names);
+    const std::vector<NameRule> name_rules =
+        names_file ? io::read_boundary_names(*names_file) : std::vector<NameRule>();
     const io::InputFile file = io::read_input(input);
     if (is_listing) return list_faces(file, output, s.report());
     s.begin_phase("load");
@@ -168,12 +173,7 @@ int main(int argc, char** argv) {
     CadFace& face = loaded.face;
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
-    std::vector<NameRule> name_rules;
-    if (!names.empty()) {
-      const io::InputFile names_file = io::read_input(names);
-      name_rules = io::read_boundary_names(names_file);
-      inputs.push_back(names_file.digest("boundary-names"));
-    }
+    if (names_file) inputs.push_back(names_file->digest("boundary-names"));
     cad::rename_curves(face, name_rules, chosen_names);
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);

@@ -9,6 +9,7 @@
 #include "cli/tool_main.hpp"
 #include "features/automatic_size.hpp"
 #include "field/error_estimate.hpp"
+#include "guide/override_corners.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 
@@ -62,7 +63,7 @@ void declare(cli::Options& o, NodeArguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-";
+  std::string input = "-", output = "-", shape;
   NodeArguments arguments;
   cli::Tool tool;
   tool.name = "critpoints";
@@ -89,9 +90,11 @@ int main(int argc, char** argv) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
     o.output(output, "file of the nodes and corners; - is standard output");
     declare(o, arguments);
+    o.hidden_text("--check-shape", shape);
   };
   tool.run = [&](cli::Session& s) {
     const choice::NodeOptions options = arguments.parsed();
+    if (!shape.empty()) return guide::require_corners(io::read_face(io::read_input(shape)), options.overrides);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     Field field = io::read_field(file);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -165,6 +166,19 @@ void write_mesh(const std::string& input, const std::string& output, const std::
   s.end_phase();
 }
 
+/// Before there is a mesh.
+void require_order(const exports::ExportFormat& format, const std::string& mesh_order) {
+  if (std::atoi(mesh_order.c_str()) > format.max_order)
+    throw UsageError(fmt::format("--order {}: the format {} supports quads up to order {}", mesh_order, format.name,
+                                 format.max_order));
+}
+
+/// What the options ask of the shape, before there is a mesh.
+void check_shape(const CadFace& face, const exports::ExportOptions& options) {
+  length_scale(face, options.length);
+  exports::require_boundaries(face.curve_names, options.patch_types);
+}
+
 /// "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10; ..."
 std::string format_list() {
   std::string list;
@@ -183,6 +197,8 @@ std::vector<std::string> unit_choices() {
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", format = "auto", frame = "2d";
+  std::string shape;       // of --check-shape
+  std::string mesh_order;  // of the mesh that a pipeline is going to make
   bool allow_invalid = false;
   exports::ExportOptions options;
   std::vector<std::string> patch_types, formats{"auto"};
@@ -220,6 +236,8 @@ int main(int argc, char** argv) {
     o.flag("--block-groups", options.block_groups,
            "write each block that has no name of its own as a region of its own, named by its number; without it all "
            "blocks without a name are one region");
+    o.hidden_text("--check-shape", shape);
+    o.hidden_text("--mesh-order", mesh_order);
     o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
   };
   tool.run = [&](cli::Session& s) {
@@ -230,6 +248,8 @@ int main(int argc, char** argv) {
     if (is_step && !options.patch_types.empty())
       throw UsageError("--patch-type: a STEP model has no types of boundaries");
     if (!is_step) exports::require_options(*exports::find_export_format(name), options);
+    if (!is_step && !mesh_order.empty()) require_order(*exports::find_export_format(name), mesh_order);
+    if (!shape.empty()) return check_shape(io::read_face(io::read_input(shape)), options);
     if (is_step)
       write_step(input, output, options.length);
     else

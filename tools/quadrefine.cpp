@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "base/counted.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
@@ -23,7 +25,8 @@ namespace {
 struct SizeArguments {
   sizing::SizeOptions options;
   std::vector<std::string> near, counts;
-  std::string file;
+  std::string path;
+  std::optional<io::InputFile> file;  ///< of `path`, once it is read
   sizing::SizeRule rule = sizing::SizeRule::nearest;
 };
 
@@ -31,7 +34,7 @@ void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
   o.texts("--size-near", sizes.near, "NAME=H",
           "edge length H along the boundary NAME, growing with the distance from it");
-  o.input_file("--size-field", sizes.file, "FILE",
+  o.input_file("--size-field", sizes.path, "FILE",
                "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
   o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",
            "edge lengths from the curvature of the boundary; 0: none");
@@ -45,25 +48,29 @@ void declare(cli::Options& o, SizeArguments& sizes) {
           "arc_chord in BLOCKS show the numbers of the chords");
 }
 
-/// The texts of the command line, before any file is read.
+/// The texts of the command line and the file of prescribed sizes, before the blocks are read.
 void parse(SizeArguments& sizes, const std::vector<std::string>& walls, refine::RefineOptions& options) {
   for (const std::string& text : sizes.near) sizes.options.near.push_back(sizing::parse_near_size(text));
   for (const std::string& text : sizes.counts) options.counts.push_back(sizing::parse_chord_count(text));
   for (const std::string& wall : walls) options.walls.push_back(layers::parse_wall_spec(wall));
   options.validate();
+  sizes.options.validate();
+  if (sizes.path.empty()) return;
+  sizes.file = io::read_input(sizes.path);
+  io::read_size_field(*sizes.file, {});
 }
 
-/// Reads the file of prescribed sizes, and sets the sizes of `options`.
-void set_sizes(const SizeArguments& sizes, const CadFace& face, std::vector<InputDigest>& inputs,
-               refine::RefineOptions& options) {
+void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOptions& options) {
   sizing::SizeOptions prescribed = sizes.options;
-  if (!sizes.file.empty()) {
-    const io::InputFile file = io::read_input(sizes.file);
-    prescribed.sources = io::read_size_field(file, face.origin);
-    inputs.push_back(file.digest("size-field"));
-  }
+  if (sizes.file) prescribed.sources = io::read_size_field(*sizes.file, face.origin);
   options.size_field = sizing::make_size_field(face, prescribed);
   options.size_rule = sizes.rule;
+}
+
+/// Whether the boundaries that the options name exist, before there are blocks.
+void require_boundaries(const SizeArguments& sizes, refine::RefineOptions& options, const CadFace& face) {
+  set_sizes(sizes, face, options);
+  layers::curve_walls(options.walls, face);
 }
 
 }  // namespace
@@ -72,7 +79,7 @@ int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   refine::RefineOptions options;
   SizeArguments sizes;
-  std::string blocks;
+  std::string blocks, shape;
   std::vector<std::string> walls;
   cli::Tool tool;
   tool.name = "quadrefine";
@@ -123,16 +130,19 @@ int main(int argc, char** argv) {
     o.integer("--max-elements", options.max_elements, 1, 100000000,
               "refuse sizes that require more quads, with exit code 1 and an estimate of their number, before they "
               "take memory");
+    o.hidden_text("--check-shape", shape);
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
     parse(sizes, walls, options);
+    if (!shape.empty()) return require_boundaries(sizes, options, io::read_face(io::read_input(shape)));
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_block_layout(file);
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("block-layout")};
-    set_sizes(sizes, layout.face, inputs, options);
+    if (sizes.file) inputs.push_back(sizes.file->digest("size-field"));
+    set_sizes(sizes, layout.face, options);
     if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());

@@ -1,9 +1,10 @@
 #pragma once
 // Converts names from other programs and people to names as the stage files store them (valid UTF-8, one line,
-// trimmed), and compares them with patterns.
+// trimmed), compares them with patterns, and finds the one that a mistyped word stands for.
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace quadrille {
 
@@ -21,5 +22,14 @@ std::string clean_name(std::string_view text);
 /// Whether the whole `text` fits `pattern`, both UTF-8: * is any text, also none, ? one character, all others are
 /// themselves. Upper and lower case differ. Cost: product of the lengths.
 bool matches_wildcard(std::string_view text, std::string_view pattern);
+
+/// Of `words`, the one with the fewest typing errors (letters that are missing, surplus, wrong or exchanged with their
+/// neighbour), at most one in four letters and the first of several; a beginning of a word, of at least 5 letters
+/// ("--ver"), counts as one error. An empty text if no word is that similar. pipelines/lib/nearest_word.py has the same
+/// rule.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
+
+/// " (did you mean NEAREST?)", or an empty text: for a message, behind the word.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
 
 }  // namespace quadrille

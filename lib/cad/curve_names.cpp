@@ -37,11 +37,13 @@ std::vector<int> curve_of_number(const CadFace& face, int number) {
   return 0 <= number && number < face.num_curves() ? std::vector<int>{number} : std::vector<int>();
 }
 
-std::string known_curves(const CadFace& face) {
+/// The names, after the one that `text` may stand for.
+std::string known_curves(const CadFace& face, const std::string& text = {}) {
   std::vector<std::string> known;
   for (int c = 0; c < std::min(face.num_curves(), 20); ++c)
     known.push_back(fmt::format("{} \"{}\"", c, face.curve_names[c]));
-  return fmt::format("the curves are {}{}", fmt::join(known, ", "), face.num_curves() > 20 ? ", ..." : "");
+  return fmt::format("{}; the curves are {}{}", text.empty() ? "" : did_you_mean(text, face.curve_names),
+                     fmt::join(known, ", "), face.num_curves() > 20 ? ", ..." : "");
 }
 
 std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
@@ -73,13 +75,13 @@ std::vector<int> curves_of_pattern(const CadFace& face, const NameRule& rule) {
     if (matches_wildcard(face.curve_names[c], rule.text)) curves.push_back(c);
   if (curves.empty())
     throw FormatError(
-        fmt::format("{}: no boundary curve has the name {}; {}", rule.where, rule.text, known_curves(face)));
+        fmt::format("{}: no boundary curve has the name {}{}", rule.where, rule.text, known_curves(face, rule.text)));
   return curves;
 }
 
 std::vector<int> curves_of_range(const CadFace& face, const NameRule& rule) {
   if (rule.last_number >= face.num_curves())
-    throw FormatError(fmt::format("{}: no boundary curve has the number {}; {}", rule.where,
+    throw FormatError(fmt::format("{}: no boundary curve has the number {}{}", rule.where,
                                   std::max(rule.number, face.num_curves()), known_curves(face)));
   std::vector<int> curves;
   for (int c = rule.number; c <= rule.last_number; ++c) curves.push_back(c);
@@ -95,7 +97,8 @@ std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
     curves = curves_of_name(face, rule.text);
   if (curves.empty() && rule.kind != NameRule::Kind::old_name) curves = curve_of_number(face, rule.number);
   if (curves.empty())
-    throw FormatError(fmt::format("{}: no boundary curve has this name or number; {}", rule.where, known_curves(face)));
+    throw FormatError(
+        fmt::format("{}: no boundary curve has this name or number{}", rule.where, known_curves(face, rule.text)));
   return curves;
 }
 

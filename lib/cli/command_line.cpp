@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/json_string.hpp"
-#include "cli/nearest_word.hpp"
+#include "base/name_text.hpp"
 #include "cli/overwrite.hpp"
 
 namespace quadrille::cli {
@@ -65,8 +65,10 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   return arguments;
 }
 
-/// For pipelines, not shown by --help: the title and the start of the line of progress; warnings only in the report.
-const std::set<std::string> hidden{"list-options", "progress-title", "progress-since", "silent-warnings"};
+/// For pipelines, not shown by --help: the title and the start of the line of progress; warnings only in the report;
+/// the name of the command whose command line has the options.
+const std::set<std::string> always_hidden{"list-options", "progress-title", "progress-since", "silent-warnings",
+                                          "called-by"};
 
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
@@ -131,6 +133,7 @@ struct CommandLine::Impl {
   CLI::App app;
   std::map<std::string, std::function<std::string()>> recorded;
   std::map<std::string, std::string> old_names;  ///< old flag -> present flag
+  std::set<std::string> hidden = always_hidden;
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
@@ -248,6 +251,11 @@ void CommandLine::flag(const std::string& flag, bool& value, const std::string& 
   impl_->record(flag, [&value] { return value ? "true" : "false"; });
 }
 
+void CommandLine::hidden_text(const std::string& flag, std::string& value) {
+  impl_->app.add_option(flag, value)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  impl_->hidden.insert(Impl::key(flag));
+}
+
 void CommandLine::formerly(const std::string& old_flag, const std::string& flag) { impl_->old_names[old_flag] = flag; }
 
 void CommandLine::add_common(CommonOptions& common) {
@@ -266,6 +274,7 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->app.add_option("--progress-title", common.progress_title);
   impl_->app.add_option("--progress-since", common.progress_since);
   impl_->app.add_flag("--silent-warnings", common.silent_warnings);
+  impl_->app.add_option("--called-by", common.called_by);
   const std::vector<HelpRow> flags{{"-v, --verbose", "report what is done; given twice: also the time of each phase"},
                                    {"-q, --quiet", "print errors only, no warnings"},
                                    {"-h, --help", "print this help and exit"},
@@ -309,11 +318,11 @@ std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {
     return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
   };
-  const std::set<std::string> common{"help", "version", "list-options", "output"};
+  const std::set<std::string> common{"help", "version", "output"};
   std::string out;
   for (const CLI::Option* option : impl_->declared)
     for (const std::string& name : option->get_lnames())
-      if (!common.contains(name)) out += line("--" + name, option);
+      if (!common.contains(name) && !impl_->hidden.contains(name)) out += line("--" + name, option);
   for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
   return out;
 }

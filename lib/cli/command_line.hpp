@@ -15,6 +15,7 @@ struct CommonOptions {
   int verbosity = 0;             ///< -1 quiet, 0, 1, 2
   std::string progress_title;    ///< of the line, by a pipeline that runs the command; empty: the command's name
   double progress_since = 0;     ///< start of the pipeline, Unix time in seconds; 0: none
+  std::string called_by;         ///< the pipeline whose command line has the options: its name stands before mistakes
   bool silent_warnings = false;  ///< they are only reported: a pipeline prints them
   std::string report;
   std::string progress = "auto";
@@ -44,6 +45,7 @@ class CommandLine : public Options {
   void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
              const std::string& help) override;
   void flag(const std::string& flag, bool& value, const std::string& help) override;
+  void hidden_text(const std::string& flag, std::string& value) override;
   void formerly(const std::string& old_flag, const std::string& flag) override;
 
   /// Adds the options of every command; called after the tool has declared its own.

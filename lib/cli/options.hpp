@@ -34,6 +34,8 @@ class Options {
   virtual void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
                      const std::string& help) = 0;
   virtual void flag(const std::string& flag, bool& value, const std::string& help) = 0;
+  /// For pipelines: neither shown by --help, nor listed, nor recorded.
+  virtual void hidden_text(const std::string& flag, std::string& value) = 0;
 
   /// One of the names of an enum.
   template <NamedEnum Enum>

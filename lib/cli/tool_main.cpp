@@ -64,9 +64,13 @@ Outcome outcome_of(const Work& work) {
   }
 }
 
-void print_error(const Tool& tool, const Outcome& outcome) {
-  fmt::print(stderr, "{}: {}\n", tool.name, outcome.message);
-  if (outcome.code == ExitCode::usage) fmt::print(stderr, "try '{} --help'\n", tool.name);
+/// A mistake on the command line of a pipeline is one of its own: what is wrong with its options, or begins with one.
+void print_error(const Tool& tool, const Outcome& outcome, const std::string& called_by = {}) {
+  const bool is_of_caller =
+      !called_by.empty() && (outcome.code == ExitCode::usage || outcome.message.starts_with("--"));
+  const std::string& name = is_of_caller ? called_by : tool.name;
+  fmt::print(stderr, "{}: {}\n", name, outcome.message);
+  if (outcome.code == ExitCode::usage) fmt::print(stderr, "try '{} --help'\n", name);
 }
 
 void print_to_stdout(const std::string& text) {
@@ -147,8 +151,8 @@ void set_up_heap() {
 int tool_main(int argc, char** argv, const Tool& tool) {
   set_up_heap();
   install_signal_handlers();
+  CommonOptions common;
   const Outcome outcome = [&]() -> Outcome {
-    CommonOptions common;
     CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
     Request request = Request::run;
     Outcome parsing = outcome_of([&] {
@@ -166,7 +170,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
     return run_session(tool, session, common);
   }();
-  if (outcome.code != ExitCode::done) print_error(tool, outcome);
+  if (outcome.code != ExitCode::done) print_error(tool, outcome, common.called_by);
   return static_cast<int>(outcome.code);
 }
 

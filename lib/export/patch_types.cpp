@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 
 #include "base/error.hpp"
@@ -61,20 +62,24 @@ std::vector<PatchType> patch_type_options(const std::vector<std::string>& option
 }
 
 std::vector<std::string> patch_types(const QuadMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen) {
+  require_boundaries(groups.boundary_names, chosen);
   std::vector<std::string> result;
   for (int b = 0; b < groups.num_boundaries(); ++b) result.push_back(type_by_name(mesh, groups, b));
-  for (const PatchType& choice : chosen) {
-    bool is_used = false;
-    for (int b = 0; b < groups.num_boundaries(); ++b) {
-      if (!matches_wildcard(groups.boundary_names[b], choice.pattern)) continue;
-      result[b] = choice.type;
-      is_used = true;
-    }
-    if (!is_used)
-      throw UsageError(fmt::format("--patch-type {}={}: no boundary has this name; the boundaries are {}",
-                                   choice.pattern, choice.type, fmt::join(groups.boundary_names, ", ")));
-  }
+  for (const PatchType& choice : chosen)
+    for (int b = 0; b < groups.num_boundaries(); ++b)
+      if (matches_wildcard(groups.boundary_names[b], choice.pattern)) result[b] = choice.type;
   return result;
+}
+
+void require_boundaries(const std::vector<std::string>& names, const std::vector<PatchType>& chosen) {
+  for (const PatchType& choice : chosen) {
+    const auto fits = [&](const std::string& name) { return matches_wildcard(name, choice.pattern); };
+    if (std::any_of(names.begin(), names.end(), fits)) continue;
+    const std::set<std::string> distinct(names.begin(), names.end());
+    throw UsageError(fmt::format("--patch-type {}={}: no boundary has this name{}; the boundaries are {}",
+                                 choice.pattern, choice.type, did_you_mean(choice.pattern, names),
+                                 fmt::join(distinct, ", ")));
+  }
 }
 
 }  // namespace quadrille::exports

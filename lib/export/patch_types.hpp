@@ -20,7 +20,10 @@ std::vector<PatchType> patch_type_options(const std::vector<std::string>& option
 
 /// The type of each boundary: the last fitting one of `chosen`; else by the beginning of the name, in upper or lower
 /// case: wall, symmetry (symmetryPlane if all its edges lie on one line, within 1e-6 diameters), empty; else patch.
-/// Throws UsageError for an entry of `chosen` that fits no boundary.
+/// Throws as require_boundaries.
 std::vector<std::string> patch_types(const QuadMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen);
+
+/// Throws UsageError, with the nearest name, for an entry of `chosen` that fits none of the names of boundaries.
+void require_boundaries(const std::vector<std::string>& names, const std::vector<PatchType>& chosen);
 
 }  // namespace quadrille::exports

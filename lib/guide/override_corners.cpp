@@ -13,6 +13,7 @@
 #include "base/tie_classes.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/node_ring.hpp"
+#include "guide/valence.hpp"
 #include "placement/clearance.hpp"
 
 namespace quadrille::guide {
@@ -222,6 +223,10 @@ class Overrider {
 
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points) {
   Overrider(face, demands_of(face, overrides, points.corners), points).run();
+}
+
+void require_corners(const CadFace& face, const std::vector<CornerOverride>& overrides) {
+  demands_of(face, overrides, corner_valences_by_angle(face).corners);
 }
 
 }  // namespace quadrille::guide

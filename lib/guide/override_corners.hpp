@@ -19,4 +19,7 @@ namespace quadrille::guide {
 /// corner, if the valence is not admissible (guide/admissible_valence) or if one corner gets two.
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points);
 
+/// Throws UsageError for overrides that `override_corners` would refuse, from the face alone.
+void require_corners(const CadFace& face, const std::vector<CornerOverride>& overrides);
+
 }  // namespace quadrille::guide

@@ -21,6 +21,8 @@ CriticalPoints read_critical_points(const InputFile& file);
 SeparatrixGraph read_separatrix_graph(const InputFile& file);
 BlockLayout read_block_layout(const InputFile& file);
 QuadMesh read_quad_mesh(const InputFile& file);
+/// The CAD face at the root of x.tri.h5, x.sep.json, x.blocks.h5 or x.quad.h5, whatever else is in the file.
+CadFace read_face(const InputFile& file);
 
 void write_tri_mesh(const std::string& path, const TriMesh& mesh);
 void write_field(const std::string& path, const Field& field);

@@ -7,6 +7,7 @@
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "io/cad_face_io.hpp"
 #include "io/checksum.hpp"
 #include "io/hdf5_archive.hpp"
 #include "io/json_archive.hpp"
@@ -129,6 +130,15 @@ std::string stage_format(const InputFile& file) {
   if (std::find(std::begin(known), std::end(known), format) == std::end(known))
     throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, clean_name(format)));
   return format;
+}
+
+CadFace read_face(const InputFile& file) {
+  CadFace face;
+  if (looks_like_hdf5(file.bytes))
+    read_safely(file, [&](const Hdf5Reader& reader) { describe_face(*hdf5_archive(reader.root()), face); });
+  else
+    describe_face(JsonReader(file.bytes, file.name).root(), face);
+  return face;
 }
 
 }  // namespace quadrille::io

@@ -110,7 +110,7 @@ std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& 
   std::vector<int> walls(face.curves.size(), -1);
   for (std::size_t i = 0; i < specs.size(); ++i)
     for (const std::string& name : specs[i].names)
-      for (const int curve : sizing::named_curves(face, name)) {
+      for (const int curve : sizing::named_curves(face, name, "--wall")) {
         if (walls[curve] >= 0)
           throw UsageError(
               fmt::format("--wall: the boundary '{}' is named twice: a boundary has one set of layers", name));

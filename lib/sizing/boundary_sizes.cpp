@@ -11,6 +11,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::sizing {
@@ -76,7 +77,7 @@ bool is_straight(const Nurbs& curve) { return curve.degree == 1; }
 
 }  // namespace
 
-std::vector<int> named_curves(const CadFace& face, const std::string& name) {
+std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option) {
   std::vector<int> curves;
   for (int c = 0; c < face.num_curves(); ++c)
     if (face.curve_names[c] == name) curves.push_back(c);
@@ -86,8 +87,9 @@ std::vector<int> named_curves(const CadFace& face, const std::string& name) {
   if (curves.empty() && is_number && number >= 0 && number < face.num_curves()) curves.push_back(number);
   if (!curves.empty()) return curves;
   const std::set<std::string> known(face.curve_names.begin(), face.curve_names.end());
-  throw UsageError(fmt::format("there is no boundary \"{}\"; the names are {} (or use the numbers 0 to {})", name,
-                               fmt::join(known, ", "), face.num_curves() - 1));
+  throw UsageError(fmt::format("{}: there is no boundary \"{}\"{}; the names are {} (or use the numbers 0 to {})",
+                               option, name, did_you_mean(name, face.curve_names), fmt::join(known, ", "),
+                               face.num_curves() - 1));
 }
 
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope) {

@@ -14,8 +14,8 @@
 namespace quadrille::sizing {
 
 /// The curves named `name` or, if no curve has that name, the curve of that number. Throws UsageError, which lists the
-/// names, if the face has no such curve.
-std::vector<int> named_curves(const CadFace& face, const std::string& name);
+/// names, the nearest one first, if the face has no such curve; `option` is at the beginning of its message.
+std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option);
 
 /// `size` along one curve. `slope` > 0: growth of sizes per distance from it.
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope);

@@ -48,7 +48,8 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
     segments.insert(segments.end(), more.begin(), more.end());
   };
   for (const NearSize& near : options.near)
-    for (const int curve : named_curves(face, near.boundary)) add(segments_near(face.curves[curve], near.size, slope));
+    for (const int curve : named_curves(face, near.boundary, "--size-near"))
+      add(segments_near(face.curves[curve], near.size, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));

@@ -31,7 +31,9 @@ check_output_format() {
       mistake "${out:+$out: }STEP is a format of blocks, not of meshes: $(mesh_endings); for a STEP model of the \
 blocks run quadexport on x.blocks.h5 of --workdir" ;;
   esac
-  check_options quadexport /dev/null -o "${out:--}"
+  order=''
+  [ "$final_position" -lt 8 ] || order=$(chosen_value quadrefine --order)
+  check_options quadexport /dev/null -o "${out:--}" ${order:+--mesh-order "$order"}
 }
 
 # mesh_endings: those that quadexport knows, from its message about a name that it does not know.
@@ -63,6 +65,9 @@ check_files() {
   for json in "$names" "$block_file" "$size_file" "$given_nodes"; do
     case $json in '' | -) ;; *) require_input "$json" && require_json "$json" ;; esac
   done
+  check_contents cad2tri --boundary-names "$names"
+  check_contents blocksplit --block-names "$block_file"
+  check_contents quadrefine --size-field "$size_file"
   case $given_nodes in '' | -) ;; *) require_nodes "$given_nodes" ;; esac
   check_outputs
 }
@@ -74,6 +79,36 @@ require_input() {
   [ ! -d "$1" ] || refuse 3 "$1: is a directory, not a file"
   [ -r "$1" ] || refuse 3 "$1: cannot be read: permission denied"
   [ ! -f "$1" ] || [ -s "$1" ] || refuse 3 "$1: is empty"
+}
+
+# check_contents TOOL OPTION FILE: as the tool reads it before its input, which is empty here.
+check_contents() {
+  [ -f "$3" ] || return 0
+  message=$("$1" /dev/null "$2" "$3" 2>&1 </dev/null)
+  case $?:$message in
+    3:"$1: /dev/null: "*) ;;
+    3:*) refuse 3 "${message#"$1: "}" ;;
+  esac
+}
+
+# check_shape: what the options ask of the shape, such as names of boundaries, in the first file with the face.
+check_shape() {
+  case $first_position in
+    6) with_face=$stem.sep.json ;;
+    7) with_face=$stem.blocks.h5 ;;
+    8) with_face=$stem.quad.h5 ;;
+    *) with_face=$stem.tri.h5 ;;
+  esac
+  [ -f "$with_face" ] || return 0 # with --dry-run
+  for tool in critpoints quadrefine quadexport; do
+    case $separator$chosen in *"$separator$tool "*) ;; *) continue ;; esac
+    message=$(with_options "$tool" "$tool" --check-shape "$with_face" -o "${out:--}" --called-by quadmesh 2>&1 </dev/null)
+    [ $? -eq 2 ] || continue
+    printf '%s\n' "$message" >&2
+    message=${message%%
+*}
+    fail 2 quadmesh "${message#quadmesh: }"
+  done
 }
 
 require_json() {
@@ -99,12 +134,14 @@ is_same_file() { [ "$(identity_of "$1")" = "$(identity_of "$2")" ]; }
 check_outputs() {
   [ "${out:--}" != - ] || [ "$report" != - ] || [ "$final_position" -lt 8 ] ||
     mistake "the mesh and the report cannot both go to standard output: give -o FILE"
-  for output in "$out" "$report" "$healed"; do
+  for output in "$out" "$report" "$healed" "$html"; do
     case $output in '' | -) ;; *) check_output "$output" ;; esac
   done
   refuse_pair "$out" "$report" "the mesh" "the report"
   refuse_pair "$out" "$healed" "the mesh" "the healed face"
   refuse_pair "$report" "$healed" "the report" "the healed face"
+  refuse_pair "$html" "$out" "the page" "the mesh"
+  refuse_pair "$html" "$report" "the page" "the report"
 }
 
 # refuse_pair FILE OTHER WHAT OF_OTHER

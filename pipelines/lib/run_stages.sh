@@ -108,7 +108,7 @@ title_progress() {
 # In the background, since a shell that waits for a process in the foreground handles signals only after it.
 start_tool() {
   set -- "$scratch/$number.$name.json" "$tool" "$@" -o "$result" --report "$scratch/$number.$name.json" \
-    ${threads:+--threads "$threads"} --silent-warnings
+    ${threads:+--threads "$threads"} --silent-warnings --called-by "${0##*/}"
   if [ -n "$quiet" ]; then within_budget "$@" -q 2>"$scratch/messages"; else within_budget "$@"; fi
 }
 

@@ -68,6 +68,14 @@ table() {
 2 | quadmesh half_disc.step -oout.step | out.step: STEP is a format of blocks, not of meshes: end the name in one of .msh
 2 | quadmesh half_disc.step -o out.m --format step | STEP is a format of blocks
 2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
+2 | quadmesh half_disc.step -o out.msh --order 12 | --order 12: the format msh supports quads up to order 10
+2 | quadmesh half_disc.step -o out.msh --feature-size big | --feature-size big: expected "auto" or a length
+2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
+2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | the page and the report are the same file
+3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
+3 | quadmesh half_disc.step -o out.msh --block-names wrong_names.json | wrong_names.json: "*": the new name must be a text
+3 | quadmesh half_disc.step -o out.msh --boundary-names wrong_names.json | wrong_names.json: "*": the new name must be a text
+4 | quadmesh half_disc.step -o out.msh --html nowhere/x.html | nowhere/x.html: cannot be written: there is no folder nowhere
 2 | quadmesh half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval (1 to 20)
 2 | quadmesh half_disc.step -o out.msh --heal-tolerance wide | --heal-tolerance: 'wide' is not a number
 2 | quadmesh half_disc.step -o out.msh --write-healed out.iges | out.iges: the file must end in .step, .stp or .brep
@@ -137,6 +145,7 @@ setup_file() {
   cp other/square.field.h5 other/square.crit.json . && rm -r other
   jq '.critical_points[0].position[0] -= 0.1' w/half_disc.crit.json >edited.json
   jq '.form = "phase" | .critical_points = []' w/half_disc.crit.json >unbalanced.json
+  echo '{"*": 3}' >wrong_names.json
   : >empty.step
   ln -s half_disc.step link.msh
   mkdir folder.msh
@@ -205,6 +214,40 @@ check_rows() {
 
 @test "wrong usage of place and points2step" {
   check_rows place points2step
+}
+
+# late SHAPE OPTION...: is refused by quadmesh with 2 after cad2tri, before the field is solved.
+late() {
+  run -2 "$ROOT/pipelines/quadmesh" "$@" --workdir late -o out.msh --report late.json
+  assert_equal "$(ls late)" "${1%.*}.tri.h5"
+  assert_line 'try '\''quadmesh --help'\'
+  assert_equal "$(jq -c '[.exit_code, .stage, "quadmesh: " + .error]' late.json)" "$(jq -nc --arg l "${lines[0]}" '[2, "quadmesh", $l]')"
+  rm -r late late.json
+  assert_not_exists out.msh
+}
+
+@test "what the shape tells about options of later stages is answered before the field is solved" {
+  late square.step --wall curve_11:first=0.1,layers=2
+  assert_output --partial 'quadmesh: --wall: there is no boundary "curve_11" (did you mean curve_1?); the names are curve_0, curve_1'
+  late square.step --size-near cuvre_2=0.1
+  assert_output --partial 'quadmesh: --size-near: there is no boundary "cuvre_2" (did you mean curve_2?)'
+  late square.step --corner-valence 0:2=2
+  assert_output --partial "quadmesh: no corner between curves 0 and 2: they do not meet"
+  late square.step --format blockmesh --patch-type cuvre_2=wall
+  assert_output --partial "quadmesh: --patch-type cuvre_2=wall: no boundary has this name (did you mean curve_2?)"
+  cad2tri "$DATA/square.step" --write-healed unitless.brep -o /dev/null
+  late unitless.brep --unit m
+  assert_output --partial "quadmesh: --unit m: the CAD file states no length unit: give the factor by --scale instead"
+}
+
+@test "from a later stage on, too" {
+  "$ROOT/pipelines/quadmesh" -q square.step --workdir late --until blocksplit
+  find late -type f | sort >before
+  for stage in critpoints separatrix blocksplit quadrefine; do
+    run -2 "$ROOT/pipelines/quadmesh" square.step --workdir late --from $stage -o out.msh --size-near cuvre_2=0.1
+    assert_output --partial "did you mean curve_2?"
+  done
+  find late -type f | sort | cmp - before
 }
 
 @test "bundled short options are those one by one" {

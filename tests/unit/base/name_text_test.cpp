@@ -78,5 +78,30 @@ TEST(Wildcard, ManyStarsAreCheap) {
   EXPECT_FALSE(matches_wildcard(text, "*a*a*a*a*a*a*a*a*a*a*b"));
 }
 
+const std::vector<std::string> words{"--verbose", "--version", "--size", "--size-near", "--order"};
+
+TEST(NearestWord, HasTheFewestErrors) {
+  EXPECT_EQ(nearest_word("--verbos", words), "--verbose");
+  EXPECT_EQ(nearest_word("--vresion", words), "--version");
+  EXPECT_EQ(nearest_word("--sise", words), "--size");
+  EXPECT_EQ(nearest_word("--orders", words), "--order");
+}
+
+TEST(NearestWord, ABeginningIsNear) {
+  EXPECT_EQ(nearest_word("--vers", words), "--version");
+  EXPECT_EQ(nearest_word("--size-n", words), "--size-near");
+}
+
+TEST(NearestWord, AMessageHasItBehindTheWord) {
+  EXPECT_EQ(did_you_mean("--sise", words), " (did you mean --size?)");
+  EXPECT_EQ(did_you_mean("--no-such-option", words), "");
+}
+
+TEST(NearestWord, NothingIsNearToAnotherWord) {
+  EXPECT_EQ(nearest_word("--no-such-option", words), "");
+  EXPECT_EQ(nearest_word("-x", words), "");
+  EXPECT_EQ(nearest_word("--size", {}), "");
+}
+
 }  // namespace
 }  // namespace quadrille

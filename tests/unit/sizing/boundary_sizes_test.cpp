@@ -51,14 +51,15 @@ TEST(BoundarySizes, CurvatureOfAParabolaIsFollowed) {
 TEST(BoundarySizes, NamesGoBeforeNumbers) {
   CadFace face = hand_made::unit_square().face;
   face.curve_names = {"wall", "0", "wall", "out"};
-  EXPECT_EQ(named_curves(face, "wall"), (std::vector<int>{0, 2}));
-  EXPECT_EQ(named_curves(face, "0"), std::vector<int>{1});
-  EXPECT_EQ(named_curves(face, "3"), std::vector<int>{3});
+  EXPECT_EQ(named_curves(face, "wall", "--wall"), (std::vector<int>{0, 2}));
+  EXPECT_EQ(named_curves(face, "0", "--wall"), std::vector<int>{1});
+  EXPECT_EQ(named_curves(face, "3", "--wall"), std::vector<int>{3});
   try {
-    named_curves(face, "in");
+    named_curves(face, "wal", "--wall");
     FAIL() << "an unknown name was accepted";
   } catch (const UsageError& error) {
-    for (const char* known : {"wall", "out", "0 to 3"})
+    for (const char* known :
+         {"--wall: there is no boundary \"wal\" (did you mean wall?); the names are ", "out", "0 to 3"})
       EXPECT_NE(std::string(error.what()).find(known), std::string::npos) << error.what();
   }
 }
