@@ -204,7 +204,7 @@ def _stop(signum, _):
     raise Stopped(signum)
 
 
-def _failure_of(error):
+def failure_of(error):
     """Any exception as a failure."""
     if isinstance(error, Failure):
         return error
@@ -232,7 +232,7 @@ def run_command(name, work):
         signal.signal(stopped.args[0], signal.SIG_DFL)
         os.kill(os.getpid(), stopped.args[0])
     except Exception as error:
-        failure = _failure_of(error)
+        failure = failure_of(error)
         _print_failure(name, failure)
         code = failure.code
     os._exit(code)  # the interpreter would flush standard output once more, and fail on a full disk

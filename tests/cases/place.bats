@@ -93,6 +93,27 @@ here() { TMPDIR=$PWD "$@"; }
   assert_nothing_left start.crit.json
 }
 
+@test "a failure is in the report, with its stage" {
+  # failed CODE STAGE MESSAGE OPTION...: the report of place has these, and what is printed is the message.
+  failed() {
+    local code=$1 stage=$2 message=$3
+    shift 3
+    run -"$code" --separate-stderr here "$place" "$@" -o out.msh --report out.json
+    [[ ${stderr_lines[0]} == *"$message"* ]] || fail "$stderr"
+    assert_equal "$(jq -c '[.tool, .exit_code, .stage]' out.json)" "[\"place\",$code,\"$stage\"]"
+    [[ ${stderr_lines[0]} == "$stage: $(jq -r .error out.json)" ]] || fail "$(cat out.json)"
+  }
+  head -c 3000 "$DATA/half_disc.step" >truncated.step
+  failed 3 cad2tri "truncated.step" truncated.step
+  failed 3 place "missing.step: no such file" missing.step
+  failed 2 place "--feature-size big" "$DATA/half_disc.step" --feature-size big
+  failed 2 place "no corner between curves 0 and 2" "$DATA/square.step" --corner-valence 0:2=1
+  run -2 "$place" truncated.step -o out.msh --report truncated.step
+  cmp -n 3000 truncated.step "$DATA/half_disc.step"
+  "$place" -q "$DATA/square.step" -o out.msh --report out.json
+  jq -e '.exit_code == 0 and .stage == null and .error == null' out.json
+}
+
 @test "a pipe stays a pipe, and is written into" {
   mkfifo report.json
   "$place" -q "$DATA/square.step" -o out.msh --rounds 0 --report report.json &

@@ -2,6 +2,7 @@
 import json
 import pathlib
 import subprocess
+import sys
 from dataclasses import dataclass
 
 from command_frame import Failure, Stopped
@@ -9,15 +10,28 @@ from command_frame import Failure, Stopped
 
 def run_stage(*words, is_trial=False):
     """Runs one tool, and fails with its exit code. Its messages are shown, except in trials, many of which fail."""
-    process = subprocess.Popen([str(word) for word in words], stderr=subprocess.DEVNULL if is_trial else None)
+    process = subprocess.Popen([str(word) for word in (*words, "--called-by", "place")], stderr=subprocess.PIPE,
+                               text=True, errors="replace")
     try:
-        code = process.wait()
+        messages = process.communicate()[1]
     except Stopped:
         process.terminate()
         process.wait()
         raise
-    if code:
-        raise Failure(code if code > 0 else 128 - code)
+    if not is_trial:
+        print(messages, end="", file=sys.stderr)
+    if process.returncode:
+        code = process.returncode if process.returncode > 0 else 128 - process.returncode
+        raise StageFailure(code, words[0], messages)
+
+
+class StageFailure(Failure):
+    """Of a tool, which has printed its message. `error` is that message without the name."""
+
+    def __init__(self, code, stage, messages):
+        super().__init__(code)
+        self.stage = stage
+        self.error = messages.partition("\n")[0].partition(": ")[2]
 
 
 @dataclass(frozen=True)
@@ -38,7 +52,8 @@ def make_layout(nodes, folder, first, is_trial):
     field = make_phase(folder, first, is_trial) if is_phase else first / "field.h5"
     run_stage("separatrix", "-q", field, crit, "-o", sep, is_trial=is_trial)
     if json.loads(sep.read_text())["certificate"]["method"] == "midpoint":  # blocks that do not depend on the nodes
-        raise Failure(1)
+        raise Failure(1, "with these nodes there are no blocks but divided triangles, which do not depend on them: "
+                         "use quadmesh, or give other nodes by --start")
     run_stage("blocksplit", "-q", sep, "-o", blocks, is_trial=is_trial)
     return Layout(nodes, folder, least_scaled_jacobian(folder))
 
