@@ -1,8 +1,11 @@
 // Private helper of quadexport: writes blocks as STEP. A separate program, because every process that links the CAD
 // kernel pays for its start-up.
 
+#include <fmt/format.h>
+
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "export/groups.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
@@ -13,8 +16,9 @@ using namespace quadrille;
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
-  ScaleRequest length;
-  length.keeps_unit = true;
+  ScaleRequest request;
+  request.keeps_unit = true;
+  bool has_block_groups = false;
   cli::Tool tool;
   tool.name = "quadexport";
   tool.summary = "writes the blocks of a block layout as a STEP model of connected faces";
@@ -22,15 +26,21 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5), - for standard input");
     o.output(output, "STEP file");
-    o.text("--unit", length.unit, "UNIT", "length unit of the model, as quadexport has checked it");
-    o.number("--scale", length.scale, 1e-12, 1e12, "factor", "multiply the coordinates by this, after --unit");
+    o.text("--unit", request.unit, "UNIT", "length unit of the model, as quadexport has checked it");
+    o.number("--scale", request.scale, 1e-12, 1e12, "factor", "multiply the coordinates by this, after --unit");
+    o.flag("--block-groups", has_block_groups, "name the faces of blocks without a name by their numbers");
   };
   tool.run = [&](cli::Session&) {
     const io::InputFile file = io::read_input(input);
     BlockLayout layout = io::read_block_layout(file);
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
-    scale_lengths(layout, length_scale(layout.face, length));
+    const LengthScale length = length_scale(layout.face, request);
+    scale_lengths(layout, length);
+    if (has_block_groups) exports::separate_blocks(layout.block_names, layout.unnamed_blocks, layout.face.name);
+    layout.block_names = exports::region_of_blocks(layout.block_names, layout.unnamed_blocks);
     io::write_output(output, occ::step_of_blocks(layout), false);
+    // For the report of quadexport, which reads this line from standard error.
+    fmt::print(stderr, "{} {:.17g} {}\n", layout.num_blocks(), length.factor, length.unit);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

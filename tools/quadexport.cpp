@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
@@ -56,11 +57,10 @@ std::string read_all(int fd) {
   }
 }
 
-/// Runs the helper, which inherits standard input and output. Its message and exit code are passed on.
-void write_step(const std::string& input, const std::string& output, const ScaleRequest& length) {
-  const std::string helper = helper_program("quadexport-step");
-  std::vector<std::string> words{helper,   input,       "-o",      output,
-                                 "--unit", length.unit, "--scale", fmt::format("{}", length.scale)};
+/// Runs the helper with these words, its name first; it inherits standard input and output. Returns what it writes to
+/// standard error. Its message and exit code are passed on.
+std::string run_helper(std::vector<std::string> words) {
+  const std::string& helper = words.front();
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -82,10 +82,7 @@ void write_step(const std::string& input, const std::string& output, const Scale
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) throw Defect(fmt::format("the STEP writer was ended by signal {}", WTERMSIG(status)));
-  if (WEXITSTATUS(status) == 0) {
-    fmt::print(stderr, "{}", said);
-    return;
-  }
+  if (WEXITSTATUS(status) == 0) return said;
   if (const std::string name = "quadexport: "; said.starts_with(name)) said.erase(0, name.size());
   throw Error(static_cast<ExitCode>(WEXITSTATUS(status)), said.substr(0, said.find('\n')));
 }
@@ -117,9 +114,7 @@ bool takes_one_file(const std::string& output) {
 }
 
 /// "metre" or, if that is not known, "an unknown unit"
-std::string unit_text(const LengthScale& length) {
-  return length.metres_per_unit > 0 ? length.unit : "an unknown unit";
-}
+std::string unit_text(const LengthScale& length) { return length.unit == "unknown" ? "an unknown unit" : length.unit; }
 
 void report_length(const LengthScale& length, cli::Session& s) {
   s.report().set("unit", length.unit);
@@ -127,6 +122,28 @@ void report_length(const LengthScale& length, cli::Session& s) {
   s.info(fmt::format(
       "coordinates in {}, {}", unit_text(length),
       length.factor == 1 ? "as in the CAD file" : fmt::format("{} times those of the CAD file", length.factor)));
+}
+
+void write_step(const std::string& input, const std::string& output, const exports::ExportOptions& options,
+                cli::Session& s) {
+  s.begin_phase("write");
+  const ScaleRequest& request = options.length;
+  std::vector<std::string> words{
+      helper_program("quadexport-step"), input, "-o", output, "--unit", request.unit, "--scale",
+      fmt::format("{}", request.scale)};
+  if (options.block_groups) words.emplace_back("--block-groups");
+  const std::string said_all = run_helper(words);
+  const std::size_t last = said_all.rfind('\n', said_all.empty() ? 0 : said_all.size() - 2) + 1;  // npos + 1 is 0
+  fmt::print(stderr, "{}", said_all.substr(0, last));
+  std::istringstream said(said_all.substr(last));
+  std::size_t blocks = 0;
+  LengthScale length;
+  std::getline(said >> blocks >> length.factor >> std::ws, length.unit);
+  if (!said) throw Defect("the STEP writer does not state what it wrote");
+  s.report().set("format", "step");
+  s.report().set("blocks", blocks);
+  report_length(length, s);
+  s.end_phase();
 }
 
 /// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.
@@ -210,7 +227,8 @@ int main(int argc, char** argv) {
   tool.description =
       "Writes a quad mesh in the format of a solver, with the names of boundaries and blocks and with the nodes that "
       "the format defines. What the format cannot represent is reported on standard error, with the magnitude of the "
-      "loss. A block layout is written as a STEP model of faces that share their edges. The format follows from the "
+      "loss. A block layout is written as a STEP model of faces that share their edges and have the names of their "
+      "regions. The format follows from the "
       "ending of the output, or from --format; standard output is MSH by default. Formats: " +
       format_list() + ".";
   tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
@@ -235,7 +253,7 @@ int main(int argc, char** argv) {
              "(for .step: a larger model in the unit of the CAD file)");
     o.flag("--block-groups", options.block_groups,
            "write each block that has no name of its own as a region of its own, named by its number; without it all "
-           "blocks without a name are one region");
+           "blocks without a name are one region (for .step: the name of a face is its region)");
     o.hidden_text("--check-shape", shape);
     o.hidden_text("--mesh-order", mesh_order);
     o.flag("--allow-invalid", allow_invalid, "export a mesh that is marked as not valid");
@@ -247,11 +265,13 @@ int main(int argc, char** argv) {
     const bool is_step = name == "step";
     if (is_step && !options.patch_types.empty())
       throw UsageError("--patch-type: a STEP model has no types of boundaries");
+    if (is_step && options.length.unit == "nm")
+      throw UsageError("--unit nm: STEP models are written in m, cm, mm, um, km, in or ft");
     if (!is_step) exports::require_options(*exports::find_export_format(name), options);
     if (!is_step && !mesh_order.empty()) require_order(*exports::find_export_format(name), mesh_order);
     if (!shape.empty()) return check_shape(io::read_face(io::read_input(shape)), options);
     if (is_step)
-      write_step(input, output, options.length);
+      write_step(input, output, options, s);
     else
       write_mesh(input, output, name, options, allow_invalid, s);
   };

@@ -66,7 +66,7 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
                     format.name, format.max_order, mesh.order));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
-  if (options.block_groups) separate_blocks(mesh);
+  if (options.block_groups) separate_blocks(mesh.block_names, mesh.unnamed_blocks, mesh.face.name);
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =
       format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);

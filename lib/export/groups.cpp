@@ -22,17 +22,16 @@ std::vector<int> number(const std::vector<std::string>& names, std::vector<std::
   return numbers;
 }
 
-/// The regions of the blocks, by name.
-std::vector<std::string> region_names_of(const QuadMesh& mesh) {
-  std::vector<std::string> names = mesh.block_names;
-  std::string domain = "domain";
-  for (const int block : mesh.unnamed_blocks) names[block].clear();
-  while (std::find(names.begin(), names.end(), domain) != names.end()) domain += '_';
-  for (const int block : mesh.unnamed_blocks) names[block] = domain;
-  return names;
-}
-
 }  // namespace
+
+std::vector<std::string> region_of_blocks(std::vector<std::string> block_names,
+                                          const std::vector<int>& unnamed_blocks) {
+  std::string domain = "domain";
+  for (const int block : unnamed_blocks) block_names[block].clear();
+  while (std::find(block_names.begin(), block_names.end(), domain) != block_names.end()) domain += '_';
+  for (const int block : unnamed_blocks) block_names[block] = domain;
+  return block_names;
+}
 
 Groups mesh_groups(const QuadMesh& mesh) {
   std::vector<std::string> curve_names = mesh.face.curve_names;
@@ -40,7 +39,7 @@ Groups mesh_groups(const QuadMesh& mesh) {
     if (curve_names[curve].empty()) curve_names[curve] = fmt::format("curve_{}", curve);
   Groups groups;
   groups.curve2boundary = number(curve_names, groups.boundary_names);
-  groups.block2region = number(region_names_of(mesh), groups.region_names);
+  groups.block2region = number(region_of_blocks(mesh.block_names, mesh.unnamed_blocks), groups.region_names);
   groups.is_region_named.assign(groups.region_names.size(), false);
   for (std::size_t block = 0; block < groups.block2region.size(); ++block)
     if (!std::binary_search(mesh.unnamed_blocks.begin(), mesh.unnamed_blocks.end(), static_cast<int>(block)))
@@ -48,12 +47,13 @@ Groups mesh_groups(const QuadMesh& mesh) {
   return groups;
 }
 
-void separate_blocks(QuadMesh& mesh) {
-  for (const int block : mesh.unnamed_blocks) mesh.block_names[block].clear();
-  for (std::string& name : mesh.block_names)
-    if (name == mesh.face.name) name.clear();
-  replace_empty_names(mesh.block_names, "block");
-  mesh.unnamed_blocks.clear();
+void separate_blocks(std::vector<std::string>& block_names, std::vector<int>& unnamed_blocks,
+                     const std::string& face_name) {
+  for (const int block : unnamed_blocks) block_names[block].clear();
+  for (std::string& name : block_names)
+    if (name == face_name) name.clear();
+  replace_empty_names(block_names, "block");
+  unnamed_blocks.clear();
 }
 
 }  // namespace quadrille::exports

@@ -24,8 +24,12 @@ struct Groups {
 /// given names.
 Groups mesh_groups(const QuadMesh& mesh);
 
+/// The region of each block: its name, or "domain" as in mesh_groups.
+std::vector<std::string> region_of_blocks(std::vector<std::string> block_names, const std::vector<int>& unnamed_blocks);
+
 /// Gives the name block_<number> to each block without a name of its own (it has none, or that of the face), so that it
 /// becomes a region of its own.
-void separate_blocks(QuadMesh& mesh);
+void separate_blocks(std::vector<std::string>& block_names, std::vector<int>& unnamed_blocks,
+                     const std::string& face_name);
 
 }  // namespace quadrille::exports

@@ -23,24 +23,15 @@ check_command_line() {
   check_given_nodes_option
 }
 
-# check_output_format: quadexport writes other formats from other files.
+# check_output_format: sets $exported, the ending of the file that quadexport reads: of a mesh, or of blocks for STEP.
 check_output_format() {
   format=$(chosen_value quadexport --format)
   case ${format:-auto}:$out in
-    step:* | auto:*.step | auto:*.stp)
-      mistake "${out:+$out: }STEP is a format of blocks, not of meshes: $(mesh_endings); for a STEP model of the \
-blocks run quadexport on x.blocks.h5 of --workdir" ;;
+    step:* | auto:*.step | auto:*.stp) exported=blocks.h5 ;;
   esac
   order=''
   [ "$final_position" -lt 8 ] || order=$(chosen_value quadrefine --order)
-  check_options quadexport /dev/null -o "${out:--}" ${order:+--mesh-order "$order"}
-}
-
-# mesh_endings: those that quadexport knows, from its message about a name that it does not know.
-mesh_endings() {
-  quadexport /dev/null -o x.no-such-ending 2>&1 </dev/null |
-    sed -n 's/.*end it in one of \(.*\) or give --format.*/\1/p' |
-    sed 's/\.step *//; s/^/end the name in one of /; s/$/ (--format names others)/'
+  check_options quadexport --check-shape /dev/null -o "${out:--}" ${order:+--mesh-order "$order"}
 }
 
 check_given_nodes_option() {
@@ -96,7 +87,7 @@ check_shape() {
   case $first_position in
     6) with_face=$stem.sep.json ;;
     7) with_face=$stem.blocks.h5 ;;
-    8) with_face=$stem.quad.h5 ;;
+    8) with_face=$stem.$exported ;;
     *) with_face=$stem.tri.h5 ;;
   esac
   [ -f "$with_face" ] || return 0 # with --dry-run

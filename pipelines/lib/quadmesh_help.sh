@@ -23,7 +23,8 @@ before it and writes those from it on. --from separatrix (or --nodes) uses an ed
 edited and is kept, else it is replaced (but not nodes that were set by hand: then it ends with 2). Results are those of the single commands, byte for byte.
 
 OPTIONS
-  -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output)
+  -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output);
+                            x.step: not the mesh but its blocks, as a CAD model of named faces
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
                             of the curve nearest to a point; may be given several times (see cad2tri --help)

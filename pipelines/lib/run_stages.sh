@@ -9,6 +9,7 @@ prefix=''       # of the names of stages in the report
 failed_stage='' # the stage without a valid result after which the pipeline went on
 scratch='' dir='' # the folders of temporary files and of stage files
 part=''         # a file that is being written
+exported=quad.h5 # the ending of the file that quadexport reads
 trap 'stop INT' INT
 trap 'stop TERM' TERM
 trap 'stop HUP' HUP

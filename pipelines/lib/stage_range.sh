@@ -89,7 +89,7 @@ require_files() {
     5) needed='tri.h5 field.h5 crit.json' ;;
     6) needed=sep.json ;;
     7) needed=blocks.h5 ;;
-    8) needed=quad.h5 ;;
+    8) needed=$exported ;;
   esac
   case $layout:$first_position in midpoint:[345]) needed=tri.h5 ;; esac
   [ -z "$needed" ] || [ -n "$shape" ] || find_shape "${needed%% *}"

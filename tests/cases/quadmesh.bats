@@ -13,6 +13,17 @@ here() { TMPDIR=$PWD "$@"; }
   assert_nothing_left out.msh
 }
 
+@test "a STEP file is a model of the blocks, in the unit that is asked for" {
+  run -0 "$quadmesh" "$DATA/half_disc.step" -o out.step --unit m --report out.json --workdir stages
+  assert_output --partial "coordinates in metre, 0.001 times those of the CAD file"
+  assert_equal "$(jq -c '[.unit, .scale]' out.json)" '["metre",0.001]'
+  quadexport --unit m stages/half_disc.blocks.h5 -o again.step
+  cmp out.step again.step
+  rm out.step stages/half_disc.quad.h5
+  run -0 "$quadmesh" -q --from quadexport --workdir stages --unit m -o out.step
+  cmp out.step again.step
+}
+
 @test "one block, zero nodes: the line counts in English" {
   run -0 "$quadmesh" "$DATA/square.step" -o out.msh
   assert_output --regexp '^1 block, 0 irregular nodes, [0-9]+ quads, worst scaled Jacobian 1, greatest edge ratio 1$'

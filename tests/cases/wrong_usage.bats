@@ -65,8 +65,9 @@ table() {
 2 | quadmesh half_disc.step -o | -o needs a value
 2 | quadmesh half_disc.step -o --size 0.1 | -o needs a value, not the option --size
 2 | quadmesh half_disc.step --quiet=yes | --quiet takes no value
-2 | quadmesh half_disc.step -oout.step | out.step: STEP is a format of blocks, not of meshes: end the name in one of .msh
-2 | quadmesh half_disc.step -o out.m --format step | STEP is a format of blocks
+2 | quadmesh half_disc.step -oout.step --patch-type *=wall | --patch-type: a STEP model has no types of boundaries
+2 | quadmesh half_disc.step -o out.m --format step --unit nm | --unit nm: STEP models are written in m, cm, mm, um, km, in or ft
+2 | quadmesh half_disc.step -o half_disc.step | the output half_disc.step is the input half_disc.step
 2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
 2 | quadmesh half_disc.step -o out.msh --order 12 | --order 12: the format msh supports quads up to order 10
 2 | quadmesh half_disc.step -o out.msh --feature-size big | --feature-size big: expected "auto" or a length

@@ -173,6 +173,23 @@ PYTHON
   assert_regex "$output" '^millimetre '
   run -0 awk -v a="$a" '{ print ($2 / 2 / a - 1) ^ 2 < 1e-16 }' <<<"$output"
   assert_output 1
+  run -0 quadexport -v --unit m "$blocks" -o d.step --report d.json
+  assert_output "quadexport: coordinates in metre, 0.001 times those of the CAD file"
+  assert_equal "$(jq -c '[.format, .blocks > 1, .unit, .scale]' d.json)" '["step",true,"metre",0.001]'
+  run -2 quadexport --unit nm "$blocks" -o e.step
+}
+
+@test "the faces of a STEP model have the names of their regions" {
+  # names FILE: how many faces have each name.
+  names() { cad2tri --list "$1" --report list.json -o /dev/null && jq -r '.list.face[] | .name' list.json | sort | uniq -c | xargs; }
+  number=$(quadexport "$blocks" -o a.step --report a.json && jq .blocks a.json)
+  assert_equal "$(names a.step)" "$number domain"
+  quadexport --block-groups "$blocks" -o b.step
+  assert_equal "$(names b.step)" "$(for ((i = 0; i < number; i++)); do echo 1 block_$i; done | sort -k 2 | xargs)"
+  cad2tri "$DATA/square.step" -q | fieldsolve -q | padapt -q -o s.field.h5
+  critpoints s.field.h5 | separatrix s.field.h5 - -o s.sep.json
+  blocksplit --block-names <(echo '"core"') s.sep.json | quadexport --format step -o c.step
+  assert_equal "$(names c.step)" "1 core"
 }
 
 @test "--unit needs the unit of the CAD file" {
