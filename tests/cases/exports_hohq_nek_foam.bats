@@ -4,13 +4,7 @@ load ../tools/common
 
 setup_file() {
   load ../tools/common
-  local shape
-  cd "$BATS_FILE_TMPDIR" || return
-  for shape in half_disc plate_hole s_bend; do
-    cad2tri -q "$DATA/$shape.step" | fieldsolve -q | padapt -q -o "$shape.field.h5"
-    critpoints -q "$shape.field.h5" -o "$shape.crit.json"
-    separatrix -q "$shape.field.h5" "$shape.crit.json" | blocksplit -q - -o "$shape.blocks.h5"
-  done
+  stage_blocks "$BATS_FILE_TMPDIR" half_disc plate_hole s_bend
 }
 
 setup() {

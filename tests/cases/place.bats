@@ -124,19 +124,8 @@ here() { TMPDIR=$PWD "$@"; }
 }
 
 @test "a signal ends the stage that runs, and nothing is left" {
-  mkdir fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
-  rm fake/separatrix
-  printf '#!/bin/sh\necho > started\nexec sleep 30\n' >fake/separatrix
-  chmod +x fake/separatrix
-  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD "$place" "$DATA/half_disc.step" -o out.msh 3>&- &
-  local pid=$! code=0
-  until [[ -e started ]]; do sleep 0.05; done
-  kill -TERM $pid
-  wait $pid || code=$?
-  assert_equal $code 143
-  rm -r fake started
-  assert_nothing_left
+  replace_tool separatrix 'echo >started' 'exec sleep 30'
+  QUADRILLE_BIN=$PWD/fake ends_with_signal "$place" "$DATA/half_disc.step" -o out.msh
 }
 
 @test "the help's examples work" {

@@ -412,20 +412,8 @@ END
 }
 
 @test "a signal ends it with 128 + n and leaves nothing" {
-  mkdir fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
-  rm fake/separatrix
-  printf '#!/bin/sh\necho > started\nexec sleep 30\n' >fake/separatrix
-  chmod +x fake/separatrix
-  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD "$quadmesh" "$DATA/half_disc.step" -o out.msh 3>&- &
-  local pid=$!
-  until [[ -e started ]]; do sleep 0.05; done
-  kill -TERM $pid
-  local code=0
-  wait $pid || code=$?
-  assert_equal $code 143
-  rm -r fake started
-  assert_nothing_left
+  replace_tool separatrix 'echo >started' 'exec sleep 30'
+  QUADRILLE_BIN=$PWD/fake ends_with_signal "$quadmesh" "$DATA/half_disc.step" -o out.msh
 }
 
 # sleeping STAGE: a folder `fake` in which this stage creates `started` and sleeps.

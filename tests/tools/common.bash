@@ -37,6 +37,41 @@ stage_chain() {
     quadexport "$x.quad.h5" -o "$x.msh"
 }
 
+# stage_blocks FOLDER SHAPE...: the files of tests/data/SHAPE.step that lead to SHAPE.blocks.h5, without x.tri.h5 and
+# x.solve.h5.
+stage_blocks() {
+  local shape x
+  for shape in "${@:2}"; do
+    x=$1/$shape
+    cad2tri -q "$DATA/$shape.step" | fieldsolve -q | padapt -q -o "$x.field.h5" &&
+      critpoints -q "$x.field.h5" -o "$x.crit.json" &&
+      separatrix -q "$x.field.h5" "$x.crit.json" -o "$x.sep.json" &&
+      blocksplit -q "$x.sep.json" -o "$x.blocks.h5" || return
+  done
+}
+
+# replace_tool TOOL LINE...: makes fake/, a folder of the tools in which TOOL is a script of these lines.
+replace_tool() {
+  local tool
+  mkdir fake
+  for tool in "$BIN"/*; do [[ $tool == */unit_* || $tool == */"$1" ]] || ln -s "$tool" fake; done
+  printf '%s\n' '#!/bin/sh' "${@:2}" >"fake/$1"
+  chmod +x "fake/$1"
+}
+
+# ends_with_signal COMMAND...: ends with 143 after SIGTERM, sent when the file `started` exists, and leaves nothing but
+# what is removed here.
+ends_with_signal() {
+  TMPDIR=$PWD "$@" 3>&- &
+  local pid=$! code=0
+  until [[ -e started ]]; do sleep 0.05; done
+  kill -TERM $pid
+  wait $pid || code=$?
+  assert_equal $code 143
+  rm -r fake started
+  assert_nothing_left
+}
+
 # assert_nothing_left [NAME...]: the current folder holds these files and nothing else, hidden ones included.
 assert_nothing_left() {
   assert_equal "$(find . -mindepth 1 | sed 's|^\./||' | sort)" "$( (($#)) && printf '%s\n' "$@" | sort)"

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "../support/test_data.hpp"
 #include "../support/texts.hpp"
@@ -16,14 +14,6 @@
 
 namespace quadrille::cad {
 namespace {
-
-std::string bytes_of(const std::string& file) {
-  std::ifstream stream(test_data() + "/" + file, std::ios::binary);
-  if (!stream) throw std::runtime_error("no " + file);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
-}
 
 struct Loaded {
   CadFace face;
@@ -42,7 +32,7 @@ struct Loaded {
 
 Loaded load(const std::string& file, double corner_angle = radians(1)) {
   Loaded l;
-  l.face = load_face_guarded(bytes_of(file), file, LoadOptions{corner_angle}, l.report).face;
+  l.face = load_face_guarded(test_bytes(file), file, LoadOptions{corner_angle}, l.report).face;
   return l;
 }
 
@@ -166,7 +156,7 @@ TEST(LoadFace, iges_is_read_in_its_own_unit) {
   EXPECT_NEAR(l.face.diameter, 2 / 25.4, 1e-11);
   EXPECT_NEAR(l.area(), pi / 2 / 25.4 / 25.4, 1e-12);
   EXPECT_EQ(l.face.num_curves(), 2);
-  const std::string bytes = bytes_of("bad/half_disc_inches.iges");
+  const std::string bytes = test_bytes("bad/half_disc_inches.iges");
   Report report;
   EXPECT_THROW(load_face_guarded(bytes.substr(0, 810), "a.iges", {}, report), FormatError);
 }
@@ -209,7 +199,7 @@ TEST(LoadFace, names_come_from_the_file_and_may_be_shared) {
 
 // The file with `from` replaced by `to` wherever it stands.
 CadFace load_changed(const std::string& file, const std::string& from, const std::string& to) {
-  std::string bytes = bytes_of(file);
+  std::string bytes = test_bytes(file);
   if (bytes.find(from) == std::string::npos) throw std::runtime_error("no " + from + " in " + file);
   for (size_t at = 0; (at = bytes.find(from, at)) != std::string::npos; at += to.size())
     bytes.replace(at, from.size(), to);

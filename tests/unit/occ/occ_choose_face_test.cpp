@@ -117,13 +117,6 @@ std::string iges(const TopoDS_Shape& shape) {
   return stream.str();
 }
 
-std::string bytes_of(const std::string& file) {
-  std::ifstream stream(test_data() + "/" + file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
-}
-
 struct Chosen {
   CadFace face;
   double area = 0;
@@ -192,7 +185,7 @@ TEST(ChooseFace, each_part_of_a_nested_and_mirrored_assembly_is_where_it_is_plac
 }
 
 TEST(ChooseFace, every_face_of_a_solid) {
-  const std::string solid = bytes_of("bad/solid.step");
+  const std::string solid = test_bytes("bad/solid.step");
   const cad::FaceList list = cad::list_faces_guarded(solid, "solid.step");
   ASSERT_EQ(list.faces.size(), 6U);
   EXPECT_EQ(list.length_unit, "millimetre");
@@ -209,7 +202,7 @@ TEST(ChooseFace, every_face_of_a_solid) {
 }
 
 TEST(ChooseFace, faces_that_are_not_planar_are_listed_and_refused) {
-  const std::string sphere = bytes_of("bad/sphere.step");
+  const std::string sphere = test_bytes("bad/sphere.step");
   const cad::FaceList list = cad::list_faces_guarded(sphere, "sphere.step");
   ASSERT_EQ(list.faces.size(), 1U);
   EXPECT_EQ(list.faces[0].face.kind, "sphere");
@@ -217,7 +210,7 @@ TEST(ChooseFace, faces_that_are_not_planar_are_listed_and_refused) {
 }
 
 TEST(ChooseFace, names_come_before_numbers_and_one_that_is_given_twice_is_refused) {
-  std::string two = bytes_of("bad/two_faces.step");
+  std::string two = test_bytes("bad/two_faces.step");
   const auto name = [&](const std::string& text) {
     const std::string mark = "ADVANCED_FACE('',";
     ASSERT_NE(two.find(mark), std::string::npos);
@@ -242,7 +235,7 @@ void expect_held(const cad::ListedFace& face, const std::string& part, const std
 
 // An assembly "rig" of a tetrahedron "bolt", twice, and a "plate" of two surface models with one and two faces.
 TEST(ChooseFace, faces_are_listed_with_the_parts_and_layers_that_hold_them) {
-  const cad::FaceList list = cad::list_faces_guarded(bytes_of("assemblies/parts.step"), "parts.step");
+  const cad::FaceList list = cad::list_faces_guarded(test_bytes("assemblies/parts.step"), "parts.step");
   ASSERT_EQ(list.faces.size(), 11U);
   for (int i = 0; i < 8; ++i) expect_held(list.faces[i], "rig/bolt/shank", "steel");
   expect_held(list.faces[8], "rig/plate/inlet", "wet");
@@ -251,7 +244,7 @@ TEST(ChooseFace, faces_are_listed_with_the_parts_and_layers_that_hold_them) {
 }
 
 TEST(ChooseFace, a_part_or_layer_chooses_its_only_face) {
-  const std::string parts = bytes_of("assemblies/parts.step");
+  const std::string parts = test_bytes("assemblies/parts.step");
   for (const char* name : {"inlet", "rig/plate/inlet"})
     EXPECT_EQ(chosen(parts, "a.step", name).face.plane_origin[2], 20) << name;
   EXPECT_NE(refusal(parts, "wet").find("--face wet: the faces 8, 9 lie in the part or layer of this name"),
@@ -263,7 +256,7 @@ TEST(ChooseFace, a_part_or_layer_chooses_its_only_face) {
 }
 
 TEST(ChooseFace, names_and_numbers_of_faces_come_before_names_of_parts) {
-  std::string parts = bytes_of("assemblies/parts.step");
+  std::string parts = test_bytes("assemblies/parts.step");
   const std::string mark = "SHELL_BASED_SURFACE_MODEL('inlet'";
   ASSERT_NE(parts.find(mark), std::string::npos);
   const auto with_name = [&](const std::string& name) {
@@ -287,13 +280,13 @@ std::string replaced(const std::string& text, const std::string& from, const std
 }
 
 // Face 10, "rim", without its plane.
-std::string parts_without_rim() { return replaced(bytes_of("assemblies/parts.step"), "(#200),#201", "(#200),$"); }
+std::string parts_without_rim() { return replaced(test_bytes("assemblies/parts.step"), "(#200),#201", "(#200),$"); }
 
 TEST(ChooseFace, faces_that_cannot_be_built_are_named) {
   const cad::FaceList list = cad::list_faces_guarded(parts_without_rim(), "parts.step");
   EXPECT_EQ(list.faces.size(), 10U);
   EXPECT_EQ(list.not_built, std::vector<std::string>{"#202 'rim'"});
-  EXPECT_TRUE(cad::list_faces_guarded(bytes_of("assemblies/parts.step"), "parts.step").not_built.empty());
+  EXPECT_TRUE(cad::list_faces_guarded(test_bytes("assemblies/parts.step"), "parts.step").not_built.empty());
   EXPECT_NE(refusal(parts_without_rim(), "rim").find("could not be built: #202 'rim'"), std::string::npos);
 }
 
@@ -333,7 +326,7 @@ TEST(ChooseFace, solids_shells_groups_and_levels_of_iges_hold_faces) {
 
 TEST(ChooseFace, several_faces_are_refused_with_both_ways_to_choose) {
   for (const char* file : {"bad/two_faces.step", "bad/shared_edge.step", "bad/solid.step"}) {
-    const std::string message = refusal(bytes_of(file), "");
+    const std::string message = refusal(test_bytes(file), "");
     for (const char* option : {"--face NUMBER", "--face NAME", "--list"})
       EXPECT_NE(message.find(option), std::string::npos) << message;
   }

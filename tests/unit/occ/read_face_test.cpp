@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "../support/test_data.hpp"
 #include "../support/texts.hpp"
 #include "base/error.hpp"
@@ -13,17 +10,9 @@
 namespace quadrille::occ {
 namespace {
 
-std::string bytes_of(const std::string& file) {
-  std::ifstream stream(test_data() + "/" + file, std::ios::binary);
-  if (!stream) throw std::runtime_error("no " + file);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
-}
-
 TEST(ReadFace, reading_twice_in_one_process_gives_the_same) {
   Report report;
-  const std::string inches = bytes_of("bad/inches.step"), millimetres = bytes_of("bad/rectangle.step");
+  const std::string inches = test_bytes("bad/inches.step"), millimetres = test_bytes("bad/rectangle.step");
   for (int round = 0; round < 2; ++round) {
     EXPECT_EQ(read_face(step_format(), inches, "a.step", {}, report).face.joints[2].position, (Vec2{2.1, 0.7}));
     EXPECT_EQ(read_face(step_format(), millimetres, "b.step", {}, report).face.joints[2].position, (Vec2{2, 1}));
@@ -33,7 +22,7 @@ TEST(ReadFace, reading_twice_in_one_process_gives_the_same) {
 TEST(Answer, is_the_face_the_list_or_the_file_that_the_request_is_for) {
   cad::CadRequest request;
   request.name = "a.brep";
-  request.bytes = bytes_of("bad/rectangle.brep");
+  request.bytes = test_bytes("bad/rectangle.brep");
   Report report;
   request.face = cad::from_bytes(answer(brep_format(), cad::to_bytes(request)), report).face;
   EXPECT_EQ(request.face.num_curves(), 4);

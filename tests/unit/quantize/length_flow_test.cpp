@@ -10,12 +10,6 @@
 namespace quadrille::quantize {
 namespace {
 
-int sum(const std::vector<HalfEdge>& side, const std::vector<int>& lengths) {
-  int total = 0;
-  for (const HalfEdge h : side) total += lengths[h.arc];
-  return total;
-}
-
 void expect_balanced(const std::vector<TFace>& faces, const std::vector<int>& lengths) {
   for (const TFace& face : faces)
     for (const int k : {0, 1}) EXPECT_EQ(sum(face[k], lengths), sum(face[k + 2], lengths));

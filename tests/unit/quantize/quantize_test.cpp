@@ -7,12 +7,6 @@
 namespace quadrille::quantize {
 namespace {
 
-int sum(const std::vector<HalfEdge>& side, const std::vector<int>& lengths) {
-  int total = 0;
-  for (const HalfEdge h : side) total += lengths[h.arc];
-  return total;
-}
-
 // Arcs 0, 1, 2 across a strip of two faces that closes on itself: 0 = 1 and 1 = 0 + 2. Arcs 3 to 6 run along it.
 const std::vector<TFace> spiral{face({{{0}, {3}, {1}, {4}}}), face({{{-2}, {5}, {-1, 2}, {6}}})};
 

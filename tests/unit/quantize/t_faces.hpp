@@ -17,4 +17,11 @@ inline TFace face(const std::array<std::vector<int>, 4>& sides) {
   return result;
 }
 
+/// The length of a side, by the lengths of arcs.
+inline int sum(const std::vector<HalfEdge>& side, const std::vector<int>& lengths) {
+  int total = 0;
+  for (const HalfEdge h : side) total += lengths[h.arc];
+  return total;
+}
+
 }  // namespace quadrille::quantize

@@ -1,5 +1,5 @@
 #pragma once
-// Where tests/data lies. A function of its own, so that one object file alone holds the path.
+// The files of tests/data. In a source of its own, so that one object file alone holds the path.
 
 #include <string>
 
@@ -7,5 +7,8 @@ namespace quadrille {
 
 /// The absolute path of tests/data, without a slash at its end.
 std::string test_data();
+
+/// The bytes of a file of tests/data. Throws std::runtime_error.
+std::string test_bytes(const std::string& file);
 
 }  // namespace quadrille
