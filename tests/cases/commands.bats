@@ -1,0 +1,99 @@
+# Every command that a page, a manual page or a help shows is run by a test: by those named in this table, or here.
+load ../tools/common
+
+list=$ROOT/tests/page_commands.py
+
+# Page and the tests that run all its commands.
+runners() {
+  cat <<'END'
+README.md readme.bats
+pipelines/tutorial.md tutorial.bats
+pipelines/batch.md batch.bats
+END
+}
+
+# A command and the tests that run the examples of its help, which are those of its manual page.
+helps() {
+  cat <<'END'
+quadmesh cases/quadmesh.bats
+place cases/place.bats
+points2step cases/points2step.bats
+batch cases/batch.bats
+gallery cases/gallery.bats
+END
+}
+
+# Files for the commands: every stage of the half disc as half_disc.*, x.* and a.*.
+setup_file() {
+  load ../tools/common
+  cd "$BATS_FILE_TMPDIR" || return
+  stage_chain half_disc .
+  cp "$DATA/half_disc.step" .
+  local file
+  for file in half_disc.*; do cp "$file" "x.${file#*.}" && cp "$file" "a.${file#*.}"; done
+  cp half_disc.step shape.step
+}
+
+# here PAGE: runs its commands, one after another, in a folder of their own.
+here() {
+  "$list" lines "$1" | cut -f 3 >commands
+  assert [ -s commands ]
+  rm -rf folder && mkdir folder && cp "$BATS_FILE_TMPDIR"/*.* folder && mkdir -p folder/case/system folder/build
+  ln -s "$ROOT/pipelines" folder && ln -s "$BIN" folder/build/bin
+  cd folder || return
+  run -0 env PATH="$ROOT/pipelines:$PATH" bash -euo pipefail ../commands
+  cd ..
+}
+
+@test "pages with commands are run here or by the tests of the table" {
+  # Those of CONTRIBUTING.md remake the pictures of the repository.
+  "$list" lines | cut -f 1 | uniq | grep '\.md$' | grep -v -e ^formats/ -e ^CONTRIBUTING >found
+  runners | cut -d ' ' -f 1 | sort | diff - <(sort found)
+  while read -r page tests; do grep -qF "${page##*/}" "$ROOT/tests/cases/$tests" || fail "$tests does not name $page"; done < <(runners)
+}
+
+@test "the commands on the pages of formats" {
+  "$list" lines formats | cut -f 1 | uniq >pages
+  assert [ "$(wc -l <pages)" -ge 10 ]
+  while read -r page; do here "$page"; done <pages
+}
+
+@test "the commands of quadrille(7)" {
+  here pipelines/quadrille.7.in
+}
+
+@test "the commands that remake the pictures" {
+  mkdir -p formats/pictures build && ln -s "$BIN" build/bin && ln -s "$ROOT/pipelines" "$ROOT/tests" .
+  "$list" lines CONTRIBUTING.md | cut -f 3 >commands
+  assert_equal "$(wc -l <commands)" 4
+  run -0 bash -euo pipefail commands
+  for file in formats/pictures/*; do assert_file_exists "$ROOT/$file"; done
+}
+
+@test "the examples of every help are run" {
+  run -0 sed -nE 's/^quadrille_tool\(([a-z0-9]+) .*|^quadrille_tool\(([a-z0-9]+)\)/\1\2/p' "$ROOT/tools/CMakeLists.txt"
+  for tool in $output; do # cli.bats runs those of TOOLS
+    grep -qE "^TOOLS=.*\b$tool\b" "$ROOT/tests/tools/cli.bats" || fail "cli.bats does not run the examples of $tool"
+  done
+  grep -lE '^EXAMPLES$|"EXAMPLES"' "$ROOT"/pipelines/* "$ROOT"/pipelines/lib/*_help.sh 2>/dev/null |
+    xargs -n 1 basename -s .sh | sed 's/_help$//' | grep -vx -e man-page -e completions | sort >found
+  helps | cut -d ' ' -f 1 | sort | diff - found
+  while read -r command tests; do
+    grep -q EXAMPLES "$ROOT/tests/$tests" || fail "no test runs the examples of $command"
+  done < <(helps)
+}
+
+@test "every option that a page or a help shows is one of its command" {
+  "$list" options | cut -f 2,3 | sort -u >shown
+  assert [ "$(wc -l <shown)" -ge 50 ]
+  for command in $(cut -f 1 shown | uniq); do
+    file=$ROOT/pipelines/$command
+    [[ -x $file ]] || file=$BIN/$command
+    "$file" --help | grep -oE '^  (-[a-z], )?--[a-z][a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u >options
+    grep "^$command	" shown | cut -f 2 | sort -u | comm -23 - options >unknown
+    [[ $command != batch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
+    [[ $command != batch && $command != gallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help) &&
+      while read -r option; do grep -qE "^  (-[a-z], )?$option\b" <<<"$quadmesh" || echo "$option"; done <unknown >left && mv left unknown; }
+    [[ ! -s unknown ]] || fail "$command has no $(xargs <unknown)"
+  done
+}
