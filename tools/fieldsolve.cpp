@@ -24,7 +24,7 @@ namespace {
 
 // Reads the irregular nodes and checks that a field on this mesh can have them. They may be from a field on another
 // mesh, or have been moved: then the element numbers in the file are meaningless.
-CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
+CriticalPoints read_nodes(const io::InputFile& file, const io::InputFile& mesh_file, TriMesh& mesh) {
   CriticalPoints points = io::read_critical_points(file);
   check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
   Field of_face;
@@ -32,6 +32,7 @@ CriticalPoints read_nodes(const io::InputFile& file, TriMesh& mesh) {
   std::vector<check::Violation> violations = check::check_critical_points_of(points, of_face);
   std::swap(of_face.mesh, mesh);
   std::erase_if(violations, [](const check::Violation& violation) { return violation.rule == "CRT-R09"; });
+  if (!violations.empty()) io::require_same_origin(mesh_file, mesh.provenance, file, points.provenance);
   check::require_valid(violations, file.name);
   if (points.origin != mesh.face.origin)
     throw FormatError(
@@ -125,7 +126,7 @@ int main(int argc, char** argv) {
       field = galerkin::solve_laplace(mesh, orders, options, s.report());
     } else {
       const io::InputFile nodes_file = io::read_input(nodes_path);
-      const CriticalPoints points = read_nodes(nodes_file, mesh);
+      const CriticalPoints points = read_nodes(nodes_file, file, mesh);
       inputs.push_back(nodes_file.digest("critical-points"));
       s.begin_phase("solve");
       galerkin::PhaseSolver solver(mesh, orders, options.num_threads);

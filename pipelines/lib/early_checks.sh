@@ -93,7 +93,10 @@ check_shape() {
   [ -f "$with_face" ] || return 0 # with --dry-run
   for tool in critpoints quadrefine quadexport; do
     case $separator$chosen in *"$separator$tool "*) ;; *) continue ;; esac
-    message=$(with_options "$tool" "$tool" --check-shape "$with_face" -o "${out:--}" --called-by quadmesh 2>&1 </dev/null)
+    written=''
+    [ "$tool" != quadexport ] || written=${out:--} # which determines the format
+    message=$(with_options "$tool" "$tool" --check-shape "$with_face" ${written:+-o "$written"} \
+      --called-by quadmesh 2>&1 </dev/null)
     [ $? -eq 2 ] || continue
     printf '%s\n' "$message" >&2
     message=${message%%

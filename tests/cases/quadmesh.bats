@@ -104,7 +104,7 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_output '"the floor"
 "roof"'
   run -3 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o other.msh --name lid=7
-  [[ $stderr == "cad2tri: --name lid=7: no boundary curve has the number 7; the curves are 0 "* ]] || fail "$stderr"
+  [[ $stderr == "quadmesh: --name lid=7: no boundary curve has the number 7; the curves are 0 "* ]] || fail "$stderr"
   assert_file_not_exists other.msh
 }
 
