@@ -104,6 +104,13 @@ PYTHON=/usr/bin/python3
   run -4 "$batch" x.step --to /dev/null/out
 }
 
+@test "--name names the boundaries of every shape" {
+  "$batch" -q "$DATA/square.step" "$DATA/half_disc.step" --to meshes --name 'wall=*' --name floor=0
+  for shape in square half_disc; do
+    assert_equal "$(sed -nE 's/^1 [0-9]+ "(.*)"$/\1/p' meshes/$shape.msh | sort | xargs)" "floor wall"
+  done
+}
+
 @test "names with blanks, quotes and braces" {
   cp "$DATA/square.step" "it's {} a \$shape; 1.step"
   echo '"a b"' >'block names'

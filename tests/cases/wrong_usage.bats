@@ -129,6 +129,9 @@ table() {
 3 | place missing.step -o out.msh | missing.step: no such file
 3 | place half_disc.step --start w/half_disc.sep.json -o out.msh | expected a critical-points file
 4 | place half_disc.step -o nowhere/out.msh | there is no folder nowhere
+2 | batch --jobbs 2 half_disc.step | unknown option --jobbs: did you mean --jobs?
+2 | batch --sise 3 half_disc.step --to m | unknown option --sise: did you mean --size?
+2 | gallery --too m | unknown option --too: did you mean --to?
 2 | points2step --unitt mm points.dat | unknown option --unitt: did you mean --unit?
 2 | points2step points.dat -o points.dat | the output points.dat is an input
 4 | points2step points.dat -o nowhere/out.step | there is no folder nowhere
@@ -170,7 +173,7 @@ check_usage() {
   local before code=0 message name=${2%% *} command=$2 work
   before=$(find . | sort)
   case $name in
-    quadmesh | place | points2step) command="$ROOT/pipelines/$2" ;;
+    quadmesh | place | points2step | batch | gallery) command="$ROOT/pipelines/$2" ;;
   esac
   # shellcheck disable=SC2086 # words
   message=$(export TMPDIR=$PWD/../tmp STARTED=$PWD/../started QUADRILLE_BIN=$BIN
@@ -200,7 +203,7 @@ check_rows() {
 @test "the table has at least 80 rows, and each command of the chain has one" {
   [ "$(table | wc -l)" -ge 80 ]
   for command in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck \
-    quadmesh place points2step; do
+    quadmesh place points2step batch gallery; do
     table | grep -q "| $command\b"
   done
 }
@@ -213,8 +216,8 @@ check_rows() {
   check_rows quadmesh
 }
 
-@test "wrong usage of place and points2step" {
-  check_rows place points2step
+@test "wrong usage of the other pipelines" {
+  check_rows place points2step batch gallery
 }
 
 # late SHAPE OPTION...: is refused by quadmesh with 2 after cad2tri, before the field is solved.
