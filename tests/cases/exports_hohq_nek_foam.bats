@@ -38,7 +38,9 @@ exports() {
 
 @test "low and high orders: elements, names and counts of the stage file, in each of the formats" {
   for shape in half_disc plate_hole s_bend; do
-    for order in 1 2 3 4 7; do
+    orders='2 7'
+    [[ $shape != half_disc ]] || orders='1 2 3 4 7'
+    for order in $orders; do
       quadrefine -q --order $order --geometry-tol 1e-2 "$blocks/$shape.blocks.h5" -o a.quad.h5
       exports
     done
