@@ -69,7 +69,7 @@ ends_with_signal() {
   wait $pid || code=$?
   assert_equal $code 143
   rm -r fake started
-  assert_nothing_left
+  assert_equal "$(find . -mindepth 1)" ""
 }
 
 # assert_nothing_left [NAME...]: the current folder holds these files and nothing else, hidden ones included.
