@@ -11,8 +11,10 @@
 namespace quadrille::stiffness {
 
 CondensedElement condensed_element(const spectral::TriMap& map, int order) {
-  std::optional<HarmonicElement> harmonic = harmonic_element(map, order);
-  if (harmonic) return {std::move(harmonic->schur), std::nullopt, std::move(harmonic->projection)};
+  if (order >= least_harmonic_order) {
+    std::optional<HarmonicElement> harmonic = harmonic_element(map, order);
+    if (harmonic) return {std::move(harmonic->schur), std::nullopt, std::move(harmonic->projection)};
+  }
   return condense(order, stiffness_matrix(map, order));
 }
 
