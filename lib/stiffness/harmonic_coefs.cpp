@@ -84,24 +84,43 @@ const Eigen::MatrixXd& map_table(int order, int map_order) {
   return tables[100 * order + map_order];
 }
 
-// The points as z.
-Eigen::ArrayXcd points_of(const spectral::TriMap& map, const HarmonicFrame& frame, int order) {
+// Points are treated in groups, whose sums stay in registers.
+constexpr Eigen::Index group = 16;
+using Group = Eigen::Array<double, group, 1>;
+
+// The points as z = x + i y, padded to whole groups.
+struct Points {
+  Eigen::ArrayXd x, y;
+};
+
+Points points_of(const spectral::TriMap& map, const HarmonicFrame& frame, int order) {
   const Eigen::MatrixXd& table = map_table(order, map.order());
   const Eigen::Map<const Eigen::VectorXd> x(map.coefs_x().data(), table.cols()), y(map.coefs_y().data(), table.cols());
-  Eigen::ArrayXcd z(table.rows());
-  z.real() = (table * x).array() - frame.centre.x;
-  z.imag() = (table * y).array() - frame.centre.y;
-  return z * frame.scale;
+  const Eigen::Index n = table.rows(), padded = (n + group - 1) / group * group;
+  const Eigen::ArrayXd dx = (table * x).array() - frame.centre.x, dy = (table * y).array() - frame.centre.y;
+  Points z{Eigen::ArrayXd::Zero(padded), Eigen::ArrayXd::Zero(padded)};
+  z.x.head(n) = frame.scale.real() * dx - frame.scale.imag() * dy;
+  z.y.head(n) = frame.scale.real() * dy + frame.scale.imag() * dx;
+  return z;
 }
 
 // Re of the sum of (a_k - i b_k) p_k at the points, for coefficients a_1, b_1, a_2, ...: Clenshaw's algorithm.
-Eigen::ArrayXd values_at(const Eigen::ArrayXcd& z, std::complex<double> b, const Eigen::VectorXd& coefs) {
-  Eigen::ArrayXcd sum = Eigen::ArrayXcd::Zero(z.size()), sum1 = sum, sum2 = sum, next;
-  for (Eigen::Index k = coefs.size() - 2; k >= 0; k -= 2) {
-    next = next_polynomial(z, b, sum, sum1, sum2) + std::complex(coefs[k], -coefs[k + 1]);
-    sum2.swap(sum1), sum1.swap(sum), sum.swap(next);
+Eigen::ArrayXd values_at(const Points& z, std::complex<double> b, const Eigen::VectorXd& coefs) {
+  constexpr double third = 1.0 / 3;
+  Eigen::ArrayXd values(z.x.size());
+  for (Eigen::Index first = 0; first < values.size(); first += group) {
+    const Group x = z.x.segment<group>(first), y = z.y.segment<group>(first);
+    Group re = Group::Zero(), im = re, re1 = re, im1 = re, re2 = re, im2 = re;
+    for (Eigen::Index k = coefs.size() - 2; k >= 0; k -= 2) {
+      const Group re0 = x * re - y * im - b.real() * re1 + b.imag() * im1 - third * re2 + coefs[k];
+      const Group im0 = x * im + y * re - b.real() * im1 - b.imag() * re1 - third * im2 - coefs[k + 1];
+      re2 = re1, im2 = im1;
+      re1 = re, im1 = im;
+      re = re0, im = im0;
+    }
+    values.segment<group>(first) = x * re - y * im - b.real() * re1 + b.imag() * im1 - third * re2;
   }
-  return next_polynomial(z, b, sum, sum1, sum2).real();
+  return values;
 }
 
 // Projects the values at the points onto the orthogonal basis.
@@ -121,7 +140,7 @@ Eigen::MatrixXd harmonic_coefs(const spectral::TriMap& map, int order, const Eig
                                const Eigen::MatrixXd& boundary) {
   const ProjectionTable& table = projection_table(order);
   const HarmonicFrame frame(map);
-  const Eigen::ArrayXcd z = points_of(map, frame, order);
+  const Points z = points_of(map, frame, order);
   const Eigen::MatrixXd polynomials = projection * boundary;
   Eigen::MatrixXd coefs(spectral::num_tri_modes(order), boundary.cols());
   for (Eigen::Index column = 0; column < boundary.cols(); ++column)
