@@ -17,7 +17,7 @@ function(quadrille_component name)
 endfunction()
 
 quadrille_component(files base spectral check io) # model has headers only
-quadrille_component(fields curve mesh field galerkin adapt)
+quadrille_component(fields curve mesh field stiffness galerkin adapt)
 quadrille_component(layouts zeros placement guide ties features choice graph trace simplify quantize layout
                     block sizing layers refine)
 quadrille_component(triangles triangulate)

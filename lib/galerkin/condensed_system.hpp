@@ -6,10 +6,13 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "galerkin/condense.hpp"
 #include "galerkin/dof_map.hpp"
+#include "stiffness/condense.hpp"
 
 namespace quadrille::galerkin {
+
+using stiffness::CondensedElement;
+using stiffness::CondensedElements;
 
 /// The right-hand side, num_unknowns rows: minus the reactions of `given`, the values of the dofs [num_unknowns,
 /// num_dofs).

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/element_matrices.hpp"
 #include "mesh/element_shapes.hpp"
-#include "spectral/modified_basis.hpp"
-#include "spectral/orthogonal_basis.hpp"
+#include "stiffness/condensed_element.hpp"
 
 namespace quadrille::galerkin {
 
@@ -28,30 +28,28 @@ ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, 
 void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
   struct Made {
     int elem, order;
-    bool keeps_interior;
     std::shared_ptr<const CondensedElement> element;
   };
   std::map<std::pair<int, int>, std::shared_ptr<const CondensedElement>> known;  // by shape and order
   const int num_elems = static_cast<int>(elem_order.size());
-  std::size_t kept = 0;
+  std::atomic<std::size_t> kept = 0;
   for (int e = 0; e < num_elems; ++e) {
     if (!elements_[e] || !known.try_emplace({elem2shape_[e], elem_order_[e]}, elements_[e]).second) continue;
-    if (elements_[e]->interior) kept += size_of_interior(elem_order_[e]);
+    kept += stiffness::size_of_interior(*elements_[e]);
   }
   std::vector<Made> made;
   for (int e = 0; e < num_elems; ++e) {
     if (!known.try_emplace({elem2shape_[e], elem_order[e]}).second) continue;
-    kept += size_of_interior(elem_order[e]);
-    made.push_back({elem2shape_[e], elem_order[e], kept <= kept_numbers_, nullptr});
+    made.push_back({elem2shape_[e], elem_order[e], nullptr});
   }
   const Progress::Part part(context_->progress, "elements", static_cast<int>(made.size()));
   parallel_for(static_cast<int>(made.size()), num_threads_, [&](int i) {
     part.advance();
     Made& matrices = made[i];
     try {
-      CondensedElement element =
-          condense(matrices.order, stiffness_matrix(context_->maps[matrices.elem], matrices.order));
-      if (!matrices.keeps_interior) element.interior.reset();
+      CondensedElement element = stiffness::condensed_element(context_->maps[matrices.elem], matrices.order);
+      const std::size_t size = stiffness::size_of_interior(element);
+      if (kept.fetch_add(size) + size > kept_numbers_) element = {std::move(element.schur), {}, {}};
       matrices.element = std::make_shared<CondensedElement>(std::move(element));
     } catch (const ComputeError& error) {
       throw ComputeError(fmt::format("{}: {}", context_->describe(matrices.elem), error.what()));
@@ -100,25 +98,21 @@ Eigen::MatrixXd ContinuousSystem::reactions(const Eigen::MatrixXd& dofs) const {
   return galerkin::reactions(*map_, elements_, dofs);
 }
 
-InteriorModes ContinuousSystem::computed_interior(int elem) const {
-  const int order = elem_order_[elem];
-  return interior_modes(order, stiffness_matrix(context_->maps[elem2shape_[elem]], order));
+Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs, const CondensedElement& element) const {
+  return stiffness::element_coefs(context_->maps[elem2shape_[elem]], elem_order_[elem], element,
+                                  element_dofs(*map_, elem, dofs));
 }
 
-Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs, const InteriorModes& interior) const {
-  const int order = elem_order_[elem], nb = spectral::num_boundary_modes(order);
-  Eigen::MatrixXd modes(spectral::num_tri_modes(order), dofs.cols());
-  modes.topRows(nb) = element_dofs(*map_, elem, dofs);
-  modes.bottomRows(spectral::num_interior_modes(order)) = interior.of(modes.topRows(nb));
-  return modes;
+Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs) const {
+  const CondensedElement& kept = *elements_[elem];
+  return kept.has_interior() ? coefs(elem, dofs, kept) : coefs(elem, dofs, computed_element(elem));
 }
 
-Eigen::MatrixXd ContinuousSystem::modes(int elem, const Eigen::MatrixXd& dofs) const {
-  const std::optional<InteriorModes>& kept = elements_[elem]->interior;
-  return kept ? modes(elem, dofs, *kept) : modes(elem, dofs, computed_interior(elem));
+CondensedElement ContinuousSystem::computed_element(int elem) const {
+  return stiffness::condensed_element(context_->maps[elem2shape_[elem]], elem_order_[elem]);
 }
 
-std::vector<Eigen::MatrixXd> ContinuousSystem::all_modes(const Eigen::MatrixXd& dofs) const {
+std::vector<Eigen::MatrixXd> ContinuousSystem::all_coefs(const Eigen::MatrixXd& dofs) const {
   std::map<std::pair<int, int>, std::vector<int>> elems_by_matrices;  // by shape and order, as they share matrices
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
     elems_by_matrices[{elem2shape_[e], elem_order_[e]}].push_back(e);
@@ -127,9 +121,9 @@ std::vector<Eigen::MatrixXd> ContinuousSystem::all_modes(const Eigen::MatrixXd& 
   std::vector<Eigen::MatrixXd> all(elements_.size());
   parallel_for(static_cast<int>(groups.size()), num_threads_, [&](int i) {
     const int first = groups[i]->front();
-    std::optional<InteriorModes> computed;
-    if (!elements_[first]->interior) computed = computed_interior(first);
-    for (const int e : *groups[i]) all[e] = modes(e, dofs, computed ? *computed : *elements_[e]->interior);
+    std::optional<CondensedElement> computed;
+    if (!elements_[first]->has_interior()) computed = computed_element(first);
+    for (const int e : *groups[i]) all[e] = coefs(e, dofs, computed ? *computed : *elements_[e]);
   });
   return all;
 }
@@ -144,7 +138,7 @@ Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
   Solution solution;
   solution.num_unknowns = system_.map().num_unknowns;
   solution.residual = system_.residual();
-  solution.elem_coefs = system_.all_modes(dofs);
+  solution.elem_coefs = system_.all_coefs(dofs);
   watch.lap("coefficients");
   solution.laps = watch.laps();
   return solution;

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "base/stopwatch.hpp"
-#include "galerkin/condense.hpp"
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
 #include "galerkin/linear_solver.hpp"
+#include "stiffness/condense.hpp"
 
 namespace quadrille::galerkin {
 
@@ -15,10 +15,10 @@ namespace quadrille::galerkin {
 /// column of a matrix is one function.
 class ContinuousSystem {
  public:
-  /// The interior modes of this many numbers are kept by default, 0.5 GiB.
+  /// The numbers kept by default for the solution inside elements, 0.5 GiB.
   static constexpr std::size_t default_kept_numbers = std::size_t{1} << 26;
-  /// `context` must outlive this. Interior modes beyond `kept_numbers` are computed again each time that they are
-  /// asked for, which takes a third of the time of condensation; the results are the same.
+  /// `context` must outlive this. What determines the solution inside an element is kept up to `kept_numbers`,
+  /// and computed again beyond that, each time that it is asked for; the results are the same.
   explicit ContinuousSystem(const MeshContext& context, int num_threads = 1,
                             std::size_t kept_numbers = default_kept_numbers);
   /// Recomputes the matrices of elements whose order has changed, and factors the system. Throws ComputeError if the
@@ -35,17 +35,17 @@ class ContinuousSystem {
   double residual() const { return residual_; }
   /// The reactions of the given dofs (galerkin/condensed_system.hpp).
   Eigen::MatrixXd reactions(const Eigen::MatrixXd& dofs) const;
-  /// The coefficients of all modes of one element in the modified basis.
-  Eigen::MatrixXd modes(int elem, const Eigen::MatrixXd& dofs) const;
-  /// modes() of all elements.
-  std::vector<Eigen::MatrixXd> all_modes(const Eigen::MatrixXd& dofs) const;
+  /// The coefficients of one element in the orthogonal basis.
+  Eigen::MatrixXd coefs(int elem, const Eigen::MatrixXd& dofs) const;
+  /// coefs() of all elements.
+  std::vector<Eigen::MatrixXd> all_coefs(const Eigen::MatrixXd& dofs) const;
   /// Size of the condensed system for this order map.
   int num_unknowns(const std::vector<int>& elem_order) const;
 
  private:
   void update_elements(const std::vector<int>& elem_order);
-  InteriorModes computed_interior(int elem) const;
-  Eigen::MatrixXd modes(int elem, const Eigen::MatrixXd& dofs, const InteriorModes& interior) const;
+  CondensedElement computed_element(int elem) const;
+  Eigen::MatrixXd coefs(int elem, const Eigen::MatrixXd& dofs, const CondensedElement& element) const;
 
   const MeshContext* context_;
   int num_threads_;

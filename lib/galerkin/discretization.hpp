@@ -31,7 +31,7 @@ struct MeshContext {
 
 /// The solution of both Laplace problems for one order map.
 struct Solution {
-  std::vector<Eigen::MatrixXd> elem_coefs;  ///< modified basis of the element's order, columns u, v
+  std::vector<Eigen::MatrixXd> elem_coefs;  ///< orthogonal basis of the element's order, columns u, v
   int num_unknowns = 0;                     ///< of the condensed system
   double residual = 0;                      ///< of the condensed system, |rhs - K x| / |rhs|
   std::vector<Lap> laps;                    ///< time of each phase of the solution

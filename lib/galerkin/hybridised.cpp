@@ -7,8 +7,9 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/element_matrices.hpp"
 #include "galerkin/linear_solver.hpp"
+#include "spectral/modified_to_orthogonal.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 
@@ -30,8 +31,8 @@ void HybridisedGalerkin::update_elements(const std::vector<int>& elem_order, con
     if (orders == orders_[e]) return;
     try {
       const spectral::TriMap& shape = context_->maps[e];
-      elements_[e] = std::make_shared<CondensedElement>(
-          condense_to_trace(shape, elem_order[e], edge_orders, stiffness_matrix(shape, elem_order[e]), penalty_));
+      elements_[e] = std::make_shared<stiffness::CondensedElement>(condense_to_trace(
+          shape, elem_order[e], edge_orders, stiffness::stiffness_matrix(shape, elem_order[e]), penalty_));
     } catch (const ComputeError& error) {
       throw ComputeError(fmt::format("{}: {}", context_->describe(e), error.what()));
     }
@@ -64,8 +65,10 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   solution.residual = relative_residual(map, elements_, rhs, dofs);
   watch.lap("residual");
   solution.elem_coefs.resize(elements_.size());
-  parallel_for(static_cast<int>(elements_.size()), num_threads_,
-               [&](int e) { solution.elem_coefs[e] = elements_[e]->interior->of(element_dofs(map, e, dofs)); });
+  parallel_for(static_cast<int>(elements_.size()), num_threads_, [&](int e) {
+    solution.elem_coefs[e] = spectral::modified_to_orthogonal(elem_order[e]).transpose() *
+                             elements_[e]->interior->of(element_dofs(map, e, dofs));
+  });
   watch.lap("coefficients");
   solution.laps = watch.laps();
   return solution;

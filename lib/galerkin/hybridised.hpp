@@ -28,7 +28,7 @@ class HybridisedGalerkin : public Discretization {
   BoundaryData data_;
   double penalty_;
   std::vector<Orders> orders_;  ///< of elements_; 0 before the first solve
-  CondensedElements elements_;
+  stiffness::CondensedElements elements_;
 };
 
 }  // namespace quadrille::galerkin

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "galerkin/condense.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/dof_map.hpp"
 #include "galerkin/partial_cholesky.hpp"
 #include "mesh/elimination_tree.hpp"
+#include "stiffness/condense.hpp"
 
 namespace quadrille::galerkin {
 

@@ -13,7 +13,6 @@
 #include "field/corner_lifting.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/hybridised.hpp"
-#include "spectral/modified_to_orthogonal.hpp"
 
 namespace quadrille::galerkin {
 
@@ -80,7 +79,7 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   field.liftings = liftings_;
   field.coef_offsets.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) {
-    const Eigen::MatrixXd coefs = spectral::modified_to_orthogonal(elem_order[e]).transpose() * solution.elem_coefs[e];
+    const Eigen::MatrixXd& coefs = solution.elem_coefs[e];
     field.u.insert(field.u.end(), coefs.col(0).begin(), coefs.col(0).end());
     field.v.insert(field.v.end(), coefs.col(1).begin(), coefs.col(1).end());
     field.coef_offsets.push_back(static_cast<int>(field.u.size()));

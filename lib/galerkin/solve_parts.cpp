@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "spectral/modified_to_orthogonal.hpp"
-
 namespace quadrille::galerkin {
 namespace {
 
@@ -13,11 +11,10 @@ constexpr double negligible = 1e-13;
 /// Functions that are solved for together: wide matrices are faster, but take memory.
 constexpr std::size_t batch = 8;
 
-/// Adds what each part is on element e, from two columns of `modes` for each.
-void add_element(const Eigen::MatrixXd& modes, int e, int order, field::HarmonicPart* parts) {
-  const Eigen::MatrixXd coefs = spectral::modified_to_orthogonal(order).transpose() * modes;
-  for (int k = 0; 2 * k < modes.cols(); ++k) {
-    if (modes.middleCols(2 * k, 2).cwiseAbs().maxCoeff() < negligible) continue;
+/// Adds what each part is on element e, from two columns of `coefs` for each.
+void add_element(const Eigen::MatrixXd& coefs, int e, field::HarmonicPart* parts) {
+  for (int k = 0; 2 * k < coefs.cols(); ++k) {
+    if (coefs.middleCols(2 * k, 2).cwiseAbs().maxCoeff() < negligible) continue;
     parts[k].elems.push_back(e);
     parts[k].u.insert(parts[k].u.end(), coefs.col(2 * k).begin(), coefs.col(2 * k).end());
     parts[k].v.insert(parts[k].v.end(), coefs.col(2 * k + 1).begin(), coefs.col(2 * k + 1).end());
@@ -41,8 +38,7 @@ std::vector<field::HarmonicPart> solve_parts(const MeshContext& context, Continu
           DirichletData(points, data[i].values).values(context.topology, system.map());
     }
     const Eigen::MatrixXd dofs = system.solve(given, watch);
-    for (int e = 0; e < static_cast<int>(elem_order.size()); ++e)
-      add_element(system.modes(e, dofs), e, elem_order[e], &parts[first]);
+    for (int e = 0; e < static_cast<int>(elem_order.size()); ++e) add_element(system.coefs(e, dofs), e, &parts[first]);
   }
   return parts;
 }

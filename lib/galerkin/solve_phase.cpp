@@ -15,7 +15,6 @@
 #include "galerkin/phase_gradient.hpp"
 #include "galerkin/solve_parts.hpp"
 #include "mesh/locate.hpp"
-#include "spectral/modified_to_orthogonal.hpp"
 
 namespace quadrille::galerkin {
 
@@ -209,11 +208,11 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   field.elem_order = parts_->elem_order;
   field.phase = std::move(state.form);
   field.coef_offsets.push_back(0);
-  const std::vector<Eigen::MatrixXd> modes = parts_->system.all_modes(state.dofs);
+  const std::vector<Eigen::MatrixXd> all_coefs = parts_->system.all_coefs(state.dofs);
   std::vector<double>& s = field.phase.s;
   for (int e = 0; e < mesh.num_elems(); ++e) {
-    const Eigen::VectorXd coefs = spectral::modified_to_orthogonal(field.elem_order[e]).transpose() * modes[e];
-    s.insert(s.end(), coefs.begin(), coefs.end());
+    const Eigen::MatrixXd& coefs = all_coefs[e];
+    s.insert(s.end(), coefs.col(0).begin(), coefs.col(0).end());
     field.coef_offsets.push_back(static_cast<int>(s.size()));
   }
   parts_->watch.lap("coefficients");
@@ -255,8 +254,7 @@ PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& opt
       state.remainder_energy + explicit_energy(context.mesh->face, asked, state.form.terms, state.interior_angles);
   for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
     const mesh::Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
-    const Eigen::VectorXd s = spectral::modified_to_orthogonal(parts_->elem_order[at.elem]).transpose() *
-                              parts_->system.modes(at.elem, state.dofs);
+    const Eigen::VectorXd s = parts_->system.coefs(at.elem, state.dofs);
     const Vec2 slope = remainder_gradient(context.maps[at.elem], at.xi, parts_->elem_order[at.elem], s.data());
     energy.gradient.push_back(phase_energy_gradient(state.form.terms, static_cast<int>(k), slope));
   }

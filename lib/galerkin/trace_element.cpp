@@ -111,8 +111,9 @@ void trace_values(int order, double s, double* values) {
   }
 }
 
-CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const std::array<int, 3>& edge_orders,
-                                   const Eigen::MatrixXd& stiffness, double penalty) {
+stiffness::CondensedElement condense_to_trace(const spectral::TriMap& map, int order,
+                                              const std::array<int, 3>& edge_orders, const Eigen::MatrixXd& stiffness,
+                                              double penalty) {
   const int highest = std::max({order, edge_orders[0], edge_orders[1], edge_orders[2]});
   const int num_points = highest + (map.is_affine() ? 1 : 1 + map.order());
   std::array<EdgeTerms, 3> edges;
@@ -142,7 +143,8 @@ CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const
     first += m;
   }
 
-  return eliminate_interior(inside, coupling, on_trace, "an element's penalty form is not positive definite");
+  return stiffness::eliminate_interior(inside, coupling, on_trace,
+                                       "an element's penalty form is not positive definite");
 }
 
 }  // namespace quadrille::galerkin

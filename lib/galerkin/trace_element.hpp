@@ -10,8 +10,8 @@
 #include <Eigen/Dense>
 #include <array>
 
-#include "galerkin/condense.hpp"
 #include "spectral/tri_map.hpp"
+#include "stiffness/condense.hpp"
 
 namespace quadrille::galerkin {
 
@@ -24,7 +24,8 @@ void trace_values(int order, double s, double* values);
 /// The element's Schur complement over the trace modes of its edges 0, 1, 2, each directed counter-clockwise;
 /// `interior` gives all modes of u (modified basis). `stiffness`: of the modified basis
 /// of degree `order` >= 1. Throws ComputeError if the form is not definite, which only a folded element can cause.
-CondensedElement condense_to_trace(const spectral::TriMap& map, int order, const std::array<int, 3>& edge_orders,
-                                   const Eigen::MatrixXd& stiffness, double penalty);
+stiffness::CondensedElement condense_to_trace(const spectral::TriMap& map, int order,
+                                              const std::array<int, 3>& edge_orders, const Eigen::MatrixXd& stiffness,
+                                              double penalty);
 
 }  // namespace quadrille::galerkin

@@ -8,8 +8,8 @@
 #include "../unit/support/square_field.hpp"
 #include "field/error_estimate.hpp"
 #include "field/evaluate.hpp"
-#include "galerkin/condense.hpp"
-#include "galerkin/element_matrices.hpp"
+#include "stiffness/condense.hpp"
+#include "stiffness/element_matrices.hpp"
 #include "triangulate/triangulate.hpp"
 #include "zeros/cell.hpp"
 #include "zeros/enclosure.hpp"
@@ -20,6 +20,7 @@ using namespace quadrille;
 using namespace quadrille::curve;
 using namespace quadrille::field;
 using namespace quadrille::galerkin;
+using namespace quadrille::stiffness;
 using namespace quadrille::triangulate;
 using namespace quadrille::zeros;
 

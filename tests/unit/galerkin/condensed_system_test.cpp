@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "../test_meshes.hpp"
-#include "galerkin/element_matrices.hpp"
 #include "mesh/tri_maps.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -24,7 +24,8 @@ struct System {
     std::iota(elimination_order.begin(), elimination_order.end(), 0);
     map = make_dof_map(mesh, topology, elimination_order, std::vector<int>(mesh.num_elems(), 4));
     for (const spectral::TriMap& tri : mesh::tri_maps(mesh))
-      elements.push_back(std::make_shared<CondensedElement>(condense(4, stiffness_matrix(tri, 4))));
+      elements.push_back(
+          std::make_shared<CondensedElement>(stiffness::condense(4, stiffness::stiffness_matrix(tri, 4))));
     dofs = Eigen::MatrixXd::Zero(map.num_dofs, 2);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
       dofs.row(map.vertex2dof[v]) << mesh.vertices[v].x, mesh.vertices[v].y;

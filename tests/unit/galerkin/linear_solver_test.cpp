@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/discretization.hpp"
-#include "galerkin/element_matrices.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -19,7 +19,8 @@ struct Problem {
         map(make_dof_map(mesh, context.topology, context.tree.elimination_order,
                          std::vector<int>(mesh.num_elems(), order))) {
     for (const spectral::TriMap& map_of_elem : context.maps)
-      elements.push_back(std::make_shared<CondensedElement>(condense(order, stiffness_matrix(map_of_elem, order))));
+      elements.push_back(std::make_shared<CondensedElement>(
+          stiffness::condense(order, stiffness::stiffness_matrix(map_of_elem, order))));
   }
   Eigen::MatrixX2d solve(const Eigen::MatrixX2d& rhs, int num_threads) const {
     CondensedCholesky cholesky(context.tree, map, num_threads);

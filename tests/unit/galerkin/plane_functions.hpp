@@ -8,7 +8,7 @@
 #include "curve/nurbs.hpp"
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
-#include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
 #include "spectral/tri_nodes.hpp"
 
 namespace quadrille::galerkin {
@@ -29,8 +29,8 @@ inline double greatest_error(const MeshContext& context, const std::vector<int>&
   double greatest = 0;
   for (std::size_t e = 0; e < coefs.size(); ++e)
     for (const Vec2 xi : spectral::tri_nodes(4)) {
-      Eigen::VectorXd modes(coefs[e].rows()), d1 = modes, d2 = modes;
-      spectral::modified_gradients(orders[e], xi, modes.data(), d1.data(), d2.data());
+      Eigen::VectorXd modes(coefs[e].rows());
+      spectral::orthogonal_values(orders[e], xi, modes.data());
       const Eigen::RowVector2d value = modes.transpose() * coefs[e];
       greatest = std::max(greatest, distance({value[0], value[1]}, f(context.maps[e].position(xi))));
     }

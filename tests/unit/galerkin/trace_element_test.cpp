@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "galerkin/element_matrices.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 namespace {
 
-CondensedElement sample_element(double penalty) {
+stiffness::CondensedElement sample_element(double penalty) {
   const spectral::TriMap map({Vec2{0.1, -0.2}, Vec2{1.3, 0.1}, Vec2{0.4, 0.9}});
-  return condense_to_trace(map, 5, {5, 7, 6}, stiffness_matrix(map, 5), penalty);
+  return condense_to_trace(map, 5, {5, 7, 6}, stiffness::stiffness_matrix(map, 5), penalty);
 }
 
 TEST(TraceElement, TraceModesAreOrthonormal) {
@@ -26,7 +26,7 @@ TEST(TraceElement, TraceModesAreOrthonormal) {
 }
 
 TEST(TraceElement, AConstantTraceHasAConstantInsideAndNoFlux) {
-  const CondensedElement element = sample_element(3);
+  const stiffness::CondensedElement element = sample_element(3);
   Eigen::VectorXd trace = Eigen::VectorXd::Zero(element.schur.rows());
   for (const int first : {0, 6, 14}) trace[first] = std::sqrt(2.0);  // the value 1 on all three edges
   EXPECT_LT((element.schur * trace).norm(), 1e-11);
@@ -36,7 +36,7 @@ TEST(TraceElement, AConstantTraceHasAConstantInsideAndNoFlux) {
 }
 
 TEST(TraceElement, TheComplementIsSymmetricWithOneZeroEnergy) {
-  const CondensedElement element = sample_element(3);
+  const stiffness::CondensedElement element = sample_element(3);
   EXPECT_EQ((element.schur - element.schur.transpose()).norm(), 0);
   const Eigen::VectorXd energies = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(element.schur).eigenvalues();
   EXPECT_NEAR(energies[0], 0, 1e-11 * energies.maxCoeff());

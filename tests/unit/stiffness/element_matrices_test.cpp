@@ -1,4 +1,4 @@
-#include "galerkin/element_matrices.hpp"
+#include "stiffness/element_matrices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::stiffness {
 namespace {
 
 const spectral::TriMap straight(std::array<Vec2, 3>{Vec2{0.2, 0.1}, Vec2{1.5, 0.4}, Vec2{0.4, 1.3}});
@@ -96,4 +96,4 @@ TEST(ElementMatrices, LowerOrdersAreCutOutOfHigherOnes) {
 }
 
 }  // namespace
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::stiffness

@@ -8,7 +8,7 @@
 
 #include "spectral/modified_basis.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::stiffness {
 
 /// The interior modes i of an element, which its boundary modes b determine; K_ii = L L^T.
 struct InteriorModes {
@@ -19,10 +19,14 @@ struct InteriorModes {
   Eigen::MatrixXd of(const Eigen::MatrixXd& boundary) const;
 };
 
-/// An element matrix after elimination of the interior modes.
+/// An element matrix over the boundary modes alone, and what determines the solution inside: one of two, or neither if
+/// it is not kept.
 struct CondensedElement {
-  Eigen::MatrixXd schur;  ///< K_bb - K_bi K_ii^-1 K_ib, over the boundary modes
-  std::optional<InteriorModes> interior;
+  Eigen::MatrixXd schur;                  ///< K_bb - K_bi K_ii^-1 K_ib, or its substitute of harmonic_element.hpp
+  std::optional<InteriorModes> interior;  ///< if interior modes were eliminated
+  Eigen::MatrixXd projection;             ///< onto harmonic polynomials, else empty (harmonic_element.hpp)
+
+  bool has_interior() const { return interior || projection.size() > 0; }
 };
 
 /// Eliminates the interior modes. Throws ComputeError(`failure`) if K_ii is not positive definite.
@@ -36,13 +40,4 @@ using CondensedElements = std::vector<std::shared_ptr<const CondensedElement>>;
 /// definite, which only a folded element can cause.
 CondensedElement condense(int order, const Eigen::MatrixXd& stiffness);
 
-/// condense(order, stiffness).interior alone, at a third of the cost.
-InteriorModes interior_modes(int order, const Eigen::MatrixXd& stiffness);
-
-/// The numbers that the interior modes of an element of this order consist of.
-constexpr std::size_t size_of_interior(int order) {
-  const std::size_t ni = spectral::num_interior_modes(order), nb = spectral::num_boundary_modes(order);
-  return ni * (ni + nb);
-}
-
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::stiffness

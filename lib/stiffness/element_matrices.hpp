@@ -5,7 +5,7 @@
 
 #include "spectral/tri_map.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::stiffness {
 
 /// Affine elements combine three reference matrices, computed once per order. Curved elements are integrated by a
 /// collapsed Gauss rule with order + `extra_points` points in each direction, because the integrand is rational. Sums
@@ -15,4 +15,4 @@ Eigen::MatrixXd stiffness_matrix(const spectral::TriMap& map, int order, int ext
 /// The matrix of a lower order, extracted from the matrix of `higher_order`: the basis is hierarchical.
 Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int order);
 
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::stiffness

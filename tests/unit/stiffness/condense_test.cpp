@@ -1,12 +1,12 @@
-#include "galerkin/condense.hpp"
+#include "stiffness/condense.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "galerkin/element_matrices.hpp"
 #include "spectral/modified_basis.hpp"
+#include "stiffness/element_matrices.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::stiffness {
 namespace {
 
 const spectral::TriMap triangle(std::array<Vec2, 3>{Vec2{0, 0}, Vec2{1, 0.1}, Vec2{0.2, 0.9}});
@@ -38,4 +38,4 @@ TEST(Condense, RefusesAMatrixThatIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::stiffness

@@ -1,4 +1,4 @@
-#include "galerkin/element_matrices.hpp"
+#include "stiffness/element_matrices.hpp"
 
 #include <map>
 #include <memory>
@@ -10,7 +10,7 @@
 #include "spectral/modified_basis.hpp"
 #include "spectral/per_order.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::stiffness {
 
 namespace {
 
@@ -187,4 +187,4 @@ Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int
   return stiffness(modes, modes);
 }
 
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::stiffness

@@ -1,8 +1,8 @@
-#include "galerkin/condense.hpp"
+#include "stiffness/condense.hpp"
 
 #include "base/error.hpp"
 
-namespace quadrille::galerkin {
+namespace quadrille::stiffness {
 namespace {
 
 constexpr const char* folded = "an element's stiffness matrix is not positive definite";
@@ -25,7 +25,7 @@ Eigen::MatrixXd InteriorModes::of(const Eigen::MatrixXd& boundary) const {
 
 CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
                                     const Eigen::MatrixXd& k_bb, const char* failure) {
-  CondensedElement element{k_bb, factored(k_ii, k_ib, failure)};
+  CondensedElement element{k_bb, factored(k_ii, k_ib, failure), {}};
   Eigen::MatrixXd half = k_ib;  // L^-1 K_ib
   element.interior->factor.triangularView<Eigen::Lower>().solveInPlace(half);
   // K_bb - half^T half is symmetric by construction.
@@ -40,9 +40,4 @@ CondensedElement condense(int order, const Eigen::MatrixXd& stiffness) {
                             stiffness.topLeftCorner(nb, nb), folded);
 }
 
-InteriorModes interior_modes(int order, const Eigen::MatrixXd& stiffness) {
-  const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
-  return factored(stiffness.bottomRightCorner(ni, ni), stiffness.bottomLeftCorner(ni, nb), folded);
-}
-
-}  // namespace quadrille::galerkin
+}  // namespace quadrille::stiffness
