@@ -36,7 +36,7 @@ void declare(cli::Options& o, NodeArguments& arguments) {
   o.number("--cluster-distance", options.search.cluster_distance, 0, 0.1, "diameters",
            "zeros nearer to each other than this form one cluster, which is replaced by one node or a symmetric set of "
            "nodes, or cancels; so do zeros of opposite index nearer to each other than 0.4 of their distance to the "
-           "boundary, if one node or none can replace them; 0: only zeros that cannot be distinguished");
+           "boundary, if fewer nodes can replace them; 0: only zeros that cannot be distinguished");
   o.number("--corner-absorb", options.search.corner_absorb, 0, 0.1, "diameters",
            "corners absorb zeros nearer than this where the new valence is admissible; 0: none");
   o.integer("--max-valence", options.max_valence, 5, 12,

@@ -21,6 +21,13 @@ class DisjointSets {
     const auto [least, other] = std::minmax({find(i), find(j)});
     parent_[other] = least;
   }
+  /// The numbers of each set, ascending; the sets by their least number.
+  std::vector<std::vector<int>> sets() {
+    std::vector<std::vector<int>> by_least(parent_.size());
+    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) by_least[find(i)].push_back(i);
+    std::erase_if(by_least, [](const std::vector<int>& set) { return set.empty(); });
+    return by_least;
+  }
 
  private:
   std::vector<int> parent_;

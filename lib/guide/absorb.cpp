@@ -8,7 +8,7 @@
 
 #include "base/tie_classes.hpp"
 #include "guide/admissible_valence.hpp"
-#include "guide/clusters.hpp"
+#include "guide/segment_in_mesh.hpp"
 
 namespace quadrille::guide {
 namespace {

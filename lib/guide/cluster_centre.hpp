@@ -1,11 +1,10 @@
 #pragma once
 // The centre of a multiple zero, which does not depend on how noise splits the zero.
 //
-// u and v are harmonic, so that near the zeros w = u + i v = A(z) + conj(B(z)), A and B analytic. The Fourier
-// coefficients of w on a circle of radius R about z0 are those of the Taylor series of A and B: c_k = A_k R^k for
-// k > 0, c_-k = conj(B_k) R^k. If one of them, c_n with n the index, outweighs all others, the circle contains n zeros
-// of about A_n (z - z0)^n + A_{n-1} (z - z0)^{n-1} + ..., whose centroid is z0 - A_{n-1} / (n A_n) (Vieta); for n < 0
-// the same with conj(w). An error e of the field moves it by e / (n |c_n|) R only, while it splits the zero by e^(1/n).
+// Let A and B be the analytic parts of the field (guide/circle_samples), c_k its Fourier coefficients on a circle of
+// radius R about z0. If one of them, c_n with n the index, outweighs all others, the circle contains n zeros of about
+// A_n (z - z0)^n + A_{n-1} (z - z0)^{n-1} + ..., whose centroid is z0 - A_{n-1} / (n A_n) (Vieta); for n < 0 the same
+// with conj(w). An error e of the field moves it by e / (n |c_n|) R only, while it splits the zero by e^(1/n).
 
 #include <optional>
 

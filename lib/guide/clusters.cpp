@@ -10,6 +10,8 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "guide/cluster_centre.hpp"
+#include "guide/opposite_zeros.hpp"
+#include "guide/segment_in_mesh.hpp"
 #include "placement/clearance.hpp"
 #include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
@@ -19,10 +21,6 @@ namespace {
 
 constexpr double equal = 1 + 1e-6;
 
-// Of the distance to the boundary from a zero: if one of opposite index is as near as the first, it forms a cluster
-// with all that are as near as the second.
-constexpr double nearest_opposite = 0.4, near_opposite = 0.6;
-
 /// A zero, or a set of open cells that touch.
 struct Part {
   Vec2 centre;
@@ -30,14 +28,6 @@ struct Part {
   int elem = 0;
   int zero = -1;  ///< index into the zeros; -1: open cells
 };
-
-/// The members of each of the sets of the numbers below n, ascending; sets by their first member.
-std::vector<std::vector<int>> members(DisjointSets& sets, int n) {
-  std::vector<std::vector<int>> by_first(n);
-  for (int i = 0; i < n; ++i) by_first[sets.find(i)].push_back(i);
-  std::erase_if(by_first, [](const std::vector<int>& set) { return set.empty(); });
-  return by_first;
-}
 
 /// A circle around discs; its centre is the middle of their bounding box.
 template <typename Discs>
@@ -62,7 +52,7 @@ std::vector<Part> parts_of(const std::vector<zeros::FoundZero>& zeros, const std
     for (int j = 0; j < i; ++j)
       if (distance(open_cells[i].centre, open_cells[j].centre) <= 2 * (open_cells[i].radius + open_cells[j].radius))
         touching.unite(i, j);
-  for (const std::vector<int>& group : members(touching, num_open)) {
+  for (const std::vector<int>& group : touching.sets()) {
     std::vector<zeros::Disc> discs;
     for (const int i : group) discs.push_back({open_cells[i].centre, open_cells[i].radius});
     const zeros::Disc circle = circle_about(discs);
@@ -92,10 +82,10 @@ class ClusterFinder {
     for (int i = 0; i < num_parts; ++i)
       for (int j = 0; j < i; ++j)
         if (belong_together(parts_[i], parts_[j])) together.unite(i, j);
-    if (criterion_.distance > 0) unite_opposite(together);
+    const std::vector<int> opposite = unite_opposite(together);
     const std::vector<int> undecided = unite_undecided(together);
     Clustering result;
-    for (const std::vector<int>& group : members(together, num_parts)) {
+    for (const std::vector<int>& group : together.sets()) {
       const bool has_zero = std::any_of(group.begin(), group.end(), [this](int i) { return parts_[i].zero >= 0; });
       if (group.size() == 1 && has_zero) {
         result.simple.push_back((*zeros_)[parts_[group[0]].zero]);
@@ -103,35 +93,27 @@ class ClusterFinder {
       }
       Cluster found = cluster(group);
       if (!has_zero && found.index == 0) continue;
-      found.is_undecided =
-          std::find_first_of(group.begin(), group.end(), undecided.begin(), undecided.end()) != group.end();
+      found.is_undecided = contains_one_of(group, undecided);
+      found.is_far_from_boundary = contains_one_of(group, opposite) && !found.is_undecided;
       result.clusters.push_back(std::move(found));
     }
     return result;
   }
 
  private:
-  /// Criterion (d).
-  void unite_opposite(DisjointSets& together) const {
-    const std::vector<zeros::FoundZero>& zeros = *zeros_;
-    const int num_zeros = static_cast<int>(zeros.size());
-    for (int i = 0; i < num_zeros; ++i) {
-      const auto gap = [&](int j) { return distance(zeros[i].x, zeros[j].x); };
-      std::vector<int> opposite;
-      for (int j = 0; j < num_zeros; ++j)
-        if (zeros[j].index * zeros[i].index < 0) opposite.push_back(j);
-      if (opposite.empty()) continue;
-      std::sort(opposite.begin(), opposite.end(), [&](int a, int b) { return gap(a) < gap(b); });
-      const double clearance = equal * placement::signed_clearance(evaluator_->field().mesh.face, zeros[i].x);
-      if (gap(opposite[0]) > nearest_opposite * clearance) continue;
-      std::erase_if(opposite, [&](int j) {
-        return gap(j) > near_opposite * clearance || !is_segment_in_mesh(*evaluator_, zeros[i].x, zeros[j].x);
-      });
-      int index = zeros[i].index;
-      for (const int j : opposite) index += zeros[j].index;
-      if (std::abs(index) > 1) continue;
-      for (const int j : opposite) together.unite(i, j);
+  static bool contains_one_of(const std::vector<int>& group, const std::vector<int>& parts) {
+    return std::find_first_of(group.begin(), group.end(), parts.begin(), parts.end()) != group.end();
+  }
+
+  /// Criterion (d). Returns a zero of each group.
+  std::vector<int> unite_opposite(DisjointSets& together) const {
+    std::vector<int> result;
+    if (criterion_.distance == 0) return result;
+    for (const std::vector<int>& group : opposite_zeros(*evaluator_, *zeros_)) {
+      for (const int i : group) together.unite(group[0], i);
+      result.push_back(group[0]);
     }
+    return result;
   }
 
   /// Criterion (c). Returns a zero of each group that was not united before.
@@ -236,12 +218,6 @@ class ClusterFinder {
 };
 
 }  // namespace
-
-bool is_segment_in_mesh(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b) {
-  for (int i = 1; i < 10; ++i)
-    if (evaluator.locator().find(a + (i / 10.0) * (b - a)).elem < 0) return false;
-  return true;
-}
 
 Clustering find_clusters(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,
                          const std::vector<zeros::OpenCell>& open_cells, const ClusterCriterion& criterion) {

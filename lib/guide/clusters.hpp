@@ -10,9 +10,8 @@
 //   (b) their distance is at most `distance`; or
 //   (c) a region connects them in which |v| is below the field's error, however far they are from each other and
 //       however it is bent (zeros/undecided_zeros): the field does not decide whether they exist; or
-//   (d) their indices are opposite, and they are nearer to each other than 0.4 of the distance of one of them to the
-//       boundary, if this one and all of opposite index nearer than 0.6 of that distance can be replaced by one node,
-//       or none, because their indices add up to -1, 0 or 1. Not if `distance` is 0.
+//   (d) their indices are opposite, they are far from the boundary for their distance, and fewer nodes can replace them
+//       (guide/opposite_zeros). Not if `distance` is 0.
 // In (a), (b) and (d) the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros
 // linked through others are in one cluster, so that a symmetric set of zeros has a symmetric set of clusters. Cells
 // that the search classified as open (|v| below noise all over) are parts of clusters too; neighbouring cells are
@@ -36,9 +35,6 @@ struct Clustering {
   std::vector<Cluster> clusters;
   std::vector<zeros::FoundZero> simple;  ///< the zeros that are in no cluster
 };
-
-/// Whether the segment from a to b lies in the mesh, tested at nine points.
-bool is_segment_in_mesh(const field::FieldEvaluator& evaluator, Vec2 a, Vec2 b);
 
 /// Sorts the zeros into clusters and simple ones. The centre of a cluster with |index| >= 2 is the centre of the
 /// corresponding multiple zero (guide/cluster_centre), else the mean of its members; if that lies outside the domain,

@@ -76,6 +76,10 @@ class Resolver {
     return positions;
   }
 
+  static ChangeKind kind_of(const Cluster& cluster) {
+    return cluster.index == 0 || cluster.is_far_from_boundary ? ChangeKind::cancel : ChangeKind::cluster;
+  }
+
   std::vector<CriticalPoint> nodes_of(std::size_t i) const {
     const Cluster& cluster = points_.clusters[i];
     if (cluster.index == 0) return {};
@@ -84,17 +88,16 @@ class Resolver {
       for (CriticalPoint& node : nodes) node.position = models_[i]->map(node.position);
       return nodes;
     }
-    return cluster_nodes(face_, group_, max_valence_, cluster, other_positions(i), NodeSource::cluster);
+    return cluster_nodes(face_, group_, max_valence_, cluster, other_positions(i), source_of(kind_of(cluster)));
   }
 
   std::string subject(const Cluster& cluster) const {
     if (cluster.members.size() == 1) return "a multiple zero";
-    const auto [least, greatest] = std::minmax_element(cluster.member_indices.begin(), cluster.member_indices.end());
-    const bool are_opposite = least != cluster.member_indices.end() && *least < 0 && *greatest > 0;
     return fmt::format("{} zeros within {:.3g} of each other, {}", cluster.members.size(), 2 * cluster.radius,
                        cluster.is_undecided ? "whose existence the field does not decide"
-                       : are_opposite       ? "of opposite index and nearer to each other than to the boundary"
-                                            : "nearer than any block could be");
+                       : cluster.is_far_from_boundary
+                           ? "of opposite index and nearer to each other than to the boundary"
+                           : "nearer than any block could be");
   }
 
   std::string reason(const Cluster& cluster, const std::vector<CriticalPoint>& nodes) const {
@@ -109,8 +112,7 @@ class Resolver {
 
   void record(std::size_t i) {
     const Cluster& cluster = points_.clusters[i];
-    NodeChange change{
-        cluster.index == 0 ? ChangeKind::cancel : ChangeKind::cluster, reason(cluster, nodes_[i]), {}, {}};
+    NodeChange change{kind_of(cluster), reason(cluster, nodes_[i]), {}, {}};
     if (cluster.member_indices.empty())
       change.before.push_back({cluster.centre, 4 - cluster.index, NodeLocation::inside});
     for (std::size_t k = 0; k < cluster.member_indices.size(); ++k)

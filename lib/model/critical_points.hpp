@@ -153,8 +153,9 @@ struct Cluster {
   double radius = 0;  ///< of a circle about all members
   int index = 0;      ///< sum of the members
   std::vector<Vec2> members;
-  std::vector<int> member_indices;  ///< empty if they cannot be distinguished
-  bool is_undecided = false;        ///< the field does not decide whether the members exist; not in the file
+  std::vector<int> member_indices;    ///< empty if they cannot be distinguished
+  bool is_far_from_boundary = false;  ///< for the distance of its members of opposite index; not in the file
+  bool is_undecided = false;          ///< the field does not decide whether the members exist; not in the file
 };
 
 /// What the search proved about a cell. `zero`: it contains exactly one zero; `open`: undecided, part of a cluster.

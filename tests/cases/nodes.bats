@@ -101,6 +101,21 @@ END
   done
 }
 
+@test "equal holes in rows have four nodes of valence 5 each, whatever their radius, and regular blocks" {
+  for radius in 0.19 0.2 0.22; do
+    python3 - "$DATA" $radius >plate.step <<'EOF'
+import sys
+sys.path.insert(0, sys.argv[1])
+from step_text import rectangle, step_text
+centres = [complex(i + 0.5, j + 0.5) for j in range(5) for i in range(6)]
+print(step_text("plate", [rectangle(0j, 6 + 5j)] + [[("circle", z, float(sys.argv[2]), -1)] for z in centres]), end="")
+EOF
+    "$ROOT/pipelines/quadmesh" -q plate.step -o $radius.msh --workdir w$radius --report $radius.json
+    jq -e '[.critical_points[].valence] == [range(120) | 5]' w$radius/plate.crit.json
+    jq -e '.blocks <= 400' $radius.json
+  done
+}
+
 # apart SHAPE SIZE: no node nearer to another than half the size.
 apart() {
   jq -e --argjson size "$2" '[.critical_points[].position, .boundary_nodes[].position] | . as $p |

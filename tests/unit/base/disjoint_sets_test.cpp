@@ -25,5 +25,13 @@ TEST(DisjointSets, AreFoundByTheirLeastNumberInWhateverOrderTheyAreUnited) {
   EXPECT_EQ(sets.find(0), 0);
 }
 
+TEST(DisjointSets, AreListedByTheirLeastNumber) {
+  DisjointSets sets(5);
+  sets.unite(4, 1);
+  sets.unite(3, 0);
+  const std::vector<std::vector<int>> expected{{0, 3}, {1, 4}, {2}};
+  EXPECT_EQ(sets.sets(), expected);
+}
+
 }  // namespace
 }  // namespace quadrille

@@ -8,6 +8,7 @@
 #include "../support/square_field.hpp"
 #include "base/warning_codes.hpp"
 #include "guide/find_critical_points.hpp"
+#include "guide/segment_in_mesh.hpp"
 
 namespace quadrille::guide {
 namespace {

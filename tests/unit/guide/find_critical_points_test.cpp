@@ -242,6 +242,24 @@ TEST(FindCriticalPoints, zeros_of_opposite_index_cancel_if_they_are_far_from_the
   EXPECT_TRUE(clusters_of(nearest, 0).empty());
 }
 
+TEST(FindCriticalPoints, zeros_that_an_analytic_part_outweighs_are_its_zeros) {
+  // conj(z)^4 + a z: a zero of index 1, and five of index -1 at |z|^3 = a, where |z|^4 outweighs a |z| outside.
+  const auto clusters_of = [](double a) {
+    const auto w = [a](Vec2 x) {
+      const std::complex<double> z(x.x, x.y), value = std::pow(std::conj(z), 4) + a * z;
+      return Vec2{value.real(), value.imag()};
+    };
+    return points_of(w, 4, 4, {1e-3, 0, 1e-10}).clusters;
+  };
+  ASSERT_EQ(clusters_of(std::pow(0.39, 3)).size(), 1u);
+  const Cluster cluster = clusters_of(std::pow(0.39, 3))[0];
+  EXPECT_EQ(cluster.index, -4);
+  EXPECT_EQ(cluster.members.size(), 6u);
+  EXPECT_TRUE(cluster.is_far_from_boundary);
+  EXPECT_NEAR(norm(cluster.centre), 0, 1e-9);
+  EXPECT_TRUE(clusters_of(std::pow(0.41, 3)).empty());  // from 0 the boundary is at a distance of 1
+}
+
 TEST(FindCriticalPoints, a_corner_absorbs_what_is_near_only_if_its_blocks_stay_admissible) {
   // At a right angle |V - 1| <= 0.75 leaves no other valence.
   const CriticalPoints points = points_of(product({{-0.999, -0.999}}), 2, 2);

@@ -9,6 +9,7 @@
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
 #include "curve/symmetry.hpp"
+#include "guide/complete_nodes.hpp"
 #include "placement/clearance.hpp"
 
 namespace quadrille::guide {
@@ -238,6 +239,18 @@ TEST(ResolveClusters, index_sum_is_kept_and_nodes_stay_inside_on_random_polygons
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_GT(distance(points.critical_points[i].position, points.critical_points[j].position), 1e-3);
     }
+  }
+}
+
+TEST(ResolveClusters, nodes_of_clusters_far_from_the_boundary_are_not_moved) {
+  Cluster cluster = multiple_zero({0, 0}, -4);
+  for (const bool is_far : {false, true}) {
+    cluster.is_far_from_boundary = is_far;
+    const CriticalPoints points = resolved(disc(), {cluster});
+    ASSERT_EQ(points.critical_points.size(), 4u);
+    EXPECT_EQ(points.critical_points[0].source, is_far ? NodeSource::cancel : NodeSource::cluster);
+    EXPECT_EQ(points.changes[0].kind, is_far ? ChangeKind::cancel : ChangeKind::cluster);
+    EXPECT_EQ(nodes_without_position(disc(), points), std::vector<bool>(4, !is_far));
   }
 }
 

@@ -1,0 +1,133 @@
+#include "guide/opposite_zeros.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
+#include "guide/circle_samples.hpp"
+#include "guide/segment_in_mesh.hpp"
+#include "placement/clearance.hpp"
+
+namespace quadrille::guide {
+namespace {
+
+constexpr double equal = 1 + 1e-6;
+constexpr double nearest_opposite = 0.4, near_opposite = 0.6;  // of the distance to the boundary from a zero
+constexpr double first_circle = 1.05, next_circle = 1.1;       // radii, over the zeros' extent and over the one before
+
+using Zeros = std::vector<zeros::FoundZero>;
+using Group = std::vector<int>;
+
+double clearance(const field::FieldEvaluator& evaluator, Vec2 x) {
+  return placement::signed_clearance(evaluator.field().mesh.face, x);
+}
+
+/// The zeros that are linked to zero i through its distance to the boundary.
+Group linked_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros, int i) {
+  const auto gap = [&](int j) { return distance(zeros[i].x, zeros[j].x); };
+  Group opposite;
+  for (int j = 0; j < static_cast<int>(zeros.size()); ++j)
+    if (zeros[j].index * zeros[i].index < 0) opposite.push_back(j);
+  if (opposite.empty()) return {};
+  const double reach = equal * clearance(evaluator, zeros[i].x);
+  const auto is_nearest = [&](int j) { return gap(j) <= nearest_opposite * reach; };
+  if (std::none_of(opposite.begin(), opposite.end(), is_nearest)) return {};
+  std::erase_if(opposite, [&](int j) {
+    return gap(j) > near_opposite * reach || !is_segment_in_mesh(evaluator, zeros[i].x, zeros[j].x);
+  });
+  return opposite;
+}
+
+int total_index(const Zeros& zeros, const Group& group) {
+  int sum = 0;
+  for (const int i : group) sum += zeros[i].index;
+  return sum;
+}
+
+/// The circle about the centroid of the zeros through the farthest of them.
+zeros::Disc circle_about(const Zeros& zeros, const Group& group) {
+  zeros::Disc circle;
+  for (const int i : group) circle.centre += zeros[i].x / static_cast<double>(group.size());
+  for (const int i : group) circle.radius = std::max(circle.radius, distance(zeros[i].x, circle.centre));
+  return circle;
+}
+
+Group zeros_inside(const Zeros& zeros, const zeros::Disc& circle) {
+  Group inside;
+  for (int i = 0; i < static_cast<int>(zeros.size()); ++i)
+    if (distance(zeros[i].x, circle.centre) < circle.radius) inside.push_back(i);
+  return inside;
+}
+
+/// The turns of a closed sequence of values about 0.
+int winding(const std::vector<Complex>& values) {
+  double angle = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) angle += std::arg(values[(i + 1) % values.size()] / values[i]);
+  return static_cast<int>(std::lround(angle / (2 * pi)));
+}
+
+/// Whether at each sample of the circle the analytic part of the index's sign is the greater one, and has this index.
+bool is_dominated(const field::FieldEvaluator& evaluator, const zeros::Disc& circle, int index) {
+  const auto w = circle_samples(evaluator, circle.centre, circle.radius, index);
+  if (!w) return false;
+  const std::vector<Complex> part = analytic_part(*w);
+  for (std::size_t i = 0; i < w->size(); ++i)
+    if (!(std::abs(part[i]) > std::abs((*w)[i] - part[i]))) return false;
+  return winding(part) == std::abs(index);
+}
+
+/// The zeros in the smallest circle about the group that is dominated. If no circle is, the search goes on about the
+/// centroid of all zeros that are nearer than the boundary.
+std::optional<Group> dominated_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros, Group group) {
+  for (;;) {
+    zeros::Disc circle = circle_about(zeros, group);
+    const double outer = clearance(evaluator, circle.centre);
+    Group inside;
+    for (circle.radius *= first_circle; circle.radius < outer; circle.radius *= next_circle) {
+      inside = zeros_inside(zeros, circle);
+      if (is_dominated(evaluator, circle, total_index(zeros, inside))) return inside;
+    }
+    if (inside.size() <= group.size()) return std::nullopt;
+    group = inside;
+  }
+}
+
+/// Whether the zeros contain each set as a whole or not at all.
+bool contains_whole_sets(const Group& zeros, DisjointSets& sets, const std::vector<Group>& all) {
+  std::size_t count = 0;
+  for (const Group& set : all) {
+    const bool is_met = std::any_of(zeros.begin(), zeros.end(), [&](int i) { return sets.find(i) == set[0]; });
+    if (is_met) count += set.size();
+  }
+  return count == zeros.size();
+}
+
+void unite(DisjointSets& sets, const Group& group) {
+  for (const int i : group) sets.unite(i, group[0]);
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> opposite_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros) {
+  DisjointSets linked(zeros.size()), replaced(zeros.size());
+  for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
+    Group group = linked_zeros(evaluator, zeros, i);
+    group.push_back(i);
+    unite(linked, group);
+    if (std::abs(total_index(zeros, group)) <= 1) unite(replaced, group);
+  }
+  const std::vector<Group> groups = linked.sets();
+  for (const Group& group : groups) {
+    if (std::abs(total_index(zeros, group)) <= 1) continue;  // single zeros too
+    const std::optional<Group> wider = dominated_zeros(evaluator, zeros, group);
+    if (wider && contains_whole_sets(*wider, linked, groups)) unite(replaced, *wider);
+  }
+  std::vector<Group> result = replaced.sets();
+  std::erase_if(result, [](const Group& group) { return group.size() == 1; });
+  return result;
+}
+
+}  // namespace quadrille::guide
