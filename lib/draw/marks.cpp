@@ -99,10 +99,7 @@ void legend_corner(Picture& picture, const CadFace& face) {
 }
 
 void legend_scale(Picture& picture, const CadFace& face) {
-  std::string unit = face.length_unit == "unknown" ? "" : face.length_unit;
-  for (const LengthUnit& known : length_units)
-    if (known.name == unit) unit = known.symbol;
-  picture.legend_scale(unit);
+  picture.legend_scale(unit_symbol(face));
 }
 
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {

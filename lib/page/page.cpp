@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/length_scale.hpp"
 #include "page/page_assets.hpp"
 #include "page/sheet.hpp"
 
@@ -109,7 +110,8 @@ std::string data_json(const std::vector<Stage>& stages, bool is_comparison) {
     sheets.push_back(sheet_json(stage, own));
   }
   JsonObject object;
-  object.text("title", title_of(stages)).text("unit", face ? face->length_unit : "unknown");
+  object.text("title", title_of(stages)).text("unit", face ? unit_symbol(*face) : "");
+  object.json("palettes", palettes_json());
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();

@@ -27,6 +27,9 @@ std::string json_list(const std::vector<std::string>& values);
 /// A JSON array of strings.
 std::string json_texts(const std::vector<std::string>& texts);
 
+/// The colours of drawings, light and dark (page_palette.cpp).
+std::string palettes_json();
+
 /// A JSON object, key by key.
 class JsonObject {
  public:

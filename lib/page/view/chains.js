@@ -26,21 +26,21 @@ class Chains {
 
   fill(context, view, theme) {
     if (!this.isClosed) return;
-    const quantity = this.quantities[this.quantity], last = theme.rampColours.length - 1;
+    const quantity = this.quantities[this.quantity], ramp = quantity && coloursOf(theme, quantity);
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
-      const ramp = quantity && theme.rampColours[Math.round(last * rampPosition(quantity, quantity.values[item]))];
-      context.fillStyle = ramp ? css(ramp) : theme.blocks[this.colours[item] % theme.blocks.length];
+      const at = quantity && rampPosition(quantity, quantity.values[item]);
+      context.fillStyle = quantity ? css(ramp[Math.round(at * (ramp.length - 1))]) : theme.blocks[this.colours[item] % theme.blocks.length];
       context.fill(this.outline(view, item));
     }
   }
 
   stroke(context, view, theme) {
     if (this.isClosed) return;
-    const maps = view.maps(), hues = lineHues[theme.name];
+    const maps = view.maps();
     context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1 }[this.style];
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
       const colour = this.colours ? this.colours[item] : -1;
-      context.strokeStyle = this.style === "line" && colour >= 0 ? hues[colour % hues.length] : theme.border;
+      context.strokeStyle = this.style === "line" && colour >= 0 ? theme.lines[colour % theme.lines.length] : theme.border;
       context.beginPath();
       this.trace(context, maps, item);
       context.stroke();

@@ -6,9 +6,6 @@ function roundStep(least) {
   return power * [1, 2, 5, 10].find((m) => m * power >= least * (1 - 1e-12));
 }
 
-const unitSigns = { millimetre: "mm", metre: "m", centimetre: "cm", micrometre: "µm", inch: "in", foot: "ft" };
-const unitSign = (page) => unitSigns[page.unit] || (page.unit === "unknown" ? "" : page.unit);
-
 function tickText(value, step) {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   if (Math.abs(value) >= 1e6 || digits > 6) return value.toExponential(3);
@@ -70,7 +67,7 @@ function drawScaleBar(context, view, theme, page) {
   context.textAlign = "center";
   context.textBaseline = "alphabetic";
   context.fillStyle = theme.ink;
-  haloText(context, theme, `${figure(length)} ${unitSign(page)}`.trim(), x + pixels / 2, y - 8);
+  haloText(context, theme, `${figure(length)} ${page.unit}`.trim(), x + pixels / 2, y - 8);
 }
 
 /** Labels of the layers, those that would cover an earlier one left out. */

@@ -23,7 +23,7 @@ class Marks {
   draw(context, theme, item, path) {
     const kind = this.kinds[item], colour = valenceColour(theme, this.valences[item], kind === "boundary");
     context.lineWidth = 1.6;
-    context.strokeStyle = kind === "hollow" ? colour : css(theme.paper);
+    context.strokeStyle = kind === "hollow" ? colour : theme.paper;
     context.fillStyle = kind === "corner" || kind === "dot" ? theme.ink : colour;
     if (kind !== "hollow") context.fill(path);
     context.stroke(path);

@@ -109,11 +109,12 @@ function drawHistogram(canvas, quantity, theme) {
   canvas.width = width * ratio;
   canvas.height = height * ratio;
   const context = canvas.getContext("2d"), counts = histogramCounts(quantity, 40), most = Math.max(...counts);
+  const colours = coloursOf(theme, quantity);
   context.scale(ratio, ratio);
   const bar = width / counts.length;
   counts.forEach((count, i) => {
     const t = (i + 0.5) / counts.length, good = quantity.worst === "high" ? 1 - t : t;
-    context.fillStyle = css(theme.rampColours[Math.round(good * (theme.rampColours.length - 1))]);
+    context.fillStyle = css(colours[Math.round(good * (colours.length - 1))]);
     context.fillRect(i * bar, height - foot, bar + 0.5, 4);
     const tall = count ? Math.max(2, Math.sqrt(count / most) * (height - foot - 6)) : 0;
     context.fillRect(i * bar + 0.5, height - foot - 2 - tall, bar - 1, tall);

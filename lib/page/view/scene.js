@@ -26,9 +26,9 @@ class Scene {
     const context = canvas.getContext("2d");
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.lineJoin = context.lineCap = "round";
-    context.fillStyle = css(theme.paper);
+    context.fillStyle = theme.paper;
     context.fillRect(0, 0, large.width, large.height);
-    const other = { ...theme, ...theme.other }; // for lines of other stages
+    const other = { ...theme, ...theme.added }; // for lines of other stages
     const isMark = (layer) => layer instanceof Marks;
     for (const layer of layers) layer.fill(context, large, theme);
     for (const layer of layers)
@@ -46,7 +46,7 @@ class Scene {
     const start = performance.now(), context = this.canvas.getContext("2d"), last = this.sharp.view;
     const zoom = view.scale / last.scale, [x, y] = view.toScreen(last.x, last.y);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    context.fillStyle = css(theme.paper);
+    context.fillStyle = theme.paper;
     context.fillRect(0, 0, view.width, view.height);
     const width = last.width * zoom, height = last.height * zoom;
     context.drawImage(this.sharp.canvas, x - width / 2, y - height / 2, width, height);

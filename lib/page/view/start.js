@@ -12,7 +12,7 @@ class Page {
     this.isPinned = false;
     this.hasLabels = data.sheets.length > 0;
     this.rank = -1;
-    this.theme = themeNamed(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     this.timer = 0;
   }
 
@@ -37,7 +37,6 @@ class Page {
     fillHelp();
     this.resize();
     this.fit();
-    this.setTheme(this.theme.name);
     this.choose(this.current);
     listen(this);
   }
@@ -97,8 +96,7 @@ class Page {
   }
 
   setTheme(name) {
-    this.theme = themeNamed(name);
-    document.documentElement.dataset.theme = name;
+    this.theme = themeNamed(name, this.data.palettes);
   }
 
   forget() {
@@ -111,7 +109,7 @@ class Page {
   point(px, py) {
     const [x, y] = this.view.toPlane(px, py);
     const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
-    byId("place").textContent = `${text(x + this.data.x)}, ${text(y + this.data.y)} ${unitSign(this.data)}`;
+    byId("place").textContent = `${text(x + this.data.x)}, ${text(y + this.data.y)} ${this.data.unit}`;
     const found = this.scene.itemAt(this.view, this.shown, px, py);
     this.forget();
     this.focus = found;
@@ -129,7 +127,7 @@ class Page {
 
   /** Size and quality of the item in focus. */
   figures() {
-    const { layer, item } = this.focus, unit = unitSign(this.data), sizes = layer.sizes(item), rows = [];
+    const { layer, item } = this.focus, unit = this.data.unit, sizes = layer.sizes(item), rows = [];
     if (sizes.least !== undefined) rows.push(["sides", `${figure(sizes.least)} to ${figure(sizes.greatest)} ${unit}`]);
     const whole = layer.isClosed ? "perimeter" : "length";
     if (sizes.length !== undefined) rows.push([whole, `${figure(sizes.length)} ${unit}`]);
