@@ -28,6 +28,7 @@ struct DrawOptions {
   std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
   std::optional<Window> window;                   ///< none: everything
   std::string file;  ///< name of the file without folders, written beside the title; empty: none
+  std::string title_prefix;  ///< "A: " in a comparison
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);

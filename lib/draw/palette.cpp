@@ -25,7 +25,7 @@ Palette on_light() {
                      {0.75, "#f5ead6"}, {0.9, "#d3e5ea"},  {1, "#a5cbdd"}};
   palette.amount = even_ramp({"#f6f3e4", "#cfe3cf", "#9fd0cd", "#74a9d0", "#5a6db0"});
   for (int i = 0; i < num_areas; ++i) palette.blocks.push_back(quiet_colour(i));
-  palette.lines = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#8a6100", "#000000"};
+  palette.lines = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#8a6100", "#6d3d96"};
   palette.few = "#0072b2";
   palette.many = "#d55e00";
   palette.other = "#333333";

@@ -69,9 +69,9 @@ const Provenance& provenance_of(const Stage& stage) {
       stage);
 }
 
-std::string facts_json(const std::vector<Fact>& facts) {
+std::string facts_json(const std::vector<draw::Figure>& facts) {
   std::vector<std::string> rows;
-  for (const Fact& fact : facts) rows.push_back(json_texts({fact.label, fact.value}));
+  for (const draw::Figure& fact : facts) rows.push_back(json_texts({fact.label, fact.value}));
   return json_list(rows);
 }
 

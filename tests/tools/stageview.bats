@@ -191,8 +191,27 @@ page_data() {
   run -2 stageview --compare "$X.tri.h5" "$X.tri.h5" -o c.html
   assert_line --partial '--compare needs layouts or meshes'
   run -2 stageview --compare "$X.quad.h5" -o c.html
-  run -2 stageview --compare "$X.quad.h5" b.quad.h5 -o c.svg
   assert_file_not_exists c.html
+}
+
+@test "--compare draws both side by side at one scale, with a table, as every kind of picture" {
+  quadrefine "$X.blocks.h5" --size 0.2 -o b.quad.h5 --report b.json
+  quadrefine "$X.blocks.h5" -o a.quad.h5 --report a.json
+  run -0 stageview --compare a.quad.h5 b.quad.h5 --width 1400 -o a.svg
+  assert_output ''
+  xmllint --noout a.svg
+  assert_equal "$(shown 'A: Quad mesh</text>')$(shown 'B: Quad mesh</text>')$(shown '>a.quad.h5<')$(shown '>b.quad.h5<')" 1111
+  assert_equal "$(shown 'id="[ab]-elem-')" "$(jq -s 'map(.quads) | add' a.json b.json)"
+  assert_equal "$(sed -n '/id="table"/,$p' a.svg | grep -A2 '>quads<' | grep -oE '>[0-9]+<' | tr -d '<>' | xargs)" \
+    "$(jq -r .quads a.json b.json | xargs)"
+  stageview --compare "$X.sep.json" "$X.sep.json" -o b.svg
+  stageview --compare "$X.blocks.h5" "$X.blocks.h5" --window 0,0,0.5,0.5 | xmllint --noout -
+  run -2 stageview --compare a.quad.h5 b.quad.h5 --field "$X.field.h5" -o c.svg
+  run -2 stageview --compare a.quad.h5 "$X.blocks.h5" -o c.svg
+  assert_file_not_exists c.svg
+  command -v rsvg-convert >/dev/null || return 0
+  stageview --compare a.quad.h5 b.quad.h5 -o c.png
+  stageview --compare a.quad.h5 b.quad.h5 -o c.pdf
 }
 
 @test "names are escaped in a page" {
@@ -211,7 +230,7 @@ page_data() {
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 7
+  assert_equal "$(wc -l <examples)" 8
   command -v rsvg-convert >/dev/null || sed -i '/p[dn][fg]$/d' examples
   while read -r line; do run -0 bash -c "$line"; done <examples
 }

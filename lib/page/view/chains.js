@@ -40,7 +40,7 @@ class Chains {
     context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1 }[this.style];
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
       const colour = this.colours ? this.colours[item] : -1;
-      context.strokeStyle = this.style === "line" && colour >= 0 ? theme.lines[colour % theme.lines.length] : theme.border;
+      context.strokeStyle = this.style === "line" && colour >= 0 && !theme.isAdded ? theme.lines[colour % theme.lines.length] : theme.border;
       context.beginPath();
       this.trace(context, maps, item);
       context.stroke();
@@ -81,23 +81,39 @@ class Chains {
     return this.isClosed ? { area: areaOf(points), length: lengthOf(points) } : { length: lengthOf(points) };
   }
 
-  /** Labels [text, x, y, normal]: names of curves beside their middles, names or numbers of blocks in them. */
-  labels(view) {
+  /** Labels {text, at, away}: given names of curves, or with `all` their numbers too, beside their middles; names or
+   *  numbers of blocks in them. */
+  labels(view, all) {
     if (this.style !== "boundary" && !this.isClosed) return [];
     return itemsWithin(this.boxes, view.rectangle()).map((item) => {
       const points = flattened(this.controls(item), 4), middle = points[points.length >> 1];
       if (this.isClosed) {
         const centre = [0, 1].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
-        return { text: this.shortName(item), at: centre, away: [0, 0] };
+        return { text: this.shortName(item), at: centre, away: [0, 0], within: this.sizeOf(item) };
       }
       const before = points[(points.length >> 1) - 1] || middle;
       const length = Math.hypot(middle[0] - before[0], middle[1] - before[1]) || 1;
       const away = [(middle[1] - before[1]) / length, (middle[0] - before[0]) / length];
-      return { text: this.names[item], at: middle, away };
+      return { text: all ? this.numberAndName(item) : this.givenName(item), at: middle, away };
     });
   }
 
+  /** Width and height of an item's box. */
+  sizeOf(item) {
+    const k = 4 * item;
+    return [this.boxes[k + 2] - this.boxes[k], this.boxes[k + 3] - this.boxes[k + 1]];
+  }
+
+  /** The name; empty where it is made from the number. */
+  givenName(item) {
+    return nameSuffix(this.names[item] || "", this.noun, item) && this.names[item];
+  }
+
   shortName(item) {
-    return nameSuffix(this.names[item] || "", this.noun, item) ? this.names[item] : String(item);
+    return this.givenName(item) || String(item);
+  }
+
+  numberAndName(item) {
+    return `${item} ${this.givenName(item)}`.trim();
   }
 }

@@ -32,7 +32,7 @@ function themeNamed(name, palettes) {
   const style = getComputedStyle(document.documentElement), own = palettes[name], theme = { name, ...own };
   for (const part of ["paper", "ink", "faint", "accent", "line", "border", "fill", "halo"])
     theme[part] = style.getPropertyValue(`--${part}`).trim();
-  theme.added = { line: channelsOf(theme.accent).join(","), border: theme.accent };
+  theme.added = { isAdded: true, line: channelsOf(theme.accent).join(","), border: theme.accent };
   theme.qualityColours = rampColours(own.quality, 64);
   theme.amountColours = rampColours(own.amount, 64);
   theme.angleColours = rampColours(own.angle, 257); // from -45 to 45 degrees

@@ -70,17 +70,40 @@ function drawScaleBar(context, view, theme, page) {
   haloText(context, theme, `${figure(length)} ${page.unit}`.trim(), x + pixels / 2, y - 8);
 }
 
-/** Labels of the layers, those that would cover an earlier one left out. */
-function drawLabels(context, view, theme, layers) {
+/** "A" or "B" at the upper edge of a pane. */
+function drawTitle(context, theme, title) {
+  context.font = "bold 14px system-ui, sans-serif";
+  context.textAlign = "left";
+  context.textBaseline = "top";
+  context.fillStyle = theme.ink;
+  haloText(context, theme, title, 12, 10);
+}
+
+/** Where the pointer is in the other pane. */
+function drawCross(context, view, theme, [x, y]) {
+  const [px, py] = view.toScreen(x, y);
+  context.strokeStyle = theme.accent;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(px - 9, py);
+  context.lineTo(px + 9, py);
+  context.moveTo(px, py - 9);
+  context.lineTo(px, py + 9);
+  context.stroke();
+}
+
+/** Labels of the layers; those that would cover an earlier one or are larger than their block are left out. */
+function drawLabels(context, view, theme, layers, all) {
   const taken = [];
   context.font = "12px system-ui, sans-serif";
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillStyle = theme.ink;
   for (const layer of layers)
-    for (const { text, at, away } of layer.labels ? layer.labels(view) : []) {
+    for (const { text, at, away, within } of layer.labels ? layer.labels(view, all) : []) {
       if (!text) continue;
       const half = context.measureText(text).width / 2 + 3, [sx, sy] = view.toScreen(at[0], at[1]);
+      if (within && (within[0] * view.scale < 2 * half || within[1] * view.scale < 18)) continue;
       const x = sx + away[0] * (half + 6), y = sy + away[1] * 14;
       const box = [x - half, y - 9, x + half, y + 9];
       if (taken.some((t) => t[0] < box[2] && t[2] > box[0] && t[1] < box[3] && t[3] > box[1])) continue;

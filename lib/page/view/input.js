@@ -10,9 +10,10 @@ const actions = {
   worst: (page) => page.worst(1),
   back: (page) => page.worst(-1),
   labels: (page) => {
-    page.hasLabels = !page.hasLabels;
+    page.labels = { given: "all", all: "none", none: "given" }[page.labels];
     page.drawOverlay();
   },
+  beside: (page) => page.toggleBeside(),
   theme: (page) => {
     page.setTheme(page.theme.name === "dark" ? "light" : "dark");
     page.changed();
@@ -37,7 +38,7 @@ const actions = {
 
 const keyActions = {
   0: "fit", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
-  Q: "quantityBack", Escape: "close", "]": "next", "[": "before",
+  Q: "quantityBack", Escape: "close", s: "beside", "]": "next", "[": "before",
 };
 
 function listen(page) {
@@ -53,7 +54,8 @@ function listen(page) {
     page.resize();
     page.drawSharp();
   }).observe(byId("window"));
-  listenToPointer(page, byId("overlay"));
+  listenToPointer(page, byId("overlay"), 0);
+  listenToPointer(page, byId("overlay-b"), 1);
 }
 
 function onKey(page, event) {
@@ -72,7 +74,7 @@ function onKey(page, event) {
 }
 
 /** Drag, wheel and pinch. */
-function listenToPointer(page, canvas) {
+function listenToPointer(page, canvas, pane) {
   const pointers = new Map();
   const position = (event) => [event.offsetX, event.offsetY];
   canvas.addEventListener("pointerdown", (event) => {
@@ -82,7 +84,7 @@ function listenToPointer(page, canvas) {
   });
   canvas.addEventListener("pointermove", (event) => {
     const now = position(event);
-    if (!pointers.has(event.pointerId)) return page.point(...now);
+    if (!pointers.has(event.pointerId)) return page.point(...now, pane);
     drag(page, pointers, event.pointerId, now);
   });
   const release = (event) => {
@@ -92,6 +94,7 @@ function listenToPointer(page, canvas) {
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
   canvas.addEventListener("pointerleave", () => {
+    page.pointer = null;
     if (page.isPinned) return;
     page.forget();
     page.drawOverlay();

@@ -172,7 +172,7 @@ function optionsText(json) {
 const keys = [
   ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["1 … 9", "stage by its number"],
   ["[  ]", "stage before, next stage"], ["w  W", "next worst element, one back"], ["q  Q", "next quantity, one back"],
-  ["l", "names and numbers"], ["f", "find by number or name"], ["t", "light or dark"], ["p", "panel"], ["Esc", "close"],
+  ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["s", "side by side, of a comparison"], ["p", "panel"], ["Esc", "close"],
   ["?", "these keys"],
 ];
 

@@ -53,7 +53,7 @@ class Scene {
     performance.measure("draw moved", { start });
   }
 
-  drawOverlay(view, theme, page, layers, focus, hasLabels) {
+  drawOverlay(view, theme, page, layers, { focus, labels, title, cross }) {
     const context = this.overlay.getContext("2d");
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.clearRect(0, 0, view.width, view.height);
@@ -61,9 +61,11 @@ class Scene {
       drawFocus(context, view, theme, focus);
       drawRing(context, view, theme, focus);
     }
-    if (hasLabels) drawLabels(context, view, theme, layers);
+    if (labels !== "none") drawLabels(context, view, theme, layers, labels === "all");
     drawAxes(context, view, theme, page);
     drawScaleBar(context, view, theme, page);
+    if (title) drawTitle(context, theme, title);
+    if (cross) drawCross(context, view, theme, cross);
   }
 
   /** The topmost item under a point of the window: {layer, item}, or null. Marks are above lines, lines above areas. */
