@@ -13,6 +13,7 @@
 #include "draw/comparison.hpp"
 #include "draw/draw.hpp"
 #include "io/converted_picture.hpp"
+#include "io/history.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "page/page.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string field, output, window;
+  std::string field, output, window, run_report;
   bool is_comparison = false, labels_all = false, labels_none = false;
   draw::DrawOptions draw;
 };
@@ -152,10 +153,23 @@ std::string picture_of_pair(const std::array<page::Stage, 2>& pair, const Settin
   return drawn_pair<QuadMesh>(pair, settings);
 }
 
-std::string page_of(std::vector<Read> files) {
+/// The report with the commands by which the files were made, named after the last of them.
+page::Run run_of(const std::vector<Read>& files, const Settings& settings) {
+  if (settings.run_report.empty()) return {};
+  page::Run run{io::read_report(settings.run_report), {}};
+  io::History history;
+  for (const Read& read : files)
+    for (const std::string& line :
+         history.lines_of(provenance_of(read.stage), read.file.sha256, io::history_stem(settings.inputs.back())))
+      run.commands.push_back(line);
+  return run;
+}
+
+std::string page_of(std::vector<Read> files, const Settings& settings) {
+  const page::Run run = run_of(files, settings);
   std::vector<page::Stage> stages;
   for (Read& read : files) stages.push_back(std::move(read.stage));
-  return page::html_page(stages);
+  return page::html_page(stages, run);
 }
 
 /// What command line and names tell before a file is read.
@@ -166,6 +180,9 @@ void check_usage(const Settings& settings, bool is_page) {
   if (!settings.window.empty() && is_page) throw UsageError("--window is for pictures: a page zooms by itself");
   if (settings.labels_all && settings.labels_none)
     throw UsageError("--curve-labels and --no-curve-labels exclude each other");
+  if (!settings.run_report.empty() && (!is_page || settings.is_comparison))
+    throw UsageError(
+        "--run-report is for pages of one chain: give -o with a name that ends in .html, and no --compare");
   if (settings.is_comparison && !settings.field.empty()) throw UsageError("--compare and --field exclude each other");
 }
 
@@ -181,7 +198,7 @@ std::string drawn(const Settings& settings, bool is_page, cli::Session& session)
   if (settings.labels_all && std::holds_alternative<CriticalPoints>(files.back().stage) && settings.field.empty())
     throw UsageError("--curve-labels needs --field for a critical-points file, which does not contain the face");
   session.begin_phase("draw");
-  return is_page ? page_of(std::move(files)) : picture_of(files, settings);
+  return is_page ? page_of(std::move(files), settings) : picture_of(files, settings);
 }
 
 void run(const Settings& settings, cli::Session& session) {
@@ -230,9 +247,15 @@ int main(int argc, char** argv) {
              "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");
     o.input_file("--field", settings.field, "FILE", "field to draw under critical points, with the outline of the face",
                  false);
-    o.flag("--compare", settings.is_comparison,
-           "two files of one format, separatrices, blocks or quads, which need not be of one chain: side by side at one "
-           "scale (in a page also the lines of one over the other), with a table of counts and qualities");
+    o.flag(
+        "--compare", settings.is_comparison,
+        "two files of one format, separatrices, blocks or quads, which need not be of one chain: side by side at one "
+        "scale (in a page also the lines of one over the other), with a table of counts and qualities");
+    o.input_file(
+        "--run-report", settings.run_report, "FILE",
+        "in a page, a tab with this report of the run (quadmesh --report), histograms of the last mesh and the "
+        "commands by which the files were made",
+        false);
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
     o.flag("--curve-labels", settings.labels_all,

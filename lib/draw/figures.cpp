@@ -77,8 +77,8 @@ std::vector<Figure> quality_figures_of(const QuadMesh& mesh) {
   append_quality(figures, "edge-length ratio", mesh.elem_edge_ratio, true);
   append_quality(figures, "area jump", mesh.elem_area_jump, true);
   if (!mesh.elem_node_distance.empty())
-    figures.push_back({"least node distance", figure_text(*std::min_element(mesh.elem_node_distance.begin(),
-                                                                            mesh.elem_node_distance.end()))});
+    figures.push_back({"least node distance",
+                       figure_text(*std::min_element(mesh.elem_node_distance.begin(), mesh.elem_node_distance.end()))});
   return figures;
 }
 

@@ -102,8 +102,8 @@ Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
   sheet.facts = draw::figures_of(layout);
   const std::vector<double>& quality = layout.block_scaled_jacobian;
   if (!quality.empty())
-    sheet.facts.push_back({"worst scaled Jacobian",
-                           draw::figure_text(*std::min_element(quality.begin(), quality.end()))});
+    sheet.facts.push_back(
+        {"worst scaled Jacobian", draw::figure_text(*std::min_element(quality.begin(), quality.end()))});
   JsonObject blocks = chains_layer(blocks_of(layout, frame), "blocks", "blocks", "block", "block");
   blocks.json("quantities", quantities_json({{"scaled Jacobian", "low", 0, 1, quality}}));
   sheet.layers.push_back(blocks);

@@ -98,7 +98,7 @@ std::string title_of(const std::vector<Stage>& stages) {
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_json(const std::vector<Stage>& stages, bool is_comparison) {
+std::string data_json(const std::vector<Stage>& stages, bool is_comparison, const Run& run) {
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
@@ -114,10 +114,11 @@ std::string data_json(const std::vector<Stage>& stages, bool is_comparison) {
   object.json("palettes", palettes_json());
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
+  if (!run.report.empty()) object.json("report", script_json(run.report)).json("commands", json_texts(run.commands));
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
 }
 
-std::string page_of(const std::vector<Stage>& stages, bool is_comparison) {
+std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const Run& run) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -125,13 +126,13 @@ std::string page_of(const std::vector<Stage>& stages, bool is_comparison) {
       "script-src 'unsafe-inline'\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison), page_script());
+      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison, run), page_script());
 }
 
 }  // namespace
 
-std::string html_page(const std::vector<Stage>& stages) { return page_of(stages, false); }
+std::string html_page(const std::vector<Stage>& stages, const Run& run) { return page_of(stages, false, run); }
 
-std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true); }
+std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true, {}); }
 
 }  // namespace quadrille::page

@@ -19,6 +19,8 @@ std::string packed_floats(const std::vector<double>& values);
 
 /// `text` as a JSON string that may stand inside a <script> element: no "<", ">" or "&".
 std::string script_string(const std::string& text);
+/// JSON as it may stand inside a <script> element: such characters are in strings only, and are escaped there.
+std::string script_json(const std::string& json);
 /// `text` as the content of an HTML element or attribute.
 std::string html_text(const std::string& text);
 

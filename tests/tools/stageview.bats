@@ -214,6 +214,21 @@ page_data() {
   stageview --compare a.quad.h5 b.quad.h5 -o c.pdf
 }
 
+@test "--run-report adds a report and the commands to a page of one chain" {
+  quadrefine "$X.blocks.h5" -o mesh.quad.h5 --report report.json
+  run -0 stageview "$X.blocks.h5" mesh.quad.h5 --run-report report.json -o a.html
+  assert_output ''
+  page_data a.html >data.json
+  assert_equal "$(jq .report.quads data.json)" "$(jq .quads report.json)"
+  assert_equal "$(jq -r '.commands[-1]' data.json | grep -oE ' mesh.blocks.h5 -o .*')" " mesh.blocks.h5 -o mesh.quad.h5"
+  echo '["no report"]' >list.json
+  run -3 stageview mesh.quad.h5 --run-report list.json -o b.html
+  assert_output "stageview: list.json: expected a report, a JSON object (formats/report.md)"
+  run -2 stageview mesh.quad.h5 --run-report report.json -o b.svg
+  run -2 stageview --compare mesh.quad.h5 mesh.quad.h5 --run-report report.json -o b.html
+  assert_file_not_exists b.html
+}
+
 @test "names are escaped in a page" {
   cad2tri "$DATA/half_disc.step" --boundary-names <(echo '{"*": "</script><b>&"}') -o named.tri.h5
   stageview named.tri.h5 -o a.html

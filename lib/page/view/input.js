@@ -13,6 +13,7 @@ const actions = {
     page.labels = { given: "all", all: "none", none: "given" }[page.labels];
     page.drawOverlay();
   },
+  report: (page) => page.showReport(),
   beside: (page) => page.toggleBeside(),
   theme: (page) => {
     page.setTheme(page.theme.name === "dark" ? "light" : "dark");
@@ -32,13 +33,13 @@ const actions = {
     page.forget();
     page.drawOverlay();
   },
-  next: (page) => page.choose(page.current + 1),
-  before: (page) => page.choose(page.current - 1),
+  next: (page) => page.choose(page.tab + 1),
+  before: (page) => page.choose(page.tab - 1),
 };
 
 const keyActions = {
   0: "fit", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
-  Q: "quantityBack", Escape: "close", s: "beside", "]": "next", "[": "before",
+  Q: "quantityBack", Escape: "close", s: "beside", r: "report", "]": "next", "[": "before",
 };
 
 function listen(page) {
@@ -67,7 +68,7 @@ function onKey(page, event) {
   else if (moves[event.key]) page.view.pan(...moves[event.key]);
   else if (event.key === "+" || event.key === "=") page.view.zoom(1.4, ...centre, page.limits);
   else if (event.key === "-") page.view.zoom(1 / 1.4, ...centre, page.limits);
-  else if (/^[1-9]$/.test(event.key) && page.sheets[event.key - 1]) page.choose(event.key - 1);
+  else if (/^[1-9]$/.test(event.key) && event.key <= page.tabCount) page.choose(event.key - 1);
   else return;
   event.preventDefault();
   if (!action && !/^[1-9]$/.test(event.key)) page.moved();

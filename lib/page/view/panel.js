@@ -22,8 +22,9 @@ function tabTitles(sheets) {
   });
 }
 
-function showTabs(sheets, current, choose) {
-  const titles = tabTitles(sheets);
+/** The stages; with a report of the run a tab for it behind them, whose number is theirs. */
+function showTabs(sheets, current, choose, hasReport) {
+  const titles = [...tabTitles(sheets), ...(hasReport ? ["Report"] : [])];
   byId("tabs").replaceChildren(
     ...titles.map((title, i) => {
       const tab = element("button", { textContent: title, title: `Key ${i + 1}`, onclick: () => choose(i) });
@@ -88,9 +89,13 @@ function showMeasure(layers, theme) {
   if (!quantity) return;
   byId("measure-title").textContent = quantity.title;
   drawHistogram(byId("histogram"), quantity, theme);
+  byId("measure-text").textContent = limitsText(quantity);
+}
+
+function limitsText(quantity) {
   const median = quantity.values[quantity.order[quantity.order.length >> 1]];
   const limits = `least ${figure(quantity.least)}, median ${figure(median)}, greatest ${figure(quantity.greatest)}`;
-  byId("measure-text").textContent = `${limits}${quantity.isLog ? "; logarithmic scale" : ""}`;
+  return `${limits}${quantity.isLog ? "; logarithmic scale" : ""}`;
 }
 
 function histogramCounts(quantity, count) {
@@ -172,7 +177,7 @@ function optionsText(json) {
 const keys = [
   ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["1 … 9", "stage by its number"],
   ["[  ]", "stage before, next stage"], ["w  W", "next worst element, one back"], ["q  Q", "next quantity, one back"],
-  ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["s", "side by side, of a comparison"], ["p", "panel"], ["Esc", "close"],
+  ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["r", "report of the run"], ["s", "side by side, of a comparison"], ["p", "panel"], ["Esc", "close"],
   ["?", "these keys"],
 ];
 

@@ -8,6 +8,7 @@ class Page {
     this.current = data.comparison ? 0 : this.sheets.length - 1;
     this.scenes = [new Scene(byId("picture"), byId("overlay")), new Scene(byId("picture-b"), byId("overlay-b"))];
     this.isBeside = data.comparison;
+    this.isReport = false;
     this.pointer = null; // {pane, at}: the pane that the pointer is over, and where in the plane
     this.view = new View(1, 1);
     this.focus = null;
@@ -61,10 +62,22 @@ class Page {
     for (const scene of this.scenes) scene.resize(clientWidth, clientHeight);
   }
 
+  /** Tabs are the stages and, behind them, the report of the run if there is one. */
+  get tabCount() {
+    return this.sheets.length + (this.data.report ? 1 : 0);
+  }
+  get tab() {
+    return this.isReport ? this.sheets.length : this.current;
+  }
+
   choose(number) {
-    this.current = (number + this.sheets.length) % this.sheets.length;
+    const chosen = (number + this.tabCount) % this.tabCount;
+    this.isReport = chosen === this.sheets.length;
+    if (!this.isReport) this.current = chosen;
     this.forget();
-    showTabs(this.sheets, this.current, (i) => this.choose(i));
+    byId("report").hidden = !this.isReport;
+    showTabs(this.sheets, this.tab, (i) => this.choose(i), Boolean(this.data.report));
+    if (this.isReport) return fillReport(this.data, this.sheets, this.theme);
     showFacts(this.sheet);
     if (this.data.comparison) showComparison(this.sheets);
     showLayers(this.sheet.layers, () => this.changed());
@@ -77,6 +90,7 @@ class Page {
     this.rank = -1;
     if (this.isBeside) this.copyLayers();
     showMeasure(this.sheet.layers, this.theme);
+    if (this.isReport) fillReport(this.data, this.sheets, this.theme);
     this.drawSharp();
   }
 
@@ -127,6 +141,11 @@ class Page {
     this.focus = null;
     this.isPinned = false;
     byId("tip").hidden = true;
+  }
+
+  showReport() {
+    if (!this.data.report) return this.tell("This page has no report: quadmesh --html writes one.");
+    this.choose(this.isReport ? this.current : this.sheets.length);
   }
 
   /** The other stage shows the layers and quantities of the chosen one, where it has them. */

@@ -48,7 +48,8 @@ TEST(Comparison, FacesOfDifferentSizesAreDrawnAtOneScale) {
   const std::vector<std::string> bars = [&] {
     std::vector<std::string> found;
     const std::string svg = compared(samples::quad_mesh(), large);
-    for (std::size_t at = svg.find("class=\"scale\""); at != std::string::npos; at = svg.find("class=\"scale\"", at + 1))
+    for (std::size_t at = svg.find("class=\"scale\""); at != std::string::npos;
+         at = svg.find("class=\"scale\"", at + 1))
       found.push_back(svg.substr(at, svg.find("/>", at) - at));
     return found;
   }();
