@@ -8,7 +8,8 @@ class Chains {
     this.points = positionsOf(json.points, step);
     this.colours = json.colours ? intsOf(json.colours) : null;
     this.count = this.offsets.length - 1;
-    this.isClosed = this.style === "block";
+    this.isFilled = this.style === "block";
+    this.isClosed = this.isFilled || this.style === "search";
     this.boxes = emptyBoxes(this.count);
     for (let i = 0; i < this.count; ++i)
       for (let k = this.offsets[i]; k < this.offsets[i + 1]; ++k)
@@ -25,7 +26,7 @@ class Chains {
   }
 
   fill(context, view, theme) {
-    if (!this.isClosed) return;
+    if (!this.isFilled) return;
     const quantity = this.quantities[this.quantity], ramp = quantity && coloursOf(theme, quantity);
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
       const at = quantity && rampPosition(quantity, quantity.values[item]);
@@ -35,9 +36,9 @@ class Chains {
   }
 
   stroke(context, view, theme) {
-    if (this.isClosed) return;
+    if (this.isFilled) return;
     const maps = view.maps();
-    context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1 }[this.style];
+    context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1, search: 0.8 }[this.style];
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
       const colour = this.colours ? this.colours[item] : -1;
       context.strokeStyle = this.style === "line" && colour >= 0 && !theme.isAdded ? theme.lines[colour % theme.lines.length] : theme.border;
@@ -84,7 +85,7 @@ class Chains {
   /** Labels {text, at, away}: given names of curves, or with `all` their numbers too, beside their middles; names or
    *  numbers of blocks in them. */
   labels(view, all) {
-    if (this.style !== "boundary" && !this.isClosed) return [];
+    if (this.style !== "boundary" && !this.isFilled) return [];
     return itemsWithin(this.boxes, view.rectangle()).map((item) => {
       const points = flattened(this.controls(item), 4), middle = points[points.length >> 1];
       if (this.isClosed) {

@@ -69,6 +69,8 @@ const layerTypes = {
   cells: (json, step) => new Cells(json, step),
   chains: (json, step) => new Chains(json, step),
   marks: (json, step) => new Marks(json, step),
+  discs: (json, step) => new Discs(json, step),
+  arrows: (json, step) => new Arrows(json, step),
   samples: (json, step) => new Samples(json, step),
 };
 

@@ -52,7 +52,7 @@ function drawAxes(context, view, theme, page) {
 
 function drawScaleBar(context, view, theme, page) {
   const length = roundStep(80 / view.scale), pixels = length * view.scale;
-  const x = view.width - pixels - 20, y = view.height - 40;
+  const x = view.width - pixels - 20, y = view.height - 28;
   for (const [width, colour] of [[5, theme.halo], [2, theme.ink]]) {
     context.lineWidth = width;
     context.strokeStyle = colour;
@@ -67,7 +67,7 @@ function drawScaleBar(context, view, theme, page) {
   context.textAlign = "center";
   context.textBaseline = "alphabetic";
   context.fillStyle = theme.ink;
-  haloText(context, theme, `${figure(length)} ${page.unit}`.trim(), x + pixels / 2, y - 8);
+  haloText(context, theme, `${figure(length)} ${page.unit}`.trim(), x + pixels / 2, y - 6);
 }
 
 /** "A" or "B" at the upper edge of a pane. */

@@ -74,7 +74,7 @@ class Marks {
     return this.names[item];
   }
 
-  sizes() {
-    return {};
+  sizes(item) {
+    return { at: [this.points[2 * item], this.points[2 * item + 1]] };
   }
 }

@@ -70,7 +70,7 @@ class Scene {
 
   /** The topmost item under a point of the window: {layer, item}, or null. Marks are above lines, lines above areas. */
   itemAt(view, layers, px, py) {
-    const rank = (layer) => (layer instanceof Marks ? 0 : layer instanceof Chains && !layer.isClosed ? 1 : 2);
+    const rank = (layer) => (layer instanceof Marks ? 0 : layer instanceof Cells || layer.isFilled ? 2 : layer instanceof Samples ? 3 : 1);
     const ordered = layers.map((layer, i) => [layer, rank(layer), -i]);
     ordered.sort((a, b) => a[1] - b[1] || a[2] - b[2]);
     for (const [layer] of ordered) {

@@ -168,8 +168,7 @@ class Page {
   /** Shows the item under the pointer. */
   point(px, py, pane = 0) {
     const [x, y] = this.view.toPlane(px, py);
-    const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
-    byId("place").textContent = `${text(x + this.data.x)}, ${text(y + this.data.y)} ${this.data.unit}`;
+    byId("place").textContent = this.positionText(x, y);
     this.pointer = { pane, at: [x, y] };
     const layers = this.shownIn(pane);
     const found = this.scenes[pane].itemAt(this.view, layers, px, py);
@@ -177,6 +176,12 @@ class Page {
     this.focus = found;
     if (found) this.showTip(px, py);
     this.drawOverlay();
+  }
+
+  /** In the coordinates of the CAD file, to a pixel. */
+  positionText(x, y) {
+    const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
+    return `${text(x + this.data.x)}, ${text(y + this.data.y)} ${this.data.unit}`;
   }
 
   showTip(px, py) {
@@ -190,6 +195,7 @@ class Page {
   /** Size and quality of the item in focus. */
   figures() {
     const { layer, item } = this.focus, unit = this.data.unit, sizes = layer.sizes(item), rows = [];
+    if (sizes.at) rows.push(["position", this.positionText(...sizes.at)]);
     if (sizes.least !== undefined) rows.push(["sides", `${figure(sizes.least)} to ${figure(sizes.greatest)} ${unit}`]);
     const whole = layer.isClosed ? "perimeter" : "length";
     if (sizes.length !== undefined) rows.push([whole, `${figure(sizes.length)} ${unit}`]);
