@@ -195,8 +195,9 @@ std::string drawn(const Settings& settings, bool is_page, cli::Session& session)
     return is_page ? page::comparison_page(pair[0], pair[1]) : picture_of_pair(pair, settings);
   }
   std::vector<Read> files = read_all(settings, session);
-  if (settings.labels_all && std::holds_alternative<CriticalPoints>(files.back().stage) && settings.field.empty())
-    throw UsageError("--curve-labels needs --field for a critical-points file, which does not contain the face");
+  const auto* points = std::get_if<CriticalPoints>(&files.back().stage);
+  if (settings.labels_all && points && settings.field.empty() && points->face.curves.empty())
+    throw UsageError("--curve-labels needs --field, as " + files.back().file.name + " does not contain the face");
   session.begin_phase("draw");
   return is_page ? page_of(std::move(files), settings) : picture_of(files, settings);
 }
@@ -227,10 +228,9 @@ int main(int argc, char** argv) {
       "goes to the worst element; the key ? lists its keys. Several files of one chain become the tabs of one page. "
       "Any "
       "other output is a picture: PNG or PDF if its name ends so (made by the program rsvg-convert, which must be "
-      "installed), else SVG. Critical points are drawn over the field that --field names, with error bars, "
-      "clusters, "
-      "changes and the cells of the certificate; without --field, the outline of the face is missing, as the file does "
-      "not contain it. The worst element or block is marked if its scaled Jacobian is below 0.5. In a browser, "
+      "installed), else SVG. Critical points are drawn with error bars, clusters, changes and the cells of the "
+      "certificate, over the field that --field names or, without it, in the outline of the face. The worst element or "
+      "block is marked if its scaled Jacobian is below 0.5. In a browser, "
       "elements, blocks and points show their numbers and "
       "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
@@ -245,8 +245,7 @@ int main(int argc, char** argv) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
     o.output(settings.output,
              "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");
-    o.input_file("--field", settings.field, "FILE", "field to draw under critical points, with the outline of the face",
-                 false);
+    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
     o.flag(
         "--compare", settings.is_comparison,
         "two files of one format, separatrices, blocks or quads, which need not be of one chain: side by side at one "

@@ -33,7 +33,7 @@ struct DrawOptions {
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);
 std::string draw_field(const Field& field, const DrawOptions& options);
-/// `field` may be null: then only points and corners are drawn.
+/// `field` may be null: then the outline of the face, if the points have it, is all that is drawn of the rest.
 std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options);
 std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options);
 std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options);

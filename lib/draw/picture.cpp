@@ -136,7 +136,8 @@ double round_length(double limit) {
 
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)), title_(options.title_prefix + title) {
+    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)),
+      title_(options.title_prefix + title) {
   const double text = text_width(title_, title_size) + text_width(options.file, caption_size);
   (text + 2 * margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
       options.file;

@@ -15,7 +15,7 @@ const CadFace* face_of(const Stage& stage) {
       [](const auto& model) -> const CadFace* {
         using Model = std::decay_t<decltype(model)>;
         if constexpr (std::is_same_v<Model, CriticalPoints>)
-          return nullptr;
+          return model.face.curves.empty() ? nullptr : &model.face;
         else if constexpr (std::is_same_v<Model, Field>)
           return &model.mesh.face;
         else

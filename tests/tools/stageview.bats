@@ -69,6 +69,21 @@ shown() { grep -cE "$1" a.svg; }
   assert_file_not_exists b.svg
 }
 
+@test "critical points alone are drawn in the outline of their face" {
+  stageview "$X.crit.json" -o a.svg
+  assert_equal "$(shown '<title>boundary curve')$(shown 'class="zero-u"')" 20
+  assert_equal "$(shown '>0.2 mm<')" 1
+  stageview "$X.crit.json" --curve-labels | grep -q 'class="label"[^>]*>0<'
+  stageview "$X.crit.json" -o a.html
+  page_data a.html | jq -e '.sheets[0].boundary.names | length == 2'
+  jq 'del(.face)' "$X.crit.json" | stageview -o a.svg # a file of an older version, or made by hand
+  assert_equal "$(shown '<title>boundary curve')" 0
+  jq '.face.curves[0].knots = [0, 1]' "$X.crit.json" >damaged.crit.json
+  run -3 stageview damaged.crit.json -o b.svg
+  assert_output --partial 'FAC-R'
+  assert_file_not_exists b.svg
+}
+
 @test "--curve-labels writes number and name beside each boundary curve, without overlaps" {
   cad2tri "$DATA/gear_filleted.step" --name inlet=0 --name 'the hole=36' -o gear.tri.h5
   run -0 stageview gear.tri.h5 --curve-labels -o a.svg
@@ -83,8 +98,9 @@ shown() { grep -cE "$1" a.svg; }
   run ! grep -q '<text class="name"' plain.svg
   fieldsolve gear.tri.h5 --field-order 2 | stageview -o a.svg
   assert_equal "$(shown '<text class="name".*>inlet<')" 1
-  run -2 stageview "$X.crit.json" --curve-labels -o b.svg
-  assert_output --partial "--curve-labels needs --field for a critical-points file"
+  jq 'del(.face)' "$X.crit.json" >no_face.crit.json
+  run -2 stageview no_face.crit.json --curve-labels -o b.svg
+  assert_line "stageview: --curve-labels needs --field, as no_face.crit.json does not contain the face"
   run -2 stageview gear.tri.h5 --curve-labels --no-curve-labels -o b.svg
 }
 
