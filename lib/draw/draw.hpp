@@ -27,7 +27,7 @@ struct DrawOptions {
   CurveLabels curve_labels = CurveLabels::given;  ///< where the face is known
   std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
   std::optional<Window> window;                   ///< none: everything
-  std::string file;  ///< name of the file without folders, written beside the title; empty: none
+  std::string file;          ///< name of the file without folders, written beside the title; empty: none
   std::string title_prefix;  ///< "A: " in a comparison
 };
 
