@@ -10,8 +10,10 @@
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "draw/comparison.hpp"
 #include "draw/draw.hpp"
 #include "io/converted_picture.hpp"
+#include "io/history.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "page/page.hpp"
@@ -21,7 +23,7 @@ namespace {
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string field, output, window;
+  std::string field, output, window, run_report;
   bool is_comparison = false, labels_all = false, labels_none = false;
   draw::DrawOptions draw;
 };
@@ -94,15 +96,24 @@ std::vector<Read> read_all(const Settings& settings, cli::Session& session) {
   throw UsageError("--field needs a critical-points file, but " + all.back().file.name + " is another");
 }
 
+/// The name of a file without folders; empty for standard input.
+std::string base_name(const std::string& path) {
+  return path == "-" ? "" : std::filesystem::path(path).filename().string();
+}
+
+draw::DrawOptions draw_options(const Settings& settings) {
+  draw::DrawOptions options = settings.draw;
+  if (settings.labels_all) options.curve_labels = draw::CurveLabels::all;
+  if (settings.labels_none) options.curve_labels = draw::CurveLabels::none;
+  if (!settings.window.empty()) options.window = parsed_window(settings.window);
+  return options;
+}
+
 /// The picture of the last of the files; with --field, the field is the first of two.
 std::string picture_of(const std::vector<Read>& files, const Settings& settings) {
   const page::Stage& stage = files.back().stage;
-  draw::DrawOptions options = settings.draw;
-  if (settings.labels_all) options.curve_labels = draw::CurveLabels::all;
-  if (!settings.window.empty()) options.window = parsed_window(settings.window);
-  if (settings.labels_none) options.curve_labels = draw::CurveLabels::none;
-  if (!settings.inputs.empty() && settings.inputs.back() != "-")
-    options.file = std::filesystem::path(settings.inputs.back()).filename().string();
+  draw::DrawOptions options = draw_options(settings);
+  if (!settings.inputs.empty()) options.file = base_name(settings.inputs.back());
   if (const auto* mesh = std::get_if<TriMesh>(&stage)) return draw::draw_tri_mesh(*mesh, options);
   if (const auto* field = std::get_if<Field>(&stage)) return draw::draw_field(*field, options);
   if (const auto* graph = std::get_if<SeparatrixGraph>(&stage)) return draw::draw_separatrix_graph(*graph, options);
@@ -113,13 +124,12 @@ std::string picture_of(const std::vector<Read>& files, const Settings& settings)
 }
 
 /// Two layouts or meshes; they need not be of one chain.
-std::string comparison_of(const Settings& settings, cli::Session& session) {
+std::array<page::Stage, 2> read_pair(const Settings& settings, cli::Session& session) {
   if (settings.inputs.size() != 2) throw UsageError("--compare needs two files, layouts or meshes");
-  std::vector<page::Stage> stages;
-  for (const std::string& path : settings.inputs) {
-    const io::InputFile file = io::read_input(path);
-    stages.push_back(read_stage(file, session));
-    const page::Stage& stage = stages.back();
+  std::array<page::Stage, 2> stages;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const io::InputFile file = io::read_input(settings.inputs[k]);
+    page::Stage& stage = stages[k] = read_stage(file, session);
     if (!std::holds_alternative<SeparatrixGraph>(stage) && !std::holds_alternative<BlockLayout>(stage) &&
         !std::holds_alternative<QuadMesh>(stage))
       throw UsageError("--compare needs layouts or meshes, but " + file.name + " is a " + io::stage_format(file) +
@@ -127,34 +137,77 @@ std::string comparison_of(const Settings& settings, cli::Session& session) {
   }
   if (stages[0].index() != stages[1].index())
     throw UsageError("--compare needs two files of one format: two layouts, or two meshes");
-  return page::comparison_page(stages[0], stages[1]);
+  return stages;
 }
 
-std::string page_of(std::vector<Read> files) {
+template <typename Model>
+std::string drawn_pair(const std::array<page::Stage, 2>& pair, const Settings& settings) {
+  return draw::draw_comparison<Model>({&std::get<Model>(pair[0]), &std::get<Model>(pair[1])},
+                                      {base_name(settings.inputs[0]), base_name(settings.inputs[1])},
+                                      draw_options(settings));
+}
+
+std::string picture_of_pair(const std::array<page::Stage, 2>& pair, const Settings& settings) {
+  if (std::holds_alternative<SeparatrixGraph>(pair[0])) return drawn_pair<SeparatrixGraph>(pair, settings);
+  if (std::holds_alternative<BlockLayout>(pair[0])) return drawn_pair<BlockLayout>(pair, settings);
+  return drawn_pair<QuadMesh>(pair, settings);
+}
+
+/// The report with the commands by which the files were made, named after the last of them.
+page::Run run_of(const std::vector<Read>& files, const Settings& settings) {
+  if (settings.run_report.empty()) return {};
+  page::Run run{io::read_report(settings.run_report), {}};
+  io::History history;
+  for (const Read& read : files)
+    for (const std::string& line :
+         history.lines_of(provenance_of(read.stage), read.file.sha256, io::history_stem(settings.inputs.back())))
+      run.commands.push_back(line);
+  return run;
+}
+
+std::string page_of(std::vector<Read> files, const Settings& settings) {
+  const page::Run run = run_of(files, settings);
   std::vector<page::Stage> stages;
   for (Read& read : files) stages.push_back(std::move(read.stage));
-  return page::html_page(stages);
+  return page::html_page(stages, run);
+}
+
+/// What command line and names tell before a file is read.
+void check_usage(const Settings& settings, bool is_page) {
+  if (!is_page && !settings.is_comparison && settings.inputs.size() > 1)
+    throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
+  if (!settings.window.empty()) static_cast<void>(parsed_window(settings.window));
+  if (!settings.window.empty() && is_page) throw UsageError("--window is for pictures: a page zooms by itself");
+  if (settings.labels_all && settings.labels_none)
+    throw UsageError("--curve-labels and --no-curve-labels exclude each other");
+  if (!settings.run_report.empty() && (!is_page || settings.is_comparison))
+    throw UsageError(
+        "--run-report is for pages of one chain: give -o with a name that ends in .html, and no --compare");
+  if (settings.is_comparison && !settings.field.empty()) throw UsageError("--compare and --field exclude each other");
+}
+
+/// The SVG or the HTML of what is asked for.
+std::string drawn(const Settings& settings, bool is_page, cli::Session& session) {
+  session.begin_phase("read");
+  if (settings.is_comparison) {
+    const std::array<page::Stage, 2> pair = read_pair(settings, session);
+    session.begin_phase("draw");
+    return is_page ? page::comparison_page(pair[0], pair[1]) : picture_of_pair(pair, settings);
+  }
+  std::vector<Read> files = read_all(settings, session);
+  const auto* points = std::get_if<CriticalPoints>(&files.back().stage);
+  if (settings.labels_all && points && settings.field.empty() && points->face.curves.empty())
+    throw UsageError("--curve-labels needs --field, as " + files.back().file.name + " does not contain the face");
+  session.begin_phase("draw");
+  return is_page ? page_of(std::move(files), settings) : picture_of(files, settings);
 }
 
 void run(const Settings& settings, cli::Session& session) {
   const bool is_page = settings.output.ends_with(".html") || settings.output.ends_with(".htm");
-  if (settings.is_comparison && !is_page)
-    throw UsageError("--compare makes a page: give -o with a name that ends in .html");
-  if (!is_page && settings.inputs.size() > 1)
-    throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
-  if (!settings.window.empty()) static_cast<void>(parsed_window(settings.window));  // refused before a file is read
-  if (!settings.window.empty() && is_page) throw UsageError("--window is for pictures: a page zooms by itself");
-  if (settings.labels_all && settings.labels_none)
-    throw UsageError("--curve-labels and --no-curve-labels exclude each other");
-  session.begin_phase(settings.is_comparison ? "draw" : "read");
-  if (settings.is_comparison) return io::write_output(settings.output, comparison_of(settings, session), false);
-  std::vector<Read> files = read_all(settings, session);
-  if (settings.labels_all && std::holds_alternative<CriticalPoints>(files.back().stage) && settings.field.empty())
-    throw UsageError("--curve-labels needs --field for a critical-points file, which does not contain the face");
-  session.begin_phase("draw");
+  check_usage(settings, is_page);
   const io::PictureFormat format = io::picture_format(settings.output);
-  const std::string bytes =
-      is_page ? page_of(std::move(files)) : io::converted_picture(picture_of(files, settings), format, settings.output);
+  const std::string text = drawn(settings, is_page, session);
+  const std::string bytes = is_page ? text : io::converted_picture(text, format, settings.output);
   session.end_phase();
   io::write_output(settings.output, bytes, format != io::PictureFormat::svg);
 }
@@ -175,10 +228,9 @@ int main(int argc, char** argv) {
       "goes to the worst element; the key ? lists its keys. Several files of one chain become the tabs of one page. "
       "Any "
       "other output is a picture: PNG or PDF if its name ends so (made by the program rsvg-convert, which must be "
-      "installed), else SVG. Critical points are drawn over the field that --field names, with error bars, "
-      "clusters, "
-      "changes and the cells of the certificate; without --field, the outline of the face is missing, as the file does "
-      "not contain it. The worst element or block is marked if its scaled Jacobian is below 0.5. In a browser, "
+      "installed), else SVG. Critical points are drawn with error bars, clusters, changes and the cells of the "
+      "certificate, over the field that --field names or, without it, in the outline of the face. The worst element or "
+      "block is marked if its scaled Jacobian is below 0.5. In a browser, "
       "elements, blocks and points show their numbers and "
       "figures, and changes their reasons, under the mouse pointer.";
   tool.examples = {"stageview half_disc.quad.h5 -o half_disc.svg",
@@ -187,16 +239,22 @@ int main(int argc, char** argv) {
                    "stageview half_disc.blocks.h5 -o blocks.pdf",
                    "stageview half_disc.quad.h5 --window 0.5,0,1,0.5 -o corner.png",
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
-                   "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html"};
+                   "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html",
+                   "stageview --compare half_disc.quad.h5 half_disc.quad.h5 --width 1400 -o both.svg"};
   tool.options = [&](cli::Options& o) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
     o.output(settings.output,
              "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");
-    o.input_file("--field", settings.field, "FILE", "field to draw under critical points, with the outline of the face",
-                 false);
-    o.flag("--compare", settings.is_comparison,
-           "a page of two files of one format, separatrices, blocks or quads, which need not be of one chain: the "
-           "lines of one over the other, and a table of counts and qualities");
+    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
+    o.flag(
+        "--compare", settings.is_comparison,
+        "two files of one format, separatrices, blocks or quads, which need not be of one chain: side by side at one "
+        "scale (in a page also the lines of one over the other), with a table of counts and qualities");
+    o.input_file(
+        "--run-report", settings.run_report, "FILE",
+        "in a page, a tab with this report of the run (quadmesh --report), histograms of the last mesh and the "
+        "commands by which the files were made",
+        false);
     o.choice("--show", settings.draw.show, {"psi", "u", "v", "order"},
              "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
     o.flag("--curve-labels", settings.labels_all,

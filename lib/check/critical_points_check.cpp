@@ -285,7 +285,10 @@ constexpr Rule<PointsOfField> rules_with_field[] = {
 }  // namespace
 
 std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth) {
-  return apply_rules(rules, points, depth);
+  if (points.face.curves.empty()) return apply_rules(rules, points, depth);
+  std::vector<Violation> all = check_cad_face(points.face, depth);
+  for (const Violation& violation : apply_rules(rules, points, depth)) all.push_back(violation);
+  return all;
 }
 
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const Field& field) {

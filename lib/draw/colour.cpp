@@ -37,9 +37,9 @@ std::string oklch(double lightness, double chroma, double hue) {
                      channel(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s));
 }
 
-std::string quiet_colour(int i) { return oklch(0.92 - 0.025 * (i % 3), 0.045, 230 + golden_angle * i); }
+double quiet_hue(int i) { return 230 + golden_angle * i; }
 
-std::string line_colour(int i) { return oklch(0.58 - 0.05 * (i % 2), 0.15, 255 + golden_angle * i); }
+std::string quiet_colour(int i) { return oklch(0.92 - 0.025 * (i % 3), 0.045, quiet_hue(i)); }
 
 std::string ramp_colour(const Ramp& ramp, double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -52,29 +52,8 @@ std::string ramp_colour(const Ramp& ramp, double t) {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
 }
 
-std::string cross_angle_colour(double degrees, double magnitude) {
-  return oklch(0.87, 0.085 * std::sqrt(std::clamp(magnitude, 0.0, 1.0)), 250 + 4 * degrees);
-}
-
 const Ramp& component_ramp() {
   static const Ramp ramp{{0, "#3a6fa8"}, {0.25, "#93b9dc"}, {0.5, "#f8f7f3"}, {0.75, "#ecb48f"}, {1, "#b9552f"}};
-  return ramp;
-}
-
-const Ramp& order_ramp() {
-  static const Ramp ramp{{0, "#f6f3e4"}, {0.25, "#cfe3cf"}, {0.5, "#9fd0cd"}, {0.75, "#8db6d6"}, {1, "#9a9fd6"}};
-  return ramp;
-}
-
-const Ramp& scaled_jacobian_ramp() {
-  static const Ramp ramp{{0, "#a3262c"},    {0.25, "#dc6a4b"}, {0.5, "#f4b98f"},
-                         {0.75, "#f5ead6"}, {0.9, "#d3e5ea"},  {1, "#a5cbdd"}};
-  return ramp;
-}
-
-Ramp cross_angle_ramp() {
-  Ramp ramp;
-  for (int i = 0; i <= 18; ++i) ramp.push_back({i / 18.0, cross_angle_colour(5.0 * i - 45, 1)});
   return ramp;
 }
 

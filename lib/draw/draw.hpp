@@ -27,12 +27,13 @@ struct DrawOptions {
   CurveLabels curve_labels = CurveLabels::given;  ///< where the face is known
   std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
   std::optional<Window> window;                   ///< none: everything
-  std::string file;  ///< name of the file without folders, written beside the title; empty: none
+  std::string file;          ///< name of the file without folders, written beside the title; empty: none
+  std::string title_prefix;  ///< "A: " in a comparison
 };
 
 std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);
 std::string draw_field(const Field& field, const DrawOptions& options);
-/// `field` may be null: then only points and corners are drawn.
+/// `field` may be null: then the outline of the face, if the points have it, is all that is drawn of the rest.
 std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options);
 std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options);
 std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options);

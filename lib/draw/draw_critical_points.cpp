@@ -41,6 +41,11 @@ void draw_quiet_field(Picture& picture, const Field& field) {
   draw_boundary(picture, field.mesh.face);
 }
 
+void draw_outline(Picture& picture, const CadFace& face) {
+  draw_face_area(picture, face);
+  draw_boundary(picture, face);
+}
+
 /// A direction out of the face at a corner: opposite to the bisector of its interior angle or, without a face, away
 /// from the centre of the picture.
 Vec2 outwards(const Picture& picture, const CadFace* face, const Corner& corner) {
@@ -138,12 +143,15 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
 }  // namespace
 
 std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options) {
-  const CadFace* face = field ? &field->mesh.face : nullptr;
+  const CadFace* face = field ? &field->mesh.face : points.face.curves.empty() ? nullptr : &points.face;
   const bool is_phase = points.form == NodeForm::phase;
   Picture picture(shown_box(face ? bounding_box(*face) : box_of(points), points.origin, options), options,
                   is_phase ? "Irregular nodes and corners (phase form)" : "Critical points and corners",
                   caption(points));
-  if (field) draw_quiet_field(picture, *field);
+  if (field)
+    draw_quiet_field(picture, *field);
+  else if (face)
+    draw_outline(picture, *face);
   draw_certificate(picture, points.certificate, face);
   draw_clusters(picture, points.clusters, points.origin);
   draw_changes(picture, points.changes);

@@ -13,6 +13,7 @@
 #include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::draw {
 
@@ -55,7 +56,8 @@ std::string caption(const Field& field) {
 
 void draw_cross_angle(Picture& picture, const field::FieldEvaluator& evaluator) {
   const auto colour = [](Vec2 value) {
-    return cross_angle_colour(stepped(degrees(cross_angle(value)), 1), stepped(std::min(1.0, norm(value)), 24));
+    return cross_angle_colour(Paper::light, stepped(degrees(cross_angle(value)), 1),
+                              stepped(std::min(1.0, norm(value)), 24));
   };
   const auto difference = [](Vec2 a, Vec2 b) {
     const double turn = std::abs(degrees(wrap_pi(angle_of(a) - angle_of(b)))) / 4;
@@ -63,7 +65,7 @@ void draw_cross_angle(Picture& picture, const field::FieldEvaluator& evaluator) 
   };
   draw_field_cells(picture, evaluator, colour, difference);
   draw_crosses(picture, evaluator, 34);
-  picture.legend_bar(cross_angle_ramp(), "cross angle ψ in degrees", {"−45", "−22.5", "0", "22.5", "45"});
+  picture.legend_bar(cross_angle_ramp(Paper::light), "cross angle ψ in degrees", {"−45", "−22.5", "0", "22.5", "45"});
 }
 
 void draw_component(Picture& picture, const field::FieldEvaluator& evaluator, bool is_u) {
@@ -80,7 +82,7 @@ void draw_orders(Picture& picture, const Field& field) {
   const std::set<int> orders(field.elem_order.begin(), field.elem_order.end());
   const auto fill = [&](int order) {
     const double range = *orders.rbegin() - *orders.begin();
-    return ramp_colour(order_ramp(), range > 0 ? (order - *orders.begin()) / range : 0.4);
+    return ramp_colour(palette(Paper::light).amount, range > 0 ? (order - *orders.begin()) / range : 0.4);
   };
   picture.open_group("elems");
   for (int e = 0; e < field.mesh.num_elems(); ++e) {

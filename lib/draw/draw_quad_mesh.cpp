@@ -9,6 +9,7 @@
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/marks.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::draw {
 
@@ -94,7 +95,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
     const double quality = mesh.elem_scaled_jacobian.empty() ? 1 : mesh.elem_scaled_jacobian[e];
     picture.add(svg_element("path",
                             {{"id", fmt::format("elem-{}", e)},
-                             {"fill", ramp_colour(scaled_jacobian_ramp(), quality)},
+                             {"fill", ramp_colour(palette(Paper::light).quality, quality)},
                              {"d", quad_outline(picture, mesh, e).str()}},
                             elem_text(mesh, e, quality)));
   }
@@ -113,7 +114,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
                             fmt::format("quad {} at {}: scaled Jacobian {:.3f}", worst,
                                         position_text(c, mesh.face.origin), mesh.elem_scaled_jacobian[worst])));
   }
-  picture.legend_bar(scaled_jacobian_ramp(), "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
+  picture.legend_bar(palette(Paper::light).quality, "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
   if (worst >= 0) picture.legend_mark(circle_mark("ring", {0, 0}, 7), "the worst");
   draw_unproved(picture, mesh);
   label_curves(picture, mesh.face, options.curve_labels);

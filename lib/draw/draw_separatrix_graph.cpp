@@ -6,6 +6,7 @@
 
 #include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::draw {
 
@@ -34,6 +35,7 @@ void append_arc(PathData& path, const Picture& picture, const SeparatrixGraph& g
 
 void draw_line(Picture& picture, const SeparatrixGraph& graph, int id) {
   const SeparatrixLine& line = graph.lines[id];
+  const std::vector<std::string>& colours = palette(Paper::light).lines;
   std::string d;
   for (const int arc : line.arcs) {
     PathData path;
@@ -41,7 +43,11 @@ void draw_line(Picture& picture, const SeparatrixGraph& graph, int id) {
     d += path.str();
   }
   picture.add(svg_element(
-      "path", {{"class", "line"}, {"id", fmt::format("line-{}", id)}, {"stroke", line_colour(line.origin)}, {"d", d}},
+      "path",
+      {{"class", "line"},
+       {"id", fmt::format("line-{}", id)},
+       {"stroke", colours[line.origin % colours.size()]},
+       {"d", d}},
       fmt::format("separatrix {} ({}), from node {} to node {}", id, enum_name(line.kind), line.origin, line.end)));
 }
 

@@ -98,12 +98,7 @@ void legend_corner(Picture& picture, const CadFace& face) {
     picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
 }
 
-void legend_scale(Picture& picture, const CadFace& face) {
-  std::string unit = face.length_unit == "unknown" ? "" : face.length_unit;
-  for (const LengthUnit& known : length_units)
-    if (known.name == unit) unit = known.symbol;
-  picture.legend_scale(unit);
-}
+void legend_scale(Picture& picture, const CadFace& face) { picture.legend_scale(unit_symbol(face)); }
 
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {
   return svg_element(

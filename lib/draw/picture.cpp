@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::draw {
 
@@ -18,7 +19,7 @@ namespace {
 constexpr double margin = 36, header = 76, legend_row = 34, title_size = 17, caption_size = 13, caption_row = 18;
 
 /// The common line styles: the boundary thick, blocks medium, elements thin.
-const char* const style_sheet = R"(
+const char* const line_styles = R"(
 svg{font-family:Helvetica,Arial,"Liberation Sans",sans-serif;fill:#26323d}
 path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effect:non-scaling-stroke}
 .title{font-size:17px;font-weight:bold}
@@ -35,16 +36,11 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 .cells path{stroke-width:.8}
 .cross{fill:none;stroke:#3b4a57;stroke-width:1}
 .quiet{opacity:.4}
-.zero-u{fill:none;stroke:#1f5f9e;stroke-width:1.6}
-.zero-v{fill:none;stroke:#b03a2e;stroke-width:1.6}
 .jump{fill:none;stroke:#b03a2e;stroke-width:1.6;stroke-dasharray:6 4}
 .edge{fill:none;stroke:#44535f;stroke-width:1.5}
 .ring{fill:none;stroke:#1d2731;stroke-width:1.6}
 .worst{fill:none;stroke:#b3261e;stroke-width:3.2}
 .corner{fill:#1d2731;stroke:#fff;stroke-width:1}
-.v3{fill:#2b78b5;stroke:#fff;stroke-width:1.2}
-.v5{fill:#c6472f;stroke:#fff;stroke-width:1.2}
-.vx{fill:#7b4ea3;stroke:#fff;stroke-width:1.2}
 .dot{fill:#fff;stroke:#44535f;stroke-width:1.2}
 .cell-zero{fill:none;stroke:#7d8b98;stroke-width:.8}
 .cell-open{fill:#f0b64e;fill-opacity:.35;stroke:#c27a12;stroke-width:.8}
@@ -62,6 +58,17 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 .small{font-size:10px;text-anchor:middle}
 path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
 )";
+
+/// The line styles with the colours of nodes and contours.
+std::string style_sheet() {
+  const Palette& colours = palette(Paper::light);
+  std::string text = line_styles;
+  for (const auto& [name, colour] : {std::pair{"v3", colours.few}, {"v5", colours.many}, {"vx", colours.other}})
+    text += fmt::format(".{}{{fill:{};stroke:#fff;stroke-width:1.2}}\n", name, colour);
+  for (const auto& [name, colour] : {std::pair{"zero-u", colours.u_contour}, {"zero-v", colours.v_contour}})
+    text += fmt::format(".{}{{fill:none;stroke:{};stroke-width:1.6}}\n", name, colour);
+  return text;
+}
 
 /// The markup clipped to the rectangle from (0, 0) to `size`, with a thin frame.
 std::string in_frame(const std::string& markup, Vec2 size) {
@@ -129,8 +136,9 @@ double round_length(double limit) {
 
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)), title_(title) {
-  const double text = text_width(title, title_size) + text_width(options.file, caption_size);
+    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)),
+      title_(options.title_prefix + title) {
+  const double text = text_width(title_, title_size) + text_width(options.file, caption_size);
   (text + 2 * margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
       options.file;
   view_ = view_of(box, options.width, caption_lines_.size());
@@ -240,7 +248,7 @@ std::string Picture::str() const {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",
       view_.width, height);
-  out += fmt::format("<title>{}</title>\n<style>{}</style>\n", xml_escaped(title_), style_sheet);
+  out += fmt::format("<title>{}</title>\n<style>{}</style>\n", xml_escaped(title_), style_sheet());
   if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));

@@ -1,3 +1,4 @@
+#include "io/cad_face_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
 
@@ -6,7 +7,7 @@ namespace quadrille::io {
 namespace {
 
 constexpr RenamedKey renamed[] = {{"hole_winding_offsets", "twist_offsets"}};
-constexpr FormatVersion critical_points_version{"critical-points", 2, 0, renamed};
+constexpr FormatVersion critical_points_version{"critical-points", 2, 1, renamed};
 
 /// `id` is informative: the position in the list when the file was written. Edited lists need not keep it.
 void describe_id(Archive& archive, std::size_t index) {
@@ -117,6 +118,8 @@ void describe_critical_points(Archive& archive, CriticalPoints& points) {
                   [&](Archive& a, CriticalPoint& point) { describe_critical_point(a, point, next_zero++); });
   if (archive.has("certificate"))
     archive.object("certificate", [&](Archive& a) { describe_certificate(a, points.certificate); });
+  const bool has_face = archive.is_reading() ? archive.has("face") : !points.face.curves.empty();
+  if (has_face) describe_face(archive, points.face);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
+#include "io/input_file.hpp"
 #include "io/json_text.hpp"
 #include "io/output_file.hpp"
 
@@ -32,6 +34,13 @@ void write_report(const std::string& path, const std::string& tool, const std::s
   for (const auto& [code, message] : report.warnings())
     root["warnings"].push_back({{"code", code}, {"message", message}});
   write_output(path, json_text(root), false);
+}
+
+std::string read_report(const std::string& path) {
+  const InputFile file = read_input(path);
+  const Json report = Json::parse(file.bytes, nullptr, false);
+  if (!report.is_object()) throw FormatError(file.name + ": expected a report, a JSON object (formats/report.md)");
+  return report.dump();
 }
 
 }  // namespace quadrille::io

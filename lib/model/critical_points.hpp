@@ -13,6 +13,7 @@
 
 #include "base/enum_names.hpp"
 #include "base/vec2.hpp"
+#include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/provenance.hpp"
 
@@ -194,6 +195,8 @@ struct CriticalPoints {
   int index_sum = 0;                      ///< sum (4 - V) + sum (2 - V)
   int index_sum_expected = 0;             ///< 4 chi
   Vec2 origin;                            ///< positions are relative to it (formats/cad-face.md)
+
+  CadFace face;  ///< without curves: unknown; no stage needs it, it is for pictures of the nodes alone
 
   std::vector<CriticalPoint> zeros;  ///< of the field as found, if critical_points differs from them; else empty
   std::vector<Cluster> clusters;

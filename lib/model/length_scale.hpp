@@ -27,6 +27,13 @@ inline constexpr std::array<LengthUnit, 8> length_units{{{"m", "metre", 1},
                                                          {"in", "inch", 0.0254},
                                                          {"ft", "foot", 0.3048}}};
 
+/// "mm" of "millimetre"; empty if the unit is unknown; a name that is none of the above as it is.
+inline std::string unit_symbol(const CadFace& face) {
+  for (const LengthUnit& known : length_units)
+    if (known.name == face.length_unit) return std::string(known.symbol);
+  return face.length_unit == "unknown" ? "" : face.length_unit;
+}
+
 /// What a user asks of written coordinates.
 struct ScaleRequest {
   std::string unit = "file";  ///< symbol of a length unit; "file": that of the CAD file

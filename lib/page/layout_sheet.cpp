@@ -82,29 +82,13 @@ NamedChains lines_of(const SeparatrixGraph& graph, const PageFrame& frame) {
   return lines;
 }
 
-std::string irregular_count(const ArcGraph& graph) {
-  const auto count = std::count_if(graph.nodes.begin(), graph.nodes.end(), [](const GraphNode& n) {
-    return n.kind == NodeKind::irregular || (n.kind == NodeKind::boundary && n.valence != 2);
-  });
-  return std::to_string(count);
-}
-
 }  // namespace
 
 Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame) {
   Sheet sheet;
   sheet.title = "Separatrices";
   sheet.caption = fmt::format("{} separatrices, {} nodes", graph.lines.size(), graph.nodes.size());
-  sheet.facts = {{"separatrices", std::to_string(graph.lines.size())},
-                 {"irregular nodes", irregular_count(graph)},
-                 {"T-junctions", std::to_string(graph.t_junctions.size())}};
-  const LayoutCertificate& certificate = graph.certificate;
-  if (certificate.method) {
-    sheet.facts.push_back({"method", enum_name(*certificate.method)});
-    sheet.facts.push_back({"merged lines", std::to_string(certificate.merged_lines)});
-    sheet.facts.push_back({"collapsed chords", std::to_string(certificate.collapsed_chords)});
-    sheet.facts.push_back({"largest deviation", figure(certificate.largest_deviation_degrees) + "°"});
-  }
+  sheet.facts = draw::figures_of(graph);
   sheet.layers.push_back(chains_layer(lines_of(graph, frame), "lines", "separatrices", "", "line"));
   sheet.layers.push_back(marks_of(graph, frame, true).layer("nodes", "nodes"));
   return sheet;
@@ -115,12 +99,11 @@ Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
   sheet.title = "Blocks";
   sheet.caption = fmt::format("{} blocks, {} chords", layout.num_blocks(), chords.size());
-  sheet.facts = {{"blocks", std::to_string(layout.num_blocks())},
-                 {"chords", std::to_string(chords.size())},
-                 {"irregular nodes", irregular_count(layout)}};
+  sheet.facts = draw::figures_of(layout);
   const std::vector<double>& quality = layout.block_scaled_jacobian;
   if (!quality.empty())
-    sheet.facts.push_back({"worst scaled Jacobian", figure(*std::min_element(quality.begin(), quality.end()))});
+    sheet.facts.push_back(
+        {"worst scaled Jacobian", draw::figure_text(*std::min_element(quality.begin(), quality.end()))});
   JsonObject blocks = chains_layer(blocks_of(layout, frame), "blocks", "blocks", "block", "block");
   blocks.json("quantities", quantities_json({{"scaled Jacobian", "low", 0, 1, quality}}));
   sheet.layers.push_back(blocks);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/length_scale.hpp"
 #include "page/page_assets.hpp"
 #include "page/sheet.hpp"
 
@@ -14,7 +15,7 @@ const CadFace* face_of(const Stage& stage) {
       [](const auto& model) -> const CadFace* {
         using Model = std::decay_t<decltype(model)>;
         if constexpr (std::is_same_v<Model, CriticalPoints>)
-          return nullptr;
+          return model.face.curves.empty() ? nullptr : &model.face;
         else if constexpr (std::is_same_v<Model, Field>)
           return &model.mesh.face;
         else
@@ -68,9 +69,9 @@ const Provenance& provenance_of(const Stage& stage) {
       stage);
 }
 
-std::string facts_json(const std::vector<Fact>& facts) {
+std::string facts_json(const std::vector<draw::Figure>& facts) {
   std::vector<std::string> rows;
-  for (const Fact& fact : facts) rows.push_back(json_texts({fact.label, fact.value}));
+  for (const draw::Figure& fact : facts) rows.push_back(json_texts({fact.label, fact.value}));
   return json_list(rows);
 }
 
@@ -97,7 +98,7 @@ std::string title_of(const std::vector<Stage>& stages) {
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_json(const std::vector<Stage>& stages, bool is_comparison) {
+std::string data_json(const std::vector<Stage>& stages, bool is_comparison, const Run& run) {
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
@@ -109,13 +110,15 @@ std::string data_json(const std::vector<Stage>& stages, bool is_comparison) {
     sheets.push_back(sheet_json(stage, own));
   }
   JsonObject object;
-  object.text("title", title_of(stages)).text("unit", face ? face->length_unit : "unknown");
+  object.text("title", title_of(stages)).text("unit", face ? unit_symbol(*face) : "");
+  object.json("palettes", palettes_json());
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
+  if (!run.report.empty()) object.json("report", script_json(run.report)).json("commands", json_texts(run.commands));
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
 }
 
-std::string page_of(const std::vector<Stage>& stages, bool is_comparison) {
+std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const Run& run) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -123,13 +126,13 @@ std::string page_of(const std::vector<Stage>& stages, bool is_comparison) {
       "script-src 'unsafe-inline'\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison), page_script());
+      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison, run), page_script());
 }
 
 }  // namespace
 
-std::string html_page(const std::vector<Stage>& stages) { return page_of(stages, false); }
+std::string html_page(const std::vector<Stage>& stages, const Run& run) { return page_of(stages, false, run); }
 
-std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true); }
+std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true, {}); }
 
 }  // namespace quadrille::page

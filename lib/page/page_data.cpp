@@ -60,9 +60,11 @@ std::string packed_floats(const std::vector<double>& values) {
   return packed_bytes(bits);
 }
 
-std::string script_string(const std::string& text) {
-  return without_markup(json_string(text), [](char c) { return fmt::format("\\u{:04x}", static_cast<int>(c)); });
+std::string script_json(const std::string& json) {
+  return without_markup(json, [](char c) { return fmt::format("\\u{:04x}", static_cast<int>(c)); });
 }
+
+std::string script_string(const std::string& text) { return script_json(json_string(text)); }
 
 std::string html_text(const std::string& text) {
   std::string out;

@@ -19,6 +19,8 @@ std::string packed_floats(const std::vector<double>& values);
 
 /// `text` as a JSON string that may stand inside a <script> element: no "<", ">" or "&".
 std::string script_string(const std::string& text);
+/// JSON as it may stand inside a <script> element: such characters are in strings only, and are escaped there.
+std::string script_json(const std::string& json);
 /// `text` as the content of an HTML element or attribute.
 std::string html_text(const std::string& text);
 
@@ -26,6 +28,9 @@ std::string html_text(const std::string& text);
 std::string json_list(const std::vector<std::string>& values);
 /// A JSON array of strings.
 std::string json_texts(const std::vector<std::string>& texts);
+
+/// The colours of drawings, light and dark (page_palette.cpp).
+std::string palettes_json();
 
 /// A JSON object, key by key.
 class JsonObject {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/enum_names.hpp"
+#include "page/node_layers.hpp"
 #include "page/sheet.hpp"
 
 namespace quadrille::page {
@@ -63,10 +64,19 @@ Sheet sheet_of(const CriticalPoints& points, const PageFrame& frame) {
                  {"changes", std::to_string(points.changes.size())},
                  {"index sum", std::to_string(points.index_sum)},
                  {"expected", std::to_string(points.index_sum_expected)}};
+  const Certificate& certificate = points.certificate;
+  if (!points.clusters.empty()) sheet.facts.push_back({"clusters", std::to_string(points.clusters.size())});
+  if (certificate.cells_examined > 0) {
+    sheet.facts.push_back({"cells searched", draw::figure_text(certificate.cells_examined)});
+    sheet.facts.push_back({"without a zero", draw::figure_text(certificate.cells_excluded)});
+    sheet.facts.push_back({"with at most one", draw::figure_text(certificate.cells_isolated)});
+    sheet.facts.push_back({"greatest depth", std::to_string(certificate.greatest_depth)});
+  }
+  for (const JsonObject& layer : node_layers(points, frame)) sheet.layers.push_back(layer);
   if (!points.zeros.empty())
     sheet.layers.push_back(zeros_of(points, frame).layer("zeros", "zeros of the field", false));
   if (!points.changes.empty())
-    sheet.layers.push_back(changes_of(points, frame).layer("changes", "before changes", false));
+    sheet.layers.push_back(changes_of(points, frame).layer("changes", "nodes before changes"));
   sheet.layers.push_back(corners_of(points, frame).layer("corners", "corners"));
   sheet.layers.push_back(nodes_of(points, frame).layer("nodes", "nodes"));
   return sheet;

@@ -138,12 +138,7 @@ Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame) {
   sheet.title = "Quad mesh";
   sheet.caption = fmt::format("{}{} quads of order {} in {} blocks",
                               mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(), mesh.order, num_blocks);
-  sheet.facts = {{"quads", std::to_string(mesh.num_elems())},
-                 {"order", std::to_string(mesh.order)},
-                 {"mesh nodes", std::to_string(mesh.nodes.size())},
-                 {"blocks", std::to_string(num_blocks)},
-                 {"irregular nodes", std::to_string(mesh.num_irregular)},
-                 {"proved valid", mesh.is_valid ? "yes" : fmt::format("no: {} are not", mesh.num_unproved())}};
+  sheet.facts = draw::figures_of(mesh);
   sheet.layers.push_back(cells_layer(mesh, cells));
   return sheet;
 }

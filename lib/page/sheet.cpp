@@ -7,8 +7,6 @@
 
 namespace quadrille::page {
 
-std::string figure(double value) { return fmt::format("{:.4g}", value); }
-
 JsonObject boundary_layer(const CadFace& face, const PageFrame& frame) {
   Chains chains;
   for (const Nurbs& curve : face.curves) {

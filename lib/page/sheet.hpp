@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/figures.hpp"
 #include "model/block_layout.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
@@ -15,13 +16,9 @@
 
 namespace quadrille::page {
 
-struct Fact {
-  std::string label, value;
-};
-
 struct Sheet {
   std::string title, caption;
-  std::vector<Fact> facts;
+  std::vector<draw::Figure> facts;
   std::vector<JsonObject> layers;  ///< drawn in this order
 };
 
@@ -59,8 +56,5 @@ Marks marks_of(const ArcGraph& graph, const PageFrame& frame, bool with_crossing
 /// The triangles as cells. `is_shown`: at first.
 JsonObject triangle_layer(const TriMesh& mesh, const std::vector<Quantity>& quantities, bool is_shown,
                           const PageFrame& frame);
-
-/// "0.0123": four significant digits.
-std::string figure(double value);
 
 }  // namespace quadrille::page

@@ -43,8 +43,8 @@ OPTIONS
                             place of those that critpoints finds
   --dry-run                 print the commands that would be run, one a line, and run nothing (without --workdir with
                             the files of the stages in the present folder)
-  --html FILE               also write a page for a browser (x.html): every stage as a tab, with histograms of the
-                            shapes of elements and the options that made it
+  --html FILE               also write a page for a browser (x.html): every stage as a tab, and one with the report
+                            of the run, histograms of the shapes of elements and the commands that made them
   --report FILE             write counts, least Jacobian and seconds of every stage as JSON, also after a failure, with
                             the stage, the exit code and the message (-: standard output)
   --max-seconds S           stop the stage that runs when all stages together have used S seconds, of CPU time (that of

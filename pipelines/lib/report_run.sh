@@ -60,14 +60,17 @@ write_report() {
   [ -z "$target" ] || write_file "$1" "$target"
 }
 
-# report_run: the report, and behind it a few words for a person, printed on stderr if the mesh or the report went to
-# stdout.
-report_run() {
+# compose_report: $scratch/report.json, and in $scratch/words the same with a few words for a person behind it.
+compose_report() {
   # shellcheck disable=SC2016 # variables of jq
   merge_reports '. + {exit_code: 0, stage: null, error: null} |
     ., if $verbose then times else empty end, summary($until; $last)' \
     --arg until "$last_stage" --arg last "$last" >"$scratch/words" || fail 70 quadmesh "internal error"
   sed '/^}$/q' "$scratch/words" >"$scratch/report.json" || fail 4 quadmesh "no space for temporary files"
+}
+
+# report_run: writes the report and prints the words, on stderr if the mesh or the report went to stdout.
+report_run() {
   if [ "${out:--}" = - ] || [ "$report" = - ]; then uses_stdout=yes; else uses_stdout=; fi
   [ "$final_position" -eq 8 ] || [ "$report" = - ] || uses_stdout=
   write_report "$scratch/report.json"

@@ -56,6 +56,19 @@ here() { TMPDIR=$PWD "$@"; }
   assert_nothing_left out.msh page.html
 }
 
+@test "the page of --html has the report of the run and the commands, without folders" {
+  run -0 "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --html page.html --report report.json --size=0.2
+  assert_output ''
+  sed -n 's/^.*<script type="application\/json" id="data">\(.*\)<\/script>$/\1/p' page.html >data.json
+  assert_equal "$(jq -r .report.command data.json)" \
+    "quadmesh -q half_disc.step -o out.msh --html page.html --report report.json --size=0.2"
+  assert_equal "$(jq -c '.report | del(.command, .tool)' data.json)" "$(jq -c 'del(.tool)' report.json)"
+  assert_equal "$(jq -r '.commands[]' data.json | grep -v '^#' | cut -d ' ' -f 1 | xargs)" \
+    "cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine"
+  assert_equal "$(jq -r '.commands[-1]' data.json | grep -oE -e '--size=[0-9.]+')" --size=0.2
+  run ! grep -qF "$DATA" page.html
+}
+
 @test "--workdir keeps the file of every stage, --report the counts and the seconds of every stage" {
   run -0 "$quadmesh" "$DATA/half_disc.step" --output=out.msh --workdir=stages --report=report.json
   assert_equal "$(ls stages | xargs)" "half_disc.blocks.h5 half_disc.crit.json half_disc.field.h5 half_disc.quad.h5 \

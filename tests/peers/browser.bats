@@ -24,10 +24,39 @@ judge() {
   done
 }
 
-@test "a page of 100,000 quads of order 5 has at most 30 MB and works" {
+# fine_page PAGE: of 100,000 quads of order 5.
+fine_page() {
   quadrefine -q --size 0.0039 --order 5 "$(blocks_of "$DATA/half_disc.step")" -o fine.quad.h5 --report report.json
+  stageview fine.quad.h5 -o "$1"
+}
+
+@test "a page of 100,000 quads of order 5 has at most 30 MB and works" {
+  fine_page page.html
   assert [ "$(jq .quads report.json)" -gt 100000 ]
-  stageview fine.quad.h5 -o page.html
   assert [ "$(stat -c %s page.html)" -lt 30000000 ]
   judge page.html 1
+}
+
+@test "pages look as stored, also with another font, and the comparison notices a missing layer" {
+  need python3-pil python3-numpy
+  local x
+  x=$(blocks_of "$DATA/bracket.step")
+  x=${x%.blocks.h5}
+  stageview "$x.tri.h5" "$x.field.h5" "$x.crit.json" "$x.sep.json" "$x.blocks.h5" "$x.quad.h5" -o stages.html
+  fine_page fine.html
+  for choice in --compare --font --drop; do
+    run "$PYTHON" "$ROOT/tests/peers/screenshots.py" stages.html fine.html $choice
+    assert_output ''
+    assert_success
+  done
+}
+
+@test "the page of a run shows its report, and two meshes lie side by side" {
+  "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" -o out.msh --html run.html --workdir stages
+  run "$PYTHON" "$ROOT/tests/peers/judge_page.py" run.html 7 report
+  assert_output ''
+  quadrefine -q --size 0.2 stages/half_disc.blocks.h5 -o other.quad.h5
+  stageview --compare stages/half_disc.quad.h5 other.quad.h5 -o both.html
+  run "$PYTHON" "$ROOT/tests/peers/judge_page.py" both.html 2 comparison
+  assert_output ''
 }

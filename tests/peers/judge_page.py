@@ -1,6 +1,8 @@
 """Opens a page of stageview in Chromium and prints what is wrong with it.
 
-usage: judge_page.py PAGE NUMBER-OF-TABS        the last tab must be a quad mesh
+usage: judge_page.py PAGE NUMBER-OF-TABS [report | comparison]
+
+The last tab must be a quad mesh or, with "report", the report of a run behind one.
 """
 import re, sys
 
@@ -66,6 +68,32 @@ def tabs_text(page, number):
     return page.text(f"#tabs button:nth-child({number})")
 
 
+def judge_report(page, count):
+    """The tab of the run has histograms, commands and times; the key r leaves it and shows it again."""
+    page.press(str(count))
+    expect(not page.is_hidden("#report"), "the last tab does not show the report")
+    text = page.text("#report")
+    for part in ("scaled Jacobian", "skewness", "quadmesh -q half_disc.step", "quadrefine --", "padapt", "cpu_seconds"):
+        expect(part in text, f"the report lacks '{part}'")
+    page.press("r")
+    expect(page.is_hidden("#report"), "the key r does not leave the report")
+
+
+def judge_comparison(page):
+    """What moves one pane moves the other; a cross marks the pointer in the other; s puts one over the other."""
+    expect(page.find("#picture-b").is_displayed(), "B is not beside A")
+    for key in ("+", "\ue014", "0"):  # zoom, move right, show everything
+        before = [page.picture("picture"), page.picture("picture-b")]
+        page.press(key)
+        after = [page.picture("picture"), page.picture("picture-b")]
+        expect(before[0] != after[0] and before[1] != after[1], f"the key {key!r} does not move both")
+    overlay = page.picture("overlay-b")
+    page.point_at_middle(20, 20)
+    expect(page.picture("overlay-b") != overlay, "the pointer over A is not marked in B")
+    page.press("s")
+    expect(not page.find("#picture-b").is_displayed(), "the key s does not put one over the other")
+
+
 def judge_speed(page):
     """The sharp picture follows the end of a movement within half a second, of which 0.12 s are a pause."""
     page.milliseconds("draw sharp")
@@ -78,6 +106,10 @@ def judge_speed(page):
 
 with Page(sys.argv[1]) as opened:
     judge_tabs(opened, int(sys.argv[2]))
+    if "report" in sys.argv[3:]:
+        judge_report(opened, int(sys.argv[2]))
+    if "comparison" in sys.argv[3:]:
+        judge_comparison(opened)
     judge_keys(opened)
     judge_worst(opened)
     judge_speed(opened)

@@ -69,6 +69,21 @@ shown() { grep -cE "$1" a.svg; }
   assert_file_not_exists b.svg
 }
 
+@test "critical points alone are drawn in the outline of their face" {
+  stageview "$X.crit.json" -o a.svg
+  assert_equal "$(shown '<title>boundary curve')$(shown 'class="zero-u"')" 20
+  assert_equal "$(shown '>0.2 mm<')" 1
+  stageview "$X.crit.json" --curve-labels | grep -q 'class="label"[^>]*>0<'
+  stageview "$X.crit.json" -o a.html
+  page_data a.html | jq -e '.sheets[0].boundary.names | length == 2'
+  jq 'del(.face)' "$X.crit.json" | stageview -o a.svg # a file of an older version, or made by hand
+  assert_equal "$(shown '<title>boundary curve')" 0
+  jq '.face.curves[0].knots = [0, 1]' "$X.crit.json" >damaged.crit.json
+  run -3 stageview damaged.crit.json -o b.svg
+  assert_output --partial 'FAC-R'
+  assert_file_not_exists b.svg
+}
+
 @test "--curve-labels writes number and name beside each boundary curve, without overlaps" {
   cad2tri "$DATA/gear_filleted.step" --name inlet=0 --name 'the hole=36' -o gear.tri.h5
   run -0 stageview gear.tri.h5 --curve-labels -o a.svg
@@ -83,8 +98,9 @@ shown() { grep -cE "$1" a.svg; }
   run ! grep -q '<text class="name"' plain.svg
   fieldsolve gear.tri.h5 --field-order 2 | stageview -o a.svg
   assert_equal "$(shown '<text class="name".*>inlet<')" 1
-  run -2 stageview "$X.crit.json" --curve-labels -o b.svg
-  assert_output --partial "--curve-labels needs --field for a critical-points file"
+  jq 'del(.face)' "$X.crit.json" >no_face.crit.json
+  run -2 stageview no_face.crit.json --curve-labels -o b.svg
+  assert_line "stageview: --curve-labels needs --field, as no_face.crit.json does not contain the face"
   run -2 stageview gear.tri.h5 --curve-labels --no-curve-labels -o b.svg
 }
 
@@ -191,8 +207,42 @@ page_data() {
   run -2 stageview --compare "$X.tri.h5" "$X.tri.h5" -o c.html
   assert_line --partial '--compare needs layouts or meshes'
   run -2 stageview --compare "$X.quad.h5" -o c.html
-  run -2 stageview --compare "$X.quad.h5" b.quad.h5 -o c.svg
   assert_file_not_exists c.html
+}
+
+@test "--compare draws both side by side at one scale, with a table, as every kind of picture" {
+  quadrefine "$X.blocks.h5" --size 0.2 -o b.quad.h5 --report b.json
+  quadrefine "$X.blocks.h5" -o a.quad.h5 --report a.json
+  run -0 stageview --compare a.quad.h5 b.quad.h5 --width 1400 -o a.svg
+  assert_output ''
+  xmllint --noout a.svg
+  assert_equal "$(shown 'A: Quad mesh</text>')$(shown 'B: Quad mesh</text>')$(shown '>a.quad.h5<')$(shown '>b.quad.h5<')" 1111
+  assert_equal "$(shown 'id="[ab]-elem-')" "$(jq -s 'map(.quads) | add' a.json b.json)"
+  assert_equal "$(sed -n '/id="table"/,$p' a.svg | grep -A2 '>quads<' | grep -oE '>[0-9]+<' | tr -d '<>' | xargs)" \
+    "$(jq -r .quads a.json b.json | xargs)"
+  stageview --compare "$X.sep.json" "$X.sep.json" -o b.svg
+  stageview --compare "$X.blocks.h5" "$X.blocks.h5" --window 0,0,0.5,0.5 | xmllint --noout -
+  run -2 stageview --compare a.quad.h5 b.quad.h5 --field "$X.field.h5" -o c.svg
+  run -2 stageview --compare a.quad.h5 "$X.blocks.h5" -o c.svg
+  assert_file_not_exists c.svg
+  command -v rsvg-convert >/dev/null || return 0
+  stageview --compare a.quad.h5 b.quad.h5 -o c.png
+  stageview --compare a.quad.h5 b.quad.h5 -o c.pdf
+}
+
+@test "--run-report adds a report and the commands to a page of one chain" {
+  quadrefine "$X.blocks.h5" -o mesh.quad.h5 --report report.json
+  run -0 stageview "$X.blocks.h5" mesh.quad.h5 --run-report report.json -o a.html
+  assert_output ''
+  page_data a.html >data.json
+  assert_equal "$(jq .report.quads data.json)" "$(jq .quads report.json)"
+  assert_equal "$(jq -r '.commands[-1]' data.json | grep -oE ' mesh.blocks.h5 -o .*')" " mesh.blocks.h5 -o mesh.quad.h5"
+  echo '["no report"]' >list.json
+  run -3 stageview mesh.quad.h5 --run-report list.json -o b.html
+  assert_output "stageview: list.json: expected a report, a JSON object (formats/report.md)"
+  run -2 stageview mesh.quad.h5 --run-report report.json -o b.svg
+  run -2 stageview --compare mesh.quad.h5 mesh.quad.h5 --run-report report.json -o b.html
+  assert_file_not_exists b.html
 }
 
 @test "names are escaped in a page" {
@@ -211,7 +261,7 @@ page_data() {
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
-  assert_equal "$(wc -l <examples)" 7
+  assert_equal "$(wc -l <examples)" 8
   command -v rsvg-convert >/dev/null || sed -i '/p[dn][fg]$/d' examples
   while read -r line; do run -0 bash -c "$line"; done <examples
 }

@@ -108,8 +108,8 @@ class Cells {
 
   /** Items of each colour of the ramp. */
   binned(items, theme) {
-    const quantity = this.quantities[this.quantity], last = theme.rampColours.length - 1;
-    const bins = Array.from(theme.rampColours, () => []);
+    const quantity = this.quantities[this.quantity], colours = coloursOf(theme, quantity), last = colours.length - 1;
+    const bins = Array.from(colours, () => []);
     for (const item of items) bins[Math.round(last * rampPosition(quantity, quantity.values[item]))].push(item);
     return bins;
   }
@@ -128,12 +128,12 @@ class Cells {
     const items = itemsWithin(this.boxes, view.rectangle());
     const size = this.pixelSize(items, view);
     if (this.quantity < 0) return this.fillPlain(context, view, theme, items, size);
-    const bins = this.binned(items, theme);
-    if (size < 7 && items.length > 3000) return paintSmallCells(context, view, this, bins, theme.rampColours);
+    const bins = this.binned(items, theme), colours = coloursOf(theme, this.quantities[this.quantity]);
+    if (size < 7 && items.length > 3000) return paintSmallCells(context, view, this, bins, colours);
     const maps = view.maps();
     bins.forEach((bin, i) => {
       if (!bin.length) return;
-      context.fillStyle = context.strokeStyle = css(theme.rampColours[i]);
+      context.fillStyle = context.strokeStyle = css(colours[i]);
       context.lineWidth = 0.6;
       context.beginPath();
       for (const item of bin) this.traceElement(context, maps, item, size < 10);

@@ -8,7 +8,8 @@ class Chains {
     this.points = positionsOf(json.points, step);
     this.colours = json.colours ? intsOf(json.colours) : null;
     this.count = this.offsets.length - 1;
-    this.isClosed = this.style === "block";
+    this.isFilled = this.style === "block";
+    this.isClosed = this.isFilled || this.style === "search";
     this.boxes = emptyBoxes(this.count);
     for (let i = 0; i < this.count; ++i)
       for (let k = this.offsets[i]; k < this.offsets[i + 1]; ++k)
@@ -25,22 +26,22 @@ class Chains {
   }
 
   fill(context, view, theme) {
-    if (!this.isClosed) return;
-    const quantity = this.quantities[this.quantity], last = theme.rampColours.length - 1;
+    if (!this.isFilled) return;
+    const quantity = this.quantities[this.quantity], ramp = quantity && coloursOf(theme, quantity);
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
-      const ramp = quantity && theme.rampColours[Math.round(last * rampPosition(quantity, quantity.values[item]))];
-      context.fillStyle = ramp ? css(ramp) : theme.blocks[this.colours[item] % theme.blocks.length];
+      const at = quantity && rampPosition(quantity, quantity.values[item]);
+      context.fillStyle = quantity ? css(ramp[Math.round(at * (ramp.length - 1))]) : theme.blocks[this.colours[item] % theme.blocks.length];
       context.fill(this.outline(view, item));
     }
   }
 
   stroke(context, view, theme) {
-    if (this.isClosed) return;
-    const maps = view.maps(), hues = lineHues[theme.name];
-    context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1 }[this.style];
+    if (this.isFilled) return;
+    const maps = view.maps();
+    context.lineWidth = { boundary: 2.2, line: 1.7, arc: 1.1, search: 0.8 }[this.style];
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
       const colour = this.colours ? this.colours[item] : -1;
-      context.strokeStyle = this.style === "line" && colour >= 0 ? hues[colour % hues.length] : theme.border;
+      context.strokeStyle = this.style === "line" && colour >= 0 && !theme.isAdded ? theme.lines[colour % theme.lines.length] : theme.border;
       context.beginPath();
       this.trace(context, maps, item);
       context.stroke();
@@ -81,23 +82,39 @@ class Chains {
     return this.isClosed ? { area: areaOf(points), length: lengthOf(points) } : { length: lengthOf(points) };
   }
 
-  /** Labels [text, x, y, normal]: names of curves beside their middles, names or numbers of blocks in them. */
-  labels(view) {
-    if (this.style !== "boundary" && !this.isClosed) return [];
+  /** Labels {text, at, away}: given names of curves, or with `all` their numbers too, beside their middles; names or
+   *  numbers of blocks in them. */
+  labels(view, all) {
+    if (this.style !== "boundary" && !this.isFilled) return [];
     return itemsWithin(this.boxes, view.rectangle()).map((item) => {
       const points = flattened(this.controls(item), 4), middle = points[points.length >> 1];
       if (this.isClosed) {
         const centre = [0, 1].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
-        return { text: this.shortName(item), at: centre, away: [0, 0] };
+        return { text: this.shortName(item), at: centre, away: [0, 0], within: this.sizeOf(item) };
       }
       const before = points[(points.length >> 1) - 1] || middle;
       const length = Math.hypot(middle[0] - before[0], middle[1] - before[1]) || 1;
       const away = [(middle[1] - before[1]) / length, (middle[0] - before[0]) / length];
-      return { text: this.names[item], at: middle, away };
+      return { text: all ? this.numberAndName(item) : this.givenName(item), at: middle, away };
     });
   }
 
+  /** Width and height of an item's box. */
+  sizeOf(item) {
+    const k = 4 * item;
+    return [this.boxes[k + 2] - this.boxes[k], this.boxes[k + 3] - this.boxes[k + 1]];
+  }
+
+  /** The name; empty where it is made from the number. */
+  givenName(item) {
+    return nameSuffix(this.names[item] || "", this.noun, item) && this.names[item];
+  }
+
   shortName(item) {
-    return nameSuffix(this.names[item] || "", this.noun, item) ? this.names[item] : String(item);
+    return this.givenName(item) || String(item);
+  }
+
+  numberAndName(item) {
+    return `${item} ${this.givenName(item)}`.trim();
   }
 }

@@ -69,19 +69,35 @@ const layerTypes = {
   cells: (json, step) => new Cells(json, step),
   chains: (json, step) => new Chains(json, step),
   marks: (json, step) => new Marks(json, step),
+  discs: (json, step) => new Discs(json, step),
+  arrows: (json, step) => new Arrows(json, step),
   samples: (json, step) => new Samples(json, step),
 };
 
 /** The tabs with their layers. The boundary is a layer of every tab that has a face, or of the page's first face. */
 function decodeSheets(page) {
   const withFace = page.sheets.find((sheet) => sheet.boundary);
-  return page.sheets.map((sheet) => {
+  const sheets = page.sheets.map((sheet) => {
     const boundary = sheet.boundary || (withFace && withFace.boundary);
     const layers = boundary ? [boundary, ...sheet.layers] : sheet.layers;
     const decoded = layers.map((json) => layerTypes[json.type](json, page.step));
     for (const layer of decoded) layer.isAdded = page.comparison && ["arcs", "lines", "mesh"].includes(layer.key);
     return { ...sheet, layers: decoded };
   });
+  if (page.comparison) shareRanges(sheets);
+  return sheets;
+}
+
+/** Equal colours of A and B stand for equal values. */
+function shareRanges([a, b]) {
+  for (const quantity of a.layers.flatMap((layer) => layer.quantities)) {
+    const all = b.layers.flatMap((layer) => layer.quantities);
+    const other = all.find((candidate) => candidate.title === quantity.title);
+    if (!other) continue;
+    quantity.low = other.low = Math.min(quantity.low, other.low);
+    quantity.high = other.high = Math.max(quantity.high, other.high);
+    quantity.isLog = other.isLog = quantity.isLog && other.isLog;
+  }
 }
 
 /** Fields that all layers have. */

@@ -6,9 +6,6 @@ function roundStep(least) {
   return power * [1, 2, 5, 10].find((m) => m * power >= least * (1 - 1e-12));
 }
 
-const unitSigns = { millimetre: "mm", metre: "m", centimetre: "cm", micrometre: "µm", inch: "in", foot: "ft" };
-const unitSign = (page) => unitSigns[page.unit] || (page.unit === "unknown" ? "" : page.unit);
-
 function tickText(value, step) {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   if (Math.abs(value) >= 1e6 || digits > 6) return value.toExponential(3);
@@ -55,7 +52,7 @@ function drawAxes(context, view, theme, page) {
 
 function drawScaleBar(context, view, theme, page) {
   const length = roundStep(80 / view.scale), pixels = length * view.scale;
-  const x = view.width - pixels - 20, y = view.height - 40;
+  const x = view.width - pixels - 20, y = view.height - 28;
   for (const [width, colour] of [[5, theme.halo], [2, theme.ink]]) {
     context.lineWidth = width;
     context.strokeStyle = colour;
@@ -70,20 +67,43 @@ function drawScaleBar(context, view, theme, page) {
   context.textAlign = "center";
   context.textBaseline = "alphabetic";
   context.fillStyle = theme.ink;
-  haloText(context, theme, `${figure(length)} ${unitSign(page)}`.trim(), x + pixels / 2, y - 8);
+  haloText(context, theme, `${figure(length)} ${page.unit}`.trim(), x + pixels / 2, y - 6);
 }
 
-/** Labels of the layers, those that would cover an earlier one left out. */
-function drawLabels(context, view, theme, layers) {
+/** "A" or "B" at the upper edge of a pane. */
+function drawTitle(context, theme, title) {
+  context.font = "bold 14px system-ui, sans-serif";
+  context.textAlign = "left";
+  context.textBaseline = "top";
+  context.fillStyle = theme.ink;
+  haloText(context, theme, title, 12, 10);
+}
+
+/** Where the pointer is in the other pane. */
+function drawCross(context, view, theme, [x, y]) {
+  const [px, py] = view.toScreen(x, y);
+  context.strokeStyle = theme.accent;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(px - 9, py);
+  context.lineTo(px + 9, py);
+  context.moveTo(px, py - 9);
+  context.lineTo(px, py + 9);
+  context.stroke();
+}
+
+/** Labels of the layers; those that would cover an earlier one or are larger than their block are left out. */
+function drawLabels(context, view, theme, layers, all) {
   const taken = [];
   context.font = "12px system-ui, sans-serif";
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillStyle = theme.ink;
   for (const layer of layers)
-    for (const { text, at, away } of layer.labels ? layer.labels(view) : []) {
+    for (const { text, at, away, within } of layer.labels ? layer.labels(view, all) : []) {
       if (!text) continue;
       const half = context.measureText(text).width / 2 + 3, [sx, sy] = view.toScreen(at[0], at[1]);
+      if (within && (within[0] * view.scale < 2 * half || within[1] * view.scale < 18)) continue;
       const x = sx + away[0] * (half + 6), y = sy + away[1] * 14;
       const box = [x - half, y - 9, x + half, y + 9];
       if (taken.some((t) => t[0] < box[2] && t[2] > box[0] && t[1] < box[3] && t[3] > box[1])) continue;

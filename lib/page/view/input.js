@@ -10,9 +10,11 @@ const actions = {
   worst: (page) => page.worst(1),
   back: (page) => page.worst(-1),
   labels: (page) => {
-    page.hasLabels = !page.hasLabels;
+    page.labels = { given: "all", all: "none", none: "given" }[page.labels];
     page.drawOverlay();
   },
+  report: (page) => page.showReport(),
+  beside: (page) => page.toggleBeside(),
   theme: (page) => {
     page.setTheme(page.theme.name === "dark" ? "light" : "dark");
     page.changed();
@@ -31,13 +33,13 @@ const actions = {
     page.forget();
     page.drawOverlay();
   },
-  next: (page) => page.choose(page.current + 1),
-  before: (page) => page.choose(page.current - 1),
+  next: (page) => page.choose(page.tab + 1),
+  before: (page) => page.choose(page.tab - 1),
 };
 
 const keyActions = {
   0: "fit", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
-  Q: "quantityBack", Escape: "close", "]": "next", "[": "before",
+  Q: "quantityBack", Escape: "close", s: "beside", r: "report", "]": "next", "[": "before",
 };
 
 function listen(page) {
@@ -53,7 +55,8 @@ function listen(page) {
     page.resize();
     page.drawSharp();
   }).observe(byId("window"));
-  listenToPointer(page, byId("overlay"));
+  listenToPointer(page, byId("overlay"), 0);
+  listenToPointer(page, byId("overlay-b"), 1);
 }
 
 function onKey(page, event) {
@@ -65,14 +68,14 @@ function onKey(page, event) {
   else if (moves[event.key]) page.view.pan(...moves[event.key]);
   else if (event.key === "+" || event.key === "=") page.view.zoom(1.4, ...centre, page.limits);
   else if (event.key === "-") page.view.zoom(1 / 1.4, ...centre, page.limits);
-  else if (/^[1-9]$/.test(event.key) && page.sheets[event.key - 1]) page.choose(event.key - 1);
+  else if (/^[1-9]$/.test(event.key) && event.key <= page.tabCount) page.choose(event.key - 1);
   else return;
   event.preventDefault();
   if (!action && !/^[1-9]$/.test(event.key)) page.moved();
 }
 
 /** Drag, wheel and pinch. */
-function listenToPointer(page, canvas) {
+function listenToPointer(page, canvas, pane) {
   const pointers = new Map();
   const position = (event) => [event.offsetX, event.offsetY];
   canvas.addEventListener("pointerdown", (event) => {
@@ -82,7 +85,7 @@ function listenToPointer(page, canvas) {
   });
   canvas.addEventListener("pointermove", (event) => {
     const now = position(event);
-    if (!pointers.has(event.pointerId)) return page.point(...now);
+    if (!pointers.has(event.pointerId)) return page.point(...now, pane);
     drag(page, pointers, event.pointerId, now);
   });
   const release = (event) => {
@@ -92,6 +95,7 @@ function listenToPointer(page, canvas) {
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
   canvas.addEventListener("pointerleave", () => {
+    page.pointer = null;
     if (page.isPinned) return;
     page.forget();
     page.drawOverlay();

@@ -13,6 +13,7 @@ class Marks {
 
   stroke(context, view, theme) {
     const rectangle = view.rectangle();
+    this.isCrowded = this.crowding(view) < 1;
     for (let i = 0; i < this.count; ++i) {
       const [x, y] = [this.points[2 * i], this.points[2 * i + 1]];
       if (x < rectangle[0] || x > rectangle[2] || y < rectangle[1] || y > rectangle[3]) continue;
@@ -20,13 +21,24 @@ class Marks {
     }
   }
 
+  /** Smaller where many would cover each other: a part of their mean distance, if they were spread evenly. */
+  crowding(view) {
+    if (!this.extent) {
+      const box = emptyBoxes(1);
+      for (let i = 0; i < this.count; ++i) include(box, 0, this.points[2 * i], this.points[2 * i + 1]);
+      this.extent = Math.sqrt(Math.max(box[2] - box[0], 0) * Math.max(box[3] - box[1], 0));
+    }
+    const spacing = (view.scale * this.extent) / Math.sqrt(this.count);
+    return this.extent ? Math.min(1, Math.max(0.45, spacing / 48)) : 1;
+  }
+
   draw(context, theme, item, path) {
     const kind = this.kinds[item], colour = valenceColour(theme, this.valences[item], kind === "boundary");
     context.lineWidth = 1.6;
-    context.strokeStyle = kind === "hollow" ? colour : css(theme.paper);
+    context.strokeStyle = kind === "hollow" ? colour : theme.paper;
     context.fillStyle = kind === "corner" || kind === "dot" ? theme.ink : colour;
     if (kind !== "hollow") context.fill(path);
-    context.stroke(path);
+    if (kind !== "dot" || !this.isCrowded) context.stroke(path); // rims of many dots would cut the lines
   }
 
   radius(item) {
@@ -36,7 +48,7 @@ class Marks {
 
   outline(view, item) {
     const [x, y] = view.toScreen(this.points[2 * item], this.points[2 * item + 1]);
-    const path = new Path2D(), kind = this.kinds[item], valence = this.valences[item], r = this.radius(item);
+    const path = new Path2D(), kind = this.kinds[item], valence = this.valences[item], r = this.radius(item) * this.crowding(view);
     const isPolygon = (kind === "node" || kind === "hollow") && valence >= 3 && valence <= 8;
     const vertices = isPolygon ? valence : kind === "boundary" ? 4 : 0;
     if (!vertices) path.arc(x, y, r, 0, 2 * Math.PI);
@@ -62,7 +74,7 @@ class Marks {
     return this.names[item];
   }
 
-  sizes() {
-    return {};
+  sizes(item) {
+    return { at: [this.points[2 * item], this.points[2 * item + 1]] };
   }
 }

@@ -22,8 +22,9 @@ function tabTitles(sheets) {
   });
 }
 
-function showTabs(sheets, current, choose) {
-  const titles = tabTitles(sheets);
+/** The stages; with a report of the run a tab for it behind them, whose number is theirs. */
+function showTabs(sheets, current, choose, hasReport) {
+  const titles = [...tabTitles(sheets), ...(hasReport ? ["Report"] : [])];
   byId("tabs").replaceChildren(
     ...titles.map((title, i) => {
       const tab = element("button", { textContent: title, title: `Key ${i + 1}`, onclick: () => choose(i) });
@@ -88,9 +89,13 @@ function showMeasure(layers, theme) {
   if (!quantity) return;
   byId("measure-title").textContent = quantity.title;
   drawHistogram(byId("histogram"), quantity, theme);
+  byId("measure-text").textContent = limitsText(quantity);
+}
+
+function limitsText(quantity) {
   const median = quantity.values[quantity.order[quantity.order.length >> 1]];
   const limits = `least ${figure(quantity.least)}, median ${figure(median)}, greatest ${figure(quantity.greatest)}`;
-  byId("measure-text").textContent = `${limits}${quantity.isLog ? "; logarithmic scale" : ""}`;
+  return `${limits}${quantity.isLog ? "; logarithmic scale" : ""}`;
 }
 
 function histogramCounts(quantity, count) {
@@ -109,11 +114,12 @@ function drawHistogram(canvas, quantity, theme) {
   canvas.width = width * ratio;
   canvas.height = height * ratio;
   const context = canvas.getContext("2d"), counts = histogramCounts(quantity, 40), most = Math.max(...counts);
+  const colours = coloursOf(theme, quantity);
   context.scale(ratio, ratio);
   const bar = width / counts.length;
   counts.forEach((count, i) => {
     const t = (i + 0.5) / counts.length, good = quantity.worst === "high" ? 1 - t : t;
-    context.fillStyle = css(theme.rampColours[Math.round(good * (theme.rampColours.length - 1))]);
+    context.fillStyle = css(colours[Math.round(good * (colours.length - 1))]);
     context.fillRect(i * bar, height - foot, bar + 0.5, 4);
     const tall = count ? Math.max(2, Math.sqrt(count / most) * (height - foot - 6)) : 0;
     context.fillRect(i * bar + 0.5, height - foot - 2 - tall, bar - 1, tall);
@@ -171,7 +177,7 @@ function optionsText(json) {
 const keys = [
   ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["1 … 9", "stage by its number"],
   ["[  ]", "stage before, next stage"], ["w  W", "next worst element, one back"], ["q  Q", "next quantity, one back"],
-  ["l", "names and numbers"], ["f", "find by number or name"], ["t", "light or dark"], ["p", "panel"], ["Esc", "close"],
+  ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["r", "report of the run"], ["s", "side by side, of a comparison"], ["p", "panel"], ["Esc", "close"],
   ["?", "these keys"],
 ];
 

@@ -47,13 +47,13 @@ class Samples {
 
   /** The colour of (u, v): 256 angles by 64 magnitudes, fading to the paper's grey where the field vanishes. */
   pixelColours(theme) {
-    const grey = theme.name === "light" ? [236, 236, 236] : [52, 58, 66], table = new Uint32Array(16384);
+    const grey = channelsOf(theme.calm), table = new Uint32Array(16384);
     for (let i = 0; i < 16384; ++i) {
-      const strength = Math.sqrt((i >> 8) / 63), colour = theme.angleColours[i & 255];
+      const strength = Math.sqrt((i >> 8) / 63), colour = theme.angleColours[i & 255]; // of the phase, from -180 degrees
       table[i] = pixelOf(colour.map((c, k) => Math.round(grey[k] + strength * (c - grey[k]))));
     }
     return (u, v) => {
-      const angle = Math.round((Math.atan2(v, u) / (2 * Math.PI)) * 256) & 255;
+      const angle = Math.round((Math.atan2(v, u) / (2 * Math.PI) + 0.5) * 256) & 255;
       return table[(Math.min(63, Math.round(63 * Math.sqrt(u * u + v * v))) << 8) | angle];
     };
   }
@@ -66,9 +66,9 @@ class Samples {
 
   /** u = 0 and v = 0, each the zeros of linear functions on the small triangles. */
   strokeContours(context, view, theme, triangles) {
-    const maps = view.maps(), hues = lineHues[theme.name];
+    const maps = view.maps();
     for (const component of [0, 1]) {
-      context.strokeStyle = hues[component];
+      context.strokeStyle = theme.contours[component];
       context.lineWidth = 1.3;
       context.globalAlpha = 0.85;
       context.beginPath();

@@ -26,9 +26,9 @@ class Scene {
     const context = canvas.getContext("2d");
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.lineJoin = context.lineCap = "round";
-    context.fillStyle = css(theme.paper);
+    context.fillStyle = theme.paper;
     context.fillRect(0, 0, large.width, large.height);
-    const other = { ...theme, ...theme.other }; // for lines of other stages
+    const other = { ...theme, ...theme.added }; // for lines of other stages
     const isMark = (layer) => layer instanceof Marks;
     for (const layer of layers) layer.fill(context, large, theme);
     for (const layer of layers)
@@ -46,14 +46,14 @@ class Scene {
     const start = performance.now(), context = this.canvas.getContext("2d"), last = this.sharp.view;
     const zoom = view.scale / last.scale, [x, y] = view.toScreen(last.x, last.y);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    context.fillStyle = css(theme.paper);
+    context.fillStyle = theme.paper;
     context.fillRect(0, 0, view.width, view.height);
     const width = last.width * zoom, height = last.height * zoom;
     context.drawImage(this.sharp.canvas, x - width / 2, y - height / 2, width, height);
     performance.measure("draw moved", { start });
   }
 
-  drawOverlay(view, theme, page, layers, focus, hasLabels) {
+  drawOverlay(view, theme, page, layers, { focus, labels, title, cross }) {
     const context = this.overlay.getContext("2d");
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.clearRect(0, 0, view.width, view.height);
@@ -61,14 +61,16 @@ class Scene {
       drawFocus(context, view, theme, focus);
       drawRing(context, view, theme, focus);
     }
-    if (hasLabels) drawLabels(context, view, theme, layers);
+    if (labels !== "none") drawLabels(context, view, theme, layers, labels === "all");
     drawAxes(context, view, theme, page);
     drawScaleBar(context, view, theme, page);
+    if (title) drawTitle(context, theme, title);
+    if (cross) drawCross(context, view, theme, cross);
   }
 
   /** The topmost item under a point of the window: {layer, item}, or null. Marks are above lines, lines above areas. */
   itemAt(view, layers, px, py) {
-    const rank = (layer) => (layer instanceof Marks ? 0 : layer instanceof Chains && !layer.isClosed ? 1 : 2);
+    const rank = (layer) => (layer instanceof Marks ? 0 : layer instanceof Cells || layer.isFilled ? 2 : layer instanceof Samples ? 3 : 1);
     const ordered = layers.map((layer, i) => [layer, rank(layer), -i]);
     ordered.sort((a, b) => a[1] - b[1] || a[2] - b[2]);
     for (const [layer] of ordered) {

@@ -6,13 +6,16 @@ class Page {
     this.sheets = decodeSheets(data);
     this.sheets.isComparison = data.comparison;
     this.current = data.comparison ? 0 : this.sheets.length - 1;
-    this.scene = new Scene(byId("picture"), byId("overlay"));
+    this.scenes = [new Scene(byId("picture"), byId("overlay")), new Scene(byId("picture-b"), byId("overlay-b"))];
+    this.isBeside = data.comparison;
+    this.isReport = false;
+    this.pointer = null; // {pane, at}: the pane that the pointer is over, and where in the plane
     this.view = new View(1, 1);
     this.focus = null;
     this.isPinned = false;
-    this.hasLabels = data.sheets.length > 0;
+    this.labels = "given";
     this.rank = -1;
-    this.theme = themeNamed(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     this.timer = 0;
   }
 
@@ -25,7 +28,16 @@ class Page {
     return others.flatMap((sheet) => sheet.layers.filter((layer) => layer.isAdded));
   }
   get shown() {
+    return this.shownIn(this.current);
+  }
+  /** The layers of a pane: side by side, each has those of its own stage. */
+  shownIn(pane) {
+    if (this.isBeside) return this.sheets[pane].layers.filter((layer) => layer.isShown);
     return [...this.added, ...this.sheet.layers.filter((layer) => layer.isShown)];
+  }
+  /** The visible panes: numbers of scenes. */
+  get panes() {
+    return this.isBeside ? [0, 1] : [0];
   }
   get limits() {
     const fit = Math.min(this.view.width / this.data.width, this.view.height / this.data.height);
@@ -35,23 +47,37 @@ class Page {
   start() {
     byId("title").textContent = this.data.title;
     fillHelp();
+    document.querySelector("[data-do=beside]").hidden = !this.data.comparison;
     this.resize();
     this.fit();
-    this.setTheme(this.theme.name);
     this.choose(this.current);
     listen(this);
   }
 
   resize() {
-    const { clientWidth, clientHeight } = byId("window");
+    byId("window").classList.toggle("beside", this.isBeside);
+    byId("picture-b").parentElement.hidden = !this.isBeside;
+    const { clientWidth, clientHeight } = byId("picture").parentElement;
     this.view.resize(clientWidth, clientHeight);
-    this.scene.resize(clientWidth, clientHeight);
+    for (const scene of this.scenes) scene.resize(clientWidth, clientHeight);
+  }
+
+  /** Tabs are the stages and, behind them, the report of the run if there is one. */
+  get tabCount() {
+    return this.sheets.length + (this.data.report ? 1 : 0);
+  }
+  get tab() {
+    return this.isReport ? this.sheets.length : this.current;
   }
 
   choose(number) {
-    this.current = (number + this.sheets.length) % this.sheets.length;
+    const chosen = (number + this.tabCount) % this.tabCount;
+    this.isReport = chosen === this.sheets.length;
+    if (!this.isReport) this.current = chosen;
     this.forget();
-    showTabs(this.sheets, this.current, (i) => this.choose(i));
+    byId("report").hidden = !this.isReport;
+    showTabs(this.sheets, this.tab, (i) => this.choose(i), Boolean(this.data.report));
+    if (this.isReport) return fillReport(this.data, this.sheets, this.theme);
     showFacts(this.sheet);
     if (this.data.comparison) showComparison(this.sheets);
     showLayers(this.sheet.layers, () => this.changed());
@@ -62,19 +88,30 @@ class Page {
   /** Layers, quantity or theme changed: everything is drawn anew. */
   changed() {
     this.rank = -1;
+    if (this.isBeside) this.copyLayers();
     showMeasure(this.sheet.layers, this.theme);
+    if (this.isReport) fillReport(this.data, this.sheets, this.theme);
     this.drawSharp();
   }
 
   drawSharp() {
     clearTimeout(this.timer);
     this.timer = 0;
-    this.scene.drawSharp(this.view, this.theme, this.shown, new Set(this.added));
+    const added = new Set(this.isBeside ? [] : this.added);
+    for (const pane of this.panes)
+      this.scenes[pane].drawSharp(this.view, this.theme, this.shownIn(pane), added);
     this.drawOverlay();
   }
 
   drawOverlay() {
-    this.scene.drawOverlay(this.view, this.theme, this.data, this.shown, this.focus, this.hasLabels);
+    for (const pane of this.panes) {
+      const layers = this.shownIn(pane);
+      const focus = this.focus && layers.includes(this.focus.layer) ? this.focus : null;
+      const title = this.isBeside && tabTitles(this.sheets)[pane];
+      const cross = this.isBeside && this.pointer && this.pointer.pane !== pane && this.pointer.at;
+      const extras = { focus, labels: this.labels, title, cross };
+      this.scenes[pane].drawOverlay(this.view, this.theme, this.data, layers, extras);
+    }
     if (this.isPinned) this.placeTip(...this.focusPoint());
   }
 
@@ -83,8 +120,8 @@ class Page {
     if (!this.isPinned) this.forget();
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => {
-      if (this.scene.sharpTime < 12) return this.drawSharp();
-      this.scene.show(this.view, this.theme);
+      if (this.panes.every((pane) => this.scenes[pane].sharpTime < 12)) return this.drawSharp();
+      for (const pane of this.panes) this.scenes[pane].show(this.view, this.theme);
       this.drawOverlay();
       clearTimeout(this.timer);
       this.timer = setTimeout(() => this.drawSharp(), 120);
@@ -97,8 +134,7 @@ class Page {
   }
 
   setTheme(name) {
-    this.theme = themeNamed(name);
-    document.documentElement.dataset.theme = name;
+    this.theme = themeNamed(name, this.data.palettes);
   }
 
   forget() {
@@ -107,16 +143,45 @@ class Page {
     byId("tip").hidden = true;
   }
 
+  showReport() {
+    if (!this.data.report) return this.tell("This page has no report: quadmesh --html writes one.");
+    this.choose(this.isReport ? this.current : this.sheets.length);
+  }
+
+  /** The other stage shows the layers and quantities of the chosen one, where it has them. */
+  copyLayers() {
+    const others = this.sheets[1 - this.current].layers;
+    for (const { key, isShown, quantity } of this.sheet.layers)
+      for (const other of others.filter((layer) => layer.key === key))
+        Object.assign(other, { isShown, quantity: Math.min(quantity, other.quantities.length - 1) });
+  }
+
+  /** Side by side, or the lines of one over the other. */
+  toggleBeside() {
+    if (!this.data.comparison) return this.tell("Only a page of --compare has two stages to show side by side.");
+    this.isBeside = !this.isBeside;
+    this.resize();
+    this.fit();
+    this.changed();
+  }
+
   /** Shows the item under the pointer. */
-  point(px, py) {
+  point(px, py, pane = 0) {
     const [x, y] = this.view.toPlane(px, py);
-    const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
-    byId("place").textContent = `${text(x + this.data.x)}, ${text(y + this.data.y)} ${unitSign(this.data)}`;
-    const found = this.scene.itemAt(this.view, this.shown, px, py);
+    byId("place").textContent = this.positionText(x, y);
+    this.pointer = { pane, at: [x, y] };
+    const layers = this.shownIn(pane);
+    const found = this.scenes[pane].itemAt(this.view, layers, px, py);
     this.forget();
     this.focus = found;
     if (found) this.showTip(px, py);
     this.drawOverlay();
+  }
+
+  /** In the coordinates of the CAD file, to a pixel. */
+  positionText(x, y) {
+    const pixel = roundStep(1 / this.view.scale), text = (value) => tickText(value, pixel);
+    return `${text(x + this.data.x)}, ${text(y + this.data.y)} ${this.data.unit}`;
   }
 
   showTip(px, py) {
@@ -129,7 +194,8 @@ class Page {
 
   /** Size and quality of the item in focus. */
   figures() {
-    const { layer, item } = this.focus, unit = unitSign(this.data), sizes = layer.sizes(item), rows = [];
+    const { layer, item } = this.focus, unit = this.data.unit, sizes = layer.sizes(item), rows = [];
+    if (sizes.at) rows.push(["position", this.positionText(...sizes.at)]);
     if (sizes.least !== undefined) rows.push(["sides", `${figure(sizes.least)} to ${figure(sizes.greatest)} ${unit}`]);
     const whole = layer.isClosed ? "perimeter" : "length";
     if (sizes.length !== undefined) rows.push([whole, `${figure(sizes.length)} ${unit}`]);
@@ -139,7 +205,8 @@ class Page {
   }
 
   placeTip(px, py) {
-    const tip = byId("tip"), { width, height } = this.view;
+    const tip = byId("tip"), { clientWidth: width, clientHeight: height } = byId("window");
+    if (this.isBeside && this.focus && this.sheets[1].layers.includes(this.focus.layer)) px += width / 2;
     const x = px + 18 + tip.offsetWidth > width ? px - 18 - tip.offsetWidth : px + 18;
     const y = py + 18 + tip.offsetHeight > height ? py - 18 - tip.offsetHeight : py + 18;
     tip.style.left = `${Math.max(4, x)}px`;

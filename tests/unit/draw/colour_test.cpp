@@ -21,12 +21,6 @@ TEST(Colour, RampHitsItsStopsAndMixesBetween) {
   EXPECT_EQ(ramp_colour(ramp, 2), "#ffffff");
 }
 
-TEST(Colour, CrossAngleIsPeriodic) {
-  EXPECT_EQ(cross_angle_colour(-45, 1), cross_angle_colour(45, 1));
-  EXPECT_NE(cross_angle_colour(0, 1), cross_angle_colour(45, 1));
-  EXPECT_EQ(cross_angle_colour(-30, 0), cross_angle_colour(20, 0));
-}
-
 TEST(Colour, NeighboursDiffer) {
   for (int i = 0; i < 50; ++i) EXPECT_NE(quiet_colour(i), quiet_colour(i + 1));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../samples.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::page {
 namespace {
@@ -48,6 +49,21 @@ TEST(Page, NamesAreEscaped) {
   EXPECT_EQ(count(page, "</script><script>alert"), 0u);
   EXPECT_EQ(count(page, "<title>&lt;b&gt;&amp;&quot;name&quot;</title>"), 1u);
   EXPECT_EQ(count(page, "<script"), 2u) << "the data and the script";
+}
+
+TEST(Page, TheReportOfARunIsEscaped) {
+  const std::string page = html_page({samples::quad_mesh()}, {R"({"error":"</script><b>&","blocks":4})", {"a <b.h5"}});
+  EXPECT_EQ(count(page, R"("report":{"error":"\u003c/script\u003e\u003cb\u003e\u0026","blocks":4})"), 1u);
+  EXPECT_EQ(count(page, R"("commands":["a \u003cb.h5"])"), 1u);
+  EXPECT_EQ(count(html_page({samples::quad_mesh()}), "\"commands\":["), 0u) << "no report is known";
+}
+
+TEST(Page, ColoursAreThoseOfPictures) {
+  const std::string page = html_page({samples::quad_mesh()});
+  for (const draw::Paper paper : {draw::Paper::light, draw::Paper::dark})
+    EXPECT_GE(count(page, "\"few\":\"" + draw::palette(paper).few + '"'), 1u);
+  const std::string script = page.substr(page.rfind("<script>"));
+  for (const std::string& colour : draw::palette(draw::Paper::light).lines) EXPECT_EQ(count(script, colour), 0u);
 }
 
 TEST(Page, CriticalPointsAloneHaveAPage) {
