@@ -121,9 +121,10 @@ class ClusterFinder {
       for (int j = 0; j < num_zeros; ++j)
         if (zeros[j].index * zeros[i].index < 0) opposite.push_back(j);
       if (opposite.empty()) continue;
-      std::sort(opposite.begin(), opposite.end(), [&](int a, int b) { return gap(a) < gap(b); });
+      const int first =
+          *std::min_element(opposite.begin(), opposite.end(), [&](int a, int b) { return gap(a) < gap(b); });
       const double clearance = equal * placement::signed_clearance(evaluator_->field().mesh.face, zeros[i].x);
-      if (gap(opposite[0]) > nearest_opposite * clearance) continue;
+      if (gap(first) > nearest_opposite * clearance) continue;
       std::erase_if(opposite, [&](int j) {
         return gap(j) > near_opposite * clearance || !is_segment_in_mesh(*evaluator_, zeros[i].x, zeros[j].x);
       });
