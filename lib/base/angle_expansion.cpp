@@ -35,6 +35,25 @@ struct Powers {
   }
 };
 
+// -1 / k, k = 1, 2, ...
+constexpr std::array<double, max_terms> minus_reciprocals = [] {
+  std::array<double, max_terms> values{};
+  for (int k = 0; k < max_terms; ++k) values[k] = -1.0 / (k + 1);
+  return values;
+}();
+
+// Of the sum of the products of two complex numbers each: in four sums, since each addition waits for the one before.
+double imaginary_part(const std::vector<double>& re, const std::vector<double>& im, const double* z_re,
+                      const double* z_im) {
+  constexpr std::size_t width = 4;
+  std::array<double, width> sums{};
+  std::size_t k = 0;
+  for (; k + width <= re.size(); k += width)
+    for (std::size_t i = 0; i < width; ++i) sums[i] += re[k + i] * z_im[k + i] + im[k + i] * z_re[k + i];
+  for (; k < re.size(); ++k) sums[k % width] += re[k] * z_im[k] + im[k] * z_re[k];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 }  // namespace
 
 bool AngleExpansion::is_far(Vec2 a, Vec2 b) const {
@@ -47,16 +66,19 @@ bool AngleExpansion::is_far(Vec2 a, Vec2 b) const {
 // log(1 + z), z = (x - centre) / (centre - a), is the sum of -(-z)^k / k.
 void AngleExpansion::add(Vec2 a, Vec2 weight) {
   const Vec2 d = centre_ - a, q = (-radius_ / norm2(d)) * Vec2{d.x, -d.y};
-  const auto n = static_cast<std::size_t>(num_terms(std::sqrt(norm2(q))));
-  if (first_.re.size() < n)
-    for (std::vector<double>* part : {&first_.re, &first_.im, &second_.re, &second_.im}) part->resize(n, 0);
-  Vec2 power{-1, 0};
-  for (std::size_t k = 0; k < n; ++k) {
-    power = product(power, q);
-    const Vec2 term = power / static_cast<double>(k + 1);
-    first_.re[k] += weight.x * term.x, first_.im[k] += weight.x * term.y;
-    second_.re[k] += weight.y * term.x, second_.im[k] += weight.y * term.y;
-  }
+  const int n = num_terms(norm(q));
+  const Powers power(q, n);
+  const auto add_to = [&](Series& series, double factor) {
+    if (factor == 0) return;
+    if (series.re.size() < static_cast<std::size_t>(n)) series.re.resize(n, 0), series.im.resize(n, 0);
+    for (int k = 0; k < n; ++k) {
+      const double scaled = factor * minus_reciprocals[k];
+      series.re[k] += scaled * power.re[k];
+      series.im[k] += scaled * power.im[k];
+    }
+  };
+  add_to(first_, weight.x);
+  add_to(second_, weight.y);
 }
 
 // Horner's rule gives the value at the offset as the remainder of a division by (z - offset), and again the first
@@ -80,23 +102,20 @@ AngleExpansion::Series AngleExpansion::Series::about(Vec2 offset, double scale) 
 
 AngleExpansion AngleExpansion::inside(Vec2 centre, double radius) const {
   AngleExpansion other(centre, radius);
-  if (first_.re.empty()) return other;
   const Vec2 offset = (centre - centre_) / radius_;
-  other.first_ = first_.about(offset, radius / radius_);
-  other.second_ = second_.about(offset, radius / radius_);
+  if (!first_.re.empty()) other.first_ = first_.about(offset, radius / radius_);
+  if (!second_.re.empty()) other.second_ = second_.about(offset, radius / radius_);
   return other;
 }
 
 Vec2 AngleExpansion::at(Vec2 x) const {
-  const auto n = static_cast<int>(first_.re.size());
+  const auto n = static_cast<int>(std::max(first_.re.size(), second_.re.size()));
   if (n == 0) return {};
   const Powers z((x - centre_) / radius_, n);
-  Vec2 sum;
-  for (int k = n - 1; k >= 0; --k) {
-    sum.x += first_.re[k] * z.im[k] + first_.im[k] * z.re[k];
-    sum.y += second_.re[k] * z.im[k] + second_.im[k] * z.re[k];
-  }
-  return sum;
+  const auto sum = [&z](const Series& series) {
+    return imaginary_part(series.re, series.im, z.re.data(), z.im.data());
+  };
+  return {sum(first_), sum(second_)};
 }
 
 }  // namespace quadrille

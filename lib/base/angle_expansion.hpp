@@ -26,7 +26,8 @@ class AngleExpansion {
  private:
   Vec2 centre_;
   double radius_;
-  // of both components of the weights: real and imaginary parts of the coefficients of (x - centre)^k / radius^k, k > 0
+  // Of each component of the weights, none if it is always 0: real and imaginary parts of the coefficients of (x -
+  // centre)^k / radius^k, k > 0
   struct Series {
     std::vector<double> re, im;
     /// In powers of (x - other centre) / other radius; `offset` and `scale` are relative to this disc.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "curve/gauss.hpp"
+#include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "mesh/block_shape.hpp"
 #include "spectral/lagrange.hpp"
@@ -59,39 +61,59 @@ double distance_to_arc(const BlockLayout& layout, const GraphArc& arc, Vec2 x) {
   return least;
 }
 
+/// count + 1 points of [-1, 1].
+std::vector<double> equispaced(int count) {
+  std::vector<double> points;
+  for (int i = 0; i <= count; ++i) points.push_back(-1 + 2.0 * i / count);
+  return points;
+}
+
 /// Distance of the polynomial of order 8 along an arc from the arc, between their common points.
 void measure_boundary_distance(const BlockLayout& layout, const curve::Chain& chain, const GraphArc& arc,
                                BlockMeasure& m) {
-  const int count = 4 * mesh::block_order;
-  std::vector<double> samples;
-  for (int i = 0; i <= count; ++i) samples.push_back(-1 + 2.0 * i / count);
-  const Eigen::MatrixXd basis = spectral::interpolation_matrix(spectral::gll_points(mesh::block_order), samples);
+  constexpr int count = 4 * mesh::block_order;
+  static const std::vector<double> samples = equispaced(count);
+  static const Eigen::MatrixXd basis = spectral::interpolation_matrix(spectral::gll_points(mesh::block_order), samples);
   std::vector<Vec2> nodes;
-  for (const double xi : spectral::gll_points(mesh::block_order)) nodes.push_back(chain.at((1 + xi) / 2).position);
+  for (const double xi : spectral::gll_points(mesh::block_order)) nodes.push_back(chain.position((1 + xi) / 2));
   for (int i = 0; i <= count; ++i) {
     Vec2 x;
     for (int k = 0; k <= mesh::block_order; ++k) x += basis(i, k) * nodes[k];
     // The distance to the point of the same fraction is an upper bound; only a greater one is worth a projection.
-    if (distance(x, chain.at((1 + samples[i]) / 2).position) <= m.boundary_distance) continue;
+    if (distance(x, chain.position((1 + samples[i]) / 2)) <= m.boundary_distance) continue;
     const double d = distance_to_arc(layout, arc, x);
     if (d > m.boundary_distance) m.boundary_distance = d, m.boundary_distance_position = x;
   }
 }
 
-/// Green's formula over the sides, Simpson's rule.
-double area_left_of(const curve::Chain& chain) {
-  constexpr int intervals = 64;
+/// Green's formula over an arc, by Gauss's rule on each knot span of its curves: no arc length is inverted.
+double area_left_of(const BlockLayout& layout, const GraphArc& arc) {
   double sum = 0;
-  for (int i = 0; i <= intervals; ++i) {
-    const curve::ChainPoint p = chain.at(static_cast<double>(i) / intervals);
-    sum += (i == 0 || i == intervals ? 1 : i % 2 == 1 ? 4 : 2) * cross(p.position, p.tangent);
+  for (const ArcPiece& piece : arc.pieces) {
+    const Nurbs& curve = layout.curve(piece.curve);
+    const auto swept = [&](double t) {
+      const curve::PointAndDerivative at = curve::point_and_derivative(curve, t);
+      return cross(at.point, at.derivative);
+    };
+    const auto [low, high] = std::minmax(piece.t0, piece.t1);
+    double along = 0;
+    for (std::size_t k = 1; k < curve.knots.size(); ++k) {
+      const double a = std::max(low, curve.knots[k - 1]), b = std::min(high, curve.knots[k]);
+      if (a < b) along += curve::gauss_integral<8>(swept, a, b);
+    }
+    sum += piece.t0 > piece.t1 ? -along : along;
   }
-  return chain.length() * sum / (6.0 * intervals);
+  return sum / 2;
 }
 
-}  // namespace
+std::vector<double> areas_left_of_arcs(const BlockLayout& layout) {
+  std::vector<double> areas;
+  for (const GraphArc& arc : layout.arcs) areas.push_back(area_left_of(layout, arc));
+  return areas;
+}
 
-BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block) {
+BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, const std::vector<double>& arc_areas,
+                           int block) {
   BlockMeasure m;
   const mesh::TransfiniteMap map = maps.map(block);
   const mesh::BlockShape shape = mesh::block_shape(map);
@@ -106,17 +128,21 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int
     const curve::Chain& chain = maps.arc(a);
     if (chain.length() < (1 - same_length) * m.shortest_side)
       m.shortest_side = chain.length(), m.shortest_side_index = k;
-    m.area += (directed.is_backwards ? -1 : 1) * area_left_of(chain);
+    m.area += (directed.is_backwards ? -1 : 1) * arc_areas[a];
     if (layout.arcs[a].is_boundary) measure_boundary_distance(layout, chain, layout.arcs[a], m);
   }
   return m;
 }
 
+}  // namespace
+
 std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress) {
   const BlockMaps maps(layout);
+  const std::vector<double> arc_areas = areas_left_of_arcs(layout);
   const Progress::Part part(progress, "blocks", layout.num_blocks());
   std::vector<BlockMeasure> measures;
-  for (int b = 0; b < layout.num_blocks(); ++b, part.advance()) measures.push_back(measure_block(layout, maps, b));
+  for (int b = 0; b < layout.num_blocks(); ++b, part.advance())
+    measures.push_back(measure_block(layout, maps, arc_areas, b));
   return measures;
 }
 

@@ -26,7 +26,6 @@ struct BlockMeasure {
   int shortest_side_index = 0;      ///< 0 to 3; the first of sides equal within 1e-6
 };
 
-BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, int block);
 std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress = nullptr);
 
 /// Copies the measures that the file contains into the layout.

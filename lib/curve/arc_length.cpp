@@ -5,6 +5,7 @@
 
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/span.hpp"
 
 namespace quadrille::curve {
 namespace {
@@ -15,8 +16,32 @@ bool has_equal_weights(const Nurbs& curve) {
 
 }  // namespace
 
+ArcLength::Quadratic ArcLength::quadratic(const Nurbs& curve, bool is_polynomial, double a, double b) {
+  const double m = (a + b) / 2;
+  if (is_polynomial) {
+    const auto d = derivatives(curve, m);
+    return {m, {d[1], d[2], d[3] / 2}};
+  }
+  // Bernstein coefficients by blossoms, relative to the point in the middle: A(u) / w(u) with A(0) = 0.
+  const int k = find_span(curve, m);
+  const LocalPoles poles = local_poles(curve, k);
+  const auto blossom = [&](double t1, double t2) {
+    return de_boor(curve, k, 2, poles, [=](int r) { return r == 1 ? t1 : t2; });
+  };
+  std::array<Homogeneous, 3> c{blossom(a, a), blossom(a, b), blossom(b, b)};
+  const Vec2 origin = point(curve, m);
+  for (Homogeneous& h : c) h.x -= h.w * origin.x, h.y -= h.w * origin.y;
+  const double h = b - a;
+  const Vec2 a1 = Vec2{c[2].x - c[0].x, c[2].y - c[0].y} / h;
+  const Vec2 a2 = Vec2{c[2].x - 2 * c[1].x + c[0].x, c[2].y - 2 * c[1].y + c[0].y} / (h * h);
+  const double w0 = (c[0].w + 2 * c[1].w + c[2].w) / 4, w1 = (c[2].w - c[0].w) / h;
+  const double w2 = (c[2].w - 2 * c[1].w + c[0].w) / (h * h);
+  return {m, {w0 * a1, 2 * w0 * a2, w1 * a2 - w2 * a1}, {w0, w1, w2}};  // A' w - A w' over w^2
+}
+
 ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   const bool is_polynomial = has_equal_weights(curve);
+  is_rational_ = !is_polynomial;
   is_polyline_ = curve.degree == 1 && is_polynomial;
   add(curve.begin(), 0, 0);
   if (is_polyline_) {
@@ -36,10 +61,8 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   for (size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = curve.knots[i - 1], b = curve.knots[i];
     if (!(a < b)) continue;
-    if (is_polynomial && curve.degree <= 3) {
-      const auto d = derivatives(curve, (a + b) / 2);
-      quadratics_.push_back({(a + b) / 2, {d[1], d[2], d[3] / 2}});
-    }
+    if (is_polynomial ? curve.degree <= 3 : curve.degree == 2)
+      quadratics_.push_back(quadratic(curve, is_polynomial, a, b));
     stack.push_back({a, b, gauss(stack.size(), a, b), 0, scale, stack.size()});
   }
   speeds_.front() = speed(0, curve.begin());
@@ -74,7 +97,10 @@ double ArcLength::speed(size_t span, double t) const {
   if (quadratics_.empty()) return norm(derivative(*curve_, t));
   const Quadratic& q = quadratics_[span];
   const double u = t - q.middle;
-  return std::sqrt(norm2(q.d[0] + u * (q.d[1] + u * q.d[2])));
+  const double numerator = norm(q.d[0] + u * (q.d[1] + u * q.d[2]));
+  if (!is_rational_) return numerator;
+  const double w = q.w[0] + u * (q.w[1] + u * q.w[2]);
+  return numerator / (w * w);
 }
 
 double ArcLength::gauss(size_t span, double a, double b) const {

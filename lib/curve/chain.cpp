@@ -15,22 +15,22 @@ constexpr double same_fraction = 1e-12;
 
 }  // namespace
 
-CurveTable::CurveTable(const CadFace& face, const std::vector<Nurbs>& splines)
-    : face_(&face), splines_(&splines), tables_(face.curves.size() + splines.size()) {}
+CurveTable::CurveTable(const CadFace& face, const std::vector<Nurbs>& splines) : face_(&face), splines_(&splines) {}
 
 const Nurbs& CurveTable::curve(int id) const {
   return id < face_->num_curves() ? face_->curves[id] : (*splines_)[id - face_->num_curves()];
 }
 
 const ArcLength& CurveTable::arc_length(int id) const {
-  if (!tables_[id]) tables_[id] = std::make_unique<ArcLength>(curve(id));
-  return *tables_[id];
+  const auto known = tables_.find(id);
+  return known != tables_.end() ? known->second : tables_.emplace(id, curve(id)).first->second;
 }
 
 Chain::Chain(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {
   double length = 0;
   for (const ArcPiece& piece : pieces_) {
     const ArcLength& arc = table_->arc_length(piece.curve);
+    arc_lengths_.push_back(&arc);
     starts_.push_back(arc.at(piece.t0));
     length += std::abs(arc.at(piece.t1) - starts_.back());
     ends_.push_back(length);
@@ -42,7 +42,6 @@ Chain::Place Chain::place(double s) const {
   const size_t i =
       std::min<size_t>(std::lower_bound(ends_.begin(), ends_.end(), target) - ends_.begin(), pieces_.size() - 1);
   const ArcPiece& piece = pieces_[i];
-  const ArcLength& arc = table_->arc_length(piece.curve);
   const double before = i == 0 ? 0 : ends_[i - 1];
   const bool backwards = piece.t0 > piece.t1;
   double t;
@@ -51,7 +50,7 @@ Chain::Place Chain::place(double s) const {
   else if (target >= ends_[i])
     t = piece.t1;
   else
-    t = arc.parameter(starts_[i] + (backwards ? before - target : target - before));
+    t = arc_lengths_[i]->parameter(starts_[i] + (backwards ? before - target : target - before));
   const auto [low, high] = std::minmax(piece.t0, piece.t1);
   return {i, std::clamp(t, low, high)};
 }
@@ -86,7 +85,7 @@ bool Chain::is_smooth_seam(size_t i) const {
 
 bool Chain::is_whole_curve(size_t i) const {
   const double length = ends_[i] - (i == 0 ? 0 : ends_[i - 1]);
-  return length >= table_->arc_length(pieces_[i].curve).total() * (1 - 1e-9);
+  return length >= arc_lengths_[i]->total() * (1 - 1e-9);
 }
 
 bool Chain::is_at_end(double fraction) const {
@@ -110,7 +109,7 @@ std::vector<double> Chain::break_fractions() const {
     const auto [low, high] = std::minmax(piece.t0, piece.t1);
     for (const double t : smoothness_breaks(table_->curve(piece.curve)))
       if (low < t && t < high) {
-        const double inside = std::abs(table_->arc_length(piece.curve).between(piece.t0, t));
+        const double inside = std::abs(arc_lengths_[i]->between(piece.t0, t));
         fractions.push_back(((i == 0 ? 0 : ends_[i - 1]) + inside) / length());
       }
   }

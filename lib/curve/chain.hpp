@@ -2,7 +2,7 @@
 // A chain of curve pieces as ONE curve, parametrised by the fraction s in [0, 1] of its total arc length: a side of a
 // block.
 
-#include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "curve/arc_length.hpp"
@@ -30,7 +30,7 @@ class CurveTable {
  private:
   const CadFace* face_;
   const std::vector<Nurbs>* splines_;
-  mutable std::vector<std::unique_ptr<ArcLength>> tables_;
+  mutable std::unordered_map<int, ArcLength> tables_;  ///< of the curves asked for: most tables are about a few
 };
 
 class Chain {
@@ -65,8 +65,9 @@ class Chain {
 
   const CurveTable* table_;
   std::vector<ArcPiece> pieces_;
-  std::vector<double> ends_;    ///< length up to the end of each piece
-  std::vector<double> starts_;  ///< length on its curve at which each piece begins
+  std::vector<double> ends_;                   ///< length up to the end of each piece
+  std::vector<double> starts_;                 ///< length on its curve at which each piece begins
+  std::vector<const ArcLength*> arc_lengths_;  ///< of the curve of each piece
 };
 
 }  // namespace quadrille::curve

@@ -23,13 +23,18 @@ class CurveSet {
   FarthestPoint farthest(const std::vector<Vec2>& points) const;
 
  private:
+  struct Box {
+    Vec2 low, high;
+
+    void extend(const Box& other);
+    /// The square of the distance of x.
+    double distance2(Vec2 x) const;
+  };
   /// A knot span with the box around its poles, which contains it.
   struct Span {
     int curve = 0;
     double t0 = 0, t1 = 0;
-    Vec2 low, high;
-
-    double distance_of_box(Vec2 x) const;
+    Box box;
   };
   /// A span and a parameter near the nearest point.
   struct Guess {
@@ -38,13 +43,14 @@ class CurveSet {
   };
 
   void add_spans(int curve);
-  /// Improves the guess within its curve by Newton's method; returns its distance.
-  double improve(Vec2 x, Guess& guess) const;
+  /// Improves the guess within its curve by Newton's method until its distance is not larger than `known`; returns it.
+  double improve(Vec2 x, double known, Guess& guess) const;
   /// The distance of x, or any value up to `known` if it is not larger than that.
   double distance_above(Vec2 x, double known, Guess& guess) const;
 
   std::vector<Nurbs> curves_;
   std::vector<Span> spans_;
+  std::vector<Box> groups_;  ///< around every so many successive spans
 };
 
 }  // namespace quadrille::curve

@@ -20,6 +20,37 @@ void differentiate(const Nurbs& curve, int k, int degree, LocalPoles& d) {
   }
 }
 
+// De Boor's last step joins two points: the curve is on their segment, at the fraction u, the derivative along it.
+struct LastSegment {
+  Homogeneous a, b;
+  double u;
+
+  double weight() const { return (1 - u) * a.w + u * b.w; }
+};
+
+LastSegment last_segment(const Nurbs& curve, int k, double t) {
+  const int p = curve.degree;
+  LocalPoles d = local_poles(curve, k);
+  for (int r = 1; r < p; ++r)
+    for (int j = p; j >= r; --j) {
+      const double low = curve.knots[k - p + j], high = curve.knots[k + 1 + j - r];
+      const double u = (t - low) / (high - low), v = 1 - u;
+      d[j] = {v * d[j - 1].x + u * d[j].x, v * d[j - 1].y + u * d[j].y, v * d[j - 1].w + u * d[j].w};
+    }
+  return {d[p - 1], d[p], (t - curve.knots[k]) / (curve.knots[k + 1] - curve.knots[k])};
+}
+
+Vec2 point_on(const LastSegment& s) {
+  const double w = s.weight();
+  return {((1 - s.u) * s.a.x + s.u * s.b.x) / w, ((1 - s.u) * s.a.y + s.u * s.b.y) / w};
+}
+
+// (A' w - A w') / w^2 with A' = p (b - a) / h, w' likewise, is p / h (a.w b - b.w a) / w^2.
+Vec2 derivative_on(const LastSegment& s, int degree, double span) {
+  const double w = s.weight(), scale = degree / (span * w * w);
+  return {scale * (s.a.w * s.b.x - s.b.w * s.a.x), scale * (s.a.w * s.b.y - s.b.w * s.a.y)};
+}
+
 Vec2 vec(Homogeneous h) { return {h.x, h.y}; }
 
 double polygon_length(const Nurbs& curve) {
@@ -69,21 +100,16 @@ Vec2 point(const Nurbs& curve, double t) {
 
 Vec2 derivative(const Nurbs& curve, double t, bool from_left) {
   const double s = std::clamp(t, curve.begin(), curve.end());
-  const int k = find_span(curve, s, from_left), p = curve.degree;
-  // De Boor's last step joins two points a, b: the curve is on their segment, the derivative along it.
-  LocalPoles d = local_poles(curve, k);
-  for (int r = 1; r < p; ++r)
-    for (int j = p; j >= r; --j) {
-      const double low = curve.knots[k - p + j], high = curve.knots[k + 1 + j - r];
-      const double u = (s - low) / (high - low), v = 1 - u;
-      d[j] = {v * d[j - 1].x + u * d[j].x, v * d[j - 1].y + u * d[j].y, v * d[j - 1].w + u * d[j].w};
-    }
-  const Homogeneous &a = d[p - 1], &b = d[p];
-  const double low = curve.knots[k], high = curve.knots[k + 1];
-  const double u = (s - low) / (high - low), w = (1 - u) * a.w + u * b.w;
-  // (A' w - A w') / w^2 with A' = p (b - a) / h, w' likewise, is p / h (a.w b - b.w a) / w^2.
-  const double scale = p / ((high - low) * w * w);
-  return {scale * (a.w * b.x - b.w * a.x), scale * (a.w * b.y - b.w * a.y)};
+  const int k = find_span(curve, s, from_left);
+  return derivative_on(last_segment(curve, k, s), curve.degree, curve.knots[k + 1] - curve.knots[k]);
+}
+
+PointAndDerivative point_and_derivative(const Nurbs& curve, double t) {
+  const double s = std::clamp(t, curve.begin(), curve.end());
+  const int k = find_span(curve, s);
+  const LastSegment last = last_segment(curve, k, s);
+  const Vec2 x = s == curve.begin() ? curve.poles.front() : s == curve.end() ? curve.poles.back() : point_on(last);
+  return {x, derivative_on(last, curve.degree, curve.knots[k + 1] - curve.knots[k])};
 }
 
 std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left) {

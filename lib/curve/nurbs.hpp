@@ -16,6 +16,13 @@ Vec2 point(const Nurbs& curve, double t);
 /// The first derivative with respect to t, at the cost of one point; one-sided as below.
 Vec2 derivative(const Nurbs& curve, double t, bool from_left = false);
 
+struct PointAndDerivative {
+  Vec2 point, derivative;
+};
+
+/// Point and first derivative with respect to t, from the right, at the cost of one point.
+PointAndDerivative point_and_derivative(const Nurbs& curve, double t);
+
 /// Point and first three derivatives with respect to t. At a knot the limit from the right, or from the left if
 /// `from_left`; at the ends of the curve the only limit that exists.
 std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left = false);

@@ -1,7 +1,6 @@
 #include "curve/pole_box.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace quadrille::curve {
 namespace {
@@ -16,7 +15,7 @@ void extend(PoleBox& box, const std::vector<Vec2>& points) {
 }  // namespace
 
 double PoleBox::distance_from(Vec2 x) const {
-  return std::hypot(std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0}));
+  return norm({std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0})});
 }
 
 PoleBox pole_box(const Nurbs& curve) {

@@ -15,6 +15,7 @@ constexpr double margin = 1.1;  // for the bulge of curved edges, and stages of 
 // With fewer terms, groups of elements save nothing.
 constexpr int least_terms_for_groups = 128;
 constexpr int elements_per_group = 64;
+constexpr int cells_across_group = 3;
 
 // The radius of a disc around the centroid that contains the element.
 double radius_of(const spectral::TriMap& map, Vec2 centre) {
@@ -88,9 +89,18 @@ void DiscTerms::split_terms(const DiscTerms& outer, Vec2 centre) {
   at_centre_ = product(outer.at_centre_, explicit_direction(far, centre, centre, outer.far_phase(centre)));
 }
 
-const DiscTerms& ElementTerms::Disc::made(const DiscTerms& outer) {
-  std::call_once(is_made, [&] { terms = std::make_unique<const DiscTerms>(outer, centre, radius); });
+template <typename Outer>
+const DiscTerms& ElementTerms::Disc::made(const Outer& outer) {
+  if (const DiscTerms* made = ready.load(std::memory_order_acquire)) return *made;
+  std::call_once(is_made, [&] {
+    terms = std::make_unique<const DiscTerms>(outer(), centre, radius);
+    ready.store(terms.get(), std::memory_order_release);
+  });
   return *terms;
+}
+
+void ElementTerms::Disc::enclose(const Disc& other) {
+  radius = std::max(radius, distance(centre, other.centre) + other.radius);
 }
 
 ElementTerms::ElementTerms(const Field& field, const std::vector<spectral::TriMap>& maps)
@@ -102,30 +112,40 @@ ElementTerms::ElementTerms(const Field& field, const std::vector<spectral::TriMa
   if (all_.num_near() >= least_terms_for_groups) group_elements();
 }
 
-// The groups are the cells of a grid over the centroids.
+// The cells are those of a grid over the centroids, the groups squares of cells.
 void ElementTerms::group_elements() {
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   for (const Disc& disc : discs_) {
     low = {std::min(low.x, disc.centre.x), std::min(low.y, disc.centre.y)};
     high = {std::max(high.x, disc.centre.x), std::max(high.y, disc.centre.y)};
   }
-  const int n = 1 + static_cast<int>(std::sqrt(static_cast<double>(discs_.size()) / elements_per_group));
+  const int num_groups = 1 + static_cast<int>(std::sqrt(static_cast<double>(discs_.size()) / elements_per_group));
+  const int n = cells_across_group * num_groups;
   const double side = std::max(high.x - low.x, high.y - low.y) / n;
   const auto cell = [&](double offset) { return side > 0 ? std::min(static_cast<int>(offset / side), n - 1) : 0; };
-  groups_ = std::vector<Disc>(static_cast<std::size_t>(n) * n);
+  cells_ = std::vector<Disc>(static_cast<std::size_t>(n) * n);
+  groups_ = std::vector<Disc>(static_cast<std::size_t>(num_groups) * num_groups);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int group_i = i / cells_across_group, group_j = j / cells_across_group;
+      cell2group_.push_back(group_i + num_groups * group_j);
+      cells_[i + n * j].centre = low + side * Vec2{i + 0.5, j + 0.5};
+      groups_[cell2group_.back()].centre = low + cells_across_group * side * Vec2{group_i + 0.5, group_j + 0.5};
+    }
   for (const Disc& disc : discs_) {
-    const int i = cell(disc.centre.x - low.x), j = cell(disc.centre.y - low.y), group = i + n * j;
-    elem2group_.push_back(group);
-    groups_[group].centre = low + side * Vec2{i + 0.5, j + 0.5};
+    elem2cell_.push_back(cell(disc.centre.x - low.x) + n * cell(disc.centre.y - low.y));
+    cells_[elem2cell_.back()].enclose(disc);
   }
-  for (std::size_t e = 0; e < discs_.size(); ++e) {
-    Disc& group = groups_[elem2group_[e]];
-    group.radius = std::max(group.radius, distance(group.centre, discs_[e].centre) + discs_[e].radius);
-  }
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    if (cells_[c].radius > 0) groups_[cell2group_[c]].enclose(cells_[c]);
 }
 
 const DiscTerms& ElementTerms::of(int elem) const {
-  return discs_[elem].made(groups_.empty() ? all_ : groups_[elem2group_[elem]].made(all_));
+  if (groups_.empty()) return discs_[elem].made([this]() -> const DiscTerms& { return all_; });
+  const auto of_group = [&]() -> const DiscTerms& {
+    return groups_[cell2group_[elem2cell_[elem]]].made([this]() -> const DiscTerms& { return all_; });
+  };
+  return discs_[elem].made([&]() -> const DiscTerms& { return cells_[elem2cell_[elem]].made(of_group); });
 }
 
 }  // namespace quadrille::field

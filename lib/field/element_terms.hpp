@@ -1,8 +1,10 @@
 #pragma once
 // The explicit terms of a field (liftings, or those of a phase) for evaluation on one element: most apexes, nodes and
 // holes are far from it, and the sum of their angles is one power series there (base/angle_expansion). Where there are
-// many terms, those far from a group of elements are summed once for the group.
+// many terms, those far from a group of elements are summed once for the group, and again for each of the cells of
+// which it consists.
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -60,14 +62,19 @@ class ElementTerms {
     double radius = 0;
     std::once_flag is_made;
     std::unique_ptr<const DiscTerms> terms;
-    const DiscTerms& made(const DiscTerms& outer);
+    std::atomic<const DiscTerms*> ready = nullptr;  // terms.get() once they are made
+
+    /// outer(): the terms of a disc around this one; called only to make those of this one.
+    template <typename Outer>
+    const DiscTerms& made(const Outer& outer);
+    void enclose(const Disc& other);
   };
   void group_elements();
 
   DiscTerms all_;
-  mutable std::vector<Disc> discs_;   // by element
-  mutable std::vector<Disc> groups_;  // empty if there are few terms
-  std::vector<int> elem2group_;
+  mutable std::vector<Disc> discs_;           // by element
+  mutable std::vector<Disc> cells_, groups_;  // of a few elements, of a few cells; empty if there are few terms
+  std::vector<int> elem2cell_, cell2group_;
 };
 
 }  // namespace quadrille::field

@@ -46,11 +46,11 @@ Vec2 FieldEvaluator::liftings(int elem, Vec2 x) const {
 }
 
 Vec2 FieldEvaluator::phase_value(double remainder, int elem, Vec2 x) const {
-  const Vec2 centre = maps_[elem].position(centroid);
   const DiscTerms* terms = expanded_terms(elem, x);
-  if (!terms) return product(unit(remainder), explicit_direction(field_->phase.terms, x, centre));
-  const Vec2 near = explicit_direction(terms->near_terms(), x, centre, remainder + terms->far_phase(x));
-  return product(terms->far_direction(), near);
+  const PhaseTerms& near = terms ? terms->near_terms() : field_->phase.terms;
+  const Vec2 towards = near.corner_angles.empty() ? x : maps_[elem].position(centroid);  // asked for at corners only
+  if (!terms) return product(unit(remainder), explicit_direction(near, x, towards));
+  return product(terms->far_direction(), explicit_direction(near, x, towards, remainder + terms->far_phase(x)));
 }
 
 Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
@@ -102,6 +102,18 @@ FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {
 bool FieldEvaluator::value_at(Vec2 x, Vec2& value_there) const {
   const mesh::Location at = locator_.find(x);
   if (at.elem < 0) return false;
+  Vec2 position;
+  Mat2 jacobian;
+  value_there = value(at.elem, at.xi, position, jacobian);
+  return true;
+}
+
+bool FieldEvaluator::value_near(Vec2 x, mesh::Location& at, Vec2& value_there) const {
+  mesh::Location found = at;
+  if (found.elem < 0 || !maps_[found.elem].invert(x, found.xi) || mesh::outside_reference(found.xi) > 0)
+    found = locator_.find(x);
+  if (found.elem < 0) return false;
+  at = found;
   Vec2 position;
   Mat2 jacobian;
   value_there = value(at.elem, at.xi, position, jacobian);

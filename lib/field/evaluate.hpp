@@ -47,6 +47,8 @@ class FieldEvaluator {
   FieldSample sample(int elem, Vec2 xi) const;
   /// Value at a physical point; false when x lies outside the mesh.
   bool value_at(Vec2 x, Vec2& value) const;
+  /// The same; looks first in the element of `at`, from its xi, and replaces `at` by where x lies, if inside the mesh.
+  bool value_near(Vec2 x, mesh::Location& at, Vec2& value) const;
   /// Value at many physical points: each is located by a walk through the mesh from the previous point
   /// (mesh/locate), and by the search grid if the walk fails. Fastest if successive points are near each other.
   std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;

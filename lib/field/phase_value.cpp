@@ -1,8 +1,10 @@
 #include "field/phase_value.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
+#include "base/angle_sum.hpp"
 #include "field/lifting.hpp"
 
 namespace quadrille::field {
@@ -18,12 +20,55 @@ bool is_apex(const CornerAngle& corner, Vec2 x) {
   return norm2(x - corner.apex) <= apex_tol * apex_tol * norm2(corner.pole - corner.apex);
 }
 
-double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
-  double sum = 0;
-  for (const PhaseTurn& turn : turns) {
-    if (turn.turns != 0) sum += turn.turns * angle_of(x - turn.position);
+// The sum of turns * arg(x - position), each principal value: products of complex numbers in place of arc tangents.
+class PhaseSum {
+ public:
+  explicit PhaseSum(Vec2 x) : x_(x) {}
+
+  void add(const PhaseTurn& turn) {
+    const Vec2 r = x_ - turn.position;
+    if (turn.turns == 0 || r == Vec2{}) return;
+    if (r.y == 0 || std::abs(turn.turns) > most_batched) {  // AngleSums adds angles of less than half a turn
+      rest_ += turn.turns * angle_of(r);
+      return;
+    }
+    Batch& batch = batches_[turn.turns + most_batched];
+    batch.x[batch.size] = r.x, batch.y[batch.size] = r.y;
+    if (++batch.size == AngleSums::width) flush(batch, turn.turns);
   }
-  return sum;
+
+  double value() {
+    for (int turns = -most_batched; turns <= most_batched; ++turns)
+      if (turns != 0) flush(batches_[turns + most_batched], turns);
+    double sum = rest_;
+    for (int i = 0; i < AngleSums::width; ++i) sum += sums_.value(i);
+    return sum;
+  }
+
+ private:
+  static constexpr int most_batched = 4;
+  /// Vectors of equally many turns, which are added at once.
+  struct Batch {
+    AngleSums::Values x{}, y{};
+    int size = 0;
+  };
+
+  void flush(Batch& batch, int turns) {
+    for (int i = batch.size; i < AngleSums::width; ++i) batch.x[i] = 1, batch.y[i] = 0;
+    if (batch.size > 0) sums_.add(batch.x, batch.y, turns);
+    batch.size = 0;
+  }
+
+  Vec2 x_;
+  std::array<Batch, 2 * most_batched + 1> batches_;
+  AngleSums sums_;
+  double rest_ = 0;
+};
+
+double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
+  PhaseSum sum(x);
+  for (const PhaseTurn& turn : turns) sum.add(turn);
+  return sum.value();
 }
 
 // z times (x - a)^d for each turn. The result is not normalised; it is rescaled only to avoid overflow and underflow.

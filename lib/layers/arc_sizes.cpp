@@ -9,7 +9,7 @@ double mean_size(const sizing::SizeField& sizes, const curve::Chain& chain) {
   constexpr int samples = layer_constants.size_samples;
   if (sizes.is_uniform()) return sizes.greatest();
   double sum = 0;
-  for (int k = 0; k < samples; ++k) sum += 1 / sizes.at(chain.at((k + 0.5) / samples).position);
+  for (int k = 0; k < samples; ++k) sum += 1 / sizes.at(chain.position((k + 0.5) / samples));
   return samples / sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -48,12 +49,14 @@ void add_hits(const Nurbs& curve, Vec2 x, Vec2 direction, std::vector<double>& h
 std::vector<BoundaryFoot> nearest_feet(const CadFace& face, Vec2 x) {
   std::vector<std::pair<double, int>> order;
   for (int c = 0; c < face.num_curves(); ++c) order.emplace_back(curve::pole_box(face.curves[c]).distance_from(x), c);
-  std::sort(order.begin(), order.end());
+  std::make_heap(order.begin(), order.end(), std::greater<>());  // a few of them are looked at
   const double tol = 1e-6 * face.diameter;
   std::vector<BoundaryFoot> feet;
   double least = INFINITY;
-  for (const auto& [bound, c] : order) {
-    if (bound > least + tol) break;
+  while (!order.empty() && order.front().first <= least + tol) {
+    const int c = order.front().second;
+    std::pop_heap(order.begin(), order.end(), std::greater<>());
+    order.pop_back();
     const curve::Projection p = curve::project(face.curves[c], x);
     feet.push_back({c, p.t, p.position, p.distance});
     least = std::min(least, p.distance);

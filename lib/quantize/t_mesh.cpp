@@ -22,7 +22,7 @@ constexpr double relative_first_length = 2;  // relative to the diameter: length
 // So many lines stop each other much earlier: traced first so many times as far as the side of a square of which each
 // line has one, relative to the diameter squared.
 constexpr int many_lines = 500;
-constexpr double first_squares = 20;
+constexpr double first_squares = 6;
 constexpr int max_cuts = 100;
 
 double first_length(int num_lines) {

@@ -32,7 +32,7 @@ ArcNodes place_on_arc(const sizing::MeasuredLayout& measured, int arc, const siz
   nodes.ids.push_back(measured.blocks().arcs[arc].from);
   for (std::size_t k = 1; k + 1 < nodes.fractions.size(); ++k) {
     nodes.ids.push_back(static_cast<int>(mesh.nodes.size()));
-    mesh.nodes.push_back(measured.chain(arc).at(nodes.fractions[k]).position);
+    mesh.nodes.push_back(measured.chain(arc).position(nodes.fractions[k]));
   }
   nodes.ids.push_back(measured.blocks().arcs[arc].to);
   return nodes;

@@ -18,11 +18,15 @@ std::vector<sizing::ArcDivision> divide_chord(const ChordTask& task) {
 }  // namespace
 
 sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
-                                 const DivideOptions& options, Progress* progress) {
+                                 const DivideOptions& options, Progress* progress, const KnownDivisions& known) {
   sizing::ArcDivisions divisions(measured.num_arcs());
   const std::vector<mesh::Chord>& chords = measured.chords();
   const Progress::Part part(progress, "chords", static_cast<int>(chords.size()));
   for (std::size_t c = 0; c < chords.size(); ++c, part.advance()) {
+    if (known.plans && (*known.plans)[c] == plans[c]) {
+      for (const int arc : chords[c].arcs) divisions[arc] = (*known.divisions)[arc];
+      continue;
+    }
     std::vector<sizing::ArcDivision> divided = divide_chord({measured, chords[c], plans[c], options});
     for (std::size_t i = 0; i < divided.size(); ++i) divisions[chords[c].arcs[i]] = std::move(divided[i]);
   }

@@ -18,11 +18,19 @@
 
 namespace quadrille::refine {
 
+/// The result of an earlier call with the same layout and options, and the plans that it was made from.
+struct KnownDivisions {
+  const std::vector<sizing::ChordPlan>* plans = nullptr;
+  const sizing::ArcDivisions* divisions = nullptr;
+};
+
 /// The divisions of all arcs; arcs of one chord get the same number of intervals, between breaks equal by the chord's
 /// grading and the parameters of the arcs. If segments between breaks do not divide well, intervals may be longer by a
 /// quarter than planned; prescribed counts are raised only if breaks and tolerance cannot be met otherwise. `plans`:
-/// one per chord. Throws ComputeError with the position if a chord would need more than 10000 intervals.
+/// one per chord. Chords whose plan is the `known` one keep their divisions. Throws ComputeError with the position if a
+/// chord would need more than 10000 intervals.
 sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
-                                 const DivideOptions& options, Progress* progress = nullptr);
+                                 const DivideOptions& options, Progress* progress = nullptr,
+                                 const KnownDivisions& known = {});
 
 }  // namespace quadrille::refine

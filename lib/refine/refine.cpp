@@ -48,6 +48,7 @@ struct SplitRequest {
   sizing::LengthLimits limits = {};
   Progress* progress = nullptr;
   const Progress::Part* attempt = nullptr;
+  const struct SplitMesh* last = nullptr;  ///< of the last attempt, from which is taken what has not changed
 };
 
 SplitRequest split_request(const RefineOptions& options, const CadFace& face, Progress* progress) {
@@ -63,6 +64,9 @@ SplitRequest split_request(const RefineOptions& options, const CadFace& face, Pr
 /// A measured mesh and the plans from which it was made.
 struct SplitMesh {
   QuadMesh mesh;
+  std::vector<sizing::ChordPlan> plans;
+  double tolerance = 0;  ///< with which arcs were divided
+  bool has_equal_parameters = false;
   sizing::ArcDivisions divisions;
   std::optional<layers::WallPlan> walls;
   int doublings = 0;         ///< of counts beyond the prescribed sizes, until the mesh was valid
@@ -71,6 +75,15 @@ struct SplitMesh {
 
 int num_limited(const sizing::LengthLimits& limits) {
   return static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const auto& own) { return !own.empty(); }));
+}
+
+/// The divisions of the last attempt, if they were made for the same parameters and tolerance. Walls change divisions.
+KnownDivisions known_divisions(const SplitRequest& request, const SplitMesh& now) {
+  const SplitMesh* last = request.last;
+  if (!last || last->walls || last->tolerance != now.tolerance ||
+      last->has_equal_parameters != now.has_equal_parameters)
+    return {};
+  return {&last->plans, &last->divisions};
 }
 
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
@@ -85,13 +98,16 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   sizing::require_planned_within(measured, plans, limit);
   SplitMesh result;
   result.shortened_chords = num_limited(request.limits);
-  result.divisions = divide_arcs(measured, plans, request.division, request.progress);
+  result.tolerance = request.division.tolerance;
+  result.has_equal_parameters = measured.has_equal_parameters();
+  result.divisions = divide_arcs(measured, plans, request.division, request.progress, known_divisions(request, result));
+  result.plans = std::move(plans);
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
-  measure_elements(result.mesh, request.progress);
+  measure_elements(result.mesh, request.progress, request.last ? &request.last->mesh : nullptr);
   return result;
 }
 
@@ -195,6 +211,7 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
     if (!sizing::add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,
                                    elements_in_layered_blocks(last), request.limits))
       break;
+    request.last = &last;
     std::optional<MeasuredSplit> next = split_unless_too_many(measured_split);
     if (!next) break;
     const QuadMesh& mesh = next->split.mesh;

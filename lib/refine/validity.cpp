@@ -60,6 +60,30 @@ double jacobian_ratio(const spectral::BernsteinSquare& det, double known) {
   return least / std::max(std::abs(least), std::abs(greatest));
 }
 
+/// Finds elements with the same nodes in another mesh of the same blocks.
+class KnownElements {
+ public:
+  explicit KnownElements(const QuadMesh* mesh) : mesh_(mesh) {}
+
+  /// For successive elements: the element of the same block and number in it if it has these nodes, else -1.
+  int find(int block, const std::vector<Vec2>& nodes) {
+    if (!mesh_) return -1;
+    const int num = mesh_->num_elems();
+    const std::vector<int>& blocks = mesh_->elem_block;
+    while (next_ < num && blocks[next_] < block) ++next_;
+    if (next_ >= num || blocks[next_] != block) return -1;
+    const int elem = next_++;
+    return std::equal(nodes.begin(), nodes.end(), mesh_->elem_nodes.begin() + elem * mesh_->nodes_per_elem(),
+                      [&](Vec2 x, int node) { return x == mesh_->nodes[node]; })
+               ? elem
+               : -1;
+  }
+
+ private:
+  const QuadMesh* mesh_;
+  int next_ = 0;
+};
+
 }  // namespace
 
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
@@ -69,14 +93,18 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
   return nodes;
 }
 
-void measure_elements(QuadMesh& mesh, Progress* progress) {
+void measure_elements(QuadMesh& mesh, Progress* progress, const QuadMesh* known) {
   const Progress::Part part(progress, "elements", mesh.num_elems());
   mesh.elem_jacobian_bound.clear();
   mesh.elem_scaled_jacobian.clear();
+  KnownElements same(known);
   for (int elem = 0; elem < mesh.num_elems(); ++elem, part.advance()) {
     const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-    mesh.elem_jacobian_bound.push_back(spectral::quad_jacobian_lower_bound(mesh.order, nodes.data()));
-    mesh.elem_scaled_jacobian.push_back(spectral::quad_scaled_jacobian(mesh.order, nodes.data()));
+    const int before = same.find(mesh.elem_block[elem], nodes);
+    mesh.elem_jacobian_bound.push_back(before >= 0 ? known->elem_jacobian_bound[before]
+                                                   : spectral::quad_jacobian_lower_bound(mesh.order, nodes.data()));
+    mesh.elem_scaled_jacobian.push_back(before >= 0 ? known->elem_scaled_jacobian[before]
+                                                    : spectral::quad_scaled_jacobian(mesh.order, nodes.data()));
   }
   mesh.least_jacobian_bound = *std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
   mesh.is_valid = mesh.least_jacobian_bound > 0;

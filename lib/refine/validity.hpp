@@ -13,8 +13,9 @@ namespace quadrille::refine {
 /// The geometry nodes of one element, as model/quad_mesh.hpp numbers them.
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 
-/// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid.
-void measure_elements(QuadMesh& mesh, Progress* progress = nullptr);
+/// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid. `known`:
+/// a measured mesh of the same blocks, whose figures are taken where a block has the same elements.
+void measure_elements(QuadMesh& mesh, Progress* progress = nullptr, const QuadMesh* known = nullptr);
 
 /// One of the worst elements, and the position of its least scaled Jacobian, in the face's own coordinates (origin
 /// included).

@@ -58,7 +58,7 @@ void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::a
   block.is_against = chord_.backwards[block.a] != sides[0].is_backwards;
   if (!sizes_.is_uniform()) {
     for (int k = 0; k < 4; ++k)
-      block.corners[k] = measured_.chain(sides[k].arc).at(sides[k].is_backwards ? 1.0 : 0.0).position;
+      block.corners[k] = measured_.chain(sides[k].arc).position(sides[k].is_backwards ? 1.0 : 0.0);
     add_lines(block, sides, trial_lines);
     const double width = std::max(measured_.chain(sides[1].arc).length(), measured_.chain(sides[3].arc).length());
     const double num_intervals = width * sizes_.slope() / (line_resolution * least_size(block));
@@ -69,7 +69,7 @@ void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::a
 
 void ChordSections::add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const {
   const auto on_side = [&](HalfEdge directed, double t) {
-    return measured_.chain(directed.arc).at(directed.is_backwards ? 1 - t : t).position;
+    return measured_.chain(directed.arc).position(directed.is_backwards ? 1 - t : t);
   };
   block.left.clear(), block.right.clear();
   for (int k = 1; k <= lines; ++k) {
@@ -94,7 +94,7 @@ std::vector<ChordSections::ArcPoint> ChordSections::arc_points(double u) const {
   std::vector<ArcPoint> result;
   for (std::size_t i = 0; i < chord_.arcs.size(); ++i) {
     const double fraction = measured_.arc_fraction(chord_, static_cast<int>(i), u);
-    result.push_back({chain(static_cast<int>(i)).at(fraction).position, chord_.backwards[i] ? 1 - fraction : fraction});
+    result.push_back({chain(static_cast<int>(i)).position(fraction), chord_.backwards[i] ? 1 - fraction : fraction});
   }
   return result;
 }

@@ -31,6 +31,8 @@ struct ChordPlan {
   double slope = 0;            ///< |d eta / du| of the grading is at most that (sizing/grading)
   bool is_bound = false;       ///< no edge may be longer (SizeRule::at_most)
   bool is_prescribed = false;  ///< the count is a prescribed one
+
+  bool operator==(const ChordPlan&) const = default;
 };
 
 /// One plan per chord. Counts are rounded to the integer with the least deviation of the logarithm (at_most: upwards);

@@ -23,6 +23,7 @@ class Grading {
   /// `u` rises from 0 to 1, `eta` > 0. Lengths that differ by less than 1e-9 of themselves make the identity.
   Grading(std::vector<double> u, std::vector<double> eta);
 
+  bool operator==(const Grading&) const = default;
   double parameter(double v) const;   ///< u; 0 and 1 exactly at the ends
   double cumulative(double u) const;  ///< v
   double count() const { return count_; }

@@ -92,8 +92,8 @@ double bend_error(const curve::Chain& chain, double low, double high, const std:
   double worst = 0;
   for (std::size_t i = 1; i < ends.size(); ++i)
     for (const double part : {0.0, 0.25, 0.5, 0.75})
-      worst = std::max(worst,
-                       distance_to_parabolas(chain.at(ends[i - 1] + part * (ends[i] - ends[i - 1])).position, polygon));
+      worst =
+          std::max(worst, distance_to_parabolas(chain.position(ends[i - 1] + part * (ends[i] - ends[i - 1])), polygon));
   return worst;
 }
 

@@ -89,8 +89,11 @@ Derivative apply(int n, const Rows& along1, const Rows& along2, const Rows& noda
   d.rows = static_cast<int>(along2.size()) / width;
   Rows half(width * d.columns, 0.0L);
   for (int q = 0; q < width; ++q)
-    for (int i = 0; i < d.columns; ++i)
-      for (int p = 0; p < width; ++p) half[q * d.columns + i] += along1[i * width + p] * nodal[q * width + p];
+    for (int i = 0; i < d.columns; ++i) {
+      long double sum = 0;
+      for (int p = 0; p < width; ++p) sum += along1[i * width + p] * nodal[q * width + p];
+      half[q * d.columns + i] = sum;
+    }
   d.scaled.resize(d.rows * d.columns);
   for (int j = 0; j < d.rows; ++j)
     for (int i = 0; i < d.columns; ++i) {

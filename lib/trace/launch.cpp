@@ -13,10 +13,10 @@
 namespace quadrille::trace {
 namespace {
 
-// The direction of the field's cross nearest to `direction` at origin + radius e(bearing); false outside the mesh.
-bool direction_at(const field::FieldEvaluator& evaluator, Vec2 x, double direction, double& found) {
+// The direction of the field's cross nearest to `direction` at x; false outside the mesh. `at`: where to look first.
+bool direction_at(const field::FieldEvaluator& evaluator, Vec2 x, double direction, mesh::Location& at, double& found) {
   Vec2 value;
-  if (!evaluator.value_at(x, value)) return false;
+  if (!evaluator.value_near(x, at, value)) return false;
   found = guided_angle(value, direction);
   return true;
 }
@@ -27,9 +27,10 @@ bool direction_at(const field::FieldEvaluator& evaluator, Vec2 x, double directi
 bool bend_launch(const field::FieldEvaluator& evaluator, Vec2 origin, double angle, double radius, double power,
                  double& beta) {
   bool inside = true;
+  mesh::Location at;
   const auto residual = [&](double b) {
     double direction = angle;
-    if (!direction_at(evaluator, origin + radius * unit(angle + b), angle, direction)) inside = false;
+    if (!direction_at(evaluator, origin + radius * unit(angle + b), angle, at, direction)) inside = false;
     return direction - angle - (1 + power) * b;
   };
   beta = 0;
@@ -40,7 +41,10 @@ bool bend_launch(const field::FieldEvaluator& evaluator, Vec2 origin, double ang
     const double low = residual(-width), high = residual(width);
     if (!inside) break;
     if ((low < 0) == (high < 0)) continue;
-    beta = bisect(residual, -width, width);
+    // Rounding of directions is a few 1e-16: nothing smaller is sought.
+    const double falling = low < 0 ? -0.1 : 0.1;
+    beta =
+        width * (2 * falling_root_to_round_off([&](double f) { return falling * residual(width * (2 * f - 1)); }) - 1);
     return true;
   }
   return true;  // no such direction nearby: the line starts straight
@@ -53,11 +57,11 @@ Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin
   for (int attempt = 0; attempt < 6; ++attempt, radius /= 10) {
     double beta = 0;
     if (!bend_launch(evaluator, origin, angle, radius, power, beta)) continue;
-    const mesh::Location at = evaluator.locator().find(origin + radius * unit(angle + beta));
+    mesh::Location at = evaluator.locator().find(origin + radius * unit(angle + beta));
     if (at.elem < 0) continue;
     Launch launch{{node, -1, 0}, origin, angle, radius, at.elem, at.xi, evaluator.maps()[at.elem].position(at.xi),
                   angle};
-    if (!direction_at(evaluator, launch.x, angle, launch.angle_there)) continue;
+    if (!direction_at(evaluator, launch.x, angle, at, launch.angle_there)) continue;
     return launch;
   }
   throw ComputeError(fmt::format("the separatrix from {} at {:.2f} degrees starts outside the mesh",

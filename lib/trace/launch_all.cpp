@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/point_grid.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "field/node_phase.hpp"
@@ -27,15 +29,17 @@ constexpr int num_cuts = 4;
 constexpr double arc_beyond_zeros = 2;
 constexpr double max_arc_radius = 0.4;
 
+// Nodes and joints.
+PointGrid features(const CadFace& face, const std::vector<graph::FixedNode>& nodes) {
+  std::vector<Vec2> points = positions(nodes);
+  for (const Joint& joint : face.joints) points.push_back(joint.position);
+  return PointGrid(std::move(points));
+}
+
 // Distance to the nearest other node or joint, at most `limit`.
-double feature_distance(const CadFace& face, const std::vector<graph::FixedNode>& nodes, Vec2 x, double limit) {
-  double feature = limit;
-  const auto other = [&](Vec2 y) {
-    if (y != x) feature = std::min(feature, distance(x, y));
-  };
-  for (const graph::FixedNode& node : nodes) other(node.position);
-  for (const Joint& joint : face.joints) other(joint.position);
-  return feature;
+double feature_distance(const PointGrid& features, Vec2 x, double limit) {
+  const PointGrid::Nearest other = features.nearest(x, [&](int n) { return features.points()[n] != x; });
+  return std::min(limit, std::sqrt(other.distance2));
 }
 
 // Elements are as large as the scale of the field, except in the fans at corners, where they are much smaller.
@@ -116,18 +120,19 @@ std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const Cri
   const CadFace& face = evaluator.field().mesh.face;
   const std::vector<graph::FixedNode> nodes = fixed_nodes(face, points);
   const int num_inner = static_cast<int>(points.critical_points.size()), num = static_cast<int>(nodes.size());
+  const PointGrid others = features(face, nodes);
   std::vector<Launch> launches;
   for (int n = 0; n < num_inner; ++n) {
     const Vec2 x = nodes[n].position;
     const mesh::Location at = evaluator.locator().find(x);
     if (at.elem < 0) throw FormatError("an irregular node lies outside the field's mesh");
-    const double feature = feature_distance(face, nodes, x, 4 * element_size(evaluator, at.elem));
+    const double feature = feature_distance(others, x, 4 * element_size(evaluator, at.elem));
     for (const double angle : directions_at(evaluator, n, points.critical_points[n], at, feature))
       launches.push_back(launch_line(evaluator, n, x, angle, relative_radius * feature, 1));
   }
   for (int n = num_inner; n < num; ++n) {
     const Sector sector = sector_at(face, nodes[n]);
-    const double feature = feature_distance(face, nodes, nodes[n].position, face.diameter / 10);
+    const double feature = feature_distance(others, nodes[n].position, face.diameter / 10);
     const double absorbed = is_phase(evaluator) ? 0 : distance_of_absorbed(points, nodes[n].position);
     if (absorbed > 0 && absorbed < max_arc_radius * feature) {
       const double radius = std::min(arc_beyond_zeros * absorbed, max_arc_radius * feature);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/blunted_angle.hpp"
@@ -163,15 +164,26 @@ int BoundaryMesh::split_at(int i, SplitPoint at) {
   return first.to;
 }
 
-bool BoundaryMesh::is_too_near(int i, double ratio) const {
+bool BoundaryMesh::is_too_near(int i, double ratio, const SegmentGrid& grid) const {
   const Segment& segment = segments_[i];
-  const double least = segment.length() / ratio;
-  for (const Segment& other : segments_) {
-    if (&other == &segment || touch(segment, other)) continue;
-    if (distance(segment.centre, other.centre) - segment.radius - other.radius >= least) continue;
-    if (segment_distance(segment, other) < least * (1 - 1e-6)) return true;
+  const double least = segment.length() / ratio, reach = least + segment.radius + grid.largest_radius;
+  bool is_near = false;
+  grid.centres.visit_box(segment.centre - Vec2{reach, reach}, segment.centre + Vec2{reach, reach}, [&](int k) {
+    const Segment& other = segments_[k];
+    if (is_near || k == i || norm(segment.centre - other.centre) - segment.radius - other.radius >= least) return;
+    is_near = !touch(segment, other) && segment_distance(segment, other) < least * (1 - 1e-6);
+  });
+  return is_near;
+}
+
+BoundaryMesh::SegmentGrid BoundaryMesh::segment_grid() const {
+  std::vector<Vec2> centres;
+  double largest = 0;
+  for (const Segment& segment : segments_) {
+    centres.push_back(segment.centre);
+    largest = std::max(largest, segment.radius);
   }
-  return false;
+  return {PointGrid(std::move(centres)), largest};
 }
 
 void BoundaryMesh::resolve_gaps(double ratio) {
@@ -180,9 +192,10 @@ void BoundaryMesh::resolve_gaps(double ratio) {
   std::iota(open.begin(), open.end(), 0);
   while (!open.empty()) {
     // All segments of a round are selected before any is split, so that a symmetric boundary stays symmetric.
+    const SegmentGrid grid = segment_grid();
     std::vector<int> marked;
     for (const int i : open)
-      if (!segments_[i].is_rim() && is_too_near(i, ratio)) marked.push_back(i);
+      if (!segments_[i].is_rim() && is_too_near(i, ratio, grid)) marked.push_back(i);
     if (segments_.size() + marked.size() > max_segments)
       refuse_contact(marked,
                      fmt::format("the boundary touches or crosses itself, or the face is so narrow that it takes "

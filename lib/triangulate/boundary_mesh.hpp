@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/point_grid.hpp"
 #include "triangulate/boundary_segment.hpp"
 #include "triangulate/corner_fans.hpp"
 
@@ -40,7 +41,13 @@ class BoundaryMesh {
   void append(Segment segment);
   SplitPoint middle(const Segment& segment) const;
   int split_at(int i, SplitPoint at);
-  bool is_too_near(int i, double ratio) const;
+  /// The segments by their centres, to find those near another.
+  struct SegmentGrid {
+    PointGrid centres;
+    double largest_radius = 0;
+  };
+  SegmentGrid segment_grid() const;
+  bool is_too_near(int i, double ratio, const SegmentGrid& grid) const;
   double gap_at(int i, double most) const;
   [[noreturn]] void refuse_contact(const std::vector<int>& near, const std::string& what) const;
 

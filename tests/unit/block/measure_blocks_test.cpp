@@ -27,7 +27,7 @@ TEST(MeasureBlocks, SquareIsPerfect) {
 TEST(MeasureBlocks, QuarterAnnulusIsOrthogonal) {
   const BlockMeasure m = only_block(hand_made::quarter_annulus());
   EXPECT_NEAR(m.scaled_jacobian, 1, 1e-7);
-  EXPECT_NEAR(m.area, 0.75 * pi, 1e-9);
+  EXPECT_NEAR(m.area, 0.75 * pi, 1e-10);
   EXPECT_NEAR(m.shortest_side, 1, 1e-14);
   EXPECT_GT(m.boundary_distance, 1e-12) << "no polynomial is an arc of a circle";
   EXPECT_LT(m.boundary_distance, 1e-8);

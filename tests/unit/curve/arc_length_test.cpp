@@ -36,6 +36,18 @@ TEST(ArcLength, of_a_circle_is_exact_to_round_off) {
   }
 }
 
+TEST(ArcLength, of_a_part_of_a_circle_whose_weights_are_unequal_is_exact_to_round_off) {
+  const Nurbs circle = circular_arc({20, -30}, 2, 0, half_pi);
+  const Nurbs part = trimmed(circle, 0.1 * circle.end(), 0.7 * circle.end());
+  const double swept = angle_of(part.poles.back() - Vec2{20, -30}) - angle_of(part.poles.front() - Vec2{20, -30});
+  const ArcLength length(part);
+  EXPECT_NEAR(length.total(), 2 * swept, 1e-14);
+  for (int i = 1; i < 20; ++i) {
+    const Vec2 x = point(part, length.parameter(length.total() * i / 20)) - part.poles.front();
+    EXPECT_NEAR(norm(x), 4 * std::sin(swept * i / 40), 2e-14);
+  }
+}
+
 TEST(ArcLength, of_an_ellipse_is_the_complete_elliptic_integral) {
   const Nurbs curve = ellipse();
   // 4 a E(m), m = 8/9; std::comp_ellint_2 itself is 2e-14 off here.

@@ -24,6 +24,18 @@ TEST(CurveSet, AGuessOnTheFarSideOfACircleIsNotTaken) {
   EXPECT_NEAR(set.farthest({{-1, 0}, {0.5, 0}}).distance, 0.5, 1e-14);
 }
 
+TEST(CurveSet, FindsTheNearestOfSoManyCurvesThatTheyAreGrouped) {
+  std::vector<Nurbs> circles;
+  for (int i = 0; i < 50; ++i) circles.push_back(circular_arc({3.0 * (i % 7), 3.0 * ((3 * i) % 50)}, 1, 0, 2 * pi));
+  const CurveSet set(circles);
+  for (int i = 0; i < 50; ++i) {
+    const int first = 13 * i % 50;
+    const Vec2 on{3.0 * (first % 7), 3.0 * ((3 * first) % 50) + 1}, inside{3.0 * (i % 7) + 0.1, 3.0 * ((3 * i) % 50)};
+    EXPECT_NEAR(set.farthest({on, inside}).distance, 0.9, 1e-13);
+    EXPECT_EQ(set.farthest({on, inside}).position, inside);
+  }
+}
+
 TEST(CurveSet, EndsOfCurvesCount) {
   const CurveSet set({segment({0, 0}, {1, 0})});
   EXPECT_NEAR(set.farthest({{0.5, 0.1}, {4, 4}}).distance, 5, 1e-14);

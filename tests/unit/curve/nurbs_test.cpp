@@ -55,6 +55,19 @@ TEST(Nurbs, a_clockwise_arc_bends_to_the_right) {
   expect_near(point(arc, arc.end()), {0, -1}, 1e-15);
 }
 
+TEST(Nurbs, point_and_derivative_are_those_that_are_computed_alone) {
+  for (const Nurbs& curve : {circular_arc({3, -2}, 2.5, 0.3, 4), line_into_arc(), segment({0, 1}, {2, 5})})
+    for (int i = 0; i <= 20; ++i) {
+      const double t = curve.begin() + (curve.end() - curve.begin()) * i / 20;
+      const PointAndDerivative both = point_and_derivative(curve, t);
+      expect_near(both.point, point(curve, t), 1e-15 * 10);
+      EXPECT_EQ(both.derivative, derivative(curve, t));
+    }
+  const Nurbs arc = circular_arc({0, 0}, 1, 0.1, 1.3);
+  EXPECT_EQ(point_and_derivative(arc, arc.begin()).point, arc.poles.front());
+  EXPECT_EQ(point_and_derivative(arc, arc.end() + 1).point, arc.poles.back());
+}
+
 TEST(Nurbs, ends_are_the_end_poles_bit_for_bit_whatever_the_weights) {
   Nurbs curve = circular_arc({0, 0}, 1, 0.1, 1.3);
   for (double& w : curve.weights) w *= 0.3;

@@ -41,6 +41,22 @@ TEST(FieldEvaluator, reproduces_a_harmonic_polynomial_and_its_gradient) {
     }
 }
 
+TEST(FieldEvaluator, looks_first_where_a_point_near_by_lies) {
+  const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 5, cubic);
+  const FieldEvaluator evaluator(field);
+  mesh::Location at;
+  for (const Vec2 x : {Vec2{-0.9, -0.8}, Vec2{-0.89, -0.8}, Vec2{0.7, 0.1}, Vec2{0, 0}}) {
+    Vec2 value;
+    ASSERT_TRUE(evaluator.value_near(x, at, value));
+    EXPECT_NEAR(distance(value, cubic(x)), 0, tol);
+    EXPECT_NEAR(distance(evaluator.maps()[at.elem].position(at.xi), x), 0, tol);
+  }
+  const mesh::Location last = at;
+  Vec2 value;
+  EXPECT_FALSE(evaluator.value_near({2, 0}, at, value));
+  EXPECT_EQ(at.elem, last.elem);
+}
+
 TEST(FieldEvaluator, adds_liftings_and_their_gradients) {
   Field field = interpolated_field(square_mesh({0, 0}, 1, 2), 4, cubic);
   field.liftings = {{0, {0, 0}, {-0.5, -0.5}, {0.3, -0.7}}, {2, {1, 1}, {1.4, 1.5}, {1, 0.2}}};

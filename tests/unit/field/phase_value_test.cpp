@@ -40,6 +40,17 @@ TEST(PhaseTerms, TheDirectionIsThatOfThePhase) {
   }
 }
 
+TEST(PhaseTerms, ThePhaseIsTheSumOfPrincipalValues) {
+  PhaseTerms many;
+  for (int i = 0; i < 60; ++i) many.nodes.push_back({unit(0.4 * i) * (1 + 0.1 * i), i % 13 - 6});
+  many.nodes.push_back({{-3, 0}, 2});
+  for (const Vec2 x : {Vec2{0.1, 0.3}, Vec2{-4, 0}, Vec2{-2, 0.5}, many.nodes[7].position}) {
+    double sum = 0;
+    for (const PhaseTurn& turn : many.nodes) sum += turn.turns * angle_of(x - turn.position);
+    EXPECT_NEAR(explicit_phase(many, x), sum, 1e-12);
+  }
+}
+
 TEST(PhaseTerms, ManyTurnsStayInTheRangeOfNumbers) {
   for (const double unit_length : {1e-30, 1e30}) {
     PhaseTerms many;

@@ -56,6 +56,25 @@ TEST(DivideArcs, ArcsOfAChordHaveTheSameCount) {
       }
 }
 
+TEST(DivideArcs, ChordsWithAKnownPlanKeepTheirDivisions) {
+  Report report;
+  const BlockLayout layout = block::extract_blocks(hand_made::cut_annulus(3), report);
+  const sizing::MeasuredLayout measured(layout);
+  const auto plans_of = [&](double size) {
+    return sizing::grade_chords(measured, sizing::SizeField(size), sizing::SizeRule::at_most, {});
+  };
+  std::vector<sizing::ChordPlan> known = plans_of(0.3), plans = known;
+  plans[0] = plans_of(0.05)[0];
+  ASSERT_NE(plans[0], known[0]);
+  const DivideOptions options{4, 1e-6};
+  sizing::ArcDivisions marked = divide_arcs(measured, known, options);
+  for (sizing::ArcDivision& division : marked) division.ends = {0, 0.123, 1};
+  const sizing::ArcDivisions expected = divide_arcs(measured, plans, options);
+  const sizing::ArcDivisions found = divide_arcs(measured, plans, options, nullptr, {&known, &marked});
+  for (int a = 0; a < measured.num_arcs(); ++a)
+    EXPECT_EQ(found[a].ends, measured.chord_of(a) == 0 ? expected[a].ends : marked[a].ends);
+}
+
 TEST(DivideArcs, AnIntervalEndsWhereAGivenNameDoesHoweverLooseTheTolerance) {
   SeparatrixGraph graph = hand_made::elbow();
   const auto has_end_at_breaks = [](const Divided& d, std::size_t arc) {

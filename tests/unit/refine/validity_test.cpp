@@ -77,6 +77,20 @@ TEST(Validity, TheWorstComeFirstAndEqualsByNumber) {
   EXPECT_EQ(worst_elements(mesh, 100).size(), 16u);
 }
 
+TEST(Validity, FiguresOfElementsWithTheSameNodesAreKept) {
+  QuadMesh mesh = refined(hand_made::unit_square(), {0.25, 2, 5e-7});
+  measure_elements(mesh);
+  QuadMesh known = mesh, moved = mesh;
+  for (double& bound : known.elem_jacobian_bound) bound = 7;
+  moved.nodes[mesh.elem_nodes[5 * 9 + 8]] += Vec2{0.05, 0.05};  // of elements 5, 6, 9, 10
+  QuadMesh expected = moved;
+  measure_elements(expected);
+  measure_elements(moved, nullptr, &known);
+  for (const int e : {5, 6, 9, 10}) EXPECT_EQ(moved.elem_jacobian_bound[e], expected.elem_jacobian_bound[e]);
+  for (const int e : {0, 4, 15}) EXPECT_EQ(moved.elem_jacobian_bound[e], 7);
+  EXPECT_EQ(moved.elem_scaled_jacobian, expected.elem_scaled_jacobian);
+}
+
 TEST(Validity, ElementsThatAreNotProvedAreWorseThanAllOthersAndSayWhere) {
   QuadMesh mesh = refined(hand_made::unit_square(), {0.5, 1, 5e-7});
   mesh.face.origin = {10, 20};
