@@ -8,9 +8,9 @@
 
 namespace quadrille::guide {
 
-/// Which nodes have no position of their own yet: those into which a cluster was split, unless it is far
-/// from the boundary, and those added for a line field. The only node of a cluster is at its centre and has a position. A node added for a corner keeps its position:
-/// the least energy would move it into the corner again.
+/// Which nodes have no position of their own yet: those into which a cluster was split, unless it is far from the
+/// boundary, and those added for a line field. The only node of a cluster is at its centre and has a position. A node
+/// added for a corner keeps its position: the least energy would move it into the corner again.
 std::vector<bool> nodes_without_position(const CadFace& face, const CriticalPoints& points);
 
 /// Sets the element that contains each node, sorts the nodes by position and sets the index sum. Throws ComputeError if

@@ -62,10 +62,10 @@ here() {
   here pipelines/quadrille.7.in
 }
 
-@test "the commands that remake the pictures" {
+@test "the commands that remake the pictures and pages" {
   mkdir -p formats/pictures build && ln -s "$BIN" build/bin && ln -s "$ROOT/pipelines" "$ROOT/tests" .
   "$list" lines CONTRIBUTING.md | cut -f 3 >commands
-  assert_equal "$(wc -l <commands)" 4
+  assert_equal "$(wc -l <commands)" 8
   run -0 bash -euo pipefail commands
   for file in formats/pictures/*; do assert_file_exists "$ROOT/$file"; done
 }
