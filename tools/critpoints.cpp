@@ -113,7 +113,6 @@ int main(int argc, char** argv) {
                        counted(points.critical_points.size() + points.boundary_nodes.size(), "irregular node"),
                        counted(points.corners.size(), "corner"), points.index_sum,
                        counted(points.changes.size(), "change"), enum_name(points.form)));
-    points.face = field.mesh.face;
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
     io::write_critical_points(output, points);
   };

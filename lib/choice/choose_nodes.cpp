@@ -102,6 +102,7 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   begin_part("place");
   place(field, options, solver, points, report);
   guide::complete_nodes(evaluator, points);
+  points.face = face;
   return points;
 }
 

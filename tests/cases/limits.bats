@@ -89,7 +89,7 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
 }
 
 @test "a tool that gets no memory says so and ends with 1" {
-  cad2tri --size 0.05 "$DATA/half_disc.step" -o a.tri.h5
+  cad2tri --size 0.02 "$DATA/half_disc.step" -o a.tri.h5
   run -1 --separate-stderr bash -c 'ulimit -v 300000; fieldsolve --field-order 20 a.tri.h5 -o a.solve.h5'
   assert_regex "$stderr" '^fieldsolve: out of memory, at [0-9]+ MB'
   assert_nothing_left a.tri.h5
