@@ -27,7 +27,8 @@ inline constexpr std::array<LengthUnit, 8> length_units{{{"m", "metre", 1},
                                                          {"in", "inch", 0.0254},
                                                          {"ft", "foot", 0.3048}}};
 
-/// "mm" of "millimetre"; empty if the unit is unknown; a name that is none of the above as it is.
+/// The symbol of a unit of length: "mm" for "millimetre", "" for "unknown". A name without a symbol is returned as it
+/// is.
 inline std::string unit_symbol(const CadFace& face) {
   for (const LengthUnit& known : length_units)
     if (known.name == face.length_unit) return std::string(known.symbol);
