@@ -24,6 +24,10 @@ const char* kind_name(NodeKind kind) {
       return "crossing";
     case NodeKind::cut:
       return "end of a cut";
+    case NodeKind::interface:
+      return "end on an interface";
+    case NodeKind::junction:
+      return "junction of interfaces";
   }
   return "node";
 }

@@ -20,21 +20,29 @@ struct ArcPiece {
   double t0 = 0, t1 = 0;
 };
 
-enum class NodeKind { irregular, corner, boundary, crossing, cut };
+/// Of several regions: `interface` is inside an interface and ends lines of one or both neighbours; `junction` is a
+/// joint of interfaces that is not on the boundary of the whole. A joint on the boundary of the whole is a `corner`.
+enum class NodeKind { irregular, corner, boundary, crossing, cut, interface, junction };
 constexpr auto enum_names(NodeKind) {
   return std::to_array<EnumName<NodeKind>>({{NodeKind::irregular, "irregular"},
                                             {NodeKind::corner, "corner"},
                                             {NodeKind::boundary, "boundary"},
                                             {NodeKind::crossing, "crossing"},
-                                            {NodeKind::cut, "cut"}});
+                                            {NodeKind::cut, "cut"},
+                                            {NodeKind::interface, "interface"},
+                                            {NodeKind::junction, "junction"}});
 }
 
 struct GraphNode {
   Vec2 position;
   NodeKind kind = NodeKind::crossing;
   int valence = 4;  ///< interior: quads at the node; on the boundary: quads in its sector (2: regular)
-  int curve = -1;   ///< on the boundary: a CAD curve through it (the outgoing one at a joint); -1 inside
-  double t = 0;     ///< its parameter there
+  /// On the boundary or an interface: a CAD curve through it (the outgoing one at a joint); -1 inside a region.
+  int curve = -1;
+  double t = 0;  ///< its parameter there
+
+  /// Whether the face surrounds the node: it is inside a region, or on interfaces alone.
+  bool is_inner() const { return curve < 0 || kind == NodeKind::interface || kind == NodeKind::junction; }
 };
 
 struct GraphArc {
@@ -58,7 +66,7 @@ struct ArcGraph {
 /// sum (4 - V) over interior nodes plus sum (2 - V) over boundary nodes.
 inline long long index_sum_of(const ArcGraph& graph) {
   long long sum = 0;
-  for (const GraphNode& node : graph.nodes) sum += (node.curve < 0 ? 4LL : 2LL) - node.valence;
+  for (const GraphNode& node : graph.nodes) sum += (node.is_inner() ? 4LL : 2LL) - node.valence;
   return sum;
 }
 

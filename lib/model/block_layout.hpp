@@ -25,6 +25,7 @@ struct BlockLayout : ArcGraph {
   std::vector<double> block_boundary_distance;  ///< greatest, sides to CAD curves; empty: not computed
   std::vector<std::string> block_names;
   std::vector<int> unnamed_blocks;  ///< ascending: blocks without a given name; theirs is made from their number
+  std::vector<int> block_region;    ///< region of each block; empty: there is one region
 
   int num_blocks() const { return static_cast<int>(block2nodes.size()); }
 };

@@ -59,13 +59,22 @@ struct CadFace {
   std::vector<Joint> joints;             ///< one per curve
   std::string name;                      ///< of the face, may be empty
 
+  // Of several regions that share curves (model/regions.hpp). All empty for one region. Each region has loops of its
+  // own, so that a common curve is there twice, once for each neighbour, in opposite directions.
+  std::vector<int> region_loops;  ///< region r has the loops [region_loops[r], region_loops[r+1]), its outline first
+  std::vector<std::string> region_names;  ///< one per region
+  std::vector<int> partners;              ///< one per curve: the same curve of the neighbour, or -1 on the boundary
+
   /// Whether the CAD file or a user named the curve.
   bool has_given_name(int curve) const {
     return !std::binary_search(unnamed_curves.begin(), unnamed_curves.end(), curve);
   }
   int num_curves() const { return static_cast<int>(curves.size()); }
+  int num_regions() const { return region_loops.empty() ? 1 : static_cast<int>(region_loops.size()) - 1; }
+  /// Whether two regions meet in the curve.
+  bool is_interface(int curve) const { return !partners.empty() && partners[curve] >= 0; }
   int num_loops() const { return static_cast<int>(loop_offsets.size()) - 1; }
-  /// chi = 1 - number of holes.
+  /// chi = 1 - number of holes, of one region.
   int euler_characteristic() const { return 2 - num_loops(); }
   int loop_of(int curve) const {
     int l = 0;

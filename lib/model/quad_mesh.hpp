@@ -35,8 +35,11 @@ struct QuadMesh {
   std::vector<double> elem_area_jump;            ///< greatest ratio of its area and a neighbour's, either way
   std::vector<double> elem_node_distance;        ///< least distance of neighbours in its grid of nodes, a length
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
+  /// Edges on interfaces, from both sides: each with the curve of its own region. Sorted as boundary_edges.
+  std::vector<QuadBoundaryEdge> interface_edges;
   std::vector<std::string> block_names;
   std::vector<int> unnamed_blocks;  ///< ascending: blocks without a given name; theirs is made from their number
+  std::vector<int> block_region;    ///< region of each block; empty: there is one region
   int num_irregular = 0;            ///< irregular nodes of the layout, interior (V != 4)
   double least_jacobian_bound = 0;  ///< the least of elem_jacobian_bound
   bool is_valid = true;             ///< every element is proved valid: least_jacobian_bound > 0
