@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::triangulate {
@@ -40,6 +42,7 @@ Outline::Outline(const CadFace& face, double straight_tol) : face_(&face) {
   }
   link_loops();
   for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) junctions_.push_back(junction(p));
+  link_slits();
 }
 
 void Outline::add_pieces(int curve, double straight_tol) {
@@ -67,6 +70,32 @@ void Outline::link_loops() {
     pieces_[next].previous = p;
     if (is_last) first = p + 1;
   }
+}
+
+// The pieces of a curve are those of its partner in the opposite order; where one of them starts, the other ends.
+void Outline::link_slits() {
+  const int count = static_cast<int>(pieces_.size());
+  std::vector<int> first_piece(face_->num_curves() + 1, count);
+  for (int p = count - 1; p >= 0; --p) first_piece[pieces_[p].curve] = p;
+  DisjointSets places(count);
+  for (int p = 0; p < count; ++p) {
+    const int curve = pieces_[p].curve;
+    if (!face_->is_interface(curve)) continue;
+    const int partner = face_->partners[curve];
+    const int pieces_of_partner = first_piece[partner + 1] - first_piece[partner];
+    if (pieces_of_partner != first_piece[curve + 1] - first_piece[curve])
+      throw Defect("the sides of a slit have different pieces");
+    pieces_[p].partner = first_piece[partner] + pieces_of_partner - 1 - (p - first_piece[curve]);
+    places.unite(p, pieces_[pieces_[p].partner].next);
+  }
+  for (int p = 0; p < count; ++p) junctions_[p].place = places.find(p);
+}
+
+double Outline::partner_parameter(int curve, double t) const {
+  const Nurbs &own = face_->curves[curve], &other = face_->curves[face_->partners[curve]];
+  if (t == own.begin()) return other.end();
+  if (t == own.end()) return other.begin();
+  return other.begin() + (own.end() - t);
 }
 
 Junction Outline::junction(int piece) const {
