@@ -1,6 +1,8 @@
 #include "field/boundary_values.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "curve/nurbs.hpp"
 #include "field/lifting.hpp"
@@ -15,6 +17,9 @@ Vec2 fourth_power(Vec2 d) {
   const Vec2 square{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
   return {square.x * square.x - square.y * square.y, 2 * square.x * square.y};
 }
+
+/// Smaller jumps need no bridge (see corner_lifting.cpp).
+constexpr double bridged_jump = 1e-10;
 
 enum class CurvePart { begin, inside, end };
 
@@ -54,6 +59,38 @@ Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& lifti
 
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
   return boundary_value(face, curve, t) - liftings_on_boundary(face, liftings, curve, t);
+}
+
+BoundaryValues::BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings)
+    : face_(&mesh.face), liftings_(std::move(liftings)) {
+  if (face_->partners.empty()) return;
+  bridges_.resize(face_->num_curves());
+  std::vector<Vec2> means(face_->num_curves());  // at joints
+  std::vector<char> has_jump(face_->num_curves(), 0);
+  for (int joint = 0; joint < face_->num_curves(); ++joint) {
+    const int before = face_->previous_in_loop(joint);
+    const Vec2 in = lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end());
+    const Vec2 out = lifted_boundary_value(*face_, liftings_, joint, face_->curves[joint].begin());
+    means[joint] = (in + out) / 2;
+    has_jump[joint] = face_->is_slit_joint(joint) && norm(in - out) > bridged_jump;
+  }
+  for (const BoundaryEdge& edge : mesh.boundary_edges) {
+    const Nurbs& nurbs = face_->curves[edge.curve];
+    const int next = face_->next_in_loop(edge.curve);
+    if (has_jump[edge.curve] && edge.t0 == nurbs.begin())
+      bridges_[edge.curve].push_back({edge.t0, edge.t1, means[edge.curve]});
+    if (has_jump[next] && edge.t1 == nurbs.end()) bridges_[edge.curve].push_back({edge.t1, edge.t0, means[next]});
+  }
+}
+
+Vec2 BoundaryValues::operator()(int curve, double t) const {
+  const Vec2 value = lifted_boundary_value(*face_, liftings_, curve, t);
+  if (bridges_.empty()) return value;
+  for (const Bridge& bridge : bridges_[curve]) {
+    const double share = (t - bridge.t_corner) / (bridge.t_edge - bridge.t_corner);
+    if (share < 1) return bridge.mean + std::max(share, 0.0) * (value - bridge.mean);
+  }
+  return value;
 }
 
 bool is_line_field(const CadFace& face) {

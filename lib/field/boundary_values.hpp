@@ -5,6 +5,7 @@
 
 #include "model/cad_face.hpp"
 #include "model/field.hpp"
+#include "model/tri_mesh.hpp"
 
 namespace quadrille::field {
 
@@ -17,6 +18,26 @@ Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& lifti
 
 /// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop.
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
+
+/// lifted_boundary_value() on a mesh, with a bridge over each jump that has no lifting: along the two element edges at
+/// the corner the data change linearly, in the parameter, to the mean of both sides at the corner. The two deviations
+/// are opposite, so that the field is disturbed by (r0 / r)^(2 pi / omega) only, r0 the length of the edges: the fan of
+/// such a corner makes it negligible (triangulate/singularity.hpp).
+class BoundaryValues {
+ public:
+  /// `mesh` must outlive this object.
+  BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings);
+  Vec2 operator()(int curve, double t) const;
+
+ private:
+  struct Bridge {
+    double t_corner = 0, t_edge = 0;  ///< ends of the element edge at the corner
+    Vec2 mean;
+  };
+  const CadFace* face_;
+  std::vector<Lifting> liftings_;
+  std::vector<std::vector<Bridge>> bridges_;  ///< by curve; empty: there are none
+};
 
 /// Whether all boundary values lie on one line through 0, on both sides of 0: straight sides at odd and at even
 /// multiples of 45 degrees. The field then vanishes along curves, and the harmonic method yields no layout

@@ -1,6 +1,7 @@
 #include "triangulate/outline.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
@@ -9,6 +10,9 @@
 
 namespace quadrille::triangulate {
 namespace {
+
+/// Corners of slits are right, straight or full angles within this part of a right angle: the data do not jump there.
+constexpr double right_angle_tol = 1e-9;
 
 bool is_straight(const Nurbs& curve, double tol) {
   const Vec2 a = curve.poles.front(), chord = curve.poles.back() - a;
@@ -107,6 +111,9 @@ Junction Outline::junction(int piece) const {
   Junction junction;
   junction.position = is_joint ? face_->joints[out.curve].position : curve::point(curve_out, out.t0);
   junction.interior_angle = is_joint ? face_->joints[out.curve].interior_angle : pi;
+  const double quarters = junction.interior_angle / (pi / 2);
+  junction.has_bridge =
+      is_joint && face_->is_slit_joint(out.curve) && std::abs(quarters - std::round(quarters)) > right_angle_tol;
   if (!in.is_straight) {
     junction.curvature_in = curvature_or_zero(curve_in, in.t1, true);
     junction.curvature_slope_in = curvature_slope(curve_in, in.t1, true);

@@ -29,6 +29,7 @@ struct Junction {
   Vec2 position;
   int place = 0;              ///< lowest number of the junctions in this place: the ends of slits have several
   double interior_angle = 0;  ///< radians
+  bool has_bridge = false;  ///< at a slit, where the boundary data jump and have no lifting (field/boundary_values.hpp)
   double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides, 1 / length
   double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
 };
