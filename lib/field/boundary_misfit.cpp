@@ -83,7 +83,9 @@ std::vector<double> boundary_misfit(const Field& field) {
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
   std::unique_ptr<PhaseBoundary> phase;
-  if (field.kind == FieldKind::phase) phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.prescribed);
+  if (field.kind == FieldKind::phase)
+    phase = std::make_unique<PhaseBoundary>(mesh, field.phase.prescribed,
+                                            std::make_shared<SharedCorners>(mesh.face, field.phase.prescribed));
   const BoundaryValues values(mesh, field.liftings);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {

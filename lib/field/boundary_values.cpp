@@ -18,9 +18,6 @@ Vec2 fourth_power(Vec2 d) {
   return {square.x * square.x - square.y * square.y, 2 * square.x * square.y};
 }
 
-/// Smaller jumps need no bridge (see corner_lifting.cpp).
-constexpr double bridged_jump = 1e-10;
-
 enum class CurvePart { begin, inside, end };
 
 // Parameters within round-off of an end are snapped to it: the direction from the joint to a nearer point is noise.
@@ -61,36 +58,48 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
   return boundary_value(face, curve, t) - liftings_on_boundary(face, liftings, curve, t);
 }
 
+CornerBridges::CornerBridges(const TriMesh& mesh) {
+  const CadFace& face = mesh.face;
+  if (face.partners.empty()) return;
+  edges_.resize(face.num_curves());
+  for (const BoundaryEdge& edge : mesh.boundary_edges) {
+    const Nurbs& nurbs = face.curves[edge.curve];
+    const int next = face.next_in_loop(edge.curve);
+    if (edge.t0 == nurbs.begin() && face.is_slit_joint(edge.curve))
+      edges_[edge.curve].push_back({edge.curve, edge.t0, edge.t1});
+    if (edge.t1 == nurbs.end() && face.is_slit_joint(next)) edges_[edge.curve].push_back({next, edge.t1, edge.t0});
+  }
+}
+
+std::optional<CornerBridges::Point> CornerBridges::at(int curve, double t) const {
+  if (edges_.empty()) return {};
+  for (const Edge& edge : edges_[curve]) {
+    const double share = (t - edge.t_joint) / (edge.t_end - edge.t_joint);
+    if (share < 1) return Point{edge.joint, std::max(share, 0.0)};
+  }
+  return {};
+}
+
 BoundaryValues::BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings)
-    : face_(&mesh.face), liftings_(std::move(liftings)) {
+    : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {
   if (face_->partners.empty()) return;
-  bridges_.resize(face_->num_curves());
-  std::vector<Vec2> means(face_->num_curves());  // at joints
-  std::vector<char> has_jump(face_->num_curves(), 0);
   for (int joint = 0; joint < face_->num_curves(); ++joint) {
     const int before = face_->previous_in_loop(joint);
-    const Vec2 in = lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end());
-    const Vec2 out = lifted_boundary_value(*face_, liftings_, joint, face_->curves[joint].begin());
-    means[joint] = (in + out) / 2;
-    has_jump[joint] = face_->is_slit_joint(joint) && norm(in - out) > bridged_jump;
-  }
-  for (const BoundaryEdge& edge : mesh.boundary_edges) {
-    const Nurbs& nurbs = face_->curves[edge.curve];
-    const int next = face_->next_in_loop(edge.curve);
-    if (has_jump[edge.curve] && edge.t0 == nurbs.begin())
-      bridges_[edge.curve].push_back({edge.t0, edge.t1, means[edge.curve]});
-    if (has_jump[next] && edge.t1 == nurbs.end()) bridges_[edge.curve].push_back({edge.t1, edge.t0, means[next]});
+    means_.push_back((lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end()) +
+                      lifted_boundary_value(*face_, liftings_, joint, face_->curves[joint].begin())) /
+                     2);
   }
 }
 
 Vec2 BoundaryValues::operator()(int curve, double t) const {
   const Vec2 value = lifted_boundary_value(*face_, liftings_, curve, t);
-  if (bridges_.empty()) return value;
-  for (const Bridge& bridge : bridges_[curve]) {
-    const double share = (t - bridge.t_corner) / (bridge.t_edge - bridge.t_corner);
-    if (share < 1) return bridge.mean + std::max(share, 0.0) * (value - bridge.mean);
-  }
-  return value;
+  const auto bridge = bridges_.at(curve, t);
+  if (!bridge) return value;
+  const Nurbs& nurbs = face_->curves[curve];
+  const double end = bridge->joint == curve ? nurbs.begin() : nurbs.end();
+  // Without a jump the data stay as they are.
+  const Vec2 side = lifted_boundary_value(*face_, liftings_, curve, end);
+  return value + (1 - bridge->share) * (means_[bridge->joint] - side);
 }
 
 bool is_line_field(const CadFace& face) {

@@ -76,6 +76,12 @@ struct CadFace {
   /// Whether a slit ends, bends or branches in the joint: other joints are in its place, and no point beside it is
   /// outside the face.
   bool is_slit_joint(int joint) const { return is_interface(joint) || is_interface(previous_in_loop(joint)); }
+  /// Whether loop l encloses nothing: it runs along both sides of slits.
+  bool is_slit_loop(int l) const {
+    if (partners.empty()) return false;
+    return std::all_of(partners.begin() + loop_offsets[l], partners.begin() + loop_offsets[l + 1],
+                       [this, l](int p) { return p >= loop_offsets[l] && p < loop_offsets[l + 1]; });
+  }
   int num_loops() const { return static_cast<int>(loop_offsets.size()) - 1; }
   /// chi = 1 - number of holes, of one region.
   int euler_characteristic() const { return 2 - num_loops(); }
