@@ -40,7 +40,8 @@ std::array<EdgePoint, fractions.size()> edge_points(const BoundaryEdge& edge, co
   return points;
 }
 
-double misfit_at(const Field& field, const spectral::TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
+double misfit_at(const Field& field, const BoundaryValues& values, const spectral::TriMap& map,
+                 const BoundaryEdge& edge, const EdgePoint& at) {
   const CadFace& face = field.mesh.face;
   const int offset = field.coef_offsets[edge.elem];
   Vec2 x_h;
@@ -48,7 +49,7 @@ double misfit_at(const Field& field, const spectral::TriMap& map, const Boundary
   map.evaluate(at.xi, x_h, dx_dxi);
   const Vec2 value =
       spectral::orthogonal_sum(field.elem_order[edge.elem], &field.u[offset], &field.v[offset], at.xi, dv_dxi);
-  const Vec2 data = lifted_boundary_value(face, field.liftings, edge.curve, at.t);
+  const Vec2 data = values(edge.curve, at.t);
   const Nurbs& curve = face.curves[edge.curve];
   const Vec2 across = left_of(curve::tangent(curve, at.t));
   Vec2 slope = (dv_dxi * inverse(dx_dxi)) * across;
@@ -82,12 +83,15 @@ std::vector<double> boundary_misfit(const Field& field) {
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
   std::unique_ptr<PhaseBoundary> phase;
-  if (field.kind == FieldKind::phase) phase = std::make_unique<PhaseBoundary>(mesh.face, field.phase.prescribed);
+  if (field.kind == FieldKind::phase)
+    phase = std::make_unique<PhaseBoundary>(mesh, field.phase.prescribed,
+                                            std::make_shared<SharedCorners>(mesh.face, field.phase.prescribed));
+  const BoundaryValues values(mesh, field.liftings);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const spectral::TriMap& map = maps[edge.elem];
     for (const EdgePoint& at : edge_points(edge, lengths[edge.curve], phase.get())) {
-      const double misfit = phase ? phase_misfit_at(field, map, edge, at) : misfit_at(field, map, edge, at);
+      const double misfit = phase ? phase_misfit_at(field, map, edge, at) : misfit_at(field, values, map, edge, at);
       misfits[edge.elem] = std::max(misfits[edge.elem], misfit);
     }
   }

@@ -1,6 +1,8 @@
 #include "field/boundary_values.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "curve/nurbs.hpp"
 #include "field/lifting.hpp"
@@ -54,6 +56,50 @@ Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& lifti
 
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t) {
   return boundary_value(face, curve, t) - liftings_on_boundary(face, liftings, curve, t);
+}
+
+CornerBridges::CornerBridges(const TriMesh& mesh) {
+  const CadFace& face = mesh.face;
+  if (face.partners.empty()) return;
+  edges_.resize(face.num_curves());
+  for (const BoundaryEdge& edge : mesh.boundary_edges) {
+    const Nurbs& nurbs = face.curves[edge.curve];
+    const int next = face.next_in_loop(edge.curve);
+    if (edge.t0 == nurbs.begin() && face.is_slit_joint(edge.curve))
+      edges_[edge.curve].push_back({edge.curve, edge.t0, edge.t1});
+    if (edge.t1 == nurbs.end() && face.is_slit_joint(next)) edges_[edge.curve].push_back({next, edge.t1, edge.t0});
+  }
+}
+
+std::optional<CornerBridges::Point> CornerBridges::at(int curve, double t) const {
+  if (edges_.empty()) return {};
+  for (const Edge& edge : edges_[curve]) {
+    const double share = (t - edge.t_joint) / (edge.t_end - edge.t_joint);
+    if (share < 1) return Point{edge.joint, std::max(share, 0.0)};
+  }
+  return {};
+}
+
+BoundaryValues::BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings)
+    : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {
+  if (face_->partners.empty()) return;
+  for (int joint = 0; joint < face_->num_curves(); ++joint) {
+    const int before = face_->previous_in_loop(joint);
+    means_.push_back((lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end()) +
+                      lifted_boundary_value(*face_, liftings_, joint, face_->curves[joint].begin())) /
+                     2);
+  }
+}
+
+Vec2 BoundaryValues::operator()(int curve, double t) const {
+  const Vec2 value = lifted_boundary_value(*face_, liftings_, curve, t);
+  const auto bridge = bridges_.at(curve, t);
+  if (!bridge) return value;
+  const Nurbs& nurbs = face_->curves[curve];
+  const double end = bridge->joint == curve ? nurbs.begin() : nurbs.end();
+  // Without a jump the data stay as they are.
+  const Vec2 side = lifted_boundary_value(*face_, liftings_, curve, end);
+  return value + (1 - bridge->share) * (means_[bridge->joint] - side);
 }
 
 bool is_line_field(const CadFace& face) {

@@ -1,10 +1,12 @@
 #pragma once
 // Dirichlet data of the guiding field from the exact tangents of the CAD curves (paper, eq. 3).
 
+#include <optional>
 #include <vector>
 
 #include "model/cad_face.hpp"
 #include "model/field.hpp"
+#include "model/tri_mesh.hpp"
 
 namespace quadrille::field {
 
@@ -17,6 +19,44 @@ Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& lifti
 
 /// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop.
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
+
+/// Bridges over jumps of the boundary data at slits, where no explicit term can represent them (there is no place for
+/// its pole, and other joints are in the same place). Along the two element edges at such a corner the data change
+/// linearly, in the parameter, to the mean of both sides at the corner. The two deviations are opposite, so that the
+/// field is disturbed by (r0 / r)^(2 pi / omega) only, r0 the length of the edges: the fan of such a corner makes it
+/// negligible (triangulate/singularity.hpp).
+class CornerBridges {
+ public:
+  /// Bridges at all slit joints of the mesh's face. `mesh` must outlive this object.
+  explicit CornerBridges(const TriMesh& mesh);
+  /// A point of a bridge.
+  struct Point {
+    int joint = 0;
+    double share = 0;  ///< 0: the mean at the joint holds; 1: the value of the curve
+  };
+  std::optional<Point> at(int curve, double t) const;
+
+ private:
+  struct Edge {
+    int joint = 0;
+    double t_joint = 0, t_end = 0;
+  };
+  std::vector<std::vector<Edge>> edges_;  ///< by curve; empty: the face has no slits
+};
+
+/// lifted_boundary_value() on a mesh, with bridges at slits: continuous around every loop.
+class BoundaryValues {
+ public:
+  /// `mesh` must outlive this object.
+  BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings);
+  Vec2 operator()(int curve, double t) const;
+
+ private:
+  const CadFace* face_;
+  std::vector<Lifting> liftings_;
+  CornerBridges bridges_;
+  std::vector<Vec2> means_;  ///< by joint; without slits empty
+};
 
 /// Whether all boundary values lie on one line through 0, on both sides of 0: straight sides at odd and at even
 /// multiples of 45 degrees. The field then vanishes along curves, and the harmonic method yields no layout

@@ -91,7 +91,8 @@ std::vector<Lifting> corner_liftings(const CadFace& face) {
     const int before = face.previous_in_loop(joint);
     const Vec2 v_in = boundary_value(face, before, face.curves[before].end());
     const Vec2 v_out = boundary_value(face, joint, face.curves[joint].begin());
-    if (norm(v_in - v_out) > jump_tol) liftings.push_back(lifting_at(face, joint, v_in, v_out));
+    if (norm(v_in - v_out) > jump_tol && !face.is_slit_joint(joint))
+      liftings.push_back(lifting_at(face, joint, v_in, v_out));
   }
   return liftings;
 }

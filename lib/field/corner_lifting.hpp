@@ -24,7 +24,8 @@ Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double inte
 /// exterior_pole.
 Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing);
 
-/// One lifting for every joint at which the data jump by more than round-off.
+/// One lifting for every joint at which the data jump by more than round-off, except at slits: there is no place for
+/// the pole, and other joints are in the same place (BoundaryValues bridges those jumps).
 std::vector<Lifting> corner_liftings(const CadFace& face);
 
 }  // namespace quadrille::field

@@ -1,9 +1,13 @@
 #include "field/corner_terms.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 #include "field/hole_points.hpp"
@@ -11,6 +15,10 @@
 
 namespace quadrille::field {
 namespace {
+
+bool is_bridged(const CadFace& face, const BoundaryApex& apex) {
+  return apex.t == face.curves[apex.curve].begin() && face.is_slit_joint(apex.curve);
+}
 
 // Smaller jumps of the phase at corners are rounding of the tangents in the CAD file (see corner_lifting.cpp).
 constexpr double jump_tol = 1e-10;
@@ -38,12 +46,22 @@ void add_corner_angles(const CadFace& face, CornerTerms& result) {
   for (const BoundaryApex& apex : result.apexes.apexes) {
     result.apex2corner_angle.push_back(-1);
     const double angle = apex.interior_angle, jump = 4 * angle - 2 * pi * apex.valence;
-    if (std::abs(jump) <= jump_tol) continue;
+    if (std::abs(jump) <= jump_tol || is_bridged(face, apex)) continue;
     const Vec2 x = curve::point(face.curves[apex.curve], apex.t);
     const Vec2 pole = pole_of(face, result.foci, face.loop_of(apex.curve), x, tangents_at(face, apex).out, angle);
     result.apex2corner_angle.back() = static_cast<int>(result.corner_angles.size());
     result.corner_angles.push_back({x, pole, jump / angle});
   }
+}
+
+// Around a curve that encloses nothing there is no place for the centre of turns.
+void require_no_turns(const CadFace& face, int loop, const PhaseTurn& hole) {
+  if (hole.turns == 0) return;
+  throw ComputeError(fmt::format(
+      "the corners of the embedded curve at {} have valences whose sum of 2 - V is {}, but a field with prescribed "
+      "nodes "
+      "needs -4 there: prescribe other valences with critpoints --corner-valence, or draw the curve to the boundary",
+      position_text(face.joints[face.loop_offsets[loop]].position + face.origin), hole.turns - 4));
 }
 
 // Adds D_j, the turns that make the data of hole j single-valued, initially centred at one point of the hole.
@@ -53,6 +71,8 @@ void add_holes(const CadFace& face, CornerTerms& result) {
     const int loop = face.loop_of(apex.curve);
     if (loop > 0) result.holes[loop - 1].turns += 2 - apex.valence;
   }
+  for (int loop = 1; loop < face.num_loops(); ++loop)
+    if (face.is_slit_loop(loop)) require_no_turns(face, loop, result.holes[loop - 1]);
 }
 
 BoundarySamples samples_at(const CadFace& face, const CornerTerms& corners, int curve, std::span<const double> t) {

@@ -51,6 +51,8 @@ class SharedCorners {
   /// Whether `prescribed` has the valences on the boundary for which this was made.
   bool fit(const PhaseNodes& prescribed) const;
   const CornerTerms& terms() const { return terms_; }
+  /// Whether the loop runs along slits only (CadFace::is_slit_loop).
+  bool is_slit(int loop) const { return face_->is_slit_loop(loop); }
   /// Valid until the next call. `t` is not empty.
   const BoundarySamples& samples(int curve, std::span<const double> t);
   /// The mirror images of a node at x.

@@ -86,7 +86,9 @@ ExplicitTerms explicit_terms(SharedCorners& corners, const std::vector<PhaseNode
     result.centres.push_back({turn.position, turn.turns, loop});
   };
   for (const PhaseTurn& node : terms.nodes) add_centre(node, -1);
-  for (std::size_t j = 0; j < terms.holes.size(); ++j) add_centre(terms.holes[j], static_cast<int>(j) + 1);
+  // Slits have no turns and no centre.
+  for (std::size_t j = 0; j < terms.holes.size(); ++j)
+    if (!corners.is_slit(static_cast<int>(j) + 1)) add_centre(terms.holes[j], static_cast<int>(j) + 1);
   for (std::size_t i = 0; i < terms.images.size(); ++i) add_centre(terms.images[i], image_loops[i]);
   return result;
 }

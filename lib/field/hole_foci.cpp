@@ -120,6 +120,7 @@ Vec2 focus_of(const CadFace& face, const std::vector<Part>& parts, Run run) {
 std::vector<HoleFocus> hole_foci(const CadFace& face) {
   std::vector<HoleFocus> foci;
   for (int loop = 1; loop < face.num_loops(); ++loop) {
+    if (face.is_slit_loop(loop)) continue;
     std::vector<Part> parts = parts_of(face, loop);
     rotate_to_start(parts);
     const std::vector<Run> runs = sharp_runs(parts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.hpp"
 #include "base/segments.hpp"
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
@@ -58,6 +59,7 @@ Vec2 hole_point(const CadFace& face, int loop) {
   Vec2 best;
   double most = -INFINITY;
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    if (face.is_interface(c)) continue;  // behind a slit is the face
     const Nurbs& curve = face.curves[c];
     for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
       const double t = curve.begin() + f * (curve.end() - curve.begin());
@@ -69,11 +71,18 @@ Vec2 hole_point(const CadFace& face, int loop) {
   return signed_clearance(polygon, centre) >= good_clearance * most ? centre : best;
 }
 
+// Outside of the outline: the term there has no turns (field/corner_terms.cpp), but its position has to be finite.
+Vec2 point_beyond(const CadFace& face, int loop) {
+  const Joint& joint = face.joints[face.loop_offsets[loop]];
+  return joint.position + 3 * face.diameter * unit(joint.tangent_out);
+}
+
 }  // namespace
 
 std::vector<Vec2> hole_points(const CadFace& face) {
   std::vector<Vec2> points;
-  for (int loop = 1; loop < face.num_loops(); ++loop) points.push_back(hole_point(face, loop));
+  for (int loop = 1; loop < face.num_loops(); ++loop)
+    points.push_back(face.is_slit_loop(loop) ? point_beyond(face, loop) : hole_point(face, loop));
   return points;
 }
 

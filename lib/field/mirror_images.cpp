@@ -74,6 +74,7 @@ std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) co
 std::vector<MirrorImages::Candidate> MirrorImages::candidates(Vec2 x) const {
   std::vector<std::pair<double, int>> order;
   for (int c = 0; c < face_->num_curves(); ++c) {
+    if (face_->is_interface(c)) continue;  // behind a slit is the face
     const double bound = boxes_[c].distance_from(x);
     if (bound <= farthest_foot * face_->diameter) order.emplace_back(bound, c);
   }

@@ -27,12 +27,18 @@ PhaseBoundary::PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed, 
       corners_(std::move(corners)),
       explicit_(explicit_terms(*corners_, prescribed.nodes)),
       apex_remainders_(apexes().apexes.size(), 0.0),
+      apex_jumps_(apexes().apexes.size(), 0.0),
       pieces_(face.num_curves()) {
   require_valence_sum(face, prescribed);
   for (int loop = 0; loop < face.num_loops(); ++loop) {
     loops_.emplace_back(face, loop, explicit_.centres);
     follow_loop(loop);
   }
+}
+
+PhaseBoundary::PhaseBoundary(const TriMesh& mesh, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners)
+    : PhaseBoundary(mesh.face, prescribed, std::move(corners)) {
+  bridges_.emplace(mesh);
 }
 
 void PhaseBoundary::follow_loop(int loop) {
@@ -71,6 +77,11 @@ void PhaseBoundary::pass_apex(int loop, int a, LoopAngles& angles) {
   angles.corner_index += 2 - apex.valence;
   apex_remainders_[a] = data(loop, x, angles, sum_of_corner_angles(explicit_.terms.corner_angles, x, corner, out));
   const double jump = apex_remainders_[a] - incoming;
+  if (face_->is_slit_joint(apex.curve) && apex.t == face_->curves[apex.curve].begin()) {
+    apex_jumps_[a] = jump;
+    apex_remainders_[a] -= jump / 2;
+    return;
+  }
   if (std::abs(jump) > closure_tol) throw Defect(fmt::format("phase data jump by {} at joint {}", jump, apex.curve));
 }
 
@@ -135,6 +146,17 @@ void PhaseBoundary::remainders(int curve, std::span<const double> t, double* val
                             : phase - samples.corner_angles[i] - centres.sum_of_far(samples.x[i]) - values[i];
     }
     first = last;
+  }
+  if (bridges_) bridge(curve, t, values);
+}
+
+// The data of a curve start half a jump above the mean at its joint and end half a jump below that at the next one.
+void PhaseBoundary::bridge(int curve, std::span<const double> t, double* values) const {
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const auto at = bridges_->at(curve, t[i]);
+    if (!at || at->share == 0) continue;
+    const double jump = apex_jumps_[apexes().offsets[at->joint]];
+    values[i] += (1 - at->share) * (at->joint == curve ? -jump / 2 : jump / 2);
   }
 }
 

@@ -12,9 +12,11 @@
 // terms, and field/followed_angles for the continuous angles.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "field/boundary_values.hpp"
 #include "field/corner_terms.hpp"
 #include "field/explicit_terms.hpp"
 #include "field/followed_angles.hpp"
@@ -31,6 +33,8 @@ class PhaseBoundary {
   PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed);
   /// The same with corners that fit the nodes (SharedCorners::fit).
   PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners);
+  /// The same on a mesh, with bridges over the jumps of g at slits. `mesh` must outlive this object.
+  PhaseBoundary(const TriMesh& mesh, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners);
 
   const PhaseTerms& terms() const { return explicit_.terms; }
   /// Interior angle omega_c, radians, for each of terms().corner_angles.
@@ -47,6 +51,7 @@ class PhaseBoundary {
   void follow_loop(int loop);
   void pass_apex(int loop, int apex, LoopAngles& angles);
   const BoundaryApexes& apexes() const { return corners_->terms().apexes; }
+  void bridge(int curve, std::span<const double> t, double* values) const;
   double data(int loop, Vec2 x, const LoopAngles& angles, double corner_angles) const;
   void require_inside(int loop, const LoopAngles& start, const LoopAngles& end) const;
   void require_closure(int loop, const LoopAngles& start, const LoopAngles& end) const;
@@ -55,7 +60,9 @@ class PhaseBoundary {
   std::shared_ptr<SharedCorners> corners_;
   ExplicitTerms explicit_;
   std::vector<LoopCentres> loops_;
-  std::vector<double> apex_remainders_;          ///< g at each apex
+  std::vector<double> apex_remainders_;  ///< g at each apex; where it jumps (at slits), the mean
+  std::vector<double> apex_jumps_;       ///< of g at each apex, outgoing minus incoming side; 0 but at slits
+  std::optional<CornerBridges> bridges_;
   std::vector<std::vector<AnglePiece>> pieces_;  ///< by curve, ascending t
 };
 

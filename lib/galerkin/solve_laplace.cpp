@@ -57,10 +57,8 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
     if (options.method == FieldMethod::cg) require_no_jump(mesh.face, liftings_);
     liftings_.clear();
   }
-  const auto data = [&face = mesh.face, liftings = liftings_](int curve, double t) {
-    return field::lifted_boundary_value(face, liftings, curve, t);
-  };
-  discretization_ = make_discretization(method_, *context_, data, options.num_threads);
+  discretization_ =
+      make_discretization(method_, *context_, field::BoundaryValues(mesh, liftings_), options.num_threads);
 }
 
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {

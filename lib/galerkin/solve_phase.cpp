@@ -35,7 +35,7 @@ struct PhaseSolver::Given {
   Given(const TriMesh& mesh, std::shared_ptr<BoundaryPoints> points, const PhaseNodes& nodes,
         std::shared_ptr<field::SharedCorners> corners)
       : asked(nodes),
-        boundary(mesh.face, asked, std::move(corners)),
+        boundary(mesh, asked, std::move(corners)),
         data(std::move(points),
              [this](int curve, std::span<const double> t, double* values) { boundary.remainders(curve, t, values); }) {}
 

@@ -73,6 +73,15 @@ struct CadFace {
   int num_regions() const { return region_loops.empty() ? 1 : static_cast<int>(region_loops.size()) - 1; }
   /// Whether two regions meet in the curve.
   bool is_interface(int curve) const { return !partners.empty() && partners[curve] >= 0; }
+  /// Whether a slit ends, bends or branches in the joint: other joints are in its place, and no point beside it is
+  /// outside the face.
+  bool is_slit_joint(int joint) const { return is_interface(joint) || is_interface(previous_in_loop(joint)); }
+  /// Whether loop l encloses nothing: it runs along both sides of slits.
+  bool is_slit_loop(int l) const {
+    if (partners.empty()) return false;
+    return std::all_of(partners.begin() + loop_offsets[l], partners.begin() + loop_offsets[l + 1],
+                       [this, l](int p) { return p >= loop_offsets[l] && p < loop_offsets[l + 1]; });
+  }
   int num_loops() const { return static_cast<int>(loop_offsets.size()) - 1; }
   /// chi = 1 - number of holes, of one region.
   int euler_characteristic() const { return 2 - num_loops(); }

@@ -65,13 +65,17 @@ BoundaryMesh::BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, con
   std::vector<const Fan*> fan_at(count, nullptr);
   for (const Fan& fan : fans) fan_at[fan.junction] = &fan;
   std::vector<int> vertex_at(count, -1);
-  for (int j = 0; j < count; ++j)
-    if (!fan_at[j]) vertex_at[j] = draft.add_vertex(outline.junctions()[j].position);
+  for (int j = 0; j < count; ++j) {
+    if (fan_at[j]) continue;
+    const int place = outline.junctions()[j].place;
+    vertex_at[j] = place < j ? vertex_at[place] : draft.add_vertex(outline.junctions()[j].position);
+  }
   for (int p = 0; p < count; ++p) {
     const SmoothPiece& piece = outline.pieces()[p];
     const Fan* const start = fan_at[p];
     const Fan* const end = fan_at[piece.next];
     if (start) add_rim(*start);
+    if (outline.is_second_side(p)) continue;
     add_piece(p, start ? start->rim.front() : vertex_at[p], end ? end->rim.back() : vertex_at[piece.next],
               start ? start->t_out.back() : piece.t0, end ? end->t_in.back() : piece.t1, limits);
   }

@@ -1,6 +1,7 @@
 #pragma once
 // The boundary of the domain without the corner fans: closed loops of segments. A segment is either a part of a curve,
-// bisected (by arc length) where needed, or a rim edge of a fan, which is never split.
+// bisected (by arc length) where needed, or a rim edge of a fan, which is never split. A slit has segments on its first
+// side alone.
 
 #include <string>
 #include <vector>

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+#include <tuple>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
@@ -87,32 +92,75 @@ bool keeps_limits(const EdgeFit& fit, const Fan& fan, const EdgeLimits& limits) 
          turns <= fit.outline().junctions()[fan.junction].interior_angle * slack;
 }
 
-bool shape_fan(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits, double clearance,
-               Fan& fan) {
-  const Outline& outline = fit.outline();
-  const Junction& junction = outline.junctions()[fan.junction];
-  const SmoothPiece& out = outline.pieces()[fan.junction];
+/// The greatest radius of a fan, before its curves are looked at.
+double greatest_radius(const Outline& outline, int junction, double size, double clearance) {
+  const SmoothPiece& out = outline.pieces()[junction];
   const SmoothPiece& in = outline.pieces()[out.previous];
-  fan.radius = std::min({limits.size, clearance / 3, out.length() / 3, in.length() / 3});
-  fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junction.interior_angle / (sector_angle * slack))));
+  return std::min({size, clearance / 3, out.length() / 3, in.length() / 3});
+}
+
+/// Sets radii and side vertices of the fans `fans`, whose junctions are in one place, to the same radii. Returns false
+/// if none of them is needed.
+bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits, std::span<Fan> fans) {
+  const Outline& outline = fit.outline();
+  double radius = limits.size;
+  for (const Fan& fan : fans) radius = std::min(radius, fan.radius);
   const double smallest = least_radius * outline.face().diameter;
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
-    const double exponent_layers = fan_layers(junction_singularity(junction, fan.radius), options.fan_factor);
-    int layers = static_cast<int>(exponent_layers);
+    int layers = 0;
+    bool is_needed = false;
+    for (const Fan& fan : fans) {
+      const Junction& junction = outline.junctions()[fan.junction];
+      layers = std::max(layers, fan_layers(junction_singularity(junction, radius), options.fan_factor));
+      is_needed = is_needed || is_sharp(junction);
+    }
     if (layers > 0 && options.fan_layers >= 0) layers = options.fan_layers;
-    if (layers == 0 && !is_sharp(junction)) return false;
-    layers = layers_above(smallest, fan.radius, layers, options.fan_factor);
-    fan.radii = ring_radii(fan.radius, layers, options.fan_factor);
-    place_sides(outline, fan);
-    if (keeps_limits(fit, fan, limits)) break;
-    fan.radius *= 0.8;
+    if (layers == 0 && !is_needed) return false;
+    layers = layers_above(smallest, radius, layers, options.fan_factor);
+    bool do_keep = true;
+    for (Fan& fan : fans) {
+      fan.radius = radius;
+      fan.radii = ring_radii(radius, layers, options.fan_factor);
+      place_sides(outline, fan);
+      do_keep = do_keep && keeps_limits(fit, fan, limits);
+    }
+    if (do_keep) break;
+    radius *= 0.8;
   }
   return true;
 }
 
+/// The vertices of fans on slits, where two fans, or both ends of one, meet.
+class SlitVertices {
+ public:
+  SlitVertices(const Outline& outline, Draft& draft) : outline_(&outline), draft_(&draft) {}
+
+  int apex(int junction) {
+    const Junction& there = outline_->junctions()[junction];
+    const auto [found, is_new] = apexes_.try_emplace(there.place, 0);
+    if (is_new) found->second = draft_->add_vertex(there.position);
+    return found->second;
+  }
+  /// The vertex of ring `ring` at the start or the end of a piece.
+  int side(int piece, bool at_start, std::size_t ring, Vec2 position) {
+    if (outline_->pieces()[piece].partner < 0) return draft_->add_vertex(position);
+    const bool is_second = outline_->is_second_side(piece);
+    const auto [found, is_new] = sides_.try_emplace(
+        {is_second ? outline_->pieces()[piece].partner : piece, is_second ? !at_start : at_start, ring}, 0);
+    if (is_new) found->second = draft_->add_vertex(position);
+    return found->second;
+  }
+
+ private:
+  const Outline* outline_;
+  Draft* draft_;
+  std::map<int, int> apexes_;                                ///< by place
+  std::map<std::tuple<int, bool, std::size_t>, int> sides_;  ///< by first side, its end, and ring
+};
+
 /// The vertices of one ring, from the outgoing to the incoming curve.
-std::vector<int> add_ring(const Outline& outline, const Fan& fan, std::size_t ring, Draft& draft) {
+std::vector<int> add_ring(const Outline& outline, const Fan& fan, std::size_t ring, SlitVertices& slits, Draft& draft) {
   const SmoothPiece& out = outline.pieces()[fan.junction];
   const SmoothPiece& in = outline.pieces()[out.previous];
   const Vec2 apex = outline.junctions()[fan.junction].position;
@@ -123,10 +171,10 @@ std::vector<int> add_ring(const Outline& outline, const Fan& fan, std::size_t ri
   const double omega = outline.junctions()[fan.junction].interior_angle;
   if (sweep - omega > pi) sweep -= 2 * pi;
   if (omega - sweep > pi) sweep += 2 * pi;
-  std::vector<int> vertices{draft.add_vertex(first)};
+  std::vector<int> vertices{slits.side(fan.junction, true, ring, first)};
   for (int i = 1; i < fan.num_sectors; ++i)
     vertices.push_back(draft.add_vertex(apex + fan.radii[ring] * unit(start + sweep * i / fan.num_sectors)));
-  vertices.push_back(draft.add_vertex(last));
+  vertices.push_back(slits.side(out.previous, false, ring, last));
   return vertices;
 }
 
@@ -150,27 +198,37 @@ void add_quads(const std::vector<int>& inner, const std::vector<int>& outer, int
 
 std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits) {
   const Outline& outline = fit.outline();
+  const auto& junctions = outline.junctions();
   const Clearance clearance(outline);
-  std::vector<Fan> fans;
-  for (int j = 0; j < static_cast<int>(outline.junctions().size()); ++j) {
-    const Junction& junction = outline.junctions()[j];
-    const bool may_be_singular = fan_layers(junction_singularity(junction, limits.size), options.fan_factor) > 0;
-    if (!may_be_singular && !is_sharp(junction)) continue;
+  std::map<int, std::vector<Fan>> fans_by_place;
+  std::set<int> places;
+  for (int j = 0; j < static_cast<int>(junctions.size()); ++j)
+    if (fan_layers(junction_singularity(junctions[j], limits.size), options.fan_factor) > 0 || is_sharp(junctions[j]))
+      places.insert(junctions[j].place);
+  for (int j = 0; j < static_cast<int>(junctions.size()); ++j) {
+    if (!places.contains(junctions[j].place)) continue;
     Fan fan;
     fan.junction = j;
-    if (shape_fan(fit, options, limits, clearance.at_junction(j), fan)) fans.push_back(fan);
+    fan.radius = greatest_radius(outline, j, limits.size, clearance.at_junction(j));
+    fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junctions[j].interior_angle / (sector_angle * slack))));
+    fans_by_place[junctions[j].place].push_back(std::move(fan));
   }
+  std::vector<Fan> fans;
+  for (auto& [place, group] : fans_by_place)
+    if (shape_fans(fit, options, limits, group)) std::move(group.begin(), group.end(), std::back_inserter(fans));
   return fans;
 }
 
-void build_fan(const Outline& outline, Fan& fan, Draft& draft) {
+namespace {
+
+void build_fan(const Outline& outline, Fan& fan, SlitVertices& slits, Draft& draft) {
   const SmoothPiece& out = outline.pieces()[fan.junction];
   const SmoothPiece& in = outline.pieces()[out.previous];
-  const int apex = draft.add_vertex(outline.junctions()[fan.junction].position);
+  const int apex = slits.apex(fan.junction);
   std::vector<int> inner(fan.num_sectors + 1, apex);
   double t_out = out.t0, t_in = in.t1;
   for (std::size_t ring = 0; ring < fan.radii.size(); ++ring) {
-    const std::vector<int> outer = add_ring(outline, fan, ring, draft);
+    const std::vector<int> outer = add_ring(outline, fan, ring, slits, draft);
     if (ring == 0) {
       for (int i = 0; i < fan.num_sectors; ++i) draft.add_triangle(apex, outer[i], outer[i + 1], 0);
     } else {
@@ -183,6 +241,13 @@ void build_fan(const Outline& outline, Fan& fan, Draft& draft) {
     inner = outer;
   }
   fan.rim = inner;
+}
+
+}  // namespace
+
+void build_fans(const Outline& outline, std::span<Fan> fans, Draft& draft) {
+  SlitVertices slits(outline, draft);
+  for (Fan& fan : fans) build_fan(outline, fan, slits, draft);
 }
 
 }  // namespace quadrille::triangulate

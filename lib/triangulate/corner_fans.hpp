@@ -7,6 +7,7 @@
 //          /__\/__\      above 285 degrees gets a single ring in any case: it keeps the refinement away from the small
 //    curve   apex  curve angle between its curves. Along a fan the curves turn by at most the corner's angle together.
 
+#include <span>
 #include <vector>
 
 #include "triangulate/draft.hpp"
@@ -32,10 +33,11 @@ struct EdgeLimits {
   double curve_tol = 0;  ///< greatest distance between edge and curve, a length
 };
 
-/// Selects the junctions that need fans, and the radius and number of rings of each fan.
+/// Selects the junctions that need fans, and the radius and number of rings of each fan. Junctions in one place, at a
+/// slit, have all a fan or none, with the same radii: their fans share the vertices on the slit.
 std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits);
 
-/// Adds the vertices, triangles and boundary edges of `fan` to the draft and sets fan.rim.
-void build_fan(const Outline& outline, Fan& fan, Draft& draft);
+/// Adds the vertices, triangles and boundary edges of the fans to the draft and sets their rims.
+void build_fans(const Outline& outline, std::span<Fan> fans, Draft& draft);
 
 }  // namespace quadrille::triangulate

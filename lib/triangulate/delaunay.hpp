@@ -1,8 +1,9 @@
 #pragma once
 // An incremental constrained Delaunay triangulation. The only interface to CGAL; it contains no CGAL type.
 //
-// A triangle is inside if an odd number of constraints separates it from infinity: constraints form closed, mutually
-// disjoint loops (outline, holes). Predicates are exact; coordinates are never changed.
+// A triangle is inside if an odd number of constraints, on the path with the fewest, separates it from infinity:
+// constraints form closed, mutually disjoint loops (outline, holes) and slits, which have the inside on both sides.
+// Predicates are exact; coordinates are never changed.
 
 #include <array>
 #include <memory>

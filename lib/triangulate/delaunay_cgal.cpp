@@ -33,11 +33,12 @@ void mark_depth(const Triangulation& triangulation) {
     queue.pop_front();
     for (int k = 0; k < 3; ++k) {
       const Face next = face->neighbor(k);
-      if (next->info() != unknown) continue;
       const bool crosses = face->is_constrained(k);
-      next->info() = face->info() + (crosses ? 1 : 0);
+      const int depth = face->info() + (crosses ? 1 : 0);
+      if (next->info() != unknown && next->info() <= depth) continue;
+      next->info() = depth;
       // Faces at the same depth are visited first, so that the depth of a face is the least number of constraints on
-      // any path to infinity.
+      // any path to infinity: a path around the tip of a slit crosses no constraint.
       if (crosses) {
         queue.push_back(next);
       } else {

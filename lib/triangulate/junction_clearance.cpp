@@ -65,6 +65,11 @@ Clearance::Clearance(const Outline& outline) : outline_(&outline) {
   for (const SmoothPiece& piece : outline.pieces()) polylines_.push_back(polyline(outline, piece));
 }
 
+bool Clearance::ends_in(int piece, int place) const {
+  const auto& junctions = outline_->junctions();
+  return junctions[piece].place == place || junctions[outline_->pieces()[piece].next].place == place;
+}
+
 double Clearance::at_junction(int j) const {
   const int in = outline_->pieces()[j].previous;
   const Vec2 apex = outline_->junctions()[j].position;
@@ -73,7 +78,7 @@ double Clearance::at_junction(int j) const {
   double least = std::numeric_limits<double>::infinity();
   if (in != j) least = std::min(return_distance(polylines_[j]), return_distance(arriving));
   for (int p = 0; p < static_cast<int>(polylines_.size()); ++p)
-    if (p != j && p != in) least = std::min(least, distance_from(polylines_[p], 0, apex));
+    if (!ends_in(p, outline_->junctions()[j].place)) least = std::min(least, distance_from(polylines_[p], 0, apex));
   return least;
 }
 

@@ -12,11 +12,13 @@ class Clearance {
   /// Samples every piece such that its polyline turns by at most 10 degrees at a vertex.
   explicit Clearance(const Outline& outline);
 
-  /// Distance from junction j to all pieces except the two that meet there; of these two, only the parts that approach
-  /// the junction again count. Infinite if there are no such parts.
+  /// Distance from junction j to all pieces except those that end in its place (two, more at the end of a slit); of the
+  /// two that meet at j, only the parts that approach the junction again count. Infinite if there are no such parts.
   double at_junction(int j) const;
 
  private:
+  bool ends_in(int piece, int place) const;
+
   const Outline* outline_;
   std::vector<std::vector<Vec2>> polylines_;  ///< by piece
 };

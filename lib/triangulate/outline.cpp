@@ -1,12 +1,18 @@
 #include "triangulate/outline.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::triangulate {
 namespace {
+
+/// Corners of slits are right, straight or full angles within this part of a right angle: the data do not jump there.
+constexpr double right_angle_tol = 1e-9;
 
 bool is_straight(const Nurbs& curve, double tol) {
   const Vec2 a = curve.poles.front(), chord = curve.poles.back() - a;
@@ -40,6 +46,7 @@ Outline::Outline(const CadFace& face, double straight_tol) : face_(&face) {
   }
   link_loops();
   for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) junctions_.push_back(junction(p));
+  link_slits();
 }
 
 void Outline::add_pieces(int curve, double straight_tol) {
@@ -69,6 +76,32 @@ void Outline::link_loops() {
   }
 }
 
+// The pieces of a curve are those of its partner in the opposite order; where one of them starts, the other ends.
+void Outline::link_slits() {
+  const int count = static_cast<int>(pieces_.size());
+  std::vector<int> first_piece(face_->num_curves() + 1, count);
+  for (int p = count - 1; p >= 0; --p) first_piece[pieces_[p].curve] = p;
+  DisjointSets places(count);
+  for (int p = 0; p < count; ++p) {
+    const int curve = pieces_[p].curve;
+    if (!face_->is_interface(curve)) continue;
+    const int partner = face_->partners[curve];
+    const int pieces_of_partner = first_piece[partner + 1] - first_piece[partner];
+    if (pieces_of_partner != first_piece[curve + 1] - first_piece[curve])
+      throw Defect("the sides of a slit have different pieces");
+    pieces_[p].partner = first_piece[partner] + pieces_of_partner - 1 - (p - first_piece[curve]);
+    places.unite(p, pieces_[pieces_[p].partner].next);
+  }
+  for (int p = 0; p < count; ++p) junctions_[p].place = places.find(p);
+}
+
+double Outline::partner_parameter(int curve, double t) const {
+  const Nurbs &own = face_->curves[curve], &other = face_->curves[face_->partners[curve]];
+  if (t == own.begin()) return other.end();
+  if (t == own.end()) return other.begin();
+  return other.begin() + (own.end() - t);
+}
+
 Junction Outline::junction(int piece) const {
   const SmoothPiece& out = pieces_[piece];
   const SmoothPiece& in = pieces_[out.previous];
@@ -78,6 +111,9 @@ Junction Outline::junction(int piece) const {
   Junction junction;
   junction.position = is_joint ? face_->joints[out.curve].position : curve::point(curve_out, out.t0);
   junction.interior_angle = is_joint ? face_->joints[out.curve].interior_angle : pi;
+  const double quarters = junction.interior_angle / (pi / 2);
+  junction.has_bridge =
+      is_joint && face_->is_slit_joint(out.curve) && std::abs(quarters - std::round(quarters)) > right_angle_tol;
   if (!in.is_straight) {
     junction.curvature_in = curvature_or_zero(curve_in, in.t1, true);
     junction.curvature_slope_in = curvature_slope(curve_in, in.t1, true);

@@ -3,6 +3,9 @@
 //
 // A piece is a part of one CAD curve without a joint or a knot of continuity below C3 inside. Junction i is the START
 // of piece i. Pieces are ordered and directed along the loops as the curves are, with the face on the left.
+//
+// A slit is a curve that the face has on both sides (CadFace::partners): its pieces are there twice, in opposite
+// directions. The first of two partners is the one with the lower number.
 
 #include <vector>
 
@@ -17,13 +20,16 @@ struct SmoothPiece {
   double s0 = 0, s1 = 0;  ///< arc length on the curve
   bool is_straight = false;
   int previous = 0, next = 0;  ///< in the loop
+  int partner = -1;            ///< the piece that runs along the other side of a slit, or -1
 
   double length() const { return s1 - s0; }
 };
 
 struct Junction {
   Vec2 position;
-  double interior_angle = 0;                               ///< radians
+  int place = 0;              ///< lowest number of the junctions in this place: the ends of slits have several
+  double interior_angle = 0;  ///< radians
+  bool has_bridge = false;  ///< at a slit, where the boundary data jump and have no lifting (field/boundary_values.hpp)
   double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides, 1 / length
   double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
 };
@@ -40,10 +46,15 @@ class Outline {
   const curve::ArcLength& arc_length(int curve) const { return lengths_[curve]; }
   /// The point of `curve` at parameter t.
   Vec2 at(int curve, double t) const;
+  /// The parameter, on the partner of `curve`, of the point at parameter t.
+  double partner_parameter(int curve, double t) const;
+  /// Whether the piece is the second side of a slit.
+  bool is_second_side(int piece) const { return pieces_[piece].partner >= 0 && pieces_[piece].partner < piece; }
 
  private:
   void add_pieces(int curve, double straight_tol);
   void link_loops();
+  void link_slits();
   Junction junction(int piece) const;
 
   const CadFace* face_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
@@ -91,10 +92,16 @@ void DomainRefiner::split(int segment) {
 }
 
 bool DomainRefiner::split_between(int from, int to) {
-  const auto found = vertices2segment_.find({from, to});
-  if (found == vertices2segment_.end() || boundary_->segments()[found->second].is_rim()) return false;
-  split(found->second);
+  const int segment = segment_between(from, to);
+  if (segment < 0 || boundary_->segments()[segment].is_rim()) return false;
+  split(segment);
   return true;
+}
+
+int DomainRefiner::segment_between(int from, int to) const {
+  for (const auto& ends : {std::pair(from, to), std::pair(to, from)})
+    if (const auto found = vertices2segment_.find(ends); found != vertices2segment_.end()) return found->second;
+  return -1;
 }
 
 bool DomainRefiner::may_split(int segment) const {
@@ -104,13 +111,14 @@ bool DomainRefiner::may_split(int segment) const {
 
 bool DomainRefiner::split_encroached(const Triangles& triangles) {
   std::vector<int> marked;
+  std::set<int> seen;  // a slit has triangles on both sides
   for (const DelaunayTriangle& triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
       if (triangle.neighbors[k] >= 0) continue;
       const int a = triangle.vertices[k], b = triangle.vertices[(k + 1) % 3], c = triangle.vertices[(k + 2) % 3];
       if (!encroaches(position(c), position(a), position(b))) continue;
-      const int segment = vertices2segment_.at({point2vertex_[a], point2vertex_[b]});
-      if (may_split(segment)) marked.push_back(segment);
+      const int segment = segment_between(point2vertex_[a], point2vertex_[b]);
+      if (may_split(segment) && seen.insert(segment).second) marked.push_back(segment);
     }
   }
   for (const int segment : marked) split(segment);
@@ -162,7 +170,7 @@ void DomainRefiner::find_blockers(const Triangles& triangles, const Candidate& c
     if (exit < 0) break;
     if (triangle.neighbors[exit] < 0) {
       const int a = triangle.vertices[exit], b = triangle.vertices[(exit + 1) % 3];
-      blockers.push_back(vertices2segment_.at({point2vertex_[a], point2vertex_[b]}));
+      blockers.push_back(segment_between(point2vertex_[a], point2vertex_[b]));
       return;
     }
     here = triangle.neighbors[exit];

@@ -36,6 +36,8 @@ class DomainRefiner {
   using Triangles = std::vector<DelaunayTriangle>;
 
   int add_point(int draft_vertex);
+  /// The segment between two vertices of the draft: with the face on the left, or a slit from either side; -1: none.
+  int segment_between(int from, int to) const;
   void constrain(const Segment& segment);
   void split(int segment);
   bool may_split(int segment) const;

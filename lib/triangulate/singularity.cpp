@@ -24,6 +24,7 @@ Singularity curvature_jump(const Junction& j, double radius) {
 }  // namespace
 
 Singularity junction_singularity(const Junction& junction, double radius) {
+  if (junction.has_bridge) return {pi / junction.interior_angle, 1};
   const double exponent = pi / junction.interior_angle, nearest = std::round(exponent);
   const double deviation = std::abs(exponent - nearest);
   // Near an integer the singular term is weak: its amplitude vanishes with the deviation.

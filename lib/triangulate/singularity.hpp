@@ -8,6 +8,9 @@
 //   pi / omega = n >= 2, a curved side          r^n log r
 //   omega = pi, the curvature jumps             r log r;   its derivative jumps: r^2 log r
 //   any other omega                             r^(pi / omega)
+//
+// Where the jump is bridged (at slits), the field depends on the angle alone down to the length r0 of the bridge, which
+// disturbs it by (r0 / r)^(2 pi / omega): as many layers as for r^(pi / omega) of amplitude 1.
 
 #include "triangulate/outline.hpp"
 

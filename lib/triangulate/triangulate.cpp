@@ -12,6 +12,7 @@
 #include "mesh/quality.hpp"
 #include "triangulate/corner_fans.hpp"
 #include "triangulate/curve_elements.hpp"
+#include "triangulate/cut_slits.hpp"
 #include "triangulate/refine_domain.hpp"
 #include "triangulate/smooth.hpp"
 
@@ -49,9 +50,17 @@ TriMesh assemble(const CadFace& face, int order, const Draft& draft) {
   return mesh;
 }
 
+struct Result {
+  TriMesh mesh;
+  std::vector<int> draft_vertices;  ///< of each vertex of the mesh: on both sides of a slit the same
+  std::vector<double> ratios;
+  int num_fans = 0;
+  int rounds = 0;
+};
+
 /// The mesh of the fans and of the refined domain between them.
-TriMesh complete_mesh(const CadFace& face, int order, Draft draft, const DomainRefiner& refiner,
-                      const BoundaryMesh& boundary) {
+Result complete_mesh(const Outline& outline, int order, Draft draft, const DomainRefiner& refiner,
+                     const BoundaryMesh& boundary) {
   std::vector<char> is_free(draft.vertices.size(), 0);
   for (const auto& [a, b, c] : refiner.triangles()) {
     draft.add_triangle(a, b, c, -1);
@@ -59,9 +68,18 @@ TriMesh complete_mesh(const CadFace& face, int order, Draft draft, const DomainR
   }
   for (const Segment& segment : boundary.segments()) is_free[segment.from] = is_free[segment.to] = 0;
   smooth(draft, is_free);
-  for (const Segment& segment : boundary.segments())
-    if (!segment.is_rim()) draft.edges.push_back({segment.from, segment.to, segment.curve, segment.t0, segment.t1});
-  return assemble(face, order, draft);
+  for (const Segment& segment : boundary.segments()) {
+    if (segment.is_rim()) continue;
+    const int curve = segment.curve;
+    draft.edges.push_back({segment.from, segment.to, curve, segment.t0, segment.t1});
+    if (!outline.face().is_interface(curve)) continue;
+    draft.edges.push_back({segment.to, segment.from, outline.face().partners[curve],
+                           outline.partner_parameter(curve, segment.t1), outline.partner_parameter(curve, segment.t0)});
+  }
+  Result result;
+  result.draft_vertices = cut_slits(draft);
+  result.mesh = assemble(outline.face(), order, draft);
+  return result;
 }
 
 /// The elements that are not proved to be valid.
@@ -73,11 +91,12 @@ std::vector<int> doubtful_elements(const std::vector<double>& ratios) {
 }
 
 /// Bisects the boundary edges of the elements `elems`; returns false if there is no edge that can be bisected.
-bool split_at(const TriMesh& mesh, const std::vector<int>& elems, DomainRefiner& refiner) {
+bool split_at(const Result& result, const std::vector<int>& elems, DomainRefiner& refiner) {
   bool did_split = false;
   for (const int e : elems) {
-    const auto& v = mesh.elem2vertices[e];
-    for (int k = 0; k < 3; ++k) did_split |= refiner.split_between(v[k], v[(k + 1) % 3]);
+    const auto& v = result.mesh.elem2vertices[e];
+    for (int k = 0; k < 3; ++k)
+      did_split |= refiner.split_between(result.draft_vertices[v[k]], result.draft_vertices[v[(k + 1) % 3]]);
   }
   return did_split;
 }
@@ -87,19 +106,12 @@ Vec2 position_of(const TriMesh& mesh, int elem) {
   return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3 + mesh.face.origin;
 }
 
-struct Result {
-  TriMesh mesh;
-  std::vector<double> ratios;
-  int num_fans = 0;
-  int rounds = 0;
-};
-
 Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits,
                    const Doubts& doubts, Progress* progress) {
   const Outline& outline = fit.outline();
   Draft draft;
   std::vector<Fan> fans = plan_fans(fit, options, limits);
-  for (Fan& fan : fans) build_fan(outline, fan, draft);
+  build_fans(outline, fans, draft);
   BoundaryMesh boundary(fit, fans, limits, draft);
   boundary.resolve_gaps(gap_ratio);
   boundary.grade(options.growth);
@@ -108,14 +120,15 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
   for (int round = 1;; ++round) {
     part.advance();
     refiner.refine(progress);
-    Result result{complete_mesh(outline.face(), options.order, draft, refiner, boundary), {}, 0, round};
+    Result result = complete_mesh(outline, options.order, draft, refiner, boundary);
+    result.rounds = round;
     result.num_fans = static_cast<int>(fans.size());
     curve_elements(fit, result.mesh);
     result.ratios = jacobian_ratio_bounds(result.mesh);
     const auto invalid = doubtful_elements(result.ratios);
     const auto elems = invalid.empty() && doubts ? doubts(result.mesh) : invalid;
     if (elems.empty()) return result;
-    if (round == max_proof_rounds || !split_at(result.mesh, elems, refiner)) {
+    if (round == max_proof_rounds || !split_at(result, elems, refiner)) {
       if (invalid.empty()) return result;
       const Vec2 position = position_of(result.mesh, invalid.front());
       throw ComputeError("no valid curved element at " + position_text(position));

@@ -69,7 +69,7 @@ TEST(CornerFans, BuiltFanHasItsTrianglesAndEdges) {
   Planned h(half_disc());
   Draft draft;
   Fan& fan = h.fans[0];
-  build_fan(h.outline, fan, draft);
+  build_fans(h.outline, std::span(h.fans).first(1), draft);
   const int rings = static_cast<int>(fan.radii.size()), sectors = fan.num_sectors;
   EXPECT_EQ(draft.vertices.size(), static_cast<std::size_t>(1 + rings * (sectors + 1)));
   EXPECT_EQ(draft.triangles.size(), static_cast<std::size_t>(sectors * (2 * rings - 1)));

@@ -77,6 +77,42 @@ inline CadFace stadium() {
                      curve::segment({1, 1}, {-1, 1}), curve::circular_arc({-1, 0}, 1, pi / 2, 1.5 * pi)}});
 }
 
+/// Declares curves `a` and `b`, which run along each other in opposite directions, the sides of a slit.
+inline void pair_sides(CadFace& face, int a, int b) {
+  face.partners.resize(face.num_curves(), -1);
+  face.partners[a] = b;
+  face.partners[b] = a;
+  for (const auto& [in, out] : {std::pair(a, b), std::pair(b, a)})
+    if (face.next_in_loop(in) == out) face.joints[out].interior_angle = 2 * pi;
+}
+inline Loop slit(const Nurbs& curve) { return {curve, curve::reversed(curve)}; }
+/// A square with a straight slit.
+inline CadFace slit_square() {
+  CadFace face = make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), slit(curve::segment({0.3, 0.5}, {0.7, 0.5}))});
+  pair_sides(face, 4, 5);
+  return face;
+}
+/// A square with a slit along an arc.
+inline CadFace arc_slit() {
+  CadFace face =
+      make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), slit(curve::circular_arc({0.5, 0.5}, 0.3, 0, 2.5))});
+  pair_sides(face, 4, 5);
+  return face;
+}
+/// A square with a slit from the middle of its right side.
+inline CadFace open_slit() {
+  CadFace face = make_face({polygon({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {1, 0.5}, {1, 1}, {0, 1}})});
+  pair_sides(face, 2, 3);
+  return face;
+}
+/// An annulus cut along a radius: one loop.
+inline CadFace cut_annulus() {
+  CadFace face = make_face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi), curve::segment({1, 0}, {0.5, 0}),
+                             curve::circular_arc({0, 0}, 0.5, 2 * pi, 0), curve::segment({0.5, 0}, {1, 0})}});
+  pair_sides(face, 1, 3);
+  return face;
+}
+
 /// The whole face moved by x -> scale * R(angle) x + shift; mirrored about the x axis first where asked.
 inline CadFace moved(const CadFace& face, double scale, double angle, Vec2 shift, bool mirrored = false) {
   const Vec2 d = scale * unit(angle);
