@@ -12,6 +12,6 @@ namespace quadrille::features {
 ///   becomes one inner node, in the middle,  if they add up to 1 or -1, all are inside and the middle is visible,
 ///   stays unchanged                         otherwise.
 /// Repeated until no remaining pair can cancel. Cubic in the number of nodes.
-void cancel_pairs(FeatureState& state, const BoundaryClearance& clearance, double below);
+void cancel_pairs(const CadFace& face, FeatureState& state, const BoundaryClearance& clearance, double below);
 
 }  // namespace quadrille::features
