@@ -49,11 +49,23 @@ def lines(path):
             yield heading, line
 
 
+def spans_of(path):
+    if path.suffix != ".md":
+        return []
+    text = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+    return [" ".join(span.split()) for span in re.findall(r"`([^`]+)`", text)]
+
+
+def inline(path):
+    """Yields (command,): those that name a file to read, or a folder to write."""
+    for span in spans_of(path):
+        if re.match(CALL, span) and re.search(r" [a-z]+\.(step|[a-z]+\.(h5|json))\b|--to ", span):
+            yield (span,)
+
+
 def options(path):
     """Yields (command, option)."""
-    spans = [line for _, line in lines(path)]
-    if path.suffix == ".md":
-        spans += re.findall(r"`([^`]+)`", re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL))
+    spans = [line for _, line in lines(path)] + spans_of(path)
     for span in spans:
         for call in re.split(r"[|;]| && ", span):
             match = re.match(r"\s*(?:pipelines/|build/bin/)?([a-z0-9]+) ", call)
@@ -65,6 +77,6 @@ def options(path):
 if __name__ == "__main__":
     kind, *names = sys.argv[1:]
     rows = dict.fromkeys((path.relative_to(ROOT), *row) for path in pages(names)
-                         for row in (lines if kind == "lines" else options)(path))
+                         for row in {"lines": lines, "inline": inline, "options": options}[kind](path))
     for row in rows:
         print(*row, sep="\t")

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/tie_classes.hpp"
+#include "features/acts_as_corner.hpp"
 #include "features/nearest_first.hpp"
 
 namespace quadrille::features {
@@ -26,12 +27,19 @@ bool do_see_each_other(const BoundaryClearance& clearance, const FeatureNode& a,
                                      b.is_inside() ? b.position : b.position - lift);
 }
 
-Pairs opposite_pairs(const FeatureState& state, const BoundaryClearance& clearance, double below) {
+/// Without their nodes, sides of blocks would have corners in them: the fillets are too small for their distance.
+bool do_hold_corners(const CadFace& face, const BoundaryClearance& clearance, const FeatureNode& a,
+                     const FeatureNode& b, double distance) {
+  return is_on_corner_fillet(face, a, distance) || is_on_corner_fillet(face, b, distance) ||
+         (is_beside_corner_fillet(clearance, a, distance) && is_beside_corner_fillet(clearance, b, distance));
+}
+
+Pairs opposite_pairs(const CadFace& face, const FeatureState& state, const BoundaryClearance& clearance, double below) {
   return nearest_first<Pair>(static_cast<int>(state.nodes.size()), [&](int i, int j) -> std::optional<Pair> {
     const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
     const double d = distance(a.position, b.position);
     if (d < below - state.tie && a.index() * b.index() < 0 && (a.is_inside() || b.is_inside()) &&
-        do_see_each_other(clearance, a, b))
+        do_see_each_other(clearance, a, b) && !do_hold_corners(face, clearance, a, b, d))
       return Pair{d, i, j};
     return std::nullopt;
   });
@@ -100,8 +108,8 @@ bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const s
 }
 
 /// Decides the nearest class of pairs that changes any node; false if no class changes a node.
-bool cancel_nearest(FeatureState& state, const BoundaryClearance& clearance, double below) {
-  const Pairs pairs = opposite_pairs(state, clearance, below);
+bool cancel_nearest(const CadFace& face, FeatureState& state, const BoundaryClearance& clearance, double below) {
+  const Pairs pairs = opposite_pairs(face, state, clearance, below);
   const auto distance_of = [](const Pair& pair) { return pair.distance; };
   for (auto first = pairs.begin(); first != pairs.end();) {
     const auto last = end_of_chained_ties(first, pairs.end(), state.tie, distance_of);
@@ -121,8 +129,8 @@ bool cancel_nearest(FeatureState& state, const BoundaryClearance& clearance, dou
 
 }  // namespace
 
-void cancel_pairs(FeatureState& state, const BoundaryClearance& clearance, double below) {
-  while (cancel_nearest(state, clearance, below)) {
+void cancel_pairs(const CadFace& face, FeatureState& state, const BoundaryClearance& clearance, double below) {
+  while (cancel_nearest(face, state, clearance, below)) {
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/tie_classes.hpp"
+#include "features/acts_as_corner.hpp"
 #include "features/feature_constants.hpp"
 #include "features/loop_section.hpp"
 #include "features/nearest_first.hpp"
@@ -66,6 +67,7 @@ Pairs close_pairs(const CadFace& face, const FeatureState& state) {
     const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
     const double d = distance(a.position, b.position);
     if (!may_merge(a, b) || d >= feature_constants.spacing * state.size - state.tie) return std::nullopt;
+    if (is_on_corner_fillet(face, a, d) || is_on_corner_fillet(face, b, d)) return std::nullopt;
     const auto middle = middle_between(face, a, b);
     return middle ? std::optional(BoundaryPair{d, i, j, *middle}) : std::nullopt;
   };

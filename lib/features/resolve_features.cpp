@@ -109,9 +109,9 @@ void resolve_features(const CadFace& face, double size, CriticalPoints& points) 
   if (size == 0) return;
   const BoundaryClearance clearance(face);
   FeatureState state = initial_state(face, size, points);
-  cancel_pairs(state, clearance, feature_constants.first_cancellation * size);
+  cancel_pairs(face, state, clearance, feature_constants.first_cancellation * size);
   move_nodes_of_features(face, clearance, state);
-  cancel_pairs(state, clearance, feature_constants.second_cancellation * size);
+  cancel_pairs(face, state, clearance, feature_constants.second_cancellation * size);
   merge_on_boundary(face, state);
   separate_nodes(state, clearance);
   if (!state.changes.empty()) write_back(state, points);

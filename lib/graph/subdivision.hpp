@@ -112,6 +112,8 @@ class Subdivision {
   void reshape_arc(HalfEdge h, std::vector<ArcPiece> pieces);
   void set_pieces(int arc, std::vector<ArcPiece> pieces) { changing_arc(arc).pieces = std::move(pieces); }
   void move_node(int node, Vec2 position) { changing_node(node).position = position; }
+  /// Moves a node along the boundary, to parameter t of a CAD curve. The caller must change the arcs at the node.
+  void move_boundary_node(int node, Vec2 position, int curve, double t);
   /// Returns the number of the curve (ArcGraph::curve).
   int add_spline(Nurbs spline);
   /// Removes splines that no arc uses, and renumbers the others.

@@ -172,6 +172,13 @@ void Subdivision::reshape_arc(HalfEdge h, std::vector<ArcPiece> pieces) {
   changing_arc(h.arc).pieces = std::move(pieces);
 }
 
+void Subdivision::move_boundary_node(int node, Vec2 position, int curve, double t) {
+  GraphNode& moved = changing_node(node);
+  moved.position = position;
+  moved.curve = curve;
+  moved.t = t;
+}
+
 int Subdivision::add_spline(Nurbs spline) {
   graph_.splines.push_back(std::move(spline));
   return graph_.face.num_curves() + static_cast<int>(graph_.splines.size()) - 1;

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "graph/build_graph.hpp"
 #include "graph/face_corners.hpp"
+#include "layout/lines_to_fillets.hpp"
 #include "simplify/simplify.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/line_tracer.hpp"
@@ -97,8 +98,9 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   layout.certificate.merged_lines = static_cast<int>(found->num_merged);
   layout.certificate.largest_deviation_degrees = degrees(found->largest_deviation);
 
+  graph::require_four_corners(layout.subdivision);
+  end_lines_on_fillets(evaluator, points, layout, report);
   if (options.simplify != SimplifyLevel::none) {
-    graph::require_four_corners(layout.subdivision);
     layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
   }
   report.set("trace.lines", layout.lines.size());

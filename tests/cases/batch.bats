@@ -171,11 +171,19 @@ tree() {
   ln -s "$ROOT/pipelines" .
   mkdir shapes
   cp "$DATA/square.step" "$DATA/half_disc.step" "$DATA/bad/slit.step" shapes
-  sed -nE 's/^    ((awk|jq|pipelines).*)/\1/p' "$page" | sed '$d' >commands
-  assert [ "$(wc -l <commands)" -eq 3 ]
-  run bash -uo pipefail commands
+  sed -nE '/^```/,/^```/d; s/^    ([^ ].*)/\1/p' "$page" >commands
+  assert_equal "$(wc -l <commands)" 4
+  assert_equal "$(grep '^```.' "$page" | paste -sd ' ')" '```sh ```python' # the job and the rules, below
+  # In place of other hosts.
+  mkdir hosts
+  printf '%s\n' '#!/bin/sh' 'while [ "${1#-}" != "$1" ]; do shift; done; echo >>"hosts.$1"; shift; exec sh -c "$*"' >hosts/ssh
+  chmod +x hosts/ssh
+  { sed '$d' commands; echo rm -r meshes; tail -n 1 commands; } >all
+  PATH=$PWD/hosts:$PATH HOME=$PWD run bash -uo pipefail all
   assert_line --regexp '^shapes/slit.step,3,'
   assert_line '"shapes/half_disc.step"'
+  assert_line "3 shapes: 2 with a mesh, 1 without, 0 done before: meshes/table.html"
+  assert_file_exists "hosts.node1"
   rm -r meshes
   sed -n '/^```sh$/,/^```$/p' "$page" | sed '1d;$d' >job
   ls shapes/*.step >shapes.txt

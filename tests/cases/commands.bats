@@ -58,6 +58,18 @@ here() {
   while read -r page; do here "$page"; done <pages
 }
 
+@test "the commands within the sentences of README, tutorial and batch" {
+  "$list" inline README.md pipelines/tutorial.md pipelines/batch.md | cut -f 2 | sort -u | sed 's/-o FILE$/-o x.msh/' >commands
+  assert [ "$(wc -l <commands)" -ge 7 ]
+  ln -s "$ROOT/pipelines" .
+  for file in "$BATS_FILE_TMPDIR"/half_disc.*; do
+    for stem in d x shape; do cp "$file" "$stem.${file##*/half_disc.}"; done
+  done
+  mkdir meshes
+  run -0 bash -euo pipefail commands
+  for file in DIR/gallery.html shape.msh x.msh x.svg; do assert_file_exists "$file"; done
+}
+
 @test "the commands of quadrille(7)" {
   here pipelines/quadrille.7.in
 }

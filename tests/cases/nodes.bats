@@ -136,6 +136,25 @@ apart() {
   done
 }
 
+@test "a greater --feature-size gives no more blocks, and none that are much worse" {
+  cad2tri "$DATA/small_fillets.step" -o x.tri.h5
+  fieldsolve x.tri.h5 | padapt -o x.field.h5
+  local last=24 size
+  for size in 0 0.1 0.3 1; do
+    critpoints x.field.h5 --feature-size "$size" -o x.crit.json
+    fieldsolve x.tri.h5 --nodes x.crit.json | padapt -o x.phase.h5
+    [[ $size != 0 ]] || cp x.field.h5 x.phase.h5
+    separatrix x.phase.h5 x.crit.json --report x.json | blocksplit -o x.blocks.h5
+    quadrefine x.blocks.h5 --report quads.json -o x.quad.h5
+    jq -e '.least_scaled_jacobian > 0.68' quads.json
+    run -0 jq .blocks quads.json
+    assert [ "$output" -le "$last" ]
+    last=$output
+  done
+  assert [ "$last" -le 15 ]
+  jq -e '.fillets.lines_moved == 4' x.json
+}
+
 @test "a fillet below a five-hundredth of the diameter shapes no blocks, whatever the element size" {
   python3 - "$DATA" >tiny.step <<'EOF'
 import sys

@@ -11,7 +11,7 @@ using namespace testing_features;
 
 FeatureState cancelled(const CadFace& face, const std::vector<FeatureNode>& nodes, double below) {
   FeatureState state = state_of(face, 2 * below, nodes);
-  cancel_pairs(state, BoundaryClearance(face), below);
+  cancel_pairs(face, state, BoundaryClearance(face), below);
   expect_sound_changes(state.changes);
   return state;
 }
@@ -68,6 +68,19 @@ TEST(CancelPairs, KeepsABoundaryNodeThatNothingBalances) {
   const FeatureState state =
       cancelled(face, {boundary_node(face, 0, 1.9), inner_node({0, -1.95}, 3), boundary_node(face, 0, 2.1)}, 0.2);
   EXPECT_EQ(state.nodes.size(), 3u);
+}
+
+TEST(CancelPairs, LeavesNodesOfFilletsThatAreCornersAtTheirDistance) {
+  const CadFace face = plate(2);
+  const auto left = [&](double depth) {
+    return cancelled(face, {inner_node({0, depth - 2}, 3), inner_node({2 - depth, -1}, 5)}, 3).nodes.size();
+  };
+  EXPECT_EQ(left(0.01), 2u);
+  EXPECT_EQ(left(0.2), 0u);
+  const CadFace window_face = plate(2, {window({-0.5, -0.5}, {0.5, 0.5}, 0.01)});
+  const FeatureNode on_fillet = boundary_node(window_face, 4, window_face.curves[4].end() / 2);
+  EXPECT_EQ(cancelled(window_face, {on_fillet, inner_node({-1, -1}, 3)}, 1).nodes.size(), 2u);
+  EXPECT_EQ(cancelled(window_face, {on_fillet, inner_node({-0.55, -0.55}, 3)}, 1).nodes.size(), 0u);
 }
 
 TEST(CancelPairs, DoesNotReachThroughTheBoundary) {

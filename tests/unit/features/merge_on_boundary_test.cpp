@@ -42,6 +42,15 @@ TEST(MergeOnBoundary, DoesNotGoRoundACornerOrAcross) {
   EXPECT_EQ(merged(strip, 1, {boundary_node(strip, 1, 2), boundary_node(strip, 5, 2)}).nodes.size(), 2u);
 }
 
+TEST(MergeOnBoundary, LeavesNodesOnFilletsThatAreCornersAtTheirDistance) {
+  for (const double radius : {0.01, 0.1}) {
+    const CadFace face = plate(2, {window({-0.5, -0.25}, {0.5, 0.25}, radius)});
+    const auto on_arc = [&](int curve) { return boundary_node(face, curve, face.curves[curve].end() / 2); };
+    // Of the hole: arcs 4, 6, 8, 10; those at the ends of the first short side are half a unit apart.
+    EXPECT_EQ(merged(face, 1.2, {on_arc(4), on_arc(6)}).nodes.size(), radius == 0.01 ? 2u : 1u) << radius;
+  }
+}
+
 TEST(MergeOnBoundary, LeavesTheNodesOfOneHole) {
   const CadFace face = plate(2, {round_hole({0, 0}, 0.1)});
   const double t = face.curves[4].end();
