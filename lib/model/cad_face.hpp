@@ -37,6 +37,14 @@ struct Joint {
   bool is_corner = false;     ///< the tangent jump exceeds --corner-angle: a corner of the layout
 };
 
+/// Two curves of which a motion maps the first onto the second, reversed: x -> R(angle) x + shift, x with the face's
+/// origin added. A solver sees them as one: their nodes are equal up to the motion.
+struct PeriodicPair {
+  std::array<int, 2> curves{};
+  double angle = 0;  ///< radians
+  Vec2 shift;        ///< a length
+};
+
 struct CadFace {
   std::string length_unit = "unknown";  ///< of the file: "metre", "millimetre", "inch", ..., "unknown"
   double metres_per_unit = 0;           ///< 0: unknown
@@ -59,11 +67,14 @@ struct CadFace {
   std::vector<Joint> joints;             ///< one per curve
   std::string name;                      ///< of the face, may be empty
 
-  // Of several regions that share curves (model/regions.hpp). All empty for one region. Each region has loops of its
-  // own, so that a common curve is there twice, once for each neighbour, in opposite directions.
+  // Of several regions that share curves: a fluid and a solid, a coating, the cells of a pattern. All empty for one
+  // region. Loops, curves and joints are listed region after region, and each region has loops of its own, so that a
+  // common curve is there twice, once for each neighbour, in opposite directions: poles and weights of the one are
+  // those of the other in the opposite order, bit for bit, and its knots are mirrored. Both in one region: a slit.
   std::vector<int> region_loops;  ///< region r has the loops [region_loops[r], region_loops[r+1]), its outline first
   std::vector<std::string> region_names;  ///< one per region
   std::vector<int> partners;              ///< one per curve: the same curve of the neighbour, or -1 on the boundary
+  std::vector<PeriodicPair> periodic_pairs;
 
   /// Whether the CAD file or a user named the curve.
   bool has_given_name(int curve) const {
@@ -83,8 +94,14 @@ struct CadFace {
                        [this, l](int p) { return p >= loop_offsets[l] && p < loop_offsets[l + 1]; });
   }
   int num_loops() const { return static_cast<int>(loop_offsets.size()) - 1; }
-  /// chi = 1 - number of holes, of one region.
-  int euler_characteristic() const { return 2 - num_loops(); }
+  /// Region of loop l.
+  int region_of_loop(int l) const {
+    int r = 0;
+    while (r + 1 < num_regions() && l >= region_loops[r + 1]) ++r;
+    return r;
+  }
+  /// chi = 1 - number of holes, summed over the regions.
+  int euler_characteristic() const { return 2 * num_regions() - num_loops(); }
   int loop_of(int curve) const {
     int l = 0;
     while (curve >= loop_offsets[l + 1]) ++l;

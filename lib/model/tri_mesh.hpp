@@ -36,7 +36,10 @@ struct TriMesh {
   std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the order of spectral/tri_nodes
   std::vector<BoundaryEdge> boundary_edges;  ///< sorted by curve, then t0: each loop in turn
   std::vector<Repair> repairs;               ///< what healing changed in the boundary of the CAD file
-  std::vector<int> elem_layer;               ///< -1, or the layer of the corner fan of the element: 0 is at the apex
+  /// Of several regions, which share no vertex: region r has the elements [region_elems[r], region_elems[r+1]). Empty
+  /// for one region.
+  std::vector<int> region_elems;
+  std::vector<int> elem_layer;  ///< -1, or the layer of the corner fan of the element: 0 is at the apex
 
   int num_elems() const { return static_cast<int>(elem2vertices.size()); }
 };
