@@ -14,7 +14,7 @@ constexpr RenamedKey renamed[] = {
     {"phase.hole_periods", "periods"},
     {"phase.hole_winding_energy", "twist_energy"},
 };
-constexpr FormatVersion field_version{"field", 2, 1, renamed};
+constexpr FormatVersion field_version{"field", 2, 2, renamed};
 
 void describe_turn(Archive& a, PhaseTurn& turn) {
   a.field("position", turn.position);

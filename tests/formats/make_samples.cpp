@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "../unit/samples.hpp"
+#include "../unit/region_samples.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
@@ -93,6 +93,14 @@ void write_phase_field() {
                [](Field& f) { f.phase.prescribed.nodes[0].position.x += 0.125; });
 }
 
+/// Several regions, and a slit.
+void write_regions() {
+  io::write_tri_mesh(target("tri_mesh", "passed", "regions.tri.h5"), samples::two_regions_mesh());
+  io::write_tri_mesh(target("tri_mesh", "passed", "slit.tri.h5"), samples::slit_mesh());
+  io::write_field(target("field", "passed", "regions.field.h5"), samples::two_regions_field());
+  io::write_critical_points(target("critical_points", "passed", "regions.crit.json"), samples::two_regions_points());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -120,4 +128,5 @@ int main(int argc, char** argv) {
   write_wrong_certificates();
   write_phase_field();
   write_marked_mesh();
+  write_regions();
 }
