@@ -73,6 +73,21 @@ inline CriticalPoints two_regions_points() {
   return c;
 }
 
+/// A phase in each: on the left one node of valence 3, as in phase_field(), on the right none. Joints of region_phases
+/// count from 0 in each region.
+inline Field two_regions_phase_field() {
+  Field f = two_regions_field();
+  const Field left = phase_field();
+  f.kind = FieldKind::phase;
+  f.u.clear();
+  f.v.clear();
+  PhaseForm right;
+  for (int k = 0; k < 4; ++k) right.prescribed.corners.push_back({k, 1});
+  f.region_phases = {left.phase, right};
+  for (PhaseForm& phase : f.region_phases) phase.s.assign(12, 0.0);
+  return f;
+}
+
 /// The square with a slit from (0.25, 0.5) to (0.75, 0.5), a loop of its own: curves 4 and 5.
 inline CadFace slit_face() {
   CadFace f = face();

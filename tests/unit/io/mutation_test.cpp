@@ -36,6 +36,7 @@ const std::vector<Format>& formats() {
        read_block_layout},
       {"quad-mesh", true, [](const std::string& p) { write_quad_mesh(p, samples::quad_mesh()); }, read_quad_mesh},
       {"tri-mesh", true, [](const std::string& p) { write_tri_mesh(p, samples::two_regions_mesh()); }, read_tri_mesh},
+      {"field", true, [](const std::string& p) { write_field(p, samples::two_regions_phase_field()); }, read_field},
       {"critical-points", false, [](const std::string& p) { write_critical_points(p, samples::two_regions_points()); },
        read_critical_points}};
   return all;

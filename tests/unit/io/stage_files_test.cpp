@@ -57,6 +57,18 @@ TEST_F(StageFiles, RegionsSurviveTheRoundTrip) {
   expect_same_regions(read_field(read_input(path("second"))).mesh.face, expected.face);
 }
 
+TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
+  const Field expected = samples::two_regions_phase_field();
+  expect_same_bytes(expected, read_field, write_field);
+  const Field field = read_field(read_input(path("second")));
+  ASSERT_EQ(field.region_phases.size(), 2u);
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_EQ(field.region_phases[r].s, expected.region_phases[r].s);
+    EXPECT_EQ(field.region_phases[r].prescribed, expected.region_phases[r].prescribed);
+  }
+  EXPECT_TRUE(field.phase.s.empty());
+}
+
 TEST_F(StageFiles, OneRegionHasNoArraysOfRegions) {
   const auto bytes = [&](const auto& stage, const auto& write) {
     write(path("file"), stage);
