@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "graph/arc_pieces.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -27,8 +28,12 @@ Subdivision::Division divide_at_point(Subdivision& subdivision, HalfEdge h, cons
   const Pieces pieces = pieces_along(subdivision.graph(), h);
   const curve::ChainPoint point = moved_to_joint(pieces, at);
   auto [before, behind] = cut(pieces, point);
-  const GraphNode node = subdivision.graph().arcs[h.arc].is_boundary
-                             ? GraphNode{at.position, NodeKind::boundary, 2, behind.front().curve, behind.front().t0}
+  const ArcGraph& graph = subdivision.graph();
+  const GraphArc& arc = graph.arcs[h.arc];
+  const ArcPiece& next = behind.front();
+  const GraphNode node = arc.is_boundary ? GraphNode{at.position, NodeKind::boundary, 2, next.curve, next.t0}
+                         : is_on_interface(graph, arc)
+                             ? GraphNode{at.position, NodeKind::interface, 4, next.curve, next.t0}
                              : GraphNode{at.position, NodeKind::crossing, 4, -1, 0};
   return subdivision.divide_arc(h, node, std::move(before), std::move(behind));
 }
