@@ -36,8 +36,8 @@ int main(int argc, char** argv) {
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
     const LengthScale length = length_scale(layout.face, request);
     scale_lengths(layout, length);
-    if (has_block_groups) exports::separate_blocks(layout.block_names, layout.unnamed_blocks, layout.face.name);
-    layout.block_names = exports::region_of_blocks(layout.block_names, layout.unnamed_blocks);
+    if (has_block_groups) exports::separate_blocks(layout);
+    layout.block_names = exports::region_of_blocks(layout);
     io::write_output(output, occ::step_of_blocks(layout), false);
     // For the report of quadexport, which reads this line from standard error.
     fmt::print(stderr, "{} {:.17g} {}\n", layout.num_blocks(), length.factor, length.unit);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/numbered_names.hpp"
 #include "base/position_text.hpp"
 #include "graph/face_corners.hpp"
 #include "mesh/chords.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -16,6 +18,28 @@ void require_conforming(const SeparatrixGraph& graph) {
   const Vec2 position = graph.nodes[graph.t_junctions.front()].position + graph.face.origin;
   throw ComputeError(
       fmt::format("a separatrix ends on the side of a block at {}; blocks must conform", position_text(position)));
+}
+
+/// The region of each block: blocks beside each other are of one region if no interface lies between them, and every
+/// region has a block along one of its curves.
+std::vector<int> regions_of_blocks(const BlockLayout& layout) {
+  const std::vector<int> curve_region = curve_regions(layout.face);
+  DisjointSets connected(layout.num_blocks());
+  std::vector<int> first_block(layout.arcs.size(), -1), known(layout.num_blocks(), 0);
+  for (int b = 0; b < layout.num_blocks(); ++b)
+    for (const HalfEdge side : layout.block2arcs[b]) {
+      int& first = first_block[side.arc];
+      if (first >= 0 && !is_on_interface(layout, layout.arcs[side.arc])) connected.unite(first, b);
+      first = first < 0 ? b : first;
+    }
+  for (int b = 0; b < layout.num_blocks(); ++b)
+    for (const HalfEdge side : layout.block2arcs[b]) {
+      const int region = region_on_left(layout, side, curve_region);
+      if (region >= 0) known[connected.find(b)] = region;
+    }
+  std::vector<int> regions;
+  for (int b = 0; b < layout.num_blocks(); ++b) regions.push_back(known[connected.find(b)]);
+  return regions;
 }
 
 }  // namespace
@@ -41,6 +65,7 @@ BlockLayout blocks_of(const graph::Subdivision& subdivision) {
   }
   layout.unnamed_blocks = replace_empty_names(layout.block_names, "block");
   layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
+  if (layout.face.num_regions() > 1) layout.block_region = regions_of_blocks(layout);
   return layout;
 }
 

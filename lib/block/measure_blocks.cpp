@@ -8,6 +8,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "mesh/block_shape.hpp"
+#include "model/interfaces.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
@@ -129,7 +130,7 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, con
     if (chain.length() < (1 - same_length) * m.shortest_side)
       m.shortest_side = chain.length(), m.shortest_side_index = k;
     m.area += (directed.is_backwards ? -1 : 1) * arc_areas[a];
-    if (layout.arcs[a].is_boundary) measure_boundary_distance(layout, chain, layout.arcs[a], m);
+    if (is_on_cad_curve(layout, layout.arcs[a])) measure_boundary_distance(layout, chain, layout.arcs[a], m);
   }
   return m;
 }

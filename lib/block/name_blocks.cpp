@@ -85,7 +85,11 @@ int block_of(const BlockLayout& layout, const NameRule& rule) {
 }  // namespace
 
 void name_blocks(BlockLayout& layout, const std::vector<NameRule>& rules) {
-  if (!layout.face.name.empty()) {
+  if (layout.face.num_regions() > 1) {
+    for (int b = 0; b < layout.num_blocks(); ++b)
+      layout.block_names[b] = layout.face.region_names[layout.block_region[b]];
+    layout.unnamed_blocks.clear();
+  } else if (!layout.face.name.empty()) {
     layout.block_names.assign(layout.num_blocks(), layout.face.name);
     layout.unnamed_blocks.clear();
   }

@@ -30,7 +30,7 @@ void report_counts(const BlockLayout& layout, Report& report) {
   report.set("chords", 1 + *std::max_element(layout.arc_chord.begin(), layout.arc_chord.end()));
   report.set("irregular_nodes",
              static_cast<int>(std::count_if(layout.nodes.begin(), layout.nodes.end(),
-                                            [](const GraphNode& n) { return n.curve < 0 && n.valence != 4; })));
+                                            [](const GraphNode& n) { return n.is_inner() && n.valence != 4; })));
 }
 
 void report_worst(const BlockLayout& layout, const std::vector<BlockMeasure>& measures, Report& report) {

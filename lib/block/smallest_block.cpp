@@ -8,6 +8,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "mesh/chords.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -80,7 +81,7 @@ class Rails {
   /// A rail along the boundary is fixed from its nearer end on, by the curve rather than by a corner at its start.
   void look_at_arc(int rail, HalfEdge directed, int from, double distance) {
     const GraphArc& arc = layout_.arcs[directed.arc];
-    if (!arc.is_boundary) return;
+    if (!is_on_cad_curve(layout_, arc)) return;
     const ArcPiece& piece = arc.from == from ? arc.pieces.front() : arc.pieces.back();
     const BoundaryFeature feature{piece.curve, false, layout_.nodes[from].position};
     if (distance == 0) held_[rail] = {distance, feature};
@@ -90,8 +91,10 @@ class Rails {
   void look_at_node(int rail, int id, double distance) {
     const GraphNode& node = layout_.nodes[id];
     if (node.curve >= 0) {
-      if (node.valence == 2 && node.kind != NodeKind::corner) return;
-      hold(rail, distance, {node.curve, node.kind == NodeKind::corner, node.position});
+      const bool is_regular = node.valence == (node.is_inner() ? 4 : 2);
+      const bool is_corner = node.kind == NodeKind::corner || node.kind == NodeKind::junction;
+      if (is_regular && !is_corner) return;
+      hold(rail, distance, {node.curve, is_corner, node.position});
     } else if (node.valence != 4 && is_nearer(rail, distance)) {
       held_[rail] = {distance, nearest_curve(node.position)};
     }

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "check/graph_rules.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::check {
 
@@ -75,9 +76,9 @@ void names_are_there(const BlockLayout& layout, Findings& findings) {
 
 void euler_count_holds(const BlockLayout& layout, Findings& findings) {
   const int euler = static_cast<int>(layout.nodes.size()) - static_cast<int>(layout.arcs.size()) + layout.num_blocks();
-  if (euler != layout.face.euler_characteristic())
-    findings.add("nodes - arcs + blocks is {}, the face's Euler characteristic {}", euler,
-                 layout.face.euler_characteristic());
+  const int expected = euler_characteristic_of_whole(layout);
+  if (euler != expected)
+    findings.add("nodes - arcs + blocks is {}, the face's Euler characteristic {}", euler, expected);
 }
 
 void valences_are_blocks(const BlockLayout& layout, Findings& findings) {
@@ -91,10 +92,29 @@ void valences_are_blocks(const BlockLayout& layout, Findings& findings) {
 }
 
 void index_sum_holds(const BlockLayout& layout, Findings& findings) {
-  int sum = 0;
-  for (const GraphNode& node : layout.nodes) sum += (node.curve < 0 ? 4 : 2) - node.valence;
-  if (sum != 4 * layout.face.euler_characteristic())
-    findings.add("the index sum is {}, not {}", sum, 4 * layout.face.euler_characteristic());
+  const long long sum = index_sum_of(layout), expected = 4LL * euler_characteristic_of_whole(layout);
+  if (sum != expected) findings.add("the index sum is {}, not {}", sum, expected);
+}
+
+void regions_fit(const BlockLayout& layout, Findings& findings) {
+  if (layout.face.num_regions() == 1 && layout.block_region.empty()) return;
+  if (static_cast<int>(layout.block_region.size()) != layout.num_blocks())
+    return findings.add("block_region has {} entries for {} blocks", layout.block_region.size(), layout.num_blocks());
+  const std::vector<int> curve_region = curve_regions(layout.face);
+  std::vector<int> arc_region(layout.arcs.size(), -1);  // of the arcs inside a region: that of the first block there
+  for (int b = 0; b < layout.num_blocks(); ++b)
+    for (int k = 0; k < 4; ++k) {
+      const HalfEdge side = layout.block2arcs[b][k];
+      int expected = region_on_left(layout, side, curve_region);
+      if (expected < 0) {
+        int& met = arc_region[side.arc];
+        if (met < 0) met = layout.block_region[b];
+        expected = met;
+      }
+      if (layout.block_region[b] != expected)
+        findings.add("block {} is of region {}, but its side {} bounds region {}, at {}", b, layout.block_region[b], k,
+                     expected, position_text(layout.face, layout.nodes[layout.block2nodes[b][k]].position));
+    }
 }
 
 constexpr Rule<BlockLayout> rules[] = {
@@ -113,6 +133,7 @@ constexpr Rule<BlockLayout> rules[] = {
     {"BLK-R13", RuleKind::full, euler_count_holds},
     {"BLK-R14", RuleKind::full, valences_are_blocks},
     {"BLK-R15", RuleKind::full, index_sum_holds},
+    {"BLK-R16", RuleKind::quick, regions_fit},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "check/graph_rules.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "check/nurbs_rules.hpp"
 
@@ -31,6 +32,19 @@ void graph_indices_exist(const GraphView& graph, Findings& findings) {
   }
 }
 
+namespace {
+
+/// Boundary arcs follow CAD curves, inner arcs splines or, all along, the sides of interfaces in the regions of lower
+/// numbers.
+bool may_follow(const CadFace& face, const GraphArc& arc, int curve) {
+  if (arc.is_boundary) return curve < face.num_curves();
+  const bool begins_on_cad_curve = arc.pieces.front().curve < face.num_curves();
+  if (curve >= face.num_curves()) return !begins_on_cad_curve;
+  return begins_on_cad_curve && face.is_interface(curve) && curve < face.partners[curve];
+}
+
+}  // namespace
+
 void pieces_are_sound(const GraphView& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)
     if (!is_finite(graph.nodes[i].position) || !is_finite(graph.nodes[i].t))
@@ -46,8 +60,9 @@ void pieces_are_sound(const GraphView& graph, Findings& findings) {
       if (!is_inside(piece.t0) || !is_inside(piece.t1) || piece.t0 == piece.t1)
         findings.add("arc {}: parameters {:.9g} to {:.9g} are not a part of curve {}", i, piece.t0, piece.t1,
                      piece.curve);
-      if (arc.is_boundary != (piece.curve < graph.face.num_curves()))
-        findings.add("arc {}: boundary arcs follow CAD curves, inner arcs splines", i);
+      if (!may_follow(graph.face, arc, piece.curve))
+        findings.add("arc {}: boundary arcs follow CAD curves, inner arcs splines or the first side of an interface",
+                     i);
     }
   }
 }
@@ -81,25 +96,59 @@ void arcs_are_chains(const GraphView& graph, Findings& findings) {
   }
 }
 
-void boundary_is_covered(const GraphView& graph, Findings& findings) {
-  struct Part {
-    int curve;
-    double low, high;
-    auto operator<=>(const Part&) const = default;
-  };
+namespace {
+
+/// A part of a curve that an arc covers.
+struct Part {
+  int curve;
+  double low, high;
+  auto operator<=>(const Part&) const = default;
+};
+
+/// Of the boundary arcs, or of the others that follow CAD curves; sorted.
+std::vector<Part> covered_parts(const GraphView& graph, bool by_boundary_arcs) {
   std::vector<Part> parts;
   for (const GraphArc& arc : graph.arcs)
     for (const ArcPiece& piece : arc.pieces)
-      if (arc.is_boundary) parts.push_back({piece.curve, std::min(piece.t0, piece.t1), std::max(piece.t0, piece.t1)});
+      if (arc.is_boundary == by_boundary_arcs && piece.curve < graph.face.num_curves())
+        parts.push_back({piece.curve, std::min(piece.t0, piece.t1), std::max(piece.t0, piece.t1)});
   std::sort(parts.begin(), parts.end());
-  std::size_t i = 0;
+  return parts;
+}
+
+/// The parameter of curve c from which its parts do not cover it exactly once; none if they do. `i`: the first part of
+/// this curve, or of a later one; it is moved on to the first of a later one.
+std::optional<double> fault_of_cover(const Nurbs& curve, int c, const std::vector<Part>& parts, std::size_t& i) {
+  const double tol = 1e-9 * (curve.end() - curve.begin());
+  double t = curve.begin();
+  for (; i < parts.size() && parts[i].curve == c && std::abs(parts[i].low - t) <= tol; ++i) t = parts[i].high;
+  const bool has_more = i < parts.size() && parts[i].curve == c;
+  while (i < parts.size() && parts[i].curve == c) ++i;
+  return has_more || std::abs(t - curve.end()) > tol ? std::optional<double>(t) : std::nullopt;
+}
+
+}  // namespace
+
+void boundary_is_covered(const GraphView& graph, Findings& findings) {
+  const std::vector<Part> outer = covered_parts(graph, true), inner = covered_parts(graph, false);
+  const auto is_of = [](const Part& part, int c) { return part.curve < c; };
+  const auto has_part = [&](const std::vector<Part>& parts, int c) {
+    const auto first = std::lower_bound(parts.begin(), parts.end(), c, is_of);
+    return first != parts.end() && first->curve == c;
+  };
+  std::size_t next_outer = 0, next_inner = 0;
   for (int c = 0; c < graph.face.num_curves(); ++c) {
     const Nurbs& curve = graph.face.curves[c];
-    const double tol = 1e-9 * (curve.end() - curve.begin());
-    double t = curve.begin();
-    for (; i < parts.size() && parts[i].curve == c && std::abs(parts[i].low - t) <= tol; ++i) t = parts[i].high;
-    if (std::abs(t - curve.end()) > tol || (i < parts.size() && parts[i].curve == c))
-      return findings.add("the boundary arcs do not cover curve {} exactly once, near parameter {:.9g}", c, t);
+    const bool is_interface = graph.face.is_interface(c);
+    const bool is_closed = is_interface && has_part(inner, std::min(c, graph.face.partners[c]));
+    if (is_closed && has_part(outer, c))
+      return findings.add("inner and boundary arcs both follow the interface of curve {}", c);
+    if (is_closed && c > graph.face.partners[c]) continue;
+    const std::optional<double> fault =
+        is_closed ? fault_of_cover(curve, c, inner, next_inner) : fault_of_cover(curve, c, outer, next_outer);
+    if (fault)
+      return findings.add("the {} arcs do not cover curve {} exactly once, near parameter {:.9g}",
+                          is_closed ? "inner" : "boundary", c, *fault);
   }
 }
 
@@ -110,6 +159,9 @@ void node_kinds_fit(const GraphView& graph, Findings& findings) {
     const bool must_be_inner = node.kind == NodeKind::crossing;
     if ((must_be_outer && node.curve < 0) || (must_be_inner && node.curve >= 0))
       findings.add("node {}: boundary nodes and corners name a CAD curve, crossings do not", i);
+    const bool must_be_shared = node.kind == NodeKind::interface || node.kind == NodeKind::junction;
+    if (must_be_shared && (node.curve < 0 || !graph.face.is_interface(node.curve)))
+      findings.add("node {}: nodes on interfaces and junctions name the curve of an interface", i);
     if (node.valence < 0 || node.valence > 64) findings.add("node {}: valence {} is outside 0 to 64", i, node.valence);
     if (node.curve < 0) continue;
     const Nurbs& curve = graph.face.curves[node.curve];

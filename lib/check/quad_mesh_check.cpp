@@ -2,6 +2,7 @@
 #include <array>
 
 #include "check/rules.hpp"
+#include "model/interfaces.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille::check {
@@ -42,12 +43,14 @@ void indices_exist(const QuadMesh& mesh, Findings& findings) {
   for (std::size_t e = 0; e < mesh.elem_block.size(); ++e)
     if (!is_index(mesh.elem_block[e], mesh.block_names.size()))
       findings.add("element {}: block {} does not exist", e, mesh.elem_block[e]);
-  for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i) {
-    const QuadBoundaryEdge& edge = mesh.boundary_edges[i];
-    if (!is_index(edge.elem, mesh.elem_block.size()) || !is_index(edge.side, 4) ||
-        !is_index(edge.curve, mesh.face.curves.size()))
-      findings.add("boundary edge {} names an element, side or curve that does not exist", i);
-  }
+  const auto exist = [&](const std::vector<QuadBoundaryEdge>& edges, const char* kind) {
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (!is_index(edges[i].elem, mesh.elem_block.size()) || !is_index(edges[i].side, 4) ||
+          !is_index(edges[i].curve, mesh.face.curves.size()))
+        findings.add("{} edge {} names an element, side or curve that does not exist", kind, i);
+  };
+  exist(mesh.boundary_edges, "boundary");
+  exist(mesh.interface_edges, "interface");
 }
 
 void numbers_are_finite(const QuadMesh& mesh, Findings& findings) {
@@ -128,22 +131,37 @@ void mesh_is_conforming(const QuadMesh& mesh, Findings& findings) {
                  topology.outer.size(), named.size());
 }
 
+/// Edges on the boundary and on interfaces together follow each loop of the face.
 void boundary_walks_the_loops(const QuadMesh& mesh, Findings& findings) {
-  const auto& edges = mesh.boundary_edges;
+  std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
+  edges.insert(edges.end(), mesh.interface_edges.begin(), mesh.interface_edges.end());
+  std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.curve < b.curve; });
   const auto start = [&](std::size_t i) { return side_node(mesh, edges[i].elem, edges[i].side, 0); };
   const auto end = [&](std::size_t i) { return side_node(mesh, edges[i].elem, edges[i].side, mesh.order); };
-  std::size_t first = 0;
+  const auto are_sorted = [](const auto& list) {
+    return std::is_sorted(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.curve < b.curve; });
+  };
+  if (!are_sorted(mesh.boundary_edges) || !are_sorted(mesh.interface_edges))
+    return findings.add("boundary_edges and interface_edges must be in the order of their curves");
   int num_loops = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (end(i) == start(first)) {
-      first = i + 1;
-      ++num_loops;
-    } else if (i + 1 == edges.size() || end(i) != start(i + 1) || edges[i + 1].curve < edges[i].curve) {
-      return findings.add("boundary edge {} is not followed by the next one of its loop", i);
+  for (std::size_t first = 0, next = 0; first < edges.size(); first = next, ++num_loops) {
+    const int loop = mesh.face.loop_of(edges[first].curve);
+    for (next = first + 1; next < edges.size() && edges[next].curve < mesh.face.loop_offsets[loop + 1]; ++next) {
     }
+    for (std::size_t i = first; i < next; ++i)
+      if (end(i) != start(i + 1 < next ? i + 1 : first))
+        return findings.add("edge {} on curve {} is not followed by the next one of its loop", i, edges[i].curve);
   }
   if (num_loops != mesh.face.num_loops())
     findings.add("boundary_edges form {} loops, the face has {}", num_loops, mesh.face.num_loops());
+}
+
+/// By curve: whether its edges are edges of two elements.
+std::vector<bool> closed_interfaces(const QuadMesh& mesh) {
+  std::vector<bool> is_closed(mesh.face.curves.size(), false);
+  for (const QuadBoundaryEdge& edge : mesh.interface_edges)
+    if (mesh.face.is_interface(edge.curve)) is_closed[edge.curve] = is_closed[mesh.face.partners[edge.curve]] = true;
+  return is_closed;
 }
 
 void euler_count_holds(const QuadMesh& mesh, Findings& findings) {
@@ -156,9 +174,9 @@ void euler_count_holds(const QuadMesh& mesh, Findings& findings) {
   Findings ignored("");
   const int euler = static_cast<int>(std::count(is_corner.begin(), is_corner.end(), true)) -
                     topology_of(mesh, ignored).num_edges + mesh.num_elems();
-  if (euler != mesh.face.euler_characteristic())
-    findings.add("vertices - edges + elements is {}, the face's Euler characteristic {}", euler,
-                 mesh.face.euler_characteristic());
+  const int expected = euler_characteristic_of_whole(mesh.face, closed_interfaces(mesh));
+  if (euler != expected)
+    findings.add("vertices - edges + elements is {}, the face's Euler characteristic {}", euler, expected);
 }
 
 void irregular_nodes_agree(const QuadMesh& mesh, Findings& findings) {
@@ -204,13 +222,75 @@ void sizes_are_in_range(const QuadMesh& mesh, Findings& findings) {
                    position_text(mesh.face, mesh.nodes[side_node(mesh, static_cast<int>(e), 0, 0)]));
 }
 
+/// A side of an element that lies on an interface: the same edge for both elements.
+using EdgeOnCurve = std::pair<Side, int>;
+
+/// The edges of both sides of an interface are the same, on curves that are partners, and their elements are of the
+/// regions of these curves.
+void interfaces_are_shared(const QuadMesh& mesh, Findings& findings) {
+  std::vector<EdgeOnCurve> edges;
+  for (std::size_t i = 0; i < mesh.interface_edges.size(); ++i) {
+    const QuadBoundaryEdge& e = mesh.interface_edges[i];
+    const int a = side_node(mesh, e.elem, e.side, 0), b = side_node(mesh, e.elem, e.side, mesh.order);
+    edges.push_back({{std::min(a, b), std::max(a, b), e.elem, e.side}, e.curve});
+    if (!mesh.face.is_interface(e.curve))
+      findings.add("interface edge {}: its curve {} is on the boundary", i, e.curve);
+  }
+  if (!findings.is_empty()) return;
+  std::sort(edges.begin(), edges.end());
+  std::vector<bool> is_paired(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto& [side, curve] = edges[i];
+    for (std::size_t j = i + 1;
+         j < edges.size() && !is_paired[i] && edges[j].first.low == side.low && edges[j].first.high == side.high; ++j)
+      if (!is_paired[j] && are_one_side(mesh, side, edges[j].first) && edges[j].second == mesh.face.partners[curve])
+        is_paired[i] = is_paired[j] = true;
+    if (!is_paired[i])
+      findings.add("side {} of element {} on curve {} is not named from the other side of the interface, at {}",
+                   side.side, side.elem, curve, position_text(mesh.face, mesh.nodes[side.low]));
+  }
+}
+
+void regions_fit(const QuadMesh& mesh, Findings& findings) {
+  if (mesh.face.num_regions() == 1 && mesh.block_region.empty()) return;
+  if (mesh.block_region.size() != mesh.block_names.size())
+    return findings.add("block_region has {} entries for {} blocks", mesh.block_region.size(), mesh.block_names.size());
+  const std::vector<int> curve_region = curve_regions(mesh.face);
+  const auto region_of = [&](int elem) { return mesh.block_region[mesh.elem_block[elem]]; };
+  std::vector<std::array<int, 2>> between;  // sides on interfaces
+  for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
+    for (const QuadBoundaryEdge& e : *edges)
+      if (region_of(e.elem) != curve_region[e.curve])
+        findings.add("element {} is of region {}, but its side {} lies on curve {} of region {}, at {}", e.elem,
+                     region_of(e.elem), e.side, e.curve, curve_region[e.curve],
+                     position_text(mesh.face, mesh.nodes[side_node(mesh, e.elem, e.side, 0)]));
+  for (const QuadBoundaryEdge& e : mesh.interface_edges) between.push_back({e.elem, e.side});
+  std::sort(between.begin(), between.end());
+  const std::vector<Side> all = sorted_sides(mesh);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const Side &a = all[i - 1], &b = all[i];
+    if (region_of(a.elem) == region_of(b.elem) || a.low != b.low || a.high != b.high || !are_one_side(mesh, a, b))
+      continue;
+    if (!std::binary_search(between.begin(), between.end(), std::array{a.elem, a.side}))
+      findings.add("elements {} and {} of two regions share a side that is not on an interface, at {}", a.elem, b.elem,
+                   position_text(mesh.face, mesh.nodes[a.low]));
+  }
+}
+
 constexpr Rule<QuadMesh> rules[] = {
-    {"QUA-R01", RuleKind::structure, arrays_agree},       {"QUA-R02", RuleKind::structure, indices_exist},
-    {"QUA-R03", RuleKind::structure, numbers_are_finite}, {"QUA-R04", RuleKind::quick, stored_bounds_are_positive},
-    {"QUA-R05", RuleKind::full, mesh_is_conforming},      {"QUA-R06", RuleKind::full, boundary_walks_the_loops},
-    {"QUA-R07", RuleKind::full, euler_count_holds},       {"QUA-R08", RuleKind::full, irregular_nodes_agree},
-    {"QUA-R09", RuleKind::full, jacobians_are_as_stored}, {"QUA-R10", RuleKind::quick, root_tells_validity},
+    {"QUA-R01", RuleKind::structure, arrays_agree},
+    {"QUA-R02", RuleKind::structure, indices_exist},
+    {"QUA-R03", RuleKind::structure, numbers_are_finite},
+    {"QUA-R04", RuleKind::quick, stored_bounds_are_positive},
+    {"QUA-R05", RuleKind::full, mesh_is_conforming},
+    {"QUA-R06", RuleKind::full, boundary_walks_the_loops},
+    {"QUA-R07", RuleKind::full, euler_count_holds},
+    {"QUA-R08", RuleKind::full, irregular_nodes_agree},
+    {"QUA-R09", RuleKind::full, jacobians_are_as_stored},
+    {"QUA-R10", RuleKind::quick, root_tells_validity},
     {"QUA-R11", RuleKind::quick, sizes_are_in_range},
+    {"QUA-R12", RuleKind::full, interfaces_are_shared},
+    {"QUA-R13", RuleKind::full, regions_fit},
 };
 
 }  // namespace

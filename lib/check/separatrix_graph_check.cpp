@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "check/graph_rules.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::check {
 
@@ -52,7 +53,7 @@ void valences_are_arcs(const SeparatrixGraph& graph, Findings& findings) {
     if (std::find(graph.t_junctions.begin(), graph.t_junctions.end(), static_cast<int>(i)) != graph.t_junctions.end())
       continue;
     // On the boundary V quads lie between V + 1 arcs; a degenerate corner (V = 0) has two boundary arcs as well.
-    const int expected = node.curve < 0 ? node.valence : std::max(node.valence, 1) + 1;
+    const int expected = node.is_inner() ? node.valence : std::max(node.valence, 1) + 1;
     if (count[i] != expected)
       findings.add("node {} has {} arcs, not the {} that valence {} requires, at {}", i, count[i], expected,
                    node.valence, position_text(graph.face, node.position));
@@ -67,10 +68,10 @@ void four_sided_count_holds(const SeparatrixGraph& graph, Findings& findings) {
   const auto num_outer = static_cast<int>(
       std::count_if(graph.arcs.begin(), graph.arcs.end(), [](const auto& a) { return a.is_boundary; }));
   const auto num_degenerate = static_cast<int>(std::count_if(
-      graph.nodes.begin(), graph.nodes.end(), [](const auto& n) { return n.curve >= 0 && n.valence == 0; }));
+      graph.nodes.begin(), graph.nodes.end(), [](const auto& n) { return !n.is_inner() && n.valence == 0; }));
   const int four_faces = 2 * (num_arcs - num_outer) + num_outer + num_degenerate;
   const int four_euler = 4 * (static_cast<int>(graph.nodes.size()) - num_arcs) + four_faces;
-  if (four_euler != 4 * graph.face.euler_characteristic())
+  if (four_euler != 4 * euler_characteristic_of_whole(graph))
     findings.add("{} nodes and {} arcs ({} on the boundary) cannot bound four-sided faces only", graph.nodes.size(),
                  num_arcs, num_outer);
 }
@@ -91,9 +92,10 @@ void certificate_is_sound(const SeparatrixGraph& graph, Findings& findings) {
 void certified_index_sum_holds(const SeparatrixGraph& graph, Findings& findings) {
   const LayoutCertificate& c = graph.certificate;
   if (!c.method) return;
-  if (c.index_sum != index_sum_of(graph) || c.index_sum != 4 * graph.face.euler_characteristic())
+  const int expected = 4 * euler_characteristic_of_whole(graph);
+  if (c.index_sum != index_sum_of(graph) || c.index_sum != expected)
     findings.add("the certificate's index sum is {}, that of the nodes {}, that of the face {}", c.index_sum,
-                 index_sum_of(graph), 4 * graph.face.euler_characteristic());
+                 index_sum_of(graph), expected);
 }
 
 /// Faces and their corners, counted without walking round them: a connected graph has chi - nodes + arcs faces, and the
@@ -109,9 +111,10 @@ void certified_face_count_holds(const SeparatrixGraph& graph, Findings& findings
   const std::vector<int> num_arcs = arcs_at_nodes(graph);
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const GraphNode& node = graph.nodes[i];
-    expected_corners += 2LL * (node.curve < 0 ? num_arcs[i] : num_arcs[i] - 1) - node.valence;
+    expected_corners += 2LL * (node.is_inner() ? num_arcs[i] : num_arcs[i] - 1) - node.valence;
   }
-  const long long expected_faces = graph.face.euler_characteristic() + std::ssize(graph.arcs) - std::ssize(graph.nodes);
+  const long long expected_faces =
+      euler_characteristic_of_whole(graph) + std::ssize(graph.arcs) - std::ssize(graph.nodes);
   if (faces != expected_faces || corners != expected_corners)
     findings.add("the certificate counts {} faces of {} corners together, the graph has {} of {}", faces, corners,
                  expected_faces, expected_corners);

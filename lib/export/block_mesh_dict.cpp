@@ -182,6 +182,9 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
   const HexBlocks hexes = hex_blocks(mesh, groups);
   Exported exported;
   tell_losses(mesh, hexes, exported.losses);
+  if (const std::string interfaces = interface_loss(groups); !interfaces.empty())
+    exported.losses.push_back(interfaces +
+                              " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
   const Words words(groups, exported);
   exported.bytes = Writer(mesh, frame, hexes).text(words.patches, patch_types(mesh, groups, types), words.zones);
   return exported;

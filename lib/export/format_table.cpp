@@ -28,6 +28,7 @@ const std::vector<ExportFormat>& export_formats() {
       {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10},
       {"mfem13", "", "MFEM mesh v1.3, with names", 20, true, mfem_mesh13},
       {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
+      {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm},
       {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
       {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
       {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
@@ -66,7 +67,7 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
                     format.name, format.max_order, mesh.order));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
-  if (options.block_groups) separate_blocks(mesh.block_names, mesh.unnamed_blocks, mesh.face.name);
+  if (options.block_groups) separate_blocks(mesh);
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =
       format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);

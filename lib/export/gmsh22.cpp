@@ -23,7 +23,8 @@ std::string nodes_section(const GmshModel& model) {
 
 /// "tag type 2 physical elementary nodes": in this version each element lists its groups itself.
 std::string elements_section(const GmshModel& model, const QuadMesh& mesh) {
-  std::string text = fmt::format("$Elements\n{}\n", mesh.boundary_edges.size() + mesh.elem_block.size());
+  std::string text = fmt::format(
+      "$Elements\n{}\n", mesh.boundary_edges.size() + interface_edges_once(mesh).size() + mesh.elem_block.size());
   int tag = 0;
   const auto begin = [&](int type, int group, std::size_t entity) {
     fmt::format_to(std::back_inserter(text), "{} {} 2 {} {}", ++tag, type, group, entity + 1);

@@ -91,9 +91,11 @@ GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
 }
 
 std::string gmsh_names(const Groups& groups) {
-  std::string text = fmt::format("$PhysicalNames\n{}\n", groups.num_boundaries() + groups.num_regions());
+  std::string text =
+      fmt::format("$PhysicalNames\n{}\n", groups.num_boundaries() + groups.num_interfaces() + groups.num_regions());
   int tag = 0;
-  for (const std::string& name : groups.boundary_names) text += fmt::format("1 {} {}\n", ++tag, quoted(name));
+  for (const auto* names : {&groups.boundary_names, &groups.interface_names})
+    for (const std::string& name : *names) text += fmt::format("1 {} {}\n", ++tag, quoted(name));
   for (const std::string& name : groups.region_names) text += fmt::format("2 {} {}\n", ++tag, quoted(name));
   return text + "$EndPhysicalNames\n";
 }

@@ -3,7 +3,7 @@
 //
 // Points, curves and surfaces are taken from the skeleton; a node belongs to the entity of lowest dimension that
 // contains it. Every tag is positive: entity e has tag e + 1, and physical groups count through both dimensions (some
-// readers require them to be unique), the boundaries first.
+// readers require them to be unique), the boundaries first, then interfaces, then regions.
 
 #include <array>
 #include <string>
@@ -26,7 +26,9 @@ struct GmshModel {
   int line_type = 0, quad_type = 0;
 
   int boundary_group(int cad_curve) const { return 1 + groups.curve2boundary[cad_curve]; }
-  int region_group(int block) const { return 1 + groups.num_boundaries() + groups.block2region[block]; }
+  int region_group(int block) const {
+    return 1 + groups.num_boundaries() + groups.num_interfaces() + groups.block2region[block];
+  }
 };
 
 /// For orders 1 to 10.

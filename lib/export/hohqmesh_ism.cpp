@@ -14,14 +14,18 @@ class Writer {
   Writer(const QuadMesh& mesh, const HohqmeshModel& model) : mesh_(mesh), model_(model) {}
 
   std::string text() {
-    print("ISM-V2\n{} {} {} {}\n", model_.corners.size(), model_.edges.size(), mesh_.num_elems(), mesh_.order);
+    print("{}\n{} {} {} {}\n", has_materials() ? "ISM-MM" : "ISM-V2", model_.corners.size(), model_.edges.size(),
+          mesh_.num_elems(), mesh_.order);
     for (const int node : model_.corners) write_point(node);
-    for (const HohqmeshEdge& edge : model_.edges) write_edge(edge);
+    if (!has_materials())
+      for (const HohqmeshEdge& edge : model_.edges) write_edge(edge);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) write_element(elem);
     return fmt::to_string(out_);
   }
 
  private:
+  bool has_materials() const { return !model_.materials.empty(); }
+
   template <class... Args>
   void print(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
@@ -48,7 +52,9 @@ class Writer {
   void write_element(int elem) {
     const std::array<int, 4>& c = model_.elem_corners[elem];
     const std::array<bool, 4>& curved = model_.is_curved[elem];
-    print("{} {} {} {}\n{:d} {:d} {:d} {:d}\n", c[0], c[1], c[2], c[3], curved[0], curved[1], curved[2], curved[3]);
+    print("{} {} {} {}", c[0], c[1], c[2], c[3]);
+    if (has_materials()) print(" {}", model_.materials[elem]);
+    print("\n{:d} {:d} {:d} {:d}\n", curved[0], curved[1], curved[2], curved[3]);
     for (int side = 0; side < 4; ++side)
       if (curved[side])
         for (const int node : hohqmesh_side(mesh_, elem, side)) write_point(node);
@@ -62,10 +68,19 @@ class Writer {
 
 }  // namespace
 
-Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame) {
-  HohqmeshModel model = hohqmesh_model(mesh, frame);
+namespace {
+
+Exported exported(const QuadMesh& mesh, HohqmeshModel model) {
   std::string text = Writer(mesh, model).text();
   return {std::move(text), false, std::move(model.side_files), std::move(model.losses)};
+}
+
+}  // namespace
+
+Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame) { return exported(mesh, hohqmesh_model(mesh, frame)); }
+
+Exported hohqmesh_ism_mm(const QuadMesh& mesh, const Frame& frame) {
+  return exported(mesh, hohqmesh_model_with_materials(mesh, frame));
 }
 
 }  // namespace quadrille::exports

@@ -19,6 +19,9 @@
 namespace quadrille::exports {
 namespace {
 
+/// Whether the file stores the region of each element.
+enum class Materials { lost, kept };
+
 void number_corners(const EdgeNumbering& numbering, HohqmeshModel& model) {
   model.corners = numbering.vertices;
   for (std::size_t k = 0; k < numbering.elem2verts.size(); k += 4) {
@@ -54,22 +57,46 @@ void find_boundaries(const QuadMesh& mesh, const Groups& groups, HohqmeshModel& 
   for (const QuadBoundaryEdge& e : mesh.boundary_edges) model.boundary[e.elem][e.side] = groups.curve2boundary[e.curve];
 }
 
-void name_boundaries(const Groups& groups, HohqmeshModel& model) {
+void name_groups(const QuadMesh& mesh, const Groups& groups, Materials materials, HohqmeshModel& model) {
   model.names = plain_names(groups.boundary_names);
-  const std::string renamed = renamed_loss(groups.boundary_names, model.names);
+  std::vector<std::string> regions;
+  if (materials == Materials::kept) regions = plain_names(groups.region_names);
+  for (const int block : mesh.elem_block)
+    if (!regions.empty()) model.materials.push_back(regions[groups.block2region[block]]);
+  std::vector<std::string> renamed{renamed_loss(groups.boundary_names, model.names)};
+  if (!regions.empty()) renamed.push_back(renamed_loss(groups.region_names, regions));
+  std::erase(renamed, "");
   if (renamed.empty()) return;
-  model.losses.push_back(renamed);
-  model.side_files.push_back(plain_names_table(groups, model.names));
+  model.losses.insert(model.losses.end(), renamed.begin(), renamed.end());
+  model.side_files.push_back(plain_names_table(groups, model.names, regions));
 }
 
-void tell_losses(const QuadMesh& mesh, const Groups& groups, HohqmeshModel& model) {
+void tell_losses(const QuadMesh& mesh, const Groups& groups, Materials materials, HohqmeshModel& model) {
   const TransfiniteLoss loss = transfinite_loss(mesh, RebuiltFrom::sides, "a reader of this format");
   if (loss.interior > 1e-12 * mesh.face.diameter)
     model.losses.push_back(fmt::format(
         "nodes inside elements are not stored; a reader rebuilds them from the sides, which moves them by up "
         "to {}",
         length_text(loss.interior, mesh.face.diameter)));
-  if (const std::string regions = region_loss(groups); !regions.empty()) model.losses.push_back(regions);
+  if (const std::string interfaces = interface_loss(groups); !interfaces.empty()) model.losses.push_back(interfaces);
+  if (const std::string regions = region_loss(groups); !regions.empty() && materials == Materials::lost)
+    model.losses.push_back(regions);
+}
+
+HohqmeshModel make_model(const QuadMesh& mesh, const Frame& frame, Materials materials) {
+  HohqmeshModel model;
+  const Groups groups = mesh_groups(mesh);
+  const EdgeNumbering numbering = number_edges(mesh);
+  number_corners(numbering, model);
+  find_edges(numbering, model);
+  mark_curved_sides(mesh, model);
+  find_boundaries(mesh, groups, model);
+  const Eigen::MatrixXd to_chebyshev =
+      spectral::interpolation_matrix(spectral::gll_points(mesh.order), chebyshev_lobatto_points(mesh.order));
+  for (const Vec2 x : renoded(mesh, to_chebyshev)) model.points.push_back(frame.at(x));
+  name_groups(mesh, groups, materials, model);
+  tell_losses(mesh, groups, materials, model);
+  return model;
 }
 
 }  // namespace
@@ -81,19 +108,11 @@ const std::string& HohqmeshModel::name(int elem, int side) const {
 }
 
 HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame) {
-  HohqmeshModel model;
-  const Groups groups = mesh_groups(mesh);
-  const EdgeNumbering numbering = number_edges(mesh);
-  number_corners(numbering, model);
-  find_edges(numbering, model);
-  mark_curved_sides(mesh, model);
-  find_boundaries(mesh, groups, model);
-  const Eigen::MatrixXd to_chebyshev =
-      spectral::interpolation_matrix(spectral::gll_points(mesh.order), chebyshev_lobatto_points(mesh.order));
-  for (const Vec2 x : renoded(mesh, to_chebyshev)) model.points.push_back(frame.at(x));
-  name_boundaries(groups, model);
-  tell_losses(mesh, groups, model);
-  return model;
+  return make_model(mesh, frame, Materials::lost);
+}
+
+HohqmeshModel hohqmesh_model_with_materials(const QuadMesh& mesh, const Frame& frame) {
+  return make_model(mesh, frame, Materials::kept);
 }
 
 std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side) {

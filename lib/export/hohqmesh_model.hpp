@@ -26,6 +26,7 @@ struct HohqmeshModel {
   std::vector<std::array<bool, 4>> is_curved;    ///< by element and side, the same for both elements of an edge
   std::vector<std::array<int, 4>> boundary;      ///< by element and side: index into names; -1 inside
   std::vector<std::string> names;                ///< of boundaries, single words
+  std::vector<std::string> materials;            ///< by element: its region, a single word; empty if they are lost
   std::vector<HohqmeshEdge> edges;
   /// By mesh node: positions; the nodes of a side moved from its Gauss-Lobatto-Legendre to its Chebyshev-Lobatto
   /// points.
@@ -39,6 +40,8 @@ struct HohqmeshModel {
 
 /// Throws ComputeError where an element would be folded once its interior is rebuilt from its sides.
 HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame);
+/// The same with the region of each element.
+HohqmeshModel hohqmesh_model_with_materials(const QuadMesh& mesh, const Frame& frame);
 
 /// The mesh nodes of a side in its local direction, both ends included.
 std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side);

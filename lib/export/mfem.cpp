@@ -42,7 +42,7 @@ class Writer {
     write_elements();
     if (with_names_) write_sets("attribute_sets", groups_.region_names);
     write_boundary();
-    if (with_names_) write_sets("bdr_attribute_sets", groups_.boundary_names);
+    if (with_names_) write_sets("bdr_attribute_sets", line_names());
     write_geometry();
     if (with_names_) print("\nmfem_mesh_end\n");
     return std::move(out_);
@@ -63,9 +63,19 @@ class Writer {
     }
   }
 
+  std::vector<std::string> line_names() const {
+    std::vector<std::string> names = groups_.boundary_names;
+    names.insert(names.end(), groups_.interface_names.begin(), groups_.interface_names.end());
+    return names;
+  }
+
+  /// MFEM's boundary may have elements inside the mesh: interfaces, with attributes after those of the boundary.
   void write_boundary() {
-    print("\nboundary\n{}\n", mesh_.boundary_edges.size());
-    for (const QuadBoundaryEdge& e : mesh_.boundary_edges) {
+    std::vector<QuadBoundaryEdge> edges = mesh_.boundary_edges;
+    const std::vector<QuadBoundaryEdge> inner = interface_edges_once(mesh_);
+    edges.insert(edges.end(), inner.begin(), inner.end());
+    print("\nboundary\n{}\n", edges.size());
+    for (const QuadBoundaryEdge& e : edges) {
       const int* v = &edges_.elem2verts[4 * e.elem];
       print("{} {} {} {}\n", 1 + groups_.curve2boundary[e.curve], segment_type, v[e.side], v[(e.side + 1) % 4]);
     }

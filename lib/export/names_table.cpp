@@ -26,14 +26,17 @@ std::vector<NamedGroup> numbered(const std::vector<std::string>& names, int firs
 
 }  // namespace
 
-SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions) {
+SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions,
+                     const std::vector<NamedGroup>& interfaces) {
+  const std::string between = interfaces.empty() ? "" : fmt::format("  \"interfaces\": {},\n", list(interfaces));
   return {".names.json",
-          fmt::format("{{\n  \"boundaries\": {},\n  \"regions\": {}\n}}\n", list(boundaries), list(regions)), false,
-          true};
+          fmt::format("{{\n  \"boundaries\": {},\n{}  \"regions\": {}\n}}\n", list(boundaries), between, list(regions)),
+          false, true};
 }
 
 SideFile names_table(const Groups& groups, int first_boundary, int first_region) {
-  return names_table(numbered(groups.boundary_names, first_boundary), numbered(groups.region_names, first_region));
+  return names_table(numbered(groups.boundary_names, first_boundary), numbered(groups.region_names, first_region),
+                     numbered(groups.interface_names, first_boundary + groups.num_boundaries()));
 }
 
 }  // namespace quadrille::exports

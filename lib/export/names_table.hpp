@@ -1,6 +1,7 @@
 #pragma once
 // A table of names beside the mesh, for formats whose groups have numbers only or restricted names: x.re2.names.json =
-// {"boundaries": [{"id": 1, "name": "wall"}, ...], "regions": [{"id": 1, "name": "block_0"}, ...]}.
+// {"boundaries": [{"id": 1, "name": "wall"}, ...], "regions": [{"id": 1, "name": "block_0"}, ...]}, with "interfaces"
+// between them where the file has interfaces.
 
 #include <string>
 #include <vector>
@@ -17,9 +18,10 @@ struct NamedGroup {
 };
 
 /// The table as a side file: .names.json behind the name of the main file, so that those of two formats differ.
-SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions);
+SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions,
+                     const std::vector<NamedGroup>& interfaces = {});
 
-/// The same, numbered in the order of the groups: boundaries count from `first_boundary`, regions from
+/// The same, numbered in the order of the groups: boundaries count from `first_boundary`, then interfaces, regions from
 /// `first_region`.
 SideFile names_table(const Groups& groups, int first_boundary = 1, int first_region = 1);
 

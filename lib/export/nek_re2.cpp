@@ -40,11 +40,14 @@ class Writer {
   }
 
  private:
+  bool has_groups() const { return !mesh_.block_region.empty(); }
+
   void put(double number) { append_little_endian(out_, number); }
 
   void write_corners() {
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
-      put(0);  // group of material properties
+      // Group of material properties: 0 in a face of one region.
+      put(has_groups() ? 1 + groups_.block2region[mesh_.elem_block[elem]] : 0);
       for (int axis = 0; axis < 2; ++axis)
         for (int corner = 0; corner < 4; ++corner)
           put(frame_.at(mesh_.nodes[edges_.vertices[edges_.elem2verts[4 * elem + corner]]])[axis]);
@@ -111,7 +114,9 @@ std::vector<std::string> told_losses(const QuadMesh& mesh, const Groups& groups)
                     "*0.f00000 contains the original ones",
                     length_text(loss.interior, diameter)));
   losses.push_back("names are stored as numbers, which *.names.json lists");
-  if (const std::string regions = region_loss(groups); !regions.empty()) losses.push_back(regions);
+  if (const std::string interfaces = interface_loss(groups); !interfaces.empty()) losses.push_back(interfaces);
+  const bool has_groups = !mesh.block_region.empty();
+  if (const std::string regions = region_loss(groups); !regions.empty() && !has_groups) losses.push_back(regions);
   return losses;
 }
 
@@ -123,7 +128,8 @@ Exported nek_re2(const QuadMesh& mesh, const Frame& frame) {
   exported.losses = told_losses(mesh, groups);
   exported.bytes = Writer(mesh, frame, groups).bytes();
   exported.is_binary = true;
-  exported.side_files.push_back(plain_names_table(groups, groups.boundary_names));
+  const std::vector<std::string> regions = mesh.block_region.empty() ? std::vector<std::string>() : groups.region_names;
+  exported.side_files.push_back(plain_names_table(groups, groups.boundary_names, regions));
   if (mesh.order > 1) exported.side_files.push_back({"0.f00000", nek_geometry_field(mesh, frame), true});
   return exported;
 }

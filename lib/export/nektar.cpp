@@ -168,17 +168,19 @@ class Writer {
     print("</{}>\n", letter);
   }
 
-  /// Boundaries get the first numbers, regions the next, as in Gmsh's files.
+  /// Boundaries get the first numbers, then interfaces and regions, as in Gmsh's files.
   void write_composites() {
-    std::vector<std::vector<int>> boundaries(groups_.num_boundaries()), regions(groups_.num_regions());
-    for (const QuadBoundaryEdge& e : mesh_.boundary_edges)
-      boundaries[groups_.curve2boundary[e.curve]].push_back(edges_.elem2edges[4 * e.elem + e.side]);
+    std::vector<std::string> names = groups_.boundary_names;
+    names.insert(names.end(), groups_.interface_names.begin(), groups_.interface_names.end());
+    std::vector<std::vector<int>> lines(names.size()), regions(groups_.num_regions());
+    for (const std::vector<QuadBoundaryEdge>& edges : {mesh_.boundary_edges, interface_edges_once(mesh_)})
+      for (const QuadBoundaryEdge& e : edges)
+        lines[groups_.curve2boundary[e.curve]].push_back(edges_.elem2edges[4 * e.elem + e.side]);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem)
       regions[groups_.block2region[mesh_.elem_block[elem]]].push_back(elem);
     int id = 1;
     print("    <COMPOSITE>\n");
-    for (int b = 0; b < groups_.num_boundaries(); ++b)
-      write_composite(id++, groups_.boundary_names[b], 'E', std::move(boundaries[b]));
+    for (std::size_t b = 0; b < names.size(); ++b) write_composite(id++, names[b], 'E', std::move(lines[b]));
     for (int r = 0; r < groups_.num_regions(); ++r) {
       if (!regions[r].empty()) region_ids_.push_back(id);
       write_composite(id++, groups_.region_names[r], 'Q', std::move(regions[r]));
@@ -209,7 +211,7 @@ class Writer {
 
 std::vector<std::string> losses_of(const Groups& groups) {
   std::size_t count = 0;
-  for (const auto* names : {&groups.boundary_names, &groups.region_names})
+  for (const auto* names : {&groups.boundary_names, &groups.interface_names, &groups.region_names})
     count += std::count_if(names->begin(), names->end(),
                            [](const std::string& name) { return std::any_of(name.begin(), name.end(), is_control); });
   if (count == 0) return {};

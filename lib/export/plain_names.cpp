@@ -67,6 +67,17 @@ SideFile plain_names_table(const Groups& groups, const std::vector<std::string>&
                      zones.empty() ? std::vector<NamedGroup>{} : listed(groups.region_names, zones));
 }
 
+std::string interface_loss(const Groups& groups) {
+  constexpr int num_told = 3;
+  const int count = groups.num_interfaces();
+  if (count == 0) return {};
+  std::string list;
+  for (int k = 0; k < std::min(count, num_told); ++k)
+    list += fmt::format("{}\"{}\"", k == 0 ? "" : ", ", groups.interface_names[k]);
+  return fmt::format("{} not stored: {}{}", count == 1 ? "1 interface is" : fmt::format("{} interfaces are", count),
+                     list, count > num_told ? ", ..." : "");
+}
+
 std::string region_loss(const Groups& groups) {
   const auto count = std::count(groups.is_region_named.begin(), groups.is_region_named.end(), true);
   if (count == 0 || groups.num_regions() == 1) return {};

@@ -22,6 +22,10 @@ std::string renamed_loss(const std::vector<std::string>& names, const std::vecto
 SideFile plain_names_table(const Groups& groups, const std::vector<std::string>& boundaries,
                            const std::vector<std::string>& zones = {});
 
+/// "2 interfaces are not stored: \"fluid-solid\", \"wake\"" for formats that name the boundary alone; empty if there is
+/// none.
+std::string interface_loss(const Groups& groups);
+
 /// "3 region names are not stored". Empty if nothing is lost: one name for all, or only the default names
 /// block_<number>.
 std::string region_loss(const Groups& groups);

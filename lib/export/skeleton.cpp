@@ -30,20 +30,34 @@ struct Interface {
   SkeletonEdge edge;         ///< seen from the element of lower number, which lies on its left
   std::array<int, 2> nodes;  ///< from, to
   int right_block;
+  int cad_curve;  ///< -1 inside a region
 };
+
+/// By element and side: the CAD curve of an edge on an interface, else -1.
+std::vector<int> interface_curves(const QuadMesh& mesh) {
+  std::vector<int> curves(4 * mesh.elem_block.size(), -1);
+  for (const QuadBoundaryEdge& e : mesh.interface_edges) curves[4 * e.elem + e.side] = e.curve;
+  return curves;
+}
 
 std::vector<Interface> interfaces(const QuadMesh& mesh) {
   std::vector<Interface> found;
   const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
+  const std::vector<int> curves = interface_curves(mesh);
+  const auto curve_of = [&](const HalfEdge& h) { return curves[4 * h.elem + h.side]; };
   for (std::size_t k = 1; k < edges.size(); ++k) {
     const HalfEdge &a = edges[k - 1], &b = edges[k];
-    if (a.low != b.low || a.high != b.high || mesh.elem_block[a.elem] == mesh.elem_block[b.elem]) continue;
-    // The lower block lies on the left, so that all edges between two blocks run the same way.
-    const bool a_left = mesh.elem_block[a.elem] < mesh.elem_block[b.elem];
+    if (a.low != b.low || a.high != b.high) continue;
+    const int block_a = mesh.elem_block[a.elem], block_b = mesh.elem_block[b.elem];
+    if (block_a == block_b && curve_of(a) < 0) continue;
+    // The lower curve, or else the lower block, lies on the left, so that all edges between two blocks run the same
+    // way.
+    const bool a_left = curve_of(a) >= 0 ? curve_of(a) < curve_of(b) : block_a < block_b;
     const HalfEdge &left = a_left ? a : b, &right = a_left ? b : a;
     found.push_back({{left.elem, left.side},
                      {side_start(mesh, left.elem, left.side), side_start(mesh, left.elem, (left.side + 1) % 4)},
-                     mesh.elem_block[right.elem]});
+                     mesh.elem_block[right.elem],
+                     curve_of(left)});
   }
   return found;
 }
@@ -52,11 +66,15 @@ class Builder {
  public:
   explicit Builder(const QuadMesh& mesh)
       : mesh_(mesh), interfaces_(interfaces(mesh)), degree_(mesh.nodes.size(), 0), point_(mesh.nodes.size(), -1) {
-    for (const Interface& i : interfaces_)
-      for (const int node : i.nodes) ++degree_[node];
+    std::vector<int> curve_at(mesh.nodes.size(), -1);
     is_junction_.assign(mesh.nodes.size(), false);
+    for (const Interface& i : interfaces_)
+      for (const int node : i.nodes) {
+        if (degree_[node]++ > 0 && curve_at[node] != i.cad_curve) is_junction_[node] = true;
+        curve_at[node] = i.cad_curve;
+      }
     for (std::size_t node = 0; node < degree_.size(); ++node)
-      is_junction_[node] = degree_[node] != 0 && degree_[node] != 2;
+      is_junction_[node] = is_junction_[node] || (degree_[node] != 0 && degree_[node] != 2);
     for (const QuadBoundaryEdge& e : mesh.boundary_edges)
       for (const int node : {side_start(mesh, e.elem, e.side), side_start(mesh, e.elem, (e.side + 1) % 4)})
         if (degree_[node] > 0) is_junction_[node] = true;
@@ -108,7 +126,11 @@ class Builder {
 
   void walk(int first, const std::map<int, std::vector<int>>& outgoing) {
     const int left_block = mesh_.elem_block[interfaces_[first].edge.elem];
-    SkeletonCurve curve{-1, point_at(interfaces_[first].nodes[0]), 0, {left_block, interfaces_[first].right_block}, {}};
+    SkeletonCurve curve{interfaces_[first].cad_curve,
+                        point_at(interfaces_[first].nodes[0]),
+                        0,
+                        {left_block, interfaces_[first].right_block},
+                        {}};
     for (int k = first; k >= 0;) {
       used_[k] = true;
       curve.edges.push_back(interfaces_[k].edge);

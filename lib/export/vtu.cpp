@@ -39,12 +39,14 @@ std::vector<std::string> provenance_lines(const Provenance& chain) {
 }
 
 std::vector<VtkTexts> texts_of(const QuadMesh& mesh, const Groups& groups) {
+  std::vector<std::string> line_names = groups.boundary_names;
+  line_names.insert(line_names.end(), groups.interface_names.begin(), groups.interface_names.end());
   return {{"format", {"quad-mesh"}},
           {"provenance", provenance_lines(mesh.provenance)},
           {"length_unit", {mesh.face.length_unit}},
           {"block_names", mesh.block_names},
           {"region_names", groups.region_names},
-          {"boundary_names", groups.boundary_names}};
+          {"boundary_names", line_names}};
 }
 
 class Writer {
@@ -88,10 +90,9 @@ class Writer {
     for (const SkeletonCurve& curve : mesh_skeleton(mesh_).curves)
       for (const SkeletonEdge& edge : curve.edges) {
         add_edge(side_nodes(mesh_, edge.elem, edge.side), point_of, grid);
-        const bool is_interface = curve.cad_curve < 0;
         curve_ids.values.push_back(curve.cad_curve);
-        names.values.push_back(is_interface ? -1 : groups_.curve2boundary[curve.cad_curve]);
-        insides.values.push_back(is_interface);
+        names.values.push_back(curve.cad_curve < 0 ? -1 : groups_.curve2boundary[curve.cad_curve]);
+        insides.values.push_back(!curve.is_boundary());
         lefts.values.push_back(curve.blocks[0]);
         rights.values.push_back(curve.blocks[1]);
       }

@@ -40,6 +40,8 @@ void describe_block_layout(Archive& archive, BlockLayout& layout) {
                   {"", "blocks whose name is made from their number, ascending"});
   else
     layout.unnamed_blocks = presumed_numbered_names(layout.block_names, "block");
+  if (archive.is_reading() ? archive.has("block_region") : !layout.block_region.empty())
+    archive.field("block_region", layout.block_region, {"", "region of each block"});
 }
 
 }  // namespace

@@ -15,6 +15,14 @@ double least(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
 }
 
+void describe_edges(Archive& archive, const char* name, std::vector<QuadBoundaryEdge>& edges) {
+  archive.field(name, edges, [](Archive& a, QuadBoundaryEdge& edge) {
+    a.field("elem", edge.elem, {"", "element"});
+    a.field("side", edge.side, {"", "side 0 to 3"});
+    a.field("curve", edge.curve, {"", "CAD curve"});
+  });
+}
+
 void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
   describe_face(archive, mesh.face);
   archive.field("order", mesh.order, {"", "shape order N"});
@@ -28,17 +36,17 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
     archive.field("elem_area_jump", mesh.elem_area_jump, {"1", "greatest ratio of the areas of neighbours"});
     archive.field("elem_node_distance", mesh.elem_node_distance, {"length", "least distance of neighbouring nodes"});
   }
-  archive.field("boundary_edges", mesh.boundary_edges, [](Archive& a, QuadBoundaryEdge& edge) {
-    a.field("elem", edge.elem, {"", "element"});
-    a.field("side", edge.side, {"", "side 0 to 3"});
-    a.field("curve", edge.curve, {"", "CAD curve"});
-  });
+  describe_edges(archive, "boundary_edges", mesh.boundary_edges);
+  if (archive.is_reading() ? archive.has("interface_edges") : !mesh.interface_edges.empty())
+    describe_edges(archive, "interface_edges", mesh.interface_edges);
   archive.field("block_names", mesh.block_names, {"", "name of each block"});
   if (archive.has("unnamed_blocks"))
     archive.field("unnamed_blocks", mesh.unnamed_blocks,
                   {"", "blocks whose name is made from their number, ascending"});
   else
     mesh.unnamed_blocks = presumed_numbered_names(mesh.block_names, "block");
+  if (archive.is_reading() ? archive.has("block_region") : !mesh.block_region.empty())
+    archive.field("block_region", mesh.block_region, {"", "region of each block"});
   archive.field("num_irregular", mesh.num_irregular, {"", "interior irregular nodes of the layout"});
   if (archive.has("least_jacobian_bound"))
     archive.field("least_jacobian_bound", mesh.least_jacobian_bound, {"length^2", "least of elem_jacobian_bound"});

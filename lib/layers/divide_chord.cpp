@@ -4,6 +4,7 @@
 
 #include "layers/layer_rules.hpp"
 #include "layers/layered_divisions.hpp"
+#include "model/interfaces.hpp"
 #include "sizing/interval_error.hpp"
 #include "sizing/name_joints.hpp"
 
@@ -42,7 +43,7 @@ void move_onto_breaks(const WallInput& input, int arc, std::vector<double>& ends
 
 /// Whether a boundary arc's intervals meet the tolerance, if necessary after ends moved onto breaks.
 bool fit_to_boundary(const WallInput& input, int arc, std::vector<double>& ends) {
-  if (!input.blocks().arcs[arc].is_boundary || meets_tolerance(input, arc, ends)) return true;
+  if (!is_on_cad_curve(input.blocks(), input.blocks().arcs[arc]) || meets_tolerance(input, arc, ends)) return true;
   move_onto_breaks(input, arc, ends);
   return meets_tolerance(input, arc, ends);
 }

@@ -6,6 +6,7 @@
 #include "base/disjoint_sets.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/block_sides.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -24,13 +25,15 @@ struct FinestSpec {
   void overrule(int loser, int winner) { overruled.insert({loser, winner}); }
 };
 
-/// The finest of the specs of the curves that the arc follows, -1 for none.
-int spec_of_arc(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec, int arc,
-                FinestSpec& choice) {
+/// The finest of the specs of the curves that the side of a block follows, -1 for none. On an interface these are the
+/// curves of the block's own region.
+int spec_of_side(const BlockLayout& layout, const std::vector<int>& curve_spec, HalfEdge side, FinestSpec& choice) {
   int spec = -1;
-  if (!layout.arcs[arc].is_boundary) return spec;
-  for (const ArcPiece& piece : layout.arcs[arc].pieces) {
-    const int other = table.is_cad_curve(piece.curve) ? curve_spec[piece.curve] : -1;
+  const GraphArc& arc = layout.arcs[side.arc];
+  if (!is_on_cad_curve(layout, arc)) return spec;
+  for (const ArcPiece& piece : arc.pieces) {
+    const bool is_own_curve = arc.is_boundary || side.is_backwards != (piece.t0 < piece.t1);
+    const int other = curve_spec[is_own_curve ? piece.curve : layout.face.partners[piece.curve]];
     if (other < 0 || other == spec) continue;
     const bool is_finer = choice.is_finer(other, spec);
     if (spec >= 0) choice.overrule(is_finer ? spec : other, is_finer ? other : spec);
@@ -115,7 +118,7 @@ WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& ta
   walls.at_arc_end.assign(layout.arcs.size(), {-1, -1});
   for (int block = 0; block < layout.num_blocks(); ++block)
     for (int side = 0; side < 4; ++side) {
-      const int spec = spec_of_arc(layout, table, curve_spec, mesh::half_edge(layout, block, side).arc, choice);
+      const int spec = spec_of_side(layout, curve_spec, mesh::half_edge(layout, block, side), choice);
       if (spec < 0) continue;
       walls.of_block[block][side] = static_cast<int>(walls.sides.size());
       walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec));

@@ -1,11 +1,15 @@
 #include "mesh/arc_neighbours.hpp"
 
+#include "model/interfaces.hpp"
+
 namespace quadrille::mesh {
 
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout) {
   std::vector<ArcNeighbours> pairs;
-  for (const std::vector<BlockSide>& sides : sides_of_arcs(layout)) {
-    if (sides.size() != 2 || sides[0].block == sides[1].block) continue;
+  const ArcSides arc_sides = sides_of_arcs(layout);
+  for (std::size_t a = 0; a < arc_sides.size(); ++a) {
+    const std::vector<BlockSide>& sides = arc_sides[a];
+    if (sides.size() != 2 || sides[0].block == sides[1].block || is_on_interface(layout, layout.arcs[a])) continue;
     const auto beside = [&](int which, int step) {
       return half_edge(layout, sides[which].block, sides[which].side + step);
     };

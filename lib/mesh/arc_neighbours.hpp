@@ -13,7 +13,8 @@ struct ArcNeighbours {
   ArcEnd a, b;
 };
 
-/// Both ends of every arc between two blocks, ordered by arc. A block that meets itself has no neighbour there.
+/// Both ends of every arc between two blocks, ordered by arc. A block that meets itself has no neighbour there, and
+/// none has one across an interface: sizes may jump there.
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout);
 
 }  // namespace quadrille::mesh

@@ -1,5 +1,7 @@
 #include "mesh/block_sides.hpp"
 
+#include "model/interfaces.hpp"
+
 namespace quadrille::mesh {
 
 HalfEdge half_edge(const BlockLayout& layout, int block, int side) { return layout.block2arcs[block][(side + 4) % 4]; }
@@ -13,10 +15,16 @@ ArcSides sides_of_arcs(const BlockLayout& layout) {
 
 BlockSide next_along_boundary(const BlockLayout& layout, const ArcSides& arc_sides, const BlockSide& side, int step) {
   const HalfEdge between = half_edge(layout, side.block, side.side + step);
+  if (is_on_interface(layout, layout.arcs[half_edge(layout, side.block, side.side).arc]) &&
+      is_on_interface(layout, layout.arcs[between.arc]))
+    return {};
   for (const BlockSide& other : arc_sides[between.arc]) {
     if (half_edge(layout, other.block, other.side) == between) continue;  // the other block is this block itself
     const int next = (other.side + step + 4) % 4;
-    if (layout.arcs[half_edge(layout, other.block, next).arc].is_boundary) return {other.block, next};
+    const GraphArc& own_arc = layout.arcs[half_edge(layout, side.block, side.side).arc];
+    const GraphArc& next_arc = layout.arcs[half_edge(layout, other.block, next).arc];
+    const bool is_between_regions = is_on_interface(layout, own_arc);
+    if (is_between_regions ? is_on_interface(layout, next_arc) : next_arc.is_boundary) return {other.block, next};
   }
   return {};
 }

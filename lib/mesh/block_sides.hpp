@@ -19,8 +19,8 @@ HalfEdge half_edge(const BlockLayout& layout, int block, int side);
 using ArcSides = std::vector<std::vector<BlockSide>>;
 ArcSides sides_of_arcs(const BlockLayout& layout);
 
-/// The boundary side that continues this one across the arc between their blocks (step +1: at its end, -1: at its
-/// beginning); none at corners with a valence other than 2.
+/// The side on the boundary, or on an interface, that continues this one across the arc between their blocks (step +1:
+/// at its end, -1: at its beginning); none at corners with a valence other than 2, nor where interfaces branch.
 BlockSide next_along_boundary(const BlockLayout& layout, const ArcSides& arc_sides, const BlockSide& side, int step);
 
 /// One end of an arc.

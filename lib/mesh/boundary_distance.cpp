@@ -80,7 +80,10 @@ MeshBoundary mesh_boundary(const QuadMesh& mesh) {
   const SideMaps& maps = side_maps(mesh.order);
   MeshBoundary boundary;
   double length = 0;
-  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
+  std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
+  for (const QuadBoundaryEdge& edge : mesh.interface_edges)
+    if (edge.curve < mesh.face.partners[edge.curve]) edges.push_back(edge);  // both sides have the same nodes
+  for (const QuadBoundaryEdge& edge : edges) {
     const std::vector<Vec2> nodes = side_positions(mesh, edge);
     boundary.curves.push_back(bezier_curve(mapped(maps.to_bezier, nodes)));
     const std::vector<Vec2> samples = mapped(maps.to_samples, nodes);

@@ -1,7 +1,7 @@
 #pragma once
-// Distance between the boundary of a quad mesh and the CAD curves, measured by projection in both directions. Where
-// splines were replaced by nearby ones (CadFace::fit_distance), it is an upper bound of the distance from the curves in
-// the CAD file: the greatest distance of the replacement is added.
+// Distance between the boundary and interfaces of a quad mesh and the CAD curves, measured by projection in both
+// directions. Where splines were replaced by nearby ones (CadFace::fit_distance), it is an upper bound of the distance
+// from the curves in the CAD file: the greatest distance of the replacement is added.
 
 #include "base/report.hpp"
 #include "curve/curve_set.hpp"

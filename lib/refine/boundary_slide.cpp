@@ -31,6 +31,16 @@ bool is_seam(const CadFace& face, int curve) {
          std::abs(face.joints[curve].interior_angle - pi) < smooth_turn;
 }
 
+/// The edges on the boundary and on interfaces, loop by loop and in the order of each.
+std::vector<std::vector<QuadBoundaryEdge>> edges_of_loops(const QuadMesh& mesh) {
+  std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
+  edges.insert(edges.end(), mesh.interface_edges.begin(), mesh.interface_edges.end());
+  std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.curve < b.curve; });
+  std::vector<std::vector<QuadBoundaryEdge>> loops(mesh.face.num_loops());
+  for (const QuadBoundaryEdge& edge : edges) loops[mesh.face.loop_of(edge.curve)].push_back(edge);
+  return loops;
+}
+
 }  // namespace
 
 BoundarySlide::BoundarySlide(const QuadMesh& mesh)
@@ -41,25 +51,22 @@ BoundarySlide::BoundarySlide(const QuadMesh& mesh)
     for (int c = face.loop_offsets[loop] + 1; c < face.loop_offsets[loop + 1]; ++c)
       curve_start_[c] = curve_start_[c - 1] + table_.arc_length(c - 1).total();
   }
-  const auto& edges = mesh.boundary_edges;
-  for (std::size_t first = 0, i = 0; i < edges.size(); ++i)
-    if (side_start(mesh, edges[i].elem, (edges[i].side + 1) % 4) ==
-        side_start(mesh, edges[first].elem, edges[first].side)) {
-      add_loop(first, i + 1);
-      first = i + 1;
-    }
+  for (const std::vector<QuadBoundaryEdge>& edges : edges_of_loops(mesh)) add_loop(edges);
 }
 
-void BoundarySlide::add_loop(std::size_t first_edge, std::size_t end_edge) {
-  const int first_vertex = static_cast<int>(vertices_.size()), count = static_cast<int>(end_edge - first_edge);
+void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
+  const int first_vertex = static_cast<int>(vertices_.size()), count = static_cast<int>(loop_edges.size());
   const int first = static_cast<int>(edges_.size());
   for (int k = 0; k < count; ++k) {
-    const QuadBoundaryEdge& edge = mesh_->boundary_edges[first_edge + k];
+    const QuadBoundaryEdge& edge = loop_edges[k];
     const int node = side_start(*mesh_, edge.elem, edge.side), loop = mesh_->face.loop_of(edge.curve);
     vertices_.push_back({node, loop, length_at(loop, edge.curve, mesh_->nodes[node]), false});
     fix_at_breaks(static_cast<int>(vertices_.size()) - 1);
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
+  for (int k = 0; k < count; ++k)
+    if (mesh_->face.is_interface(loop_edges[k].curve))
+      vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
   for (int e = first; e < first + count; ++e) {
     const curve::Chain& chain = loops_[vertices_[edges_[e].from].loop];
     const Ends ends = ends_of(e, 0, 0);

@@ -2,7 +2,8 @@
 // The vertices of a mesh on the boundary by their position along the loops of CAD curves, and whether they may slide.
 //
 // Fixed are vertices at joints between curves (corners and changes of name among them) and at breaks of a curve, and
-// the ends of an edge that passes a joint. The seam of a smooth closed curve fixes no vertex.
+// the ends of an edge that passes a joint, and all vertices on interfaces, which both regions share. The seam of a
+// smooth closed curve fixes no vertex.
 
 #include <vector>
 
@@ -45,7 +46,7 @@ class BoundarySlide {
     double low = 0, high = 0;  ///< fractions of the doubled loop, so that no edge passes its end
   };
   Ends ends_of(int edge, double slide_from, double slide_to) const;
-  void add_loop(std::size_t first_edge, std::size_t end_edge);
+  void add_loop(const std::vector<QuadBoundaryEdge>& loop_edges);
   double length_at(int loop, int curve, Vec2 x) const;
   void fix_at_breaks(int vertex);
 

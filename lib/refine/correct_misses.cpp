@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/interfaces.hpp"
 #include "sizing/interval_error.hpp"
 
 namespace quadrille::refine {
@@ -148,7 +149,7 @@ bool correct_misses(const ChordTask& task, ChordDivision& division) {
   bool is_any = false;
   std::vector<sizing::MaxLengthConstraint> constraints;
   for (int i = 0; i < task.num_arcs(); ++i) {
-    if (!task.arc(i).is_boundary) continue;
+    if (!is_on_cad_curve(task.measured.blocks(), task.arc(i))) continue;
     const Corrections corrections = find_corrections(task, division, i);
     is_any |= corrections.is_needed;
     apply(corrections, task.options, division);

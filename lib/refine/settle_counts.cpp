@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "model/interfaces.hpp"
 #include "refine/place_intervals.hpp"
 #include "sizing/name_joints.hpp"
 
@@ -44,7 +45,7 @@ int first_count(const ChordTask& task) {
 std::vector<Break> boundary_breaks(const ChordTask& task, const sizing::Grading& grading) {
   std::vector<Break> breaks;
   for (int i = 0; i < task.num_arcs(); ++i)
-    if (task.arc(i).is_boundary)
+    if (is_on_cad_curve(task.measured.blocks(), task.arc(i)))
       for (const double f : task.chain(i).break_fractions())
         breaks.push_back({grading.cumulative(task.measured.chord_parameter(task.chord, i, f)), f, i});
   return breaks;

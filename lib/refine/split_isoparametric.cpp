@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "mesh/transfinite.hpp"
+#include "model/interfaces.hpp"
 #include "refine/arc_nodes.hpp"
 
 namespace quadrille::refine {
@@ -19,10 +20,15 @@ struct SplitInput {
   const BlockLayout& layout() const { return measured.blocks(); }
 };
 
-/// A boundary edge with its position along the boundary.
+/// An edge on a CAD curve with its position along the curve.
 struct PlacedEdge {
   QuadBoundaryEdge edge;
   double t = 0;  ///< parameter of its middle on its curve
+};
+
+/// Those on the boundary, and those on interfaces from both sides.
+struct PlacedEdges {
+  std::vector<PlacedEdge> boundary, interfaces;
 };
 
 QuadMesh mesh_without_elements(const BlockLayout& layout, int order) {
@@ -32,9 +38,10 @@ QuadMesh mesh_without_elements(const BlockLayout& layout, int order) {
   mesh.order = order;
   mesh.block_names = layout.block_names;
   mesh.unnamed_blocks = layout.unnamed_blocks;
+  mesh.block_region = layout.block_region;
   for (const GraphNode& node : layout.nodes) {
     mesh.nodes.push_back(node.position);
-    mesh.num_irregular += node.curve < 0 && node.valence != 4;
+    mesh.num_irregular += node.is_inner() && node.valence != 4;
   }
   return mesh;
 }
@@ -92,30 +99,42 @@ void append_elements(const std::vector<int>& grid, int block, int columns, int r
     }
 }
 
-/// Appends the edges of a block's elements on the boundary.
-void append_boundary(const SplitInput& in, int block, int first_elem, int columns, int rows,
-                     std::vector<PlacedEdge>& edges) {
+/// The curve and the parameter of a point of an arc as a side of a block sees them: on the curve of its own region.
+PartnerPoint point_on_own_curve(const BlockLayout& layout, HalfEdge side, const curve::ChainPoint& at) {
+  const GraphArc& arc = layout.arcs[side.arc];
+  const ArcPiece& piece = arc.pieces[at.piece];
+  const bool is_left_of_curve = side.is_backwards != (piece.t0 < piece.t1);
+  if (arc.is_boundary || is_left_of_curve) return {piece.curve, at.t};
+  return partner_point(layout.face, piece.curve, at.t);
+}
+
+/// Appends the edges of a block's elements on the boundary and on interfaces.
+void append_edges(const SplitInput& in, int block, int first_elem, int columns, int rows, PlacedEdges& edges) {
   for (int side = 0; side < 4; ++side) {
     const HalfEdge directed = in.layout().block2arcs[block][side];
     const int arc = directed.arc;
-    if (!in.layout().arcs[arc].is_boundary) continue;
+    if (!is_on_cad_curve(in.layout(), in.layout().arcs[arc])) continue;
+    std::vector<PlacedEdge>& own = in.layout().arcs[arc].is_boundary ? edges.boundary : edges.interfaces;
     const int count = side % 2 == 0 ? columns : rows;
     for (int k = 0; k < count; ++k) {  // k in the direction of the side
       const int i = side == 0 ? k : side == 1 ? columns - 1 : side == 2 ? columns - 1 - k : 0;
       const int j = side == 0 ? 0 : side == 1 ? k : side == 2 ? rows - 1 : rows - 1 - k;
       const int interval = directed.is_backwards ? count - 1 - k : k;
       const curve::ChainPoint middle = in.measured.chain(arc).at(in.divisions[arc].middle(interval));
-      const int curve = in.layout().arcs[arc].pieces[middle.piece].curve;
-      edges.push_back({{first_elem + j * columns + i, side, curve}, middle.t});
+      const PartnerPoint on_curve = point_on_own_curve(in.layout(), directed, middle);
+      own.push_back({{first_elem + j * columns + i, side, on_curve.curve}, on_curve.t});
     }
   }
 }
 
 /// In the direction of the loops.
-void sort_along_boundary(std::vector<PlacedEdge>& edges) {
+std::vector<QuadBoundaryEdge> sorted_along_curves(std::vector<PlacedEdge> edges) {
   std::sort(edges.begin(), edges.end(), [](const PlacedEdge& a, const PlacedEdge& b) {
     return std::tie(a.edge.curve, a.t, a.edge.elem) < std::tie(b.edge.curve, b.t, b.edge.elem);
   });
+  std::vector<QuadBoundaryEdge> sorted;
+  for (const PlacedEdge& placed : edges) sorted.push_back(placed.edge);
+  return sorted;
 }
 
 }  // namespace
@@ -127,16 +146,16 @@ QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizin
   std::vector<ArcNodes> arc_nodes;
   for (int arc = 0; arc < measured.num_arcs(); ++arc)
     arc_nodes.push_back(place_on_arc(measured, arc, divisions[arc], walls, mesh));
-  std::vector<PlacedEdge> boundary;
+  PlacedEdges edges;
   for (int block = 0; block < in.layout().num_blocks(); ++block) {
     const std::array<ArcNodes, 4> sides = side_nodes(in.layout(), block, arc_nodes);
     const int columns = static_cast<int>(sides[0].ids.size() - 1) / order;
     const int rows = static_cast<int>(sides[1].ids.size() - 1) / order, first_elem = mesh.num_elems();
     append_elements(place_in_block(in, block, sides, mesh), block, columns, rows, mesh);
-    append_boundary(in, block, first_elem, columns, rows, boundary);
+    append_edges(in, block, first_elem, columns, rows, edges);
   }
-  sort_along_boundary(boundary);
-  for (const PlacedEdge& placed : boundary) mesh.boundary_edges.push_back(placed.edge);
+  mesh.boundary_edges = sorted_along_curves(std::move(edges.boundary));
+  mesh.interface_edges = sorted_along_curves(std::move(edges.interfaces));
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "model/interfaces.hpp"
 #include "sizing/name_joints.hpp"
 
 namespace quadrille::sizing {
@@ -56,7 +57,7 @@ double shortest_kept_edge(const MeasuredLayout& measured) {
     if (walk.is_corner(node))
       for (const int a : walk.arcs_at(node)) shortest = std::min(shortest, walk.length_from(node, a));
   for (int a = 0; a < measured.num_arcs(); ++a) {
-    if (!measured.blocks().arcs[a].is_boundary) continue;
+    if (!is_on_cad_curve(measured.blocks(), measured.blocks().arcs[a])) continue;
     const std::vector<double> joints = name_joints(measured.chain(a), measured.blocks().face);
     for (std::size_t k = 1; k < joints.size(); ++k)
       shortest = std::min(shortest, (joints[k] - joints[k - 1]) * measured.length(a));

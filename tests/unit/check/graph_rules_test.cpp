@@ -67,7 +67,7 @@ TEST(GraphRules, ArcsHavePiecesOfTheirKindAndNumbersAreFinite) {
   EXPECT_EQ(findings_of(pieces_are_sound, [](auto& g) { g.arcs[2].length = -3; }),
             Texts{"arc 2: its length is negative"});
   EXPECT_EQ(findings_of(pieces_are_sound, [](auto& g) { g.arcs[2].is_boundary = false; }),
-            Texts{"arc 2: boundary arcs follow CAD curves, inner arcs splines"});
+            Texts{"arc 2: boundary arcs follow CAD curves, inner arcs splines or the first side of an interface"});
   EXPECT_EQ(findings_of(pieces_are_sound, [](auto& g) { g.nodes[5].t = nan; }),
             Texts{"node 5 contains a number that is not finite"});
 }

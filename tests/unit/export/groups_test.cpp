@@ -34,11 +34,11 @@ TEST(Groups, BlocksWithoutANameAreOneRegion) {
 TEST(Groups, SeparatedBlocksKeepNamesOfTheirOwn) {
   QuadMesh mesh = two_quads();
   mesh.face.name = "left";
-  separate_blocks(mesh.block_names, mesh.unnamed_blocks, mesh.face.name);
+  separate_blocks(mesh);
   EXPECT_EQ(mesh_groups(mesh).region_names, (std::vector<std::string>{"block_0", "right"}));
   mesh = two_quads();
   mesh.unnamed_blocks = {0, 1};
-  separate_blocks(mesh.block_names, mesh.unnamed_blocks, mesh.face.name);
+  separate_blocks(mesh);
   EXPECT_EQ(mesh_groups(mesh).region_names, (std::vector<std::string>{"block_0", "block_1"}));
   EXPECT_EQ(mesh_groups(mesh).is_region_named, (std::vector<bool>{true, true}));
 }

@@ -1,0 +1,96 @@
+#pragma once
+// Where the regions of a face meet: the curves that two regions share, the arcs along them, and the Euler
+// characteristic of the whole.
+//
+// An interface is in the face twice, once for each region (CadFace::partners), and in a graph once: its arcs are not
+// boundary arcs, and their pieces lie on the curve of the region with the lower number. Where both sides have boundary
+// arcs of their own, the interface is open: nothing crosses it.
+
+#include <algorithm>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "model/arc_graph.hpp"
+#include "model/half_edge.hpp"
+
+namespace quadrille {
+
+/// The region of each curve.
+inline std::vector<int> curve_regions(const CadFace& face) {
+  std::vector<int> regions;
+  for (int l = 0; l < face.num_loops(); ++l)
+    regions.insert(regions.end(), face.loop_offsets[l + 1] - face.loop_offsets[l], face.region_of_loop(l));
+  return regions;
+}
+
+/// Whether an arc follows CAD curves: the boundary or an interface. It must have pieces.
+inline bool is_on_cad_curve(const ArcGraph& graph, const GraphArc& arc) {
+  return arc.pieces.front().curve < graph.face.num_curves();
+}
+
+/// Whether an arc follows an interface.
+inline bool is_on_interface(const ArcGraph& graph, const GraphArc& arc) {
+  return !arc.is_boundary && is_on_cad_curve(graph, arc);
+}
+
+/// Whether an arc lies between two regions; the two sides of a slit are one region.
+inline bool separates_regions(const ArcGraph& graph, const GraphArc& arc, const std::vector<int>& curve_region) {
+  if (!is_on_interface(graph, arc)) return false;
+  const int curve = arc.pieces.front().curve;
+  return curve_region[curve] != curve_region[graph.face.partners[curve]];
+}
+
+/// The region on the left of a half-edge that follows a CAD curve; -1 for others. A boundary arc has its region on the
+/// face's side of its curve, in whichever direction it runs.
+inline int region_on_left(const ArcGraph& graph, HalfEdge h, const std::vector<int>& curve_region) {
+  const GraphArc& arc = graph.arcs[h.arc];
+  if (!is_on_cad_curve(graph, arc)) return -1;
+  const ArcPiece& piece = arc.pieces.front();
+  const bool is_own_side = arc.is_boundary || h.is_backwards != (piece.t0 < piece.t1);
+  return curve_region[is_own_side ? piece.curve : graph.face.partners[piece.curve]];
+}
+
+/// A point of a curve, seen from the other region.
+struct PartnerPoint {
+  int curve = -1;
+  double t = 0;
+};
+
+/// The same point on the partner of a curve that has one: its knots are mirrored.
+inline PartnerPoint partner_point(const CadFace& face, int curve, double t) {
+  const int partner = face.partners[curve];
+  const Nurbs &own = face.curves[curve], &other = face.curves[partner];
+  return {partner, std::clamp(other.begin() + (own.end() - t), other.begin(), other.end())};
+}
+
+/// By curve: whether the arcs of a graph close the interface, so that both its sides are one. False on the boundary.
+inline std::vector<bool> closed_interfaces(const ArcGraph& graph) {
+  std::vector<bool> is_closed(graph.face.curves.size(), false);
+  for (const GraphArc& arc : graph.arcs)
+    if (is_on_interface(graph, arc))
+      for (const ArcPiece& piece : arc.pieces)
+        is_closed[piece.curve] = is_closed[graph.face.partners[piece.curve]] = true;
+  return is_closed;
+}
+
+/// Euler characteristic of the regions put together along the curves of `is_closed` (by curve, both sides alike): of a
+/// face of one region without slits, its own.
+inline int euler_characteristic_of_whole(const CadFace& face, const std::vector<bool>& is_closed) {
+  DisjointSets joints(face.joints.size());
+  int num_closed = 0;
+  for (int c = 0; c < face.num_curves(); ++c) {
+    if (!is_closed[c]) continue;
+    ++num_closed;
+    joints.unite(c, face.next_in_loop(face.partners[c]));
+    joints.unite(face.next_in_loop(c), face.partners[c]);
+  }
+  const int num_points = static_cast<int>(joints.sets().size());
+  return num_points - (face.num_curves() - num_closed / 2) + face.euler_characteristic();
+}
+
+/// That of a graph's domain: 4 times it is the index sum.
+inline int euler_characteristic_of_whole(const ArcGraph& graph) {
+  return euler_characteristic_of_whole(graph.face, closed_interfaces(graph));
+}
+
+}  // namespace quadrille
