@@ -1,13 +1,16 @@
 #include "couple/couple_layouts.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "couple/join_layouts.hpp"
 #include "couple/meet_stations.hpp"
 #include "couple/turn_round_regions.hpp"
 #include "curve/chain.hpp"
 #include "graph/face_corners.hpp"
+#include "layout/certificate.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh_faces.hpp"
@@ -36,6 +39,15 @@ graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
   return quantize::extend_lines(t_mesh, faces, found.lengths);
 }
 
+// The deviation of continued lines is that from the field of the region through which each runs.
+void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::CandidateLayout& layout, Report& report) {
+  double& deviation = layout.certificate.largest_deviation_degrees;
+  for (const field::FieldEvaluator* field : fields)
+    if (field != nullptr)
+      deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(*field, layout)));
+  layout::certify(*layout.certificate.method, layout, report);
+}
+
 }  // namespace
 
 SeparatrixGraph couple_layouts(RegionLayouts regions, Report& report) {
@@ -47,6 +59,7 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, Report& report) {
   if (!layout.t_junctions.empty()) layout = conforming(layout);
   report.set("couple.faces", graph::require_four_corners(layout.subdivision));
   graph::require_drawn_in_order(layout.subdivision);
+  certify(regions.fields, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }
 
