@@ -65,7 +65,7 @@ SeparatrixGraph layout_of_regions(const CadFace& face,
     layouts.fields.push_back(evaluators[r].get());
     layouts.first_curves.push_back(regions::curves_of(face, r).begin);
   }
-  return couple::couple_layouts(std::move(layouts), session.report());
+  return couple::couple_layouts(std::move(layouts), settings.options, session.report());
 }
 
 SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings& settings, cli::Session& session) {

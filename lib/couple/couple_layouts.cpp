@@ -14,6 +14,7 @@
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh_faces.hpp"
+#include "simplify/simplify.hpp"
 
 namespace quadrille::couple {
 namespace {
@@ -43,21 +44,24 @@ graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
 void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::CandidateLayout& layout, Report& report) {
   double& deviation = layout.certificate.largest_deviation_degrees;
   for (const field::FieldEvaluator* field : fields)
-    if (field != nullptr)
-      deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(*field, layout)));
+    deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(*field, layout)));
   layout::certify(*layout.certificate.method, layout, report);
 }
 
 }  // namespace
 
-SeparatrixGraph couple_layouts(RegionLayouts regions, Report& report) {
+SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
   report.set("couple.turned_regions", turn_round_regions(regions));
   report.set("couple.lines_met", meet_stations(regions));
   graph::CandidateLayout layout = graph::candidate_layout(join_layouts(regions));
   report.set("couple.t_junctions", layout.t_junctions.size());
   report.set("couple.faces_before", layout.subdivision.num_faces());
   if (!layout.t_junctions.empty()) layout = conforming(layout);
-  report.set("couple.faces", graph::require_four_corners(layout.subdivision));
+  graph::require_four_corners(layout.subdivision);
+  if (options.simplify != layout::SimplifyLevel::none)
+    layout = simplify::simplify(field::FieldsOfRegions(regions.fields), std::move(layout),
+                                layout::simplify_options(options), report);
+  report.set("couple.faces", layout.subdivision.num_faces());
   graph::require_drawn_in_order(layout.subdivision);
   certify(regions.fields, layout, report);
   return graph::separatrix_graph(std::move(layout));

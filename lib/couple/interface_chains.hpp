@@ -13,6 +13,7 @@ struct Station {
   int region = 0, node = -1;
   double position = 0;      ///< length along the chain
   bool is_movable = false;  ///< a regular line ends there, and nothing else is there
+  double line_length = 0;   ///< of the last arc of that line
 };
 
 /// Successive curves of one loop whose partners succeed each other too, in opposite order.

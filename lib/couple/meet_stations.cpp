@@ -20,6 +20,7 @@ namespace quadrille::couple {
 namespace {
 
 constexpr double greatest_fraction = 1.0 / 3;  // of the distance to the next end on either side
+constexpr double greatest_bend = 0.1;          // radians
 constexpr double relative_tie = 1e-6;          // distances of relative difference below it are equal
 constexpr double relative_same = 1e-9;         // relative to the diameter: ends nearer than this need not move
 
@@ -56,6 +57,15 @@ double spacing(const InterfaceChain& chain, int side, int station) {
   return std::min(d, chain.length());
 }
 
+// The angle by which the more bent of two lines turns if they meet.
+double bend(const Station& a, const Station& b, double distance) {
+  const double moved = a.is_movable && b.is_movable ? distance / 2 : distance;
+  double greatest = 0;
+  for (const Station* s : {&a, &b})
+    if (s->is_movable) greatest = std::max(greatest, moved / s->line_length);
+  return greatest;
+}
+
 struct Meeting {
   std::array<int, 2> stations{};  // of both sides
   double position = 0;            // along the chain; of no meaning if one of them is fixed
@@ -70,8 +80,9 @@ std::vector<Meeting> meetings_on(const InterfaceChain& chain, double same) {
     const Station& other = chain.stations[1][across.station];
     const Nearest back = nearest(chain, 0, other.position);
     if (back.station != a || back.is_tied || (!lower.is_movable && !other.is_movable)) continue;
-    const double room = std::min(spacing(chain, 0, a), spacing(chain, 1, across.station));
-    if (across.distance >= greatest_fraction * room) continue;
+    const double clearance = std::min(spacing(chain, 0, a), spacing(chain, 1, across.station));
+    if (across.distance >= greatest_fraction * clearance && bend(lower, other, across.distance) > greatest_bend)
+      continue;
     double middle = (lower.position + other.position) / 2;
     if (std::abs(lower.position - other.position) > chain.length() / 2)  // across the seam
       middle = middle >= chain.length() / 2 ? middle - chain.length() / 2 : middle + chain.length() / 2;
@@ -124,7 +135,9 @@ double move_end(RegionLayouts& regions, const Station& station, Place place) {
   graph::CandidateLayout& layout = regions.layouts[station.region];
   place.curve -= regions.first_curves[station.region];
   const auto move = move_to(layout, station.node, place);
-  return move ? simplify::move_line_end(layout.subdivision, *move, regions.fields[station.region]) : 0;
+  if (!move) return 0;
+  const field::FieldsOfRegions field(*regions.fields[station.region]);
+  return simplify::move_line_end(layout.subdivision, *move, &field);
 }
 
 // The lines again, with the splines that replace parts of them.
