@@ -23,6 +23,9 @@
 #include "io/name_rules_io.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "regions/join.hpp"
+#include "regions/region_work.hpp"
+#include "regions/split.hpp"
 #include "triangulate/triangulate.hpp"
 
 using namespace quadrille;
@@ -180,7 +183,11 @@ int main(int argc, char** argv) {
     if (face.fit_distance > 0) s.info(fit_text(face, loaded.repairs));
     if (!healed.empty()) io::write_output(healed, cad::file_of_face(face, healed_format(healed)), false);
     s.begin_phase("triangulate");
-    TriMesh mesh = triangulate::triangulate(face, options, s.report());
+    const std::vector<CadFace> regions = regions::split(face);
+    TriMesh mesh = regions::join(
+        face, regions::map_regions<TriMesh>(face, s.threads(), s.report(), [&](int region, int, Report& report) {
+          return triangulate::triangulate(regions[region], options, report);
+        }));
     s.end_phase();
     mesh.provenance = s.provenance({}, inputs);
     mesh.repairs = loaded.repairs;

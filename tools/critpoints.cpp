@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "check/check.hpp"
@@ -12,6 +14,10 @@
 #include "guide/override_corners.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "regions/join.hpp"
+#include "regions/region_numbers.hpp"
+#include "regions/region_work.hpp"
+#include "regions/split.hpp"
 
 using namespace quadrille;
 
@@ -60,6 +66,39 @@ void declare(cli::Options& o, NodeArguments& arguments) {
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
 }
 
+// Those between curves of the region, which count from 0 there.
+std::vector<guide::CornerOverride> overrides_in(const std::vector<guide::CornerOverride>& overrides,
+                                                regions::IndexRange curves) {
+  std::vector<guide::CornerOverride> part;
+  for (guide::CornerOverride override : overrides) {
+    if (!curves.contains(override.curve_a) || !curves.contains(override.curve_b)) continue;
+    override.curve_a -= curves.begin;
+    override.curve_b -= curves.begin;
+    part.push_back(override);
+  }
+  return part;
+}
+
+// The nodes of each region. Phases of the work are timed only where there is one region.
+CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, cli::Session& s) {
+  const CadFace& face = field.mesh.face;
+  if (face.num_regions() > 1) guide::require_corners(face, options.overrides);
+  std::vector<Field> fields = regions::split(field);
+  const auto begin_phase = [&](const char* part) {
+    if (fields.size() == 1) s.begin_phase(part);
+  };
+  if (fields.size() > 1) s.begin_phase("choose");
+  std::vector<CriticalPoints> parts =
+      regions::map_regions<CriticalPoints>(face, s.threads(), s.report(), [&](int region, int threads, Report& report) {
+        Field& part = fields[region];
+        if (part.elem_error.empty()) part.elem_error = field::error_estimate(part);
+        choice::NodeOptions part_options = options;
+        part_options.overrides = overrides_in(options.overrides, regions::curves_of(face, region));
+        return choice::choose_nodes(part, part_options, threads, report, begin_phase);
+      });
+  return regions::join(field.mesh, std::move(parts));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,14 +136,12 @@ int main(int argc, char** argv) {
     if (!shape.empty()) return guide::require_corners(io::read_face(io::read_input(shape)), options.overrides);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
-    Field field = io::read_field(file);
+    const Field field = io::read_field(file);
     check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
     if (field.kind != FieldKind::harmonic)
       throw FormatError(file.name +
                         ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
-    if (field.elem_error.empty()) field.elem_error = field::error_estimate(field);
-    CriticalPoints points =
-        choice::choose_nodes(field, options, s.threads(), s.report(), [&](const char* part) { s.begin_phase(part); });
+    CriticalPoints points = chosen(field, options, s);
     s.begin_phase("write");
     s.report().set("critical_points", points.critical_points.size());
     s.report().set("form", enum_name(points.form));

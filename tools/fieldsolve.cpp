@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -17,6 +19,10 @@
 #include "io/order_map.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "regions/join.hpp"
+#include "regions/region_numbers.hpp"
+#include "regions/region_work.hpp"
+#include "regions/split.hpp"
 
 using namespace quadrille;
 
@@ -37,8 +43,29 @@ CriticalPoints read_nodes(const io::InputFile& file, const io::InputFile& mesh_f
   if (points.origin != mesh.face.origin)
     throw FormatError(
         fmt::format("{}: its origin differs from that of the mesh: it belongs to another face", file.name));
-  galerkin::require_possible(mesh.face, phase_nodes_of(points), file.name);
+  for (const CriticalPoints& part : regions::split(points, mesh))
+    galerkin::require_possible(part.face, phase_nodes_of(part), file.name);
   return points;
+}
+
+// The field of each region, for the nodes of its part of `points`, if there are any.
+std::vector<Field> solved(const TriMesh& mesh, const std::vector<int>& orders,
+                          const std::optional<CriticalPoints>& points, const galerkin::LaplaceOptions& options,
+                          Report& report) {
+  const std::vector<TriMesh> meshes = regions::split(mesh);
+  const std::vector<CriticalPoints> nodes =
+      points ? regions::split(*points, mesh) : std::vector<CriticalPoints>(meshes.size());
+  return regions::map_regions<Field>(
+      mesh.face, options.num_threads, report, [&](int region, int threads, Report& part_report) {
+        const std::vector<int> part_orders = regions::part_of(orders, regions::elems_of(mesh, region));
+        if (points) {
+          galerkin::PhaseSolver solver(meshes[region], part_orders, threads);
+          return solver.solve(phase_nodes_of(nodes[region]), {nodes[region].hole_winding_offsets}, part_report);
+        }
+        galerkin::LaplaceOptions part_options = options;
+        part_options.num_threads = threads;
+        return galerkin::solve_laplace(meshes[region], part_orders, part_options, part_report);
+      });
 }
 
 // "2 of valence 3, 1 of valence 5"
@@ -64,6 +91,12 @@ void report_phase(const PhaseForm& phase, cli::Session& s) {
   if (num_holes > most_holes) s.info(fmt::format("{} more holes: see --report", num_holes - most_holes));
   if (num_holes > 0)
     s.info(fmt::format("energy of integer winding above real winding: {:.3e}", phase.hole_winding_energy));
+}
+
+std::size_t num_liftings(const Field& field) {
+  std::size_t count = field.liftings.size() + field.phase.terms.corner_angles.size();
+  for (const PhaseForm& phase : field.region_phases) count += phase.terms.corner_angles.size();
+  return count;
 }
 
 }  // namespace
@@ -120,29 +153,26 @@ int main(int argc, char** argv) {
       orders = io::read_order_map(orders_file, mesh.num_elems(), max_order);
       inputs.push_back(orders_file.digest("order-map"));
     }
-    Field field;
-    if (nodes_path.empty()) {
-      s.begin_phase("solve");
-      field = galerkin::solve_laplace(mesh, orders, options, s.report());
-    } else {
+    std::optional<CriticalPoints> points;
+    if (!nodes_path.empty()) {
       const io::InputFile nodes_file = io::read_input(nodes_path);
-      const CriticalPoints points = read_nodes(nodes_file, file, mesh);
+      points = read_nodes(nodes_file, file, mesh);
       inputs.push_back(nodes_file.digest("critical-points"));
-      s.begin_phase("solve");
-      galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
-      field = solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, s.report());
-      report_phase(field.phase, s);
     }
+    s.begin_phase("solve");
+    std::vector<Field> parts = solved(mesh, orders, points, options, s.report());
+    if (points)
+      for (const Field& part : parts) report_phase(part.phase, s);
     s.begin_phase("estimate");
-    field.elem_error = field::error_estimate(field);
+    for (Field& part : parts) part.elem_error = field::error_estimate(part);
     s.end_phase();
+    Field field = regions::join(mesh, std::move(parts));
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
     s.report().set("solve.field_order", *highest);
     s.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
     field.provenance = s.provenance(mesh.provenance, inputs);
-    s.info(fmt::format(
-        "{} of order {}..{}, {}", counted(mesh.num_elems(), "element"), *lowest, *highest,
-        counted(nodes_path.empty() ? field.liftings.size() : field.phase.terms.corner_angles.size(), "lifting")));
+    s.info(fmt::format("{} of order {}..{}, {}", counted(mesh.num_elems(), "element"), *lowest, *highest,
+                       counted(num_liftings(field), "lifting")));
     io::write_field(output, field);
   };
   tool.report_writer = io::write_report;

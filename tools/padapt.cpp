@@ -10,6 +10,9 @@
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "regions/join.hpp"
+#include "regions/region_work.hpp"
+#include "regions/split.hpp"
 
 using namespace quadrille;
 
@@ -67,14 +70,20 @@ int main(int argc, char** argv) {
         "(as in the paper)");
   };
   tool.run = [&](cli::Session& s) {
-    options.num_threads = s.threads();
     options.validate();
     const io::InputFile file = io::read_input(input);
     const Field start = io::read_field(file);
     check::require_valid(check::check_field(start, check::CheckDepth::quick), file.name);
     s.begin_phase("adapt");
-    Field field = adapt::adapt_loop(start, options, s.report());
+    const std::vector<Field> starts = regions::split(start);
+    std::vector<Field> parts = regions::map_regions<Field>(
+        start.mesh.face, s.threads(), s.report(), [&](int region, int threads, Report& report) {
+          adapt::AdaptOptions part_options = options;
+          part_options.num_threads = threads;
+          return adapt::adapt_loop(starts[region], part_options, report);
+        });
     s.end_phase();
+    Field field = regions::join(start.mesh, std::move(parts));
     field.provenance = s.provenance(start.provenance, {file.digest("field")});
     s.report().set("adapt.num_elements_by_order", Report::Value(order_histogram(field)));
     for (const AdaptStep& step : field.adapt_steps) {

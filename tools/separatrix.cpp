@@ -1,12 +1,20 @@
 // Traces the separatrices of a guiding field and writes the planar graph of separatrices and boundary.
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "couple/couple_layouts.hpp"
 #include "field/check_nodes_match_field.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "layout/compute_layout.hpp"
 #include "layout/midpoint_layout.hpp"
+#include "regions/region_numbers.hpp"
+#include "regions/region_work.hpp"
+#include "regions/split.hpp"
 
 using namespace quadrille;
 
@@ -27,9 +35,7 @@ SeparatrixGraph layout_of_triangles(const io::InputFile& file, const Settings& s
   return graph;
 }
 
-CriticalPoints read_points_of(const field::FieldEvaluator& evaluator, const io::InputFile& field_file,
-                              const io::InputFile& file) {
-  const Field& field = evaluator.field();
+CriticalPoints read_points_of(const Field& field, const io::InputFile& field_file, const io::InputFile& file) {
   CriticalPoints points = io::read_critical_points(file);
   check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
   // A file of another field refers to elements and corners that this one does not have: then the origin is the cause. A
@@ -39,9 +45,27 @@ CriticalPoints read_points_of(const field::FieldEvaluator& evaluator, const io::
   const std::vector<check::Violation> violations = check::check_critical_points_of(points, field);
   if (!is_phase || !violations.empty()) io::require_same_origin(field_file, field.provenance, file, points.provenance);
   check::require_valid(violations, file.name);
-  field::check_nodes_match_field(evaluator, points);
-  if (is_phase) io::require_same_origin(field_file, field.provenance, file, points.provenance);
   return points;
+}
+
+// The layout of each region, and from them that of the whole if they share curves.
+SeparatrixGraph layout_of_regions(const CadFace& face,
+                                  const std::vector<std::unique_ptr<field::FieldEvaluator>>& evaluators,
+                                  const std::vector<CriticalPoints>& points, const Settings& settings,
+                                  cli::Session& session) {
+  std::vector<SeparatrixGraph> graphs = regions::map_regions<SeparatrixGraph>(
+      face, session.threads(), session.report(), [&](int region, int, Report& report) {
+        return layout::compute_layout(*evaluators[region], points[region], settings.options, report);
+      });
+  if (face.partners.empty()) return std::move(graphs.front());
+  session.begin_phase("couple");
+  couple::RegionLayouts layouts{face, {}, {}, {}};
+  for (int r = 0; r < face.num_regions(); ++r) {
+    layouts.layouts.push_back(graph::candidate_layout(std::move(graphs[r])));
+    layouts.fields.push_back(evaluators[r].get());
+    layouts.first_curves.push_back(regions::curves_of(face, r).begin);
+  }
+  return couple::couple_layouts(std::move(layouts), session.report());
 }
 
 SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings& settings, cli::Session& session) {
@@ -54,10 +78,17 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
     return graph;
   }
   const io::InputFile points_file = io::read_input(settings.points);
-  const field::FieldEvaluator evaluator(field, field::FarTerms::expanded);
-  const CriticalPoints points = read_points_of(evaluator, field_file, points_file);
+  const std::vector<Field> fields = regions::split(field);
+  std::vector<std::unique_ptr<field::FieldEvaluator>> evaluators;
+  for (const Field& part : fields)
+    evaluators.push_back(std::make_unique<field::FieldEvaluator>(part, field::FarTerms::expanded));
+  const CriticalPoints whole = read_points_of(field, field_file, points_file);
+  const std::vector<CriticalPoints> points = regions::split(whole, field.mesh);
+  for (std::size_t r = 0; r < fields.size(); ++r) field::check_nodes_match_field(*evaluators[r], points[r]);
+  if (field.kind == FieldKind::phase)
+    io::require_same_origin(field_file, field.provenance, points_file, whole.provenance);
   session.begin_phase("trace");
-  SeparatrixGraph graph = layout::compute_layout(evaluator, points, settings.options, session.report());
+  SeparatrixGraph graph = layout_of_regions(field.mesh.face, evaluators, points, settings, session);
   graph.provenance =
       session.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
   return graph;

@@ -47,6 +47,25 @@ std::vector<int> quarters_from_angles(const ArcGraph& graph, int valence, const 
   return quarters;
 }
 
+bool is_on_interface(const ArcGraph& graph, HalfEdge h) {
+  return !is_boundary(graph, h) && start_on_curve(graph, h).first < graph.face.num_curves();
+}
+
+// A region whose boundary is straight at the node may have no line there, although others have: the widest sectors are
+// half turns.
+std::vector<int> widest_are_straight(const ArcGraph& graph, int valence, const std::vector<HalfEdge>& half_edges,
+                                     int num_sectors) {
+  std::vector<std::pair<double, int>> by_width;
+  for (int k = 0; k < num_sectors; ++k) {
+    const HalfEdge next = half_edges[(k + 1) % half_edges.size()];
+    by_width.push_back({-wrap_two_pi(start_angle(graph, next) - start_angle(graph, half_edges[k])), k});
+  }
+  std::sort(by_width.begin(), by_width.end());
+  std::vector<int> quarters(num_sectors, 1);
+  for (int k = 0; k < valence - num_sectors; ++k) quarters[by_width[k].second] = 2;
+  return quarters;
+}
+
 }  // namespace
 
 double start_angle(const ArcGraph& graph, HalfEdge h) {
@@ -87,6 +106,10 @@ std::vector<int> sector_quarters(const ArcGraph& graph, int node, const std::vec
   if (num_sectors == valence) return std::vector<int>(num_sectors, 1);
   if (is_closed && num == 3 && graph.nodes[node].kind == NodeKind::crossing)
     if (std::vector<int> quarters = t_junction_quarters(graph, half_edges); !quarters.empty()) return quarters;
+  const bool has_interface =
+      std::any_of(half_edges.begin(), half_edges.end(), [&](HalfEdge h) { return is_on_interface(graph, h); });
+  if (has_interface && num_sectors < valence && valence <= 2 * num_sectors)
+    return widest_are_straight(graph, valence, half_edges, num_sectors);
   return quarters_from_angles(graph, valence, half_edges, is_closed);
 }
 

@@ -78,8 +78,9 @@ struct Field {
   std::vector<int> coef_offsets;  ///< element e has the coefficients [coef_offsets[e], coef_offsets[e+1])
   std::vector<double> u, v;       ///< coefficients c_n of both components
   std::vector<Lifting> liftings;
-  PhaseForm phase;                  ///< of kind "phase"; u, v and liftings are then empty
-  std::vector<double> elem_sensor;  ///< last sensor of each element; empty before padapt
+  PhaseForm phase;                       ///< of kind "phase"; u, v and liftings are then empty
+  std::vector<PhaseForm> region_phases;  ///< of kind "phase" on several regions: one each, instead of `phase`
+  std::vector<double> elem_sensor;       ///< last sensor of each element; empty before padapt
   std::vector<double> elem_error;  ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
   std::vector<AdaptStep> adapt_steps;
 };

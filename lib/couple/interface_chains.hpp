@@ -1,0 +1,31 @@
+#pragma once
+// Interfaces as chains of curves, with the ends of lines on both sides of each.
+
+#include <array>
+#include <vector>
+
+#include "couple/region_layouts.hpp"
+
+namespace quadrille::couple {
+
+/// A node of one region's graph on an interface.
+struct Station {
+  int region = 0, node = -1;
+  double position = 0;      ///< length along the chain
+  bool is_movable = false;  ///< a regular line ends there, and nothing else is there
+};
+
+/// Successive curves of one loop whose partners succeed each other too, in opposite order.
+struct InterfaceChain {
+  std::vector<int> curves;      ///< of the whole, with the lower side's numbers
+  std::vector<double> offsets;  ///< length up to the start of each curve, and the total
+  bool is_closed = false;
+  std::array<std::vector<Station>, 2> stations;  ///< of the lower and of the other side, by position
+
+  double length() const { return offsets.back(); }
+};
+
+/// Without the ends of chains that are not closed: a node there, a junction, is on both sides.
+std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions);
+
+}  // namespace quadrille::couple
