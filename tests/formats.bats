@@ -161,6 +161,7 @@ PYTHON
   sep=$ROOT/tests/formats/separatrix_graph/passed/square.sep.json
   validates critical-points "$crit"
   validates critical-points "${crit%/*}/resolved.crit.json"
+  validates critical-points "${crit%/*}/regions.crit.json"
   validates separatrix-graph "$sep"
   for edit in 'del(.corners)' '.version = [1, 2]' '.format = "field"' '.critical_points[0].index = 0' \
     '.critical_points[0].position = [1]' '.corners[0].valence = 1.5' '.index_sum.expected = 3' '.form = "nice"' \
@@ -174,6 +175,13 @@ PYTHON
     jq "$edit" "$sep" > edited.json
     run validates separatrix-graph edited.json
     assert_failure
+  done
+  for edit in 'face.region_loops = [-1]' 'face.region_names = [0]' 'face.partners = [-2]' 'face.periodic_pairs = [{}]'; do
+    for file in "${crit%/*}/regions.crit.json" "$sep"; do
+      jq ".$edit" "$file" > edited.json
+      run validates "$(jq -r .format "$file")" edited.json
+      assert_failure
+    done
   done
 }
 

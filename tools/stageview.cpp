@@ -260,7 +260,8 @@ int main(int argc, char** argv) {
     o.flag("--curve-labels", settings.labels_all,
            "in a picture, write number and name beside each boundary curve, for cad2tri --name; without it, given "
            "names only, each once for successive curves that have it");
-    o.flag("--no-curve-labels", settings.labels_none, "in a picture, do not write the names of boundary curves");
+    o.flag("--no-curve-labels", settings.labels_none,
+           "in a picture, do not write the names of boundary curves and regions");
     o.text(
         "--window", settings.window, "X0,Y0,X1,Y1",
         "the part of the plane that a picture shows: its lower left and upper right corner in the coordinates and the "

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -20,13 +21,30 @@ void arrays_agree(const CadFace& face, Findings& findings) {
   agree("joints", face.joints.size());
   if (!are_ascending_indices(face.unnamed_curves, n))
     findings.add("unnamed_curves must be curves in ascending order, each once");
+  const auto num_regions = static_cast<std::size_t>(std::max(face.num_regions(), 0));
+  const bool has_regions = num_regions > 1;
+  if (has_regions || !face.partners.empty()) agree("partners", face.partners.size());
+  if ((has_regions || !face.region_names.empty()) && face.region_names.size() != num_regions)
+    findings.add("region_names has {} entries for {} regions", face.region_names.size(), num_regions);
+  for (std::size_t i = 0; i < face.partners.size(); ++i)
+    if (face.partners[i] != -1 && !is_index(face.partners[i], n))
+      findings.add("curve {}: its partner {} does not exist", i, face.partners[i]);
+  for (std::size_t i = 0; i < face.periodic_pairs.size(); ++i)
+    if (const auto [a, b] = face.periodic_pairs[i].curves; !is_index(a, n) || !is_index(b, n))
+      findings.add("periodic pair {}: curve {} or {} does not exist", i, a, b);
+}
+
+/// Whether `offsets` climbs strictly from 0 to `count`.
+bool are_offsets(const std::vector<int>& offsets, int count) {
+  return offsets.size() >= 2 && offsets.front() == 0 && offsets.back() == count &&
+         std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) == offsets.end();
 }
 
 void loops_are_sound(const CadFace& face, Findings& findings) {
-  const std::vector<int>& offsets = face.loop_offsets;
-  bool is_sound = offsets.size() >= 2 && offsets.front() == 0 && offsets.back() == face.num_curves();
-  for (std::size_t l = 0; is_sound && l + 1 < offsets.size(); ++l) is_sound = offsets[l] < offsets[l + 1];
-  if (!is_sound) findings.add("loop_offsets must increase from 0 to the number of curves, {}", face.num_curves());
+  if (!are_offsets(face.loop_offsets, face.num_curves()))
+    return findings.add("loop_offsets must increase from 0 to the number of curves, {}", face.num_curves());
+  if (!face.region_loops.empty() && !are_offsets(face.region_loops, face.num_loops()))
+    findings.add("region_loops must increase from 0 to the number of loops, {}", face.num_loops());
 }
 
 void curves_fit(const CadFace& face, Findings& findings) {
@@ -47,6 +65,9 @@ void numbers_are_finite(const CadFace& face, Findings& findings) {
         !is_finite(joint.interior_angle))
       findings.add("joint {} contains a number that is not finite", i);
   }
+  for (std::size_t i = 0; i < face.periodic_pairs.size(); ++i)
+    if (!is_finite(face.periodic_pairs[i].angle) || !is_finite(face.periodic_pairs[i].shift))
+      findings.add("periodic pair {} contains a number that is not finite", i);
   if (!is_finite(face.origin)) findings.add("origin is not finite");
   if (!(face.diameter > 0) || !is_finite(face.diameter)) findings.add("diameter must be a positive number");
   if (!(face.fit_distance >= 0) || !is_finite(face.fit_distance))
@@ -79,6 +100,8 @@ void angles_agree(const CadFace& face, Findings& findings) {
     if (std::abs(joint.tangent_in) > pi + 1e-9 || std::abs(joint.tangent_out) > pi + 1e-9 || joint.interior_angle < 0 ||
         joint.interior_angle > 2 * pi)
       findings.add("joint {}: tangent angles lie in (-pi, pi], interior angles in (0, 2 pi)", i);
+    else if (is_slit_tip(face, static_cast<int>(i)) && joint.interior_angle < 1.5 * pi)
+      findings.add("joint {}: interior_angle {:.9g} is not 2 pi, but a slit ends there", i, joint.interior_angle);
     else if (std::abs(wrap_pi(joint.interior_angle - (pi - (joint.tangent_out - joint.tangent_in)))) > 1e-6)
       findings.add("joint {}: interior_angle {:.9g} is not pi - (tangent_out - tangent_in)", i, joint.interior_angle);
   }
@@ -112,9 +135,13 @@ double signed_area(const CadFace& face, int loop) {
 }
 
 void loops_turn_right(const CadFace& face, Findings& findings) {
-  for (int l = 0; l < face.num_loops(); ++l)
-    if ((signed_area(face, l) > 0) != (l == 0))
-      findings.add("loop {} is not {}", l, l == 0 ? "counter-clockwise" : "clockwise");
+  for (int l = 0; l < face.num_loops(); ++l) {
+    const bool is_outline = l == 0 || std::binary_search(face.region_loops.begin(), face.region_loops.end(), l);
+    if (is_outline && face.is_slit_loop(l))
+      findings.add("loop {} must be an outline, but encloses nothing", l);
+    else if (!face.is_slit_loop(l) && (signed_area(face, l) > 0) != is_outline)
+      findings.add("loop {} is not {}", l, is_outline ? "counter-clockwise" : "clockwise");
+  }
 }
 
 void tangents_agree(const CadFace& face, Findings& findings) {
@@ -131,12 +158,90 @@ void tangents_agree(const CadFace& face, Findings& findings) {
   }
 }
 
+/// Whether `b` is `a` in the opposite direction: poles and weights bit for bit, knots up to rounding.
+bool are_reversed(const Nurbs& a, const Nurbs& b) {
+  const double tol = 1e-12 * (a.end() - a.begin());
+  return a.degree == b.degree && std::equal(a.poles.begin(), a.poles.end(), b.poles.rbegin(), b.poles.rend()) &&
+         std::equal(a.weights.begin(), a.weights.end(), b.weights.rbegin(), b.weights.rend()) &&
+         std::equal(a.knots.begin(), a.knots.end(), b.knots.rbegin(), b.knots.rend(), [&](double from_begin, double k) {
+           return std::abs((from_begin - a.begin()) - (b.end() - k)) <= tol;
+         });
+}
+
+void partners_agree(const CadFace& face, Findings& findings) {
+  for (int i = 0; i < static_cast<int>(face.partners.size()); ++i) {
+    const int p = face.partners[i];
+    if (p == -1) continue;
+    if (p == i || face.partners[p] != i)
+      findings.add("curve {}: its partner {} is not another curve that has it as partner", i, p);
+    else if (p < i)
+      continue;
+    else if (!are_reversed(face.curves[i], face.curves[p]))
+      findings.add("curves {} and {} are partners, but not one curve in opposite directions, at {}", i, p,
+                   position_text(face, face.curves[i].poles.front()));
+    else if (face.curve_names[i] != face.curve_names[p] || face.has_given_name(i) != face.has_given_name(p))
+      findings.add("curves {} and {} are partners, but of different names", i, p);
+  }
+}
+
+/// Of a point and a curve, the least distance: near the nearest of many points of the curve.
+double distance_to(const Nurbs& curve, Vec2 x) {
+  constexpr int num_samples = 256;
+  const double length = curve.end() - curve.begin();
+  const auto distance_at = [&](double t) {
+    return distance(curve_point(curve, std::clamp(t, curve.begin(), curve.end())), x);
+  };
+  double nearest = curve.begin();
+  for (int k = 1; k <= num_samples; ++k)
+    if (const double t = curve.begin() + length * k / num_samples; distance_at(t) < distance_at(nearest)) nearest = t;
+  double low = nearest - length / num_samples, high = nearest + length / num_samples;
+  for (int k = 0; k < 60; ++k) {
+    const double third = (high - low) / 3;
+    if (distance_at(low + third) < distance_at(high - third))
+      high -= third;
+    else
+      low += third;
+  }
+  return distance_at((low + high) / 2);
+}
+
+/// Greatest distance of the first curve of a pair, moved, from the second one, reversed.
+double periodic_gap(const CadFace& face, const PeriodicPair& pair) {
+  const Nurbs &from = face.curves[pair.curves[0]], &to = face.curves[pair.curves[1]];
+  const Vec2 turn = unit(pair.angle);
+  const auto moved = [&](Vec2 x) {
+    const Vec2 p = x + face.origin;
+    return Vec2{turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y} + pair.shift - face.origin;
+  };
+  double gap = std::max(distance(moved(from.poles.front()), to.poles.back()),
+                        distance(moved(from.poles.back()), to.poles.front()));
+  for (int k = 1; k < 16; ++k)
+    gap = std::max(gap, distance_to(to, moved(curve_point(from, from.begin() + (from.end() - from.begin()) * k / 16))));
+  return gap;
+}
+
+void periodic_pairs_agree(const CadFace& face, Findings& findings) {
+  std::vector<bool> is_paired(face.curves.size());
+  for (std::size_t i = 0; i < face.periodic_pairs.size(); ++i) {
+    const PeriodicPair& pair = face.periodic_pairs[i];
+    for (const int c : pair.curves) {
+      if (is_paired[c]) findings.add("curve {} is in two periodic pairs, or twice in one", c);
+      if (face.is_interface(c)) findings.add("periodic pair {}: curve {} is not on the boundary", i, c);
+      is_paired[c] = true;
+    }
+    if (const double gap = periodic_gap(face, pair); !(gap <= gap_tol * face.diameter))
+      findings.add("periodic pair {}: its motion maps curve {} {:.3g} away from curve {}", i, pair.curves[0], gap,
+                   pair.curves[1]);
+  }
+}
+
 constexpr Rule<CadFace> rules[] = {
     {"FAC-R01", RuleKind::structure, arrays_agree},       {"FAC-R02", RuleKind::structure, loops_are_sound},
     {"FAC-R03", RuleKind::structure, curves_fit},         {"FAC-R04", RuleKind::structure, curves_are_sound},
     {"FAC-R05", RuleKind::structure, numbers_are_finite}, {"FAC-R06", RuleKind::quick, curves_meet},
     {"FAC-R07", RuleKind::quick, angles_agree},           {"FAC-R08", RuleKind::quick, plane_is_orthonormal},
     {"FAC-R09", RuleKind::full, loops_turn_right},        {"FAC-R10", RuleKind::full, tangents_agree},
+    {"FAC-R11", RuleKind::quick, partners_agree},         {"FAC-R12", RuleKind::full, periodic_pairs_agree},
 };
 
 }  // namespace

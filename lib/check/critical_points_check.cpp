@@ -81,7 +81,9 @@ void corners_are_sound(const CriticalPoints& points, Findings& findings) {
     if (c.joint < 0 || (i > 0 && c.joint <= points.corners[i - 1].joint))
       findings.add("corners must be sorted by joint; entry {} is not", i);
     if (c.curves[0] < 0 || c.curves[1] < 0) findings.add("corner {}: a curve is negative", i);
-    if (!(c.angle_degrees > 0) || !(c.angle_degrees < 360)) findings.add("corner {}: its angle is not in (0, 360)", i);
+    const bool is_full_circle = std::abs(c.angle_degrees - 360) < 1e-6 && is_slit_tip(points.face, c.joint);
+    if (!is_full_circle && (!(c.angle_degrees > 0) || !(c.angle_degrees < 360)))
+      findings.add("corner {}: its angle is not in (0, 360), or 360 at the end of a slit", i);
     if (c.valence < 0 || c.valence > 4) findings.add("corner {}: valence {} is outside 0 to 4", i, c.valence);
   }
 }
@@ -100,8 +102,12 @@ void index_sum_is_right(const CriticalPoints& points, Findings& findings) {
 }
 
 void index_sum_holds(const CriticalPoints& points, Findings& findings) {
-  if (points.index_sum_expected > 4 || points.index_sum_expected % 4 != 0)
-    findings.add("index_sum.expected is {}: it must be 4, or 4 less for each hole", points.index_sum_expected);
+  const int expected = points.index_sum_expected;
+  if (!points.face.curves.empty() && expected != 4 * points.face.euler_characteristic())
+    findings.add("index_sum.expected is {}: it must be {}, 4 for each region of the face less 4 for each hole",
+                 expected, 4 * points.face.euler_characteristic());
+  else if (points.face.curves.empty() && (expected > 4 || expected % 4 != 0))
+    findings.add("index_sum.expected is {}: it must be 4, or 4 less for each hole", expected);
   if (points.index_sum != points.index_sum_expected)
     findings.add("the index sum is {}, not {}", points.index_sum, points.index_sum_expected);
 }
@@ -272,8 +278,9 @@ void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings)
           b.curve, on_curve.x, on_curve.y);
   }
   const std::size_t num_offsets = pair.points.hole_winding_offsets.size();
-  if (num_offsets != 0 && num_offsets + 1 != static_cast<std::size_t>(face.num_loops()))
-    findings.add("hole_winding_offsets has {} entries for {} holes", num_offsets, face.num_loops() - 1);
+  const int num_holes = face.num_loops() - face.num_regions();
+  if (num_offsets != 0 && num_offsets != static_cast<std::size_t>(num_holes))
+    findings.add("hole_winding_offsets has {} entries for {} holes", num_offsets, num_holes);
 }
 
 constexpr Rule<PointsOfField> rules_with_field[] = {
@@ -287,8 +294,8 @@ constexpr Rule<PointsOfField> rules_with_field[] = {
 std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth) {
   if (points.face.curves.empty()) return apply_rules(rules, points, depth);
   std::vector<Violation> all = check_cad_face(points.face, depth);
-  for (const Violation& violation : apply_rules(rules, points, depth)) all.push_back(violation);
-  return all;
+  if (!all.empty()) return all;
+  return apply_rules(rules, points, depth);
 }
 
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const Field& field) {

@@ -18,6 +18,34 @@ void arrays_agree(const Field& field, Findings& findings) {
     findings.add("elem_error has {} entries for {} elements", field.elem_error.size(), n);
 }
 
+/// The phase of a region, and where its numbers are among those of the face: joints, curves and holes count from 0 in
+/// each region.
+struct RegionPhase {
+  const PhaseForm& phase;
+  int first_curve = 0, num_curves = 0, num_holes = 0;
+  std::size_t num_coefs = 0;
+};
+
+/// Of a field of kind phase with sound coef_offsets; a missing member of region_phases counts as empty.
+std::vector<RegionPhase> phases_of(const Field& field) {
+  static const PhaseForm missing;
+  const CadFace& face = field.mesh.face;
+  const int num_regions = face.num_regions();
+  if (num_regions == 1)
+    return {
+        {field.phase, 0, face.num_curves(), face.num_loops() - 1, static_cast<std::size_t>(field.coef_offsets.back())}};
+  std::vector<RegionPhase> all;
+  for (int r = 0; r < num_regions; ++r) {
+    const int first_loop = face.region_loops[r], last_loop = face.region_loops[r + 1];
+    const int first_curve = face.loop_offsets[first_loop];
+    const auto coefs = [&](int region) { return field.coef_offsets[field.mesh.region_elems[region]]; };
+    all.push_back({r < std::ssize(field.region_phases) ? field.region_phases[r] : missing, first_curve,
+                   face.loop_offsets[last_loop] - first_curve, last_loop - first_loop - 1,
+                   static_cast<std::size_t>(coefs(r + 1) - coefs(r))});
+  }
+  return all;
+}
+
 void coefficients_fit(const Field& field, Findings& findings) {
   const std::vector<int>& offsets = field.coef_offsets;
   const std::size_t n = field.elem_order.size();
@@ -32,8 +60,11 @@ void coefficients_fit(const Field& field, Findings& findings) {
   }
   const auto end = static_cast<std::size_t>(offsets.back());
   const bool is_phase = field.kind == FieldKind::phase;
-  if (is_phase && (field.phase.s.size() != end || !field.u.empty() || !field.v.empty()))
-    findings.add("s must have {} coefficients, u and v none", offsets.back());
+  if (is_phase && (!field.u.empty() || !field.v.empty())) findings.add("u and v of a phase must be empty");
+  if (is_phase)
+    for (const RegionPhase& region : phases_of(field))
+      if (region.phase.s.size() != region.num_coefs)
+        findings.add("s has {} coefficients, not {}", region.phase.s.size(), region.num_coefs);
   if (!is_phase && (field.u.size() != end || field.v.size() != end))
     findings.add("u and v must have {} coefficients each", offsets.back());
 }
@@ -46,7 +77,9 @@ void joints_exist(const Field& field, Findings& findings) {
 
 void numbers_are_finite(const Field& field, Findings& findings) {
   if (!are_finite(field.u) || !are_finite(field.v)) findings.add("u or v contains a number that is not finite");
-  if (!are_finite(field.phase.s)) findings.add("s contains a number that is not finite");
+  if (field.kind == FieldKind::phase)
+    for (const RegionPhase& region : phases_of(field))
+      if (!are_finite(region.phase.s)) findings.add("s contains a number that is not finite");
   if (!are_finite(field.elem_sensor)) findings.add("elem_sensor contains a number that is not finite");
   if (!are_finite(field.elem_error)) findings.add("elem_error contains a number that is not finite");
   for (std::size_t i = 0; i < field.liftings.size(); ++i) {
@@ -102,8 +135,9 @@ void turns_are_sound(const std::vector<PhaseTurn>& turns, const char* name, Find
       findings.add("entry {} of terms/{}: not finite, or turns beyond {}", k, name, max_turns);
 }
 
-void hole_arrays_agree(const CadFace& face, const PhaseForm& phase, Findings& findings) {
-  const auto num_holes = static_cast<std::size_t>(std::max(face.num_loops() - 1, 0));
+void hole_arrays_agree(const RegionPhase& region, Findings& findings) {
+  const PhaseForm& phase = region.phase;
+  const auto num_holes = static_cast<std::size_t>(region.num_holes);
   const auto require = [&](std::size_t size, const char* name) {
     if (size != num_holes) findings.add("{} has {} entries for {} holes", name, size, num_holes);
   };
@@ -115,10 +149,8 @@ void hole_arrays_agree(const CadFace& face, const PhaseForm& phase, Findings& fi
 }
 
 /// All terms that an evaluator adds up exist, are finite and are small enough to keep the digits of the phase.
-void phase_is_sound(const Field& field, Findings& findings) {
-  if (field.kind != FieldKind::phase) return;
-  const PhaseForm& phase = field.phase;
-  if (!field.liftings.empty()) findings.add("a field of kind phase has no liftings");
+void phase_is_sound(const RegionPhase& region, Findings& findings) {
+  const PhaseForm& phase = region.phase;
   turns_are_sound(phase.terms.nodes, "nodes", findings);
   turns_are_sound(phase.terms.holes, "holes", findings);
   turns_are_sound(phase.terms.images, "images", findings);
@@ -127,7 +159,7 @@ void phase_is_sound(const Field& field, Findings& findings) {
     if (!is_finite(corner.apex) || !is_finite(corner.pole) || !is_finite(corner.beta) || corner.apex == corner.pole)
       findings.add("corner angle {} is not finite, or its pole is its apex", i);
   }
-  hole_arrays_agree(field.mesh.face, phase, findings);
+  hole_arrays_agree(region, findings);
   if (!are_finite(phase.best_hole_winding) || !are_finite(phase.hole_periods) || !is_finite(phase.hole_winding_energy))
     findings.add("best_hole_winding, hole_periods or hole_winding_energy is not finite");
   if (!std::all_of(phase.hole_winding.begin(), phase.hole_winding.end(), is_bounded) ||
@@ -135,22 +167,31 @@ void phase_is_sound(const Field& field, Findings& findings) {
     findings.add("hole_winding or hole_winding_offsets: an entry is not between -{} and {}", max_turns, max_turns);
 }
 
-void prescribed_corners_exist(const CadFace& face, const PhaseNodes& prescribed, Findings& findings) {
+void phases_are_sound(const Field& field, Findings& findings) {
+  if (field.kind != FieldKind::phase) return;
+  if (!field.liftings.empty()) findings.add("a field of kind phase has no liftings");
+  for (const RegionPhase& region : phases_of(field)) phase_is_sound(region, findings);
+}
+
+void prescribed_corners_exist(const RegionPhase& region, Findings& findings) {
   std::set<int> joints;
-  for (const CornerValence& corner : prescribed.corners) {
-    if (!is_index(corner.joint, face.joints.size())) findings.add("joint {} does not exist", corner.joint);
+  for (const CornerValence& corner : region.phase.prescribed.corners) {
+    if (!is_index(corner.joint, static_cast<std::size_t>(region.num_curves)))
+      findings.add("joint {} does not exist", corner.joint);
     if (!joints.insert(corner.joint).second) findings.add("joint {} is listed twice", corner.joint);
     if (corner.valence < 0 || corner.valence > 4)
       findings.add("joint {}: valence {} is outside 0 to 4", corner.joint, corner.valence);
   }
 }
 
-void prescribed_boundary_nodes_exist(const CadFace& face, const PhaseNodes& prescribed, Findings& findings) {
-  for (std::size_t i = 0; i < prescribed.boundary_nodes.size(); ++i) {
-    const BoundaryNode& node = prescribed.boundary_nodes[i];
-    if (!is_index(node.curve, face.curves.size()))
+void prescribed_boundary_nodes_exist(const CadFace& face, const RegionPhase& region, Findings& findings) {
+  const std::vector<BoundaryNode>& nodes = region.phase.prescribed.boundary_nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const BoundaryNode& node = nodes[i];
+    const auto has_parameter = [&](const Nurbs& curve) { return node.t >= curve.begin() && node.t <= curve.end(); };
+    if (!is_index(node.curve, static_cast<std::size_t>(region.num_curves)))
       findings.add("boundary node {}: curve {} does not exist", i, node.curve);
-    else if (!(node.t >= face.curves[node.curve].begin() && node.t <= face.curves[node.curve].end()))
+    else if (!has_parameter(face.curves[region.first_curve + node.curve]))
       findings.add("boundary node {}: curve {} has no parameter {}", i, node.curve, node.t);
     if (node.valence < 1 || node.valence > 4 || node.valence == 2)
       findings.add("boundary node {}: valence {} must be 1, 3 or 4", i, node.valence);
@@ -170,22 +211,24 @@ void nodes_are_prescribed(const PhaseForm& phase, Findings& findings) {
   }
 }
 
-void prescribed_index_sum_holds(const CadFace& face, const PhaseNodes& prescribed, Findings& findings) {
+void prescribed_index_sum_holds(const RegionPhase& region, Findings& findings) {
+  const PhaseNodes& prescribed = region.phase.prescribed;
   long long sum = 0;
   for (const PhaseNode& node : prescribed.nodes) sum += 4LL - node.valence;
   for (const CornerValence& corner : prescribed.corners) sum += 2LL - corner.valence;
   for (const BoundaryNode& node : prescribed.boundary_nodes) sum += 2LL - node.valence;
-  const int expected = 4 * (2 - face.num_loops());
+  const int expected = 4 * (1 - region.num_holes);
   if (sum != expected) findings.add("the prescribed nodes have the index sum {}, not {}", sum, expected);
 }
 
 void terms_are_prescribed(const Field& field, Findings& findings) {
   if (field.kind != FieldKind::phase) return;
-  const CadFace& face = field.mesh.face;
-  prescribed_corners_exist(face, field.phase.prescribed, findings);
-  prescribed_boundary_nodes_exist(face, field.phase.prescribed, findings);
-  nodes_are_prescribed(field.phase, findings);
-  prescribed_index_sum_holds(face, field.phase.prescribed, findings);
+  for (const RegionPhase& region : phases_of(field)) {
+    prescribed_corners_exist(region, findings);
+    prescribed_boundary_nodes_exist(field.mesh.face, region, findings);
+    nodes_are_prescribed(region.phase, findings);
+    prescribed_index_sum_holds(region, findings);
+  }
 }
 
 constexpr Rule<Field> rules[] = {
@@ -193,7 +236,7 @@ constexpr Rule<Field> rules[] = {
     {"FLD-R03", RuleKind::structure, joints_exist},      {"FLD-R04", RuleKind::structure, numbers_are_finite},
     {"FLD-R05", RuleKind::quick, kinds_are_known},       {"FLD-R06", RuleKind::quick, liftings_fit},
     {"FLD-R07", RuleKind::quick, adapt_steps_are_sound}, {"FLD-R08", RuleKind::quick, errors_are_sound},
-    {"FLD-R09", RuleKind::quick, phase_is_sound},        {"FLD-R10", RuleKind::quick, terms_are_prescribed},
+    {"FLD-R09", RuleKind::quick, phases_are_sound},      {"FLD-R10", RuleKind::quick, terms_are_prescribed},
 };
 
 }  // namespace

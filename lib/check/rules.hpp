@@ -73,6 +73,10 @@ inline bool are_ascending_indices(const std::vector<int>& list, std::size_t coun
     if (!is_index(list[k], count) || (k > 0 && list[k] <= list[k - 1])) return false;
   return true;
 }
+/// Whether a slit ends in the joint, so that its curve runs back along the one before it. The face must be sound.
+inline bool is_slit_tip(const CadFace& face, int joint) {
+  return is_index(joint, face.partners.size()) && face.partners[joint] == face.previous_in_loop(joint);
+}
 /// "(x, y)" in the coordinates of the CAD model's plane: with the face's origin added.
 inline std::string position_text(const CadFace& face, Vec2 p) { return quadrille::position_text(p + face.origin); }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
@@ -15,6 +16,16 @@ std::size_t nodes_per_elem(const TriMesh& mesh) {
   return static_cast<std::size_t>(mesh.order + 1) * static_cast<std::size_t>(mesh.order + 2) / 2;
 }
 
+void regions_have_elements(const TriMesh& mesh, Findings& findings) {
+  const std::vector<int>& offsets = mesh.region_elems;
+  const int num_regions = mesh.face.num_regions();
+  if (offsets.empty() && num_regions == 1) return;
+  const bool climbs = std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) == offsets.end();
+  if (std::ssize(offsets) != num_regions + 1 || !climbs || offsets.front() != 0 || offsets.back() != mesh.num_elems())
+    findings.add("region_elems must increase from 0 to the number of elements, {}, in {} entries", mesh.num_elems(),
+                 num_regions + 1);
+}
+
 void arrays_agree(const TriMesh& mesh, Findings& findings) {
   if (mesh.order < 1 || mesh.order > 20) return findings.add("order {} is outside 1 to 20", mesh.order);
   if (mesh.elem2vertices.empty()) findings.add("the mesh has no elements");
@@ -23,6 +34,7 @@ void arrays_agree(const TriMesh& mesh, Findings& findings) {
   if (mesh.curved_nodes.size() != mesh.curved_elems.size() * nodes_per_elem(mesh))
     findings.add("curved_nodes has {} entries, not {} for each of {} curved elements", mesh.curved_nodes.size(),
                  nodes_per_elem(mesh), mesh.curved_elems.size());
+  regions_have_elements(mesh, findings);
 }
 
 void vertices_exist(const TriMesh& mesh, Findings& findings) {
@@ -232,6 +244,34 @@ void jacobians_are_positive(const TriMesh& mesh, Findings& findings) {
   }
 }
 
+/// The least and the greatest vertex of each region.
+std::vector<std::array<int, 2>> vertex_ranges(const TriMesh& mesh) {
+  std::vector<std::array<int, 2>> ranges;
+  for (std::size_t r = 0; r + 1 < mesh.region_elems.size(); ++r) {
+    ranges.push_back({static_cast<int>(mesh.vertices.size()), -1});
+    auto& [least, greatest] = ranges.back();
+    for (int e = mesh.region_elems[r]; e < mesh.region_elems[r + 1]; ++e)
+      for (const int v : mesh.elem2vertices[e]) least = std::min(least, v), greatest = std::max(greatest, v);
+  }
+  return ranges;
+}
+
+void regions_are_apart(const TriMesh& mesh, Findings& findings) {
+  const std::vector<std::array<int, 2>> ranges = vertex_ranges(mesh);
+  for (std::size_t r = 0; r + 1 < ranges.size(); ++r)
+    if (ranges[r][1] >= ranges[r + 1][0])
+      findings.add("vertex {} of region {} comes before vertex {} of region {}, or is the same", ranges[r + 1][0],
+                   r + 1, ranges[r][1], r);
+  if (mesh.face.num_regions() == 1) return;
+  for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i) {
+    const BoundaryEdge& edge = mesh.boundary_edges[i];
+    const int region = mesh.face.region_of_loop(mesh.face.loop_of(edge.curve));
+    if (edge.elem < mesh.region_elems[region] || edge.elem >= mesh.region_elems[region + 1])
+      findings.add("boundary edge {} is on curve {} of region {}, but its element {} is of another region", i,
+                   edge.curve, region, edge.elem);
+  }
+}
+
 constexpr Rule<TriMesh> rules[] = {
     {"TRI-R01", RuleKind::structure, arrays_agree},
     {"TRI-R02", RuleKind::structure, vertices_exist},
@@ -246,6 +286,7 @@ constexpr Rule<TriMesh> rules[] = {
     {"TRI-R11", RuleKind::full, euler_count_holds},
     {"TRI-R12", RuleKind::full, neighbours_share_shapes},
     {"TRI-R13", RuleKind::full, jacobians_are_positive},
+    {"TRI-R14", RuleKind::quick, regions_are_apart},
 };
 
 }  // namespace

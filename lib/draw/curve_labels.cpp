@@ -9,6 +9,7 @@
 
 #include "curve/nurbs.hpp"
 #include "draw/marks.hpp"
+#include "draw/region_labels.hpp"
 
 namespace quadrille::draw {
 namespace {
@@ -166,6 +167,9 @@ void draw_joints(Picture& picture, const CadFace& face) {
 
 bool is_named(const CadFace& face, int curve) { return face.has_given_name(curve) && !face.curve_names[curve].empty(); }
 
+/// An interface is labelled once, as the first of its two curves.
+bool is_second_side(const CadFace& face, int curve) { return face.is_interface(curve) && face.partners[curve] < curve; }
+
 /// Curves from the shortest to the longest, which has the most places.
 void sort_by_length(std::vector<int>& curves, const Labels& labels) {
   std::stable_sort(curves.begin(), curves.end(), [&](int a, int b) { return labels.length(a) < labels.length(b); });
@@ -175,7 +179,7 @@ void sort_by_length(std::vector<int>& curves, const Labels& labels) {
 std::vector<int> longest_of_names(const CadFace& face, const Labels& labels) {
   std::vector<int> longest(face.curves.size(), -1);  // by the first curve of the run
   for (int c = 0; c < face.num_curves(); ++c) {
-    if (!is_named(face, c)) continue;
+    if (!is_named(face, c) || is_second_side(face, c)) continue;
     const auto continues = [&](int curve) {
       const int before = face.previous_in_loop(curve);
       return is_named(face, before) && face.curve_names[before] == face.curve_names[c];
@@ -204,8 +208,8 @@ int label_all(Labels& labels, const CadFace& face) {
   sort_by_length(curves, labels);
   int num_omitted = 0;
   for (const int c : curves) {
-    if (!labels.is_seen(c)) continue;
-    const std::string number = fmt::format("{}", c);
+    if (!labels.is_seen(c) || is_second_side(face, c)) continue;
+    const std::string number = face.is_interface(c) ? fmt::format("{}/{}", c, face.partners[c]) : fmt::format("{}", c);
     const bool is_written = is_named(face, c) && labels.write(c, "label", number + ' ' + face.curve_names[c]);
     if (!is_written && !labels.write(c, "label", number)) ++num_omitted;
   }
@@ -217,6 +221,7 @@ int label_all(Labels& labels, const CadFace& face) {
 void label_curves(Picture& picture, const CadFace& face, CurveLabels which) {
   if (which == CurveLabels::none) return;
   const bool all = which == CurveLabels::all;
+  label_regions(picture, face);
   if (all) draw_joints(picture, face);
   Labels labels(picture, face);
   const int num_omitted = all ? label_all(labels, face) : label_names(labels, face);

@@ -32,12 +32,12 @@ PictureBox box_of(const CriticalPoints& points) {
 }
 
 void draw_quiet_field(Picture& picture, const Field& field) {
-  const field::FieldEvaluator evaluator(field);
+  const RegionFields regions(field);
   draw_face_area(picture, field.mesh.face);
   picture.open_group("quiet");
-  draw_crosses(picture, evaluator, 26);
+  for (const field::FieldEvaluator& evaluator : regions.evaluators) draw_crosses(picture, evaluator, 26);
   picture.close_group();
-  if (field.kind != FieldKind::phase) draw_zero_contours(picture, evaluator);  // a unit field has no zeros
+  if (field.kind != FieldKind::phase) draw_zero_contours(picture, regions);  // a unit field has no zeros
   draw_boundary(picture, field.mesh.face);
 }
 
@@ -46,12 +46,14 @@ void draw_outline(Picture& picture, const CadFace& face) {
   draw_boundary(picture, face);
 }
 
-/// A direction out of the face at a corner: opposite to the bisector of its interior angle or, without a face, away
-/// from the centre of the picture.
-Vec2 outwards(const Picture& picture, const CadFace* face, const Corner& corner) {
+/// The direction of the label of a corner: out of the face, opposite to the bisector of its interior angle; into its
+/// region where neighbours meet in the corner, so that each has its own; without a face, away from the centre of the
+/// picture.
+Vec2 label_direction(const Picture& picture, const CadFace* face, const Corner& corner) {
   if (face && corner.joint >= 0 && corner.joint < static_cast<int>(face->joints.size())) {
     const Joint& joint = face->joints[corner.joint];
-    return -unit(joint.tangent_out + joint.interior_angle / 2);
+    const Vec2 inwards = unit(joint.tangent_out + joint.interior_angle / 2);
+    return face->is_slit_joint(corner.joint) ? inwards : -inwards;
   }
   const Vec2 from_middle = picture.at(corner.position) - 0.5 * picture.size();
   return norm(from_middle) > 1 ? normalized(from_middle) : Vec2{0, 1};
@@ -69,7 +71,7 @@ std::string caption(const CriticalPoints& points) {
   if (!points.changes.empty()) text += ", " + count(points.changes, "change");
   if (points.certificate.cells_examined > 0)
     text += fmt::format(", {} cells searched", points.certificate.cells_examined);
-  return text;
+  return text + regions_text(points.face);
 }
 
 /// Text such as ", source: cluster" for a node that was neither found as a zero nor measured; else empty.
@@ -89,7 +91,7 @@ void draw_corner_valences(Picture& picture, const CriticalPoints& points, const 
         fmt::format("corner at {}, {:.4g} degrees, valence {}{}{}", position_text(corner.position, points.origin),
                     corner.angle_degrees, corner.valence, corner.valence == 0 ? ", degenerate" : "",
                     source_text(corner.source, NodeSource::angle))));
-    picture.text(at + 17 * outwards(picture, face, corner), "label", std::to_string(corner.valence));
+    picture.text(at + 17 * label_direction(picture, face, corner), "label", std::to_string(corner.valence));
   }
   if (!points.corners.empty()) picture.legend_mark(circle_mark("corner", {0, 0}, 4.5), "corner and its valence");
   if (has_taker)

@@ -31,13 +31,25 @@ std::string title(const Field& field, const std::string& show) {
   return (is_phase(field) ? "Phase form: " : "Guiding field: ") + what;
 }
 
+/// One for each region.
+std::vector<const PhaseForm*> phases_of(const Field& field) {
+  std::vector<const PhaseForm*> phases;
+  if (is_phase(field) && field.region_phases.empty()) phases.push_back(&field.phase);
+  for (const PhaseForm& phase : field.region_phases) phases.push_back(&phase);
+  return phases;
+}
+
 /// The text "4 nodes asked for, 8 corner valences".
-std::string asked_text(const PhaseForm& phase) {
-  std::string text = counted(static_cast<int>(phase.prescribed.nodes.size()), "node") + " asked for";
-  if (!phase.prescribed.boundary_nodes.empty())
-    text += ", " + counted(static_cast<int>(phase.prescribed.boundary_nodes.size()), "boundary node");
-  if (!phase.prescribed.corners.empty())
-    text += ", " + counted(static_cast<int>(phase.prescribed.corners.size()), "corner valence");
+std::string asked_text(const std::vector<const PhaseForm*>& phases) {
+  int num_nodes = 0, num_boundary_nodes = 0, num_corners = 0;
+  for (const PhaseForm* phase : phases) {
+    num_nodes += static_cast<int>(phase->prescribed.nodes.size());
+    num_boundary_nodes += static_cast<int>(phase->prescribed.boundary_nodes.size());
+    num_corners += static_cast<int>(phase->prescribed.corners.size());
+  }
+  std::string text = counted(num_nodes, "node") + " asked for";
+  if (num_boundary_nodes > 0) text += ", " + counted(num_boundary_nodes, "boundary node");
+  if (num_corners > 0) text += ", " + counted(num_corners, "corner valence");
   return text;
 }
 
@@ -46,15 +58,15 @@ std::string caption(const Field& field) {
   if (field.elem_order.empty()) return "no elements";
   const std::string orders =
       *least == *greatest ? fmt::format("order {}", *least) : fmt::format("orders {} to {}", *least, *greatest);
-  const std::string coefficients = is_phase(field) ? fmt::format("{} coefficients", field.phase.s.size())
+  const std::string coefficients = is_phase(field) ? fmt::format("{} coefficients", field.coef_offsets.back())
                                                    : fmt::format("{} coefficients per component", field.u.size());
   std::string text = fmt::format("{}, {}, {}", counted(field.mesh.num_elems(), "triangle"), orders, coefficients);
   if (!field.liftings.empty()) text += ", " + counted(static_cast<int>(field.liftings.size()), "lifting");
-  if (is_phase(field)) text += ", " + asked_text(field.phase);
-  return text;
+  if (is_phase(field)) text += ", " + asked_text(phases_of(field));
+  return text + regions_text(field.mesh.face);
 }
 
-void draw_cross_angle(Picture& picture, const field::FieldEvaluator& evaluator) {
+void draw_cross_angle(Picture& picture, const RegionFields& regions) {
   const auto colour = [](Vec2 value) {
     return cross_angle_colour(Paper::light, stepped(degrees(cross_angle(value)), 1),
                               stepped(std::min(1.0, norm(value)), 24));
@@ -63,17 +75,19 @@ void draw_cross_angle(Picture& picture, const field::FieldEvaluator& evaluator) 
     const double turn = std::abs(degrees(wrap_pi(angle_of(a) - angle_of(b)))) / 4;
     return std::max(turn * std::min(1.0, norm(a) * 4) / 2, std::abs(norm(a) - norm(b)) * 12);
   };
-  draw_field_cells(picture, evaluator, colour, difference);
-  draw_crosses(picture, evaluator, 34);
+  for (const field::FieldEvaluator& evaluator : regions.evaluators)
+    draw_field_cells(picture, evaluator, colour, difference);
+  for (const field::FieldEvaluator& evaluator : regions.evaluators) draw_crosses(picture, evaluator, 34);
   picture.legend_bar(cross_angle_ramp(Paper::light), "cross angle ψ in degrees", {"−45", "−22.5", "0", "22.5", "45"});
 }
 
-void draw_component(Picture& picture, const field::FieldEvaluator& evaluator, bool is_u) {
+void draw_component(Picture& picture, const RegionFields& regions, bool is_u) {
   const auto component = [is_u](Vec2 value) { return is_u ? value.x : value.y; };
-  draw_field_cells(
-      picture, evaluator,
-      [&](Vec2 value) { return ramp_colour(component_ramp(), stepped(0.5 * (component(value) + 1), 96)); },
-      [&](Vec2 a, Vec2 b) { return std::abs(component(a) - component(b)) * 28; });
+  for (const field::FieldEvaluator& evaluator : regions.evaluators)
+    draw_field_cells(
+        picture, evaluator,
+        [&](Vec2 value) { return ramp_colour(component_ramp(), stepped(0.5 * (component(value) + 1), 96)); },
+        [&](Vec2 a, Vec2 b) { return std::abs(component(a) - component(b)) * 28; });
   picture.legend_bar(component_ramp(), is_u ? "u" : "v", {"−1", "−0.5", "0", "0.5", "1"});
 }
 
@@ -112,25 +126,27 @@ void draw_orders(Picture& picture, const Field& field) {
                         fmt::format("{}", order));
 }
 
-/// The nodes prescribed for a phase.
-void draw_nodes_asked(Picture& picture, const Field& field) {
-  std::vector<int> valences;
-  for (const PhaseNode& node : field.phase.prescribed.nodes) {
-    valences.push_back(node.valence);
-    picture.add(valence_mark(picture.at(node.position), node.valence, 9,
-                             fmt::format("node of valence {} asked for at {}", node.valence,
-                                         position_text(node.position, field.mesh.face.origin))));
-  }
-  for (const BoundaryNode& node : field.phase.prescribed.boundary_nodes) {
-    const Nurbs& curve = field.mesh.face.curves[node.curve];
-    picture.add(
-        boundary_mark(picture.at(curve::point(curve, node.t)), node.valence, 9,
-                      fmt::format("boundary node of valence {} asked for on curve {}", node.valence, node.curve)));
+/// The nodes prescribed for the phases of all regions.
+void draw_nodes_asked(Picture& picture, const std::vector<Field>& regions) {
+  std::vector<int> valences, boundary_valences;
+  for (const Field& field : regions) {
+    for (const PhaseNode& node : field.phase.prescribed.nodes) {
+      valences.push_back(node.valence);
+      picture.add(valence_mark(picture.at(node.position), node.valence, 9,
+                               fmt::format("node of valence {} asked for at {}", node.valence,
+                                           position_text(node.position, field.mesh.face.origin))));
+    }
+    for (const BoundaryNode& node : field.phase.prescribed.boundary_nodes) {
+      boundary_valences.push_back(node.valence);
+      const Nurbs& curve = field.mesh.face.curves[node.curve];
+      picture.add(
+          boundary_mark(picture.at(curve::point(curve, node.t)), node.valence, 9,
+                        fmt::format("boundary node of valence {} asked for on curve {}", node.valence, node.curve)));
+    }
   }
   legend_valences(picture, valences);
-  if (!field.phase.prescribed.boundary_nodes.empty())
-    picture.legend_mark(boundary_mark({0, 0}, field.phase.prescribed.boundary_nodes.front().valence, 8),
-                        "node on the boundary");
+  if (!boundary_valences.empty())
+    picture.legend_mark(boundary_mark({0, 0}, boundary_valences.front(), 8), "node on the boundary");
 }
 
 }  // namespace
@@ -138,19 +154,18 @@ void draw_nodes_asked(Picture& picture, const Field& field) {
 std::string draw_field(const Field& field, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(field.mesh.face), field.mesh.face.origin, options), options,
                   title(field, options.show), caption(field));
+  const RegionFields regions(field);
   if (options.show == "order") {
     draw_orders(picture, field);
   } else if (options.show == "psi" || options.show == "u" || options.show == "v") {
-    const field::FieldEvaluator evaluator(field);
-    options.show == "psi" ? draw_cross_angle(picture, evaluator)
-                          : draw_component(picture, evaluator, options.show == "u");
-    if (!is_phase(field)) draw_zero_contours(picture, evaluator);  // the contours of a unit field do not intersect
+    options.show == "psi" ? draw_cross_angle(picture, regions) : draw_component(picture, regions, options.show == "u");
+    if (!is_phase(field)) draw_zero_contours(picture, regions);  // the contours of a unit field do not intersect
   } else {
     throw UsageError("--show: '" + options.show + "' is not one of psi|u|v|order");
   }
   draw_boundary(picture, field.mesh.face);
   draw_corners(picture, field.mesh.face);
-  if (is_phase(field)) draw_nodes_asked(picture, field);
+  if (is_phase(field)) draw_nodes_asked(picture, regions.fields);
   label_curves(picture, field.mesh.face, options.curve_labels);
   legend_scale(picture, field.mesh.face);
   return picture.str();

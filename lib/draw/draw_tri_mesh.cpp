@@ -23,8 +23,8 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   const int num_curved = static_cast<int>(mesh.curved_elems.size());
   Picture picture(
       shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Triangle mesh",
-      fmt::format("{}, {} of them curved (order {}), {} boundary edges", counted(mesh.num_elems(), "triangle"),
-                  num_curved, mesh.order, mesh.boundary_edges.size()));
+      fmt::format("{}, {} of them curved (order {}), {} boundary edges{}", counted(mesh.num_elems(), "triangle"),
+                  num_curved, mesh.order, mesh.boundary_edges.size(), regions_text(mesh.face)));
   const int last_layer =
       mesh.elem_layer.empty() ? -1 : *std::max_element(mesh.elem_layer.begin(), mesh.elem_layer.end());
   const std::vector<spectral::TriMap> maps = element_maps(mesh);

@@ -7,7 +7,7 @@
 
 #include "draw/contour_lattice.hpp"
 #include "draw/picture.hpp"
-#include "field/evaluate.hpp"
+#include "draw/region_fields.hpp"
 
 namespace quadrille::draw {
 
@@ -24,11 +24,11 @@ using Polyline = std::vector<Vec2>;
 std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
                                     const Component& component);
 
-/// Draws the contours u = 0 and v = 0 with their legend; jump lines, the part of v = 0 where the cross angle jumps, are
-/// dashed.
-void draw_zero_contours(Picture& picture, const field::FieldEvaluator& evaluator);
+/// Draws the contours u = 0 and v = 0 of each region with one legend; jump lines, the part of v = 0 where the cross
+/// angle jumps, are dashed.
+void draw_zero_contours(Picture& picture, const RegionFields& regions);
 
-/// Crosses on a lattice of `spacing` pixels.
+/// Crosses on a lattice of `spacing` pixels, the same for all regions.
 void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, double spacing);
 
 }  // namespace quadrille::draw

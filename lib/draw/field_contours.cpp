@@ -113,22 +113,30 @@ std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEv
   return Joiner(std::move(segments)).polylines();
 }
 
-void draw_zero_contours(Picture& picture, const field::FieldEvaluator& evaluator) {
-  const auto u_zero = zero_contours(picture, evaluator, [](Vec2 value) { return value.x; });
-  const auto v_zero = zero_contours(picture, evaluator, [](Vec2 value) { return value.y; });
-  const Vec2 corner = picture.at({0, 0});
-  const auto jumps = [&](Vec2 pixel) {
-    Vec2 value;
-    return evaluator.value_at((pixel - corner) / picture.scale(), value) && value.x < 0;
+void draw_zero_contours(Picture& picture, const RegionFields& regions) {
+  std::vector<Polyline> u_zero, v_zero, v_jump;
+  const auto append = [](std::vector<Polyline>& all, const std::vector<Polyline>& more) {
+    all.insert(all.end(), more.begin(), more.end());
   };
+  const Vec2 corner = picture.at({0, 0});
+  for (const field::FieldEvaluator& evaluator : regions.evaluators) {
+    const auto jumps = [&](Vec2 pixel) {
+      Vec2 value;
+      return evaluator.value_at((pixel - corner) / picture.scale(), value) && value.x < 0;
+    };
+    append(u_zero, zero_contours(picture, evaluator, [](Vec2 value) { return value.x; }));
+    const std::vector<Polyline> lines = zero_contours(picture, evaluator, [](Vec2 value) { return value.y; });
+    append(v_zero, parts_where(lines, [&](Vec2 p) { return !jumps(p); }));
+    append(v_jump, parts_where(lines, jumps));
+  }
   const auto add = [&](const std::string& css_class, const std::vector<Polyline>& lines, const std::string& label) {
     if (lines.empty()) return;
     picture.add(svg_element("path", {{"class", css_class}, {"d", path_of(lines)}}, label));
     picture.legend_mark(svg_element("path", {{"class", css_class}, {"d", "M-9 0L9 0"}}), label);
   };
   add("zero-u", u_zero, "u = 0");
-  add("zero-v", parts_where(v_zero, [&](Vec2 p) { return !jumps(p); }), "v = 0");
-  add("jump", parts_where(v_zero, jumps), "v = 0, the cross angle jumps");
+  add("zero-v", v_zero, "v = 0");
+  add("jump", v_jump, "v = 0, the cross angle jumps");
 }
 
 }  // namespace quadrille::draw

@@ -70,15 +70,44 @@ void draw_face_area(Picture& picture, const CadFace& face) {
   picture.add(svg_element("path", {{"class", "face"}, {"d", face_outline(picture, face)}}));
 }
 
+namespace {
+
+bool is_slit(const CadFace& face, int curve) {
+  return face.is_interface(curve) &&
+         face.region_of_loop(face.loop_of(curve)) == face.region_of_loop(face.loop_of(face.partners[curve]));
+}
+
+/// The text "boundary curve 4: hole", "interface, curves 1 and 7: fluid-solid".
+std::string curve_title(const CadFace& face, int curve) {
+  const std::string name = curve < static_cast<int>(face.curve_names.size()) ? face.curve_names[curve] : "";
+  const std::string suffix = name.empty() ? "" : ": " + name;
+  if (!face.is_interface(curve)) return fmt::format("boundary curve {}{}", curve, suffix);
+  return fmt::format("{}, curves {} and {}{}", is_slit(face, curve) ? "slit" : "interface", curve, face.partners[curve],
+                     suffix);
+}
+
+std::string curve_markup(const Picture& picture, const CadFace& face, int curve, const char* css_class) {
+  PathData path;
+  append_nurbs(path, picture, face.curves[curve], face.curves[curve].begin(), face.curves[curve].end());
+  Attributes attributes{{"d", path.str()}};
+  if (css_class) attributes.insert(attributes.begin(), {"class", css_class});
+  return svg_element("path", attributes, curve_title(face, curve));
+}
+
+/// Below the boundary, which ends of interfaces must not cover.
+void draw_interfaces(Picture& picture, const CadFace& face) {
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (face.is_interface(c) && c < face.partners[c])
+      picture.add(curve_markup(picture, face, c, is_slit(face, c) ? "slit" : "interface"));
+}
+
+}  // namespace
+
 void draw_boundary(Picture& picture, const CadFace& face) {
+  draw_interfaces(picture, face);
   picture.open_group("boundary");
-  for (int c = 0; c < face.num_curves(); ++c) {
-    PathData path;
-    append_nurbs(path, picture, face.curves[c], face.curves[c].begin(), face.curves[c].end());
-    const std::string name = c < static_cast<int>(face.curve_names.size()) ? face.curve_names[c] : "";
-    picture.add(svg_element("path", {{"d", path.str()}},
-                            fmt::format("boundary curve {}{}{}", c, name.empty() ? "" : ": ", name)));
-  }
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (!face.is_interface(c)) picture.add(curve_markup(picture, face, c, nullptr));
   picture.close_group();
 }
 
@@ -98,7 +127,21 @@ void legend_corner(Picture& picture, const CadFace& face) {
     picture.legend_mark(circle_mark("corner", {0, 0}, 4), "corner");
 }
 
-void legend_scale(Picture& picture, const CadFace& face) { picture.legend_scale(unit_symbol(face)); }
+std::string regions_text(const CadFace& face) {
+  return face.num_regions() > 1 ? ", " + counted(face.num_regions(), "region") : "";
+}
+
+void legend_scale(Picture& picture, const CadFace& face) {
+  bool has_slit = false, has_interface = false;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (face.is_interface(c)) (is_slit(face, c) ? has_slit : has_interface) = true;
+  const auto add = [&](const char* css_class, const char* label) {
+    picture.legend_mark(svg_element("path", {{"class", css_class}, {"d", "M-9 0L9 0"}}), label);
+  };
+  if (has_interface) add("interface", "interface of two regions");
+  if (has_slit) add("slit", "slit");
+  picture.legend_scale(unit_symbol(face));
+}
 
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {
   return svg_element(

@@ -17,13 +17,17 @@ void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, do
 void draw_face_area(Picture& picture, const CadFace& face);
 /// The data of a path around the face, for the fill rule evenodd.
 std::string face_outline(const Picture& picture, const CadFace& face);
+/// Curves in which two regions meet, or which are slits, have a style of their own.
 void draw_boundary(Picture& picture, const CadFace& face);
 /// A small dot on each corner; hover: position and angle.
 void draw_corners(Picture& picture, const CadFace& face);
 /// Its legend entry, where the face has corners.
 void legend_corner(Picture& picture, const CadFace& face);
 
-/// A scale bar in the legend, in the unit of the face.
+/// The text ", 2 regions"; empty for one.
+std::string regions_text(const CadFace& face);
+
+/// What the lines are in which two regions meet, if the face has such, and a scale bar in the unit of the face.
 void legend_scale(Picture& picture, const CadFace& face);
 
 /// A regular polygon of `valence` vertices (3 to 8, else a circle) in the colour of the valence.

@@ -31,6 +31,7 @@ Palette on_light() {
   palette.other = "#333333";
   palette.u_contour = "#1f5f9e";
   palette.v_contour = "#b03a2e";
+  palette.interface = "#b8860b";
   return palette;
 }
 
@@ -45,6 +46,7 @@ Palette on_dark() {
   palette.other = "#f0f0f0";
   palette.u_contour = "#56b4e9";
   palette.v_contour = "#e8804a";
+  palette.interface = "#f0e442";
   return palette;
 }
 

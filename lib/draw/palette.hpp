@@ -22,6 +22,7 @@ struct Palette {
   std::vector<std::string> lines;    ///< in turn
   std::string few, many, other;      ///< nodes with one block less or more than regular ones, and all others
   std::string u_contour, v_contour;  ///< lines u = 0 and v = 0
+  std::string interface;             ///< curves in which two regions meet
 };
 
 const Palette& palette(Paper paper);

@@ -55,6 +55,7 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 .inner{font-size:10px;font-weight:bold;text-anchor:middle;fill:#fff}
 .label{font-size:13px;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
 .name{font-size:13px;font-style:italic;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
+.region{font-size:13px;font-weight:bold;text-anchor:middle;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke}
 .small{font-size:10px;text-anchor:middle}
 path:hover,polygon:hover,circle:hover{filter:brightness(.9)}
 )";
@@ -67,6 +68,8 @@ std::string style_sheet() {
     text += fmt::format(".{}{{fill:{};stroke:#fff;stroke-width:1.2}}\n", name, colour);
   for (const auto& [name, colour] : {std::pair{"zero-u", colours.u_contour}, {"zero-v", colours.v_contour}})
     text += fmt::format(".{}{{fill:none;stroke:{};stroke-width:1.6}}\n", name, colour);
+  text += fmt::format(".interface,.slit{{fill:none;stroke:{};stroke-width:2.4}}\n", colours.interface);
+  text += ".slit{stroke-dasharray:9 4}\n";
   return text;
 }
 

@@ -7,7 +7,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion block_layout_version{"block-layout", 1, 3};
+constexpr FormatVersion block_layout_version{"block-layout", 1, 4};
 
 void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>& block2arcs) {
   std::vector<std::array<int, 4>> codes;

@@ -13,6 +13,29 @@ void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curv
   });
 }
 
+namespace {
+
+/// Members of faces of several regions: a face of one region without slits has none of them.
+template <typename Member, typename Describe>
+void describe_where_present(Archive& archive, const char* name, std::vector<Member>& member, const Describe& describe) {
+  if (archive.is_reading() ? archive.has(name) : !member.empty()) archive.field(name, member, describe);
+}
+
+void describe_regions(Archive& archive, CadFace& face) {
+  describe_where_present(archive, "region_loops", face.region_loops,
+                         Doc{"", "region r holds loops region_loops[r] to region_loops[r+1]-1, its outline first"});
+  describe_where_present(archive, "region_names", face.region_names, Doc{"", "name of each region"});
+  describe_where_present(archive, "partners", face.partners,
+                         Doc{"", "the same curve of the neighbour, -1 on the boundary of the whole"});
+  describe_where_present(archive, "periodic_pairs", face.periodic_pairs, [](Archive& a, PeriodicPair& pair) {
+    a.field("curves", pair.curves, {"", "the motion maps the first onto the second, reversed"});
+    a.field("angle", pair.angle, {"radian", "of the rotation about (0, 0), face.origin included"});
+    a.field("shift", pair.shift, {"length", "added after the rotation"});
+  });
+}
+
+}  // namespace
+
 void describe_face(Archive& archive, CadFace& face) {
   archive.object("face", [&](Archive& a) {
     a.field("name", face.name, {"", "name of the face in the CAD file"});
@@ -40,6 +63,7 @@ void describe_face(Archive& archive, CadFace& face) {
       b.field("interior_angle", joint.interior_angle, {"radian", "angle inside the face"});
       b.field("is_corner", joint.is_corner, {"", "1 at a corner of the layout"});
     });
+    describe_regions(a, face);
   });
 }
 

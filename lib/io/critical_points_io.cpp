@@ -7,7 +7,7 @@ namespace quadrille::io {
 namespace {
 
 constexpr RenamedKey renamed[] = {{"hole_winding_offsets", "twist_offsets"}};
-constexpr FormatVersion critical_points_version{"critical-points", 2, 1, renamed};
+constexpr FormatVersion critical_points_version{"critical-points", 2, 2, renamed};
 
 /// `id` is informative: the position in the list when the file was written. Edited lists need not keep it.
 void describe_id(Archive& archive, std::size_t index) {

@@ -14,7 +14,7 @@ constexpr RenamedKey renamed[] = {
     {"phase.hole_periods", "periods"},
     {"phase.hole_winding_energy", "twist_energy"},
 };
-constexpr FormatVersion field_version{"field", 2, 1, renamed};
+constexpr FormatVersion field_version{"field", 2, 2, renamed};
 
 void describe_turn(Archive& a, PhaseTurn& turn) {
   a.field("position", turn.position);
@@ -59,6 +59,23 @@ void describe_phase_form(Archive& archive, PhaseForm& phase) {
   archive.field("hole_winding_energy", phase.hole_winding_energy, {"1", "energy above that of best_hole_winding"});
 }
 
+/// One group "0", "1", ... for each region.
+void describe_region_phases(Archive& archive, const CadFace& face, std::vector<PhaseForm>& phases) {
+  for (int r = 0; r < face.num_regions(); ++r) {
+    if (archive.is_reading()) phases.emplace_back();
+    archive.object(std::to_string(r).c_str(), [&](Archive& a) { describe_phase_form(a, phases[r]); });
+  }
+}
+
+void describe_phases(Archive& archive, Field& field) {
+  if (field.kind != FieldKind::phase) return;
+  if (field.mesh.face.num_regions() == 1)
+    archive.object("phase", [&](Archive& a) { describe_phase_form(a, field.phase); });
+  else
+    archive.object("region_phases",
+                   [&](Archive& a) { describe_region_phases(a, field.mesh.face, field.region_phases); });
+}
+
 void describe_field(Archive& archive, Field& field) {
   archive.field("kind", field.kind, {"", "harmonic or phase"}, "FLD-R05");
   archive.field("method", field.method, {"", "discretisation"}, "FLD-R05");
@@ -73,7 +90,7 @@ void describe_field(Archive& archive, Field& field) {
     a.field("pole", lifting.pole, {"length", "a point outside the domain"});
     a.field("jump", lifting.jump, {"1/radian", "field value per radian"});
   });
-  if (field.kind == FieldKind::phase) archive.object("phase", [&](Archive& a) { describe_phase_form(a, field.phase); });
+  describe_phases(archive, field);
   archive.field("elem_sensor", field.elem_sensor, {"1", "last sensor of each element; empty before padapt"});
   if (archive.has("elem_error"))
     archive.field("elem_error", field.elem_error, {"1", "estimated error of the field on each element; empty: none"});

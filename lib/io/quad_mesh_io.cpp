@@ -9,7 +9,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 4};
+constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 5};
 
 double least(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());

@@ -12,7 +12,7 @@ constexpr RenamedKey renamed[] = {
     {"certificate.shortened_spirals", "laps_cut"},
     {"certificate.largest_deviation_degrees", "largest_turn_degrees"},
 };
-constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 2, renamed};
+constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 3, renamed};
 
 void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
   LayoutMethod method = certificate.method.value_or(LayoutMethod::traced);

@@ -7,7 +7,7 @@
 namespace quadrille::io {
 
 namespace {
-constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 3};
+constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 4};
 
 // Not in the files of later stages, which hold the mesh as a group.
 void describe_repairs(Archive& archive, std::vector<Repair>& repairs) {
@@ -37,6 +37,8 @@ void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
     a.field("t1", edge.t1, {"1", "parameter at its end"});
   });
   archive.field("elem_layer", mesh.elem_layer, {"", "layer in a corner fan, -1 outside fans"});
+  if (archive.is_reading() ? archive.has("region_elems") : !mesh.region_elems.empty())
+    archive.field("region_elems", mesh.region_elems, {"", "region r holds elements region_elems[r] to [r+1]-1"});
 }
 
 TriMesh read_tri_mesh(const InputFile& file) {

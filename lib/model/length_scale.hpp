@@ -77,6 +77,7 @@ inline void scale_lengths(CadFace& face, const LengthScale& scale) {
   for (Nurbs& curve : face.curves)
     for (Vec2& pole : curve.poles) pole = factor * pole;
   for (Joint& joint : face.joints) joint.position = factor * joint.position;
+  for (PeriodicPair& pair : face.periodic_pairs) pair.shift = factor * pair.shift;
 }
 
 inline void scale_lengths(ArcGraph& graph, const LengthScale& scale) {

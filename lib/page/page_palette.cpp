@@ -25,6 +25,7 @@ std::string palette_json(draw::Paper paper) {
   object.text("calm", draw::cross_angle_colour(paper, 0, 0));
   object.json("blocks", json_texts(colours.blocks)).json("lines", json_texts(colours.lines));
   object.json("contours", json_texts({colours.u_contour, colours.v_contour}));
+  object.text("interface", colours.interface);
   return object.text("few", colours.few).text("many", colours.many).text("other", colours.other).str();
 }
 

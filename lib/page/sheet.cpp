@@ -4,8 +4,27 @@
 
 #include "base/enum_names.hpp"
 #include "base/position_text.hpp"
+#include "draw/region_labels.hpp"
 
 namespace quadrille::page {
+
+namespace {
+
+/// The name of each region, with the place of its label: [name, x, y, half of the width that is free there].
+std::string regions_json(const CadFace& face, const PageFrame& frame) {
+  std::vector<std::string> regions;
+  for (int r = 0; r < face.num_regions(); ++r) {
+    const std::vector<draw::RegionPlace> places = draw::region_places(face, r);
+    if (places.empty()) continue;
+    const auto& [at, clearance] = places.front();
+    const Vec2 x = at - frame.centre;
+    regions.push_back(json_list({script_string(face.region_names[r]), fmt::format("{:.9g}", x.x),
+                                 fmt::format("{:.9g}", x.y), fmt::format("{:.9g}", clearance)}));
+  }
+  return json_list(regions);
+}
+
+}  // namespace
 
 JsonObject boundary_layer(const CadFace& face, const PageFrame& frame) {
   Chains chains;
@@ -17,6 +36,8 @@ JsonObject boundary_layer(const CadFace& face, const PageFrame& frame) {
   layer.text("type", "chains").text("key", "boundary").text("title", "boundary").text("noun", "curve");
   layer.text("style", "boundary").flag("shown", true).json("names", json_texts(face.curve_names));
   layer.data("offsets", packed(chains.offsets)).data("points", packed(chains.points));
+  if (!face.partners.empty()) layer.data("partners", packed(std::vector<std::int32_t>(face.partners)));
+  if (face.num_regions() > 1) layer.json("regions", regions_json(face, frame));
   return layer;
 }
 

@@ -8,6 +8,8 @@
 
 #include "base/angle.hpp"
 #include "draw/elements.hpp"
+#include "draw/marks.hpp"
+#include "draw/region_fields.hpp"
 #include "field/evaluate.hpp"
 #include "page/sheet.hpp"
 
@@ -45,29 +47,31 @@ Quantity least_angles(const TriMesh& mesh) {
 }
 
 /// Intervals along the edges of an element on which the field is sampled.
-int intervals(const Field& field, int elem) {
-  const int most = field.mesh.num_elems() > 8000 ? 3 : field.mesh.num_elems() > 2000 ? 8 : 16;
-  return std::clamp(field.elem_order[elem] + 6, 2, most);
+int intervals(int order, int num_elems) {
+  const int most = num_elems > 8000 ? 3 : num_elems > 2000 ? 8 : 16;
+  return std::clamp(order + 6, 2, most);
 }
 
 /// Samples of each element on the lattice of its intervals, row by row from its first edge to its third vertex.
 JsonObject samples_layer(const Field& field, const PageFrame& frame) {
-  const field::FieldEvaluator evaluator(field);
+  const draw::RegionFields regions(field);
   std::vector<std::int32_t> points;
   std::vector<double> values;
   std::vector<std::uint8_t> counts;
-  for (int e = 0; e < field.mesh.num_elems(); ++e) {
-    const int n = intervals(field, e);
+  const auto sample = [&](const field::FieldEvaluator& evaluator, int elem, int n) {
     counts.push_back(static_cast<std::uint8_t>(n));
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i + j <= n; ++i) {
         Vec2 x;
         Mat2 dx_dxi;
-        const Vec2 value = evaluator.value(e, {2.0 * i / n - 1, 2.0 * j / n - 1}, x, dx_dxi);
+        const Vec2 value = evaluator.value(elem, {2.0 * i / n - 1, 2.0 * j / n - 1}, x, dx_dxi);
         frame.append(points, x);
         values.insert(values.end(), {value.x, value.y});
       }
-  }
+  };
+  for (const field::FieldEvaluator& evaluator : regions.evaluators)
+    for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e)
+      sample(evaluator, e, intervals(evaluator.field().elem_order[e], field.mesh.num_elems()));
   JsonObject layer;
   layer.text("type", "samples").text("key", "field").text("title", "field").text("noun", "field").flag("shown", true);
   layer.flag("unit", field.kind == FieldKind::phase);
@@ -77,8 +81,12 @@ JsonObject samples_layer(const Field& field, const PageFrame& frame) {
 
 Marks prescribed_nodes(const Field& field, const PageFrame& frame) {
   Marks marks;
-  for (const PhaseNode& node : field.phase.prescribed.nodes)
-    marks.add(frame, node.position, node.valence, "node", fmt::format("prescribed node of valence {}", node.valence));
+  const auto add = [&](const PhaseForm& phase) {
+    for (const PhaseNode& node : phase.prescribed.nodes)
+      marks.add(frame, node.position, node.valence, "node", fmt::format("prescribed node of valence {}", node.valence));
+  };
+  add(field.phase);
+  for (const PhaseForm& phase : field.region_phases) add(phase);
   return marks;
 }
 
@@ -118,8 +126,8 @@ JsonObject triangle_layer(const TriMesh& mesh, const std::vector<Quantity>& quan
 Sheet sheet_of(const TriMesh& mesh, const PageFrame& frame) {
   Sheet sheet;
   sheet.title = "Triangle mesh";
-  sheet.caption =
-      fmt::format("{} triangles, {} of them curved (order {})", mesh.num_elems(), mesh.curved_elems.size(), mesh.order);
+  sheet.caption = fmt::format("{} triangles, {} of them curved (order {}){}", mesh.num_elems(),
+                              mesh.curved_elems.size(), mesh.order, draw::regions_text(mesh.face));
   sheet.facts = {{"triangles", std::to_string(mesh.num_elems())},
                  {"curved", std::to_string(mesh.curved_elems.size())},
                  {"shape order", std::to_string(mesh.order)},
@@ -135,18 +143,19 @@ Sheet sheet_of(const Field& field, const PageFrame& frame) {
   Sheet sheet;
   const bool is_phase = field.kind == FieldKind::phase;
   sheet.title = is_phase ? "Phase form" : "Guiding field";
-  sheet.caption = fmt::format("{} triangles, order {}", field.mesh.num_elems(), orders_text(field.elem_order));
+  sheet.caption = fmt::format("{} triangles, order {}{}", field.mesh.num_elems(), orders_text(field.elem_order),
+                              draw::regions_text(field.mesh.face));
   sheet.facts = {{"triangles", std::to_string(field.mesh.num_elems())},
                  {"order", orders_text(field.elem_order)},
-                 {"coefficients", std::to_string(is_phase ? field.phase.s.size() : field.u.size())},
+                 {"coefficients", std::to_string(field.coef_offsets.back())},
                  {"liftings", std::to_string(field.liftings.size())}};
   sheet.layers.push_back(samples_layer(field, frame));
   std::vector<Quantity> quantities{{"order", "", 0, 0, {field.elem_order.begin(), field.elem_order.end()}},
                                    {"estimated error", "high", 0, 0, field.elem_error, true},
                                    {"sensor", "high", 0, 0, field.elem_sensor, true}};
   sheet.layers.push_back(triangle_layer(field.mesh, quantities, false, frame));
-  if (!field.phase.prescribed.nodes.empty())
-    sheet.layers.push_back(prescribed_nodes(field, frame).layer("nodes", "prescribed nodes"));
+  if (const Marks nodes = prescribed_nodes(field, frame); !nodes.texts.empty())
+    sheet.layers.push_back(nodes.layer("nodes", "prescribed nodes"));
   return sheet;
 }
 

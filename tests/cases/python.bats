@@ -72,8 +72,9 @@ numpy.testing.assert_allclose(points.positions - [5000, 300], former.positions, 
 
 @test "the examples of the page run" {
   cp "$files"/half_disc.{field,blocks,quad}.h5 "$files"/half_disc.{crit,sep}.json .
+  ln -s "$ROOT/tests" tests
   sed -n '/^    >>> /,/^$/p' "$python/README.md" | sed 's/^    //' >examples
-  assert [ "$(grep -c '^>>> ' examples)" -gt 5 ]
+  assert [ "$(grep -c '^>>> ' examples)" -gt 15 ]
   run -0 /usr/bin/python3 -c 'import doctest, sys; sys.exit(doctest.testfile("examples", module_relative=False).failed)'
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "../unit/samples.hpp"
+#include "../unit/region_samples.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
@@ -93,6 +93,21 @@ void write_phase_field() {
                [](Field& f) { f.phase.prescribed.nodes[0].position.x += 0.125; });
 }
 
+/// Several regions, and a slit.
+void write_regions() {
+  io::write_tri_mesh(target("tri_mesh", "passed", "regions.tri.h5"), samples::two_regions_mesh());
+  io::write_tri_mesh(target("tri_mesh", "passed", "slit.tri.h5"), samples::slit_mesh());
+  io::write_field(target("field", "passed", "regions.field.h5"), samples::two_regions_field());
+  io::write_field(target("field", "passed", "regions-phase.field.h5"), samples::two_regions_phase_field());
+  io::write_critical_points(target("critical_points", "passed", "regions.crit.json"), samples::two_regions_points());
+  const auto broken = [](const std::string& rule, const auto& damage) {
+    write_broken("tri_mesh", ".tri.h5", io::write_tri_mesh, samples::two_regions_mesh(), rule, damage);
+  };
+  broken("FAC-R11", [](TriMesh& m) { m.face.partners[7] = -1; });
+  broken("FAC-R12", [](TriMesh& m) { m.face.periodic_pairs[0].shift = {0, 1.5}; });
+  broken("TRI-R14", [](TriMesh& m) { m.region_elems = {0, 3, 8}; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -120,4 +135,5 @@ int main(int argc, char** argv) {
   write_wrong_certificates();
   write_phase_field();
   write_marked_mesh();
+  write_regions();
 }

@@ -63,6 +63,18 @@ setup() {
   done
 }
 
+@test "regions and partners that do not fit are refused" {
+  crit=$ROOT/tests/formats/critical_points/passed/regions.crit.json
+  for broken in 'FAC-R01 .face.partners |= .[1:]' 'FAC-R01 .face.partners[1] = 99' 'FAC-R01 del(.face.region_names)' \
+    'FAC-R02 .face.region_loops = [0, 2, 1]' 'FAC-R09 .face |= del(.region_loops, .region_names)' \
+    'FAC-R11 .face.partners[1] = 6' 'FAC-R11 .face.curves[7].poles[0] = [1, 0.999999999999]' \
+    'FAC-R12 .face.periodic_pairs[0].angle = 0.001' 'CRT-R06 .index_sum.expected = 4'; do
+    jq "${broken#* }" "$crit" >edited.json
+    run -3 --separate-stderr stagecheck edited.json
+    assert_output --partial ": ${broken%% *}: "
+  done
+}
+
 @test "HDF5 files are what h5dump shows" {
   command -v h5dump || skip "no h5dump"
   run h5dump -a /format "$stem.quad.h5"

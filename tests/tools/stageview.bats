@@ -84,6 +84,25 @@ shown() { grep -cE "$1" a.svg; }
   assert_file_not_exists b.svg
 }
 
+@test "of several regions the names are shown, and each interface once, in a colour of its own" {
+  formats=$ROOT/tests/formats
+  for file in tri_mesh/passed/regions.tri.h5 field/passed/regions{,-phase}.field.h5 critical_points/passed/regions.crit.json; do
+    stageview "$formats/$file" -o a.svg
+    xmllint --noout a.svg
+    assert_equal "$(shown '<title>interface, curves 1 and 7: fluid-solid')" 1
+    assert_equal "$(shown 'class="interface"')" 2 # and its mark in the legend
+    assert_equal "$(shown '<title>boundary curve')" 6
+    assert_equal "$(shown 'class="region".*>(fluid|solid)<')" 2
+    stageview "$formats/$file" --no-curve-labels -o a.svg
+    assert_equal "$(shown 'class="region"')" 0
+    stageview "$formats/$file" -o a.html
+    assert_equal "$(grep -cE '"regions":\[\["fluid",.*"solid"' a.html)" 1
+  done
+  stageview "$formats/tri_mesh/passed/slit.tri.h5" -o a.svg
+  assert_equal "$(shown '<title>slit, curves 4 and 5: crack')" 1
+  assert_equal "$(shown 'class="slit"')" 2
+}
+
 @test "--curve-labels writes number and name beside each boundary curve, without overlaps" {
   cad2tri "$DATA/gear_filleted.step" --name inlet=0 --name 'the hole=36' -o gear.tri.h5
   run -0 stageview gear.tri.h5 --curve-labels -o a.svg

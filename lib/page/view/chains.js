@@ -7,6 +7,8 @@ class Chains {
     this.offsets = intsOf(json.offsets);
     this.points = positionsOf(json.points, step);
     this.colours = json.colours ? intsOf(json.colours) : null;
+    this.partners = json.partners ? intsOf(json.partners) : null;
+    this.regions = json.regions || [];
     this.count = this.offsets.length - 1;
     this.isFilled = this.style === "block";
     this.isClosed = this.isFilled || this.style === "search";
@@ -23,6 +25,11 @@ class Chains {
     for (k += 2; k < end; k += 6)
       path.bezierCurveTo(mx(p[k]), my(p[k + 1]), mx(p[k + 2]), my(p[k + 3]), mx(p[k + 4]), my(p[k + 5]));
     if (this.isClosed) path.closePath();
+  }
+
+  /** Whether two regions meet in the curve, or both sides of a slit. */
+  isInterface(item) {
+    return this.partners !== null && this.partners[item] >= 0;
   }
 
   fill(context, view, theme) {
@@ -42,6 +49,7 @@ class Chains {
     for (const item of itemsWithin(this.boxes, view.rectangle())) {
       const colour = this.colours ? this.colours[item] : -1;
       context.strokeStyle = this.style === "line" && colour >= 0 && !theme.isAdded ? theme.lines[colour % theme.lines.length] : theme.border;
+      if (this.isInterface(item)) context.strokeStyle = theme.interface || theme.border;
       context.beginPath();
       this.trace(context, maps, item);
       context.stroke();
@@ -86,7 +94,8 @@ class Chains {
    *  numbers of blocks in them. */
   labels(view, all) {
     if (this.style !== "boundary" && !this.isFilled) return [];
-    return itemsWithin(this.boxes, view.rectangle()).map((item) => {
+    const isLabelled = (item) => !this.isInterface(item) || this.partners[item] > item;
+    return this.regionLabels().concat(itemsWithin(this.boxes, view.rectangle()).filter(isLabelled).map((item) => {
       const points = flattened(this.controls(item), 4), middle = points[points.length >> 1];
       if (this.isClosed) {
         const centre = [0, 1].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
@@ -96,7 +105,11 @@ class Chains {
       const length = Math.hypot(middle[0] - before[0], middle[1] - before[1]) || 1;
       const away = [(middle[1] - before[1]) / length, (middle[0] - before[0]) / length];
       return { text: all ? this.numberAndName(item) : this.givenName(item), at: middle, away };
-    });
+    }));
+  }
+
+  regionLabels() {
+    return this.regions.map(([text, x, y, clearance]) => ({ text, at: [x, y], away: [0, 0], within: [4 * clearance, 2 * clearance] }));
   }
 
   /** Width and height of an item's box. */
@@ -115,6 +128,7 @@ class Chains {
   }
 
   numberAndName(item) {
-    return `${item} ${this.givenName(item)}`.trim();
+    const number = this.isInterface(item) ? `${item}/${this.partners[item]}` : item;
+    return `${number} ${this.givenName(item)}`.trim();
   }
 }

@@ -107,11 +107,28 @@ class Joint:
     is_corner: bool
 
 
+@dataclasses.dataclass
+class PeriodicPair:
+    """Two curves of which a motion maps the first onto the second, reversed."""
+    curves: tuple
+    angle: float
+    shift: np.ndarray
+
+    def move(self, points):
+        """Points [n, 2] of the first curve on the second one: turned by `angle` about (0, 0), then moved by `shift`."""
+        cosine, sine = np.cos(self.angle), np.sin(self.angle)
+        return np.asarray(points, float) @ [[cosine, sine], [-sine, cosine]] + self.shift
+
+
 class Face:
     """The face of a stage file.
 
     `curves`: Spline, by number; `curve_names`: the name of each; `loops`: ranges of curve numbers, the outline first;
     `joints`: Joint, the start of each curve; `name`, `length_unit`, `diameter`, `origin`.
+
+    `regions`: the range of loops of each region, its outline first; `region_names`: the name of each, that of the face
+    if there is one region; `partners`: for each curve the curve of the neighbour in the same place, in the opposite
+    direction, or -1; `periodic_pairs`: PeriodicPair.
     """
 
     def __init__(self, content):
@@ -127,6 +144,26 @@ class Face:
         self.joints = [Joint(np.asarray(j["position"], float) + self.origin, float(j["tangent_in"]),
                              float(j["tangent_out"]), float(j["interior_angle"]), bool(j["is_corner"]))
                        for j in records(content["joints"])]
+        offsets = content.get("region_loops", [0, len(self.loops)])
+        self.regions = [range(int(a), int(b)) for a, b in zip(offsets[:-1], offsets[1:])]
+        self.region_names = list(content.get("region_names", [self.name]))
+        self.partners = np.asarray(content.get("partners", [-1] * len(self.curves)), int)
+        self.periodic_pairs = [PeriodicPair(tuple(int(c) for c in p["curves"]), float(p["angle"]),
+                                            np.asarray(p["shift"], float))
+                               for p in records(content.get("periodic_pairs", []))]
+
+    def region_curves(self, region):
+        """Numbers of the curves around a region, a range."""
+        loops = self.regions[region]
+        return range(self.loops[loops.start].start, self.loops[loops.stop - 1].stop)
+
+    def region_of_curve(self, curve):
+        """Number of the region on the left of a curve."""
+        return next(r for r in range(len(self.regions)) if curve in self.region_curves(r))
+
+    def interfaces(self):
+        """Pairs of curves in one place: of two regions, or of one where it has a slit."""
+        return [(i, int(partner)) for i, partner in enumerate(self.partners) if partner > i]
 
     def named(self, name):
         """Numbers of the curves with this name."""

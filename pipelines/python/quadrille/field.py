@@ -21,19 +21,26 @@ class Field:
         self.elem_order = np.asarray(content["elem_order"])
         self.elem_error = np.asarray(content.get("elem_error", []), float)
         self._offsets = np.asarray(content["coef_offsets"])
-        origin = self.face.origin
         if self.kind == "phase":
-            terms = content["phase"]["terms"]
-            self._coefficients = np.asarray(content["phase"]["s"], float)[:, None]
-            self._points = [(np.asarray(r["position"]) + origin, np.array([r["turns"]], float))
-                            for key in ("nodes", "holes", "images") for r in records(terms[key])]
-            self._angles = [(np.asarray(r["apex"]) + origin, np.asarray(r["pole"]) + origin, np.array([r["beta"]]))
-                            for r in records(terms["corner_angles"])]
+            phases = content.get("region_phases") or {"0": content["phase"]}
+            phases = [phases[str(r)] for r in range(len(phases))]
+            self._coefficients = np.concatenate([np.asarray(phase["s"], float) for phase in phases])[:, None]
+            self._terms = [self._terms_of_phase(phase["terms"]) for phase in phases]
         else:
             self._coefficients = np.column_stack([content["u"], content["v"]])
-            self._points = []
-            self._angles = [(np.asarray(r["apex"]) + origin, np.asarray(r["pole"]) + origin, np.asarray(r["jump"]))
-                            for r in records(content["liftings"])]
+            liftings = records(content["liftings"])
+            self._terms = [([], self._angles([l for l in liftings if l["joint"] in self.face.region_curves(r)], "jump"))
+                           for r in range(len(self.face.regions))]
+
+    def _terms_of_phase(self, terms):
+        points = [(np.asarray(r["position"]) + self.face.origin, np.array([r["turns"]], float))
+                  for key in ("nodes", "holes", "images") for r in records(terms[key])]
+        return points, self._angles(records(terms["corner_angles"]), "beta")
+
+    def _angles(self, list_of_records, factor):
+        origin = self.face.origin
+        return [(np.asarray(r["apex"]) + origin, np.asarray(r["pole"]) + origin, np.atleast_1d(r[factor]))
+                for r in list_of_records]
 
     def sample(self, points, tolerance=1e-12):
         """Values (u, v) [n, 2] and gradients [n, 2, 2] (rows u, v; columns x, y) at points [n, 2].
@@ -72,14 +79,22 @@ class Field:
         value, by_xi = reference.sum_modes(self._coefficients[rows], xi)
         gradient = by_xi @ np.linalg.inv(self.mesh.map(elem, xi)[1])
         inward = self.mesh.map(elem, np.full(xi.shape, -1 / 3))[0] - x
-        for position, turns in self._points:
-            value += turns * _argument(x - position)[:, None]
-            gradient += turns[:, None] * _argument_gradient(x - position)[:, None, :]
-        for apex, pole, factor in self._angles:
-            angle, slope = _corner_angle(x, apex, pole, inward)
-            value += factor * angle[:, None]
-            gradient += factor[:, None] * slope[:, None, :]
+        region = self.mesh.elem_region[elem]
+        for r in np.unique(region):  # the terms of a region hold in it only
+            part = np.flatnonzero(region == r)
+            self._add_terms(self._terms[r], x[part], inward[part], value, gradient, part)
         return self._unit_field(value[:, 0], gradient[:, 0]) if self.kind == "phase" else (value, gradient)
+
+    @staticmethod
+    def _add_terms(terms, x, inward, value, gradient, part):
+        points, angles = terms
+        for position, turns in points:
+            value[part] += turns * _argument(x - position)[:, None]
+            gradient[part] += turns[:, None] * _argument_gradient(x - position)[:, None, :]
+        for apex, pole, factor in angles:
+            angle, slope = _corner_angle(x, apex, pole, inward)
+            value[part] += factor * angle[:, None]
+            gradient[part] += factor[:, None] * slope[:, None, :]
 
     @staticmethod
     def _unit_field(phase, gradient):

@@ -12,7 +12,7 @@ class TriMesh:
     """Triangles, some of them curved.
 
     `face`: Face; `vertices` [n, 2]; `elem2vertices` [m, 3]; `order` of the curved elements; `boundary_edges`: a dict of
-    arrays `elem`, `edge`, `curve`, `t0`, `t1`.
+    arrays `elem`, `edge`, `curve`, `t0`, `t1`; `elem_region` [m]: the number of the region of each triangle.
     """
 
     def __init__(self, content):
@@ -27,6 +27,8 @@ class TriMesh:
         self._coefficients = np.einsum("mn,enk->emk", reference.tri_fit(self.order), nodes)
         self._curved_row = np.full(self.num_elements, -1)
         self._curved_row[self.curved_elems] = np.arange(len(self.curved_elems))
+        offsets = np.asarray(content.get("region_elems", [0, self.num_elements]))
+        self.elem_region = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
         self._make_grid()
 
     @property

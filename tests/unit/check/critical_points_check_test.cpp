@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "../samples.hpp"
+#include "../region_samples.hpp"
 #include "rules_of.hpp"
 
 namespace quadrille::check {
@@ -167,6 +167,47 @@ TEST(CriticalPointsCheck, CrtR16ChangesKeepTheIndexSum) {
               c.changes = {{ChangeKind::line, "no zeros were there", {}, {{{0, 0}, 1, NodeLocation::corner}}}};
             }),
             Rules{});
+}
+
+template <typename Damage>
+Rules broken_regions(const Damage& damage) {
+  return broken_rules(samples::two_regions_points(), check_critical_points, damage);
+}
+
+TEST(CriticalPointsCheck, PointsOfRegionsAreValid) {
+  EXPECT_EQ(broken_regions([](auto&) {}), Rules{});
+  EXPECT_EQ(rules_of(check_critical_points_of(samples::two_regions_points(), samples::two_regions_field())), Rules{});
+}
+TEST(CriticalPointsCheck, CrtR06EachRegionCounts) {
+  EXPECT_EQ(broken_regions([](auto& c) {
+              c.index_sum_expected = c.index_sum = 4;
+              for (std::size_t i = 0; i < 4; ++i) c.corners[i].valence = 2;
+            }),
+            Rules{"CRT-R06"})
+      << "4, but there are two regions";
+  EXPECT_EQ(broken_regions([](auto& c) { c.face = {}; }), Rules{"CRT-R06"}) << "without a face there is one region";
+}
+TEST(CriticalPointsCheck, CrtR04ASlitEndsInACornerOf360Degrees) {
+  CriticalPoints points;
+  points.face = samples::slit_face();
+  for (int j = 0; j < 6; ++j) {
+    const Joint& joint = points.face.joints[static_cast<std::size_t>(j)];
+    const bool is_tip = j > 3;
+    points.corners.push_back(
+        {j, joint.position, is_tip ? 360.0 : 90.0, is_tip ? 4 : 1, {points.face.previous_in_loop(j), j}});
+  }
+  const auto check = [&](auto&& damage) { return broken_rules(points, check_critical_points, damage); };
+  EXPECT_EQ(check([](auto&) {}), Rules{});
+  EXPECT_EQ(check([](auto& c) { c.corners[0].angle_degrees = 360; }), Rules{"CRT-R04"});
+  EXPECT_EQ(check([](auto& c) { c.corners[5].joint = 6; }), Rules{"CRT-R04"}) << "no such joint";
+  EXPECT_EQ(check([](auto& c) { c.face.loop_offsets = {0, 1, 9}; }), Rules{"FAC-R02"});
+}
+TEST(CriticalPointsCheck, CrtR14HolesAreCountedInEachRegion) {
+  CriticalPoints points = samples::two_regions_points();
+  points.form = NodeForm::phase;
+  points.hole_winding_offsets = {0};
+  EXPECT_EQ(rules_of(check_critical_points_of(points, samples::two_regions_field())), Rules{"CRT-R14"})
+      << "two loops, but no hole";
 }
 
 }  // namespace

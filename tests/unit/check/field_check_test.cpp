@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "../samples.hpp"
+#include "../region_samples.hpp"
 #include "rules_of.hpp"
 
 namespace quadrille::check {
@@ -116,6 +116,36 @@ TEST(FieldCheck, FldR10TermsAreThoseAskedFor) {
   EXPECT_EQ(with_boundary_node(1, std::numeric_limits<double>::quiet_NaN(), 3), Rules{"FLD-R10"});
   EXPECT_EQ(with_boundary_node(1, 0.5, 2), Rules{"FLD-R10"});
   EXPECT_EQ(with_boundary_node(1, 0.5, least), Rules{"FLD-R10"});
+}
+
+TEST(FieldCheck, FieldsOfRegionsAreValid) {
+  EXPECT_EQ(broken_rules(samples::two_regions_field(), check_field, [](Field&) {}), Rules{});
+}
+
+template <typename Damage>
+Rules broken_phases(const Damage& damage) {
+  return broken_rules(samples::two_regions_phase_field(), check_field, damage);
+}
+
+TEST(FieldCheck, PhasesOfRegionsHaveNumbersOfTheirOwn) {
+  EXPECT_EQ(broken_phases([](Field&) {}), Rules{});
+  const auto second = [](auto&& damage) { return broken_phases([&](Field& f) { damage(f.region_phases[1]); }); };
+  EXPECT_EQ(broken_phases([](Field& f) { f.region_phases.pop_back(); }), Rules{"FLD-R02"});
+  EXPECT_EQ(second([](PhaseForm& p) { p.s.pop_back(); }), Rules{"FLD-R02"});
+  EXPECT_EQ(second([](PhaseForm& p) { p.s[2] = not_a_number; }), Rules{"FLD-R04"});
+  EXPECT_EQ(second([](PhaseForm& p) { p.hole_winding = {1}; }), Rules{"FLD-R09"});
+  EXPECT_EQ(second([](PhaseForm& p) { p.prescribed.corners[3].joint = 4; }), Rules{"FLD-R10"});
+  EXPECT_EQ(second([](PhaseForm& p) { p.prescribed.corners[3].valence = 2; }), Rules{"FLD-R10"}) << "index sum";
+  EXPECT_EQ(second([](PhaseForm& p) {
+              p.prescribed.corners[3].valence = 2;
+              p.prescribed.boundary_nodes = {{3, 0.5, 1}};
+            }),
+            Rules{});
+  EXPECT_EQ(second([](PhaseForm& p) {
+              p.prescribed.corners[3].valence = 2;
+              p.prescribed.boundary_nodes = {{4, 0.5, 1}};
+            }),
+            Rules{"FLD-R10"});
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "../samples.hpp"
+#include "../region_samples.hpp"
 #include "rules_of.hpp"
 
 namespace quadrille::check {
@@ -82,6 +82,49 @@ TEST(TriMeshCheck, QuickDepthLeavesTheProofsOut) {
   TriMesh mesh = samples::tri_mesh();
   mesh.curved_nodes[3] = {0.5, 0.6};
   EXPECT_TRUE(check_tri_mesh(mesh, CheckDepth::quick).empty());
+}
+
+template <typename Damage>
+Rules broken_regions(const Damage& damage) {
+  return broken_rules(samples::two_regions_mesh(), check_tri_mesh, damage);
+}
+
+TEST(TriMeshCheck, RegionsAndSlitsAreValid) {
+  EXPECT_EQ(broken_regions([](TriMesh&) {}), Rules{});
+  EXPECT_EQ(rules_of(check_tri_mesh(samples::slit_mesh(), CheckDepth::full)), Rules{});
+}
+TEST(TriMeshCheck, TriR01ElementsOfEachRegion) {
+  for (const std::vector<int>& wrong : std::vector<std::vector<int>>{{}, {0, 8}, {0, 4, 7}, {0, 8, 8}, {1, 4, 8}})
+    EXPECT_EQ(broken_regions([&](TriMesh& m) { m.region_elems = wrong; }), Rules{"TRI-R01"});
+  EXPECT_EQ(broken([](TriMesh& m) { m.region_elems = {0, 2, 4}; }), Rules{"TRI-R01"}) << "one region";
+}
+TEST(TriMeshCheck, TriR11EachRegionCounts) {
+  EXPECT_EQ(broken_regions([](TriMesh& m) {
+              m.face.region_loops = {};
+              m.face.region_names = {};
+              m.region_elems = {};
+            }),
+            (Rules{"FAC-R09"}))
+      << "a second outline is no hole";
+}
+TEST(TriMeshCheck, TriR14RegionsHaveElementsOfTheirOwn) {
+  EXPECT_EQ(broken_regions([](TriMesh& m) { m.region_elems = {0, 3, 8}; }), Rules{"TRI-R14"});
+  EXPECT_TRUE(broken_regions([](TriMesh& m) {
+                // The right square's corner becomes that of the left one.
+                for (auto& triangle : m.elem2vertices)
+                  for (int& v : triangle) v = v == 5 ? 1 : v;
+              }).contains("TRI-R14"));
+  EXPECT_EQ(broken_regions([](TriMesh& m) {
+              for (BoundaryEdge& edge : m.boundary_edges) edge.elem = 7 - edge.elem;
+            }).contains("TRI-R14"),
+            true);
+}
+TEST(TriMeshCheck, TriR10BothSidesOfASlitHaveVerticesOfTheirOwn) {
+  TriMesh mesh = samples::slit_mesh();
+  for (auto& triangle : mesh.elem2vertices)
+    for (int& v : triangle) v = v == 7 ? 6 : v;
+  const Rules rules = rules_of(check_tri_mesh(mesh, CheckDepth::full));
+  EXPECT_EQ(rules, (Rules{"TRI-R10", "TRI-R11"}));
 }
 
 }  // namespace

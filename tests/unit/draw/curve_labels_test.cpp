@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 
+#include "../region_samples.hpp"
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
@@ -127,6 +129,22 @@ TEST(CurveLabels, OtherTextsAreNotCovered) {
   crowded.text(first(picture).centre, "label", "7");
   label_curves(crowded, face, CurveLabels::given);
   EXPECT_FALSE(first(crowded).overlaps(crowded.text_boxes().front()));
+}
+
+TEST(CurveLabels, AnInterfaceHasOneLabelWithBothNumbers) {
+  CadFace face = samples::two_regions_face();
+  const auto texts = [&](CurveLabels which) {
+    std::set<std::string> all;
+    for (const Label& label : drawn(face, 900, which).labels) all.insert(label.text);
+    return all;
+  };
+  EXPECT_TRUE(texts(CurveLabels::all).contains("1/7"));
+  EXPECT_FALSE(texts(CurveLabels::all).contains("7"));
+  EXPECT_FALSE(texts(CurveLabels::given).contains("fluid-solid")) << "made from the names of the regions";
+  face.curve_names[1] = face.curve_names[7] = "skin";
+  face.unnamed_curves = {};
+  EXPECT_TRUE(texts(CurveLabels::all).contains("1/7 skin"));
+  EXPECT_TRUE(texts(CurveLabels::given).contains("skin"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../region_samples.hpp"
 #include "../support/block_sides.hpp"
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
@@ -66,6 +67,41 @@ Field linear_field() {
     for (const double value : coefs([](Vec2 x) { return 2 * x.y - 1; })) field.v.push_back(value);
   }
   return field;
+}
+
+TEST(Draw, InterfacesAndSlitsAreDrawnOnce) {
+  const std::string regions = draw_tri_mesh(samples::two_regions_mesh(), {});
+  expect_sound(regions);
+  EXPECT_EQ(count(regions, "<title>boundary curve"), 6);
+  EXPECT_EQ(count(regions, "<title>interface, curves 1 and 7: fluid-solid"), 1);
+  EXPECT_EQ(count(regions, "class=\"interface\""), 2) << "the line and its mark in the legend";
+  EXPECT_EQ(count(regions, ">interface of two regions<"), 1);
+  EXPECT_EQ(count(regions, ">fluid<"), 1);
+  EXPECT_EQ(count(regions, ">solid<"), 1);
+  EXPECT_EQ(count(regions, ", 2 regions"), 1);
+  const std::string slit = draw_tri_mesh(samples::slit_mesh(), {});
+  EXPECT_EQ(count(slit, "<title>slit, curves 4 and 5: crack"), 1);
+  EXPECT_EQ(count(slit, "class=\"slit\""), 2);
+  EXPECT_EQ(count(slit, "class=\"interface\""), 0);
+  EXPECT_EQ(count(slit, "regions"), 0);
+}
+
+TEST(Draw, FieldsAndPointsOfRegions) {
+  const Field field = samples::two_regions_field(), phase = samples::two_regions_phase_field();
+  for (const std::string show : {"psi", "u", "order"}) {
+    DrawOptions options;
+    options.show = show;
+    for (const std::string& svg : {draw_field(field, options), draw_field(phase, options)}) {
+      expect_sound(svg);
+      EXPECT_EQ(count(svg, "class=\"interface\""), 2);
+      EXPECT_EQ(count(svg, ", 2 regions"), 1);
+    }
+  }
+  EXPECT_EQ(count(draw_field(phase, {}), "24 coefficients, 1 node asked for, 8 corner valences"), 1);
+  const std::string points = draw_critical_points(samples::two_regions_points(), &field, {});
+  expect_sound(points);
+  EXPECT_EQ(count(points, "class=\"corner\""), 9) << "8 and the legend";
+  EXPECT_EQ(count(points, "class=\"interface\""), 2);
 }
 
 TEST(Draw, TriMeshShowsEveryElement) {

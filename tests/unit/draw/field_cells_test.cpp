@@ -70,7 +70,7 @@ TEST_F(SquarePicture, WhereNothingChangesSignThereIsNone) {
 TEST_F(SquarePicture, JumpsOfTheCrossAngleAreDashed) {
   // v = y: zero along the x axis; u = x is negative on its left half, where the angle jumps.
   const Field field = field_of(1, [](Vec2 x) { return x; });
-  draw_zero_contours(picture, field::FieldEvaluator(field));
+  draw_zero_contours(picture, RegionFields(field));
   EXPECT_EQ(num_in_drawing("class=\"zero-u\""), 2);  // the line and its mark in the legend
   EXPECT_EQ(num_in_drawing("class=\"zero-v\""), 2);
   EXPECT_EQ(num_in_drawing("class=\"jump\""), 2);

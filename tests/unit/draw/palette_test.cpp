@@ -82,6 +82,7 @@ TEST(Palette, LinesNodesAndContoursAreToldApartWithAnyColourVision) {
     const Palette& colours = palette(paper);
     expect_apart({colours.few, colours.many, colours.other}, 0.1);
     expect_apart({colours.u_contour, colours.v_contour}, 0.1);
+    expect_apart({colours.u_contour, colours.v_contour, colours.interface}, 0.1);
     expect_apart(colours.lines, 0.05);
   }
 }

@@ -5,7 +5,7 @@
 #include <functional>
 #include <random>
 
-#include "../samples.hpp"
+#include "../region_samples.hpp"
 #include "base/error.hpp"
 #include "io/checksum.hpp"
 #include "io/stage_files.hpp"
@@ -34,7 +34,11 @@ const std::vector<Format>& formats() {
        read_separatrix_graph},
       {"block-layout", true, [](const std::string& p) { write_block_layout(p, samples::block_layout()); },
        read_block_layout},
-      {"quad-mesh", true, [](const std::string& p) { write_quad_mesh(p, samples::quad_mesh()); }, read_quad_mesh}};
+      {"quad-mesh", true, [](const std::string& p) { write_quad_mesh(p, samples::quad_mesh()); }, read_quad_mesh},
+      {"tri-mesh", true, [](const std::string& p) { write_tri_mesh(p, samples::two_regions_mesh()); }, read_tri_mesh},
+      {"field", true, [](const std::string& p) { write_field(p, samples::two_regions_phase_field()); }, read_field},
+      {"critical-points", false, [](const std::string& p) { write_critical_points(p, samples::two_regions_points()); },
+       read_critical_points}};
   return all;
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../samples.hpp"
+#include "../region_samples.hpp"
 #include "base/error.hpp"
 #include "scratch.hpp"
 
@@ -20,6 +20,17 @@ class StageFiles : public Scratch {
     EXPECT_EQ(bytes_of("first"), bytes_of("second"));
     EXPECT_GT(file.bytes.size(), 500u);
   }
+  static void expect_same_regions(const CadFace& face, const CadFace& expected) {
+    EXPECT_EQ(face.region_loops, expected.region_loops);
+    EXPECT_EQ(face.region_names, expected.region_names);
+    EXPECT_EQ(face.partners, expected.partners);
+    ASSERT_EQ(face.periodic_pairs.size(), expected.periodic_pairs.size());
+    for (std::size_t i = 0; i < face.periodic_pairs.size(); ++i) {
+      EXPECT_EQ(face.periodic_pairs[i].curves, expected.periodic_pairs[i].curves);
+      EXPECT_EQ(face.periodic_pairs[i].angle, expected.periodic_pairs[i].angle);
+      EXPECT_EQ(face.periodic_pairs[i].shift, expected.periodic_pairs[i].shift);
+    }
+  }
 };
 
 TEST_F(StageFiles, TriMeshSurvivesTheRoundTrip) {
@@ -33,6 +44,43 @@ TEST_F(StageFiles, TriMeshSurvivesTheRoundTrip) {
   EXPECT_TRUE(mesh.face.joints[3].is_corner);
   EXPECT_EQ(mesh.provenance[0].options, expected.provenance[0].options);
   EXPECT_EQ(stage_format(read_input(path("first"))), "tri-mesh");
+}
+
+TEST_F(StageFiles, RegionsSurviveTheRoundTrip) {
+  expect_same_bytes(samples::two_regions_mesh(), read_tri_mesh, write_tri_mesh);
+  const TriMesh mesh = read_tri_mesh(read_input(path("second"))), expected = samples::two_regions_mesh();
+  EXPECT_EQ(mesh.region_elems, expected.region_elems);
+  expect_same_regions(mesh.face, expected.face);
+  expect_same_bytes(samples::two_regions_points(), read_critical_points, write_critical_points);
+  expect_same_regions(read_critical_points(read_input(path("second"))).face, expected.face);
+  expect_same_bytes(samples::two_regions_field(), read_field, write_field);
+  expect_same_regions(read_field(read_input(path("second"))).mesh.face, expected.face);
+}
+
+TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
+  const Field expected = samples::two_regions_phase_field();
+  expect_same_bytes(expected, read_field, write_field);
+  const Field field = read_field(read_input(path("second")));
+  ASSERT_EQ(field.region_phases.size(), 2u);
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_EQ(field.region_phases[r].s, expected.region_phases[r].s);
+    EXPECT_EQ(field.region_phases[r].prescribed, expected.region_phases[r].prescribed);
+  }
+  EXPECT_TRUE(field.phase.s.empty());
+}
+
+TEST_F(StageFiles, OneRegionHasNoArraysOfRegions) {
+  const auto bytes = [&](const auto& stage, const auto& write) {
+    write(path("file"), stage);
+    return bytes_of("file");
+  };
+  for (const char* name : {"region_elems", "region_loops", "region_names", "partners", "periodic_pairs"}) {
+    EXPECT_EQ(bytes(samples::tri_mesh(), write_tri_mesh).find(name), std::string::npos) << name;
+    EXPECT_NE(bytes(samples::two_regions_mesh(), write_tri_mesh).find(name), std::string::npos) << name;
+  }
+  const std::string slit = bytes(samples::slit_mesh(), write_tri_mesh);
+  EXPECT_NE(slit.find("partners"), std::string::npos);
+  EXPECT_EQ(slit.find("region_"), std::string::npos);
 }
 
 TEST_F(StageFiles, FieldSurvivesTheRoundTrip) {

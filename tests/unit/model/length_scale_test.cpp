@@ -54,6 +54,7 @@ TEST(LengthScale, AllLengthsOfAGraphAreScaled) {
   graph.face.curves = {{1, {0, 0, 1, 1}, {{0, 0}, {2, 4}}, {1, 1}}};
   graph.face.joints.resize(1);
   graph.face.joints[0].position = {2, 4};
+  graph.face.periodic_pairs = {{{0, 0}, 0, {2, 4}}};
   graph.splines = graph.face.curves;
   graph.nodes.resize(1);
   graph.nodes[0].position = {6, 8};
@@ -63,6 +64,7 @@ TEST(LengthScale, AllLengthsOfAGraphAreScaled) {
   EXPECT_EQ(graph.face.plane_origin, (std::array<double, 3>{0.5, 1, 1.5}));
   for (const auto* curves : {&graph.face.curves, &graph.splines}) EXPECT_EQ((*curves)[0].poles[1], (Vec2{1, 2}));
   EXPECT_EQ(graph.face.joints[0].position, (Vec2{1, 2}));
+  EXPECT_EQ(graph.face.periodic_pairs[0].shift, (Vec2{1, 2}));
   EXPECT_EQ(graph.nodes[0].position, (Vec2{3, 4}));
 }
 

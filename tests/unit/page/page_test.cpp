@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../samples.hpp"
+#include "../region_samples.hpp"
 #include "draw/palette.hpp"
 
 namespace quadrille::page {
@@ -38,6 +38,18 @@ TEST(Page, ItReadsNothingFromElsewhereAndIsTheSameTwice) {
     EXPECT_EQ(count(page, reference), 0u) << reference;
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
+}
+
+TEST(Page, RegionsHaveNamesAndInterfacesPartners) {
+  const std::string page = html_page({samples::two_regions_mesh(), samples::two_regions_field()});
+  EXPECT_EQ(count(page, R"("regions":[["fluid",-0.5,0,0.5],["solid",0.5,0,0.5]])"), 2u);
+  EXPECT_EQ(count(page, "\"partners\":\""), 2u);
+  EXPECT_EQ(count(page, ", 2 regions"), 2u);
+  const std::string one = html_page({samples::tri_mesh()});
+  EXPECT_EQ(count(one, "\"partners\":"), 0u);
+  EXPECT_EQ(count(one, "\"regions\":"), 0u);
+  EXPECT_EQ(count(html_page({samples::slit_mesh()}), "\"partners\":\""), 1u);
+  EXPECT_EQ(count(html_page({samples::two_regions_phase_field()}), "prescribed node of valence 3"), 1u);
 }
 
 TEST(Page, NamesAreEscaped) {

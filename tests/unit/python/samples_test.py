@@ -7,6 +7,7 @@ import unittest
 import numpy as np
 
 import quadrille
+from quadrille.face import PeriodicPair
 
 SAMPLES = pathlib.Path(os.environ["ROOT"]) / "tests" / "formats"
 
@@ -74,6 +75,35 @@ class SquareTest(unittest.TestCase):
             difference = (field.value(x + shift) - field.value(x - shift)) / (2 * step)
             np.testing.assert_allclose(gradient[:, :, k], difference, atol=1e-7)
         self.assertTrue(np.isnan(field.value([[0.5, 0.375]])).all())
+
+    def test_regions(self):
+        mesh = sample("tri_mesh/passed/regions.tri.h5")
+        face = mesh.face
+        np.testing.assert_array_equal(mesh.elem_region, [0, 0, 0, 0, 1, 1, 1, 1])
+        self.assertEqual((face.regions, face.region_names), ([range(0, 1), range(1, 2)], ["fluid", "solid"]))
+        self.assertEqual((face.interfaces(), face.region_of_curve(7)), ([(1, 7)], 1))
+        self.assertEqual([pair.curves for pair in face.periodic_pairs], [(0, 2), (4, 6)])
+        pair = face.periodic_pairs[1]
+        np.testing.assert_allclose(pair.move(face.curves[4].points([0, 0.25])), face.curves[6].points([1, 0.75]))
+        np.testing.assert_allclose(sample("field/passed/regions.field.h5").value([[1.5, 0.3]]), [[1, 0]], atol=1e-14)
+
+    def test_one_region_and_slits(self):
+        square, slit = sample("tri_mesh/passed/square.tri.h5"), sample("tri_mesh/passed/slit.tri.h5")
+        self.assertEqual((square.face.regions, square.face.region_names), ([range(0, 1)], ["square"]))
+        np.testing.assert_array_equal(square.elem_region, [0] * 4)
+        np.testing.assert_array_equal(square.face.partners, [-1] * 4)
+        self.assertEqual((square.face.interfaces(), square.face.periodic_pairs), ([], []))
+        self.assertEqual((slit.face.interfaces(), slit.face.regions), ([(4, 5)], [range(0, 2)]))
+
+    def test_phases_of_regions_hold_in_their_own(self):
+        field, one = sample("field/passed/regions-phase.field.h5"), sample("field/passed/phase.field.h5")
+        x = np.array([[0.3, 0.2], [0.6, 0.8]])
+        np.testing.assert_allclose(field.value(x), one.value(x), atol=1e-14)
+        np.testing.assert_allclose(field.gradient(x), one.gradient(x), atol=1e-13)
+        np.testing.assert_allclose(field.value(x + [1, 0]), [[1, 0]] * 2, atol=1e-14)
+
+    def test_periodic_motions_turn_then_move(self):
+        np.testing.assert_allclose(PeriodicPair((0, 1), np.pi / 2, np.array([2.0, 0])).move([[1, 0]]), [[2, 1]], atol=1e-15)
 
     def test_nodes(self):
         nodes = sample("critical_points/passed/resolved.crit.json")
