@@ -41,6 +41,10 @@ double quiet_hue(int i) { return 230 + golden_angle * i; }
 
 std::string quiet_colour(int i) { return oklch(0.92 - 0.025 * (i % 3), 0.045, quiet_hue(i)); }
 
+std::string region_colour(int region, int shade) {
+  return oklch(0.93 - 0.02 * (region % 2) - 0.025 * (shade % 3), 0.05, quiet_hue(region));
+}
+
 std::string ramp_colour(const Ramp& ramp, double t) {
   t = std::clamp(t, 0.0, 1.0);
   std::size_t i = 1;

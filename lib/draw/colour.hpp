@@ -13,6 +13,9 @@ std::string oklch(double lightness, double chroma, double hue);
 std::string quiet_colour(int i);
 double quiet_hue(int i);  ///< its hue in degrees
 
+/// The tint of a region; `shade` distinguishes areas of one region.
+std::string region_colour(int region, int shade = 0);
+
 /// A ramp through colours "#rrggbb" at rising positions from 0 to 1, linear in between.
 struct ColourStop {
   double position;

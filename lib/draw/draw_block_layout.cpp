@@ -10,6 +10,7 @@
 #include "curve/nurbs.hpp"
 #include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::draw {
 
@@ -62,12 +63,17 @@ Vec2 block_centre(const BlockLayout& layout, int block) {
 
 bool is_irregular_on_boundary(const GraphNode& node) { return node.kind == NodeKind::boundary && node.valence != 2; }
 
+/// Also on interfaces.
+bool is_irregular_inside(const GraphNode& node) {
+  return node.kind == NodeKind::irregular || (node.curve >= 0 && node.is_inner() && node.valence != 4);
+}
+
 /// Draws inner nodes as polygons with one vertex per block, and boundary nodes as squares standing on a vertex.
 void draw_irregular_nodes(Picture& picture, const BlockLayout& layout) {
   for (const GraphNode& node : layout.nodes) {
     const std::string about =
         fmt::format("of valence {} at {}", node.valence, position_text(node.position, layout.face.origin));
-    if (node.kind == NodeKind::irregular)
+    if (is_irregular_inside(node))
       picture.add(valence_mark(picture.at(node.position), node.valence, 8, "irregular node " + about));
     if (is_irregular_on_boundary(node))
       picture.add(boundary_mark(picture.at(node.position), node.valence, 8, "irregular node on the boundary " + about));
@@ -78,7 +84,7 @@ void legend_irregular_nodes(Picture& picture, const BlockLayout& layout) {
   std::vector<int> inside;
   std::set<int> on_boundary;
   for (const GraphNode& node : layout.nodes) {
-    if (node.kind == NodeKind::irregular) inside.push_back(node.valence);
+    if (is_irregular_inside(node)) inside.push_back(node.valence);
     if (is_irregular_on_boundary(node)) on_boundary.insert(node.valence);
   }
   legend_valences(picture, inside);
@@ -90,11 +96,12 @@ void draw_block(Picture& picture, const BlockLayout& layout, int block) {
   const std::string name = block < static_cast<int>(layout.block_names.size()) ? layout.block_names[block] : "";
   std::string title = fmt::format("block {}", block);
   if (!name.empty() && name != title) title += ": " + name;
-  picture.add(svg_element("path",
-                          {{"id", fmt::format("block-{}", block)},
-                           {"fill", quiet_colour(block)},
-                           {"d", block_outline(picture, layout, block).str()}},
-                          title));
+  picture.add(svg_element(
+      "path",
+      {{"id", fmt::format("block-{}", block)},
+       {"fill", layout.block_region.empty() ? quiet_colour(block) : region_colour(layout.block_region[block], block)},
+       {"d", block_outline(picture, layout, block).str()}},
+      title));
   picture.text(picture.at(block_centre(layout, block)), "label", std::to_string(block));
 }
 
@@ -104,14 +111,12 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
   const std::vector<double>& quality = layout.block_scaled_jacobian;
   const int worst = worst_to_mark(quality);
-  const auto is_irregular = [](const GraphNode& n) {
-    return n.kind == NodeKind::irregular || is_irregular_on_boundary(n);
-  };
+  const auto is_irregular = [](const GraphNode& n) { return is_irregular_inside(n) || is_irregular_on_boundary(n); };
   const auto num_irregular = std::count_if(layout.nodes.begin(), layout.nodes.end(), is_irregular);
   Picture picture(shown_box(bounding_box(layout.face), layout.face.origin, options), options, "Blocks",
-                  fmt::format("{}, {}, {}{}", counted(layout.num_blocks(), "block"),
+                  fmt::format("{}, {}, {}{}{}", counted(layout.num_blocks(), "block"),
                               counted(static_cast<int>(chords.size()), "chord"),
-                              counted(static_cast<int>(num_irregular), "irregular node"),
+                              counted(static_cast<int>(num_irregular), "irregular node"), regions_text(layout.face),
                               quality.empty() ? ""
                                               : fmt::format(", worst scaled Jacobian {:.3f}",
                                                             *std::min_element(quality.begin(), quality.end()))));
@@ -119,7 +124,7 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
   for (int b = 0; b < layout.num_blocks(); ++b) draw_block(picture, layout, b);
   picture.close_group();
   for (std::size_t a = 0; a < layout.arcs.size(); ++a) {
-    if (layout.arcs[a].is_boundary) continue;
+    if (is_on_cad_curve(layout, layout.arcs[a])) continue;
     PathData path;
     for (const ArcPiece& piece : layout.arcs[a].pieces)
       append_nurbs(path, picture, layout.curve(piece.curve), piece.t0, piece.t1);
@@ -137,6 +142,7 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
     picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6,-5H6V5H-6Z"}}),
                         fmt::format("the worst: scaled Jacobian {:.3f}", quality[worst]));
   legend_corner(picture, layout.face);
+  legend_regions(picture, layout.face);
   label_curves(picture, layout.face, options.curve_labels);
   legend_scale(picture, layout.face);
   return picture.str();

@@ -80,10 +80,10 @@ std::string caption(const QuadMesh& mesh) {
   const double worst = quality.empty() ? 0 : *std::min_element(quality.begin(), quality.end());
   const int num_blocks =
       mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
-  return fmt::format("{}{} of order {} in {}, {}, worst scaled Jacobian {:.3f}{}",
+  return fmt::format("{}{} of order {} in {}{}, {}, worst scaled Jacobian {:.3f}{}",
                      mesh.is_valid ? "" : "NOT VALID: ", counted(mesh.num_elems(), "quad"), mesh.order,
-                     counted(num_blocks, "block"), counted(mesh.num_irregular, "irregular node"), worst,
-                     sizes_text(mesh));
+                     counted(num_blocks, "block"), regions_text(mesh.face),
+                     counted(mesh.num_irregular, "irregular node"), worst, sizes_text(mesh));
 }
 
 }  // namespace

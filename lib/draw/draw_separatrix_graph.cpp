@@ -7,6 +7,7 @@
 #include "draw/curve_labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::draw {
 
@@ -61,7 +62,7 @@ void draw_loose_arcs(Picture& picture, const SeparatrixGraph& graph) {
   for (const SeparatrixLine& line : graph.lines)
     for (const int arc : line.arcs) is_drawn[arc] = true;
   for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
-    if (is_drawn[a] || graph.arcs[a].is_boundary) continue;
+    if (is_drawn[a] || is_on_cad_curve(graph, graph.arcs[a])) continue;
     PathData path;
     append_arc(path, picture, graph, static_cast<int>(a));
     picture.add(svg_element("path", {{"class", "edge"}, {"d", path.str()}}, fmt::format("arc {}", a)));
@@ -102,7 +103,8 @@ std::string certificate_text(const LayoutCertificate& certificate) {
 std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options) {
   std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
                                     counted(static_cast<int>(graph.nodes.size()), "node"),
-                                    counted(static_cast<int>(graph.arcs.size()), "arc"));
+                                    counted(static_cast<int>(graph.arcs.size()), "arc")) +
+                        regions_text(graph.face);
   if (graph.certificate.method) caption += "; " + certificate_text(graph.certificate);
   Picture picture(shown_box(bounding_box(graph.face), graph.face.origin, options), options, "Separatrices", caption);
   draw_face_area(picture, graph.face);
@@ -122,6 +124,7 @@ std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOption
   legend_valences(picture, valences);
   legend_corner(picture, graph.face);
   picture.legend_mark(circle_mark("dot", {0, 0}, 3), "crossing or end");
+  legend_regions(picture, graph.face);
   label_curves(picture, graph.face, options.curve_labels);
   legend_scale(picture, graph.face);
   return picture.str();

@@ -67,7 +67,25 @@ std::string face_outline(const Picture& picture, const CadFace& face) {
 }
 
 void draw_face_area(Picture& picture, const CadFace& face) {
-  picture.add(svg_element("path", {{"class", "face"}, {"d", face_outline(picture, face)}}));
+  if (face.num_regions() == 1)
+    return picture.add(svg_element("path", {{"class", "face"}, {"d", face_outline(picture, face)}}));
+  for (int r = 0; r < face.num_regions(); ++r) {
+    std::string d;
+    for (int l = face.region_loops[r]; l < face.region_loops[r + 1]; ++l) d += closed_loop(picture, face, l).str();
+    picture.add(svg_element("path", {{"class", "face"}, {"style", "fill:" + region_colour(r)}, {"d", d}},
+                            face.region_names[r]));
+  }
+}
+
+void legend_regions(Picture& picture, const CadFace& face) {
+  constexpr int max_listed = 12;
+  if (face.num_regions() == 1) return;
+  for (int r = 0; r < std::min(face.num_regions(), max_listed); ++r)
+    picture.legend_mark(
+        svg_element("path", {{"fill", region_colour(r)}, {"stroke", "#44535f"}, {"d", "M-6,-5H6V5H-6Z"}}),
+        face.region_names[r]);
+  if (face.num_regions() > max_listed)
+    picture.legend_mark("", fmt::format("and {}", counted(face.num_regions() - max_listed, "more region")));
 }
 
 namespace {

@@ -13,8 +13,11 @@ namespace quadrille::draw {
 /// Appends `curve` between two parameters; an empty path begins at its start.
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
 
-/// The face as an area (below everything) and its boundary (above the rest). Every curve has its name as hover text.
+/// The face as an area (below everything), each region in its tint, and its boundary (above the rest). Every curve has
+/// its name as hover text.
 void draw_face_area(Picture& picture, const CadFace& face);
+/// The tints that regions have in the area of the face: an entry for each.
+void legend_regions(Picture& picture, const CadFace& face);
 /// The data of a path around the face, for the fill rule evenodd.
 std::string face_outline(const Picture& picture, const CadFace& face);
 /// Curves in which two regions meet, or which are slits, have a style of their own.

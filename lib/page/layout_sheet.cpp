@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/enum_names.hpp"
+#include "model/interfaces.hpp"
 #include "page/sheet.hpp"
 
 namespace quadrille::page {
@@ -47,7 +48,7 @@ NamedChains blocks_of(const BlockLayout& layout, const PageFrame& frame) {
         blocks.chains.append_piece(frame, layout.curve(piece.curve), piece.t0, piece.t1);
     blocks.chains.close_chain();
     blocks.names.push_back(b < static_cast<int>(layout.block_names.size()) ? layout.block_names[b] : "");
-    blocks.colours.push_back(b);
+    blocks.colours.push_back(layout.block_region.empty() ? b : layout.block_region[b]);
   }
   return blocks;
 }
@@ -78,7 +79,7 @@ NamedChains lines_of(const SeparatrixGraph& graph, const PageFrame& frame) {
           fmt::format("separatrix {} from node {} to node {}, {}", i, line.origin, line.end, enum_name(line.kind)));
   }
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
-    if (!graph.arcs[a].is_boundary && !drawn.contains(a)) add(a, -1, fmt::format("arc {}", a));
+    if (!is_on_cad_curve(graph, graph.arcs[a]) && !drawn.contains(a)) add(a, -1, fmt::format("arc {}", a));
   return lines;
 }
 

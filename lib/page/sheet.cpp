@@ -73,9 +73,11 @@ Marks marks_of(const ArcGraph& graph, const PageFrame& frame, bool with_crossing
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
     const bool is_boundary_node = node.kind == NodeKind::boundary && node.valence != 2;
+    const bool is_irregular_on_interface = node.curve >= 0 && node.is_inner() && node.valence != 4;
     const std::string kind = node.kind == NodeKind::irregular ? "node"
                              : node.kind == NodeKind::corner  ? "corner"
                              : is_boundary_node               ? "boundary"
+                             : is_irregular_on_interface      ? "node"
                                                               : "dot";
     if (kind == "dot" && !with_crossings) continue;
     marks.add(frame, node.position, node.valence, kind,
