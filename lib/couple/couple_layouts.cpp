@@ -5,6 +5,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "couple/continue_lines.hpp"
 #include "couple/join_layouts.hpp"
 #include "couple/meet_stations.hpp"
 #include "couple/turn_round_regions.hpp"
@@ -20,6 +21,8 @@ namespace quadrille::couple {
 namespace {
 
 constexpr double relative_unit = 0.1;  // an arc of this length, relative to the diameter, has integer length one
+
+constexpr int max_rounds = 8;  // of lines continued from one region into the next
 
 std::vector<double> arc_lengths(const ArcGraph& graph) {
   const curve::CurveTable table(graph.face, graph.splines);
@@ -52,7 +55,18 @@ void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::Can
 
 SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
   report.set("couple.turned_regions", turn_round_regions(regions));
-  report.set("couple.lines_met", meet_stations(regions));
+  int num_met = meet_stations(regions), num_continued = 0;
+  for (const bool with_cuts : {false, true}) {
+    for (int round = 0; round < max_rounds; ++round) {
+      const int num = continue_lines(regions, with_cuts);
+      if (num == 0) break;
+      num_continued += num;
+      num_met += meet_stations(regions);
+    }
+    if (!with_cuts) remove_needless_cuts(regions);
+  }
+  report.set("couple.lines_met", num_met);
+  report.set("couple.lines_continued", num_continued);
   graph::CandidateLayout layout = graph::candidate_layout(join_layouts(regions));
   report.set("couple.t_junctions", layout.t_junctions.size());
   report.set("couple.faces_before", layout.subdivision.num_faces());

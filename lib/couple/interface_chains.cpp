@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/error.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/chain.hpp"
 
@@ -103,6 +104,14 @@ std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
       std::stable_sort(side.begin(), side.end(),
                        [](const Station& a, const Station& b) { return a.position < b.position; });
   return chains;
+}
+
+Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place) {
+  for (const Place& p : places_of_point(face, place)) {
+    const bool is_lower = std::find(chain.curves.begin(), chain.curves.end(), p.curve) != chain.curves.end();
+    if (is_lower == (side == 0)) return p;
+  }
+  throw Defect("couple: a point of an interface has no place on one side of it");
 }
 
 }  // namespace quadrille::couple

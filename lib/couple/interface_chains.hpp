@@ -29,4 +29,7 @@ struct InterfaceChain {
 /// Without the ends of chains that are not closed: a node there, a junction, is on both sides.
 std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions);
 
+/// The place on one side of the chain of the point at `place`, which is on it.
+Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place);
+
 }  // namespace quadrille::couple

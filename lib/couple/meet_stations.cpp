@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "base/angle.hpp"
-#include "base/error.hpp"
 #include "couple/interface_chains.hpp"
+#include "couple/renew_lines.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/separatrix_lines.hpp"
 #include "simplify/line_end_move.hpp"
 
 namespace quadrille::couple {
@@ -120,15 +119,6 @@ std::optional<simplify::LineEndMove> move_to(const graph::CandidateLayout& layou
   return std::nullopt;
 }
 
-// The place of the same point on one side of the chain.
-Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place) {
-  for (const Place& p : places_of_point(face, place)) {
-    const bool is_lower = std::find(chain.curves.begin(), chain.curves.end(), p.curve) != chain.curves.end();
-    if (is_lower == (side == 0)) return p;
-  }
-  throw Defect("couple: a point of an interface has no place on one side of it");
-}
-
 // Returns the deviation of the line that moved, radians.
 double move_end(RegionLayouts& regions, const Station& station, Place place) {
   if (!station.is_movable || regions.place_of(station.region, station.node) == place) return 0;
@@ -140,21 +130,11 @@ double move_end(RegionLayouts& regions, const Station& station, Place place) {
   return simplify::move_line_end(layout.subdivision, *move, &field);
 }
 
-// The lines again, with the splines that replace parts of them.
-void renew_lines(graph::CandidateLayout& layout, std::vector<LineKind> kinds) {
-  if (kinds.size() == layout.graph().splines.size()) return;
-  kinds.resize(layout.graph().splines.size(), LineKind::merged);
-  layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
-  layout.subdivision.drop_unused_splines();
-}
-
 }  // namespace
 
 int meet_stations(RegionLayouts& regions) {
   const CadFace& face = regions.face;
-  std::vector<std::vector<LineKind>> kinds;
-  for (const graph::CandidateLayout& layout : regions.layouts)
-    kinds.push_back(graph::spline_kinds(layout.graph(), layout.lines));
+  std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   int num_meetings = 0;
   for (const InterfaceChain& chain : interface_chains(regions))
     for (const Meeting& meeting : meetings_on(chain, relative_same * face.diameter)) {
@@ -171,7 +151,7 @@ int meet_stations(RegionLayouts& regions) {
       }
       ++num_meetings;
     }
-  for (std::size_t r = 0; r < regions.layouts.size(); ++r) renew_lines(regions.layouts[r], std::move(kinds[r]));
+  renew_lines(regions, std::move(kinds), LineKind::merged);
   return num_meetings;
 }
 
