@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "curve/named_curves.hpp"
 #include "base/error.hpp"
 #include "sizing/boundary_sizes.hpp"
 
@@ -48,7 +49,7 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
     segments.insert(segments.end(), more.begin(), more.end());
   };
   for (const NearSize& near : options.near)
-    for (const int curve : named_curves(face, near.boundary, "--size-near"))
+    for (const int curve : curve::named_curves(face, near.boundary, "--size-near"))
       add(segments_near(face.curves[curve], near.size, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
