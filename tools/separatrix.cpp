@@ -1,10 +1,13 @@
 // Traces the separatrices of a guiding field and writes the planar graph of separatrices and boundary.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "couple/couple_layouts.hpp"
@@ -28,10 +31,18 @@ struct Settings {
   std::vector<std::string> open, interfaces;  // names of curves
 };
 
+void require_one_region(const CadFace& face, const std::string& file) {
+  if (face.num_regions() > 1)
+    throw UsageError(
+        fmt::format("{} has {} regions: blocks from triangles (--layout midpoint) need a file of one: cad2tri --face",
+                    file, face.num_regions()));
+}
+
 /// Without a field there are no separatrices.
 SeparatrixGraph layout_of_triangles(const io::InputFile& file, const Settings& settings, cli::Session& session) {
   const TriMesh mesh = io::read_tri_mesh(file);
   check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), file.name);
+  require_one_region(mesh.face, file.name);
   session.begin_phase("divide");
   SeparatrixGraph graph = layout::layout_without_field(mesh, settings.options.layout, session.report());
   graph.provenance = session.provenance(mesh.provenance, {file.digest("tri-mesh")});
@@ -79,6 +90,7 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
   const Field field = io::read_field(field_file);
   check::require_valid(check::check_field(field, check::CheckDepth::quick), field_file.name);
   if (settings.options.layout == layout::LayoutChoice::midpoint) {  // needs no nodes
+    require_one_region(field.mesh.face, field_file.name);
     session.begin_phase("divide");
     SeparatrixGraph graph = layout::layout_without_field(field.mesh, settings.options.layout, session.report());
     graph.provenance = session.provenance(field.provenance, {field_file.digest("field")});
