@@ -147,18 +147,21 @@ class FaceReader {
   int num_edges_ = 0;
 };
 
-void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, const std::string& file, Report& report) {
+// Whether the shape is a part of one of the faces.
+bool belongs_to(const TopoDS_Shape& shape, const std::vector<FaceChoice>& faces) {
+  for (const FaceChoice& choice : faces)
+    for (TopExp_Explorer part(choice.face, shape.ShapeType()); part.More(); part.Next())
+      if (part.Current().IsSame(shape)) return true;
+  return false;
+}
+
+void warn_of_construction(const TopoDS_Shape& shape, const std::vector<FaceChoice>& faces, const std::string& file,
+                          Report& report) {
   int curves = 0, points = 0;
-  for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
-    bool own = false;
-    for (TopExp_Explorer f(face, TopAbs_EDGE); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
-    curves += !own;
-  }
-  for (TopExp_Explorer e(shape, TopAbs_VERTEX, TopAbs_EDGE); e.More(); e.Next()) {
-    bool own = false;
-    for (TopExp_Explorer f(face, TopAbs_VERTEX); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
-    points += !own;
-  }
+  for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next())
+    curves += !belongs_to(e.Current(), faces);
+  for (TopExp_Explorer e(shape, TopAbs_VERTEX, TopAbs_EDGE); e.More(); e.Next())
+    points += !belongs_to(e.Current(), faces);
   const auto warn = [&](const char* code, int count, const std::string& what) {
     if (count > 0)
       report.warn(code, fmt::format("{}: ignored {} {}{} beside the face", file, count, what, count == 1 ? "" : "s"));
@@ -179,6 +182,24 @@ void require_unscaled(const TopoDS_Face& face, const std::string& file) {
   }
 }
 
+heal::RawFace raw_face(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, const std::string& file,
+                       Report& report) {
+  require_unscaled(face, file);
+  heal::RawFace raw;
+  raw.file = file;
+  const ShapeLabel label = model.label_of(face);
+  raw.name = label.name, raw.layer = label.layer;
+  raw.length_unit = model.length_unit;
+  raw.metres_per_unit = model.metres_per_unit;
+  raw.tolerance = model.tolerance;
+  raw.shape_tolerance = BRep_Tool::Tolerance(face);
+  raw.plane_origin = frame.origin;
+  raw.plane_x = frame.e_x;
+  raw.plane_y = frame.e_y;
+  FaceReader(model, face, frame, raw, report).read();
+  return raw;
+}
+
 }  // namespace
 
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
@@ -192,25 +213,16 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
   return std::nullopt;
 }
 
-heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report) {
-  const auto plane = plane_of(face);
-  if (!plane) throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(face)));
-  require_unscaled(face, file);
+std::vector<heal::RawFace> occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces,
+                                     const std::string& file, Report& report) {
+  const auto plane = plane_of(faces.front().face);
+  if (!plane)
+    throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(faces.front().face)));
   const PlaneFrame frame = frame_of(*plane);
-  heal::RawFace raw;
-  raw.file = file;
-  const ShapeLabel label = model.label_of(face);
-  raw.name = label.name, raw.layer = label.layer;
-  raw.length_unit = model.length_unit;
-  raw.metres_per_unit = model.metres_per_unit;
-  raw.tolerance = model.tolerance;
-  raw.shape_tolerance = BRep_Tool::Tolerance(face);
-  raw.plane_origin = frame.origin;
-  raw.plane_x = frame.e_x;
-  raw.plane_y = frame.e_y;
-  FaceReader(model, face, frame, raw, report).read();
-  warn_of_construction(model.shape, face, file, report);
-  return raw;
+  std::vector<heal::RawFace> raws;
+  for (const FaceChoice& choice : faces) raws.push_back(raw_face(model, choice.face, frame, file, report));
+  warn_of_construction(model.shape, faces, file, report);
+  return raws;
 }
 
 }  // namespace quadrille::occ

@@ -9,6 +9,7 @@
 #include "occ/occ_face.hpp"
 #include "occ/occ_load.hpp"
 #include "outline/assemble_face.hpp"
+#include "sew/sewn_face.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -34,13 +35,23 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
   report.set("input.format", cad::format_name(format.format));
   return of_file(format, name, [&] {
     const OccModel model = occ_load(format, bytes, name);
-    const FaceChoice choice = choose_face(model, options.face, name);
-    heal::RawFace raw = occ_face(model, choice.face, name, report);
-    cad::choose_names(raw);
+    const std::vector<FaceChoice> choices = choose_faces(model, options.face, name);
+    std::vector<heal::RawFace> raws = occ_faces(model, choices, name, report);
+    for (heal::RawFace& raw : raws) cad::choose_names(raw);
     cad::LoadedFace loaded;
+    if (raws.size() > 1) {
+      for (size_t f = 0; f < raws.size(); ++f)
+        if (raws[f].name.empty()) raws[f].name = choices[f].part;
+      loaded.face = sew::sewn_face(
+          raws, {options.corner_angle, options.blunt_width, options.fit_tolerance, options.heal_tolerance},
+          loaded.repairs, report);
+      return loaded;
+    }
+    heal::RawFace& raw = raws.front();
     loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
     loaded.face = outline::assemble_face(
-        raw, {options.corner_angle, options.blunt_width, choice.piece, options.fit_tolerance}, loaded.repairs, report);
+        raw, {options.corner_angle, options.blunt_width, choices.front().piece, options.fit_tolerance}, loaded.repairs,
+        report);
     return loaded;
   });
 }
