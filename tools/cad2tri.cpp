@@ -35,6 +35,7 @@ namespace {
 void report_face(const CadFace& face, Report& report) {
   int num_corners = 0;
   for (const Joint& joint : face.joints) num_corners += joint.is_corner;
+  report.set("regions.count", face.num_regions());
   report.set("face.curves", face.num_curves());
   report.set("face.loops", face.num_loops());
   report.set("face.corners", num_corners);
@@ -69,6 +70,12 @@ std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs
   add(RepairKind::cusp, "cusp cut off", "cusps cut off");
   return fmt::format("healed {}; by at most {:.2g} {} ({:.1g} diameters)", fmt::join(parts, ", "), greatest,
                      face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
+}
+
+std::string regions_text(const CadFace& face) {
+  int num_sides = 0;
+  for (const int partner : face.partners) num_sides += partner >= 0;
+  return fmt::format("sewed {} along {}", counted(face.num_regions(), "region"), counted(num_sides / 2, "curve"));
 }
 
 // The format that the ending of the name determines.
@@ -180,6 +187,7 @@ int main(int argc, char** argv) {
     cad::rename_curves(face, name_rules, chosen_names);
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
+    if (face.num_regions() > 1) s.info(regions_text(face));
     if (face.fit_distance > 0) s.info(fit_text(face, loaded.repairs));
     if (!healed.empty()) io::write_output(healed, cad::file_of_face(face, healed_format(healed)), false);
     s.begin_phase("triangulate");

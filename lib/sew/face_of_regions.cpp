@@ -65,7 +65,10 @@ void name_interfaces(CadFace& face) {
     if (!face.is_interface(c)) continue;
     const auto [a, b] =
         std::minmax({face.region_of_loop(face.loop_of(c)), face.region_of_loop(face.loop_of(face.partners[c]))});
-    if (a != b) face.curve_names[c] = face.region_names[a] + "-" + face.region_names[b];
+    if (a == b)
+      face.curve_names[c] = face.curve_names[std::min(c, face.partners[c])];
+    else
+      face.curve_names[c] = face.region_names[a] + "-" + face.region_names[b];
   }
 }
 

@@ -12,7 +12,8 @@ namespace quadrille::sew {
 /// first one's if both have; the others are unnamed (name_interfaces). Regions without a name are called "region_N".
 CadFace face_of_regions(const Sewn& sewn, const heal::RawFace& raw, double corner_angle);
 
-/// Names the interfaces without a given name after the two regions, the one with the lower number first: "fluid-solid".
+/// Names the interfaces without a given name after the two regions, the one with the lower number first: "fluid-solid";
+/// the second side of a slit like the first.
 void name_interfaces(CadFace& face);
 
 }  // namespace quadrille::sew

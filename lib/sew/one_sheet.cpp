@@ -72,7 +72,7 @@ void refuse_slips(const Sewn& sewn, const heal::HealScale& scale, double most_sl
                   "--heal-tolerance {:.1g}",
                   scale.file, pair_text(sewn.regions[slip->a], sewn.regions[slip->b]), slip->gap.size,
                   rounded_position_text(slip->gap.position), heal::remedy(scale, slip->gap.size),
-                  slip->gap.size / scale.diameter / 20));
+                  slip->gap.size / scale.diameter / 50));
 }
 
 /// At a place at which two curves of the boundary start, the whole touches itself in a point.
@@ -125,8 +125,8 @@ void require_one_sheet(const Sewn& sewn, const heal::HealScale& scale, bool is_a
   if (!is_connected || contact || !bound_one_part(loops)) {
     refuse_overlaps(sewn, scale, most_slip);
     refuse_slips(sewn, scale, most_slip);
-    refuse_separate_parts(sewn, scale, most_slip);
     refuse_point_contacts(sewn, boundary, scale);
+    refuse_separate_parts(sewn, scale, most_slip);
     const Vec2 x = contact ? contact->position : loops.front().front().poles.front();
     const CurveId a = contact ? boundary[contact->loop_a][contact->curve_a] : boundary.front().front();
     const CurveId b = contact ? boundary[contact->loop_b][contact->curve_b] : boundary.back().front();

@@ -15,33 +15,32 @@ constexpr double slip_tolerances = 10;     ///< of a tolerance that was given
 constexpr double length_share = 1.0 / 50;  ///< of the length of the curve
 constexpr int num_samples = 9, least_near = 3;
 
-/// The point of the boundary of the whole that belongs to another region and is nearest to x, if it is within `most`.
-std::optional<Slip> nearest_other(const Sewn& sewn, int own, Vec2 x, double most) {
-  std::optional<Slip> nearest;
-  for (int r = 0; r < static_cast<int>(sewn.regions.size()); ++r)
-    for (int c = 0; c < sewn.regions[r].num_curves(); ++c) {
-      const Nurbs& curve = sewn.regions[r].curves[c].curve;
-      if (r == own || sewn.partners[r][c].exists() || !curve::pole_box(curve).contains(x, most)) continue;
-      const auto foot = curve::project(curve, x);
-      if (foot.distance <= (nearest ? nearest->gap.size : most))
-        nearest = {own, r, {0.5 * (x + foot.position), foot.distance}};
-    }
+/// The point of region `other` on the boundary of the whole that is nearest to x, if it is within `most`.
+std::optional<MeasuredPlace> nearest_of(const Sewn& sewn, int other, Vec2 x, double most) {
+  std::optional<MeasuredPlace> nearest;
+  for (int c = 0; c < sewn.regions[other].num_curves(); ++c) {
+    const Nurbs& curve = sewn.regions[other].curves[c].curve;
+    if (sewn.partners[other][c].exists() || !curve::pole_box(curve).contains(x, most)) continue;
+    const auto foot = curve::project(curve, x);
+    if (foot.distance <= (nearest ? nearest->size : most)) nearest = {0.5 * (x + foot.position), foot.distance};
+  }
   return nearest;
 }
 
-std::optional<Slip> slip_of(const Sewn& sewn, CurveId id, double most_slip) {
+/// Between the curve and region `other`; both ends of the curve are measured too.
+std::optional<Slip> slip_between(const Sewn& sewn, CurveId id, int other, double most_slip) {
   const Nurbs& curve = sewn.regions[id.region].curves[id.curve].curve;
   const curve::ArcLength length(curve);
   const double most = std::min(most_slip, length_share * length.total());
-  std::optional<Slip> widest;
-  int near = 0;
-  for (int i = 1; i <= num_samples; ++i) {
+  Slip slip{id.region, other, {}};
+  int num_near = 0;
+  for (int i = 0; i <= num_samples + 1; ++i) {
     const Vec2 x = curve::point(curve, length.parameter(length.total() * i / (num_samples + 1)));
-    const auto slip = nearest_other(sewn, id.region, x, most);
-    near += slip.has_value();
-    if (slip && (!widest || slip->gap.size > widest->gap.size)) widest = slip;
+    const auto near = nearest_of(sewn, other, x, most);
+    num_near += near && 0 < i && i <= num_samples;
+    if (near && near->size >= slip.gap.size) slip.gap = *near;
   }
-  return near >= least_near ? widest : std::nullopt;
+  return num_near >= least_near ? std::optional(slip) : std::nullopt;
 }
 
 }  // namespace
@@ -53,8 +52,9 @@ double most_slip_of(const heal::HealScale& scale, bool is_asked) {
 std::optional<Slip> find_slip(const Sewn& sewn, double most_slip) {
   for (int r = 0; r < static_cast<int>(sewn.regions.size()); ++r)
     for (int c = 0; c < sewn.regions[r].num_curves(); ++c)
-      if (!sewn.partners[r][c].exists())
-        if (const auto slip = slip_of(sewn, {r, c}, most_slip)) return slip;
+      for (int other = 0; other < static_cast<int>(sewn.regions.size()) && !sewn.partners[r][c].exists(); ++other)
+        if (other != r)
+          if (const auto slip = slip_between(sewn, {r, c}, other, most_slip)) return slip;
   return std::nullopt;
 }
 
