@@ -18,6 +18,7 @@ std::vector<heal::RawEdge*> edges_of(heal::RawFace& raw) {
   std::vector<heal::RawEdge*> edges;
   for (auto& wire : raw.wires)
     for (heal::RawEdge& edge : wire) edges.push_back(&edge);
+  for (heal::RawEdge& edge : raw.inner_edges) edges.push_back(&edge);
   return edges;
 }
 

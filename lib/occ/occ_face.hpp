@@ -35,10 +35,20 @@ std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& c
 /// The plane of the face in space; std::nullopt if the face is not planar.
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
 
-/// The faces with their edges in the plane of the first one; edges that lie off it have a height. Throws FormatError
-/// unless the first is planar and all are bounded by plain wires; entities of `model` beside its faces are reported as
-/// warnings. `file`: name of the file, for messages.
-std::vector<heal::RawFace> occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces,
-                                     const std::string& file, Report& report);
+struct FacesAndEdges {
+  std::vector<heal::RawFace> faces;
+  std::vector<heal::RawEdge> free_edges;  ///< of no face, numbered from 0
+  int num_ignored_curves = 0;             ///< of no face, and without use
+  int num_points = 0;                     ///< of no edge
+};
+
+/// The faces with their edges in the plane of the first one; edges that lie off it have a height. An edge that a face
+/// has on both sides is one of its inner edges. Throws FormatError unless the first face is planar. Edges of no face
+/// are only counted unless they are asked for (`with_free_edges`). `file`: name of the file, for messages.
+FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
+                        const std::string& file, Report& report);
+
+/// Warns of what was only counted.
+void warn_of_ignored(const FacesAndEdges& found, const std::string& file, Report& report);
 
 }  // namespace quadrille::occ

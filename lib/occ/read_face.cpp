@@ -28,6 +28,14 @@ auto of_file(const KernelFormat& format, const std::string& name, Work work) {
   }
 }
 
+// As for the edges of a face without a layer.
+void choose_names_of(std::vector<heal::RawEdge>& edges) {
+  heal::RawFace raw;
+  raw.inner_edges = std::move(edges);
+  cad::choose_names(raw);
+  edges = std::move(raw.inner_edges);
+}
+
 }  // namespace
 
 cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
@@ -36,22 +44,26 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
   return of_file(format, name, [&] {
     const OccModel model = occ_load(format, bytes, name);
     const std::vector<FaceChoice> choices = choose_faces(model, options.face, name);
-    std::vector<heal::RawFace> raws = occ_faces(model, choices, name, report);
-    for (heal::RawFace& raw : raws) cad::choose_names(raw);
-    cad::LoadedFace loaded;
-    if (raws.size() > 1) {
-      for (size_t f = 0; f < raws.size(); ++f)
-        if (raws[f].name.empty()) raws[f].name = choices[f].part;
-      loaded.face = sew::sewn_face(
-          raws, {options.corner_angle, options.blunt_width, options.fit_tolerance, options.heal_tolerance},
-          loaded.repairs, report);
-      return loaded;
+    FacesAndEdges found = occ_faces(model, choices, options.face.empty(), name, report);
+    for (size_t f = 0; f < choices.size(); ++f) {
+      cad::choose_names(found.faces[f]);
+      if (found.faces[f].name.empty()) found.faces[f].name = choices[f].part;
     }
-    heal::RawFace& raw = raws.front();
-    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
-    loaded.face = outline::assemble_face(
-        raw, {options.corner_angle, options.blunt_width, choices.front().piece, options.fit_tolerance}, loaded.repairs,
-        report);
+    choose_names_of(found.free_edges);
+    cad::LoadedFace loaded;
+    if (sew::are_to_be_sewn(found.faces, found.free_edges)) {
+      loaded.face = sew::sewn_face(found.faces, found.free_edges,
+                                   {options.corner_angle, options.blunt_width, options.fit_tolerance,
+                                    options.heal_tolerance, choices.front().piece},
+                                   loaded.repairs, report);
+    } else {
+      heal::RawFace& raw = found.faces.front();
+      loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
+      loaded.face = outline::assemble_face(
+          raw, {options.corner_angle, options.blunt_width, choices.front().piece, options.fit_tolerance},
+          loaded.repairs, report);
+    }
+    warn_of_ignored(found, name, report);
     return loaded;
   });
 }

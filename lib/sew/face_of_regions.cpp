@@ -80,9 +80,15 @@ CadFace face_of_regions(const Sewn& sewn, const heal::RawFace& raw, double corne
     face.region_loops.push_back(face.region_loops.back() + region.num_loops());
     face.region_names.push_back(region.name);
   }
-  replace_empty_names(face.region_names, "region");
+  for (const int r : replace_empty_names(face.region_names, "region"))
+    if (r > 0 && sewn.regions[r - 1].cad_face == sewn.regions[r].cad_face)  // a face that inner curves divide
+      face.region_names[r] = face.region_names[r - 1];
   open_tips(face);
   name_interfaces(face);
+  if (sewn.regions.size() > 1) return face;
+  face.name = sewn.regions.front().name;
+  face.region_loops.clear(), face.region_names.clear();
+  if (sewn.num_inner_curves == 0) face.partners.clear();
   return face;
 }
 

@@ -14,16 +14,6 @@ namespace {
 
 constexpr int samples_per_span = 6;
 
-double one_sided_separation(const Nurbs& a, const Nurbs& b) {
-  double greatest = 0;
-  for (size_t k = 1; k < a.knots.size(); ++k) {
-    const double t0 = a.knots[k - 1], t1 = a.knots[k];
-    for (int i = 0; i <= samples_per_span && t0 < t1; ++i)
-      greatest = std::max(greatest, curve::project(b, curve::point(a, t0 + (t1 - t0) * i / samples_per_span)).distance);
-  }
-  return greatest;
-}
-
 /// Curves by the places of their starts and ends; (-1, -1): smooth closed curves.
 using ByEnds = std::map<std::pair<int, int>, std::vector<CurveId>>;
 
@@ -54,6 +44,16 @@ bool may_meet(const Nurbs& a, const Nurbs& b, double tol) {
 }
 
 }  // namespace
+
+double one_sided_separation(const Nurbs& a, const Nurbs& b) {
+  double greatest = 0;
+  for (size_t k = 1; k < a.knots.size(); ++k) {
+    const double t0 = a.knots[k - 1], t1 = a.knots[k];
+    for (int i = 0; i <= samples_per_span && t0 < t1; ++i)
+      greatest = std::max(greatest, curve::project(b, curve::point(a, t0 + (t1 - t0) * i / samples_per_span)).distance);
+  }
+  return greatest;
+}
 
 double separation(const Nurbs& a, const Nurbs& b) {
   return std::max(one_sided_separation(a, b), one_sided_separation(b, a));

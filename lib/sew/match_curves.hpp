@@ -15,6 +15,9 @@ struct Matched {
 /// each has at most one partner, in the region with the lowest number. Smooth closed curves without places likewise.
 Matched match_curves(const Placed& placed, double tol);
 
+/// The greatest distance of a point of curve `a` from curve `b`, at samples of each knot span.
+double one_sided_separation(const Nurbs& a, const Nurbs& b);
+
 /// The greatest distance of a point of either curve from the other one, at samples of each knot span.
 double separation(const Nurbs& a, const Nurbs& b);
 

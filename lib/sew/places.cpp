@@ -12,7 +12,7 @@
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
 #include "heal/yield_curve.hpp"
-#include "sew/joined_curve.hpp"
+#include "sew/cut_curve.hpp"
 
 namespace quadrille::sew {
 namespace {
@@ -27,15 +27,11 @@ struct Start {
   Vec2 position;
 };
 
-bool is_seam(const Region& region, int curve) {
-  return region.next_in_loop(curve) == curve && curve::has_smooth_seam(region.curves[curve].curve);
-}
-
 std::vector<Start> starts_of(const std::vector<Region>& regions) {
   std::vector<Start> starts;
   for (int r = 0; r < static_cast<int>(regions.size()); ++r)
     for (int c = 0; c < regions[r].num_curves(); ++c)
-      if (!is_seam(regions[r], c)) starts.push_back({{r, c}, regions[r].curves[c].curve.poles.front()});
+      if (!has_seam(regions[r], c)) starts.push_back({{r, c}, regions[r].curves[c].curve.poles.front()});
   return starts;
 }
 
@@ -83,12 +79,6 @@ std::vector<std::vector<int>> united(const std::vector<Start>& starts, double to
   }
   return sets.sets();
 }
-
-/// A place inside a curve.
-struct Cut {
-  double t = 0;
-  int place = 0;
-};
 
 /// The point of a region that is nearest to a place.
 struct Foot {
@@ -152,7 +142,7 @@ class Splitter {
     const Nurbs& curve = region.curves[foot->curve].curve;
     const bool is_at_end = std::min(distance(foot->position, curve.poles.front()),
                                     distance(foot->position, curve.poles.back())) <= 2 * tol_;
-    if (is_at_end && !is_seam(region, foot->curve)) return std::nullopt;
+    if (is_at_end && !has_seam(region, foot->curve)) return std::nullopt;
     cuts_[r][foot->curve].push_back({foot->t, place});
     return foot->position;
   }
@@ -164,11 +154,7 @@ class Splitter {
     for (int l = 0; l < whole.num_loops(); ++l) {
       for (int c = whole.loop_offsets[l]; c < whole.loop_offsets[l + 1]; ++c) {
         new_numbers.push_back(split.num_curves());
-        std::vector<Cut> cuts = cuts_[r][c];
-        std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.t < b.t; });
-        const bool is_round = is_seam(whole, c) && !cuts.empty();
-        for (const auto& [curve, place] : is_round ? round_pieces(whole.curves[c].curve, std::move(cuts))
-                                                   : pieces(whole.curves[c].curve, cuts, result_.places[r][c])) {
+        for (const auto& [curve, place] : cut_curve(whole.curves[c].curve, cuts_[r][c], result_.places[r][c])) {
           split.curves.push_back({curve, whole.curves[c].cad_edge, whole.curves[c].name});
           places.push_back(place);
         }
@@ -180,40 +166,6 @@ class Splitter {
       if (whole.other_sides[c] >= 0) split.other_sides[new_numbers[c]] = new_numbers[whole.other_sides[c]];
     result_.regions[r] = std::move(split);
     result_.places[r] = std::move(places);
-  }
-
-  using Piece = std::pair<Nurbs, int>;  // with the place of its start
-
-  static std::vector<Piece> pieces(const Nurbs& curve, const std::vector<Cut>& cuts, int start) {
-    std::vector<Piece> result;
-    double begin = curve.begin();
-    for (const Cut& cut : cuts) {
-      result.emplace_back(curve::trimmed(curve, begin, cut.t), start);
-      begin = cut.t, start = cut.place;
-    }
-    result.emplace_back(curve::trimmed(curve, begin, curve.end()), start);
-    return result;
-  }
-
-  // Those of a closed curve whose seam is no place: the piece across the seam is joined.
-  static std::vector<Piece> round_pieces(const Nurbs& curve, std::vector<Cut> cuts) {
-    const double near = rounding * (curve.end() - curve.begin());
-    if (curve.end() - cuts.back().t <= near) {
-      cuts.insert(cuts.begin(), {curve.begin(), cuts.back().place});
-      cuts.pop_back();
-    }
-    if (cuts.front().t - curve.begin() <= near) {
-      const int place = cuts.front().place;
-      cuts.erase(cuts.begin());
-      return pieces(curve, cuts, place);
-    }
-    const Nurbs head = curve::trimmed(curve, curve.begin(), cuts.front().t);
-    const Nurbs tail = curve::trimmed(curve, cuts.back().t, curve.end());
-    std::vector<Piece> result;
-    for (size_t i = 0; i + 1 < cuts.size(); ++i)
-      result.emplace_back(curve::trimmed(curve, cuts[i].t, cuts[i + 1].t), cuts[i].place);
-    result.emplace_back(joined_curve(tail, head), cuts.back().place);
-    return result;
   }
 
   double tol_;

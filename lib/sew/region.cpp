@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "curve/nurbs.hpp"
+
 namespace quadrille::sew {
 namespace {
 
@@ -32,6 +34,10 @@ Region region_of(const std::vector<heal::Loop>& loops, const std::string& name, 
   }
   region.other_sides.assign(region.curves.size(), -1);
   return region;
+}
+
+bool has_seam(const Region& region, int curve) {
+  return region.next_in_loop(curve) == curve && curve::has_smooth_seam(region.curves[curve].curve);
 }
 
 std::string face_text(const Region& region) {

@@ -44,6 +44,9 @@ ByCurve<T> by_curve(const std::vector<Region>& regions, const T& value) {
 
 Region region_of(const std::vector<heal::Loop>& loops, const std::string& name, int cad_face);
 
+/// Whether the curve is a whole loop, smooth where it closes: a circle. The place of its seam means nothing.
+bool has_seam(const Region& region, int curve);
+
 /// "face 2 'lid'".
 std::string face_text(const Region& region);
 

@@ -31,18 +31,6 @@ std::vector<Sample> samples_of(const Nurbs& curve) {
   return samples;
 }
 
-double distance_from_boundary(const Region& region, Vec2 x) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const heal::LoopCurve& c : region.curves) least = std::min(least, curve::project(c.curve, x).distance);
-  return least;
-}
-
-bool contains(const Region& region, Vec2 x) {
-  int winding = 0;
-  for (const auto& loop : loop_curves(region)) winding += outline::winding_number(loop, x);
-  return winding > 0;
-}
-
 curve::PoleBox box_of(const Region& region) {
   std::vector<Nurbs> curves;
   for (const heal::LoopCurve& c : region.curves) curves.push_back(c.curve);
@@ -69,6 +57,18 @@ void find_overlap(const Region& a, const Region& b, double negligible, std::opti
 }
 
 }  // namespace
+
+double distance_from_boundary(const Region& region, Vec2 x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const heal::LoopCurve& c : region.curves) least = std::min(least, curve::project(c.curve, x).distance);
+  return least;
+}
+
+bool contains(const Region& region, Vec2 x) {
+  int winding = 0;
+  for (const auto& loop : loop_curves(region)) winding += outline::winding_number(loop, x);
+  return winding > 0;
+}
 
 std::optional<MeasuredPlace> overlap(const Region& a, const Region& b, double negligible) {
   std::optional<MeasuredPlace> deepest;

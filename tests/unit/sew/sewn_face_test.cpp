@@ -30,7 +30,7 @@ std::string refusal(const std::vector<heal::RawFace>& faces, const SewOptions& o
   std::vector<Repair> repairs;
   Report report;
   try {
-    sewn_face(faces, options, repairs, report);
+    sewn_face(faces, {}, options, repairs, report);
   } catch (const FormatError& e) {
     return e.what();
   }
@@ -43,7 +43,7 @@ TEST(SewnFace, HealsEachFaceAndNumbersTheEdgesOfAll) {
   second.wires[0][1].end = {2, 1 - 3e-6};
   std::vector<Repair> repairs;
   Report report;
-  const CadFace face = sewn_face({raw_face("a", rectangle({0, 0}, {1, 1})), second}, {}, repairs, report);
+  const CadFace face = sewn_face({raw_face("a", rectangle({0, 0}, {1, 1})), second}, {}, {}, repairs, report);
   EXPECT_EQ(face.num_regions(), 2);
   EXPECT_EQ(face.curve_cad_edges, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
   ASSERT_EQ(repairs.size(), 1U);
