@@ -72,6 +72,7 @@ class Sheet(Step):
 
     def curve(self, kind, *args):
         """A curve beside the faces, in a set of curves: ("line", a, b), ("arc", centre, radius, a, b, 1) or a circle."""
+        name = next((z for z in args if isinstance(z, str)), "")
         if kind == "line":
             a, b = args[:2]
             d = (b - a) / abs(b - a)
@@ -82,7 +83,7 @@ class Sheet(Step):
             if kind == "circle":
                 return self.free.append(basis)
             a, b = args[2:4]
-        self.free.append(self.add(f"TRIMMED_CURVE('',{basis},({self.point(a)}),({self.point(b)}),.T.,.CARTESIAN.)"))
+        self.free.append(self.add(f"TRIMMED_CURVE('{name}',{basis},({self.point(a)}),({self.point(b)}),.T.,.CARTESIAN.)"))
 
     def product(self, name, _=None):
         super().product(name, ",".join(self.faces))
@@ -308,11 +309,11 @@ def models():
         "voronoi_20": sheet("voronoi_20", [(f"cell_{k}", [polygon(cell)]) for k, cell in
                                            enumerate(with_corners(voronoi()))]),
         "half_disc_cut": sheet("half_disc_cut", [("upper", [upper]), ("lower", [lower])]),
-        "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j)]),
+        "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j, "wake")]),
         "plate_curve": sheet("plate_curve", [("plate", [plate])], [("arc", 1.5 + 0.4j, 0.9, 2.2 + 0.4j + 0.5656854249492381j,
-                                                                    0.8 + 0.4j + 0.5656854249492381j, 1)]),
+                                                                    0.8 + 0.4j + 0.5656854249492381j, 1, "baffle")]),
         "plate_circle": sheet("plate_circle", [("plate", [plate])], [("circle", 1.5 + 1j, 0.6)]),
-        "plate_crack": sheet("plate_crack", [("plate", [plate])], [("line", 1.5 + 0j, 1.5 + 0.9j)]),
+        "plate_crack": sheet("plate_crack", [("plate", [plate])], [("line", 1.5 + 0j, 1.5 + 0.9j, "crack")]),
         "coated_cam": sheet("coated_cam", [("cam", [cam_outline, hole(circle(0, 5))]),
                                            ("coating", [offset(cam_outline, 0.4), hole(cam_outline)]),
                                            ("bush", [circle(0, 5), hole(circle(0, 4))])]),
@@ -322,6 +323,7 @@ def models():
         "pins": sheet("pins", pins(), own=True),
         "pin_in_channel": sheet("pin_in_channel", [("fluid", [channel, [("circle", 4 + 2j, 0.5, -1, "pin surface")]]),
                                                    ("pin", [circle(4 + 2j, 0.5)])]),
+        "bad/dangling": sheet("dangling", [("plate", [plate])], [("line", 1.5 + 0.0005j, 1.5 + 1j)]),
         "bad/overlap": sheet("overlap", [("one", [rectangle(0j, 2 + 1j)]), ("two", [rectangle(1.5 + 0.25j, 3 + 0.75j)])]),
         "bad/disc_on_square": sheet("disc_on_square", [("plate", [square]), ("disc", [circle(0, 0.4)])]),
         "bad/twice": sheet("twice", [("one", [square]), ("two", [square])], own=True),
@@ -334,6 +336,25 @@ def models():
         "bad/disjoint": sheet("disjoint", [("one", [rectangle(0j, 1 + 1j)]), ("two", [rectangle(1.5 + 0j, 2 + 1j)])]),
         "bad/corner_contact": sheet("corner_contact", [("one", [rectangle(0j, 1 + 1j)]), ("two", [rectangle(1 + 1j, 2 + 2j)])]),
     }
+
+
+def doubled(name, lines, is_closed):
+    """A plate with an inner wire of these lines that bounds nothing: forth and back, or forth only."""
+    step = Sheet()
+    loops = [rectangle(0j, 2 + 1j), [("line", a, b) for a, b in lines]]
+    if is_closed:
+        loops[1] += [("line", b, a) for a, b in reversed(lines)]
+    step.region("plate", loops)
+    step.product(name)
+    return step.text(name)
+
+
+def slit():
+    """A plate whose outline runs into it along a line and back."""
+    step = Sheet()
+    step.region("plate", [[("line", 0j, 1 + 0.5j), ("line", 1 + 0.5j, 0j)] + rectangle(0j, 2 + 1j)])
+    step.product("slit")
+    return step.text("slit")
 
 
 def two_planes():
@@ -351,7 +372,10 @@ def two_planes():
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
-    for name, text in {**models(), "bad/two_planes": two_planes()}.items():
+    for name, text in {**models(), "slit": slit(), "bad/two_planes": two_planes(),
+                       "inner_curve": doubled("inner_curve", [(0.5 + 0.5j, 1 + 0.5j)], True),
+                       "open_inner_wire": doubled("open_inner_wire", [(0.5 + 0.5j, 1 + 0.5j), (1 + 0.5j, 1.2 + 0.7j)],
+                                                  False)}.items():
         with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
             file.write(text)
 
