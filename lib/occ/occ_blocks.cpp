@@ -11,6 +11,7 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
@@ -20,6 +21,7 @@
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
@@ -78,25 +80,60 @@ TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve,
   return edge;
 }
 
-// The wire of a loop; adds the names of its edges to `result`.
-TopoDS_Wire wire_of(const CadFace& face, int loop, double scale, OccShape& result) {
-  const BRep_Builder builder;
-  const double tolerance = 1e-7 * face.diameter * scale;
-  const int first = face.loop_offsets[loop], n = face.loop_offsets[loop + 1] - first;
-  std::vector<TopoDS_Vertex> vertices(n);
-  for (int i = 0; i < n; ++i)
-    builder.MakeVertex(vertices[i], point_in_space(face, scale, face.curves[first + i].poles.front()), tolerance);
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (int i = 0; i < n; ++i) {
-    const TopoDS_Edge edge =
-        edge_in_space(face, scale, face.curves[first + i], vertices[i], vertices[(i + 1) % n], tolerance);
-    builder.Add(wire, edge);
-    if (face.has_given_name(first + i)) result.names.emplace_back(edge, face.curve_names[first + i]);
+// The edges of a face with regions and slits, which both sides of a common curve share.
+class SharedEdges {
+ public:
+  SharedEdges(const CadFace& face, double scale, OccShape& result)
+      : face_(face), scale_(scale), result_(result), places_(face.num_curves()) {
+    for (int c = 0; c < face.num_curves(); ++c)
+      if (face.is_interface(c)) places_.unite(c, face.next_in_loop(face.partners[c]));
+    vertices_.resize(face.num_curves());
+    edges_.resize(face.num_curves());
   }
-  wire.Closed(true);
-  return wire;
-}
+
+  /// The wire of a loop; adds the names of new edges to the result.
+  TopoDS_Wire wire(int loop) {
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (int c = face_.loop_offsets[loop]; c < face_.loop_offsets[loop + 1]; ++c) builder_.Add(wire, edge(c));
+    wire.Closed(true);
+    return wire;
+  }
+
+  /// The edges of a loop, each once.
+  std::vector<TopoDS_Shape> edges_of(int loop) {
+    std::vector<TopoDS_Shape> edges;
+    for (int c = face_.loop_offsets[loop]; c < face_.loop_offsets[loop + 1]; ++c)
+      if (c < face_.partners[c]) edges.push_back(edge(c));
+    return edges;
+  }
+
+ private:
+  TopoDS_Vertex vertex(int joint) {
+    TopoDS_Vertex& v = vertices_[places_.find(joint)];
+    if (v.IsNull())
+      builder_.MakeVertex(v, point_in_space(face_, scale_, face_.curves[joint].poles.front()), tolerance());
+    return v;
+  }
+
+  TopoDS_Shape edge(int c) {
+    const int partner = face_.partners.empty() ? -1 : face_.partners[c];
+    if (partner >= 0 && !edges_[partner].IsNull()) return edges_[partner].Oriented(TopAbs_REVERSED);
+    edges_[c] = edge_in_space(face_, scale_, face_.curves[c], vertex(c), vertex(face_.next_in_loop(c)), tolerance());
+    if (face_.has_given_name(c)) result_.names.emplace_back(edges_[c], face_.curve_names[c]);
+    return edges_[c];
+  }
+
+  double tolerance() const { return 1e-7 * face_.diameter * scale_; }
+
+  const CadFace& face_;
+  double scale_;
+  OccShape& result_;
+  BRep_Builder builder_;
+  DisjointSets places_;  // of joints
+  std::vector<TopoDS_Vertex> vertices_;
+  std::vector<TopoDS_Edge> edges_;  // by curve; null: not made, or that of the partner is used
+};
 
 class ShellBuilder {
  public:
@@ -192,11 +229,33 @@ OccShape occ_blocks(const BlockLayout& layout, double scale) { return ShellBuild
 OccShape occ_face_shape(const CadFace& face, double scale) {
   OccShape result;
   const BRep_Builder builder;
-  TopoDS_Face shape;
-  builder.MakeFace(shape, new Geom_Plane(plane_in_space(face, scale)), 1e-7 * face.diameter * scale);
-  for (int l = 0; l < face.num_loops(); ++l) builder.Add(shape, wire_of(face, l, scale, result));
-  if (!face.name.empty()) result.names.emplace_back(shape, face.name);
-  result.shape = shape;
+  const Handle(Geom_Plane) plane = new Geom_Plane(plane_in_space(face, scale));
+  SharedEdges edges(face, scale, result);
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  std::vector<TopoDS_Shape> free_edges;  // loops of slits: the writer of STEP loses wires that enclose nothing
+  for (int r = 0; r < face.num_regions(); ++r) {
+    TopoDS_Face shape;
+    builder.MakeFace(shape, plane, 1e-7 * face.diameter * scale);
+    for (int l = 0; l < face.num_loops(); ++l) {
+      if (face.region_of_loop(l) != r) continue;
+      if (!face.is_slit_loop(l))
+        builder.Add(shape, edges.wire(l));
+      else
+        for (const TopoDS_Shape& edge : edges.edges_of(l)) free_edges.push_back(edge);
+    }
+    const std::string& name = face.region_names.empty() ? face.name : face.region_names[r];
+    if (!name.empty() && name != fmt::format("region_{}", r)) result.names.emplace_back(shape, name);
+    builder.Add(shell, shape);
+    result.shape = shape;
+  }
+  if (face.num_regions() > 1) result.shape = shell;
+  if (free_edges.empty()) return result;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  builder.Add(compound, result.shape);
+  for (const TopoDS_Shape& edge : free_edges) builder.Add(compound, edge);
+  result.shape = compound;
   return result;
 }
 

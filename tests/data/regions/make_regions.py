@@ -72,6 +72,7 @@ class Sheet(Step):
 
     def curve(self, kind, *args):
         """A curve beside the faces, in a set of curves: ("line", a, b), ("arc", centre, radius, a, b, 1) or a circle."""
+        name = next((z for z in args if isinstance(z, str)), "")
         if kind == "line":
             a, b = args[:2]
             d = (b - a) / abs(b - a)
@@ -82,7 +83,7 @@ class Sheet(Step):
             if kind == "circle":
                 return self.free.append(basis)
             a, b = args[2:4]
-        self.free.append(self.add(f"TRIMMED_CURVE('',{basis},({self.point(a)}),({self.point(b)}),.T.,.CARTESIAN.)"))
+        self.free.append(self.add(f"TRIMMED_CURVE('{name}',{basis},({self.point(a)}),({self.point(b)}),.T.,.CARTESIAN.)"))
 
     def product(self, name, _=None):
         super().product(name, ",".join(self.faces))
@@ -308,11 +309,11 @@ def models():
         "voronoi_20": sheet("voronoi_20", [(f"cell_{k}", [polygon(cell)]) for k, cell in
                                            enumerate(with_corners(voronoi()))]),
         "half_disc_cut": sheet("half_disc_cut", [("upper", [upper]), ("lower", [lower])]),
-        "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j)]),
+        "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j, "wake")]),
         "plate_curve": sheet("plate_curve", [("plate", [plate])], [("arc", 1.5 + 0.4j, 0.9, 2.2 + 0.4j + 0.5656854249492381j,
-                                                                    0.8 + 0.4j + 0.5656854249492381j, 1)]),
+                                                                    0.8 + 0.4j + 0.5656854249492381j, 1, "baffle")]),
         "plate_circle": sheet("plate_circle", [("plate", [plate])], [("circle", 1.5 + 1j, 0.6)]),
-        "plate_crack": sheet("plate_crack", [("plate", [plate])], [("line", 1.5 + 0j, 1.5 + 0.9j)]),
+        "plate_crack": sheet("plate_crack", [("plate", [plate])], [("line", 1.5 + 0j, 1.5 + 0.9j, "crack")]),
         "coated_cam": sheet("coated_cam", [("cam", [cam_outline, hole(circle(0, 5))]),
                                            ("coating", [offset(cam_outline, 0.4), hole(cam_outline)]),
                                            ("bush", [circle(0, 5), hole(circle(0, 4))])]),
