@@ -1,4 +1,5 @@
-// cad2tri: makes the curved triangle mesh on which the field is solved from a CAD file with one planar face.
+// cad2tri: makes the curved triangle mesh on which the field is solved from a CAD file with one planar face, or several
+// in one plane.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,8 +110,13 @@ int main(int argc, char** argv) {
   tool.name = "cad2tri";
   tool.summary = "turns a planar CAD face into a curved triangle mesh";
   tool.description =
-      "Reads a planar face, with any number of holes, from SHAPE (STEP, IGES or BREP), the only one or that of --face, "
-      "and writes the triangle mesh on which fieldsolve solves, with the exact boundary curves as NURBS. The mesh is "
+      "Reads a planar face, with any number of holes, from SHAPE (STEP, IGES or BREP) and writes the triangle mesh on "
+      "which fieldsolve solves, with the exact boundary curves as NURBS. Several faces in one plane are regions of one "
+      "face: edges that lie upon each other within the tolerance of healing become one curve, also where they belong "
+      "to "
+      "separate parts or where a corner of one face lies on an edge of another; --face takes one of them alone. Curves "
+      "inside a face that bound nothing, in wires of the face or beside it, are embedded: elements end there from both "
+      "sides. The mesh is "
       "coarse: its elements follow the curves with polynomials of a high order, are small only where the boundary is "
       "strongly curved or two of its parts are close to each other, and are graded geometrically towards corners at "
       "which the field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own "
@@ -126,12 +132,11 @@ int main(int argc, char** argv) {
     o.flag("--list", is_listing,
            "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
            "space, names, and the parts (products, solids, shells) and layers that hold the faces");
-    o.text(
-        "--face", face_choice, "N|NAME",
-        "the face to read, if SHAPE is a solid, shell or assembly: its name, or its number in --list, from 0, or the "
-        "name of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if "
-        "its "
-        "boundary touches itself and separates it");
+    o.text("--face", face_choice, "N|NAME",
+           "the one face to read of a solid, shell or assembly: its name, or its number in --list, from 0, or the "
+           "name of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if "
+           "its "
+           "boundary touches itself and separates it");
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees",
              "tangent discontinuities greater than this are corners of the layout");
@@ -147,7 +152,8 @@ int main(int argc, char** argv) {
         "--fit-tolerance", fit_tolerance, 0, 1e-3, "diameters",
         "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "
         "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
-    o.output_file("--write-healed", healed, "also write the healed face as a CAD file: x.step or x.brep");
+    o.output_file("--write-healed", healed,
+                  "also write the healed face, or the sewn faces, as a CAD file: x.step or x.brep");
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
              "growth of the element size with the distance from small features");

@@ -7,7 +7,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
-#include "sew/crossings.hpp"
+#include "sew/curve_crossings.hpp"
 #include "sew/match_curves.hpp"
 
 namespace quadrille::sew {
@@ -62,7 +62,7 @@ class NodeFinder {
     // One that lies on the other, a copy or a part of it, is left out later.
     if (std::min(one_sided_separation(a.curve, b.curve), one_sided_separation(b.curve, a.curve)) <= tol_) return;
     const std::string what = fmt::format("{}: edges {} and {}", file_, a.cad_edge, b.cad_edge);
-    for (const Crossing& crossing : crossings(a.curve, b.curve, tol_, what)) add(crossing.position);
+    for (const CurveCrossing& crossing : curve_crossings(a.curve, b.curve, tol_, what)) add(crossing.position);
   }
 
   const Region& region_;

@@ -323,6 +323,7 @@ def models():
         "pins": sheet("pins", pins(), own=True),
         "pin_in_channel": sheet("pin_in_channel", [("fluid", [channel, [("circle", 4 + 2j, 0.5, -1, "pin surface")]]),
                                                    ("pin", [circle(4 + 2j, 0.5)])]),
+        "bad/dangling": sheet("dangling", [("plate", [plate])], [("line", 1.5 + 0.0005j, 1.5 + 1j)]),
         "bad/overlap": sheet("overlap", [("one", [rectangle(0j, 2 + 1j)]), ("two", [rectangle(1.5 + 0.25j, 3 + 0.75j)])]),
         "bad/disc_on_square": sheet("disc_on_square", [("plate", [square]), ("disc", [circle(0, 0.4)])]),
         "bad/twice": sheet("twice", [("one", [square]), ("two", [square])], own=True),
@@ -335,6 +336,25 @@ def models():
         "bad/disjoint": sheet("disjoint", [("one", [rectangle(0j, 1 + 1j)]), ("two", [rectangle(1.5 + 0j, 2 + 1j)])]),
         "bad/corner_contact": sheet("corner_contact", [("one", [rectangle(0j, 1 + 1j)]), ("two", [rectangle(1 + 1j, 2 + 2j)])]),
     }
+
+
+def doubled(name, lines, is_closed):
+    """A plate with an inner wire of these lines that bounds nothing: forth and back, or forth only."""
+    step = Sheet()
+    loops = [rectangle(0j, 2 + 1j), [("line", a, b) for a, b in lines]]
+    if is_closed:
+        loops[1] += [("line", b, a) for a, b in reversed(lines)]
+    step.region("plate", loops)
+    step.product(name)
+    return step.text(name)
+
+
+def slit():
+    """A plate whose outline runs into it along a line and back."""
+    step = Sheet()
+    step.region("plate", [[("line", 0j, 1 + 0.5j), ("line", 1 + 0.5j, 0j)] + rectangle(0j, 2 + 1j)])
+    step.product("slit")
+    return step.text("slit")
 
 
 def two_planes():
@@ -352,7 +372,10 @@ def two_planes():
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
-    for name, text in {**models(), "bad/two_planes": two_planes()}.items():
+    for name, text in {**models(), "slit": slit(), "bad/two_planes": two_planes(),
+                       "inner_curve": doubled("inner_curve", [(0.5 + 0.5j, 1 + 0.5j)], True),
+                       "open_inner_wire": doubled("open_inner_wire", [(0.5 + 0.5j, 1 + 0.5j), (1 + 0.5j, 1.2 + 0.7j)],
+                                                  False)}.items():
         with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
             file.write(text)
 

@@ -1,4 +1,4 @@
-#include "sew/crossings.hpp"
+#include "sew/curve_crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +45,12 @@ class Search {
  public:
   Search(const Nurbs& a, const Nurbs& b, double tol, const std::string& what) : a_(a), b_(b), tol_(tol), what_(what) {}
 
-  std::vector<Crossing> all() {
+  std::vector<CurveCrossing> all() {
     const std::vector<Part> of_b = parts_of(b_);
     for (const Part& p : parts_of(a_))
       for (const Part& q : of_b) compare(p, q);
-    std::sort(found_.begin(), found_.end(), [](const Crossing& x, const Crossing& y) { return x.t_a < y.t_a; });
+    std::sort(found_.begin(), found_.end(),
+              [](const CurveCrossing& x, const CurveCrossing& y) { return x.t_a < y.t_a; });
     return found_;
   }
 
@@ -79,7 +80,7 @@ class Search {
     const auto at = [](const Part& part, double fraction) {
       return part.curve.begin() + std::clamp(fraction, 0.0, 1.0) * (part.curve.end() - part.curve.begin());
     };
-    Crossing x{at(p, cross(q.a() - p.a(), e) / n), at(q, cross(q.a() - p.a(), d) / n), {}};
+    CurveCrossing x{at(p, cross(q.a() - p.a(), e) / n), at(q, cross(q.a() - p.a(), d) / n), {}};
     for (int step = 0; step < 20; ++step) {
       const auto u = curve::point_and_derivative(a_, x.t_a), v = curve::point_and_derivative(b_, x.t_b);
       const double determinant = cross(u.derivative, v.derivative);
@@ -92,7 +93,7 @@ class Search {
     if (!(distance(x.position, curve::point(b_, x.t_b)) <= tol_)) return;
     const Vec2 u = curve::tangent(a_, x.t_a), v = curve::tangent(b_, x.t_b);
     if (std::abs(cross(u, v)) < least_sine) refuse(x.position);
-    for (const Crossing& known : found_)
+    for (const CurveCrossing& known : found_)
       if (distance(known.position, x.position) <= tol_) return;
     found_.push_back(x);
   }
@@ -101,12 +102,12 @@ class Search {
   double tol_;
   const std::string& what_;
   int comparisons_ = 0;
-  std::vector<Crossing> found_;
+  std::vector<CurveCrossing> found_;
 };
 
 }  // namespace
 
-std::vector<Crossing> crossings(const Nurbs& a, const Nurbs& b, double tol, const std::string& what) {
+std::vector<CurveCrossing> curve_crossings(const Nurbs& a, const Nurbs& b, double tol, const std::string& what) {
   const curve::PoleBox p = curve::pole_box(a), q = curve::pole_box(b);
   if (p.low.x > q.high.x || q.low.x > p.high.x || p.low.y > q.high.y || q.low.y > p.high.y) return {};
   return Search(a, b, tol, what).all();

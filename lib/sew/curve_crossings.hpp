@@ -7,7 +7,7 @@
 
 namespace quadrille::sew {
 
-struct Crossing {
+struct CurveCrossing {
   double t_a = 0, t_b = 0;  ///< parameters on both curves
   Vec2 position;            ///< on curve a
 };
@@ -15,6 +15,6 @@ struct Crossing {
 /// The points at which the curves cross, ascending by t_a, to round-off; points within `tol` of each other, a length,
 /// count once. Throws FormatError, beginning with `what`, if they touch at an angle of zero or run along each other;
 /// straight lines along each other have no crossings. Both curves are bisected until they are straight within `tol`.
-std::vector<Crossing> crossings(const Nurbs& a, const Nurbs& b, double tol, const std::string& what);
+std::vector<CurveCrossing> curve_crossings(const Nurbs& a, const Nurbs& b, double tol, const std::string& what);
 
 }  // namespace quadrille::sew
