@@ -18,6 +18,7 @@
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
 #include "cad/name_options.hpp"
+#include "cad/region_names.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
@@ -102,7 +103,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
-  std::vector<std::string> name_options;
+  std::vector<std::string> name_options, region_options;
   double corner_angle = 1, heal_tolerance = -1, blunt = 0, fit_tolerance = 1e-8;
   triangulate::TriangulateOptions options;
 
@@ -170,11 +171,19 @@ int main(int argc, char** argv) {
         "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
         "in file units, which must be within a tenth of the diameter; may be given several times; overrides "
         "--boundary-names; stageview --curve-labels draws the numbers");
+    o.texts("--region-name", region_options, "NAME=LIST|NAME@X,Y",
+            "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "
+            "names or "
+            "patterns; NAME@X,Y: the region around this point; the name of a single region is that of the face; common "
+            "curves "
+            "without a name of their own are called after their regions, such as fluid-solid",
+            false);
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
              "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
     const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
+    const std::vector<NameRule> region_names = cad::name_option_rules(region_options, "--region-name");
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     if (!healed.empty()) healed_format(healed);  // a wrong name is told before any work
     std::optional<io::InputFile> names_file;
@@ -190,6 +199,7 @@ int main(int argc, char** argv) {
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
     if (names_file) inputs.push_back(names_file->digest("boundary-names"));
+    cad::rename_regions(face, region_names);
     cad::rename_curves(face, name_rules, chosen_names);
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);

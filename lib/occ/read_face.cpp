@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/face_bytes.hpp"
+#include "cad/region_names.hpp"
 #include "heal/heal_face.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_load.hpp"
@@ -56,6 +57,7 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
                                    {options.corner_angle, options.blunt_width, options.fit_tolerance,
                                     options.heal_tolerance, choices.front().piece},
                                    loaded.repairs, report);
+      cad::name_interfaces(loaded.face);
     } else {
       heal::RawFace& raw = found.faces.front();
       loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);

@@ -60,18 +60,6 @@ void open_tips(CadFace& face) {
 
 }  // namespace
 
-void name_interfaces(CadFace& face) {
-  for (const int c : face.unnamed_curves) {
-    if (!face.is_interface(c)) continue;
-    const auto [a, b] =
-        std::minmax({face.region_of_loop(face.loop_of(c)), face.region_of_loop(face.loop_of(face.partners[c]))});
-    if (a == b)
-      face.curve_names[c] = face.curve_names[std::min(c, face.partners[c])];
-    else
-      face.curve_names[c] = face.region_names[a] + "-" + face.region_names[b];
-  }
-}
-
 CadFace face_of_regions(const Sewn& sewn, const heal::RawFace& raw, double corner_angle) {
   CadFace face = outline::face_of_loops(raw, all_loops(sewn), outlines_of(sewn), corner_angle);
   face.partners = partner_numbers(sewn);
@@ -84,7 +72,6 @@ CadFace face_of_regions(const Sewn& sewn, const heal::RawFace& raw, double corne
     if (r > 0 && sewn.regions[r - 1].cad_face == sewn.regions[r].cad_face)  // a face that inner curves divide
       face.region_names[r] = face.region_names[r - 1];
   open_tips(face);
-  name_interfaces(face);
   if (sewn.regions.size() > 1) return face;
   face.name = sewn.regions.front().name;
   face.region_loops.clear(), face.region_names.clear();

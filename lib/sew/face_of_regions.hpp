@@ -9,12 +9,8 @@ namespace quadrille::sew {
 
 /// The face of all regions, in the plane and the unit of `raw`; `corner_angle`: as in outline::AssembleOptions. Joints
 /// are those of each region by itself. Both sides of an interface have the name that one of them has in the file, the
-/// first one's if both have; the others are unnamed (name_interfaces). Regions without a name are called "region_N". A
-/// single region has no arrays of regions, except `partners` if it has slits.
+/// first one's if both have; the others are unnamed (cad/region_names.hpp). Regions without a name are called
+/// "region_N". A single region has no arrays of regions, except `partners` if it has slits.
 CadFace face_of_regions(const Sewn& sewn, const heal::RawFace& raw, double corner_angle);
-
-/// Names the interfaces without a given name after the two regions, the one with the lower number first: "fluid-solid";
-/// the second side of a slit like the first.
-void name_interfaces(CadFace& face);
 
 }  // namespace quadrille::sew

@@ -90,6 +90,32 @@ figures() {
   assert_equal "$(grep -c "ADVANCED_FACE('\(base\|left\|right\)'" healed.step)" 3
 }
 
+# names ARRAY FILE: the strings of a dataset, one a line.
+names() {
+  h5dump -y -A 0 -d "/face/$1" "$2" | sed '1,/DATA {/d' | grep -o '"[^"]*"' | sed 's/\\000//g'
+}
+
+@test "cad2tri --region-name names regions, and --name both sides of a common curve" {
+  cad2tri "$DATA/regions/t_joint.step" --region-name floor=0 --region-name 'top@1,1.5' --region-name 'rest=*' \
+    --name 'bond=rest-top' -o a.tri.h5
+  assert_equal "$(names curve_names a.tri.h5 | sort | uniq -c | sed 's/^ *//' | grep -v curve_ | tr '\n' ' ')" \
+    '2 "bond" 2 "floor-rest" 2 "floor-top" '
+  cad2tri "$DATA/regions/t_joint.step" --name seam@1,1 -o a.tri.h5
+  assert_equal "$(names curve_names a.tri.h5 | grep -c '"seam"')" 2
+  cad2tri "$DATA/regions/plate_crack.step" --name 'split=crack' -o a.tri.h5
+  assert_equal "$(names curve_names a.tri.h5 | grep -c '"split"')" 2
+  cad2tri "$DATA/square.step" --region-name plate=0 -o a.tri.h5
+  assert_equal "$(names name a.tri.h5)" '"plate"'
+  refused() { # CODE OPTION MESSAGE
+    run cad2tri "$DATA/regions/t_joint.step" --region-name "$2" -o a.tri.h5
+    assert_failure "$1"
+    assert_output --partial "cad2tri: --region-name $2: $3"
+  }
+  refused 3 x=3 'no region has the number 3; the regions are 0 "base", 1 "left", 2 "right"'
+  refused 3 x@3,3 '(3, 3) is in no region'
+  refused 2 x 'expected NAME=LIST'
+}
+
 @test "cad2tri gives the same bytes with any number of threads" {
   cad2tri "$DATA/regions/voronoi_20.step" -o a.tri.h5 --threads 1
   cad2tri "$DATA/regions/voronoi_20.step" -o b.tri.h5 --threads 4

@@ -47,8 +47,6 @@ TEST(FaceOfRegions, BothSidesOfAnInterfaceHaveOneName) {
   EXPECT_EQ(face.curve_names[9], "bond");
   EXPECT_EQ(face.curve_names[6], "seam") << "the first side's name counts";
   EXPECT_EQ(face.curve_names[12], "seam");
-  EXPECT_EQ(face.curve_names[3], "part0-region_1");
-  EXPECT_EQ(face.curve_names[5], "part0-region_1");
   EXPECT_EQ(face.unnamed_curves, (std::vector<int>{1, 3, 4, 5, 7, 8, 10, 11}));
   EXPECT_EQ(face.curve_names[4], "curve_4");
 }
@@ -63,7 +61,6 @@ TEST(FaceOfRegions, TheTipOfASlitHasTheFaceAllAround) {
   EXPECT_DOUBLE_EQ(face.joints[4].interior_angle, 2 * pi);
   EXPECT_TRUE(face.joints[4].is_corner);
   EXPECT_DOUBLE_EQ(face.joints[3].interior_angle, half_pi);
-  EXPECT_EQ(face.curve_names[4], face.curve_names[3]);
 }
 
 }  // namespace
