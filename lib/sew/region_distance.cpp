@@ -12,6 +12,7 @@ namespace quadrille::sew {
 namespace {
 
 constexpr int samples_per_span = 16;
+constexpr int refinements = 20;
 /// Samples inside a region lie this part of the curve's size beside it.
 constexpr double inward = 1e-2;
 
@@ -78,18 +79,26 @@ std::optional<MeasuredPlace> overlap(const Region& a, const Region& b, double ne
 }
 
 MeasuredPlace gap_between(const Region& a, const Region& b) {
-  MeasuredPlace nearest{{}, std::numeric_limits<double>::infinity()};
-  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
-    for (const heal::LoopCurve& c : from->curves) {
+  const Nurbs *from = nullptr, *to = nullptr;
+  Vec2 nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const heal::LoopCurve& c : own->curves) {
       std::vector<Vec2> points{c.curve.poles.front()};
       for (const Sample& sample : samples_of(c.curve)) points.push_back(sample.position);
       for (const Vec2 x : points)
-        for (const heal::LoopCurve& other : to->curves) {
-          const auto foot = curve::project(other.curve, x);
-          if (foot.distance < nearest.size) nearest = {0.5 * (x + foot.position), foot.distance};
+        for (const heal::LoopCurve& d : other->curves) {
+          const auto foot = curve::project(d.curve, x);
+          if (foot.distance < least) least = foot.distance, nearest = foot.position, from = &d.curve, to = &c.curve;
         }
     }
-  return nearest;
+  // From the nearest samples forth and back between the two curves.
+  Vec2 opposite = nearest;
+  for (int i = 0; i < refinements; ++i) {
+    opposite = curve::project(*to, nearest).position;
+    nearest = curve::project(*from, opposite).position;
+  }
+  return {0.5 * (nearest + opposite), distance(nearest, opposite)};
 }
 
 }  // namespace quadrille::sew

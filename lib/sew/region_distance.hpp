@@ -21,7 +21,7 @@ struct MeasuredPlace {
 /// that are nearer than `negligible` to a boundary do not count. std::nullopt if no sample is in both.
 std::optional<MeasuredPlace> overlap(const Region& a, const Region& b, double negligible);
 
-/// The least distance of their boundaries, in the middle between them.
+/// The least distance of their boundaries, to about a millionth of it, in the middle between them.
 MeasuredPlace gap_between(const Region& a, const Region& b);
 
 }  // namespace quadrille::sew

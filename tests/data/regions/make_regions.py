@@ -7,6 +7,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from iges_text import Iges  # noqa: E402
 from make_shapes import naca0012  # noqa: E402
 from step_text import Step, polygon, real, rectangle  # noqa: E402
 
@@ -369,6 +370,20 @@ def two_planes():
     return step.text("two_planes")
 
 
+def iges_disc():
+    """The disc in the square again, in IGES, as two trimmed surfaces on levels of their own."""
+    iges = Iges()
+    plane = iges.add(108, 0.0, 0.0, 1.0, 0.0, 0, 0.0, 0.0, 0.0, 0.0)
+    corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+    sides = [iges.add(110, *a, 0.0, *b, 0.0) for a, b in zip(corners, corners[1:] + corners[:1])]
+    outline = iges.add(142, 0, plane, 0, iges.add(102, 4, *sides), 2)
+    hole_of_square = iges.add(142, 0, plane, 0, iges.add(100, 0.0, 0.0, 0.0, 0.4, 0.0, 0.4, 0.0), 2)
+    iges.add(144, plane, 1, 1, outline, hole_of_square, level=1)
+    disc = iges.add(142, 0, plane, 0, iges.add(100, 0.0, 0.0, 0.0, 0.0, 0.4, 0.0, 0.4), 2)
+    iges.add(144, plane, 1, 0, disc, level=2)
+    return iges.text("disc_in_square")
+
+
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
@@ -378,6 +393,8 @@ def main():
                                                   False)}.items():
         with open(os.path.join(folder, name + ".step"), "w", encoding="ascii") as file:
             file.write(text)
+    with open(os.path.join(folder, "disc_in_square.iges"), "w", encoding="ascii") as file:
+        file.write(iges_disc())
 
 
 if __name__ == "__main__":

@@ -113,6 +113,13 @@ TEST(LoadRegions, CommonCurvesHaveTheNameOfTheFileOrOfBothRegions) {
   EXPECT_EQ(load("plate_circle.step").region_names, (std::vector<std::string>{"plate", "plate"}));
 }
 
+TEST(LoadRegions, OfIgesFilesAreNamedByTheirLevels) {
+  const CadFace face = load("disc_in_square.iges");
+  expect_mirrored(face);
+  EXPECT_EQ(face.region_names, (std::vector<std::string>{"level_1", "level_2"}));
+  EXPECT_EQ(face.curve_names[4], "level_1-level_2");
+}
+
 TEST(LoadRegions, WithAChosenFaceNothingIsSewn) {
   LoadOptions options;
   options.face = "fibre";
