@@ -5,6 +5,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -18,9 +19,13 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <cmath>
+#include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
+#include <optional>
 
+#include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
@@ -60,7 +65,45 @@ Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs&
   return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
 }
 
-// An edge from vertex to vertex: a line if the curve is one, else an exact B-spline.
+/// An arc of a circle; `sweep` is positive if it is counter-clockwise.
+struct CircularArc {
+  Vec2 centre;
+  double radius = 0, sweep = 0;
+};
+
+// The circle of a rational parabola chain, if all of it is on one.
+std::optional<CircularArc> circular_arc(const Nurbs& curve) {
+  constexpr double rounding = 1e-14;
+  constexpr int samples = 7;  // of each span, with both ends: six points decide whether two conics are equal
+  if (curve.degree != 2) return std::nullopt;
+  std::vector<Vec2> points{curve::point(curve, curve.begin())};
+  for (std::size_t k = 1; k < curve.knots.size(); ++k)
+    for (int i = 1; i < samples && curve.knots[k - 1] < curve.knots[k]; ++i)
+      points.push_back(
+          curve::point(curve, curve.knots[k - 1] + (curve.knots[k] - curve.knots[k - 1]) * i / (samples - 1)));
+  const Vec2 a = points[0], p = points[points.size() / 3] - a, q = points[2 * points.size() / 3] - a;
+  const double area = 2 * cross(p, q);
+  if (std::abs(area) <= 1e-6 * norm(p) * norm(q)) return std::nullopt;
+  CircularArc arc;
+  arc.centre = a + Vec2{q.y * norm2(p) - p.y * norm2(q), p.x * norm2(q) - q.x * norm2(p)} / area;
+  arc.radius = distance(a, arc.centre);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double scale = arc.radius + norm(arc.centre);
+    if (std::abs(distance(points[i], arc.centre) - arc.radius) > rounding * scale) return std::nullopt;
+    if (i > 0) arc.sweep += wrap_pi(angle_of(points[i] - arc.centre) - angle_of(points[i - 1] - arc.centre));
+  }
+  return arc;
+}
+
+// From the start of `curve`, in its direction.
+Handle(Geom_Circle) circle_in_space(const CadFace& face, double scale, const Nurbs& curve, const CircularArc& arc) {
+  const gp_Pnt centre = point_in_space(face, scale, arc.centre);
+  const gp_Dir normal = plane_in_space(face, scale).Axis().Direction();
+  const gp_Dir to_start(gp_Vec(centre, point_in_space(face, scale, curve.poles.front())));
+  return new Geom_Circle(gp_Ax2(centre, arc.sweep > 0 ? normal : normal.Reversed(), to_start), scale * arc.radius);
+}
+
+// An edge from vertex to vertex: a line or a circle if the curve is one, else an exact B-spline.
 TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve, const TopoDS_Vertex& from,
                           const TopoDS_Vertex& to, double tolerance) {
   const BRep_Builder builder;
@@ -71,6 +114,9 @@ TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve,
     const gp_Pnt b = point_in_space(face, scale, curve.poles.back());
     builder.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance);
     first = 0, last = a.Distance(b);
+  } else if (const std::optional<CircularArc> arc = circular_arc(curve)) {
+    builder.MakeEdge(edge, circle_in_space(face, scale, curve, *arc), tolerance);
+    first = 0, last = std::abs(arc->sweep);
   } else {
     builder.MakeEdge(edge, spline(face, scale, curve), tolerance);
   }
