@@ -202,11 +202,7 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   face.curve_names = names_of(loops);
   face.unnamed_curves = replace_empty_names(face.curve_names, "curve");
   face.joints = joints_of(face, options.corner_angle);
-
-  double area = 0;
-  for (int l = 0; l < face.num_loops(); ++l)
-    area += signed_area({face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]});
-  report.set("face.area", area);
+  report.set("face.area", area(face));
   return face;
 }
 

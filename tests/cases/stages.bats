@@ -166,9 +166,16 @@ by_hand() {
   run -3 "$quadmesh" "$DATA/bad/solid.step" -o out.msh --report report.json
   assert_equal "$(jq -c '[.tool, .exit_code, .stage, (.stages | keys)]' report.json)" '["quadmesh",3,"cad2tri",["cad2tri"]]'
   assert_output "cad2tri: $(jq -r .error report.json)"
-  run -1 "$quadmesh" "$shape" --size 1e-3 --max-elements 1000 -o out.msh --report report.json
+  run -1 "$quadmesh" "$shape" --size 0.03 --max-elements 1000 -o out.msh --report report.json
   assert_equal "$(jq -c '[.exit_code, .stage, .blocks, .certificate.method]' report.json)" '[1,"quadrefine",null,"traced"]'
   assert_regex "$(jq -r .error report.json)" 'quads, more than --max-elements 1000'
+  assert_equal "$(jq .estimated_quads report.json)" 2042
+  # The area of the face tells it before there is a field.
+  run -1 "$quadmesh" "$shape" --size 1e-4 -o out.msh --report report.json
+  assert_output --partial 'quadmesh: sizes require some 157079633 quads, more than --max-elements 1000000: raise --size'
+  assert_equal "$(jq -c '[.exit_code, .stage, (.stages | keys)]' report.json)" '[1,"quadmesh",["cad2tri"]]'
+  run -1 "$quadmesh" "$shape" --size 1e-4 --count 0=1 -o out.msh --report report.json # counts may make them few
+  assert_equal "$(jq -c '[.stage, .given_up]' report.json)" '["quadrefine",null]'
   run -3 "$quadmesh" missing.step -o out.msh --report report.json
   assert_equal "$(jq -c '[.exit_code, .stage, .error]' report.json)" '[3,"quadmesh","missing.step: no such file"]'
   run -4 "$quadmesh" "$shape" -o nowhere/out.msh --report report.json
