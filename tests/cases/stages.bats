@@ -155,11 +155,31 @@ by_hand() {
   sh -e commands
   cmp half_disc.quad.h5 "$whole/half_disc.quad.h5"
   cmp half_disc.crit.json "$whole/half_disc.crit.json"
+  # An edit is not in the provenance, but the file is not what the commands make.
+  edited half_disc.crit.json >nodes.json
+  stagecheck --history nodes.json >commands
+  assert_equal "$(tail -n 1 commands)" "# nodes.crit.json: SHA-256 $(sha256sum <nodes.json | cut -d ' ' -f 1); if the \
+command makes another file, it was edited since: use the edited one"
   # Without the file of nodes, its options are not known.
   stagecheck --history "$whole/half_disc.quad.h5" >commands
   grep -q "^# half_disc.crit.json: critical-points, SHA-256 $(sha256sum <half_disc.crit.json | cut -d ' ' -f 1)$" commands
   for file in "$whole"/*; do stagecheck --history "$file" | grep -q '^cad2tri .* half_disc.step -o half_disc.tri.h5$'; done
   run -3 stagecheck --history "$shape"
+}
+
+@test "stagecheck --history prints commands that make a field with prescribed orders again" {
+  cp "$shape" .
+  cp "$whole"/half_disc.{tri,field}.h5 .
+  fieldsolve --orders half_disc.field.h5 half_disc.tri.h5 -o again.solve.h5
+  n=$(h5dump -H -d /elem_order half_disc.field.h5 | grep -oP 'SIMPLE \{ \( \K\d+')
+  jq -n --argjson n "$n" '{format: "order-map", version: [1, 0], elem_order: [range($n) | 5 + . % 5]}' >orders.json
+  fieldsolve --orders orders.json half_disc.tri.h5 -o map.solve.h5
+  stagecheck --history again.solve.h5 map.solve.h5 half_disc.field.h5 >commands # in any order
+  grep -q "^# map.orders.json: order-map, SHA-256 $(sha256sum <orders.json | cut -d ' ' -f 1)$" commands
+  assert_equal "$(grep -c ^cad2tri commands)" 1
+  mkdir again && cp half_disc.step again/map.step && cp orders.json again/map.orders.json
+  (cd again && sh -e ../commands)
+  for file in {again,map}.solve.h5 half_disc.field.h5; do cmp "$file" "again/$file"; done
 }
 
 @test "after a failure, the report has the stage, the exit code and the message" {
