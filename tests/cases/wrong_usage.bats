@@ -66,7 +66,7 @@ table() {
 2 | quadmesh half_disc.step -o --size 0.1 | -o needs a value, not the option --size
 2 | quadmesh half_disc.step --quiet=yes | --quiet takes no value
 2 | quadmesh half_disc.step -oout.step --patch-type *=wall | --patch-type: a STEP model has no types of boundaries
-2 | quadmesh half_disc.step -o out.m --format step --unit nm | --unit nm: STEP models are written in m, cm, mm, um, km, in or ft
+2 | quadmesh half_disc.step -o out.m --format step --unit yd | --unit: 'yd' is not one of file|m|cm|mm|um|nm|km|in|ft
 2 | quadmesh half_disc.step -o half_disc.step | the output half_disc.step is the input half_disc.step
 2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
 2 | quadmesh half_disc.step -o out.msh --order 12 | --order 12: the format msh supports quads up to order 10
