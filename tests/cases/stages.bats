@@ -111,6 +111,28 @@ by_hand() {
   assert_line --partial "--relax is an option of quadrefine"
 }
 
+@test "edited nodes are used whatever the form says, on one line and from a pipe too; those of another face are named" {
+  edited "$whole/half_disc.crit.json" >nodes.json
+  run -0 --separate-stderr "$quadmesh" "$shape" --nodes nodes.json -o one.msh
+  jq '.form = "harmonic"' nodes.json >as_it_was.json
+  jq -c . nodes.json >line.json
+  for file in as_it_was line; do
+    run -0 --separate-stderr "$quadmesh" "$shape" --nodes $file.json -o $file.msh
+    cmp one.msh $file.msh
+  done
+  run -0 --separate-stderr "$quadmesh" "$shape" --nodes <(cat as_it_was.json) -o pipe.msh
+  cmp one.msh pipe.msh
+  cp -r "$whole" stages
+  cp as_it_was.json stages/half_disc.crit.json
+  run -0 --separate-stderr "$quadmesh" --workdir stages --from separatrix -o kept.msh
+  cmp one.msh kept.msh
+  # Those that nobody has edited need no second field.
+  run -0 "$quadmesh" "$shape" --nodes "$whole/half_disc.crit.json" -o same.msh --report report.json
+  assert_equal "$(jq '.stages | has("phase_fieldsolve")' report.json)" false
+  run -3 "$quadmesh" "$DATA/plate_hole.step" --nodes nodes.json -o other.msh
+  assert_output --partial 'nodes.json was not made from'
+}
+
 @test "nodes that were given or edited are not replaced where a strip of blocks contains itself" {
   critpoints --max-valence 5 "$whole/half_disc.field.h5" -o nodes.json
   run -0 --separate-stderr "$quadmesh" "$shape" --nodes nodes.json -o out.msh --report report.json
