@@ -151,7 +151,7 @@ int main(int argc, char** argv) {
     if (!orders_path.empty()) {
       const io::InputFile orders_file = io::read_input(orders_path);
       orders = io::read_order_map(orders_file, mesh.num_elems(), max_order);
-      inputs.push_back(orders_file.digest("order-map"));
+      inputs.push_back(orders_file.digest(io::order_map_format(orders_file)));
     }
     std::optional<CriticalPoints> points;
     if (!nodes_path.empty()) {

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
     const io::InputFile file = io::read_input(input);
     BlockLayout layout = io::read_block_layout(file);
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
+    if (request.unit == "file" && !occ::has_step_unit(layout.face)) request.unit = "mm";
     const LengthScale length = length_scale(layout.face, request);
     scale_lengths(layout, length);
     if (has_block_groups) exports::separate_blocks(layout);

@@ -265,8 +265,6 @@ int main(int argc, char** argv) {
     const bool is_step = name == "step";
     if (is_step && !options.patch_types.empty())
       throw UsageError("--patch-type: a STEP model has no types of boundaries");
-    if (is_step && options.length.unit == "nm")
-      throw UsageError("--unit nm: STEP models are written in m, cm, mm, um, km, in or ft");
     if (!is_step) exports::require_options(*exports::find_export_format(name), options);
     if (!is_step && !mesh_order.empty()) require_order(*exports::find_export_format(name), mesh_order);
     if (!shape.empty()) return check_shape(io::read_face(io::read_input(shape)), options);

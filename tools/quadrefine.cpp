@@ -12,9 +12,11 @@
 #include "io/stage_files.hpp"
 #include "layers/wall_spec.hpp"
 #include "mesh/element_sizes.hpp"
+#include "outline/extent.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
+#include "sizing/element_limit.hpp"
 #include "sizing/make_size_field.hpp"
 
 using namespace quadrille;
@@ -68,10 +70,13 @@ void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOp
   options.size_rule = sizes.rule;
 }
 
-/// Whether the boundaries that the options name exist, before there are blocks.
-void require_boundaries(const SizeArguments& sizes, refine::RefineOptions& options, const CadFace& face) {
+/// Whether the boundaries that the options name exist, and sizes are no mistake, before there are blocks.
+void check_shape(const SizeArguments& sizes, refine::RefineOptions& options, bool all_blocks, const CadFace& face) {
   set_sizes(sizes, face, options);
   layers::curve_walls(options.walls, face);
+  if (options.counts.empty() && all_blocks)
+    sizing::require_area_within(outline::area(face), options.size_field->greatest(),
+                                {options.max_elements, options.order});
 }
 
 }  // namespace
@@ -128,15 +133,16 @@ int main(int argc, char** argv) {
     o.number("--max-edge-ratio", options.max_edge_ratio, 0, 1e300, "1",
              "exit with 1 if the longest side of an element exceeds its shortest by more than this factor, >= 1; 0: no "
              "limit");
-    o.integer("--max-elements", options.max_elements, 1, 100000000,
-              "refuse sizes that require more quads, with exit code 1 and an estimate of their number, before they "
-              "take memory");
+    o.integer(
+        "--max-elements", options.max_elements, 1, 100000000,
+        "refuse sizes or counts that require more quads, with exit code 1 and an estimate of their number, before they "
+        "take memory");
     o.hidden_text("--check-shape", shape);
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
     parse(sizes, walls, options);
-    if (!shape.empty()) return require_boundaries(sizes, options, io::read_face(io::read_input(shape)));
+    if (!shape.empty()) return check_shape(sizes, options, blocks.empty(), io::read_face(io::read_input(shape)));
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_block_layout(file);

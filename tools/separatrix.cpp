@@ -27,6 +27,7 @@ namespace {
 
 struct Settings {
   std::string field, points = "-", output = "-";
+  std::string checked_points;  ///< of --check-nodes
   layout::LayoutOptions options;
   std::vector<std::string> open, interfaces;  // names of curves
 };
@@ -113,6 +114,12 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
   return graph;
 }
 
+/// Whether these are nodes of this field: quadmesh solves for another one if they are not.
+void check_nodes(const io::InputFile& field_file, const std::string& points) {
+  const Field field = io::read_field(field_file);
+  read_points_of(field::FieldEvaluator(field, field::FarTerms::expanded), field_file, io::read_input(points));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -180,10 +187,12 @@ int main(int argc, char** argv) {
     o.integer(
         "--max-line-steps", options.trace.max_steps, 1, 1000000,
         "greatest number of integration steps of a separatrix, in the mean over all (over 100, if there are fewer)");
+    o.hidden_text("--check-nodes", settings.checked_points);
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
     const io::InputFile file = io::read_input(settings.field);
+    if (!settings.checked_points.empty()) return check_nodes(file, settings.checked_points);
     const SeparatrixGraph graph = io::stage_format(file) == "tri-mesh" ? layout_of_triangles(file, settings, s)
                                                                        : layout_of_field(file, settings, s);
     s.begin_phase("write");

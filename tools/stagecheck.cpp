@@ -77,11 +77,18 @@ Provenance provenance_of(const io::InputFile& file) {
 
 /// Prints the commands by which the files were made, each once.
 void print_history(const std::vector<std::string>& paths) {
-  io::History history;
+  std::vector<io::MadeFile> files;
   for (const std::string& path : paths) {
     const io::InputFile file = io::read_input(path);
-    for (const std::string& line : history.lines_of(provenance_of(file), file.sha256, io::history_stem(path)))
+    files.push_back({path, file.sha256, provenance_of(file)});
+  }
+  io::History history;
+  for (const io::MadeFile& file : io::oldest_first(std::move(files))) {
+    for (const std::string& line : history.lines_of(file.chain, file.sha256, io::history_stem(file.path)))
       fmt::print("{}\n", line);
+    if (!file.chain.empty() && file.chain.back().tool == "critpoints")
+      fmt::print("# {}: SHA-256 {}; if the command makes another file, it was edited since: use the edited one\n",
+                 history.name_of(file.sha256), file.sha256);
   }
 }
 
@@ -117,9 +124,9 @@ int main(int argc, char** argv) {
   tool.options = [&](cli::Options& options) {
     options.inputs("FILE", paths, "stage files to check");
     options.flag("--history", is_history,
-                 "print the commands by which each FILE was made, with all options, from its provenance; commands that "
-                 "were printed for an earlier FILE are left out, inputs that no command makes are described by their "
-                 "SHA-256. Give x.crit.json before the files made from it: only it knows the options of critpoints");
+                 "print the commands by which each FILE was made, with all options, from its provenance, each "
+                 "command once; inputs that no command makes are described by their "
+                 "SHA-256. Give x.crit.json with the files made from it: only it knows the options of critpoints");
   };
   tool.run = [&](cli::Session& session) {
     if (is_history)

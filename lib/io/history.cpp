@@ -9,19 +9,23 @@ namespace quadrille::io {
 
 namespace {
 
-/// The option of a tool that names an input of this format; empty: the input is an argument.
-std::string option_of(const std::string& tool, const std::string& format) {
+/// The option by which the tool reads its `position`-th input of this format; empty: the input is an argument.
+std::string option_of(const std::string& tool, std::size_t position, const std::string& format) {
   static const std::map<std::string, std::string> options{{"order-map", "--orders"},
                                                           {"boundary-names", "--boundary-names"},
                                                           {"block-names", "--block-names"},
                                                           {"size-field", "--size-field"}};
+  if (tool == "fieldsolve" && position > 0 && format == "field") return "--orders";
   if (format == "critical-points") return tool == "fieldsolve" ? "--nodes" : "";
   const auto found = options.find(format);
   return found == options.end() ? "" : found->second;
 }
 
 std::string ending_of_input(const std::string& format) {
-  return format == "critical-points" ? ".crit.json" : format == "order-map" ? ".orders" : '.' + format;
+  static const std::map<std::string, std::string> endings{
+      {"critical-points", ".crit.json"}, {"order-map", ".orders.json"}, {"field", ".orders.h5"}};
+  const auto found = endings.find(format);
+  return found == endings.end() ? '.' + format : found->second;
 }
 
 bool is_phase(const ProvenanceStep& step) {
@@ -29,7 +33,7 @@ bool is_phase(const ProvenanceStep& step) {
                      [](const InputDigest& input) { return input.format == "critical-points"; });
 }
 
-/// Of what a step writes, `before` the ending of what the step before wrote.
+/// Of what a step writes; `before` is the name of what the step before wrote.
 std::string ending_of_output(const ProvenanceStep& step, const std::string& before) {
   static const std::map<std::string, std::string> endings{{"cad2tri", ".tri.h5"},
                                                           {"critpoints", ".crit.json"},
@@ -37,7 +41,7 @@ std::string ending_of_output(const ProvenanceStep& step, const std::string& befo
                                                           {"blocksplit", ".blocks.h5"},
                                                           {"quadrefine", ".quad.h5"}};
   if (step.tool == "fieldsolve") return is_phase(step) ? ".phase.solve.h5" : ".solve.h5";
-  if (step.tool == "padapt") return before == ".phase.solve.h5" ? ".phase.h5" : ".field.h5";
+  if (step.tool == "padapt") return before.find(".phase.") != std::string::npos ? ".phase.h5" : ".field.h5";
   const auto found = endings.find(step.tool);
   return found == endings.end() ? '.' + step.tool : found->second;
 }
@@ -80,27 +84,59 @@ std::string history_stem(const std::string& path) {
   return path.substr(begin, path.find('.', begin) - begin);
 }
 
+std::vector<MadeFile> oldest_first(std::vector<MadeFile> files) {
+  const auto is_made_from = [](const MadeFile& file, const MadeFile& other) {
+    return std::any_of(file.chain.begin(), file.chain.end(), [&](const ProvenanceStep& step) {
+      return std::any_of(step.inputs.begin(), step.inputs.end(),
+                         [&](const InputDigest& input) { return input.sha256 == other.sha256; });
+    });
+  };
+  std::vector<MadeFile> ordered;
+  while (!files.empty()) {
+    auto next = std::find_if(files.begin(), files.end(), [&](const MadeFile& file) {
+      return std::none_of(files.begin(), files.end(), [&](const MadeFile& other) { return is_made_from(file, other); });
+    });
+    if (next == files.end()) next = files.begin();  // digests that somebody wrote by hand
+    ordered.push_back(std::move(*next));
+    files.erase(next);
+  }
+  return ordered;
+}
+
+std::string History::new_name(const std::string& stem, const std::string& ending) {
+  std::string name = stem + ending;
+  for (int k = 2; !used_.insert(name).second; ++k) name = fmt::format("{}.{}{}", stem, k, ending);
+  return name;
+}
+
 std::vector<std::string> History::lines_of(const Provenance& chain, const std::string& sha256,
                                            const std::string& stem) {
   std::vector<std::string> lines;
-  std::string before;  // the ending of the file that the step before wrote
+  std::string before;  // the file that the step before wrote
   for (const ProvenanceStep& step : chain) {
     std::string command = shell_word(step.tool) + options_text(step.options);
+    std::string identity = command;
     for (std::size_t i = 0; i < step.inputs.size(); ++i) {
       const InputDigest& input = step.inputs[i];
-      const bool is_of_chain = i == 0 && !before.empty();
-      const auto [known, is_new] =
-          names_.insert({input.sha256, stem + (is_of_chain ? before : ending_of_input(input.format))});
-      if (is_new && !is_of_chain)
-        lines.push_back(fmt::format("# {}: {}, SHA-256 {}", known->second, input.format, input.sha256));
-      const std::string option = option_of(step.tool, input.format);
-      command += (option.empty() ? " " : ' ' + option + ' ') + shell_word(known->second);
+      if (i == 0 && !before.empty()) {
+        names_.insert({input.sha256, before});
+      } else if (!names_.contains(input.sha256)) {
+        const std::string name = new_name(stem, ending_of_input(input.format));
+        names_.insert({input.sha256, name});
+        lines.push_back(fmt::format("# {}: {}, SHA-256 {}", name, input.format, input.sha256));
+      }
+      const std::string option = option_of(step.tool, i, input.format);
+      command += (option.empty() ? " " : ' ' + option + ' ') + shell_word(names_[input.sha256]);
+      identity += ' ' + input.sha256;
     }
-    before = ending_of_output(step, before);
-    command += " -o " + shell_word(stem + before);
-    if (commands_.insert(command).second) lines.push_back(command);
+    std::string& output = outputs_[identity];
+    if (output.empty()) {
+      output = new_name(stem, ending_of_output(step, before));
+      lines.push_back(command + " -o " + shell_word(output));
+    }
+    before = output;
   }
-  names_.insert({sha256, stem + before});
+  names_.insert({sha256, before});
   return lines;
 }
 

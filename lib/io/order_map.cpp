@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "io/hdf5_file.hpp"
 #include "io/header.hpp"
 #include "io/stage_files.hpp"
 
@@ -50,9 +51,12 @@ std::vector<int> parsed(const InputFile& file) {
 
 }  // namespace
 
+std::string order_map_format(const InputFile& file) {
+  return looks_like_hdf5(file.bytes) ? "field" : order_map_version.format;
+}
+
 std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order) {
-  const bool is_hdf5 = file.bytes.starts_with("\x89HDF");
-  std::vector<int> elem_order = is_hdf5 ? read_field(file).elem_order : parsed(file);
+  std::vector<int> elem_order = order_map_format(file) == "field" ? read_field(file).elem_order : parsed(file);
   if (static_cast<int>(elem_order.size()) != num_elems)
     throw FormatError(
         fmt::format("{}: {} orders, but the mesh has {} elements", file.name, elem_order.size(), num_elems), "ORD-R01");

@@ -9,6 +9,9 @@
 
 namespace quadrille::io {
 
+/// "field" or "order-map": what the file is, if it is any of them.
+std::string order_map_format(const InputFile& file);
+
 /// One order per element. Throws FormatError for anything that is neither an order map nor a field, for another number
 /// than `num_elems` and for an order outside [1, max_order].
 std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order);

@@ -25,8 +25,10 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "model/length_scale.hpp"
 #include "occ/occ_labels.hpp"
 #include "occ/occ_load.hpp"
+#include "occ/occ_si_lengths.hpp"
 #include "occ/occ_step_placements.hpp"
 #include "occ/write_cad.hpp"
 
@@ -42,42 +44,36 @@ std::string lower(std::string text) {
 
 std::string si_length_name(const Handle(StepBasic_SiUnit) & unit) {
   if (!unit->HasPrefix()) return "metre";
-  switch (unit->Prefix()) {
-    case StepBasic_spKilo:
-      return "kilometre";
-    case StepBasic_spDeci:
-      return "decimetre";
-    case StepBasic_spCenti:
-      return "centimetre";
-    case StepBasic_spMilli:
-      return "millimetre";
-    case StepBasic_spMicro:
-      return "micrometre";
-    case StepBasic_spNano:
-      return "nanometre";
-    default:
-      return "metre with a prefix";
-  }
+  for (const SiLength& known : si_lengths)
+    if (known.prefix == unit->Prefix()) return known.name;
+  return "metre with a prefix";
 }
 
-std::string length_name(const Handle(StepRepr_GlobalUnitAssignedContext) & context) {
+// Names of other units are free: one of a known length gets its usual name, "inch" for "INCHES".
+std::string other_length_name(const std::string& text, double metres) {
+  for (const LengthUnit& known : length_units)
+    if (std::abs(metres / known.metres - 1) < 1e-9) return std::string(known.name);
+  return text.empty() ? fmt::format("unit of {} m", metres) : lower(text);
+}
+
+std::string length_name(const Handle(StepRepr_GlobalUnitAssignedContext) & context, double metres) {
   for (int i = 1; i <= context->NbUnits(); ++i) {
     const Handle(StepBasic_NamedUnit) unit = context->UnitsValue(i);
     if (const auto inch = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(unit); !inch.IsNull())
-      return lower(text_of(inch->Name()));
+      return other_length_name(text_of(inch->Name()), metres);
     if (const auto si = Handle(StepBasic_SiUnitAndLengthUnit)::DownCast(unit); !si.IsNull()) return si_length_name(si);
   }
   return "unknown";
 }
 
-struct LengthUnit {
+struct FileUnit {
   std::string name = "unknown";
   double millimetres = 0;  ///< 0: not stated in the file
   double tolerance = 0;
 };
 
 // The length unit of one representation context; millimetres = 0 if the entity is no such context.
-LengthUnit unit_of(const Handle(Standard_Transient) & entity) {
+FileUnit unit_of(const Handle(Standard_Transient) & entity) {
   Handle(StepRepr_GlobalUnitAssignedContext) units;
   Handle(StepRepr_GlobalUncertaintyAssignedContext) uncertainty;
   using Full = StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx;
@@ -88,23 +84,23 @@ LengthUnit unit_of(const Handle(Standard_Transient) & entity) {
   } else if (const auto plain = Handle(Short)::DownCast(entity); !plain.IsNull()) {
     units = plain->GlobalUnitAssignedContext();
   }
-  LengthUnit unit;
+  FileUnit unit;
   if (units.IsNull() || units->Units().IsNull()) return unit;
   STEPConstruct_UnitContext factors;
   factors.ComputeFactors(units);
   if (!factors.LengthDone() || !(factors.LengthFactor() > 0)) return unit;
-  unit.name = length_name(units);
   unit.millimetres = factors.LengthFactor();
+  unit.name = length_name(units, unit.millimetres / 1000);
   if (!uncertainty.IsNull() && factors.ComputeTolerance(uncertainty) == 0 && factors.HasUncertainty())
     unit.tolerance = factors.Uncertainty();
   return unit;
 }
 
 // The length unit of the model; a file with several length units is refused.
-LengthUnit length_unit(const StepData_StepModel& model, const std::string& name) {
-  LengthUnit found;
+FileUnit length_unit(const StepData_StepModel& model, const std::string& name) {
+  FileUnit found;
   for (int i = 1; i <= model.NbEntities(); ++i) {
-    const LengthUnit unit = unit_of(model.Value(i));
+    const FileUnit unit = unit_of(model.Value(i));
     if (unit.millimetres == 0) continue;
     if (found.millimetres == 0) found = unit;
     if (unit.millimetres != found.millimetres)
@@ -171,7 +167,7 @@ OccModel occ_load_step(const std::string& bytes, const std::string& name) {
   OccModel model;
   // Lengths are converted to the target unit, a global setting that a previous reader may have changed.
   reader.SetSystemLengthUnit(1.0);
-  const LengthUnit unit = length_unit(*reader.StepModel(), name);
+  const FileUnit unit = length_unit(*reader.StepModel(), name);
   if (unit.millimetres > 0) {
     // The reader multiplies coordinates by the millimetres per unit and divides them by this value: the factor is
     // exactly 1.

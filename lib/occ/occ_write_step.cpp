@@ -3,6 +3,7 @@
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepBasic_Product.hxx>
+#include <StepBasic_SiUnitAndLengthUnit.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -16,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "occ/occ_blocks.hpp"
+#include "occ/occ_si_lengths.hpp"
 #include "occ/occ_written.hpp"
 #include "occ/write_cad.hpp"
 
@@ -23,11 +25,12 @@ namespace quadrille::occ {
 namespace {
 
 struct WrittenUnit {
-  const char* name;  ///< name of the unit in the writer
-  double scale;      ///< factor from the unit of the face
+  const char* name;                    ///< name of the unit in the writer
+  double scale;                        ///< factor from the unit of the face
+  const SiLength* replaced = nullptr;  ///< the unit, if the writer has no name for it
 };
 
-// The unit of the face if the writer supports it; coordinates in other units are converted to millimetres.
+// The unit of the face if the writer or SI has it; coordinates in other units are converted to millimetres.
 WrittenUnit written_unit(const CadFace& face) {
   static const std::pair<const char*, double> known[] = {
       {"MM", 1e-3}, {"M", 1.0},       {"INCH", 0.0254}, {"CM", 1e-2}, {"FT", 0.3048},
@@ -35,6 +38,8 @@ WrittenUnit written_unit(const CadFace& face) {
   if (!(face.metres_per_unit > 0)) return {"MM", 1};
   for (const auto& [name, metres] : known)
     if (std::abs(face.metres_per_unit / metres - 1) < 1e-9) return {name, 1};
+  for (const SiLength& si : si_lengths)
+    if (std::abs(face.metres_per_unit / si.metres - 1) < 1e-9) return {"MM", 1, &si};
   return {"MM", face.metres_per_unit * 1e3};
 }
 
@@ -67,6 +72,12 @@ void set_names(const STEPControl_Writer& writer, const OccShape& shape) {
     const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(process, named);
     if (!item.IsNull()) item->SetName(text(name));
   }
+}
+
+void set_unit(const StepData_StepModel& model, StepBasic_SiPrefix prefix) {
+  for (int i = 1; i <= model.NbEntities(); ++i)
+    if (const auto unit = Handle(StepBasic_SiUnitAndLengthUnit)::DownCast(model.Value(i)); !unit.IsNull())
+      unit->SetPrefix(prefix);
 }
 
 // Replaces the product name, because the writer numbers the products of a process and equal shapes must produce equal
@@ -103,10 +114,13 @@ std::string step_text(const OccShape& shape, const WrittenUnit& unit, const std:
   set_header(model, product);
   set_names(writer, shape);
   set_product_name(*model, product);
+  if (unit.replaced) set_unit(*model, unit.replaced->prefix);
   return written(writer, model);
 }
 
 }  // namespace
+
+bool has_step_unit(const CadFace& face) { return written_unit(face).scale == 1; }
 
 std::string step_of_blocks(const BlockLayout& layout) {
   return written_by_kernel("the blocks", [&] {

@@ -153,7 +153,7 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   CadFace face = face_of_loops(raw, assembled.loops, curves_of(assembled.loops.front()), options.corner_angle);
   face.name = raw.name;
   face.fit_distance = assembled.fit_distance;
-  report.set("face.area", area_of(face));
+  report.set("face.area", area(face));
   return face;
 }
 

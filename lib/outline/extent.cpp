@@ -97,6 +97,13 @@ double signed_area(const std::vector<Nurbs>& loop) {
   return area;
 }
 
+double area(const CadFace& face) {
+  double area = 0;
+  for (int l = 0; l < face.num_loops(); ++l)
+    area += signed_area({face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]});
+  return area;
+}
+
 double diameter(const std::vector<Nurbs>& loop) {
   const std::vector<Sample> points = hull(sampled(loop));
   const int n = static_cast<int>(points.size());

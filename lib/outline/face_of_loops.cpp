@@ -73,11 +73,4 @@ CadFace face_of_loops(const heal::RawFace& raw, const std::vector<Loop>& loops, 
   return face;
 }
 
-double area_of(const CadFace& face) {
-  double area = 0;
-  for (int l = 0; l < face.num_loops(); ++l)
-    area += signed_area({face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]});
-  return area;
-}
-
 }  // namespace quadrille::outline

@@ -14,7 +14,4 @@ namespace quadrille::outline {
 CadFace face_of_loops(const heal::RawFace& raw, const std::vector<heal::Loop>& loops, const std::vector<Nurbs>& outline,
                       double corner_angle);
 
-/// Of the face, or of all its regions together.
-double area_of(const CadFace& face);
-
 }  // namespace quadrille::outline

@@ -46,18 +46,18 @@ struct SplitRequest {
   double tolerance;        ///< of the boundary, a length
   DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
   sizing::LengthLimits limits = {};
-  Progress* progress = nullptr;
+  Report* report = nullptr;
   const Progress::Part* attempt = nullptr;
   const struct SplitMesh* last = nullptr;  ///< of the last attempt, from which is taken what has not changed
 };
 
-SplitRequest split_request(const RefineOptions& options, const CadFace& face, Progress* progress) {
+SplitRequest split_request(const RefineOptions& options, const CadFace& face, Report& report) {
   const double size = options.size > 0 ? options.size : face.diameter * default_size;
   const double tolerance =
       face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order));
   return {options,   options.size_field ? *options.size_field : sizing::SizeField(size),
           tolerance, {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)},
-          {},        progress,
+          {},        &report,
           nullptr};
 }
 
@@ -95,19 +95,20 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
   sizing::apply_length_limits(request.limits, plans);
   const sizing::ElementLimit limit{options.max_elements, options.order};
-  sizing::require_planned_within(measured, plans, limit);
+  sizing::require_planned_within(measured, plans, limit, *request.report);
   SplitMesh result;
   result.shortened_chords = num_limited(request.limits);
   result.tolerance = request.division.tolerance;
   result.has_equal_parameters = measured.has_equal_parameters();
-  result.divisions = divide_arcs(measured, plans, request.division, request.progress, known_divisions(request, result));
+  result.divisions =
+      divide_arcs(measured, plans, request.division, request.report->progress(), known_divisions(request, result));
   result.plans = std::move(plans);
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
-  measure_elements(result.mesh, request.progress, request.last ? &request.last->mesh : nullptr);
+  measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);
   return result;
 }
 
@@ -195,7 +196,7 @@ std::optional<MeasuredSplit> split_unless_too_many(const MakeSplit& make) {
 
 /// With shorter elements where blocks are thin: the best of several attempts, each of which corrects the last.
 MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, SplitRequest request) {
-  const Progress::Part part(request.progress, "attempt");
+  const Progress::Part part(request.report->progress(), "attempt");
   request.attempt = &part;
   const auto measured_split = [&] {
     MeasuredSplit result = split_within_tolerance(aligned, request);
@@ -275,7 +276,7 @@ double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ?
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
   const sizing::MeasuredLayout measured(layout);
-  const SplitRequest request = split_request(options, layout.face, report.progress());
+  const SplitRequest request = split_request(options, layout.face, report);
   auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);
   if (options.relax > 0) {
     relax_and_report(split.mesh,

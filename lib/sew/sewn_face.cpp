@@ -10,6 +10,7 @@
 #include "heal/heal_scale.hpp"
 #include "heal/report_repair.hpp"
 #include "outline/assemble_face.hpp"
+#include "outline/extent.hpp"
 #include "outline/face_of_loops.hpp"
 #include "sew/embed_curves.hpp"
 #include "sew/face_of_regions.hpp"
@@ -137,7 +138,7 @@ void report_sewing(const Sewn& sewn, const CadFace& face, const std::vector<Repa
   report.set("sew.interfaces", sewn.num_interfaces);
   report.set("sew.inner_curves", sewn.num_inner_curves);
   report.set("sew.greatest", sewn.greatest / scale.diameter);
-  report.set("face.area", outline::area_of(face));
+  report.set("face.area", outline::area(face));
 }
 
 }  // namespace

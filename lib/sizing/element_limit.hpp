@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/report.hpp"
 #include "model/block_layout.hpp"
 #include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
@@ -21,10 +22,14 @@ struct TooManyElements : ComputeError {
   using ComputeError::ComputeError;
 };
 
+/// For a face of that area, before there are blocks: only the order of magnitude, so that no more than four times the
+/// limit is refused. `size` is the greatest prescribed edge length; nothing else may determine the counts.
+void require_area_within(double area, double size, const ElementLimit& limit);
 /// For the planned counts, which the tolerance of the boundary may raise: an estimate, before anything is divided.
+/// It is written to the report, as estimated_quads, also when it is refused.
 void require_planned_within(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans,
-                            const ElementLimit& limit);
-/// For the divisions of all arcs: the exact number. Both throw TooManyElements.
+                            const ElementLimit& limit, Report& report);
+/// For the divisions of all arcs: the exact number. All throw TooManyElements.
 void require_divided_within(const BlockLayout& layout, const ArcDivisions& divisions, const ElementLimit& limit);
 
 }  // namespace quadrille::sizing

@@ -27,6 +27,7 @@ copy_given_nodes() {
     write_file "$known_nodes" "$stem.crit.json"
   else
     write_file "$given_nodes" "$stem.crit.json"
+    [ -f "$given_nodes" ] || known_nodes=$stem.crit.json # a pipe can be read once
   fi
 }
 

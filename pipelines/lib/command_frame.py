@@ -125,10 +125,11 @@ def _is_same_file(path, other):
 
 
 def check_options(tool, *words):
-    """That these are arguments of the tool; a mistake is one of this command. Without input the tool ends at once."""
+    """That these are arguments of the tool; a mistake is one of this command. Without input the tool ends at once.
+    With --check-shape, 1 means that the shape would need far too many quads."""
     tried = subprocess.run([tool, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-    if tried.returncode == USAGE:
-        raise mistake(tried.stderr.splitlines()[0].removeprefix(f"{tool}: "))
+    if tried.returncode == USAGE or tried.returncode == 1 and "--check-shape" in words:
+        raise Failure(tried.returncode, tried.stderr.splitlines()[0].removeprefix(f"{tool}: "))
 
 
 def counted(count, noun):

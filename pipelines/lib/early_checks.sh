@@ -97,11 +97,13 @@ check_shape() {
     [ "$tool" != quadexport ] || written=${out:--} # which determines the format
     message=$(with_options "$tool" "$tool" --check-shape "$with_face" ${written:+-o "$written"} \
       --called-by quadmesh 2>&1 </dev/null)
-    [ $? -eq 2 ] || continue
-    printf '%s\n' "$message" >&2
+    code=$?
+    case $code in 1 | 2) ;; *) continue ;; esac # 1: far too many quads
+    message=${message#"$tool: "} last='' # no later stage has seen it
+    printf 'quadmesh: %s\n' "${message#quadmesh: }" >&2
     message=${message%%
 *}
-    fail 2 quadmesh "${message#quadmesh: }"
+    fail "$code" quadmesh "${message#quadmesh: }"
   done
 }
 

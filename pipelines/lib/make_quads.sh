@@ -56,15 +56,27 @@ graph_of_nodes() {
   shift
   make_nodes "$@" || return
   nodes=$stem.crit.json
-  if [ -n "$dry_run" ] && [ -z "$known_nodes" ]; then
+  if [ -z "$dry_run" ] && [ -f "$known_nodes" ]; then nodes=$known_nodes; fi # the user's name, for messages
+  if [ -n "$dry_run" ] && ! has_phase_form "${known_nodes:-$nodes}"; then
     print_phase_stages
-  elif grep -qs '^ *"form": *"phase"' "${known_nodes:-$nodes}"; then # not those of the field: solve for one with them
+  elif need_own_field; then
     stages_of_phase || return
     field=$stem.phase.h5
     [ "$final_position" -lt 5 ] || last=$nodes
   fi
   stage separatrix "$stem.sep.json" "$field" "$nodes"
 }
+
+# need_own_field: whether $nodes are not those of the field: by their form, or because somebody has edited them and left
+# the form as it was. Of another face they are refused when that field is made.
+need_own_field() {
+  has_phase_form "${known_nodes:-$nodes}" && return
+  [ -n "$known_nodes" ] && [ -f "$field" ] && is_due separatrix '' || return
+  message=$(separatrix "$field" --check-nodes "$nodes" 2>&1 </dev/null)
+  case $message in *'run fieldsolve --nodes'* | *'was not made from'*) ;; *) false ;; esac
+}
+
+has_phase_form() { [ -f "$1" ] && jq -e '.form == "phase"' "$1" >/dev/null 2>&1; }
 
 stages_of_phase() {
   stage fieldsolve "$stem.phase.solve.h5" --nodes "$nodes" --orders "$field" "$triangles" &&
@@ -74,7 +86,7 @@ stages_of_phase() {
 # print_phase_stages: with --dry-run, for a person: whether they run depends on what critpoints finds.
 print_phase_stages() {
   is_due separatrix '' || return 0
-  echo "# if \"form\" is \"phase\" in $nodes; separatrix then reads $stem.phase.h5:"
+  echo "# if \"form\" is \"phase\" in $nodes, or its nodes were edited; separatrix then reads $stem.phase.h5:"
   before=$last
   stages_of_phase | sed 's/^/# /'
   last=$before

@@ -95,6 +95,21 @@ here() {
   done < <(helps)
 }
 
+@test "the scripts that install, build and describe answer --help and do nothing else" {
+  for script in quickstart build-tools install-dependencies man-page completions; do
+    # From a copy without sources, and without the programs that install and build.
+    mkdir -p copy/pipelines && cp "$ROOT/pipelines/$script" copy/pipelines
+    for word in --help -h; do
+      run -0 --separate-stderr env PATH=/usr/bin:/bin "copy/pipelines/$script" $word
+      assert_line --index 0 --regexp "^usage: $script"
+      assert_equal "$stderr" ''
+    done
+    [[ $script == quickstart ]] || continue
+    run -2 "copy/pipelines/$script" all
+  done
+  assert_equal "$(find copy -type f | wc -l)" 5
+}
+
 @test "every option that a page or a help shows is one of its command" {
   "$list" options | cut -f 2,3 | sort -u >shown
   assert [ "$(wc -l <shown)" -ge 50 ]

@@ -78,7 +78,7 @@ stages_run() {
 }
 
 @test "a changed option of the field for given nodes makes that again, and what follows" {
-  jq '.form = "phase" | .critical_points[0].position[0] -= 0.1' half_disc.crit.json > moved
+  jq -c '.form = "phase" | .critical_points[0].position[0] -= 0.1' half_disc.crit.json > moved
   mv moved half_disc.crit.json
   stages_run
   assert_equal "$(stages_run phase='--field-order 9')" "fieldsolve padapt separatrix blocksplit quadrefine quadexport"

@@ -111,6 +111,28 @@ by_hand() {
   assert_line --partial "--relax is an option of quadrefine"
 }
 
+@test "edited nodes are used whatever the form says, on one line and from a pipe too; those of another face are named" {
+  edited "$whole/half_disc.crit.json" >nodes.json
+  run -0 --separate-stderr "$quadmesh" "$shape" --nodes nodes.json -o one.msh
+  jq '.form = "harmonic"' nodes.json >as_it_was.json
+  jq -c . nodes.json >line.json
+  for file in as_it_was line; do
+    run -0 --separate-stderr "$quadmesh" "$shape" --nodes $file.json -o $file.msh
+    cmp one.msh $file.msh
+  done
+  run -0 --separate-stderr "$quadmesh" "$shape" --nodes <(cat as_it_was.json) -o pipe.msh
+  cmp one.msh pipe.msh
+  cp -r "$whole" stages
+  cp as_it_was.json stages/half_disc.crit.json
+  run -0 --separate-stderr "$quadmesh" --workdir stages --from separatrix -o kept.msh
+  cmp one.msh kept.msh
+  # Those that nobody has edited need no second field.
+  run -0 "$quadmesh" "$shape" --nodes "$whole/half_disc.crit.json" -o same.msh --report report.json
+  assert_equal "$(jq '.stages | has("phase_fieldsolve")' report.json)" false
+  run -3 "$quadmesh" "$DATA/plate_hole.step" --nodes nodes.json -o other.msh
+  assert_output --partial 'nodes.json was not made from'
+}
+
 @test "nodes that were given or edited are not replaced where a strip of blocks contains itself" {
   critpoints --max-valence 5 "$whole/half_disc.field.h5" -o nodes.json
   run -0 --separate-stderr "$quadmesh" "$shape" --nodes nodes.json -o out.msh --report report.json
@@ -155,6 +177,11 @@ by_hand() {
   sh -e commands
   cmp half_disc.quad.h5 "$whole/half_disc.quad.h5"
   cmp half_disc.crit.json "$whole/half_disc.crit.json"
+  # An edit is not in the provenance, but the file is not what the commands make.
+  edited half_disc.crit.json >nodes.json
+  stagecheck --history nodes.json >commands
+  assert_equal "$(tail -n 1 commands)" "# nodes.crit.json: SHA-256 $(sha256sum <nodes.json | cut -d ' ' -f 1); if the \
+command makes another file, it was edited since: use the edited one"
   # Without the file of nodes, its options are not known.
   stagecheck --history "$whole/half_disc.quad.h5" >commands
   grep -q "^# half_disc.crit.json: critical-points, SHA-256 $(sha256sum <half_disc.crit.json | cut -d ' ' -f 1)$" commands
@@ -162,13 +189,35 @@ by_hand() {
   run -3 stagecheck --history "$shape"
 }
 
+@test "stagecheck --history prints commands that make a field with prescribed orders again" {
+  cp "$shape" .
+  cp "$whole"/half_disc.{tri,field}.h5 .
+  fieldsolve --orders half_disc.field.h5 half_disc.tri.h5 -o again.solve.h5
+  n=$(h5dump -H -d /elem_order half_disc.field.h5 | grep -oP 'SIMPLE \{ \( \K\d+')
+  jq -n --argjson n "$n" '{format: "order-map", version: [1, 0], elem_order: [range($n) | 5 + . % 5]}' >orders.json
+  fieldsolve --orders orders.json half_disc.tri.h5 -o map.solve.h5
+  stagecheck --history again.solve.h5 map.solve.h5 half_disc.field.h5 >commands # in any order
+  grep -q "^# map.orders.json: order-map, SHA-256 $(sha256sum <orders.json | cut -d ' ' -f 1)$" commands
+  assert_equal "$(grep -c ^cad2tri commands)" 1
+  mkdir again && cp half_disc.step again/map.step && cp orders.json again/map.orders.json
+  (cd again && sh -e ../commands)
+  for file in {again,map}.solve.h5 half_disc.field.h5; do cmp "$file" "again/$file"; done
+}
+
 @test "after a failure, the report has the stage, the exit code and the message" {
   run -3 "$quadmesh" "$DATA/bad/solid.step" -o out.msh --report report.json
   assert_equal "$(jq -c '[.tool, .exit_code, .stage, (.stages | keys)]' report.json)" '["quadmesh",3,"cad2tri",["cad2tri"]]'
   assert_output "cad2tri: $(jq -r .error report.json)"
-  run -1 "$quadmesh" "$shape" --size 1e-3 --max-elements 1000 -o out.msh --report report.json
+  run -1 "$quadmesh" "$shape" --size 0.03 --max-elements 1000 -o out.msh --report report.json
   assert_equal "$(jq -c '[.exit_code, .stage, .blocks, .certificate.method]' report.json)" '[1,"quadrefine",null,"traced"]'
   assert_regex "$(jq -r .error report.json)" 'quads, more than --max-elements 1000'
+  assert_equal "$(jq .estimated_quads report.json)" 2042
+  # The area of the face tells it before there is a field.
+  run -1 "$quadmesh" "$shape" --size 1e-4 -o out.msh --report report.json
+  assert_output --partial 'quadmesh: sizes require some 157079633 quads, more than --max-elements 1000000: raise --size'
+  assert_equal "$(jq -c '[.exit_code, .stage, (.stages | keys)]' report.json)" '[1,"quadmesh",["cad2tri"]]'
+  run -1 "$quadmesh" "$shape" --size 1e-4 --count 0=1 -o out.msh --report report.json # counts may make them few
+  assert_equal "$(jq -c '[.stage, .given_up]' report.json)" '["quadrefine",null]'
   run -3 "$quadmesh" missing.step -o out.msh --report report.json
   assert_equal "$(jq -c '[.exit_code, .stage, .error]' report.json)" '[3,"quadmesh","missing.step: no such file"]'
   run -4 "$quadmesh" "$shape" -o nowhere/out.msh --report report.json

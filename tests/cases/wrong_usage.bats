@@ -39,6 +39,7 @@ table() {
 2 | quadrefine --sise 0.1 w/half_disc.blocks.h5 | unknown option --sise: did you mean --size?
 2 | quadrefine --max-elements 0 w/half_disc.blocks.h5 | --max-elements: 0 is outside its interval
 1 | quadrefine --size 1e-3 w/half_disc.blocks.h5 -o out.quad.h5 | require about * quads, more than --max-elements 1000000: raise --size by a factor of
+1 | quadrefine --count 0=100000000 w/half_disc.blocks.h5 -o out.quad.h5 | counts require about * quads, more than --max-elements 1000000: lower --count
 1 | quadrefine --size 0.1 --max-elements 50 w/half_disc.blocks.h5 -o out.quad.h5 | more than --max-elements 50
 2 | quadrefine --wall curve_0 w/half_disc.blocks.h5 | --wall curve_0: expected NAME:first=H,layers=N
 2 | quadrefine --size-near hole w/half_disc.blocks.h5 | hole
@@ -66,7 +67,7 @@ table() {
 2 | quadmesh half_disc.step -o --size 0.1 | -o needs a value, not the option --size
 2 | quadmesh half_disc.step --quiet=yes | --quiet takes no value
 2 | quadmesh half_disc.step -oout.step --patch-type *=wall | --patch-type: a STEP model has no types of boundaries
-2 | quadmesh half_disc.step -o out.m --format step --unit nm | --unit nm: STEP models are written in m, cm, mm, um, km, in or ft
+2 | quadmesh half_disc.step -o out.m --format step --unit yd | --unit: 'yd' is not one of file|m|cm|mm|um|nm|km|in|ft
 2 | quadmesh half_disc.step -o half_disc.step | the output half_disc.step is the input half_disc.step
 2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
 2 | quadmesh half_disc.step -o out.msh --order 12 | --order 12: the format msh supports quads up to order 10
@@ -220,12 +221,12 @@ check_rows() {
   check_rows place points2step batch gallery
 }
 
-# late SHAPE OPTION...: is refused by quadmesh with 2 after cad2tri, before the field is solved.
+# late SHAPE OPTION...: is refused by quadmesh with 2, or $code, after cad2tri, before the field is solved.
 late() {
-  run -2 "$ROOT/pipelines/quadmesh" "$@" --workdir late -o out.msh --report late.json
+  run -"${code:=2}" "$ROOT/pipelines/quadmesh" "$@" --workdir late -o out.msh --report late.json
   assert_equal "$(ls late)" "${1%.*}.tri.h5"
-  assert_line 'try '\''quadmesh --help'\'
-  assert_equal "$(jq -c '[.exit_code, .stage, "quadmesh: " + .error]' late.json)" "$(jq -nc --arg l "${lines[0]}" '[2, "quadmesh", $l]')"
+  [[ $code != 2 ]] || assert_line 'try '\''quadmesh --help'\'
+  assert_equal "$(jq -c '[.exit_code, .stage, "quadmesh: " + .error]' late.json)" "$(jq -nc --arg l "${lines[0]}" "[$code, \"quadmesh\", \$l]")"
   rm -r late late.json
   assert_not_exists out.msh
 }
@@ -242,6 +243,11 @@ late() {
   cad2tri "$DATA/square.step" --write-healed unitless.brep -o /dev/null
   late unitless.brep --unit m
   assert_output --partial "quadmesh: --unit m: the CAD file states no length unit: give the factor by --scale instead"
+  code=1 late square.step --size 1e-5
+  assert_output "quadmesh: sizes require some 1e+10 quads, more than --max-elements 1000000: raise --size by a factor of \
+100, or raise --max-elements"
+  run -1 "$ROOT/pipelines/place" square.step --size 1e-5 -o out.msh
+  assert_output --partial "place: sizes require some 1e+10 quads, more than --max-elements 1000000"
 }
 
 @test "from a later stage on, too" {

@@ -486,3 +486,23 @@ disc_of_points() {
     assert_output --partial '--fit-tolerance'
   done
 }
+
+@test "the unit of a STEP file has its usual name, whatever the file calls it" {
+  # unit PREFIX: unit and metres of the square in that unit; of_metres NAME METRES: in one that the file defines.
+  unit() { sed "s/SI_UNIT(.MILLI.,.METRE.)/SI_UNIT($1,.METRE.)/" "$DATA/square.step" >a.step && names; }
+  of_metres() {
+    sed -e "s/( LENGTH_UNIT() NAMED_UNIT(\*) SI_UNIT(.MILLI.,.METRE.) )/( CONVERSION_BASED_UNIT('$1',#901) \
+LENGTH_UNIT() NAMED_UNIT(#902) )/" -e "s/^#91 = /#901 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE($2),#903);\
+#902 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n#903 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) );\n&/" \
+      "$DATA/square.step" >a.step && names
+  }
+  names() { cad2tri -q a.step -o a.tri.h5 --report a.json && h5dump -y -d face/metres_per_unit a.tri.h5 |
+    sed -n 's/^ *\([0-9][0-9.e+-]*\)$/\1/p' | head -n 1 | sed "s/^/$(jq -r .face.length_unit a.json) /"; }
+  assert_equal "$(unit '$')" "metre 1"
+  assert_equal "$(unit .NANO.)" "nanometre 1e-09"
+  assert_equal "$(unit .PICO.)" "picometre 1e-12"
+  assert_equal "$(unit .HECTO.)" "hectometre 100"
+  assert_equal "$(of_metres INCHES 0.0254)" "inch 0.0254"
+  assert_equal "$(of_metres Yard 0.9144)" "yard 0.9144"
+  assert_equal "$(of_metres "" 0.9144)" "unit of 0.9144 m 0.9144"
+}

@@ -176,7 +176,21 @@ PYTHON
   run -0 quadexport -v --unit m "$blocks" -o d.step --report d.json
   assert_output "quadexport: coordinates in metre, 0.001 times those of the CAD file"
   assert_equal "$(jq -c '[.format, .blocks > 1, .unit, .scale]' d.json)" '["step",true,"metre",0.001]'
-  run -2 quadexport --unit nm "$blocks" -o e.step
+  # Units for which the CAD kernel has no name, and a yard, which becomes millimetres.
+  for unit in NANO:nanometre PICO:picometre HECTO:hectometre; do
+    IFS=: read -r prefix name <<<"$unit"
+    sed "s/SI_UNIT(.MILLI.,.METRE.)/SI_UNIT(.$prefix.,.METRE.)/" "$DATA/square.step" >"$prefix.step"
+    cad2tri -q "$prefix.step" | fieldsolve -q | padapt -q -o "$prefix.field.h5"
+    critpoints -q "$prefix.field.h5" | separatrix -q "$prefix.field.h5" - | blocksplit -q -o "$prefix.blocks.h5"
+    run -0 quadexport "$prefix.blocks.h5" -o "$prefix.out.step"
+    assert_output ''
+    assert_equal "$(diameter "$prefix.out.step")" "$name $(diameter "$prefix.step" | cut -d ' ' -f 2)"
+  done
+  quadexport --unit nm "$blocks" -o e.step
+  run -0 diameter e.step
+  assert_regex "$output" '^nanometre '
+  run -0 awk -v a="$a" '{ print ($2 / 1e6 / a - 1) ^ 2 < 1e-16 }' <<<"$output"
+  assert_output 1
 }
 
 @test "the faces of a STEP model have the names of their regions" {

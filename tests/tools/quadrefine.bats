@@ -40,10 +40,10 @@ setup() {
   done
 }
 
-@test "a size that asks for too many elements ends with 1 and a place" {
+@test "a size that asks for too many elements ends with 1 and a remedy" {
   run quadrefine --size 1e-7 "$blocks" -o a.quad.h5
   assert_failure 1
-  assert_output --partial "("
+  assert_output --partial "raise --size by a factor of"
   assert_nothing_left
 }
 

@@ -27,6 +27,13 @@ TEST(Extent, area_of_a_disc_has_the_sign_of_its_direction) {
   EXPECT_NEAR(signed_area({curve::circular_arc({5, 5}, 2, 0.3, 0.3 - 2 * pi)}), -4 * pi, 1e-13);
 }
 
+TEST(Extent, area_of_a_face_is_that_without_its_holes) {
+  CadFace face;
+  face.curves = {curve::circular_arc({5, 5}, 2, 0, 2 * pi), curve::circular_arc({5, 5}, 1, 0, -2 * pi)};
+  face.loop_offsets = {0, 1, 2};
+  EXPECT_NEAR(area(face), 3 * pi, 1e-13);
+}
+
 TEST(Extent, diameter_of_disc_and_rectangle) {
   EXPECT_NEAR(diameter({curve::circular_arc({1, 2}, 3, 0.4, 0.4 + 2 * pi)}), 6, 1e-14);
   const std::vector<Vec2> p{{0, 0}, {3, 0}, {3, 4}, {0, 4}};
