@@ -87,14 +87,14 @@ double next_order(const std::vector<double>& sensors, const AdaptOptions& option
   return std::clamp(predicted_order(sensors, options.lower_below, trusted_rate), predicted, order);
 }
 
-// Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution whose
-// sensors are all below it is kept: lower orders would cost a solution.
+// Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution that is
+// good enough is kept: lower orders would cost a solution.
 void predict_orders(const Field& field, const AdaptOptions& options, bool is_first, std::vector<int>& orders) {
   const std::vector<std::vector<double>> sensors = degree_sensors(field, options.sensor, options.scale);
   const auto is_resolved = [&](const std::vector<double>& of_degrees) {
     return of_degrees.back() <= options.raise_above;
   };
-  if (std::all_of(sensors.begin(), sensors.end(), is_resolved)) return;
+  if (is_good_enough(element_sensors(field, options.sensor, options.scale), options.raise_above)) return;
   std::vector<double> powers;  // e to the predicted orders, because equalized() compares ratios
   for (const std::vector<double>& of_degrees : sensors) powers.push_back(std::exp(next_order(of_degrees, options)));
   powers = equalized(std::move(powers));
