@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -37,7 +38,6 @@ CriticalPoints read_nodes(const io::InputFile& file, const io::InputFile& mesh_f
   if (points.origin != mesh.face.origin)
     throw FormatError(
         fmt::format("{}: its origin differs from that of the mesh: it belongs to another face", file.name));
-  galerkin::require_possible(mesh.face, phase_nodes_of(points), file.name);
   return points;
 }
 
@@ -121,6 +121,7 @@ int main(int argc, char** argv) {
       inputs.push_back(orders_file.digest("order-map"));
     }
     Field field;
+    std::optional<galerkin::PhaseSolver> phase;  // its boundary data serve the error estimate too
     if (nodes_path.empty()) {
       s.begin_phase("solve");
       field = galerkin::solve_laplace(mesh, orders, options, s.report());
@@ -129,12 +130,13 @@ int main(int argc, char** argv) {
       const CriticalPoints points = read_nodes(nodes_file, file, mesh);
       inputs.push_back(nodes_file.digest("critical-points"));
       s.begin_phase("solve");
-      galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
-      field = solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, s.report());
+      phase.emplace(mesh, orders, options.num_threads);
+      galerkin::require_possible(*phase, mesh.face, phase_nodes_of(points), nodes_file.name);
+      field = phase->solve(phase_nodes_of(points), {points.hole_winding_offsets}, s.report());
       report_phase(field.phase, s);
     }
     s.begin_phase("estimate");
-    field.elem_error = field::error_estimate(field);
+    field.elem_error = field::error_estimate(field, phase ? phase->boundary() : nullptr);
     s.end_phase();
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
     s.report().set("solve.field_order", *highest);
