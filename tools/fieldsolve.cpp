@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -43,28 +44,42 @@ CriticalPoints read_nodes(const io::InputFile& file, const io::InputFile& mesh_f
   if (points.origin != mesh.face.origin)
     throw FormatError(
         fmt::format("{}: its origin differs from that of the mesh: it belongs to another face", file.name));
-  for (const CriticalPoints& part : regions::split(points, mesh))
-    galerkin::require_possible(part.face, phase_nodes_of(part), file.name);
   return points;
 }
 
-// The field of each region, for the nodes of its part of `points`, if there are any.
-std::vector<Field> solved(const TriMesh& mesh, const std::vector<int>& orders,
-                          const std::optional<CriticalPoints>& points, const galerkin::LaplaceOptions& options,
-                          Report& report) {
-  const std::vector<TriMesh> meshes = regions::split(mesh);
+/// The field of one region. Of the phase form, the boundary data of its solver serve the error estimate too.
+struct SolvedRegion {
+  Field field;
+  std::unique_ptr<galerkin::PhaseSolver> phase;
+};
+
+/// The nodes that the fields must have, and the file that prescribes them.
+struct PrescribedNodes {
+  CriticalPoints points;
+  std::string file;
+};
+
+// `meshes`: of the regions; they must outlive the result.
+std::vector<SolvedRegion> solved(const TriMesh& mesh, const std::vector<TriMesh>& meshes,
+                                 const std::vector<int>& orders, const std::optional<PrescribedNodes>& prescribed,
+                                 const galerkin::LaplaceOptions& options, Report& report) {
   const std::vector<CriticalPoints> nodes =
-      points ? regions::split(*points, mesh) : std::vector<CriticalPoints>(meshes.size());
-  return regions::map_regions<Field>(
+      prescribed ? regions::split(prescribed->points, mesh) : std::vector<CriticalPoints>(meshes.size());
+  return regions::map_regions<SolvedRegion>(
       mesh.face, options.num_threads, report, [&](int region, int threads, Report& part_report) {
         const std::vector<int> part_orders = regions::part_of(orders, regions::elems_of(mesh, region));
-        if (points) {
-          galerkin::PhaseSolver solver(meshes[region], part_orders, threads);
-          return solver.solve(phase_nodes_of(nodes[region]), {nodes[region].hole_winding_offsets}, part_report);
+        SolvedRegion result;
+        if (!prescribed) {
+          galerkin::LaplaceOptions part_options = options;
+          part_options.num_threads = threads;
+          result.field = galerkin::solve_laplace(meshes[region], part_orders, part_options, part_report);
+          return result;
         }
-        galerkin::LaplaceOptions part_options = options;
-        part_options.num_threads = threads;
-        return galerkin::solve_laplace(meshes[region], part_orders, part_options, part_report);
+        const PhaseNodes phase_nodes = phase_nodes_of(nodes[region]);
+        result.phase = std::make_unique<galerkin::PhaseSolver>(meshes[region], part_orders, threads);
+        galerkin::require_possible(*result.phase, meshes[region].face, phase_nodes, prescribed->file);
+        result.field = result.phase->solve(phase_nodes, {nodes[region].hole_winding_offsets}, part_report);
+        return result;
       });
 }
 
@@ -153,18 +168,23 @@ int main(int argc, char** argv) {
       orders = io::read_order_map(orders_file, mesh.num_elems(), max_order);
       inputs.push_back(orders_file.digest(io::order_map_format(orders_file)));
     }
-    std::optional<CriticalPoints> points;
+    std::optional<PrescribedNodes> prescribed;
     if (!nodes_path.empty()) {
       const io::InputFile nodes_file = io::read_input(nodes_path);
-      points = read_nodes(nodes_file, file, mesh);
+      prescribed = {read_nodes(nodes_file, file, mesh), nodes_file.name};
       inputs.push_back(nodes_file.digest("critical-points"));
     }
     s.begin_phase("solve");
-    std::vector<Field> parts = solved(mesh, orders, points, options, s.report());
-    if (points)
-      for (const Field& part : parts) report_phase(part.phase, s);
+    const std::vector<TriMesh> meshes = regions::split(mesh);
+    std::vector<SolvedRegion> regions = solved(mesh, meshes, orders, prescribed, options, s.report());
+    if (prescribed)
+      for (const SolvedRegion& region : regions) report_phase(region.field.phase, s);
     s.begin_phase("estimate");
-    for (Field& part : parts) part.elem_error = field::error_estimate(part);
+    std::vector<Field> parts;
+    for (SolvedRegion& region : regions) {
+      region.field.elem_error = field::error_estimate(region.field, region.phase ? region.phase->boundary() : nullptr);
+      parts.push_back(std::move(region.field));
+    }
     s.end_phase();
     Field field = regions::join(mesh, std::move(parts));
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());

@@ -50,8 +50,23 @@ SeparatrixGraph layout_of_triangles(const io::InputFile& file, const Settings& s
   return graph;
 }
 
-CriticalPoints read_points_of(const Field& field, const io::InputFile& field_file, const io::InputFile& file) {
-  CriticalPoints points = io::read_critical_points(file);
+/// A field and its regions.
+struct RegionFields {
+  explicit RegionFields(const Field& field) : whole(field), parts(regions::split(field)) {
+    for (const Field& part : parts)
+      evaluators.push_back(std::make_unique<field::FieldEvaluator>(part, field::FarTerms::expanded));
+  }
+
+  const Field& whole;
+  std::vector<Field> parts;
+  std::vector<std::unique_ptr<field::FieldEvaluator>> evaluators;  // of the parts
+};
+
+/// The critical points of each region.
+std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io::InputFile& field_file,
+                                           const io::InputFile& file) {
+  const Field& field = fields.whole;
+  const CriticalPoints points = io::read_critical_points(file);
   check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), file.name);
   // A file of another field refers to elements and corners that this one does not have: then the origin is the cause. A
   // phase that was solved for other nodes of the same face does not have this file in its provenance either: the
@@ -60,26 +75,28 @@ CriticalPoints read_points_of(const Field& field, const io::InputFile& field_fil
   const std::vector<check::Violation> violations = check::check_critical_points_of(points, field);
   if (!is_phase || !violations.empty()) io::require_same_origin(field_file, field.provenance, file, points.provenance);
   check::require_valid(violations, file.name);
-  return points;
+  std::vector<CriticalPoints> parts = regions::split(points, field.mesh);
+  for (std::size_t r = 0; r < parts.size(); ++r) field::check_nodes_match_field(*fields.evaluators[r], parts[r]);
+  if (is_phase) io::require_same_origin(field_file, field.provenance, file, points.provenance);
+  return parts;
 }
 
 // The layout of each region, and from them that of the whole if they share curves.
-SeparatrixGraph layout_of_regions(const CadFace& face,
-                                  const std::vector<std::unique_ptr<field::FieldEvaluator>>& evaluators,
-                                  const std::vector<CriticalPoints>& points, const Settings& settings,
-                                  cli::Session& session) {
+SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
+                                  const Settings& settings, cli::Session& session) {
+  const CadFace& face = fields.whole.mesh.face;
   CadFace open_face = couple::with_open_curves(face, settings.open, "--open");
   open_face = couple::with_open_curves(open_face, couple::nonconforming_interfaces(settings.interfaces), "--interface");
   std::vector<SeparatrixGraph> graphs = regions::map_regions<SeparatrixGraph>(
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
-        return layout::compute_layout(*evaluators[region], points[region], settings.options, report);
+        return layout::compute_layout(*fields.evaluators[region], points[region], settings.options, report);
       });
   if (face.partners.empty()) return std::move(graphs.front());
   session.begin_phase("couple");
   couple::RegionLayouts layouts{open_face, {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {
     layouts.layouts.push_back(graph::candidate_layout(std::move(graphs[r])));
-    layouts.fields.push_back(evaluators[r].get());
+    layouts.fields.push_back(fields.evaluators[r].get());
     layouts.first_curves.push_back(regions::curves_of(face, r).begin);
   }
   SeparatrixGraph graph = couple::couple_layouts(std::move(layouts), settings.options, session.report());
@@ -98,17 +115,10 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
     return graph;
   }
   const io::InputFile points_file = io::read_input(settings.points);
-  const std::vector<Field> fields = regions::split(field);
-  std::vector<std::unique_ptr<field::FieldEvaluator>> evaluators;
-  for (const Field& part : fields)
-    evaluators.push_back(std::make_unique<field::FieldEvaluator>(part, field::FarTerms::expanded));
-  const CriticalPoints whole = read_points_of(field, field_file, points_file);
-  const std::vector<CriticalPoints> points = regions::split(whole, field.mesh);
-  for (std::size_t r = 0; r < fields.size(); ++r) field::check_nodes_match_field(*evaluators[r], points[r]);
-  if (field.kind == FieldKind::phase)
-    io::require_same_origin(field_file, field.provenance, points_file, whole.provenance);
+  const RegionFields fields(field);
+  const std::vector<CriticalPoints> points = read_points_of(fields, field_file, points_file);
   session.begin_phase("trace");
-  SeparatrixGraph graph = layout_of_regions(field.mesh.face, evaluators, points, settings, session);
+  SeparatrixGraph graph = layout_of_regions(fields, points, settings, session);
   graph.provenance =
       session.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
   return graph;
@@ -117,7 +127,7 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
 /// Whether these are nodes of this field: quadmesh solves for another one if they are not.
 void check_nodes(const io::InputFile& field_file, const std::string& points) {
   const Field field = io::read_field(field_file);
-  read_points_of(field::FieldEvaluator(field, field::FarTerms::expanded), field_file, io::read_input(points));
+  read_points_of(RegionFields(field), field_file, io::read_input(points));
 }
 
 }  // namespace

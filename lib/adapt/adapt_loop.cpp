@@ -31,6 +31,7 @@ constexpr double trusted_rate = 0.9;
 struct Solver {
   std::function<Field(const std::vector<int>& orders, Report& report)> solve;
   std::function<int(const std::vector<int>& orders)> num_unknowns;
+  std::function<const field::PhaseBoundary*()> phase_boundary;  // of the last solution; null for a harmonic field
 };
 
 Solver solver_of(const Field& start, int num_threads) {
@@ -41,13 +42,14 @@ Solver solver_of(const Field& start, int num_threads) {
               solver->set_orders(orders);
               return solver->solve(start.phase.prescribed, options, report);
             },
-            [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
+            [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); },
+            [=] { return solver->boundary(); }};
   }
   galerkin::LaplaceOptions options = galerkin::options_of(start);
   options.num_threads = num_threads;
   const auto solver = std::make_shared<galerkin::LaplaceSolver>(start.mesh, options);
   return {[=](const std::vector<int>& orders, Report& report) { return solver->solve(orders, report); },
-          [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }};
+          [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); }, [] { return nullptr; }};
 }
 
 // The adaptation history stored in `field`, without its last round, which is repeated as the first round now;
@@ -87,14 +89,14 @@ double next_order(const std::vector<double>& sensors, const AdaptOptions& option
   return std::clamp(predicted_order(sensors, options.lower_below, trusted_rate), predicted, order);
 }
 
-// Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution whose
-// sensors are all below it is kept: lower orders would cost a solution.
+// Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution that is
+// good enough is kept: lower orders would cost a solution.
 void predict_orders(const Field& field, const AdaptOptions& options, bool is_first, std::vector<int>& orders) {
   const std::vector<std::vector<double>> sensors = degree_sensors(field, options.sensor, options.scale);
   const auto is_resolved = [&](const std::vector<double>& of_degrees) {
     return of_degrees.back() <= options.raise_above;
   };
-  if (std::all_of(sensors.begin(), sensors.end(), is_resolved)) return;
+  if (is_good_enough(element_sensors(field, options.sensor, options.scale), options.raise_above)) return;
   std::vector<double> powers;  // e to the predicted orders, because equalized() compares ratios
   for (const std::vector<double>& of_degrees : sensors) powers.push_back(std::exp(next_order(of_degrees, options)));
   powers = equalized(std::move(powers));
@@ -207,7 +209,7 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   }
   field.provenance = start.provenance;
   field.adapt_steps = std::move(steps);
-  field.elem_error = field::error_estimate(field);
+  if (field.elem_error.empty()) field.elem_error = field::error_estimate(field, solver.phase_boundary());
   report.set("adapt.cpu_seconds_by_step", Report::Value(seconds));
   report_result(field, options, report);
   judge_errors(field, options, report);

@@ -22,7 +22,19 @@ double decay(const double* values, int count) {
   return squares > 0 ? -products / squares : 0;
 }
 
+// A solution is kept although sensors exceed their limit, if they are those of at most one element of so many and
+// exceed it by at most this factor, of a squared norm.
+constexpr std::size_t elements_per_excess = 1000;
+constexpr double greatest_excess = 10;
+
 }  // namespace
+
+bool is_good_enough(const std::vector<double>& sensors, double limit) {
+  const auto exceeds = [&](double sensor) { return sensor > limit; };
+  const auto num_above = static_cast<std::size_t>(std::count_if(sensors.begin(), sensors.end(), exceeds));
+  const auto exceeds_far = [&](double sensor) { return sensor > greatest_excess * limit; };
+  return num_above * elements_per_excess <= sensors.size() && std::none_of(sensors.begin(), sensors.end(), exceeds_far);
+}
 
 OrderChange decide(double sensor, int order, bool was_raised, const AdaptOptions& options) {
   if (sensor > options.raise_above) return order < options.max_order ? OrderChange::raise : OrderChange::keep;
@@ -49,7 +61,7 @@ double predicted_order(const std::vector<double>& sensors, double target, double
   const double change = before > 0 ? std::clamp(now / before, least_change, greatest_change) : 1;
   const double rate = std::clamp(trusted_rate * change * now, slowest, fastest);
   const double predicted = last + logs[last] / rate;
-  return logs[order] > 0 ? std::max(predicted, order + 0.01) : predicted;
+  return logs[order] > 0 ? std::max({predicted, order + logs[order] / rate, order + 0.01}) : predicted;
 }
 
 }  // namespace quadrille::adapt

@@ -48,9 +48,9 @@ Field solve_field(const TriMesh& mesh, const FieldOptions& options, std::vector<
 Field solve_field_of_nodes(const TriMesh& mesh, const CriticalPoints& points, const FieldOptions& options,
                            std::vector<std::string>* warnings) {
   Report report;
-  galerkin::require_possible(mesh.face, phase_nodes_of(points), "the nodes");
   const std::vector<int> orders(mesh.num_elems(), options.order);
   galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
+  galerkin::require_possible(solver, mesh.face, phase_nodes_of(points), "the nodes");
   Field start = solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, report);
   return with_warnings(finished(std::move(start), options, report), mesh, report, warnings);
 }

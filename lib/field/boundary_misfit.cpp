@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
@@ -76,21 +77,21 @@ double phase_misfit_at(const Field& field, const spectral::TriMap& map, const Bo
 
 }  // namespace
 
-std::vector<double> boundary_misfit(const Field& field) {
+std::vector<double> boundary_misfit(const Field& field, const PhaseBoundary* phase) {
   const TriMesh& mesh = field.mesh;
   const std::vector<spectral::TriMap> maps = mesh::tri_maps(mesh);
   std::vector<curve::ArcLength> lengths;
   lengths.reserve(mesh.face.curves.size());
   for (const Nurbs& curve : mesh.face.curves) lengths.emplace_back(curve);
-  std::unique_ptr<PhaseBoundary> phase;
-  if (field.kind == FieldKind::phase)
-    phase = std::make_unique<PhaseBoundary>(mesh, field.phase.prescribed,
-                                            std::make_shared<SharedCorners>(mesh.face, field.phase.prescribed));
+  std::optional<PhaseBoundary> made;
+  if (field.kind == FieldKind::phase && !phase)
+    phase =
+        &made.emplace(mesh, field.phase.prescribed, std::make_shared<SharedCorners>(mesh.face, field.phase.prescribed));
   const BoundaryValues values(mesh, field.liftings);
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const spectral::TriMap& map = maps[edge.elem];
-    for (const EdgePoint& at : edge_points(edge, lengths[edge.curve], phase.get())) {
+    for (const EdgePoint& at : edge_points(edge, lengths[edge.curve], phase)) {
       const double misfit = phase ? phase_misfit_at(field, map, edge, at) : misfit_at(field, values, map, edge, at);
       misfits[edge.elem] = std::max(misfits[edge.elem], misfit);
     }

@@ -141,10 +141,10 @@ class RemoteErrors {
 
 }  // namespace
 
-std::vector<double> error_estimate(const Field& field) {
+std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary) {
   constexpr double share_from_afar = 0.1;
   const int n = field.mesh.num_elems();
-  const std::vector<double> misfits = boundary_misfit(field);
+  const std::vector<double> misfits = boundary_misfit(field, phase_boundary);
   std::vector<Source> sources(n);
   for (int e = 0; e < n; ++e) sources[e] = source(field, e, misfits[e]);
   RemoteErrors remote(sources);

@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
-#include "field/phase_boundary.hpp"
 
 namespace quadrille::galerkin {
 
@@ -46,10 +45,10 @@ void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {
 
 }  // namespace
 
-void require_possible(const CadFace& face, const PhaseNodes& asked, const std::string& name) {
+void require_possible(PhaseSolver& solver, const CadFace& face, const PhaseNodes& asked, const std::string& name) {
   try {
     require_admissible_valences(face, asked);
-    const field::PhaseBoundary boundary(face, asked);
+    solver.set_nodes(asked);
   } catch (const ComputeError& error) {
     throw FormatError(fmt::format("{}: {}", name, error.what()));
   }

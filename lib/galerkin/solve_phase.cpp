@@ -135,16 +135,23 @@ void PhaseSolver::measure_holes() {
   if (holes.m.size() == 0) holes.m = Eigen::VectorXd::Zero(num_holes);
 }
 
+void PhaseSolver::set_nodes(const PhaseNodes& asked) {
+  if (parts_->given && parts_->given->asked == asked) return;
+  const TriMesh& mesh = *parts_->context.mesh;
+  if (!parts_->corners || !parts_->corners->fit(asked))
+    parts_->corners = std::make_shared<field::SharedCorners>(mesh.face, asked);
+  parts_->given = std::make_unique<Given>(mesh, parts_->points, asked, parts_->corners);
+}
+
+const field::PhaseBoundary* PhaseSolver::boundary() const { return parts_->given ? &parts_->given->boundary : nullptr; }
+
 PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOptions& options) {
   const TriMesh& mesh = *parts_->context.mesh;
   const std::size_t num_holes = mesh.face.num_loops() - 1;
   if (!options.hole_winding_offsets.empty() && options.hole_winding_offsets.size() != num_holes)
     throw UsageError(fmt::format("hole_winding_offsets has {} entries for {} holes",
                                  options.hole_winding_offsets.size(), num_holes));
-  if (!parts_->corners || !parts_->corners->fit(asked))
-    parts_->corners = std::make_shared<field::SharedCorners>(mesh.face, asked);
-  if (!parts_->given || parts_->given->asked != asked)
-    parts_->given = std::make_unique<Given>(mesh, parts_->points, asked, parts_->corners);
+  set_nodes(asked);
   const field::PhaseBoundary& boundary = parts_->given->boundary;
   require_measures();
   const Eigen::MatrixXd data = parts_->given->data.values(parts_->context.topology, parts_->system.map());

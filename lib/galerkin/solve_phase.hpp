@@ -11,6 +11,10 @@
 #include "field/harmonic_part.hpp"
 #include "model/field.hpp"
 
+namespace quadrille::field {
+class PhaseBoundary;
+}
+
 namespace quadrille::galerkin {
 
 struct PhaseOptions {
@@ -36,6 +40,12 @@ class PhaseSolver {
   PhaseSolver(PhaseSolver&&) noexcept;
   /// Elements whose order does not change keep their matrices.
   void set_orders(std::vector<int> elem_order);
+
+  /// Computes the boundary data of these nodes, which solve() and energy() of the same nodes use again. Throws
+  /// ComputeError for infeasible nodes (PhaseBoundary).
+  void set_nodes(const PhaseNodes& asked);
+  /// The boundary data of the last nodes, null before there are any; valid until others follow.
+  const field::PhaseBoundary* boundary() const;
 
   /// The field of kind "phase". Throws ComputeError for infeasible nodes (PhaseBoundary) and if the factorisation
   /// breaks down, UsageError unless the winding offsets are empty or one per hole.

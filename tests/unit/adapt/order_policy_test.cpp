@@ -49,6 +49,26 @@ TEST(PredictedOrder, IsAboveAnOrderThatMissesTheTarget) {
   EXPECT_GT(predicted_order(sensors, 0.99 * sensors[5], 1), 5);
 }
 
+TEST(PredictedOrder, NoticesADecayThatSlowsDownAtTheHighestDegree) {
+  std::vector<double> sensors = geometric(6);
+  sensors[6] = sensors[5] / 4;
+  EXPECT_NEAR(predicted_order(geometric(6), 1e-14, 1), 7, 1e-9);
+  EXPECT_NEAR(predicted_order(sensors, 1e-14, 1), 6 + std::log(sensors[6] / 1e-14) / std::log(100), 1e-9);
+}
+
+TEST(GoodEnough, IsAFieldWithFewSensorsALittleAboveTheLimit) {
+  std::vector<double> sensors(2000, 1e-9);
+  EXPECT_TRUE(is_good_enough(sensors, 1e-8));
+  sensors[7] = sensors[8] = 9e-8;
+  EXPECT_TRUE(is_good_enough(sensors, 1e-8));
+  sensors[9] = 1.1e-8;
+  EXPECT_FALSE(is_good_enough(sensors, 1e-8));  // three of 2000
+  sensors[8] = sensors[9] = 1e-9;
+  sensors[7] = 1.1e-7;
+  EXPECT_FALSE(is_good_enough(sensors, 1e-8));         // eleven times the limit
+  EXPECT_FALSE(is_good_enough({1.1e-8, 0, 0}, 1e-8));  // one of three
+}
+
 TEST(PredictedOrder, TakesTheGreatestOfTheHigherDegrees) {
   std::vector<double> even = geometric(8);
   for (int d = 1; d < 8; d += 2) even[d] = 0;

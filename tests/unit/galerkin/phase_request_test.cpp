@@ -5,6 +5,7 @@
 #include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -12,7 +13,10 @@ namespace {
 using namespace testing_faces;
 
 std::string refusal(const CadFace& face, const PhaseNodes& asked) {
-  return message_of<FormatError>([&] { require_possible(face, asked, "x.crit.json"); });
+  Report report;
+  const TriMesh mesh = triangulate::triangulate(face, {}, report);
+  PhaseSolver solver(mesh, std::vector<int>(mesh.num_elems(), 3));
+  return message_of<FormatError>([&] { require_possible(solver, face, asked, "x.crit.json"); });
 }
 
 TEST(PhaseRequest, TakesWhatIsPossible) {
