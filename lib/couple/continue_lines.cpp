@@ -158,20 +158,17 @@ bool has_station_at(const InterfaceChain& chain, int side, double position, doub
   });
 }
 
-bool is_cut(const graph::CandidateLayout& layout, int node) { return layout.graph().nodes[node].kind == NodeKind::cut; }
-
 }  // namespace
 
-int continue_lines(RegionLayouts& regions, bool with_cuts) {
+int continue_lines(RegionLayouts& regions, CutEnds cuts) {
   const CadFace& face = regions.face;
   const double same = relative_same * face.diameter;
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   int num_lines = 0;
-  for (const InterfaceChain& chain : interface_chains(regions))
+  for (const InterfaceChain& chain : interface_chains(regions, cuts))
     for (const int side : {0, 1})
       for (const Station& station : chain.stations[side]) {
         if (has_station_at(chain, 1 - side, station.position, same)) continue;
-        if (!with_cuts && is_cut(regions.layouts[station.region], station.node)) continue;
         Place place = place_on_side(face, chain, 1 - side, regions.place_of(station.region, station.node));
         const int region = regions.region_of_curve(place.curve);
         place.curve -= regions.first_curves[region];
@@ -184,16 +181,19 @@ int continue_lines(RegionLayouts& regions, bool with_cuts) {
 int remove_needless_cuts(RegionLayouts& regions) {
   int num_removed = 0;
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
-  for (graph::CandidateLayout& layout : regions.layouts) {
+  for (std::size_t r = 0; r < regions.layouts.size(); ++r) {
+    graph::CandidateLayout& layout = regions.layouts[r];
     graph::Subdivision& subdivision = layout.subdivision;
+    const int num_curves = layout.graph().face.num_curves();
     for (int a = 0; a < subdivision.arc_bound(); ++a) {
       if (!subdivision.has_arc(a)) continue;
+      const int spline = layout.graph().arcs[a].pieces.front().curve - num_curves;
+      if (spline < 0 || kinds[r][spline] != LineKind::cut) continue;
       const int from = subdivision.start({a}), to = subdivision.end({a});
-      // The other end of a cut is a line end like others.
-      const bool is_single = subdivision.around(from).size() == 3 && subdivision.around(to).size() == 3;
-      if (!is_single || !is_cut(layout, from) || layout.graph().nodes[to].curve < 0 ||
-          layout.graph().arcs[a].is_boundary || !subdivision.remove_arc(a))
-        continue;
+      const auto is_single_end = [&](int node) {
+        return layout.graph().nodes[node].curve >= 0 && subdivision.around(node).size() == 3;
+      };
+      if (!is_single_end(from) || !is_single_end(to) || !subdivision.remove_arc(a)) continue;
       for (const int node : {from, to}) subdivision.dissolve_node(node);
       ++num_removed;
     }

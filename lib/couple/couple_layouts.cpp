@@ -55,15 +55,16 @@ void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::Can
 
 SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
   report.set("couple.turned_regions", turn_round_regions(regions));
-  int num_met = meet_stations(regions), num_continued = 0;
-  for (const bool with_cuts : {false, true}) {
+  int num_met = 0, num_continued = 0;
+  for (const CutEnds cuts : {CutEnds::ignored, CutEnds::included}) {
+    num_met += meet_stations(regions, cuts);
     for (int round = 0; round < max_rounds; ++round) {
-      const int num = continue_lines(regions, with_cuts);
+      const int num = continue_lines(regions, cuts);
       if (num == 0) break;
       num_continued += num;
-      num_met += meet_stations(regions);
+      num_met += meet_stations(regions, cuts);
     }
-    if (!with_cuts) remove_needless_cuts(regions);
+    if (cuts == CutEnds::ignored) remove_needless_cuts(regions);
   }
   report.set("couple.lines_met", num_met);
   report.set("couple.lines_continued", num_continued);

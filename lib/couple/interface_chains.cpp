@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/chain.hpp"
+#include "graph/separatrix_lines.hpp"
 
 namespace quadrille::couple {
 namespace {
@@ -54,18 +55,22 @@ int line_at(const graph::CandidateLayout& layout, int node) {
   return is_line_end && n.valence == 2 && around.size() == 3 ? around[1].arc : -1;
 }
 
-Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table, int region, int node) {
-  Station station{region, node, 0, false, 0};
+Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table,
+                   const std::vector<LineKind>& kinds, int region, int node) {
+  Station station{region, node, 0, false, 0, false};
   const int line = line_at(layout, node);
   if (line < 0) return station;
+  const std::vector<ArcPiece>& pieces = layout.graph().arcs[line].pieces;
+  const int spline = pieces.front().curve - layout.graph().face.num_curves();
   station.is_movable = true;
-  station.line_length = curve::Chain(table, layout.graph().arcs[line].pieces).length();
+  station.line_length = curve::Chain(table, pieces).length();
+  station.is_cut = spline >= 0 && kinds[spline] == LineKind::cut;
   return station;
 }
 
 }  // namespace
 
-std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
+std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions, CutEnds cuts) {
   const CadFace& face = regions.face;
   std::vector<InterfaceChain> chains = chains_of(face);
   std::map<int, std::pair<int, int>> chain_of_curve;  // its chain, and its number in the chain
@@ -81,6 +86,7 @@ std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
   for (int r = 0; r < static_cast<int>(regions.layouts.size()); ++r) {
     const graph::CandidateLayout& layout = regions.layouts[r];
     const curve::CurveTable table(layout.graph().face, layout.graph().splines);
+    const std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
     for (int n = 0; n < static_cast<int>(layout.graph().nodes.size()); ++n) {
       if (layout.graph().nodes[n].curve < 0) continue;
       Place place = regions.place_of(r, n);
@@ -94,7 +100,8 @@ std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
       double position = chain.offsets[k] + tables[curve].at(t);
       if (!chain.is_closed && (position <= 0 || position >= chain.length())) continue;
       if (position >= chain.length()) position = 0;
-      Station station = station_at(layout, table, r, n);
+      Station station = station_at(layout, table, kinds, r, n);
+      if (station.is_cut && cuts == CutEnds::ignored) continue;
       station.position = position;
       chain.stations[is_lower ? 0 : 1].push_back(station);
     }

@@ -14,6 +14,7 @@ struct Station {
   double position = 0;      ///< length along the chain
   bool is_movable = false;  ///< a regular line ends there, and nothing else is there
   double line_length = 0;   ///< of the last arc of that line
+  bool is_cut = false;      ///< the line is a cut: its place is arbitrary
 };
 
 /// Successive curves of one loop whose partners succeed each other too, in opposite order.
@@ -26,8 +27,11 @@ struct InterfaceChain {
   double length() const { return offsets.back(); }
 };
 
+/// Cuts are lines at arbitrary places, which make sense only where no other line is.
+enum class CutEnds { ignored, included };
+
 /// Without the ends of chains that are not closed: a node there, a junction, is on both sides.
-std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions);
+std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions, CutEnds cuts);
 
 /// The place on one side of the chain of the point at `place`, which is on it.
 Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place);

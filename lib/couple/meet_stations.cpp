@@ -41,8 +41,11 @@ Nearest nearest(const InterfaceChain& chain, int side, double position, int exce
   for (int i = 0; i < static_cast<int>(stations.size()); ++i) {
     if (i == except) continue;
     const double d = distance_along(chain, stations[i].position, position);
-    best.is_tied = (best.is_tied && d > best.distance * (1 - relative_tie)) ||
-                   std::abs(d - best.distance) <= relative_tie * best.distance;
+    if (best.station >= 0 && std::abs(d - best.distance) <= relative_tie * best.distance) {
+      best.is_tied = true;
+      continue;
+    }
+    if (d < best.distance) best.is_tied = false;
     if (d < best.distance) best.station = i, best.distance = d;
   }
   return best;
@@ -132,11 +135,11 @@ double move_end(RegionLayouts& regions, const Station& station, Place place) {
 
 }  // namespace
 
-int meet_stations(RegionLayouts& regions) {
+int meet_stations(RegionLayouts& regions, CutEnds cuts) {
   const CadFace& face = regions.face;
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   int num_meetings = 0;
-  for (const InterfaceChain& chain : interface_chains(regions))
+  for (const InterfaceChain& chain : interface_chains(regions, cuts))
     for (const Meeting& meeting : meetings_on(chain, relative_same * face.diameter)) {
       const std::array<const Station*, 2> stations{&chain.stations[0][meeting.stations[0]],
                                                    &chain.stations[1][meeting.stations[1]]};

@@ -57,13 +57,16 @@ class RoundRegions {
       const CadFace& face = regions.layouts[r].graph().face;
       centres_.push_back(face.num_regions() == 1 && face.partners.empty() ? round_centre(face) : std::nullopt);
       is_settled_.push_back(!centres_.back());
+      is_line_end_.push_back(line_ends(regions.layouts[r]));
+      has_lines_.push_back(std::find(is_line_end_[r].begin(), is_line_end_[r].end(), true) != is_line_end_[r].end());
     }
+    passing_.resize(regions.layouts.size());
   }
 
   int turn_all() {
     int num_turned = 0;
     if (std::none_of(is_settled_.begin(), is_settled_.end(), [](bool settled) { return settled; }))
-      is_settled_.front() = true;
+      is_settled_[first_with_lines()] = true;
     for (bool is_new = true; is_new;) {
       is_new = false;
       // Those beside a settled region are turned to its lines as they are now.
@@ -71,7 +74,7 @@ class RoundRegions {
       for (int r = 0; r < static_cast<int>(is_settled_.size()); ++r)
         if (!is_settled_[r] && has_settled_neighbour(r)) turned.push_back(r);
       for (const int r : turned) {
-        num_turned += turn(r);
+        num_turned += has_lines_[r] ? turn(r) : pass_through(r);
         is_new = true;
       }
       for (const int r : turned) is_settled_[r] = true;
@@ -80,6 +83,22 @@ class RoundRegions {
   }
 
  private:
+  // Marks the nodes of the boundary where lines end, cuts left out.
+  static std::vector<bool> line_ends(const graph::CandidateLayout& layout) {
+    const ArcGraph& graph = layout.graph();
+    std::vector<bool> marks(graph.nodes.size(), false);
+    for (const SeparatrixLine& line : layout.lines)
+      for (const int node : {line.origin, line.end})
+        marks[node] = marks[node] || (line.kind != LineKind::cut && graph.nodes[node].curve >= 0);
+    return marks;
+  }
+
+  // 0 if there are cuts alone.
+  std::size_t first_with_lines() const {
+    const auto first = std::find(has_lines_.begin(), has_lines_.end(), true);
+    return first == has_lines_.end() ? 0 : static_cast<std::size_t>(first - has_lines_.begin());
+  }
+
   // The region on the other side of a curve; -1: none.
   int neighbour(int region, int curve) const {
     const int partner = regions_.face.is_interface(curve) ? regions_.face.partners[curve] : -1;
@@ -104,13 +123,15 @@ class RoundRegions {
   std::vector<LoopAngles> angles_of_loops(int region) const {
     const CadFace& face = regions_.layouts[region].graph().face;
     std::vector<LoopAngles> loops(face.num_loops());
-    for (const GraphNode& node : regions_.layouts[region].graph().nodes)
-      if (node.curve >= 0) loops[face.loop_of(node.curve)].own.push_back(angle_about(*centres_[region], node.position));
+    const std::vector<GraphNode>& nodes = regions_.layouts[region].graph().nodes;
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      if (is_line_end_[region][n])
+        loops[face.loop_of(nodes[n].curve)].own.push_back(angle_about(*centres_[region], nodes[n].position));
     for (std::size_t other = 0; other < regions_.layouts.size(); ++other) {
       if (!is_settled_[other]) continue;
       const ArcGraph& graph = regions_.layouts[other].graph();
       for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-        if (graph.nodes[n].curve < 0) continue;
+        if (graph.nodes[n].curve < 0 || !is_line_end_[other][n]) continue;
         for (const Place& place :
              places_of_point(regions_.face, regions_.place_of(static_cast<int>(other), static_cast<int>(n))))
           if (regions_.region_of_curve(place.curve) == region)
@@ -118,7 +139,17 @@ class RoundRegions {
                 angle_about(*centres_[region], graph.nodes[n].position));
       }
     }
+    for (int c = 0; c < face.num_curves(); ++c)
+      if (const int other = neighbour(region, c + regions_.first_curves[region]); other >= 0 && is_settled_[other])
+        for (const double angle : passing_[other]) loops[face.loop_of(c)].others.push_back(angle);
     return loops;
+  }
+
+  // A ring without lines of its own lets those of its neighbours pass; it is not turned.
+  bool pass_through(int region) {
+    for (const LoopAngles& loop : angles_of_loops(region))
+      passing_[region].insert(passing_[region].end(), loop.others.begin(), loop.others.end());
+    return false;
   }
 
   // From each own end, turned by `angle`, to the nearest other: their mean offset, and the sum of squares.
@@ -207,7 +238,9 @@ class RoundRegions {
 
   RegionLayouts& regions_;
   std::vector<std::optional<Vec2>> centres_;
-  std::vector<bool> is_settled_;
+  std::vector<bool> is_settled_, has_lines_;
+  std::vector<std::vector<bool>> is_line_end_;  // of the nodes of each region
+  std::vector<std::vector<double>> passing_;    // of rings without lines: angles of lines that pass
 };
 
 }  // namespace

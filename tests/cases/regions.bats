@@ -1,0 +1,113 @@
+# Several regions: the whole chain on the shapes of tests/data/regions, judged by the checker that shares no code.
+load ../tools/common
+
+setup() {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  common_setup
+  export PYTHONDONTWRITEBYTECODE=1
+}
+
+# mesh_of NAME [OPTION ...]: work/NAME.*.h5 and report.json of the shape.
+mesh_of() {
+  "$ROOT/pipelines/quadmesh" "$DATA/regions/$1.step" -o x.vtu --order 8 --workdir work --report report.json "${@:2}"
+}
+
+# has BLOCKS QUALITY NAME [OPTION ...]: at most so many blocks, the least scaled Jacobian at least this, separatrices in
+# each region (no fallback), and what the checker and stagecheck ask for.
+has() {
+  rm -rf work
+  mesh_of "${@:3}"
+  run -0 jq -r ".blocks <= $1 and .least_scaled_jacobian >= $2 and .valid and .certificate.method != \"midpoint\"" report.json
+  assert_output true
+  run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" "work/$3.quad.h5"
+  refute_output --partial FAULT
+  stagecheck -q work/*.h5 work/*.json
+}
+
+# keeps ALL NAME: the layout has all symmetries of the shape.
+keeps() {
+  run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" "work/$2.sep.json"
+  assert_output "kept $1 of $1"
+}
+
+@test "regions beside each other: squares, T-joints, cells" {
+  has 20 0.91 chequerboard_2_hole
+  keeps 8 chequerboard_2_hole
+  has 40 0.91 chequerboard_4_hole
+  keeps 8 chequerboard_4_hole
+  has 4 0.99 t_joint
+  has 4 0.99 t_joint_open
+  has 8 0.8 half_disc_cut
+  keeps 4 half_disc_cut
+  has 210 0.3 voronoi_20
+}
+
+@test "regions inside each other: discs, rings, a channel" {
+  has 17 0.86 disc_in_square
+  keeps 8 disc_in_square
+  has 13 0.86 nested_rings
+  has 9 0.86 pipe_wall
+  has 17 0.86 pin_in_channel
+}
+
+@test "layered parts" {
+  has 132 0.7 coated_gear
+  keeps 12 coated_gear
+  has 12 0.7 coated_cam
+  has 30 0.4 layered_beam
+  has 150 0.4 layered_cable
+  has 80 0.3 layered_seal
+  has 80 0.75 pins
+  keeps 4 pins
+}
+
+@test "embedded curves, closed, open, and a wake" {
+  has 17 0.86 plate_circle
+  keeps 4 plate_circle
+  has 20 0.6 plate_curve
+  has 6 0.99 inner_curve
+  has 12 0.8 aerofoil_wake --order 12
+}
+
+# The distance of the nodes on the two sides of the slit: those of its ends are one.
+@test "a crack has nodes of its own on both sides, its ends have one" {
+  has 4 0.99 plate_crack
+  run -0 h5dump -A -d nodes work/plate_crack.quad.h5
+  local closed
+  closed=$(grep -oE 'DATASPACE +SIMPLE \{ \( [0-9]+' <<<"$output" | grep -oE '[0-9]+$')
+  local name
+  name=$(jq -r '.face as $f | $f.curve_names[[$f.partners | to_entries[] | select(.value >= 0).key][0]]' work/plate_crack.sep.json)
+  has 4 0.99 plate_crack --open "$name"
+  run -0 h5dump -A -d nodes work/plate_crack.quad.h5
+  local opened
+  opened=$(grep -oE 'DATASPACE +SIMPLE \{ \( [0-9]+' <<<"$output" | grep -oE '[0-9]+$')
+  assert [ "$opened" -gt "$closed" ]
+}
+
+@test "a nonconforming interface: no line crosses it; mistakes are refused" {
+  mesh_of t_joint
+  cd work
+  separatrix --interface base-left=nonconforming --interface base-right=nonconforming t_joint.field.h5 \
+    t_joint.crit.json -o open.sep.json
+  # The line that the joint of the upper two would send into the lower one is missing.
+  run -0 jq '.certificate.face_valence_histogram | map(.faces) | add' open.sep.json
+  assert_output 3
+  blocksplit open.sep.json -o open.blocks.h5
+  stagecheck open.sep.json open.blocks.h5
+  run -2 separatrix --interface base-left t_joint.field.h5 t_joint.crit.json -o no.sep.json
+  assert_output --partial "expected NAME=nonconforming"
+  run -2 separatrix --open nowhere t_joint.field.h5 t_joint.crit.json -o no.sep.json
+  assert_output --partial "there is no boundary \"nowhere\""
+  run -2 separatrix --open curve_0 t_joint.field.h5 t_joint.crit.json -o no.sep.json
+  assert_output --partial "is a boundary"
+  run -2 separatrix t_joint.tri.h5 -o no.sep.json
+  assert_output --partial "has 3 regions"
+}
+
+@test "the same bytes with any number of threads" {
+  mesh_of pins
+  mv work one
+  mesh_of pins --threads 2
+  cmp one/pins.sep.json work/pins.sep.json
+  cmp one/pins.quad.h5 work/pins.quad.h5
+}
