@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "curve/nurbs.hpp"
@@ -43,6 +44,32 @@ bool may_meet(const Nurbs& a, const Nurbs& b, double tol) {
          q.low.y <= p.high.y + tol;
 }
 
+/// Two curves that may be one.
+struct Candidate {
+  double apart = 0;
+  CurveId a, b;
+};
+
+/// The nearest to each other first: a layer may be thinner than the tolerance.
+std::vector<Candidate> candidates(const Placed& placed, double tol) {
+  const ByEnds curves = curves_by_ends(placed);
+  std::vector<Candidate> result;
+  for (const auto& [ends, of_ends] : curves) {
+    const auto opposite = curves.find({ends.second, ends.first});
+    if (opposite == curves.end()) continue;
+    for (const CurveId a : of_ends)
+      for (const CurveId b : opposite->second) {
+        if (b.region <= a.region) continue;
+        const Nurbs &p = curve_of(placed, a), &q = curve_of(placed, b);
+        if (!may_meet(p, q, tol) || !are_opposite(p, q, ends.first == ends.second)) continue;
+        if (const double apart = separation(p, q); apart <= tol) result.push_back({apart, a, b});
+      }
+  }
+  const auto key = [](const Candidate& c) { return std::tuple(c.apart, c.a.region, c.a.curve, c.b.region, c.b.curve); };
+  std::sort(result.begin(), result.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
+  return result;
+}
+
 }  // namespace
 
 double one_sided_separation(const Nurbs& a, const Nurbs& b) {
@@ -60,25 +87,13 @@ double separation(const Nurbs& a, const Nurbs& b) {
 }
 
 Matched match_curves(const Placed& placed, double tol) {
-  const ByEnds curves = curves_by_ends(placed);
   Matched matched{by_curve(placed.regions, CurveId()), 0};
   const auto partner = [&](CurveId id) -> CurveId& { return matched.partners[id.region][id.curve]; };
-  for (int r = 0; r < static_cast<int>(placed.regions.size()); ++r)
-    for (int c = 0; c < placed.regions[r].num_curves(); ++c) {
-      const CurveId a{r, c};
-      const auto [from, to] = ends_of(placed, a);
-      const auto opposite = curves.find({to, from});
-      if (placed.regions[r].other_sides[c] >= 0 || opposite == curves.end()) continue;
-      for (const CurveId b : opposite->second) {
-        if (partner(a).exists() || b.region <= r || partner(b).exists()) continue;
-        const Nurbs &p = curve_of(placed, a), &q = curve_of(placed, b);
-        if (!may_meet(p, q, tol) || !are_opposite(p, q, from == to)) continue;
-        const double apart = separation(p, q);
-        if (!(apart <= tol)) continue;
-        partner(a) = b, partner(b) = a;
-        matched.greatest = std::max(matched.greatest, apart);
-      }
-    }
+  for (const Candidate& pair : candidates(placed, tol)) {
+    if (partner(pair.a).exists() || partner(pair.b).exists()) continue;
+    partner(pair.a) = pair.b, partner(pair.b) = pair.a;
+    matched.greatest = std::max(matched.greatest, pair.apart);
+  }
   return matched;
 }
 

@@ -12,7 +12,7 @@ struct Matched {
 };
 
 /// Curves between the same places in opposite directions that are within `tol` of each other, a length, everywhere;
-/// each has at most one partner, in the region with the lowest number. Smooth closed curves without places likewise.
+/// each has at most one partner, the nearest are matched first. Smooth closed curves without places likewise.
 Matched match_curves(const Placed& placed, double tol);
 
 /// The greatest distance of a point of curve `a` from curve `b`, at samples of each knot span.

@@ -68,7 +68,7 @@ std::vector<std::vector<int>> united(const std::vector<Start>& starts, double to
   std::vector<std::map<int, Vec2>> points(starts.size());  // by region, of the set with this least number
   for (size_t i = 0; i < starts.size(); ++i) points[i] = {{starts[i].id.region, starts[i].position}};
   for (const Pair& pair : near_pairs(starts, tol)) {
-    const auto [a, b] = std::minmax({sets.find(pair.a), sets.find(pair.b)});
+    const int a = std::min(sets.find(pair.a), sets.find(pair.b)), b = std::max(sets.find(pair.a), sets.find(pair.b));
     const auto disagrees = [&](const auto& entry) {
       const auto found = points[a].find(entry.first);
       return found != points[a].end() && !(found->second == entry.second);

@@ -22,7 +22,7 @@
 namespace quadrille::sew {
 namespace {
 
-/// The whole as far as healing asks about it: the tolerances of all faces.
+/// The whole as far as healing asks about it: the tolerances of all faces. Without healing, rounding errors are sewn.
 heal::HealScale scale_of(const std::vector<heal::RawFace>& faces, double tolerance) {
   heal::RawFace whole;
   whole.file = faces.front().file;
@@ -31,7 +31,9 @@ heal::HealScale scale_of(const std::vector<heal::RawFace>& faces, double toleran
     whole.shape_tolerance = std::max(whole.shape_tolerance, face.shape_tolerance);
     whole.wires.insert(whole.wires.end(), face.wires.begin(), face.wires.end());
   }
-  return heal::heal_scale(whole, tolerance, outline::raw_diameter(whole));
+  heal::HealScale scale = heal::heal_scale(whole, tolerance, outline::raw_diameter(whole));
+  scale.tolerance = std::max(scale.tolerance, scale.rounding);
+  return scale;
 }
 
 std::string text_of(const std::vector<heal::RawFace>& faces, size_t f) {
@@ -126,12 +128,12 @@ class RegionMaker {
 };
 
 void report_sewing(const Sewn& sewn, const CadFace& face, const std::vector<Repair>& repairs,
-                   const heal::HealScale& scale, Report& report) {
+                   const heal::HealScale& scale, bool is_healed, Report& report) {
   double greatest = 0;
   for (const Repair& repair : repairs)
     if (repair.kind != RepairKind::fit && repair.kind != RepairKind::cusp)
       greatest = std::max(greatest, repair.distance);
-  report.set("heal.tolerance", scale.tolerance / scale.diameter);
+  report.set("heal.tolerance", is_healed ? scale.tolerance / scale.diameter : 0);
   report.set("heal.repairs", repairs.size());
   report.set("heal.greatest", greatest / scale.diameter);
   for (size_t i = 0; i < repairs.size(); ++i) heal::report_repair(repairs[i], i, report);
@@ -159,11 +161,11 @@ CadFace sewn_face(std::vector<heal::RawFace> faces, std::vector<heal::RawEdge> f
   RegionMaker maker(scale, options, repairs, report);
   for (size_t f = 0; f < faces.size(); ++f) maker.add_face(faces[f], static_cast<int>(f), faces.size() == 1);
   const std::vector<Region> regions = maker.regions(std::move(free_edges));
-  const Sewn sewn = sew_regions(regions, std::max(scale.tolerance, scale.rounding));
+  const Sewn sewn = sew_regions(regions, scale.tolerance);
   require_one_sheet(sewn, scale, options.heal_tolerance >= 0);
   CadFace face = face_of_regions(sewn, faces.front(), options.corner_angle);
   face.fit_distance = maker.fit_distance();
-  report_sewing(sewn, face, repairs, scale, report);
+  report_sewing(sewn, face, repairs, scale, options.heal_tolerance != 0, report);
   return face;
 }
 

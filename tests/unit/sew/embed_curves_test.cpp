@@ -111,7 +111,14 @@ TEST(EmbedCurves, PartsOutsideTheRegionAndAlongItsBoundaryAreLeftOut) {
   const std::vector<Region> regions = embedded({line({1, 1}, {3, 1})});
   EXPECT_EQ(num_slit_sides(regions[0]), 2);
   EXPECT_EQ(regions[0].num_loops(), 1);
-  EXPECT_EQ(embedded({line({0.5, 0}, {1.5, 0})})[0].num_curves(), 4) << "nothing is split";
+  EXPECT_EQ(regions[0].num_curves(), 7);
+  const std::vector<Region> along = embedded({line({0.5, 0}, {1.5, 0})});
+  ASSERT_EQ(along.size(), 1U);
+  EXPECT_EQ(along[0].num_curves(), 4) << "nothing is split";
+  EXPECT_EQ(along[0].curves[0].curve.poles, (std::vector<Vec2>{{0, 0}, {2, 0}}));
+  const std::vector<Region> outside = embedded({line({3, 1}, {4, 1})});
+  ASSERT_EQ(outside.size(), 1U);
+  EXPECT_EQ(outside[0].num_curves(), 4);
   EXPECT_EQ(num_slit_sides(embedded({line({0.5, 1}, {1.5, 1}), line({0.5, 1 + 1e-6}, {1.5, 1})})[0]), 2) << "once";
   const heal::LoopCurve arc{curve::circular_arc({1, 1}, 0.5, 0, 2), 5, ""};
   EXPECT_EQ(num_slit_sides(embedded({arc, arc})[0]), 2);

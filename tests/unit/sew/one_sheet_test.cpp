@@ -78,6 +78,13 @@ TEST(OneSheet, ACreviceBetweenNeighboursIsASlipUnlessItIsMeant) {
   EXPECT_EQ(refusal(faces, true, 8e-6), "");
 }
 
+TEST(OneSheet, AShortSlotIsMeant) {
+  EXPECT_EQ(refusal({{rectangle({0, 0}, {1, 0.5})},
+                     {rectangle({0, 0.5}, {0.49975, 0.51})},
+                     {rectangle({0.50025, 0.5}, {1, 0.51})}}),
+            "");
+}
+
 TEST(OneSheet, FacesApartKeepTheMessageOfSeveralFaces) {
   expect_refused({{rectangle({0, 0}, {1, 1})}, {rectangle({1.5, 0}, {2, 1})}},
                  "the file holds several faces (2) that do not touch: face 0 'part0' and face 1 'part1' are 0.5 apart");

@@ -47,6 +47,12 @@ TEST(Places, AJointOnTheEdgeOfANeighbourSplitsIt) {
   EXPECT_EQ(placed.regions[0].curves[3].cad_edge, 2);
 }
 
+TEST(Places, AJointJustBesideAnotherSplitsNothing) {
+  const Placed placed =
+      split_at_places(regions_of({{rectangle({0, 0}, {1, 1})}, {rectangle({0, 1}, {1 - 1.5e-5, 2})}}), 1e-5);
+  EXPECT_EQ(placed.regions[0].num_curves(), 4) << "a piece would be hardly longer than the tolerance";
+}
+
 TEST(Places, ASmoothClosedCurveHasNoPlaces) {
   const Placed placed =
       split_at_places(regions_of({{circle({0, 0}, 2), hole({0, 0}, 1)}, {circle({0, 0}, 1, 2)}}), 1e-5);

@@ -78,6 +78,16 @@ TEST(SewRegions, CurvesBetweenTheSamePlacesThatDifferAreNotShared) {
   expect_sewn(sew_regions(regions_of({{disc}, {beside}}), 1e-5), 0);
 }
 
+TEST(SewRegions, ALayerThinnerThanTheToleranceKeepsItsTwoSides) {
+  const Sewn sewn = sew_regions(regions_of({{circle({0, 0}, 1)},
+                                            {rectangle({-2, -2}, {2, 2}), hole({0, 0}, 1 + 5e-6)},
+                                            {circle({0, 0}, 1 + 5e-6), hole({0, 0}, 1)}}),
+                                1e-5);
+  expect_sewn(sewn, 2);
+  EXPECT_EQ(sewn.partners[0][0], (CurveId{2, 1}));
+  EXPECT_EQ(sewn.partners[1][4], (CurveId{2, 0}));
+}
+
 TEST(SewRegions, CurvesInTheSameDirectionAreNotShared) {
   expect_sewn(sew_regions(regions_of({{rectangle({0, 0}, {1, 1})}, {rectangle({0, 0}, {1, 1})}}), 1e-5), 0);
   expect_sewn(sew_regions(regions_of({{circle({0, 0}, 1)}, {circle({0, 0}, 1, 2)}}), 1e-5), 0);

@@ -79,5 +79,30 @@ TEST(SewnFace, WithoutHealingOnlyRoundingIsSewn) {
   EXPECT_EQ(refusal({left, raw_face("b", rectangle({1 + 5e-6, 0}, {2, 1}))}), "");
 }
 
+TEST(SewnFace, WithoutHealingCurvesAreEmbedded) {
+  SewOptions options;
+  options.heal_tolerance = 0;
+  const Nurbs inner = curve::segment({0.5, 0}, {0.7, 0.5});
+  const heal::RawEdge edge{inner, inner.poles.front(), inner.poles.back(), 0};
+  std::vector<Repair> repairs;
+  Report report;
+  const CadFace face = sewn_face({raw_face("a", rectangle({0, 0}, {1, 1}))}, {edge}, options, repairs, report);
+  EXPECT_EQ(face.num_curves(), 7);
+  EXPECT_EQ(face.num_loops(), 1);
+  EXPECT_TRUE(face.region_loops.empty());
+  EXPECT_EQ(face.name, "a");
+}
+
+TEST(SewnFace, ASingleFaceWithConstructionLinesHasNoRegions) {
+  const Nurbs beside = curve::segment({3, 0}, {4, 0});
+  std::vector<Repair> repairs;
+  Report report;
+  const CadFace face = sewn_face({raw_face("a", rectangle({0, 0}, {1, 1}))},
+                                 {{beside, beside.poles.front(), beside.poles.back(), 0}}, {}, repairs, report);
+  EXPECT_EQ(report.warnings().size(), 1U);
+  EXPECT_TRUE(face.partners.empty());
+  EXPECT_TRUE(face.region_names.empty());
+}
+
 }  // namespace
 }  // namespace quadrille::sew
