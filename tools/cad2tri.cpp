@@ -1,4 +1,5 @@
-// cad2tri: makes the curved triangle mesh on which the field is solved from a CAD file with one planar face.
+// cad2tri: makes the curved triangle mesh on which the field is solved from a CAD file with one planar face, or several
+// in one plane.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +18,7 @@
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
 #include "cad/name_options.hpp"
+#include "cad/region_names.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "io/input_file.hpp"
@@ -35,6 +37,7 @@ namespace {
 void report_face(const CadFace& face, Report& report) {
   int num_corners = 0;
   for (const Joint& joint : face.joints) num_corners += joint.is_corner;
+  report.set("regions.count", face.num_regions());
   report.set("face.curves", face.num_curves());
   report.set("face.loops", face.num_loops());
   report.set("face.corners", num_corners);
@@ -71,6 +74,12 @@ std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs
                      face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
 }
 
+std::string regions_text(const CadFace& face) {
+  int num_sides = 0;
+  for (const int partner : face.partners) num_sides += partner >= 0;
+  return fmt::format("sewed {} along {}", counted(face.num_regions(), "region"), counted(num_sides / 2, "curve"));
+}
+
 // The format that the ending of the name determines.
 cad::CadFormat healed_format(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
@@ -94,7 +103,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
-  std::vector<std::string> name_options;
+  std::vector<std::string> name_options, region_options;
   double corner_angle = 1, heal_tolerance = -1, blunt = 0, fit_tolerance = 1e-8;
   triangulate::TriangulateOptions options;
 
@@ -102,8 +111,13 @@ int main(int argc, char** argv) {
   tool.name = "cad2tri";
   tool.summary = "turns a planar CAD face into a curved triangle mesh";
   tool.description =
-      "Reads a planar face, with any number of holes, from SHAPE (STEP, IGES or BREP), the only one or that of --face, "
-      "and writes the triangle mesh on which fieldsolve solves, with the exact boundary curves as NURBS. The mesh is "
+      "Reads a planar face, with any number of holes, from SHAPE (STEP, IGES or BREP) and writes the triangle mesh on "
+      "which fieldsolve solves, with the exact boundary curves as NURBS. Several faces in one plane are regions of one "
+      "face: edges that lie upon each other within the tolerance of healing become one curve, also where they belong "
+      "to "
+      "separate parts or where a corner of one face lies on an edge of another; --face takes one of them alone. Curves "
+      "inside a face that bound nothing, in wires of the face or beside it, are embedded: elements end there from both "
+      "sides. The mesh is "
       "coarse: its elements follow the curves with polynomials of a high order, are small only where the boundary is "
       "strongly curved or two of its parts are close to each other, and are graded geometrically towards corners at "
       "which the field is singular. Every element is proved valid. Lengths are the numbers of the file, in its own "
@@ -119,12 +133,11 @@ int main(int argc, char** argv) {
     o.flag("--list", is_listing,
            "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
            "space, names, and the parts (products, solids, shells) and layers that hold the faces");
-    o.text(
-        "--face", face_choice, "N|NAME",
-        "the face to read, if SHAPE is a solid, shell or assembly: its name, or its number in --list, from 0, or the "
-        "name of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if "
-        "its "
-        "boundary touches itself and separates it");
+    o.text("--face", face_choice, "N|NAME",
+           "the one face to read of a solid, shell or assembly: its name, or its number in --list, from 0, or the "
+           "name of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if "
+           "its "
+           "boundary touches itself and separates it");
     o.integer("--order", options.order, 1, 16, "polynomial order of the curved elements");
     o.number("--corner-angle", corner_angle, 0, 90, "degrees",
              "tangent discontinuities greater than this are corners of the layout");
@@ -140,7 +153,8 @@ int main(int argc, char** argv) {
         "--fit-tolerance", fit_tolerance, 0, 1e-3, "diameters",
         "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "
         "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
-    o.output_file("--write-healed", healed, "also write the healed face as a CAD file: x.step or x.brep");
+    o.output_file("--write-healed", healed,
+                  "also write the healed face, or the sewn faces, as a CAD file: x.step or x.brep");
     o.number("--size", options.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
     o.number("--growth", options.growth, 0.05, 2, "size per distance",
              "growth of the element size with the distance from small features");
@@ -157,11 +171,19 @@ int main(int argc, char** argv) {
         "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
         "in file units, which must be within a tenth of the diameter; may be given several times; overrides "
         "--boundary-names; stageview --curve-labels draws the numbers");
+    o.texts("--region-name", region_options, "NAME=LIST|NAME@X,Y",
+            "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "
+            "names or "
+            "patterns; NAME@X,Y: the region around this point; the name of a single region is that of the face; common "
+            "curves "
+            "without a name of their own are called after their regions, such as fluid-solid",
+            false);
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
              "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
     const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
+    const std::vector<NameRule> region_names = cad::name_option_rules(region_options, "--region-name");
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     if (!healed.empty()) healed_format(healed);  // a wrong name is told before any work
     std::optional<io::InputFile> names_file;
@@ -177,9 +199,11 @@ int main(int argc, char** argv) {
     s.end_phase();
     std::vector<InputDigest> inputs{file.digest(digest_format(cad::cad_format(file.bytes, file.name)))};
     if (names_file) inputs.push_back(names_file->digest("boundary-names"));
+    cad::rename_regions(face, region_names);
     cad::rename_curves(face, name_rules, chosen_names);
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
+    if (face.num_regions() > 1) s.info(regions_text(face));
     if (face.fit_distance > 0) s.info(fit_text(face, loaded.repairs));
     if (!healed.empty()) io::write_output(healed, cad::file_of_face(face, healed_format(healed)), false);
     s.begin_phase("triangulate");

@@ -1,12 +1,17 @@
 // Traces the separatrices of a guiding field and writes the planar graph of separatrices and boundary.
 
+#include <fmt/format.h>
+
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "couple/couple_layouts.hpp"
+#include "couple/open_curves.hpp"
 #include "field/check_nodes_match_field.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
@@ -23,12 +28,21 @@ namespace {
 struct Settings {
   std::string field, points = "-", output = "-";
   layout::LayoutOptions options;
+  std::vector<std::string> open, interfaces;  // names of curves
 };
+
+void require_one_region(const CadFace& face, const std::string& file) {
+  if (face.num_regions() > 1)
+    throw UsageError(
+        fmt::format("{} has {} regions: blocks from triangles (--layout midpoint) need a file of one: cad2tri --face",
+                    file, face.num_regions()));
+}
 
 /// Without a field there are no separatrices.
 SeparatrixGraph layout_of_triangles(const io::InputFile& file, const Settings& settings, cli::Session& session) {
   const TriMesh mesh = io::read_tri_mesh(file);
   check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), file.name);
+  require_one_region(mesh.face, file.name);
   session.begin_phase("divide");
   SeparatrixGraph graph = layout::layout_without_field(mesh, settings.options.layout, session.report());
   graph.provenance = session.provenance(mesh.provenance, {file.digest("tri-mesh")});
@@ -53,25 +67,30 @@ SeparatrixGraph layout_of_regions(const CadFace& face,
                                   const std::vector<std::unique_ptr<field::FieldEvaluator>>& evaluators,
                                   const std::vector<CriticalPoints>& points, const Settings& settings,
                                   cli::Session& session) {
+  CadFace open_face = couple::with_open_curves(face, settings.open, "--open");
+  open_face = couple::with_open_curves(open_face, couple::nonconforming_interfaces(settings.interfaces), "--interface");
   std::vector<SeparatrixGraph> graphs = regions::map_regions<SeparatrixGraph>(
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*evaluators[region], points[region], settings.options, report);
       });
   if (face.partners.empty()) return std::move(graphs.front());
   session.begin_phase("couple");
-  couple::RegionLayouts layouts{face, {}, {}, {}};
+  couple::RegionLayouts layouts{open_face, {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {
     layouts.layouts.push_back(graph::candidate_layout(std::move(graphs[r])));
     layouts.fields.push_back(evaluators[r].get());
     layouts.first_curves.push_back(regions::curves_of(face, r).begin);
   }
-  return couple::couple_layouts(std::move(layouts), session.report());
+  SeparatrixGraph graph = couple::couple_layouts(std::move(layouts), settings.options, session.report());
+  graph.face = face;
+  return graph;
 }
 
 SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings& settings, cli::Session& session) {
   const Field field = io::read_field(field_file);
   check::require_valid(check::check_field(field, check::CheckDepth::quick), field_file.name);
   if (settings.options.layout == layout::LayoutChoice::midpoint) {  // needs no nodes
+    require_one_region(field.mesh.face, field_file.name);
     session.begin_phase("divide");
     SeparatrixGraph graph = layout::layout_without_field(field.mesh, settings.options.layout, session.report());
     graph.provenance = session.provenance(field.provenance, {field_file.digest("field")});
@@ -148,6 +167,11 @@ int main(int argc, char** argv) {
         "--max-lines", options.max_lines, 1, 1000000,
         "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
         "crossings ends at ten times as many; auto allows ten times as many of both if there is no quantized layout");
+    o.texts("--open", settings.open, "NAME",
+            "the embedded curve of this name is open, a crack: no line crosses it, and nodes on its two sides differ, "
+            "but at its ends");
+    o.texts("--interface", settings.interfaces, "NAME=nonconforming",
+            "no line crosses the interface of this name: the two regions have nodes of their own there");
     o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
     o.number(
         "--max-total-length", options.trace.max_total_length, 0.01, 1e6, "diameters",

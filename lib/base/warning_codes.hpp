@@ -11,8 +11,9 @@ inline constexpr const char* points_ignored = "W-CAD-002";       ///< points bes
 inline constexpr const char* edge_approximated = "W-CAD-003";    ///< an edge without an exact rational form
 inline constexpr const char* inner_point_ignored = "W-CAD-004";  ///< a point inside the face
 inline constexpr const char* short_edge_ignored = "W-CAD-005";   ///< an edge shorter than the tolerance
-inline constexpr const char* large_repair = "W-CAD-006";     ///< healing moved something by more than 1e-3 diameters
-inline constexpr const char* faces_not_built = "W-CAD-007";  ///< faces that --list cannot show
+inline constexpr const char* large_repair = "W-CAD-006";        ///< healing moved something by more than 1e-3 diameters
+inline constexpr const char* faces_not_built = "W-CAD-007";     ///< faces that --list cannot show
+inline constexpr const char* open_wire_embedded = "W-CAD-008";  ///< an inner wire that is not closed
 inline constexpr const char* curve_tolerance_missed = "W-TRI-001";
 
 // fieldsolve, padapt

@@ -18,6 +18,7 @@ std::vector<heal::RawEdge*> edges_of(heal::RawFace& raw) {
   std::vector<heal::RawEdge*> edges;
   for (auto& wire : raw.wires)
     for (heal::RawEdge& edge : wire) edges.push_back(&edge);
+  for (heal::RawEdge& edge : raw.inner_edges) edges.push_back(&edge);
   return edges;
 }
 
@@ -59,7 +60,7 @@ std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
   std::vector<std::string> equals;
   std::vector<int> curves;
   for (int c = 0; c < face.num_curves(); ++c)
-    if (distances[c] <= least + 1e-6 * face.diameter) {
+    if (distances[c] <= least + 1e-6 * face.diameter && !(face.is_interface(c) && face.partners[c] < c)) {
       curves.push_back(c);
       equals.push_back(fmt::format("{} \"{}\"", c, face.curve_names[c]));
     }
@@ -102,11 +103,21 @@ std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
   return curves;
 }
 
+/// With the other sides of common curves.
+std::vector<int> with_partners(const CadFace& face, std::vector<int> curves) {
+  for (size_t i = 0, count = curves.size(); i < count; ++i)
+    if (face.is_interface(curves[i])) curves.push_back(face.partners[curves[i]]);
+  std::sort(curves.begin(), curves.end());
+  curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+  return curves;
+}
+
 std::vector<GivenName> given_names(const CadFace& face, const std::vector<NameRule>& rules) {
   std::vector<GivenName> given;
   for (const NameRule& rule : rules) {
     const bool is_for_rest = rule.kind == NameRule::Kind::rest;
-    given.push_back({rule.name, is_for_rest ? std::vector<int>() : curves_of(face, rule), is_for_rest, rule.where});
+    given.push_back({rule.name, is_for_rest ? std::vector<int>() : with_partners(face, curves_of(face, rule)),
+                     is_for_rest, rule.where});
   }
   return given;
 }

@@ -19,9 +19,9 @@ namespace quadrille::cad {
 void choose_names(heal::RawFace& raw);
 
 /// Sets face.curve_names by `rules`; old names refer to the names before the first rule, and several curves may have
-/// the same name. Throws FormatError, with the position of the rule in its source, for a rule that matches no curve,
-/// for a position that is equally near to several curves (within 1e-6 diameters) or farther than max_distance from all,
-/// and for two rules that name the same curve.
+/// the same name. Both sides of a common curve are one curve for a rule. Throws FormatError, with the position of the
+/// rule in its source, for a rule that matches no curve, for a position that is equally near to several curves (within
+/// 1e-6 diameters) or farther than max_distance from all, and for two rules that name the same curve.
 void rename_curves(CadFace& face, const std::vector<NameRule>& rules);
 
 /// The same with two sets of rules, both for the old names: a curve that a rule of `overriding` names keeps that name

@@ -81,6 +81,7 @@ void members(Archive& a, Face& f) {
   a(f.length_unit), a(f.metres_per_unit), a(f.plane_origin), a(f.plane_x), a(f.plane_y), a(f.origin), a(f.diameter);
   a(f.fit_distance);
   a(f.curves), a(f.curve_names), a(f.unnamed_curves), a(f.curve_cad_edges), a(f.loop_offsets), a(f.joints), a(f.name);
+  a(f.region_loops), a(f.region_names), a(f.partners);
 }
 
 template <class Archive, class Request>

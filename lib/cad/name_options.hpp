@@ -1,6 +1,6 @@
 #pragma once
-// The option --name of cad2tri (formats/boundary-names.md, "On the command line"): names of boundary curves without a
-// file.
+// The options --name and --region-name of cad2tri (formats/boundary-names.md, "On the command line"): names of boundary
+// curves and of regions without a file.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,9 @@ namespace quadrille::cad {
 constexpr double max_option_distance = 0.1;
 
 /// One rule for each item of "NAME=LIST", a list of numbers, ranges a-b, names and patterns (base/name_text), or for
-/// "NAME@X,Y[,Z]". The list "*" is the rest. Throws UsageError, with the option, for anything else.
-std::vector<NameRule> name_option_rules(const std::vector<std::string>& options);
+/// "NAME@X,Y[,Z]". The list "*" is the rest. Throws UsageError, with the option, for anything else. `option_name`:
+/// for messages.
+std::vector<NameRule> name_option_rules(const std::vector<std::string>& options,
+                                        const std::string& option_name = "--name");
 
 }  // namespace quadrille::cad

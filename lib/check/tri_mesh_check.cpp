@@ -186,6 +186,23 @@ void edges_are_shared(const TriMesh& mesh, Findings& findings) {
                  outer.size(), named.size());
 }
 
+/// vertices - edges + elements of each region, a vertex with the region of the last of its elements.
+void add_euler_counts(const TriMesh& mesh, const std::vector<bool>& is_used, std::vector<int>& euler) {
+  std::vector<int> elem_region(mesh.elem2vertices.size()), vertex_region(mesh.vertices.size());
+  for (std::size_t r = 0; r + 1 < mesh.region_elems.size(); ++r)
+    std::fill(elem_region.begin() + mesh.region_elems[r], elem_region.begin() + mesh.region_elems[r + 1],
+              static_cast<int>(r));
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    ++euler[elem_region[e]];
+    for (const int v : mesh.elem2vertices[e]) vertex_region[v] = elem_region[e];
+  }
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    if (is_used[v]) ++euler[vertex_region[v]];
+  for_each_edge(
+      sorted_half_edges(mesh), [&](const HalfEdge& a, const HalfEdge&) { --euler[elem_region[a.elem]]; },
+      [&](const HalfEdge& a) { --euler[elem_region[a.elem]]; });
+}
+
 void euler_count_holds(const TriMesh& mesh, Findings& findings) {
   std::vector<bool> is_used(mesh.vertices.size());
   for (const auto& vertices : mesh.elem2vertices)
@@ -193,14 +210,15 @@ void euler_count_holds(const TriMesh& mesh, Findings& findings) {
   const auto num_used = static_cast<int>(std::count(is_used.begin(), is_used.end(), true));
   if (num_used != static_cast<int>(mesh.vertices.size()))
     findings.add("{} vertices belong to no element", static_cast<int>(mesh.vertices.size()) - num_used);
-  int num_edges = 0;
-  for_each_edge(
-      sorted_half_edges(mesh), [&](const HalfEdge&, const HalfEdge&) { ++num_edges; },
-      [&](const HalfEdge&) { ++num_edges; });
-  const int euler = num_used - num_edges + mesh.num_elems();
-  if (euler != mesh.face.euler_characteristic())
-    findings.add("vertices - edges + elements is {}, the face's Euler characteristic {}", euler,
-                 mesh.face.euler_characteristic());
+  std::vector<int> euler(mesh.face.num_regions());
+  add_euler_counts(mesh, is_used, euler);
+  for (int r = 0; r < mesh.face.num_regions(); ++r) {
+    const int num_loops = mesh.face.region_loops.empty() ? mesh.face.num_loops()
+                                                         : mesh.face.region_loops[r + 1] - mesh.face.region_loops[r];
+    if (euler[r] != 2 - num_loops)
+      findings.add("vertices - edges + elements is {}, the Euler characteristic {}{}", euler[r], 2 - num_loops,
+                   mesh.face.num_regions() > 1 ? fmt::format(" of region {}", r) : "");
+  }
 }
 
 const Vec2* curved_nodes_of(const TriMesh& mesh, int elem) {

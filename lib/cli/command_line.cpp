@@ -231,14 +231,15 @@ void CommandLine::output_file(const std::string& flag, std::string& path, const 
 }
 
 void CommandLine::texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
-                        const std::string& help) {
+                        const std::string& help, bool records_none) {
   const auto set = [&values](const CLI::results_t& texts) {
     values = texts;
     return true;
   };
   impl_->add(flag, placeholder, set, help + " (may be given several times)")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  impl_->record(flag, [&values] {
+  impl_->record(flag, [&values, records_none] {
+    if (values.empty() && !records_none) return std::string();
     std::vector<std::string> quoted;
     for (const std::string& value : values) quoted.push_back(json_string(value));
     return fmt::format("[{}]", fmt::join(quoted, ","));
@@ -330,8 +331,10 @@ std::string CommandLine::option_list() const {
 std::string CommandLine::options_json() const {
   std::string out = "{";
   for (const auto& [key, json] : impl_->recorded) {
+    const std::string value = json();
+    if (value.empty()) continue;
     if (out.size() > 1) out += ',';
-    out += json_string(key) + ':' + json();
+    out += json_string(key) + ':' + value;
   }
   return out + '}';
 }

@@ -43,7 +43,7 @@ class CommandLine : public Options {
                   bool recorded) override;
   void output_file(const std::string& flag, std::string& path, const std::string& help) override;
   void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
-             const std::string& help) override;
+             const std::string& help, bool records_none) override;
   void flag(const std::string& flag, bool& value, const std::string& help) override;
   void hidden_text(const std::string& flag, std::string& value) override;
   void formerly(const std::string& old_flag, const std::string& flag) override;

@@ -30,9 +30,9 @@ class Options {
                           const std::string& help, bool recorded = true) = 0;
   /// As `text`, never recorded: a file that is written beside the output. It may not be a file that is read.
   virtual void output_file(const std::string& flag, std::string& path, const std::string& help) = 0;
-  /// May be given several times; the values keep their order.
+  /// May be given several times; the values keep their order. `records_none`: without any, an empty list is recorded.
   virtual void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
-                     const std::string& help) = 0;
+                     const std::string& help, bool records_none = true) = 0;
   virtual void flag(const std::string& flag, bool& value, const std::string& help) = 0;
   /// For pipelines: neither shown by --help, nor listed, nor recorded.
   virtual void hidden_text(const std::string& flag, std::string& value) = 0;

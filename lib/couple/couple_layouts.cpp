@@ -1,21 +1,28 @@
 #include "couple/couple_layouts.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
+#include "couple/continue_lines.hpp"
 #include "couple/join_layouts.hpp"
 #include "couple/meet_stations.hpp"
 #include "couple/turn_round_regions.hpp"
 #include "curve/chain.hpp"
 #include "graph/face_corners.hpp"
+#include "layout/certificate.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh_faces.hpp"
+#include "simplify/simplify.hpp"
 
 namespace quadrille::couple {
 namespace {
 
 constexpr double relative_unit = 0.1;  // an arc of this length, relative to the diameter, has integer length one
+
+constexpr int max_rounds = 8;  // of lines continued from one region into the next
 
 std::vector<double> arc_lengths(const ArcGraph& graph) {
   const curve::CurveTable table(graph.face, graph.splines);
@@ -36,17 +43,41 @@ graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
   return quantize::extend_lines(t_mesh, faces, found.lengths);
 }
 
+// The deviation of continued lines is that from the field of the region through which each runs.
+void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::CandidateLayout& layout, Report& report) {
+  double& deviation = layout.certificate.largest_deviation_degrees;
+  for (const field::FieldEvaluator* field : fields)
+    deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(*field, layout)));
+  layout::certify(*layout.certificate.method, layout, report);
+}
+
 }  // namespace
 
-SeparatrixGraph couple_layouts(RegionLayouts regions, Report& report) {
+SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
   report.set("couple.turned_regions", turn_round_regions(regions));
-  report.set("couple.lines_met", meet_stations(regions));
+  int num_met = meet_stations(regions), num_continued = 0;
+  for (const bool with_cuts : {false, true}) {
+    for (int round = 0; round < max_rounds; ++round) {
+      const int num = continue_lines(regions, with_cuts);
+      if (num == 0) break;
+      num_continued += num;
+      num_met += meet_stations(regions);
+    }
+    if (!with_cuts) remove_needless_cuts(regions);
+  }
+  report.set("couple.lines_met", num_met);
+  report.set("couple.lines_continued", num_continued);
   graph::CandidateLayout layout = graph::candidate_layout(join_layouts(regions));
   report.set("couple.t_junctions", layout.t_junctions.size());
   report.set("couple.faces_before", layout.subdivision.num_faces());
   if (!layout.t_junctions.empty()) layout = conforming(layout);
-  report.set("couple.faces", graph::require_four_corners(layout.subdivision));
+  graph::require_four_corners(layout.subdivision);
+  if (options.simplify != layout::SimplifyLevel::none)
+    layout = simplify::simplify(field::FieldsOfRegions(regions.fields), std::move(layout),
+                                layout::simplify_options(options), report);
+  report.set("couple.faces", layout.subdivision.num_faces());
   graph::require_drawn_in_order(layout.subdivision);
+  certify(regions.fields, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/report.hpp"
 #include "couple/region_layouts.hpp"
+#include "layout/layout_options.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::couple {
@@ -14,6 +15,6 @@ namespace quadrille::couple {
 /// (quantize/quantize.hpp), and each line goes on in the neighbour through its integer grid
 /// (quantize/extend_lines.hpp). Also of one region, with slits. Reports couple.*. Throws ComputeError if there are no
 /// integer lengths, or lines cannot be continued.
-SeparatrixGraph couple_layouts(RegionLayouts regions, Report& report);
+SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report);
 
 }  // namespace quadrille::couple

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "base/error.hpp"
 #include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 
 namespace quadrille::couple {
 namespace {
@@ -44,10 +46,21 @@ std::vector<InterfaceChain> chains_of(const CadFace& face) {
   return chains;
 }
 
-bool is_movable(const graph::CandidateLayout& layout, int node) {
+// The last arc of the regular line that ends at the node; -1: it is another node.
+int line_at(const graph::CandidateLayout& layout, int node) {
   const GraphNode& n = layout.graph().nodes[node];
-  return (n.kind == NodeKind::boundary || n.kind == NodeKind::cut) && n.valence == 2 &&
-         layout.subdivision.around(node).size() == 3;
+  const std::vector<HalfEdge> around = layout.subdivision.around(node);
+  const bool is_line_end = n.kind == NodeKind::boundary || n.kind == NodeKind::cut;
+  return is_line_end && n.valence == 2 && around.size() == 3 ? around[1].arc : -1;
+}
+
+Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table, int region, int node) {
+  Station station{region, node, 0, false, 0};
+  const int line = line_at(layout, node);
+  if (line < 0) return station;
+  station.is_movable = true;
+  station.line_length = curve::Chain(table, layout.graph().arcs[line].pieces).length();
+  return station;
 }
 
 }  // namespace
@@ -67,6 +80,7 @@ std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
   }
   for (int r = 0; r < static_cast<int>(regions.layouts.size()); ++r) {
     const graph::CandidateLayout& layout = regions.layouts[r];
+    const curve::CurveTable table(layout.graph().face, layout.graph().splines);
     for (int n = 0; n < static_cast<int>(layout.graph().nodes.size()); ++n) {
       if (layout.graph().nodes[n].curve < 0) continue;
       Place place = regions.place_of(r, n);
@@ -80,7 +94,9 @@ std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
       double position = chain.offsets[k] + tables[curve].at(t);
       if (!chain.is_closed && (position <= 0 || position >= chain.length())) continue;
       if (position >= chain.length()) position = 0;
-      chain.stations[is_lower ? 0 : 1].push_back({r, n, position, is_movable(layout, n)});
+      Station station = station_at(layout, table, r, n);
+      station.position = position;
+      chain.stations[is_lower ? 0 : 1].push_back(station);
     }
   }
   for (InterfaceChain& chain : chains)
@@ -88,6 +104,14 @@ std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
       std::stable_sort(side.begin(), side.end(),
                        [](const Station& a, const Station& b) { return a.position < b.position; });
   return chains;
+}
+
+Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place) {
+  for (const Place& p : places_of_point(face, place)) {
+    const bool is_lower = std::find(chain.curves.begin(), chain.curves.end(), p.curve) != chain.curves.end();
+    if (is_lower == (side == 0)) return p;
+  }
+  throw Defect("couple: a point of an interface has no place on one side of it");
 }
 
 }  // namespace quadrille::couple

@@ -13,6 +13,7 @@ struct Station {
   int region = 0, node = -1;
   double position = 0;      ///< length along the chain
   bool is_movable = false;  ///< a regular line ends there, and nothing else is there
+  double line_length = 0;   ///< of the last arc of that line
 };
 
 /// Successive curves of one loop whose partners succeed each other too, in opposite order.
@@ -27,5 +28,8 @@ struct InterfaceChain {
 
 /// Without the ends of chains that are not closed: a node there, a junction, is on both sides.
 std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions);
+
+/// The place on one side of the chain of the point at `place`, which is on it.
+Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place);
 
 }  // namespace quadrille::couple

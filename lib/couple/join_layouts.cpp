@@ -184,7 +184,8 @@ class LayoutJoiner {
     }
   }
 
-  // A node on an interface where one region has a line and another one, for which the boundary is straight, has none.
+  // Nodes on an interface where one region has a line and another one, for which the boundary is straight, has none;
+  // and those where a continued line ends.
   void add_t_junctions() {
     std::vector<int> sectors(graph_.nodes.size(), 0);
     for (const GraphArc& arc : graph_.arcs) ++sectors[arc.from], ++sectors[arc.to];
@@ -194,7 +195,8 @@ class LayoutJoiner {
         is_on_interface[arc.from] = is_on_interface[arc.to] = true;
     for (std::size_t n = 0; n < sectors.size(); ++n) {
       const GraphNode& node = graph_.nodes[n];
-      if (is_on_interface[n] && sectors[n] - (node.is_inner() ? 0 : 1) < node.valence)
+      const bool may_be_t = is_on_interface[n] || node.kind == NodeKind::crossing;
+      if (may_be_t && sectors[n] - (node.is_inner() ? 0 : 1) < node.valence)
         graph_.t_junctions.push_back(static_cast<int>(n));
     }
   }

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "base/angle.hpp"
-#include "base/error.hpp"
 #include "couple/interface_chains.hpp"
+#include "couple/renew_lines.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/separatrix_lines.hpp"
 #include "simplify/line_end_move.hpp"
 
 namespace quadrille::couple {
 namespace {
 
 constexpr double greatest_fraction = 1.0 / 3;  // of the distance to the next end on either side
+constexpr double greatest_bend = 0.1;          // radians
 constexpr double relative_tie = 1e-6;          // distances of relative difference below it are equal
 constexpr double relative_same = 1e-9;         // relative to the diameter: ends nearer than this need not move
 
@@ -56,6 +56,15 @@ double spacing(const InterfaceChain& chain, int side, int station) {
   return std::min(d, chain.length());
 }
 
+// The angle by which the more bent of two lines turns if they meet.
+double bend(const Station& a, const Station& b, double distance) {
+  const double moved = a.is_movable && b.is_movable ? distance / 2 : distance;
+  double greatest = 0;
+  for (const Station* s : {&a, &b})
+    if (s->is_movable) greatest = std::max(greatest, moved / s->line_length);
+  return greatest;
+}
+
 struct Meeting {
   std::array<int, 2> stations{};  // of both sides
   double position = 0;            // along the chain; of no meaning if one of them is fixed
@@ -70,8 +79,9 @@ std::vector<Meeting> meetings_on(const InterfaceChain& chain, double same) {
     const Station& other = chain.stations[1][across.station];
     const Nearest back = nearest(chain, 0, other.position);
     if (back.station != a || back.is_tied || (!lower.is_movable && !other.is_movable)) continue;
-    const double room = std::min(spacing(chain, 0, a), spacing(chain, 1, across.station));
-    if (across.distance >= greatest_fraction * room) continue;
+    const double clearance = std::min(spacing(chain, 0, a), spacing(chain, 1, across.station));
+    if (across.distance >= greatest_fraction * clearance && bend(lower, other, across.distance) > greatest_bend)
+      continue;
     double middle = (lower.position + other.position) / 2;
     if (std::abs(lower.position - other.position) > chain.length() / 2)  // across the seam
       middle = middle >= chain.length() / 2 ? middle - chain.length() / 2 : middle + chain.length() / 2;
@@ -109,39 +119,22 @@ std::optional<simplify::LineEndMove> move_to(const graph::CandidateLayout& layou
   return std::nullopt;
 }
 
-// The place of the same point on one side of the chain.
-Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place) {
-  for (const Place& p : places_of_point(face, place)) {
-    const bool is_lower = std::find(chain.curves.begin(), chain.curves.end(), p.curve) != chain.curves.end();
-    if (is_lower == (side == 0)) return p;
-  }
-  throw Defect("couple: a point of an interface has no place on one side of it");
-}
-
 // Returns the deviation of the line that moved, radians.
 double move_end(RegionLayouts& regions, const Station& station, Place place) {
   if (!station.is_movable || regions.place_of(station.region, station.node) == place) return 0;
   graph::CandidateLayout& layout = regions.layouts[station.region];
   place.curve -= regions.first_curves[station.region];
   const auto move = move_to(layout, station.node, place);
-  return move ? simplify::move_line_end(layout.subdivision, *move, regions.fields[station.region]) : 0;
-}
-
-// The lines again, with the splines that replace parts of them.
-void renew_lines(graph::CandidateLayout& layout, std::vector<LineKind> kinds) {
-  if (kinds.size() == layout.graph().splines.size()) return;
-  kinds.resize(layout.graph().splines.size(), LineKind::merged);
-  layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
-  layout.subdivision.drop_unused_splines();
+  if (!move) return 0;
+  const field::FieldsOfRegions field(*regions.fields[station.region]);
+  return simplify::move_line_end(layout.subdivision, *move, &field);
 }
 
 }  // namespace
 
 int meet_stations(RegionLayouts& regions) {
   const CadFace& face = regions.face;
-  std::vector<std::vector<LineKind>> kinds;
-  for (const graph::CandidateLayout& layout : regions.layouts)
-    kinds.push_back(graph::spline_kinds(layout.graph(), layout.lines));
+  std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   int num_meetings = 0;
   for (const InterfaceChain& chain : interface_chains(regions))
     for (const Meeting& meeting : meetings_on(chain, relative_same * face.diameter)) {
@@ -158,7 +151,7 @@ int meet_stations(RegionLayouts& regions) {
       }
       ++num_meetings;
     }
-  for (std::size_t r = 0; r < regions.layouts.size(); ++r) renew_lines(regions.layouts[r], std::move(kinds[r]));
+  renew_lines(regions, std::move(kinds), LineKind::merged);
   return num_meetings;
 }
 

@@ -13,7 +13,7 @@ namespace quadrille::couple {
 struct RegionLayouts {
   CadFace face;                                 ///< the whole
   std::vector<graph::CandidateLayout> layouts;  ///< one for each region; their faces are those of regions/split.hpp
-  std::vector<const field::FieldEvaluator*> fields;  ///< one for each region; null: it has none
+  std::vector<const field::FieldEvaluator*> fields;  ///< one for each region
   std::vector<int> first_curves;                     ///< number in the whole of the first curve of each region
 
   int region_of_curve(int curve) const { return face.region_of_loop(face.loop_of(curve)); }

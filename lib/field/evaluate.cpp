@@ -138,4 +138,18 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
   return result;
 }
 
+std::vector<PointSample> FieldsOfRegions::values_at(const std::vector<Vec2>& points) const {
+  std::vector<PointSample> samples = regions_.front()->values_at(points);
+  for (std::size_t r = 1; r < regions_.size(); ++r) {
+    std::vector<std::size_t> numbers;
+    std::vector<Vec2> rest;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (samples[i].at.elem < 0) numbers.push_back(i), rest.push_back(points[i]);
+    if (rest.empty()) break;
+    const std::vector<PointSample> found = regions_[r]->values_at(rest);
+    for (std::size_t k = 0; k < rest.size(); ++k) samples[numbers[k]] = found[k];
+  }
+  return samples;
+}
+
 }  // namespace quadrille::field

@@ -2,6 +2,7 @@
 // The guiding field at a point: value, gradient, position. Later stages access a field only through this header.
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "field/element_terms.hpp"
@@ -73,6 +74,20 @@ class FieldEvaluator {
   mesh::TriTopology topology_;
   mesh::Locator locator_;
   std::unique_ptr<const ElementTerms> expanded_;  // nullptr if far terms are summed
+};
+
+/// The fields of the regions of a face, of which each point has one.
+class FieldsOfRegions {
+ public:
+  FieldsOfRegions(const FieldEvaluator& only) : regions_{&only} {}  // NOLINT(*-explicit-*): one field is a case of many
+  /// Not null; they must outlive the object.
+  explicit FieldsOfRegions(std::vector<const FieldEvaluator*> regions) : regions_(std::move(regions)) {}
+
+  /// As FieldEvaluator::values_at, of the first region that contains the point.
+  std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
+
+ private:
+  std::vector<const FieldEvaluator*> regions_;
 };
 
 }  // namespace quadrille::field

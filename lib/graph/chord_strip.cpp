@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "model/interfaces.hpp"
+
 namespace quadrille::graph {
 namespace {
 
@@ -53,7 +55,7 @@ bool repeats_a_node(const Subdivision& subdivision, const ChordStrip& strip) {
 bool find_fixed_side(const Subdivision& subdivision, HalfEdge rung, FixedSide& side) {
   const ArcGraph& graph = subdivision.graph();
   const GraphNode &l = graph.nodes[subdivision.start(rung)], &r = graph.nodes[subdivision.end(rung)];
-  const bool is_inner = !graph.arcs[rung.arc].is_boundary;
+  const bool is_inner = !is_on_cad_curve(graph, graph.arcs[rung.arc]);
   const bool left = is_fixed(l) || (is_inner && l.curve >= 0), right = is_fixed(r) || (is_inner && r.curve >= 0);
   side = left ? FixedSide::left : right ? FixedSide::right : FixedSide::none;
   return !(left && right);
@@ -103,7 +105,8 @@ std::vector<ChordStrip> all_strips(const Subdivision& subdivision, const std::ve
 }
 
 bool is_fixed(const GraphNode& node) {
-  return node.curve < 0 ? node.valence != 4 : node.kind == NodeKind::corner || node.valence != 2;
+  if (node.kind == NodeKind::corner || node.kind == NodeKind::junction) return true;
+  return node.valence != (node.is_inner() ? 4 : 2);
 }
 
 std::vector<FixedSide> fixed_sides(const Subdivision& subdivision, const ChordStrip& strip) {

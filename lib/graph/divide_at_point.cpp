@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "graph/arc_pieces.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -27,12 +28,13 @@ Subdivision::Division divide_at_point(Subdivision& subdivision, HalfEdge h, cons
   const Pieces pieces = pieces_along(subdivision.graph(), h);
   const curve::ChainPoint point = moved_to_joint(pieces, at);
   auto [before, behind] = cut(pieces, point);
-  GraphNode node{at.position, NodeKind::crossing, 4, -1, 0};
-  if (const ArcPiece& piece = behind.front(); piece.curve < subdivision.graph().face.num_curves()) {
-    const bool is_boundary = subdivision.graph().arcs[h.arc].is_boundary;
-    node = {at.position, is_boundary ? NodeKind::boundary : NodeKind::interface, is_boundary ? 2 : 4, piece.curve,
-            piece.t0};
-  }
+  const ArcGraph& graph = subdivision.graph();
+  const GraphArc& arc = graph.arcs[h.arc];
+  const ArcPiece& next = behind.front();
+  const GraphNode node = arc.is_boundary ? GraphNode{at.position, NodeKind::boundary, 2, next.curve, next.t0}
+                         : is_on_interface(graph, arc)
+                             ? GraphNode{at.position, NodeKind::interface, 4, next.curve, next.t0}
+                             : GraphNode{at.position, NodeKind::crossing, 4, -1, 0};
   return subdivision.divide_arc(h, node, std::move(before), std::move(behind));
 }
 

@@ -42,7 +42,8 @@ int require_four_corners(const Subdivision& subdivision) {
                     num_faces, bad.size() == 1 ? "has" : "have",
                     position_text(middle_of_face(subdivision, bad.front())), subdivision.num_corners(bad.front())));
   }
-  if (subdivision.num_components() > 1)
+  // Regions with an open interface between them need not be connected.
+  if (subdivision.num_components() > subdivision.graph().face.num_regions())
     throw ComputeError(fmt::format("the separatrix graph has {} unconnected parts: one of its faces has a hole",
                                    subdivision.num_components()));
   return num_faces;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/interfaces.hpp"
+
 namespace quadrille::graph {
 
 std::vector<LineKind> spline_kinds(const ArcGraph& graph, const std::vector<SeparatrixLine>& lines) {
@@ -15,8 +17,8 @@ std::vector<LineKind> spline_kinds(const ArcGraph& graph, const std::vector<Sepa
 std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<LineKind>& kinds) {
   std::vector<std::vector<int>> arcs_of(graph.splines.size());
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
-    if (const int curve = graph.arcs[a].pieces.front().curve; curve >= graph.face.num_curves())
-      arcs_of[curve - graph.face.num_curves()].push_back(a);
+    if (!is_on_cad_curve(graph, graph.arcs[a]))
+      arcs_of[graph.arcs[a].pieces.front().curve - graph.face.num_curves()].push_back(a);
   const auto low = [&](int a) { return std::min(graph.arcs[a].pieces.front().t0, graph.arcs[a].pieces.back().t1); };
   std::vector<SeparatrixLine> lines;
   for (std::size_t i = 0; i < arcs_of.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/subdivision.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -125,7 +126,8 @@ void Subdivision::merge_ends(HalfEdge h) {
   const int kept = start(h), gone = end(h);
   const bool is_boundary = graph_.arcs[h.arc].is_boundary;
   const auto is_on_boundary = [&](int n) { return graph_.nodes[n].curve >= 0; };
-  if (kept == gone || (is_on_boundary(gone) && !(is_on_boundary(kept) && is_boundary)))
+  const bool is_along = is_on_cad_curve(graph_, graph_.arcs[h.arc]);
+  if (kept == gone || (is_on_boundary(gone) && !(is_on_boundary(kept) && is_along)))
     throw Defect("Subdivision: these two nodes cannot be merged");
   const std::vector<HalfEdge> moved = around(gone);
   if (node_start_[kept].arc == h.arc)

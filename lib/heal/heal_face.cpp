@@ -20,24 +20,6 @@ namespace {
 
 using Wires = std::vector<std::vector<RawEdge>>;
 
-HealScale scale_of(const RawFace& raw, const HealOptions& options, double diameter) {
-  HealScale scale;
-  scale.file = raw.file;
-  scale.diameter = diameter;
-  const bool is_asked = options.tolerance >= 0;
-  // Two curves that lie within the tolerance of their vertex may be twice as far apart. OpenCASCADE sets the tolerance
-  // of a vertex to any gap that it finds, hence the upper bound.
-  const double of_shape = std::clamp(2 * std::max(raw.tolerance, raw.shape_tolerance),
-                                     heal_rules.default_tolerance * diameter, heal_rules.most_tolerance * diameter);
-  scale.tolerance = is_asked ? options.tolerance * diameter : of_shape;
-  scale.most_off_curve = std::max(scale.tolerance, raw.tolerance);
-  // A projection to the plane moves nothing in the plane, and the file says that the face is planar.
-  scale.most_off_plane = std::max(is_asked ? scale.tolerance : heal_rules.most_tolerance * diameter, raw.tolerance);
-  scale.short_fraction = is_asked ? options.tolerance : heal_rules.default_tolerance;
-  scale.rounding = heal_rules.rounding * diameter;
-  return scale;
-}
-
 // The curves are in the plane already: their heights were dropped when they were converted.
 void project_edges(const Wires& wires, const HealScale& scale, std::vector<Repair>& repairs) {
   for (const auto& wire : wires)
@@ -137,7 +119,7 @@ void report_repairs(const std::vector<Repair>& repairs, const HealScale& scale, 
 }  // namespace
 
 std::vector<Repair> heal_face(RawFace& raw, const HealOptions& options, double diameter, Report& report) {
-  const HealScale scale = scale_of(raw, options, diameter);
+  const HealScale scale = heal_scale(raw, options.tolerance, diameter);
   std::vector<Repair> repairs;
   project_edges(raw.wires, scale, repairs);
   if (scale.tolerance == 0) return {};

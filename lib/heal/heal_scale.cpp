@@ -2,11 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "heal/heal_rules.hpp"
 
 namespace quadrille::heal {
+
+HealScale heal_scale(const RawFace& raw, double tolerance, double diameter) {
+  HealScale scale;
+  scale.file = raw.file;
+  scale.diameter = diameter;
+  const bool is_asked = tolerance >= 0;
+  // Two curves that lie within the tolerance of their vertex may be twice as far apart. OpenCASCADE sets the tolerance
+  // of a vertex to any gap that it finds, hence the upper bound.
+  const double of_shape = std::clamp(2 * std::max(raw.tolerance, raw.shape_tolerance),
+                                     heal_rules.default_tolerance * diameter, heal_rules.most_tolerance * diameter);
+  scale.tolerance = is_asked ? tolerance * diameter : of_shape;
+  scale.most_off_curve = std::max(scale.tolerance, raw.tolerance);
+  // A projection to the plane moves nothing in the plane, and the file says that the face is planar.
+  scale.most_off_plane = std::max(is_asked ? scale.tolerance : heal_rules.most_tolerance * diameter, raw.tolerance);
+  scale.short_fraction = is_asked ? tolerance : heal_rules.default_tolerance;
+  scale.rounding = heal_rules.rounding * diameter;
+  return scale;
+}
 
 std::string remedy(const HealScale& scale, double size) {
   const double fraction = size / scale.diameter;

@@ -1,7 +1,9 @@
 #pragma once
-// The lengths with which healing compares, and what to do about those that are too large. Private to this folder.
+// The lengths with which healing compares, and what to do about those that are too large.
 
 #include <string>
+
+#include "heal/raw_face.hpp"
 
 namespace quadrille::heal {
 
@@ -14,6 +16,9 @@ struct HealScale {
   double short_fraction = 0;  ///< of the size of their wire: shorter edges are removed
   double rounding = 0;        ///< smaller gaps stay
 };
+
+/// The lengths for a face, or several faces, of this diameter, a length. `tolerance`: as in HealOptions.
+HealScale heal_scale(const RawFace& raw, double tolerance, double diameter);
 
 /// The last part of a message about a gap or distance of `size` beyond the tolerance: the tolerance that would do, or
 /// that healing never moves anything as far.

@@ -30,6 +30,7 @@ struct RawFace {
   double shape_tolerance = 0;  ///< greatest tolerance of the face, an edge or a vertex, a length
   std::array<double, 3> plane_origin{0, 0, 0}, plane_x{1, 0, 0}, plane_y{0, 1, 0};
   std::vector<std::vector<RawEdge>> wires;  ///< in the order of the file
+  std::vector<RawEdge> inner_edges;         ///< with the face on both sides; not healed
 };
 
 }  // namespace quadrille::heal

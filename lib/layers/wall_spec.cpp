@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "curve/named_curves.hpp"
 #include "layers/layer_rules.hpp"
 #include "sizing/boundary_sizes.hpp"
 
@@ -110,7 +111,7 @@ std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& 
   std::vector<int> walls(face.curves.size(), -1);
   for (std::size_t i = 0; i < specs.size(); ++i)
     for (const std::string& name : specs[i].names)
-      for (const int curve : sizing::named_curves(face, name, "--wall")) {
+      for (const int curve : curve::named_curves(face, name, "--wall")) {
         if (walls[curve] >= 0)
           throw UsageError(
               fmt::format("--wall: the boundary '{}' is named twice: a boundary has one set of layers", name));

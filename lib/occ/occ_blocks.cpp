@@ -5,21 +5,28 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <cmath>
+#include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
+#include <optional>
 
+#include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
@@ -58,7 +65,45 @@ Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs&
   return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
 }
 
-// An edge from vertex to vertex: a line if the curve is one, else an exact B-spline.
+/// An arc of a circle; `sweep` is positive if it is counter-clockwise.
+struct CircularArc {
+  Vec2 centre;
+  double radius = 0, sweep = 0;
+};
+
+// The circle of a rational parabola chain, if all of it is on one.
+std::optional<CircularArc> circular_arc(const Nurbs& curve) {
+  constexpr double rounding = 1e-14;
+  constexpr int samples = 7;  // of each span, with both ends: six points decide whether two conics are equal
+  if (curve.degree != 2) return std::nullopt;
+  std::vector<Vec2> points{curve::point(curve, curve.begin())};
+  for (std::size_t k = 1; k < curve.knots.size(); ++k)
+    for (int i = 1; i < samples && curve.knots[k - 1] < curve.knots[k]; ++i)
+      points.push_back(
+          curve::point(curve, curve.knots[k - 1] + (curve.knots[k] - curve.knots[k - 1]) * i / (samples - 1)));
+  const Vec2 a = points[0], p = points[points.size() / 3] - a, q = points[2 * points.size() / 3] - a;
+  const double area = 2 * cross(p, q);
+  if (std::abs(area) <= 1e-6 * norm(p) * norm(q)) return std::nullopt;
+  CircularArc arc;
+  arc.centre = a + Vec2{q.y * norm2(p) - p.y * norm2(q), p.x * norm2(q) - q.x * norm2(p)} / area;
+  arc.radius = distance(a, arc.centre);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double scale = arc.radius + norm(arc.centre);
+    if (std::abs(distance(points[i], arc.centre) - arc.radius) > rounding * scale) return std::nullopt;
+    if (i > 0) arc.sweep += wrap_pi(angle_of(points[i] - arc.centre) - angle_of(points[i - 1] - arc.centre));
+  }
+  return arc;
+}
+
+// From the start of `curve`, in its direction.
+Handle(Geom_Circle) circle_in_space(const CadFace& face, double scale, const Nurbs& curve, const CircularArc& arc) {
+  const gp_Pnt centre = point_in_space(face, scale, arc.centre);
+  const gp_Dir normal = plane_in_space(face, scale).Axis().Direction();
+  const gp_Dir to_start(gp_Vec(centre, point_in_space(face, scale, curve.poles.front())));
+  return new Geom_Circle(gp_Ax2(centre, arc.sweep > 0 ? normal : normal.Reversed(), to_start), scale * arc.radius);
+}
+
+// An edge from vertex to vertex: a line or a circle if the curve is one, else an exact B-spline.
 TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve, const TopoDS_Vertex& from,
                           const TopoDS_Vertex& to, double tolerance) {
   const BRep_Builder builder;
@@ -69,6 +114,9 @@ TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve,
     const gp_Pnt b = point_in_space(face, scale, curve.poles.back());
     builder.MakeEdge(edge, new Geom_Line(a, gp_Dir(gp_Vec(a, b))), tolerance);
     first = 0, last = a.Distance(b);
+  } else if (const std::optional<CircularArc> arc = circular_arc(curve)) {
+    builder.MakeEdge(edge, circle_in_space(face, scale, curve, *arc), tolerance);
+    first = 0, last = std::abs(arc->sweep);
   } else {
     builder.MakeEdge(edge, spline(face, scale, curve), tolerance);
   }
@@ -78,25 +126,60 @@ TopoDS_Edge edge_in_space(const CadFace& face, double scale, const Nurbs& curve,
   return edge;
 }
 
-// The wire of a loop; adds the names of its edges to `result`.
-TopoDS_Wire wire_of(const CadFace& face, int loop, double scale, OccShape& result) {
-  const BRep_Builder builder;
-  const double tolerance = 1e-7 * face.diameter * scale;
-  const int first = face.loop_offsets[loop], n = face.loop_offsets[loop + 1] - first;
-  std::vector<TopoDS_Vertex> vertices(n);
-  for (int i = 0; i < n; ++i)
-    builder.MakeVertex(vertices[i], point_in_space(face, scale, face.curves[first + i].poles.front()), tolerance);
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (int i = 0; i < n; ++i) {
-    const TopoDS_Edge edge =
-        edge_in_space(face, scale, face.curves[first + i], vertices[i], vertices[(i + 1) % n], tolerance);
-    builder.Add(wire, edge);
-    if (face.has_given_name(first + i)) result.names.emplace_back(edge, face.curve_names[first + i]);
+// The edges of a face with regions and slits, which both sides of a common curve share.
+class SharedEdges {
+ public:
+  SharedEdges(const CadFace& face, double scale, OccShape& result)
+      : face_(face), scale_(scale), result_(result), places_(face.num_curves()) {
+    for (int c = 0; c < face.num_curves(); ++c)
+      if (face.is_interface(c)) places_.unite(c, face.next_in_loop(face.partners[c]));
+    vertices_.resize(face.num_curves());
+    edges_.resize(face.num_curves());
   }
-  wire.Closed(true);
-  return wire;
-}
+
+  /// The wire of a loop; adds the names of new edges to the result.
+  TopoDS_Wire wire(int loop) {
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (int c = face_.loop_offsets[loop]; c < face_.loop_offsets[loop + 1]; ++c) builder_.Add(wire, edge(c));
+    wire.Closed(true);
+    return wire;
+  }
+
+  /// The edges of a loop, each once.
+  std::vector<TopoDS_Shape> edges_of(int loop) {
+    std::vector<TopoDS_Shape> edges;
+    for (int c = face_.loop_offsets[loop]; c < face_.loop_offsets[loop + 1]; ++c)
+      if (c < face_.partners[c]) edges.push_back(edge(c));
+    return edges;
+  }
+
+ private:
+  TopoDS_Vertex vertex(int joint) {
+    TopoDS_Vertex& v = vertices_[places_.find(joint)];
+    if (v.IsNull())
+      builder_.MakeVertex(v, point_in_space(face_, scale_, face_.curves[joint].poles.front()), tolerance());
+    return v;
+  }
+
+  TopoDS_Shape edge(int c) {
+    const int partner = face_.partners.empty() ? -1 : face_.partners[c];
+    if (partner >= 0 && !edges_[partner].IsNull()) return edges_[partner].Oriented(TopAbs_REVERSED);
+    edges_[c] = edge_in_space(face_, scale_, face_.curves[c], vertex(c), vertex(face_.next_in_loop(c)), tolerance());
+    if (face_.has_given_name(c)) result_.names.emplace_back(edges_[c], face_.curve_names[c]);
+    return edges_[c];
+  }
+
+  double tolerance() const { return 1e-7 * face_.diameter * scale_; }
+
+  const CadFace& face_;
+  double scale_;
+  OccShape& result_;
+  BRep_Builder builder_;
+  DisjointSets places_;  // of joints
+  std::vector<TopoDS_Vertex> vertices_;
+  std::vector<TopoDS_Edge> edges_;  // by curve; null: not made, or that of the partner is used
+};
 
 class ShellBuilder {
  public:
@@ -192,11 +275,33 @@ OccShape occ_blocks(const BlockLayout& layout, double scale) { return ShellBuild
 OccShape occ_face_shape(const CadFace& face, double scale) {
   OccShape result;
   const BRep_Builder builder;
-  TopoDS_Face shape;
-  builder.MakeFace(shape, new Geom_Plane(plane_in_space(face, scale)), 1e-7 * face.diameter * scale);
-  for (int l = 0; l < face.num_loops(); ++l) builder.Add(shape, wire_of(face, l, scale, result));
-  if (!face.name.empty()) result.names.emplace_back(shape, face.name);
-  result.shape = shape;
+  const Handle(Geom_Plane) plane = new Geom_Plane(plane_in_space(face, scale));
+  SharedEdges edges(face, scale, result);
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  std::vector<TopoDS_Shape> free_edges;  // loops of slits: the writer of STEP loses wires that enclose nothing
+  for (int r = 0; r < face.num_regions(); ++r) {
+    TopoDS_Face shape;
+    builder.MakeFace(shape, plane, 1e-7 * face.diameter * scale);
+    for (int l = 0; l < face.num_loops(); ++l) {
+      if (face.region_of_loop(l) != r) continue;
+      if (!face.is_slit_loop(l))
+        builder.Add(shape, edges.wire(l));
+      else
+        for (const TopoDS_Shape& edge : edges.edges_of(l)) free_edges.push_back(edge);
+    }
+    const std::string& name = face.region_names.empty() ? face.name : face.region_names[r];
+    if (!name.empty() && name != fmt::format("region_{}", r)) result.names.emplace_back(shape, name);
+    builder.Add(shell, shape);
+    result.shape = shape;
+  }
+  if (face.num_regions() > 1) result.shape = shell;
+  if (free_edges.empty()) return result;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  builder.Add(compound, result.shape);
+  for (const TopoDS_Shape& edge : free_edges) builder.Add(compound, edge);
+  result.shape = compound;
   return result;
 }
 

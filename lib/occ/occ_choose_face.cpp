@@ -19,6 +19,7 @@
 #include "base/error.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_placed_faces.hpp"
+#include "sew/one_sheet.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -63,8 +64,6 @@ cad::ListedFace listed_face(const OccModel& model, const PlacedFace& placed) {
   return listed;
 }
 
-constexpr const char* how = "--face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)";
-
 // The message distinguishes connected faces from separate ones: those of a shell share edges.
 std::string several(const std::vector<PlacedFace>& faces, int stated) {
   TopTools_IndexedMapOfShape edges;
@@ -75,11 +74,28 @@ std::string several(const std::vector<PlacedFace>& faces, int stated) {
   return fmt::format("several faces ({}{})", stated, shared > 0 ? fmt::format(" with {} shared edges", shared) : "");
 }
 
-TopoDS_Face only_face(const OccModel& model, const std::vector<PlacedFace>& faces, const std::string& file) {
+// The name of the innermost part, if not all faces have the same.
+std::string part_name(const std::vector<PlacedFace>& faces, const PlacedFace& face) {
+  const auto is_alike = [&](const PlacedFace& f) { return f.parts == faces.front().parts; };
+  if (face.parts.empty() || std::all_of(faces.begin(), faces.end(), is_alike)) return {};
+  return face.parts.back();
+}
+
+std::vector<FaceChoice> all_faces(const OccModel& model, const std::vector<PlacedFace>& faces,
+                                  const std::string& file) {
   const int num_faces = std::max(model.num_faces, static_cast<int>(faces.size()));
-  if (num_faces == 1 && model.num_solids == 0) return faces.front().face;
-  const std::string what = model.num_solids > 0 ? "a solid" : several(faces, num_faces);
-  throw FormatError(fmt::format("{}: the file holds {}: choose one planar face with {}", file, what, how));
+  if (num_faces == 1 && model.num_solids == 0) return {{faces.front().face, {}, {}}};
+  const auto is_planar = [](const PlacedFace& f) { return plane_of(f.face).has_value(); };
+  const bool are_planar = model.not_built.empty() && std::all_of(faces.begin(), faces.end(), is_planar);
+  if (model.num_solids > 0 || !are_planar)
+    throw FormatError(fmt::format("{}: the file holds {}: {}", file,
+                                  model.num_solids > 0 ? "a solid" : several(faces, num_faces), sew::face_choice_text));
+  std::vector<FaceChoice> all;
+  for (const PlacedFace& placed : faces) {
+    FaceChoice& choice = all.emplace_back();
+    choice.face = placed.face, choice.part = part_name(faces, placed);
+  }
+  return all;
 }
 
 // The numbers of the faces that fulfil `condition`.
@@ -156,23 +172,23 @@ cad::FaceList list_faces(const OccModel& model) {
   return list;
 }
 
-FaceChoice choose_face(const OccModel& model, const std::string& choice, const std::string& file) {
+std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& choice, const std::string& file) {
   const std::vector<PlacedFace> faces = placed_faces(model);
   if (model.num_faces == 0) throw FormatError(file + ": the file holds no face; expected one planar face");
   if (faces.empty()) throw FormatError(file + ": the face cannot be built from what the file says" + not_built(model));
-  if (choice.empty()) return {only_face(model, faces, file), {}};
+  if (choice.empty()) return all_faces(model, faces, file);
   outline::FacePiece piece{choice, -1};
   Choice found = chosen(model, faces, choice);
   if (found.faces.empty()) piece = piece_of(choice), found = chosen(model, faces, piece.face);
   if (found.faces.empty())
     throw FormatError(fmt::format(
         "{}: --face {}: no face has this name or number; the file holds {}, numbered from 0, and no part or "
-        "layer of this name{}: choose with {}",
-        file, choice, faces.size(), not_built(model), how));
+        "layer of this name{}: {}",
+        file, choice, faces.size(), not_built(model), sew::face_choice_text));
   if (found.faces.size() > 1)
     throw FormatError(fmt::format("{}: --face {}: the faces {} {}: choose one by its number", file, choice,
                                   list_text(found.faces), found.relation));
-  return {faces[found.faces.front()].face, piece};
+  return {{faces[found.faces.front()].face, piece, {}}};
 }
 
 }  // namespace quadrille::occ

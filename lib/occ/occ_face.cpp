@@ -9,6 +9,7 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -16,7 +17,9 @@
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
@@ -55,14 +58,70 @@ std::string kind_of_surface(const TopoDS_Face& face) {
   return type;
 }
 
-// Traverses the wires of one face and converts their edges to NURBS in its plane.
+// Converts edges to NURBS in the plane of a face.
+class EdgeReader {
+ public:
+  EdgeReader(const OccModel& model, const PlaneFrame& frame, heal::RawFace& raw, Report& report)
+      : model_(model), frame_(frame), raw_(raw), report_(report) {}
+
+  heal::RawEdge read(const TopoDS_Edge& edge, int number) {
+    double first = 0, last = 0;
+    Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull() && BRepLib::BuildCurve3d(edge)) curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull()) throw FormatError(fmt::format("{}: edge {} has no curve", raw_.file, number));
+
+    heal::RawEdge result;
+    result.cad_edge = number;
+    const ShapeLabel label = model_.label_of(edge);
+    result.name = label.name, result.layer = label.layer, result.colour = label.colour;
+    PlaneCurve plane;
+    try {
+      plane = plane_curve(curve, first, last, frame_, raw_.tolerance / 100);
+    } catch (const FormatError& e) {
+      throw FormatError(fmt::format("{}: edge {}: {}", raw_.file, number, e.what()));
+    }
+    result.height = plane.height;
+    if (plane.error > raw_.tolerance / 10)
+      report_.warn(warning::edge_approximated,
+                   fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}", raw_.file,
+                               number, plane.error));
+    const bool backwards = edge.Orientation() == TopAbs_REVERSED;
+    result.curve = backwards ? curve::reversed(plane.curve) : plane.curve;
+    result.start = vertex(TopExp::FirstVertex(edge, true), result.curve.poles.front());
+    result.end = vertex(TopExp::LastVertex(edge, true), result.curve.poles.back());
+    raw_.shape_tolerance = std::max(raw_.shape_tolerance, BRep_Tool::Tolerance(edge));
+    return result;
+  }
+
+ private:
+  Vec2 vertex(const TopoDS_Vertex& v, Vec2 otherwise) {
+    if (v.IsNull()) return otherwise;
+    raw_.shape_tolerance = std::max(raw_.shape_tolerance, BRep_Tool::Tolerance(v));
+    return frame_.position(BRep_Tool::Pnt(v));
+  }
+
+  const OccModel& model_;
+  const PlaneFrame& frame_;
+  heal::RawFace& raw_;
+  Report& report_;
+};
+
+bool has_face_on_both_sides(const TopoDS_Shape& shape) {
+  return shape.Orientation() == TopAbs_INTERNAL || shape.Orientation() == TopAbs_EXTERNAL;
+}
+
+// Traverses the wires of one face.
 class FaceReader {
  public:
   FaceReader(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, heal::RawFace& raw,
              Report& report)
-      : model_(model), face_(face), frame_(frame), raw_(raw), report_(report) {}
+      : model_(model), face_(face), raw_(raw), report_(report), edge_reader_(model, frame, raw, report) {}
 
   void read() {
+    for (TopExp_Explorer e(face_, TopAbs_EDGE); e.More(); e.Next()) {
+      const int number = number_of(e.Current());
+      ++uses_[number];
+    }
     for (TopoDS_Iterator i(face_.Oriented(TopAbs_FORWARD)); i.More(); i.Next()) {
       if (i.Value().ShapeType() == TopAbs_WIRE)
         read_wire(TopoDS::Wire(i.Value()));
@@ -77,94 +136,100 @@ class FaceReader {
 
  private:
   void read_wire(const TopoDS_Wire& wire) {
+    const bool is_inner = has_face_on_both_sides(wire);
     std::vector<heal::RawEdge> edges;
-    if (wire.Orientation() == TopAbs_INTERNAL || wire.Orientation() == TopAbs_EXTERNAL)
-      throw FormatError(fmt::format("{}: the face has an inner wire that bounds nothing", raw_.file));
+    bool has_any = false, was_divided = false;
     for (TopoDS_Iterator i(wire.Oriented(TopAbs_FORWARD)); i.More(); i.Next()) {
       if (i.Value().ShapeType() != TopAbs_EDGE) continue;
       const TopoDS_Edge edge = TopoDS::Edge(i.Value());
-      if (!BRep_Tool::Degenerated(edge)) edges.push_back(read_edge(edge));
+      if (!BRep_Tool::Degenerated(edge)) {
+        has_any = true;
+        if (is_inner || has_face_on_both_sides(edge) || uses_[number_of(edge)] > 1)
+          read_inner(edge), was_divided = true;
+        else
+          edges.push_back(edge_reader_.read(edge, num_edges_));
+      }
       ++num_edges_;
     }
-    if (edges.empty()) throw FormatError(raw_.file + ": a wire of the face has no edges");
-    raw_.wires.push_back(std::move(edges));
+    if (!has_any) throw FormatError(raw_.file + ": a wire of the face has no edges");
+    if (was_divided)
+      add_chains(std::move(edges));
+    else
+      raw_.wires.push_back(std::move(edges));
   }
 
-  heal::RawEdge read_edge(const TopoDS_Edge& edge) {
-    double first = 0, last = 0;
-    Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-    if (curve.IsNull() && BRepLib::BuildCurve3d(edge)) curve = BRep_Tool::Curve(edge, first, last);
-    if (curve.IsNull()) throw FormatError(fmt::format("{}: edge {} has no curve", raw_.file, num_edges_));
-    require_plain(edge, *curve, first);
+  // An edge that a wire has twice, forth and back, is one curve.
+  void read_inner(const TopoDS_Edge& edge) {
+    const int index = number_of(edge);
+    if (std::find(inner_.begin(), inner_.end(), index) != inner_.end()) return;
+    inner_.push_back(index);
+    raw_.inner_edges.push_back(edge_reader_.read(edge, num_edges_));
+  }
 
-    heal::RawEdge result;
-    result.cad_edge = num_edges_;
-    const ShapeLabel label = model_.label_of(edge);
-    result.name = label.name, result.layer = label.layer, result.colour = label.colour;
-    PlaneCurve plane;
-    try {
-      plane = plane_curve(curve, first, last, frame_, raw_.tolerance / 100);
-    } catch (const FormatError& e) {
-      throw FormatError(fmt::format("{}: edge {}: {}", raw_.file, num_edges_, e.what()));
+  // What is left of a wire without its inner edges may be several closed chains.
+  void add_chains(std::vector<heal::RawEdge> rest) {
+    while (!rest.empty()) {
+      std::vector<heal::RawEdge> chain{std::move(rest.front())};
+      rest.erase(rest.begin());
+      for (double gap = distance(chain.back().end, chain.front().start); !rest.empty();) {
+        const auto next = std::min_element(rest.begin(), rest.end(), [&](const auto& a, const auto& b) {
+          return distance(chain.back().end, a.start) < distance(chain.back().end, b.start);
+        });
+        if (gap <= distance(chain.back().end, next->start)) break;
+        chain.push_back(std::move(*next));
+        rest.erase(next);
+        gap = distance(chain.back().end, chain.front().start);
+      }
+      raw_.wires.push_back(std::move(chain));
     }
-    result.height = plane.height;
-    if (plane.error > raw_.tolerance / 10)
-      report_.warn(warning::edge_approximated,
-                   fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}", raw_.file,
-                               num_edges_, plane.error));
-    const bool backwards = edge.Orientation() == TopAbs_REVERSED;
-    result.curve = backwards ? curve::reversed(plane.curve) : plane.curve;
-    result.start = vertex(TopExp::FirstVertex(edge, true), result.curve.poles.front());
-    result.end = vertex(TopExp::LastVertex(edge, true), result.curve.poles.back());
-    raw_.shape_tolerance = std::max(raw_.shape_tolerance, BRep_Tool::Tolerance(edge));
-    return result;
   }
 
-  // Refuses edges that bound no area: internal edges, and edges with the face on both sides.
-  void require_plain(const TopoDS_Edge& edge, const Geom_Curve& curve, double first) {
-    const auto same = [&](const TopoDS_Edge& e) { return e.IsSame(edge); };
-    const bool inner = edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL;
-    if (inner || std::any_of(seen_.begin(), seen_.end(), same)) {
-      const Vec2 at = frame_.position(curve.Value(first));
-      throw FormatError(fmt::format("{}: the face has an inner curve: edge {} at {} has the face on both sides",
-                                    raw_.file, num_edges_, position_text(at)));
-    }
-    seen_.push_back(edge);
-  }
-
-  Vec2 vertex(const TopoDS_Vertex& v, Vec2 otherwise) {
-    if (v.IsNull()) return otherwise;
-    raw_.shape_tolerance = std::max(raw_.shape_tolerance, BRep_Tool::Tolerance(v));
-    return frame_.position(BRep_Tool::Pnt(v));
+  // The number of the edge, whatever its orientation.
+  int number_of(const TopoDS_Shape& edge) {
+    const int number = edges_.Add(edge) - 1;
+    if (number >= static_cast<int>(uses_.size())) uses_.push_back(0);
+    return number;
   }
 
   const OccModel& model_;
   TopoDS_Face face_;
-  const PlaneFrame& frame_;
   heal::RawFace& raw_;
   Report& report_;
-  std::vector<TopoDS_Edge> seen_;
+  EdgeReader edge_reader_;
+  TopTools_IndexedMapOfShape edges_;
+  std::vector<int> uses_;   // by the wires
+  std::vector<int> inner_;  // those that are read
   int num_edges_ = 0;
 };
 
-void warn_of_construction(const TopoDS_Shape& shape, const TopoDS_Face& face, const std::string& file, Report& report) {
-  int curves = 0, points = 0;
-  for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
-    bool own = false;
-    for (TopExp_Explorer f(face, TopAbs_EDGE); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
-    curves += !own;
+// Whether the shape is a part of one of the faces.
+bool belongs_to(const TopoDS_Shape& shape, const std::vector<FaceChoice>& faces) {
+  for (const FaceChoice& choice : faces)
+    for (TopExp_Explorer part(choice.face, shape.ShapeType()); part.More(); part.Next())
+      if (part.Current().IsSame(shape)) return true;
+  return false;
+}
+
+std::vector<TopoDS_Shape> parts_beside(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum around,
+                                       const std::vector<FaceChoice>& faces) {
+  std::vector<TopoDS_Shape> parts;
+  for (TopExp_Explorer e(shape, kind, around); e.More(); e.Next())
+    if (!belongs_to(e.Current(), faces)) parts.push_back(e.Current());
+  return parts;
+}
+
+// Those that have a curve of use; infinite lines, for example, have none.
+std::vector<heal::RawEdge> free_edges(const OccModel& model, const std::vector<TopoDS_Shape>& edges,
+                                      const PlaneFrame& frame, heal::RawFace raw, Report& report) {
+  std::vector<heal::RawEdge> result;
+  EdgeReader reader(model, frame, raw, report);
+  for (const TopoDS_Shape& edge : edges) {
+    try {
+      result.push_back(reader.read(TopoDS::Edge(edge), static_cast<int>(result.size())));
+    } catch (const FormatError&) {  // counted by the caller
+    }
   }
-  for (TopExp_Explorer e(shape, TopAbs_VERTEX, TopAbs_EDGE); e.More(); e.Next()) {
-    bool own = false;
-    for (TopExp_Explorer f(face, TopAbs_VERTEX); f.More() && !own; f.Next()) own = f.Current().IsSame(e.Current());
-    points += !own;
-  }
-  const auto warn = [&](const char* code, int count, const std::string& what) {
-    if (count > 0)
-      report.warn(code, fmt::format("{}: ignored {} {}{} beside the face", file, count, what, count == 1 ? "" : "s"));
-  };
-  warn(warning::curves_ignored, curves, "curve");
-  warn(warning::points_ignored, points, "point");
+  return result;
 }
 
 // Under a scaled placement the kernel keeps the parameters of curves, and with them the old ends of lines.
@@ -177,6 +242,24 @@ void require_unscaled(const TopoDS_Face& face, const std::string& file) {
                       "only rotated, mirrored and moved",
                       file, std::abs(scale)));
   }
+}
+
+heal::RawFace raw_face(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, const std::string& file,
+                       Report& report) {
+  require_unscaled(face, file);
+  heal::RawFace raw;
+  raw.file = file;
+  const ShapeLabel label = model.label_of(face);
+  raw.name = label.name, raw.layer = label.layer;
+  raw.length_unit = model.length_unit;
+  raw.metres_per_unit = model.metres_per_unit;
+  raw.tolerance = model.tolerance;
+  raw.shape_tolerance = BRep_Tool::Tolerance(face);
+  raw.plane_origin = frame.origin;
+  raw.plane_x = frame.e_x;
+  raw.plane_y = frame.e_y;
+  FaceReader(model, face, frame, raw, report).read();
+  return raw;
 }
 
 }  // namespace
@@ -192,25 +275,25 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
   return std::nullopt;
 }
 
-heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report) {
-  const auto plane = plane_of(face);
-  if (!plane) throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(face)));
-  require_unscaled(face, file);
+FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
+                        const std::string& file, Report& report) {
+  const auto plane = plane_of(faces.front().face);
+  if (!plane)
+    throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(faces.front().face)));
   const PlaneFrame frame = frame_of(*plane);
-  heal::RawFace raw;
-  raw.file = file;
-  const ShapeLabel label = model.label_of(face);
-  raw.name = label.name, raw.layer = label.layer;
-  raw.length_unit = model.length_unit;
-  raw.metres_per_unit = model.metres_per_unit;
-  raw.tolerance = model.tolerance;
-  raw.shape_tolerance = BRep_Tool::Tolerance(face);
-  raw.plane_origin = frame.origin;
-  raw.plane_x = frame.e_x;
-  raw.plane_y = frame.e_y;
-  FaceReader(model, face, frame, raw, report).read();
-  warn_of_construction(model.shape, face, file, report);
-  return raw;
+  FacesAndEdges result;
+  for (const FaceChoice& choice : faces) result.faces.push_back(raw_face(model, choice.face, frame, file, report));
+  const auto edges = parts_beside(model.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  if (with_free_edges) result.free_edges = free_edges(model, edges, frame, result.faces.front(), report);
+  result.num_ignored_curves = static_cast<int>(edges.size() - result.free_edges.size());
+  result.num_points = static_cast<int>(parts_beside(model.shape, TopAbs_VERTEX, TopAbs_EDGE, faces).size());
+  return result;
+}
+
+void warn_of_ignored(const FacesAndEdges& found, const std::string& file, Report& report) {
+  for (const auto& [code, count, what] : {std::tuple{warning::curves_ignored, found.num_ignored_curves, "curve"},
+                                          std::tuple{warning::points_ignored, found.num_points, "point"}})
+    if (count > 0) report.warn(code, fmt::format("{}: ignored {} beside the face", file, counted(count, what)));
 }
 
 }  // namespace quadrille::occ

@@ -5,6 +5,7 @@
 #include <gp_Pln.hxx>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/report.hpp"
 #include "cad/loaded_face.hpp"
@@ -21,20 +22,33 @@ cad::FaceList list_faces(const OccModel& model);
 struct FaceChoice {
   TopoDS_Face face;
   outline::FacePiece piece;
+  std::string part = {};  ///< name of the innermost part that holds it
 };
 
 /// The face whose name is `choice` or, if no face has that name, whose number it is, or else the only face in the part
-/// or on the layer of that name; the only face of the model if `choice` is empty. A part is chosen by its name or by
-/// its path ("rig/bolt"). ".0" and so on behind that: a piece of the face. Throws FormatError if no face or several
-/// faces are chosen, or if `choice` is empty and the model is a solid or has several faces. `file`: name of the file,
-/// for messages.
-FaceChoice choose_face(const OccModel& model, const std::string& choice, const std::string& file);
+/// or on the layer of that name. A part is chosen by its name or by its path ("rig/bolt"). ".0" and so on behind that:
+/// a piece of the face. If `choice` is empty: all faces of the model, in the order of the file. Throws FormatError if
+/// no face or several faces are chosen, or if `choice` is empty and the model is a solid, or has several faces of which
+/// one is not planar. `file`: name of the file, for messages.
+std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& choice, const std::string& file);
 
 /// The plane of the face in space; std::nullopt if the face is not planar.
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
 
-/// Throws FormatError unless `face` is planar and bounded by plain wires; entities of `model` beside its faces are
-/// reported as warnings. `file`: name of the file, for messages.
-heal::RawFace occ_face(const OccModel& model, const TopoDS_Face& face, const std::string& file, Report& report);
+struct FacesAndEdges {
+  std::vector<heal::RawFace> faces;
+  std::vector<heal::RawEdge> free_edges;  ///< of no face, numbered from 0
+  int num_ignored_curves = 0;             ///< of no face, and without use
+  int num_points = 0;                     ///< of no edge
+};
+
+/// The faces with their edges in the plane of the first one; edges that lie off it have a height. An edge that a face
+/// has on both sides is one of its inner edges. Throws FormatError unless the first face is planar. Edges of no face
+/// are only counted unless they are asked for (`with_free_edges`). `file`: name of the file, for messages.
+FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
+                        const std::string& file, Report& report);
+
+/// Warns of what was only counted.
+void warn_of_ignored(const FacesAndEdges& found, const std::string& file, Report& report);
 
 }  // namespace quadrille::occ

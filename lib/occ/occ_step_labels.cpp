@@ -195,7 +195,9 @@ void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_Trans
   for (int i = 1; i <= file.NbEntities(); ++i) {
     const Entity& entity = file.Value(i);
     const auto edge = Handle(StepShape_EdgeCurve)::DownCast(entity);
-    if (edge.IsNull() && !entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
+    // A curve has a shape only if it belongs to no edge, in a set of curves.
+    const bool is_curve = entity->IsKind(STANDARD_TYPE(StepGeom_Curve));
+    if (edge.IsNull() && !is_curve && !entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
     ShapeLabel label{text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name()), {}, {}};
     marks.complete(label, entity);
     if (!edge.IsNull()) complete_from_curve(label, *edge, marks);

@@ -95,7 +95,9 @@ std::string step_text(const OccShape& shape, const WrittenUnit& unit, const std:
   STEPControl_Writer writer;
   set_up(writer, unit.name);
   writer.SetTolerance(tolerance);
-  if (writer.Transfer(shape.shape, STEPControl_ShellBasedSurfaceModel) != IFSelect_RetDone)
+  const bool has_free_edges = shape.shape.ShapeType() == TopAbs_COMPOUND;
+  if (writer.Transfer(shape.shape, has_free_edges ? STEPControl_AsIs : STEPControl_ShellBasedSurfaceModel) !=
+      IFSelect_RetDone)
     throw ComputeError("the " + product + " cannot be turned into a STEP model");
   const Handle(StepData_StepModel) model = writer.Model();
   set_header(model, product);

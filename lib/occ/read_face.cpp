@@ -5,10 +5,12 @@
 #include "base/error.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/face_bytes.hpp"
+#include "cad/region_names.hpp"
 #include "heal/heal_face.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_load.hpp"
 #include "outline/assemble_face.hpp"
+#include "sew/sewn_face.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -27,6 +29,14 @@ auto of_file(const KernelFormat& format, const std::string& name, Work work) {
   }
 }
 
+// As for the edges of a face without a layer.
+void choose_names_of(std::vector<heal::RawEdge>& edges) {
+  heal::RawFace raw;
+  raw.inner_edges = std::move(edges);
+  cad::choose_names(raw);
+  edges = std::move(raw.inner_edges);
+}
+
 }  // namespace
 
 cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
@@ -34,13 +44,28 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
   report.set("input.format", cad::format_name(format.format));
   return of_file(format, name, [&] {
     const OccModel model = occ_load(format, bytes, name);
-    const FaceChoice choice = choose_face(model, options.face, name);
-    heal::RawFace raw = occ_face(model, choice.face, name, report);
-    cad::choose_names(raw);
+    const std::vector<FaceChoice> choices = choose_faces(model, options.face, name);
+    FacesAndEdges found = occ_faces(model, choices, options.face.empty(), name, report);
+    for (size_t f = 0; f < choices.size(); ++f) {
+      cad::choose_names(found.faces[f]);
+      if (found.faces[f].name.empty()) found.faces[f].name = choices[f].part;
+    }
+    choose_names_of(found.free_edges);
     cad::LoadedFace loaded;
-    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
-    loaded.face = outline::assemble_face(
-        raw, {options.corner_angle, options.blunt_width, choice.piece, options.fit_tolerance}, loaded.repairs, report);
+    if (sew::are_to_be_sewn(found.faces, found.free_edges)) {
+      loaded.face = sew::sewn_face(found.faces, found.free_edges,
+                                   {options.corner_angle, options.blunt_width, options.fit_tolerance,
+                                    options.heal_tolerance, choices.front().piece},
+                                   loaded.repairs, report);
+      cad::name_interfaces(loaded.face);
+    } else {
+      heal::RawFace& raw = found.faces.front();
+      loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
+      loaded.face = outline::assemble_face(
+          raw, {options.corner_angle, options.blunt_width, choices.front().piece, options.fit_tolerance},
+          loaded.repairs, report);
+    }
+    warn_of_ignored(found, name, report);
     return loaded;
   });
 }

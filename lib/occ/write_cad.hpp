@@ -14,7 +14,8 @@ namespace quadrille::occ {
 /// arcs of a layout do not meet.
 std::string step_of_blocks(const BlockLayout& layout);
 
-/// The face, with one edge for each curve, in the same way. Only edges with a given name are named.
+/// The face, with one edge for each curve, in the same way; several regions as a shell of faces that share the edges of
+/// common curves. Only edges and regions with a given name are named.
 std::string step_of_face(const CadFace& face);
 
 /// The same in OpenCASCADE's own format, which has no names and no unit.

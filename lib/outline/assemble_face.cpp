@@ -4,19 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/numbered_names.hpp"
 #include "base/position_text.hpp"
-#include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "heal/blunt_cusps.hpp"
-#include "heal/interior_angle.hpp"
 #include "heal/touching_loops.hpp"
 #include "outline/contact_text.hpp"
 #include "outline/extent.hpp"
+#include "outline/face_of_loops.hpp"
 #include "outline/face_pieces.hpp"
 #include "outline/outline_checks.hpp"
 #include "outline/simplify_loops.hpp"
@@ -129,42 +125,12 @@ std::vector<Loop> chosen_piece(const heal::RawFace& raw, const std::vector<Loop>
                   raw.file, rounded_position_text(first_contact(loops)), count, choice.face, choice.face, count - 1));
 }
 
-// (0, 0), unless the face is so far from it that coordinates lose significant digits; then the centre of the face,
-// rounded to a few digits.
-Vec2 chosen_origin(const curve::PoleBox& box, double diameter) {
-  const Vec2 centre = box.centre();
-  if (norm(centre) <= 10 * diameter) return {0, 0};
-  const double unit = std::pow(10, std::floor(std::log10(diameter)));
-  return {unit * std::round(centre.x / unit), unit * std::round(centre.y / unit)};
-}
-
-std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
-  std::vector<Joint> joints;
-  for (int i = 0; i < face.num_curves(); ++i) {
-    const Nurbs &in = face.curves[face.previous_in_loop(i)], &out = face.curves[i];
-    const Vec2 a = curve::tangent(in, in.end(), true), b = curve::tangent(out, out.begin());
-    Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), heal::interior_angle(in, out), false};
-    // The factor ensures that angles equal to the limit up to rounding are treated alike at all corners of a symmetric
-    // face.
-    joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
-    joints.push_back(joint);
-  }
-  return joints;
-}
-
-std::vector<std::string> names_of(const std::vector<Loop>& loops) {
-  std::vector<std::string> names;
-  for (const Loop& loop : loops)
-    for (const LoopCurve& c : loop) names.push_back(c.name);
-  return names;
-}
-
 }  // namespace
 
 double raw_diameter(const heal::RawFace& raw) { return diameter(finite_curves(raw)); }
 
-CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
-                      Report& report) {
+AssembledLoops assembled_loops(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
+                               Report& report) {
   const double size = curve::pole_box(finite_curves(raw)).diagonal(), tol = gap_tolerance(raw, size);
   std::vector<Loop> loops;
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
@@ -178,35 +144,16 @@ CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, 
   require_no_contact(raw, loops, size, blunt.diameter);
   require_nested(raw, loops);
   heal::refuse_cusps(loops, blunt);
+  return {loops, fit_distance};
+}
 
-  CadFace face;
+CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
+                      Report& report) {
+  const AssembledLoops assembled = assembled_loops(raw, options, repairs, report);
+  CadFace face = face_of_loops(raw, assembled.loops, curves_of(assembled.loops.front()), options.corner_angle);
   face.name = raw.name;
-  face.length_unit = raw.length_unit;
-  face.metres_per_unit = raw.metres_per_unit;
-  face.plane_origin = raw.plane_origin;
-  face.plane_x = raw.plane_x;
-  face.plane_y = raw.plane_y;
-  const std::vector<Nurbs> outline = curves_of(loops.front());
-  face.diameter = diameter(outline);
-  face.fit_distance = fit_distance;
-  face.origin = chosen_origin(curve::pole_box(outline), face.diameter);
-  face.loop_offsets = {0};
-  for (const Loop& loop : loops) {
-    for (const LoopCurve& c : loop) {
-      face.curves.push_back(c.curve);
-      face.curve_cad_edges.push_back(c.cad_edge);
-      for (Vec2& pole : face.curves.back().poles) pole -= face.origin;
-    }
-    face.loop_offsets.push_back(face.num_curves());
-  }
-  face.curve_names = names_of(loops);
-  face.unnamed_curves = replace_empty_names(face.curve_names, "curve");
-  face.joints = joints_of(face, options.corner_angle);
-
-  double area = 0;
-  for (int l = 0; l < face.num_loops(); ++l)
-    area += signed_area({face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]});
-  report.set("face.area", area);
+  face.fit_distance = assembled.fit_distance;
+  report.set("face.area", area_of(face));
   return face;
 }
 

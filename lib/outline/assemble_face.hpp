@@ -1,7 +1,10 @@
 #pragma once
 // From the edges of a face as read from the file to the checked boundary of model/cad_face.hpp.
 
+#include <vector>
+
 #include "base/report.hpp"
+#include "heal/loop.hpp"
 #include "heal/raw_face.hpp"
 #include "model/repair.hpp"
 #include "outline/face_pieces.hpp"
@@ -19,11 +22,21 @@ struct AssembleOptions {
   double fit_tolerance = 0;  ///< diameters: splines with many knots are replaced by ones this near to them; 0: none is
 };
 
+/// The boundary of a face, checked.
+struct AssembledLoops {
+  std::vector<heal::Loop> loops;  ///< with the face on their left, the outline first
+  double fit_distance = 0;        ///< as in CadFace, a length
+};
+
 /// Chains the edges of each wire, splits curves at tangent jumps, makes the ends of neighbours identical, orients loops
 /// so that the face lies on the left, sorts the outline first, chooses a piece where the boundary touches itself, cuts
-/// off cusps, simplifies splines, and computes joints, names, diameter and origin. Throws FormatError, with the error,
-/// its position, size and a remedy, for an open or self-intersecting wire, vertices off their edges, holes outside or
-/// across the outline, a cusp, or a face without area. Adds what was cut off to `repairs`.
+/// off cusps and simplifies splines. Throws FormatError, with the error, its position, size and a remedy, for an open
+/// or self-intersecting wire, vertices off their edges, holes outside or across the outline, a cusp, or a face without
+/// area. Adds what was cut off to `repairs`.
+AssembledLoops assembled_loops(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
+                               Report& report);
+
+/// The same, with joints, names, diameter and origin (face_of_loops.hpp). Sets `face.area` in the report.
 CadFace assemble_face(const heal::RawFace& raw, const AssembleOptions& options, std::vector<Repair>& repairs,
                       Report& report);
 

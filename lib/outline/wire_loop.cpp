@@ -52,15 +52,6 @@ std::vector<double> jumps(const Nurbs& curve) {
   return result;
 }
 
-void add_pieces(const heal::RawEdge& edge, Loop& loop) {
-  double begin = edge.curve.begin();
-  for (const double t : jumps(edge.curve)) {
-    loop.push_back({curve::trimmed(edge.curve, begin, t), edge.cad_edge, edge.name});
-    begin = t;
-  }
-  loop.push_back({curve::trimmed(edge.curve, begin, edge.curve.end()), edge.cad_edge, edge.name});
-}
-
 // Moves the ends of neighbours to the middle of the gap caused by rounding.
 void close_gaps(Loop& loop) {
   std::vector<Vec2> starts;
@@ -73,6 +64,17 @@ void close_gaps(Loop& loop) {
 }
 
 }  // namespace
+
+std::vector<LoopCurve> smooth_pieces(const heal::RawEdge& edge) {
+  std::vector<LoopCurve> pieces;
+  double begin = edge.curve.begin();
+  for (const double t : jumps(edge.curve)) {
+    pieces.push_back({curve::trimmed(edge.curve, begin, t), edge.cad_edge, edge.name});
+    begin = t;
+  }
+  pieces.push_back({curve::trimmed(edge.curve, begin, edge.curve.end()), edge.cad_edge, edge.name});
+  return pieces;
+}
 
 Loop wire_loop(const heal::RawFace& raw, const std::vector<heal::RawEdge>& wire, double tol, Report& report) {
   std::vector<const heal::RawEdge*> edges;
@@ -89,7 +91,8 @@ Loop wire_loop(const heal::RawFace& raw, const std::vector<heal::RawEdge>& wire,
     throw FormatError(fmt::format("{}: the face has no area: its wire at {} is a point", raw.file,
                                   rounded_position_text(wire.front().start)));
   Loop loop;
-  for (const heal::RawEdge* edge : heal::chain_edges(edges, tol, 0, raw.file)) add_pieces(*edge, loop);
+  for (const heal::RawEdge* edge : heal::chain_edges(edges, tol, 0, raw.file))
+    for (LoopCurve& piece : smooth_pieces(*edge)) loop.push_back(std::move(piece));
   close_gaps(loop);
   return loop;
 }

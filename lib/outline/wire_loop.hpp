@@ -14,6 +14,9 @@ using heal::LoopCurve;
 /// FormatError for a wider gap and for vertices that do not lie at the ends of their edge.
 Loop wire_loop(const heal::RawFace& raw, const std::vector<heal::RawEdge>& wire, double tol, Report& report);
 
+/// The parts of the edge between the tangent jumps inside it.
+std::vector<LoopCurve> smooth_pieces(const heal::RawEdge& edge);
+
 /// The same loop in the opposite direction, starting with the same curve.
 Loop reversed(const Loop& loop);
 

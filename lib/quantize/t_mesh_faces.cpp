@@ -47,7 +47,7 @@ std::vector<TFace> t_mesh_faces(const graph::Subdivision& subdivision) {
     }
     all.push_back(std::move(*sides));
   }
-  if (subdivision.num_components() > 1)
+  if (subdivision.num_components() > subdivision.graph().face.num_regions())
     throw ComputeError(fmt::format("the T-mesh has {} unconnected parts", subdivision.num_components()));
   return all;
 }

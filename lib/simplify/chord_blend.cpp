@@ -40,14 +40,14 @@ curve::CurveFunction blended_curve(const curve::Chain& from, const curve::Chain&
   };
 }
 
-double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to) {
+double deviation_of_blend(const field::FieldsOfRegions& fields, const curve::Chain& from, const curve::Chain& to) {
   std::vector<BlendPoint> points;
   std::vector<Vec2> positions;
   for (int i = 1; i < num_samples; ++i) {
     points.push_back(blend_at(from, to, static_cast<double>(i) / num_samples));
     positions.push_back(points.back().position);
   }
-  const std::vector<field::PointSample> values = evaluator.values_at(positions);
+  const std::vector<field::PointSample> values = fields.values_at(positions);
   double deviation = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].at.elem < 0) continue;
@@ -57,10 +57,10 @@ double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::C
   return deviation;
 }
 
-std::optional<Blend> make_blend(const field::FieldEvaluator& evaluator, const curve::CurveTable& table,
+std::optional<Blend> make_blend(const field::FieldsOfRegions& fields, const curve::CurveTable& table,
                                 const graph::Pieces& from, const graph::Pieces& to, const BlendOptions& options) {
   const curve::Chain a(table, from), b(table, to);
-  const double deviation = deviation_of_blend(evaluator, a, b);
+  const double deviation = deviation_of_blend(fields, a, b);
   if (deviation > options.max_deviation) return std::nullopt;
   return Blend{from, to, curve::fit_line(blended_curve(a, b), blend_length(a, b), options.fit_tol), deviation};
 }

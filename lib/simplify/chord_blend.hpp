@@ -21,7 +21,7 @@ double blend_length(const curve::Chain& from, const curve::Chain& to);
 
 /// The largest angle between a blend and the direction of the field's cross that the two lines follow there, radians,
 /// at equal steps inside it.
-double deviation_of_blend(const field::FieldEvaluator& evaluator, const curve::Chain& from, const curve::Chain& to);
+double deviation_of_blend(const field::FieldsOfRegions& fields, const curve::Chain& from, const curve::Chain& to);
 
 struct BlendOptions {
   double max_deviation = 0.7;  ///< radians: of a blend from the cross of the field
@@ -36,7 +36,7 @@ struct Blend {
 };
 
 /// std::nullopt if it would deviate too far.
-std::optional<Blend> make_blend(const field::FieldEvaluator& evaluator, const curve::CurveTable& table,
+std::optional<Blend> make_blend(const field::FieldsOfRegions& fields, const curve::CurveTable& table,
                                 const graph::Pieces& from, const graph::Pieces& to, const BlendOptions& options);
 
 /// The spline of the blend that starts at the start of the line `from` and ends at the end of `to`, or of the reverse

@@ -78,6 +78,14 @@ void lengthen(Subdivision& subdivision, const std::set<int>& arcs_of_strip, int 
   }
 }
 
+void move_onto_rung(Subdivision& subdivision, int node, const graph::Pieces& rung, const curve::ChainPoint& at) {
+  const int curve = rung[at.piece].curve;
+  if (curve < subdivision.graph().face.num_curves())
+    subdivision.move_boundary_node(node, at.position, curve, at.t);
+  else
+    subdivision.move_node(node, at.position);
+}
+
 // Rung by rung: the lines that cross the strip are lengthened, the two ends become one node.
 void merge_rungs(Subdivision& subdivision, const ChordStrip& strip, const CollapsePlan& plan,
                  const PlacedBlends& placed, std::set<int>& changed) {
@@ -90,7 +98,7 @@ void merge_rungs(Subdivision& subdivision, const ChordStrip& strip, const Collap
     const graph::Pieces pieces = graph::pieces_along(subdivision.graph(), rung);
     if (placed.on_rung[i]) {
       const auto [before, behind] = graph::cut(pieces, *placed.on_rung[i]);
-      subdivision.move_node(l, placed.on_rung[i]->position);
+      move_onto_rung(subdivision, l, pieces, *placed.on_rung[i]);
       lengthen(subdivision, arcs, l, graph::reversed_pieces(before), changed);
       lengthen(subdivision, arcs, r, behind, changed);
       subdivision.merge_ends(rung);
@@ -120,7 +128,7 @@ void ArcChanges::add(const ArcChanges& later) {
   removed.insert(later.removed.begin(), later.removed.end());
 }
 
-std::optional<std::vector<Blend>> blends_of(const field::FieldEvaluator& evaluator, const Subdivision& subdivision,
+std::optional<std::vector<Blend>> blends_of(const field::FieldsOfRegions& fields, const Subdivision& subdivision,
                                             const ChordStrip& strip, const std::vector<FixedSide>& fixed,
                                             const BlendOptions& options) {
   const ArcGraph& graph = subdivision.graph();
@@ -130,7 +138,7 @@ std::optional<std::vector<Blend>> blends_of(const field::FieldEvaluator& evaluat
   std::vector<Blend> found;
   for (const BlendedStretch& s : plan.stretches) {
     auto blend =
-        make_blend(evaluator, table, rail(graph, strip, s, s.from_left), rail(graph, strip, s, !s.from_left), options);
+        make_blend(fields, table, rail(graph, strip, s, s.from_left), rail(graph, strip, s, !s.from_left), options);
     if (!blend) return std::nullopt;
     found.push_back(std::move(*blend));
   }

@@ -17,9 +17,9 @@ namespace quadrille::simplify {
 
 /// The blends that a strip needs. std::nullopt if one would deviate too far or replace a part of the boundary. `fixed`
 /// = graph::fixed_sides(subdivision, strip), not empty, here and below.
-std::optional<std::vector<Blend>> blends_of(const field::FieldEvaluator& evaluator,
-                                            const graph::Subdivision& subdivision, const graph::ChordStrip& strip,
-                                            const std::vector<graph::FixedSide>& fixed, const BlendOptions& options);
+std::optional<std::vector<Blend>> blends_of(const field::FieldsOfRegions& fields, const graph::Subdivision& subdivision,
+                                            const graph::ChordStrip& strip, const std::vector<graph::FixedSide>& fixed,
+                                            const BlendOptions& options);
 
 /// What collapses change. Arcs that are not removed keep their numbers.
 struct ArcChanges {

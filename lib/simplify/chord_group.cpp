@@ -68,15 +68,14 @@ bool shorten_one(int line, const Blend& blend, Shortened& trial) {
 
 }  // namespace
 
-std::optional<std::vector<Blend>> blends_of_group(const field::FieldEvaluator& evaluator,
-                                                  const Subdivision& subdivision, const std::vector<ChordStrip>& strips,
-                                                  const BlendOptions& options) {
+std::optional<std::vector<Blend>> blends_of_group(const field::FieldsOfRegions& fields, const Subdivision& subdivision,
+                                                  const std::vector<ChordStrip>& strips, const BlendOptions& options) {
   if (share_a_rail(strips)) return std::nullopt;
   std::vector<Blend> blends;
   for (const ChordStrip& strip : strips) {
     const std::vector<FixedSide> fixed = graph::fixed_sides(subdivision, strip);
     if (fixed.empty()) return std::nullopt;
-    auto own = blends_of(evaluator, subdivision, strip, fixed, options);
+    auto own = blends_of(fields, subdivision, strip, fixed, options);
     if (!own) return std::nullopt;
     for (Blend& b : *own) blends.push_back(std::move(b));
   }
@@ -97,11 +96,11 @@ double greatest_deviation(const std::vector<Blend>& blends) {
   return deviation;
 }
 
-std::optional<Shortened> shorten_group(const field::FieldEvaluator& evaluator, const Subdivision& subdivision,
+std::optional<Shortened> shorten_group(const field::FieldsOfRegions& fields, const Subdivision& subdivision,
                                        const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options) {
   std::map<int, Blend> line2blend;
   for (const SpiralShortcut& s : shortcuts) {
-    auto blend = blend_of(evaluator, subdivision.graph(), s, options);
+    auto blend = blend_of(fields, subdivision.graph(), s, options);
     if (!blend || !line2blend.emplace(s.spline, std::move(*blend)).second) return std::nullopt;
   }
   Shortened trial{subdivision, 0};

@@ -11,7 +11,7 @@
 namespace quadrille::simplify {
 
 /// The blends that strips need together; std::nullopt if two have a common rail, or one of them cannot be collapsed.
-std::optional<std::vector<Blend>> blends_of_group(const field::FieldEvaluator& evaluator,
+std::optional<std::vector<Blend>> blends_of_group(const field::FieldsOfRegions& fields,
                                                   const graph::Subdivision& subdivision,
                                                   const std::vector<graph::ChordStrip>& strips,
                                                   const BlendOptions& options);
@@ -32,7 +32,7 @@ struct Shortened {
 
 /// A copy in which the shortcuts are taken. std::nullopt if one line has two shortcuts, if one of them does not fit, or
 /// if the result is not a smaller number of four-sided blocks.
-std::optional<Shortened> shorten_group(const field::FieldEvaluator& evaluator, const graph::Subdivision& subdivision,
+std::optional<Shortened> shorten_group(const field::FieldsOfRegions& fields, const graph::Subdivision& subdivision,
                                        const std::vector<SpiralShortcut>& shortcuts, const BlendOptions& options);
 
 }  // namespace quadrille::simplify

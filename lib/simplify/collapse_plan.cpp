@@ -1,5 +1,7 @@
 #include "simplify/collapse_plan.hpp"
 
+#include "model/interfaces.hpp"
+
 namespace quadrille::simplify {
 
 using graph::FixedSide;
@@ -33,7 +35,7 @@ CollapsePlan plan_collapse(const graph::ChordStrip& strip, const std::vector<Fix
 }
 
 bool removes_boundary(const ArcGraph& graph, const graph::ChordStrip& strip, const CollapsePlan& plan) {
-  const auto is_boundary = [&](HalfEdge h) { return graph.arcs[h.arc].is_boundary; };
+  const auto is_boundary = [&](HalfEdge h) { return is_on_cad_curve(graph, graph.arcs[h.arc]); };
   for (int b = 0; b < strip.num_blocks(); ++b)
     if ((plan.kept_rail[b] != FixedSide::left && is_boundary(strip.left[b])) ||
         (plan.kept_rail[b] != FixedSide::right && is_boundary(strip.right[b])))

@@ -64,13 +64,12 @@ std::set<int> arcs_of(const std::vector<EndMove>& moves) {
 }
 
 // How much better the worst block beside the moves becomes; negative if blocks become invalid. Moves them if `keep`.
-double gain_of(const field::FieldEvaluator& evaluator, Subdivision& subdivision, std::vector<EndMove>& moves,
-               bool keep) {
+double gain_of(const field::FieldsOfRegions& fields, Subdivision& subdivision, std::vector<EndMove>& moves, bool keep) {
   const std::vector<int> faces = faces_beside(subdivision, arcs_of(moves));
   BlockQuads quads, before_quads;
   const double before = worst_quality(subdivision, faces, before_quads).least_scaled_jacobian;
   subdivision.begin_trial();
-  for (EndMove& move : moves) move.deviation = move_line_end(subdivision, move, &evaluator);
+  for (EndMove& move : moves) move.deviation = move_line_end(subdivision, move, &fields);
   double gain = worst_quality(subdivision, faces, quads).least_scaled_jacobian - before;
   if (gain > 0 && !are_valid(quads)) gain = -1;
   if (keep && gain >= least_gain)
@@ -81,13 +80,13 @@ double gain_of(const field::FieldEvaluator& evaluator, Subdivision& subdivision,
 }
 
 // The better one of two ends, if it is worth it. Of two that are equal none is better.
-std::optional<EndMove> best_move(const field::FieldEvaluator& evaluator, Subdivision& subdivision,
+std::optional<EndMove> best_move(const field::FieldsOfRegions& fields, Subdivision& subdivision,
                                  const FilletMiddle& fillet) {
   std::optional<EndMove> best;
   bool is_equal = false;
   for (EndMove& move : moves_to(subdivision, fillet)) {
     std::vector<EndMove> alone{move};
-    alone[0].gain = gain_of(evaluator, subdivision, alone, false);
+    alone[0].gain = gain_of(fields, subdivision, alone, false);
     is_equal = best && std::abs(alone[0].gain - best->gain) <= equal_lengths;
     if (!best || alone[0].gain > best->gain) best = std::move(alone[0]);
   }
@@ -114,7 +113,7 @@ std::vector<EndMove> nearest_moves(std::vector<EndMove> moves, double tie) {
 
 }  // namespace
 
-FilletEnds end_lines_on_fillets(const field::FieldEvaluator& evaluator, const std::vector<FilletMiddle>& fillets,
+FilletEnds end_lines_on_fillets(const field::FieldsOfRegions& fields, const std::vector<FilletMiddle>& fillets,
                                 graph::CandidateLayout& layout) {
   FilletEnds ends;
   if (fillets.empty()) return ends;
@@ -124,10 +123,10 @@ FilletEnds end_lines_on_fillets(const field::FieldEvaluator& evaluator, const st
   while (!left.empty()) {
     std::vector<EndMove> moves;
     for (const FilletMiddle& fillet : left)
-      if (auto move = best_move(evaluator, subdivision, fillet)) moves.push_back(std::move(*move));
+      if (auto move = best_move(fields, subdivision, fillet)) moves.push_back(std::move(*move));
     if (moves.empty()) break;
     moves = nearest_moves(std::move(moves), equal_lengths * layout.graph().face.diameter);
-    if (!are_in_conflict(moves) && gain_of(evaluator, subdivision, moves, true) >= least_gain) {
+    if (!are_in_conflict(moves) && gain_of(fields, subdivision, moves, true) >= least_gain) {
       ends.num_moved += static_cast<int>(moves.size());
       for (const EndMove& move : moves) ends.deviation = std::max(ends.deviation, move.deviation);
     }

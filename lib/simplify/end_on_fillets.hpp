@@ -28,7 +28,7 @@ struct FilletEnds {
 /// better blocks is moved, the line becomes a blend (simplify/chord_blend.hpp) into the normal at the fillet. Ends that
 /// move by equal lengths (within 1e-6 diameters) are moved together or not at all. Every face must have four corners,
 /// and keeps them; the graph's numbers stay.
-FilletEnds end_lines_on_fillets(const field::FieldEvaluator& evaluator, const std::vector<FilletMiddle>& fillets,
+FilletEnds end_lines_on_fillets(const field::FieldsOfRegions& fields, const std::vector<FilletMiddle>& fillets,
                                 graph::CandidateLayout& layout);
 
 }  // namespace quadrille::simplify

@@ -18,14 +18,14 @@ double length_of(const ArcGraph& graph, const graph::Pieces& pieces) {
 
 // The line of a move, and its deviation: it begins as before and ends along the normal at its new end.
 std::pair<Nurbs, double> moved_line(const ArcGraph& graph, const LineEndMove& move,
-                                    const field::FieldEvaluator* evaluator) {
+                                    const field::FieldsOfRegions* fields) {
   const curve::CurveTable table(graph.face, graph.splines);
   const curve::Chain now(table, graph::pieces_along(graph, move.line));
   const Vec2 inward = left_of(curve::tangent(graph.face.curves[move.curve], move.t));
   const std::vector<Nurbs> normal{curve::segment(move.position + now.length() * inward, move.position)};
   const curve::CurveTable normals(graph.face, normal);
   const curve::Chain end(normals, {{graph.face.num_curves(), normal[0].begin(), normal[0].end()}});
-  const double deviation = evaluator != nullptr ? deviation_of_blend(*evaluator, now, end) : 0;
+  const double deviation = fields != nullptr ? deviation_of_blend(*fields, now, end) : 0;
   return {curve::fit_line(blended_curve(now, end), blend_length(now, end), relative_fit_tol * graph.face.diameter),
           deviation};
 }
@@ -52,9 +52,9 @@ std::optional<LineEndMove> line_end_move(const graph::Subdivision& subdivision, 
   return move;
 }
 
-double move_line_end(graph::Subdivision& subdivision, const LineEndMove& move, const field::FieldEvaluator* evaluator) {
+double move_line_end(graph::Subdivision& subdivision, const LineEndMove& move, const field::FieldsOfRegions* fields) {
   const ArcGraph& graph = subdivision.graph();
-  auto [line, deviation] = moved_line(graph, move, evaluator);
+  auto [line, deviation] = moved_line(graph, move, fields);
   const double begin = line.begin(), end = line.end();
   const graph::Pieces& other = graph.arcs[move.longer].pieces;
   graph::Pieces longer = move.is_forwards ? graph::joined(other, move.gained) : graph::joined(move.gained, other);

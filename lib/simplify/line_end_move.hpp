@@ -29,8 +29,8 @@ struct LineEndMove {
 std::optional<LineEndMove> line_end_move(const graph::Subdivision& subdivision, int arc, const curve::ChainPoint& at,
                                          bool is_forwards);
 
-/// Moves the end. With an evaluator, returns the largest deviation of the blend from the cross of the field, radians.
+/// Moves the end. With fields, returns the largest deviation of the blend from the cross of the field, radians.
 double move_line_end(graph::Subdivision& subdivision, const LineEndMove& move,
-                     const field::FieldEvaluator* evaluator = nullptr);
+                     const field::FieldsOfRegions* fields = nullptr);
 
 }  // namespace quadrille::simplify

@@ -74,12 +74,9 @@ double fraction_left(const Subdivision& before, const Subdivision& after) {
 
 class Simplifier {
  public:
-  Simplifier(const field::FieldEvaluator& evaluator, Subdivision subdivision, const SimplifyOptions& options,
+  Simplifier(const field::FieldsOfRegions& fields, Subdivision subdivision, const SimplifyOptions& options,
              Progress* progress)
-      : evaluator_(evaluator),
-        options_(options),
-        subdivision_(std::move(subdivision)),
-        tried_(progress, "chords tried") {}
+      : fields_(fields), options_(options), subdivision_(std::move(subdivision)), tried_(progress, "chords tried") {}
 
   // Until no group of equal chords can be collapsed.
   void collapse_chords() {
@@ -110,7 +107,7 @@ class Simplifier {
     std::vector<double> key = key_of(subdivision_.graph(), strips);
     if (refused_.contains(key)) return std::nullopt;
     tried_.advance();
-    const std::optional<std::vector<Blend>> blends = blends_of_group(evaluator_, subdivision_, strips, blend_options());
+    const std::optional<std::vector<Blend>> blends = blends_of_group(fields_, subdivision_, strips, blend_options());
     if (!blends || !improves(strips, *blends)) {
       refused_.insert(std::move(key));
       return std::nullopt;
@@ -122,7 +119,7 @@ class Simplifier {
 
   bool try_shorten(const std::vector<SpiralShortcut>& shortcuts) {
     tried_.advance();
-    std::optional<Shortened> trial = shorten_group(evaluator_, subdivision_, shortcuts, blend_options());
+    std::optional<Shortened> trial = shorten_group(fields_, subdivision_, shortcuts, blend_options());
     if (!trial) return false;
     BlockQuads quads;
     const BlockQuality after = worst_quality(trial->subdivision, all_faces(trial->subdivision), quads);
@@ -156,7 +153,7 @@ class Simplifier {
     return {options_.max_deviation, relative_fit_tol * subdivision_.graph().face.diameter};
   }
 
-  const field::FieldEvaluator& evaluator_;
+  const field::FieldsOfRegions& fields_;
   const SimplifyOptions& options_;
   Subdivision subdivision_;
   BlockQualities qualities_;               // not of trials, whose splines get the numbers of later ones
@@ -176,11 +173,11 @@ void report_steps(const Simplifier& simplifier, Report& report) {
 
 }  // namespace
 
-graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::CandidateLayout layout,
+graph::CandidateLayout simplify(const field::FieldsOfRegions& fields, graph::CandidateLayout layout,
                                 const SimplifyOptions& options, Report& report) {
   report.set("simplify.blocks_before", layout.subdivision.num_faces());
   std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
-  Simplifier simplifier(evaluator, std::move(layout.subdivision), options, report.progress());
+  Simplifier simplifier(fields, std::move(layout.subdivision), options, report.progress());
   report.set("simplify.least_scaled_jacobian_before", simplifier.least_scaled_jacobian());
   do simplifier.collapse_chords();
   while (simplifier.shorten_spirals());

@@ -20,7 +20,7 @@ namespace quadrille::simplify {
 /// Returns a layout with as many blocks or fewer. Every face of `layout` must have four corners; the same holds for the
 /// result. Reports blocks before, collapsed chords and the largest deviation, the latter two in the certificate as
 /// well.
-graph::CandidateLayout simplify(const field::FieldEvaluator& evaluator, graph::CandidateLayout layout,
+graph::CandidateLayout simplify(const field::FieldsOfRegions& fields, graph::CandidateLayout layout,
                                 const SimplifyOptions& options, Report& report);
 
 }  // namespace quadrille::simplify

@@ -7,6 +7,7 @@
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/divide_at_point.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::simplify {
 namespace {
@@ -15,10 +16,10 @@ using graph::ChordStrip;
 using graph::FixedSide;
 using graph::Subdivision;
 
-// The spline that an inner arc is a part of, -1 on the boundary.
+// The spline that an inner arc is a part of, -1 on the boundary and on interfaces.
 int spline_of(const ArcGraph& graph, int a) {
   const GraphArc& arc = graph.arcs[a];
-  return arc.is_boundary ? -1 : arc.pieces.front().curve - graph.face.num_curves();
+  return is_on_cad_curve(graph, arc) ? -1 : arc.pieces.front().curve - graph.face.num_curves();
 }
 
 FixedSide fixed_end(const Subdivision& subdivision, HalfEdge rung, bool& both) {
@@ -128,13 +129,13 @@ std::vector<SpiralShortcut> find_shortcuts(const Subdivision& subdivision, const
   return found;
 }
 
-std::optional<Blend> blend_of(const field::FieldEvaluator& evaluator, const ArcGraph& graph,
+std::optional<Blend> blend_of(const field::FieldsOfRegions& fields, const ArcGraph& graph,
                               const SpiralShortcut& shortcut, const BlendOptions& options) {
   graph::Pieces left, right;
   for (const HalfEdge h : shortcut.left) left = graph::joined(std::move(left), graph::pieces_along(graph, h));
   for (const HalfEdge h : shortcut.right) right = graph::joined(std::move(right), graph::pieces_along(graph, h));
   const curve::CurveTable table(graph.face, graph.splines);
-  return make_blend(evaluator, table, shortcut.from_left ? left : right, shortcut.from_left ? right : left, options);
+  return make_blend(fields, table, shortcut.from_left ? left : right, shortcut.from_left ? right : left, options);
 }
 
 std::optional<Subdivision> with_shortcut(Subdivision subdivision, const SpiralShortcut& shortcut, const Blend& blend) {

@@ -25,7 +25,7 @@ struct SpiralShortcut {
 std::vector<SpiralShortcut> find_shortcuts(const graph::Subdivision& subdivision, const std::vector<double>& lengths);
 
 /// std::nullopt if it would deviate too far.
-std::optional<Blend> blend_of(const field::FieldEvaluator& evaluator, const ArcGraph& graph,
+std::optional<Blend> blend_of(const field::FieldsOfRegions& fields, const ArcGraph& graph,
                               const SpiralShortcut& shortcut, const BlendOptions& options);
 
 /// The compact subdivision in which the blend (of this line, also if the layout has changed since) replaces the line;

@@ -1,19 +1,11 @@
 #include "sizing/boundary_sizes.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
-#include <set>
 
 #include "base/angle.hpp"
-#include "base/error.hpp"
-#include "base/name_text.hpp"
 #include "curve/nurbs.hpp"
-#include "model/interfaces.hpp"
 
 namespace quadrille::sizing {
 namespace {
@@ -77,58 +69,6 @@ std::vector<SizeSegment> segments_of(const Nurbs& curve, const SizeAt& size, dou
 bool is_straight(const Nurbs& curve) { return curve.degree == 1; }
 
 }  // namespace
-
-namespace {
-
-/// The region of this name or else of this number; -1: none.
-int region_of_name(const CadFace& face, const std::string& name) {
-  for (int r = 0; r < face.num_regions(); ++r)
-    if (face.region_names[r] == name) return r;
-  for (int r = 0; r < face.num_regions(); ++r)
-    if (std::to_string(r) == name) return r;
-  return -1;
-}
-
-/// The part behind the last @ is the name of a region, or its number.
-std::vector<int> curves_of_region(const CadFace& face, const std::string& name, std::size_t at,
-                                  const std::string& option) {
-  const std::string region = name.substr(at + 1);
-  const std::vector<int> curve_region = curve_regions(face);
-  const int number = region_of_name(face, region);
-  const auto is_in_region = [&](int c) { return curve_region[c] == number; };
-  std::vector<int> curves = named_curves(face, name.substr(0, at), option);
-  std::erase_if(curves, [&](int c) { return !is_in_region(c); });
-  if (!curves.empty()) return curves;
-  throw UsageError(fmt::format("{}: the boundary \"{}\" does not belong to a region \"{}\"{}; the regions are {}",
-                               option, name.substr(0, at), region, did_you_mean(region, face.region_names),
-                               fmt::join(face.region_names, ", ")));
-}
-
-}  // namespace
-
-std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option) {
-  std::vector<int> curves;
-  for (int c = 0; c < face.num_curves(); ++c)
-    if (face.curve_names[c] == name) curves.push_back(c);
-  int number = -1;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool is_number = error == std::errc() && end == name.data() + name.size();
-  if (curves.empty() && is_number && number >= 0 && number < face.num_curves()) curves.push_back(number);
-  if (!curves.empty()) return curves;
-  if (const std::size_t at = name.rfind('@'); at != std::string::npos && face.num_regions() > 1)
-    return curves_of_region(face, name, at, option);
-  const std::set<std::string> known(face.curve_names.begin(), face.curve_names.end());
-  throw UsageError(fmt::format("{}: there is no boundary \"{}\"{}; the names are {} (or use the numbers 0 to {})",
-                               option, name, did_you_mean(name, face.curve_names), fmt::join(known, ", "),
-                               face.num_curves() - 1));
-}
-
-int named_region(const CadFace& face, const std::string& name) {
-  const std::size_t at = name.rfind('@');
-  if (at == std::string::npos || face.num_regions() == 1) return -1;
-  if (std::find(face.curve_names.begin(), face.curve_names.end(), name) != face.curve_names.end()) return -1;
-  return region_of_name(face, name.substr(at + 1));
-}
 
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope) {
   if (!is_straight(curve))

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "curve/named_curves.hpp"
 #include "sizing/boundary_sizes.hpp"
 
 namespace quadrille::sizing {
@@ -48,8 +49,8 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
     segments.insert(segments.end(), more.begin(), more.end());
   };
   for (const NearSize& near : options.near) {
-    const int region = named_region(face, near.boundary);
-    for (const int curve : named_curves(face, near.boundary, "--size-near")) {
+    const int region = curve::named_region(face, near.boundary);
+    for (const int curve : curve::named_curves(face, near.boundary, "--size-near")) {
       std::vector<SizeSegment> own = segments_near(face.curves[curve], near.size, slope);
       for (SizeSegment& segment : own) segment.region = region;
       add(own);

@@ -8,8 +8,8 @@ quadmesh=$ROOT/pipelines/quadmesh
 refused="empty.step:empty truncated.step:truncated garbage.step:STEP garbage.txt:STEP wrong_extension.iges:.iges
   wrong_extension.txt:.txt unknown_entity.step:#4 unknown_point.step:#4 points_are_directions.step:#4
   broken_reference.step:edges mixed_units.step:unit solid.step:solid sphere.step:planar two_faces.step:faces
-  shared_edge.step:faces open_wire.step:(0,1) self_intersecting.step:(0.952381,0.52381)
-  self_intersecting_curve.step:(1,0.857143) slit.step:(0,0) inner_curve.step:(0.5,0.5) hole_outside.step:(3,0)
+  open_wire.step:(0,1) self_intersecting.step:(0.952381,0.52381)
+  self_intersecting_curve.step:(1,0.857143) hole_outside.step:(3,0)
   hole_across.step:(2,0.75) hole_touching.step:(2,0.5) hole_in_hole.step:(3,3) zero_area.step:(2,0)
   swapped_coordinates.step:(1,2)"
 

@@ -19,16 +19,16 @@ print(*[row[sys.argv[1]] for row in csv.DictReader(open("out/table.csv"))], sep=
 PYTHON=/usr/bin/python3
 
 @test "each shape has its mesh, its report and its row; failures have a message; exit code 1" {
-  run -1 --separate-stderr here "$batch" "$DATA/square.step" "$DATA/bad/slit.step" "$DATA/half_disc.step" --to out \
+  run -1 --separate-stderr here "$batch" "$DATA/square.step" "$DATA/bad/open_wire.step" "$DATA/half_disc.step" --to out \
     --jobs 2 --size 0.2
   assert_output "3 shapes: 2 with a mesh, 1 without, 0 done before: out/table.html"
   assert_equal "$stderr" ""
-  assert_nothing_left out out/{half_disc,square}.{msh,report.json,result.json} out/slit.result.json out/table.{csv,html}
+  assert_nothing_left out out/{half_disc,square}.{msh,report.json,result.json} out/open_wire.result.json out/table.{csv,html}
   assert_equal "$(column exit_code | paste -sd ' ')" "0 3 0"
   assert_equal "$(column blocks | paste -sd ' ')" "4  1"
   assert_equal "$(column quads | head -1)" "$(jq .quads out/half_disc.report.json)"
   run -0 column message
-  assert_output --regexp 'cad2tri: .*slit.step: .* has the face on both sides'
+  assert_output --regexp 'cad2tri: .*open_wire.step: the wire is open'
   "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" --size 0.2 -o one.msh
   cmp one.msh out/half_disc.msh
   xmllint --html --noout out/table.html
@@ -37,7 +37,7 @@ PYTHON=/usr/bin/python3
 @test "what is done is not done again; a changed shape, other options, a lost file and --retry are" {
   mkdir shapes
   cp "$DATA/square.step" "$DATA/half_disc.step" shapes
-  cp "$DATA/bad/slit.step" shapes
+  cp "$DATA/bad/open_wire.step" shapes
   times() { stat -c '%n %.9Y' out/*.result.json | sort; }
   changed() {
     join <(echo "$before") <(times) | awk '$2 != $3 { print $1 }' | sed 's|out/||; s|\.result.*||' | paste -sd ' '
@@ -52,11 +52,11 @@ PYTHON=/usr/bin/python3
   rm out/half_disc.msh && again
   assert_equal "$(changed)" "half_disc"
   again --retry
-  assert_equal "$(changed)" "slit"
+  assert_equal "$(changed)" "open_wire"
   again --threads 2
   assert_equal "$(changed)" ""
   again --size 0.3
-  assert_equal "$(changed)" "half_disc slit square"
+  assert_equal "$(changed)" "half_disc open_wire square"
 }
 
 @test "interrupted half-way, it leaves whole results; started again, it does the rest, once" {
@@ -170,7 +170,7 @@ tree() {
   page=$ROOT/pipelines/batch.md
   ln -s "$ROOT/pipelines" .
   mkdir shapes
-  cp "$DATA/square.step" "$DATA/half_disc.step" "$DATA/bad/slit.step" shapes
+  cp "$DATA/square.step" "$DATA/half_disc.step" "$DATA/bad/open_wire.step" shapes
   sed -nE '/^```/,/^```/d; s/^    ([^ ].*)/\1/p' "$page" >commands
   assert_equal "$(wc -l <commands)" 4
   assert_equal "$(grep '^```.' "$page" | paste -sd ' ')" '```sh ```python' # the job and the rules, below
@@ -180,7 +180,7 @@ tree() {
   chmod +x hosts/ssh
   { sed '$d' commands; echo rm -r meshes; tail -n 1 commands; } >all
   PATH=$PWD/hosts:$PATH HOME=$PWD run bash -uo pipefail all
-  assert_line --regexp '^shapes/slit.step,3,'
+  assert_line --regexp '^shapes/open_wire.step,3,'
   assert_line '"shapes/half_disc.step"'
   assert_line "3 shapes: 2 with a mesh, 1 without, 0 done before: meshes/table.html"
   assert_file_exists "hosts.node1"

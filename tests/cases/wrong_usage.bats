@@ -7,6 +7,7 @@ table() {
 2 | cad2tri --verbos half_disc.step | unknown option --verbos: did you mean --verbose?
 2 | cad2tri --face-name 3 half_disc.step | unknown option --face-name
 2 | cad2tri --heal-tol 1e-4 half_disc.step | unknown option --heal-tol: did you mean --heal-tolerance?
+2 | cad2tri --region-name fluid half_disc.step | --region-name fluid: expected NAME=LIST
 2 | cad2tri -z half_disc.step | unknown option -z
 2 | cad2tri half_disc.step square.step | surplus argument 'square.step'
 2 | cad2tri half_disc.step --size | --size needs a value

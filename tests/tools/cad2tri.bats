@@ -97,8 +97,8 @@ shapes="half_disc square l_shape quarter_annulus annulus eccentric_annulus plate
 @test "bad files end with 3, one message and no file" {
   for name in empty.step truncated.step garbage.step garbage.txt wrong_extension.iges wrong_extension.txt \
     unknown_entity.step unknown_point.step points_are_directions.step broken_reference.step mixed_units.step solid.step \
-    sphere.step two_faces.step shared_edge.step open_wire.step self_intersecting.step self_intersecting_curve.step \
-    slit.step inner_curve.step hole_outside.step hole_across.step hole_touching.step hole_in_hole.step zero_area.step \
+    sphere.step two_faces.step open_wire.step self_intersecting.step self_intersecting_curve.step \
+    hole_outside.step hole_across.step hole_touching.step hole_in_hole.step zero_area.step \
     swapped_coordinates.step; do
     run cad2tri "$DATA/bad/$name" -o a.tri.h5
     assert_failure 3

@@ -99,16 +99,13 @@ TEST(TriMeshCheck, TriR01ElementsOfEachRegion) {
   EXPECT_EQ(broken([](TriMesh& m) { m.region_elems = {0, 2, 4}; }), Rules{"TRI-R01"}) << "one region";
 }
 TEST(TriMeshCheck, TriR11EachRegionCounts) {
-  EXPECT_EQ(broken_regions([](TriMesh& m) {
-              m.face.region_loops = {};
-              m.face.region_names = {};
-              m.region_elems = {};
-            }),
-            (Rules{"FAC-R09"}))
-      << "a second outline is no hole";
+  EXPECT_TRUE(broken_regions([](TriMesh& m) {
+                m.region_elems = {0, 3, 8};
+              }).contains("TRI-R11"))
+      << "the sum over the regions is right";
 }
 TEST(TriMeshCheck, TriR14RegionsHaveElementsOfTheirOwn) {
-  EXPECT_EQ(broken_regions([](TriMesh& m) { m.region_elems = {0, 3, 8}; }), Rules{"TRI-R14"});
+  EXPECT_EQ(broken_regions([](TriMesh& m) { m.region_elems = {0, 3, 8}; }), (Rules{"TRI-R11", "TRI-R14"}));
   EXPECT_TRUE(broken_regions([](TriMesh& m) {
                 // The right square's corner becomes that of the left one.
                 for (auto& triangle : m.elem2vertices)

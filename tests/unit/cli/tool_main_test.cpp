@@ -98,6 +98,17 @@ TEST(ToolMain, AListKeepsAllItsValuesAndTheSequence) {
   EXPECT_EQ(run(tool, {"--part", "1", "2"}).code, 2);  // one value each
 }
 
+TEST(ToolMain, AnEmptyListNeedNotBeRecorded) {
+  for (const bool records_none : {true, false}) {
+    Sample s;
+    std::vector<std::string> parts;
+    Tool tool = s.tool();
+    tool.options = [&](Options& o) { o.texts("--part", parts, "A:B", "a part", records_none); };
+    EXPECT_EQ(run(tool, {}).code, 0);
+    EXPECT_EQ(s.chain.back().options, records_none ? R"({"part":[]})" : "{}");
+  }
+}
+
 TEST(ToolMain, MistakesAreOneLineAndTryHelp) {
   const std::vector<std::vector<std::string>> mistakes{
       {"--nothing"},  {"--size", "-1"},           {"--size", "11"},   {"--size", "nan"},    {"--size", "1x"},

@@ -59,7 +59,7 @@ struct Regions {
 SeparatrixGraph coupled(const CadFace& face) {
   Regions regions(face);
   Report report;
-  return couple_layouts(std::move(regions.layouts), report);
+  return couple_layouts(std::move(regions.layouts), {}, report);
 }
 
 int num_faces(const SeparatrixGraph& graph) { return graph::Subdivision(graph).num_faces(); }
@@ -112,7 +112,7 @@ TEST(CoupleLayouts, a_step_gets_the_line_that_the_larger_region_has_not) {
 TEST(CoupleLayouts, a_disc_in_a_square_is_turned_to_its_lines) {
   Regions regions(disc_in_square());
   Report report;
-  const SeparatrixGraph graph = couple_layouts(std::move(regions.layouts), report);
+  const SeparatrixGraph graph = couple_layouts(std::move(regions.layouts), {}, report);
   expect_layout(graph, 1);
   // Symmetric: with each node its image under the quarter turn and the reflection is one.
   for (const GraphNode& node : graph.nodes)

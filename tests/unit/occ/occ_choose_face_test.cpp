@@ -325,7 +325,7 @@ TEST(ChooseFace, solids_shells_groups_and_levels_of_iges_hold_faces) {
 }
 
 TEST(ChooseFace, several_faces_are_refused_with_both_ways_to_choose) {
-  for (const char* file : {"bad/two_faces.step", "bad/shared_edge.step", "bad/solid.step"}) {
+  for (const char* file : {"bad/two_faces.step", "regions/bad/two_planes.step", "bad/solid.step"}) {
     const std::string message = refusal(test_bytes(file), "");
     for (const char* option : {"--face NUMBER", "--face NAME", "--list"})
       EXPECT_NE(message.find(option), std::string::npos) << message;

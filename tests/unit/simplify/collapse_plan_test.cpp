@@ -60,13 +60,18 @@ TEST(CollapsePlan, AClosedStripFixedOnceKeepsThatRail) {
 
 TEST(CollapsePlan, OnlyRailsInsideAreRemoved) {
   ArcGraph graph;
+  graph.face.curves.resize(1);
   graph.arcs.resize(2);
+  graph.arcs[0].pieces = {{1, 0, 1}};
+  graph.arcs[1].pieces = {{0, 0, 1}};
   graph.arcs[1].is_boundary = true;
   graph::ChordStrip strip = strip_of(1, false);
   strip.left[0] = {0}, strip.right[0] = {1};
   EXPECT_TRUE(removes_boundary(graph, strip, plan_collapse(strip, {l, l})));
   EXPECT_FALSE(removes_boundary(graph, strip, plan_collapse(strip, {r, r})));
   EXPECT_TRUE(removes_boundary(graph, strip, plan_collapse(strip, {l, r})));
+  graph.arcs[1].is_boundary = false;
+  EXPECT_TRUE(removes_boundary(graph, strip, plan_collapse(strip, {l, l}))) << "an interface remains too";
 }
 
 }  // namespace

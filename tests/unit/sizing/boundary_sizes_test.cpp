@@ -7,7 +7,6 @@
 #include <string>
 
 #include "../hand_made.hpp"
-#include "../support/region_graphs.hpp"
 #include "base/error.hpp"
 #include "sizing/make_size_field.hpp"
 
@@ -47,47 +46,6 @@ TEST(BoundarySizes, CurvatureOfAParabolaIsFollowed) {
     const double wanted = 2 * pi / 20 * std::pow(1 + 4 * x * x, 1.5) / 2;
     EXPECT_NEAR(sizes.at({x, x * x}), wanted, 1e-4 * wanted) << x;
   }
-}
-
-TEST(BoundarySizes, NamesGoBeforeNumbers) {
-  CadFace face = hand_made::unit_square().face;
-  face.curve_names = {"wall", "0", "wall", "out"};
-  EXPECT_EQ(named_curves(face, "wall", "--wall"), (std::vector<int>{0, 2}));
-  EXPECT_EQ(named_curves(face, "0", "--wall"), std::vector<int>{1});
-  EXPECT_EQ(named_curves(face, "3", "--wall"), std::vector<int>{3});
-  try {
-    named_curves(face, "wal", "--wall");
-    FAIL() << "an unknown name was accepted";
-  } catch (const UsageError& error) {
-    for (const char* known :
-         {"--wall: there is no boundary \"wal\" (did you mean wall?); the names are ", "out", "0 to 3"})
-      EXPECT_NE(std::string(error.what()).find(known), std::string::npos) << error.what();
-  }
-}
-
-TEST(NamedCurves, ARegionPicksOneSideOfAnInterface) {
-  CadFace face = region_graphs::two_squares().face;
-  face.region_names = {"fluid", "solid"};
-  face.curve_names[1] = face.curve_names[7] = "wet";
-  EXPECT_EQ(named_curves(face, "wet", "--wall"), (std::vector<int>{1, 7}));
-  EXPECT_EQ(named_curves(face, "wet@fluid", "--wall"), std::vector<int>{1});
-  EXPECT_EQ(named_curves(face, "wet@1", "--wall"), std::vector<int>{7});
-  EXPECT_EQ(named_curves(face, "0@fluid", "--wall"), std::vector<int>{0});
-  const auto refusal = [&](const char* name) {
-    try {
-      named_curves(face, name, "--wall");
-    } catch (const UsageError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
-  EXPECT_EQ(refusal("wet@fluod"),
-            "--wall: the boundary \"wet\" does not belong to a region \"fluod\" (did you mean fluid?); the regions are "
-            "fluid, solid");
-  EXPECT_EQ(refusal("0@solid").substr(0, 52), "--wall: the boundary \"0\" does not belong to a region");
-  EXPECT_EQ(refusal("dry@fluid").substr(0, 39), "--wall: there is no boundary \"dry\"; the");
-  face.curve_names[0] = "wet@fluid";
-  EXPECT_EQ(named_curves(face, "wet@fluid", "--wall"), std::vector<int>{0}) << "a name may contain an @";
 }
 
 TEST(MakeSizeField, TakesAllSourcesTogether) {

@@ -1,0 +1,21 @@
+#pragma once
+// Names of regions and of the curves that they share. No OpenCASCADE types.
+
+#include <vector>
+
+#include "model/cad_face.hpp"
+#include "model/name_rules.hpp"
+
+namespace quadrille::cad {
+
+/// Names the interfaces without a given name after the two regions, the one with the lower number first: "fluid-solid";
+/// the second side of a slit without a given name like the first.
+void name_interfaces(CadFace& face);
+
+/// Sets the names of regions by `rules` of the kinds range, pattern, position and rest; old names are those before the
+/// first rule, and a position is a point inside the region. The name of a single region is that of the face. Names
+/// interfaces anew. Throws FormatError, with the position of the rule in its source, for a rule without a region, a
+/// point that is in none or on the boundary of one, and for two rules that name the same region.
+void rename_regions(CadFace& face, const std::vector<NameRule>& rules);
+
+}  // namespace quadrille::cad

@@ -1,0 +1,212 @@
+#include "sew/embed_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "curve/move_ends.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
+#include "curve/project.hpp"
+#include "heal/interior_angle.hpp"
+#include "outline/extent.hpp"
+#include "outline/outline_checks.hpp"
+#include "sew/cut_curve.hpp"
+#include "sew/half_edges.hpp"
+#include "sew/inner_nodes.hpp"
+#include "sew/match_curves.hpp"
+#include "sew/region_distance.hpp"
+
+namespace quadrille::sew {
+namespace {
+
+Nurbs curve_of(const SideOfCurve& side) { return side.curve.curve; }
+
+Vec2 middle_of(const Nurbs& curve) { return curve::point(curve, (curve.begin() + curve.end()) / 2); }
+
+/// Cuts curves at nodes and collects the sides of the pieces.
+class Sides {
+ public:
+  Sides(const Region& region, std::vector<Vec2> nodes, double tol)
+      : region_(region), nodes_(std::move(nodes)), tol_(tol) {}
+
+  void add_boundary() {
+    // A joint may be within the tolerance of another curve of the boundary, but it is not on it.
+    int num_joints = 0;
+    for (int c = 0; c < region_.num_curves(); ++c) num_joints += !has_seam(region_, c);
+    for (int c = 0; c < region_.num_curves(); ++c)
+      for (SideOfCurve& piece : pieces_of(region_.curves[c], has_seam(region_, c), num_joints))
+        sides.push_back(std::move(piece));
+  }
+
+  void add_inner(const heal::LoopCurve& inner) {
+    for (SideOfCurve& piece : pieces_of(inner, curve::has_smooth_seam(inner.curve), 0))
+      if (is_inside(piece.curve.curve) && !is_known(piece)) {
+        const int number = static_cast<int>(sides.size());
+        SideOfCurve back{piece.curve, piece.to, piece.from, number};
+        back.curve.curve = curve::reversed(back.curve.curve);
+        piece.twin = number + 1;
+        sides.push_back(std::move(piece));
+        sides.push_back(std::move(back));
+      }
+  }
+
+  std::vector<SideOfCurve> sides;
+
+ private:
+  int nearest_node(Vec2 x) const {
+    const auto nearer = [x](Vec2 a, Vec2 b) { return distance(a, x) < distance(b, x); };
+    return static_cast<int>(std::min_element(nodes_.begin(), nodes_.end(), nearer) - nodes_.begin());
+  }
+
+  // Cut at the nodes from number `first` on.
+  std::vector<SideOfCurve> pieces_of(const heal::LoopCurve& whole, bool is_round, int first) {
+    const Nurbs& curve = whole.curve;
+    const int start = is_round ? -1 : nearest_node(curve.poles.front());
+    const int end = is_round ? -1 : nearest_node(curve.poles.back());
+    std::vector<Cut> cuts;
+    const curve::PoleBox box = curve::pole_box(curve);
+    for (int n = first; n < static_cast<int>(nodes_.size()); ++n) {
+      if (n == start || n == end || !box.contains(nodes_[n], tol_)) continue;
+      const auto foot = curve::project(curve, nodes_[n]);
+      if (foot.distance <= tol_) cuts.push_back({foot.t, n});
+    }
+    std::vector<CutPiece> cut = cut_curve(curve, cuts, start);
+    if (cut.front().start < 0) {  // a whole smooth closed curve: its seam becomes a node
+      nodes_.push_back(curve.poles.front());
+      cut.front().start = static_cast<int>(nodes_.size()) - 1;
+    }
+    std::vector<SideOfCurve> pieces;
+    for (size_t i = 0; i < cut.size(); ++i) {
+      const int to = i + 1 < cut.size() ? cut[i + 1].start : is_round ? cut.front().start : end;
+      const Nurbs moved = curve::with_ends(cut[i].curve, nodes_[cut[i].start], nodes_[to]);
+      pieces.push_back({{moved, whole.cad_edge, whole.name}, cut[i].start, to, -1});
+    }
+    return pieces;
+  }
+
+  // Pieces along the boundary are none of the region's inside.
+  bool is_inside(const Nurbs& curve) const {
+    Vec2 farthest;
+    double distance = 0;
+    for (const double fraction : {0.25, 0.5, 0.75}) {
+      const Vec2 x = curve::point(curve, curve.begin() + fraction * (curve.end() - curve.begin()));
+      if (const double d = distance_from_boundary(region_, x); d > distance) distance = d, farthest = x;
+    }
+    return distance > tol_ && contains(region_, farthest);
+  }
+
+  bool is_known(const SideOfCurve& piece) const {
+    return std::any_of(sides.begin(), sides.end(), [&](const SideOfCurve& side) {
+      return side.twin >= 0 && side.from == piece.from && side.to == piece.to &&
+             separation(side.curve.curve, piece.curve.curve) <= tol_;
+    });
+  }
+
+  const Region& region_;
+  std::vector<Vec2> nodes_;
+  double tol_;
+};
+
+/// A loop with what decides to which region it belongs.
+struct TracedLoop {
+  std::vector<int> sides;
+  std::vector<Nurbs> curves;
+  int component = 0;
+  bool is_outline = false;
+  double area = 0;
+};
+
+std::vector<TracedLoop> measured_loops(const std::vector<SideOfCurve>& sides) {
+  int num_nodes = 0;
+  for (const SideOfCurve& side : sides) num_nodes = std::max(num_nodes, side.from + 1);
+  DisjointSets components(num_nodes);
+  for (const SideOfCurve& side : sides) components.unite(side.from, side.to);
+  std::vector<TracedLoop> loops;
+  for (std::vector<int>& numbers : traced_loops(sides)) {
+    TracedLoop loop{std::move(numbers), {}, 0, false, 0};
+    loop.component = components.find(sides[loop.sides.front()].from);
+    for (const int s : loop.sides) loop.curves.push_back(curve_of(sides[s]));
+    const auto has_twin_here = [&](int s) {
+      return std::find(loop.sides.begin(), loop.sides.end(), sides[s].twin) != loop.sides.end();
+    };
+    loop.area = outline::signed_area(loop.curves);
+    loop.is_outline = loop.area > 0 && !std::all_of(loop.sides.begin(), loop.sides.end(), has_twin_here);
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// For each outline, in the order of the loops, the loops of its region: itself, then its holes and slits.
+std::vector<std::vector<int>> grouped(const std::vector<TracedLoop>& loops) {
+  std::vector<std::vector<int>> groups;
+  for (int l = 0; l < static_cast<int>(loops.size()); ++l)
+    if (loops[l].is_outline) groups.push_back({l});
+  for (int l = 0; l < static_cast<int>(loops.size()); ++l) {
+    if (loops[l].is_outline) continue;
+    const Vec2 x = middle_of(loops[l].curves.front());
+    std::vector<int>* smallest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::vector<int>& group : groups) {
+      const TracedLoop& outer = loops[group.front()];
+      // A connected set of curves has no loop around itself.
+      if (outer.component == loops[l].component || outer.area >= least) continue;
+      if (outline::winding_number(outer.curves, x) != 0) smallest = &group, least = outer.area;
+    }
+    if (smallest != nullptr) smallest->push_back(l);
+  }
+  return groups;
+}
+
+Region region_of_group(const Region& whole, const std::vector<SideOfCurve>& sides, const std::vector<TracedLoop>& loops,
+                       const std::vector<int>& group) {
+  Region region{whole.name, whole.cad_face, {}, {}, {0}};
+  std::vector<int> numbers(sides.size(), -1), used;
+  for (const int l : group) {
+    for (const int s : loops[l].sides) {
+      numbers[s] = region.num_curves();
+      used.push_back(s);
+      region.curves.push_back(sides[s].curve);
+    }
+    region.loop_offsets.push_back(region.num_curves());
+  }
+  for (const int s : used) region.other_sides.push_back(sides[s].twin < 0 ? -1 : numbers[sides[s].twin]);
+  return region;
+}
+
+void refuse_cusps(const Region& region, const std::string& file) {
+  for (int c = 0; c < region.num_curves(); ++c) {
+    const int before = region.previous_in_loop(c);
+    if (region.other_sides[c] == before) continue;  // the tip of a slit
+    const Nurbs &in = region.curves[before].curve, &out = region.curves[c].curve;
+    if (heal::is_cusp(heal::interior_angle(in, out)))
+      throw FormatError(fmt::format(
+          "{}: edges {} and {} meet at {} at an angle of zero: let the inner curve end at an "
+          "angle to the other",
+          file, region.curves[before].cad_edge, region.curves[c].cad_edge, rounded_position_text(out.poles.front())));
+  }
+}
+
+}  // namespace
+
+std::vector<Region> embed_curves(const Region& region, const std::vector<heal::LoopCurve>& curves, double tol,
+                                 const std::string& file) {
+  Sides sides(region, inner_nodes(region, curves, tol, file), tol);
+  sides.add_boundary();
+  const size_t num_boundary = sides.sides.size();
+  for (const heal::LoopCurve& inner : curves) sides.add_inner(inner);
+  if (sides.sides.size() == num_boundary) return {region};
+  const std::vector<TracedLoop> loops = measured_loops(sides.sides);
+  std::vector<Region> regions;
+  for (const std::vector<int>& group : grouped(loops)) {
+    regions.push_back(region_of_group(region, sides.sides, loops, group));
+    refuse_cusps(regions.back(), file);
+  }
+  return regions;
+}
+
+}  // namespace quadrille::sew

@@ -1,0 +1,168 @@
+#include "sew/inner_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/counted.hpp"
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
+#include "curve/project.hpp"
+#include "outline/wire_loop.hpp"
+#include "sew/region_distance.hpp"
+
+namespace quadrille::sew {
+namespace {
+
+constexpr int num_samples = 32;
+/// Of the length of an open wire: ends that are nearer to each other are a gap in a closed one.
+constexpr double least_opening = 0.1;
+
+double length_of(const std::vector<heal::RawEdge>& wire) {
+  double length = 0;
+  for (const heal::RawEdge& edge : wire) length += curve::ArcLength(edge.curve).total();
+  return length;
+}
+
+curve::PoleBox box_of(const std::vector<heal::RawEdge>& wire) {
+  std::vector<Nurbs> curves;
+  for (const heal::RawEdge& edge : wire) curves.push_back(edge.curve);
+  return curve::pole_box(curves);
+}
+
+/// The ends of edges of the wire that no other end meets.
+std::vector<Vec2> loose_ends(const std::vector<heal::RawEdge>& wire, double tol) {
+  std::vector<Vec2> ends, loose;
+  for (const heal::RawEdge& edge : wire) ends.push_back(edge.start), ends.push_back(edge.end);
+  for (size_t i = 0; i < ends.size(); ++i) {
+    bool is_met = false;
+    for (size_t j = 0; j < ends.size() && !is_met; ++j) is_met = i != j && distance(ends[i], ends[j]) <= tol;
+    if (!is_met) loose.push_back(ends[i]);
+  }
+  return loose;
+}
+
+bool is_open(const std::vector<heal::RawEdge>& wire, double tol) {
+  const std::vector<Vec2> loose = loose_ends(wire, tol);
+  if (loose.size() < 2) return false;
+  const double opening = least_opening * length_of(wire);
+  for (size_t i = 0; i < loose.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (distance(loose[i], loose[j]) < opening) return false;
+  return true;
+}
+
+std::vector<Vec2> samples_of(const Nurbs& curve) {
+  const curve::ArcLength length(curve);
+  std::vector<Vec2> samples;
+  for (int i = 0; i <= num_samples; ++i)
+    samples.push_back(curve::point(curve, length.parameter(length.total() * i / num_samples)));
+  return samples;
+}
+
+enum class Position { outside, on_boundary, inside };
+
+Position position_in(const std::vector<Region>& regions, Vec2 x, double tol) {
+  Position position = Position::outside;
+  for (const Region& region : regions) {
+    if (distance_from_boundary(region, x) <= tol)
+      position = Position::on_boundary;
+    else if (contains(region, x))
+      return Position::inside;
+  }
+  return position;
+}
+
+/// The first sample outside of all regions, or, if the curve is nowhere inside, any.
+const Vec2* first_outside(const std::vector<Region>& regions, const std::vector<Vec2>& samples, double tol) {
+  bool is_inside = false;
+  for (const Vec2& x : samples) {
+    const Position position = position_in(regions, x, tol);
+    if (position == Position::outside) return &x;
+    is_inside |= position == Position::inside;
+  }
+  return is_inside ? nullptr : &samples[num_samples / 2];
+}
+
+}  // namespace
+
+void move_open_wires(heal::RawFace& raw, const heal::HealScale& scale, Report& report) {
+  if (raw.wires.size() < 2) return;
+  const auto smaller = [](const auto& a, const auto& b) { return box_of(a).diagonal() < box_of(b).diagonal(); };
+  const auto outline = std::max_element(raw.wires.begin(), raw.wires.end(), smaller) - raw.wires.begin();
+  std::vector<std::vector<heal::RawEdge>> closed;
+  for (size_t w = 0; w < raw.wires.size(); ++w) {
+    if (static_cast<long>(w) == outline || !is_open(raw.wires[w], 2 * scale.tolerance)) {
+      closed.push_back(std::move(raw.wires[w]));
+      continue;
+    }
+    report.warn(
+        warning::open_wire_embedded,
+        fmt::format("{}: the inner wire at {} is not closed and was taken as a curve with the face on both sides",
+                    raw.file, rounded_position_text(raw.wires[w].front().start)));
+    for (heal::RawEdge& edge : raw.wires[w]) raw.inner_edges.push_back(std::move(edge));
+  }
+  raw.wires = std::move(closed);
+}
+
+std::vector<heal::LoopCurve> embedded_edges(const std::vector<Region>& regions, const std::vector<heal::RawEdge>& edges,
+                                            const heal::HealScale& scale, Report& report) {
+  std::vector<heal::LoopCurve> curves;
+  size_t num_ignored = 0;
+  for (const heal::RawEdge& edge : edges) {
+    if (!(edge.height <= scale.most_off_plane) ||
+        first_outside(regions, samples_of(edge.curve), scale.tolerance) != nullptr) {
+      ++num_ignored;
+      continue;
+    }
+    for (heal::LoopCurve& piece : outline::smooth_pieces(edge)) curves.push_back(std::move(piece));
+  }
+  if (num_ignored > 0)
+    report.warn(warning::curves_ignored,
+                fmt::format("{}: ignored {} beside the face", scale.file, counted(num_ignored, "curve")));
+  return curves;
+}
+
+std::vector<heal::LoopCurve> inner_curves(const Region& region, const std::vector<heal::RawEdge>& edges,
+                                          const heal::HealScale& scale) {
+  std::vector<heal::LoopCurve> curves;
+  for (const heal::RawEdge& edge : edges) {
+    const std::vector<Vec2> samples = samples_of(edge.curve);
+    if (const Vec2* x = first_outside({region}, samples, scale.tolerance))
+      throw FormatError(
+          fmt::format("{}: {}: edge {}, which bounds nothing, is not inside the face at {}: draw it inside, "
+                      "or remove it",
+                      scale.file, face_text(region), edge.cad_edge, rounded_position_text(*x)));
+    for (heal::LoopCurve& piece : outline::smooth_pieces(edge)) curves.push_back(std::move(piece));
+  }
+  return curves;
+}
+
+void refuse_dangling_ends(const std::vector<Region>& regions, const std::vector<heal::LoopCurve>& curves,
+                          const heal::HealScale& scale, double most_slip) {
+  std::vector<const heal::LoopCurve*> others;
+  for (const Region& region : regions)
+    for (const heal::LoopCurve& c : region.curves) others.push_back(&c);
+  for (const heal::LoopCurve& c : curves) others.push_back(&c);
+  for (const heal::LoopCurve& c : curves) {
+    if (curve::has_smooth_seam(c.curve)) continue;
+    for (const Vec2 end : {c.curve.poles.front(), c.curve.poles.back()}) {
+      double least = std::numeric_limits<double>::infinity();
+      const heal::LoopCurve* nearest = nullptr;
+      for (const heal::LoopCurve* other : others)
+        if (other != &c && curve::pole_box(other->curve).contains(end, most_slip))
+          if (const double d = curve::project(other->curve, end).distance; d < least) least = d, nearest = other;
+      if (least <= scale.tolerance || !(least <= most_slip)) continue;
+      throw FormatError(fmt::format("{}: the curve of edge {} ends at {}, {:.3g} before edge {}{}", scale.file,
+                                    c.cad_edge, rounded_position_text(end), least, nearest->cad_edge,
+                                    heal::remedy(scale, least)));
+    }
+  }
+}
+
+}  // namespace quadrille::sew
