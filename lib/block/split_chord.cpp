@@ -18,6 +18,7 @@ namespace {
 
 constexpr double fit_tolerance = 1e-9;   // relative to the face's diameter
 constexpr double anchor_weight = 1e-2;   // w_0
+constexpr double periodic_weight = 1e4;  // of equal fractions of periodic arcs, over the greatest other weight
 constexpr double least_fraction = 0.05;  // fraction of an arc, on either side of the cut
 
 /// A block of the chord: its sides `side` and `side + 2` are cut.
@@ -51,6 +52,9 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
   const int n = static_cast<int>(chord.arcs.size());
   std::vector<int> arc2index(layout.arcs.size(), -1);
   for (int i = 0; i < n; ++i) arc2index[chord.arcs[i]] = i;
+  std::vector<std::array<int, 2>> periodic;  // pairs of the chord's arcs that are cut at the same fraction
+  for (const auto& [first, second] : mesh::periodic_arcs(layout))
+    if (arc2index[first.arc] >= 0) periodic.push_back({arc2index[first.arc], arc2index[second.arc]});
   const auto walk = [&](int i) { return DirectedCurve{&maps.arc(chord.arcs[i]), chord.backwards[i]}; };
   Eigen::VectorXd f = Eigen::VectorXd::Constant(n, 0.5);
   for (int round = 0; round < 4; ++round) {  // d depends on the middle, but weakly
@@ -67,8 +71,13 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
       normal(i, i) += w, normal(j, j) += w, normal(i, j) -= w, normal(j, i) -= w;
       right[j] += w * d, right[i] -= w * d;
     }
+    const double stiffness = periodic_weight * normal.maxCoeff();
+    for (const auto& [i, j] : periodic) {
+      normal(i, i) += stiffness, normal(j, j) += stiffness, normal(i, j) -= stiffness, normal(j, i) -= stiffness;
+    }
     f = normal.ldlt().solve(right);
     for (int i = 0; i < n; ++i) f[i] = std::clamp(f[i], least_fraction, 1 - least_fraction);
+    for (const auto& [i, j] : periodic) f[i] = f[j] = (f[i] + f[j]) / 2;
   }
   return {f.data(), f.data() + n};
 }
@@ -148,7 +157,7 @@ bool split_chord(graph::Subdivision& subdivision, int arc, const std::vector<boo
   const int id = layout.arc_chord[arc];
   const std::vector<Crossing> crossings = blocks_of_chord(layout, id);
   if (!may_be_cut(layout, id) || crosses_itself(crossings)) return false;
-  const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord)[id];
+  const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord, mesh::periodic_arcs(layout))[id];
   const BlockMaps maps(layout);
   const std::vector<double> fractions = arc_fractions(layout, maps, chord, crossings);
   std::vector<int> second(layout.arcs.size(), -1);  // part of each divided arc

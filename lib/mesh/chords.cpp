@@ -6,8 +6,10 @@
 
 namespace quadrille::mesh {
 
-std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs) {
+std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs,
+                            const std::vector<PeriodicArcs>& periodic) {
   DisjointSets linked(num_arcs);
+  for (const auto& [first, second] : periodic) linked.unite(first.arc, second.arc);
   for (const std::array<HalfEdge, 4>& arcs : block2arcs)
     for (int k = 0; k < 2; ++k) linked.unite(arcs[k].arc, arcs[k + 2].arc);
   std::vector<int> chord(num_arcs);
@@ -20,20 +22,21 @@ std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2ar
 }
 
 std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs,
-                                   const std::vector<int>& arc_chord) {
+                                   const std::vector<int>& arc_chord, const std::vector<PeriodicArcs>& periodic) {
   const int num_arcs = static_cast<int>(arc_chord.size());
   struct Link {
     int arc;
     bool flips;  ///< opposite sides, each taken counter-clockwise, have opposite directions
   };
   std::vector<std::vector<Link>> links(num_arcs);
+  const auto connect = [&](HalfEdge a, HalfEdge b) {
+    const bool flips = a.is_backwards == b.is_backwards;
+    links[a.arc].push_back({b.arc, flips});
+    links[b.arc].push_back({a.arc, flips});
+  };
   for (const std::array<HalfEdge, 4>& sides : block2arcs)
-    for (int k = 0; k < 2; ++k) {
-      const int a = sides[k].arc, b = sides[k + 2].arc;
-      const bool flips = sides[k].is_backwards == sides[k + 2].is_backwards;
-      links[a].push_back({b, flips});
-      links[b].push_back({a, flips});
-    }
+    for (int k = 0; k < 2; ++k) connect(sides[k], sides[k + 2]);
+  for (const auto& [first, second] : periodic) connect(first, second);
   std::vector<Chord> chords(num_arcs == 0 ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
   std::vector<int> arc2index(num_arcs, -1);
   for (int first = 0; first < num_arcs; ++first) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "mesh/periodic_arcs.hpp"
 #include "model/half_edge.hpp"
 
 namespace quadrille::mesh {
@@ -11,7 +12,9 @@ namespace quadrille::mesh {
 /// The chord of each of `num_arcs` arcs; chords are numbered by their first arc. `block2arcs` as in BlockLayout. An arc
 /// that is not a side of a block is a chord of its own. If a chord crosses itself, all four sides of a block belong to
 /// it.
-std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs);
+/// `periodic`: pairs of arcs that belong to one chord as well.
+std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs,
+                            const std::vector<PeriodicArcs>& periodic = {});
 
 /// A chord with its arcs, all in one direction, and the pairs of them that are opposite sides of a block.
 struct Chord {
@@ -22,6 +25,6 @@ struct Chord {
 
 /// All chords, numbered as in `arc_chord`.
 std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs,
-                                   const std::vector<int>& arc_chord);
+                                   const std::vector<int>& arc_chord, const std::vector<PeriodicArcs>& periodic = {});
 
 }  // namespace quadrille::mesh

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refine/match_periodic.hpp"
+
 namespace quadrille::refine {
 namespace {
 
@@ -197,7 +199,7 @@ class Aligner {
 }  // namespace
 
 std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& measured, const AlignOptions& options) {
-  std::vector<sizing::ArcParameter> parameters(measured.num_arcs());
+  std::vector<std::vector<double>> by_arc(measured.num_arcs());
   for (const mesh::Chord& chord : measured.chords()) {
     Aligner aligner(measured, chord, options);
     if (!aligner.is_misaligned()) continue;
@@ -208,9 +210,14 @@ std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& mea
         std::reverse(fractions.begin(), fractions.end());
         for (double& f : fractions) f = 1 - f;
       }
-      parameters[chord.arcs[i]] = sizing::ArcParameter(std::move(fractions));
+      by_arc[chord.arcs[i]] = std::move(fractions);
     }
   }
+  for (const mesh::PeriodicArcs& arcs : measured.periodic_arcs())
+    match_fractions(arcs, by_arc[arcs[0].arc], by_arc[arcs[1].arc]);
+  std::vector<sizing::ArcParameter> parameters(measured.num_arcs());
+  for (std::size_t arc = 0; arc < by_arc.size(); ++arc)
+    if (!by_arc[arc].empty()) parameters[arc] = sizing::ArcParameter(std::move(by_arc[arc]));
   return parameters;
 }
 

@@ -31,6 +31,12 @@ bool is_seam(const CadFace& face, int curve) {
          std::abs(face.joints[curve].interior_angle - pi) < smooth_turn;
 }
 
+/// Whether another curve has the same nodes, or nodes that a motion maps onto them.
+bool is_shared(const CadFace& face, int curve) {
+  const auto is_of = [curve](const PeriodicPair& pair) { return pair.curves[0] == curve || pair.curves[1] == curve; };
+  return face.is_interface(curve) || std::any_of(face.periodic_pairs.begin(), face.periodic_pairs.end(), is_of);
+}
+
 /// The edges on the boundary and on interfaces, loop by loop and in the order of each.
 std::vector<std::vector<QuadBoundaryEdge>> edges_of_loops(const QuadMesh& mesh) {
   std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
@@ -65,7 +71,7 @@ void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
   for (int k = 0; k < count; ++k)
-    if (mesh_->face.is_interface(loop_edges[k].curve))
+    if (is_shared(mesh_->face, loop_edges[k].curve))
       vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
   for (int e = first; e < first + count; ++e) {
     const curve::Chain& chain = loops_[vertices_[edges_[e].from].loop];

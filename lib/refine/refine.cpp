@@ -16,6 +16,7 @@
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
+#include "refine/match_periodic.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
@@ -106,6 +107,7 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
+  match_periodic(measured.periodic_arcs(), result.divisions, result.walls);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);
@@ -275,6 +277,7 @@ double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ?
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
+  mesh::require_periodic_arcs(layout);
   const sizing::MeasuredLayout measured(layout);
   const SplitRequest request = split_request(options, layout.face, report);
   auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);

@@ -34,9 +34,10 @@ std::vector<int> regions_of_arcs(const BlockLayout& layout) {
 MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
     : blocks(&layout),
       curves(layout.face, layout.splines),
-      arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()))),
+      periodic(mesh::periodic_arcs(layout)),
+      arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()), periodic)),
       arc_region(regions_of_arcs(layout)),
-      chords(mesh::directed_chords(layout.block2arcs, arc_chord)),
+      chords(mesh::directed_chords(layout.block2arcs, arc_chord, periodic)),
       is_parallel(parallel_arcs(layout.arcs)) {
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(curves, arc.pieces);
 }
