@@ -54,6 +54,7 @@ table() {
 2 | stageview w/half_disc.quad.h5 --window 0,0,1 -o out.svg | --window: '0,0,1' is not X0,Y0,X1,Y1
 2 | stageview w/half_disc.quad.h5 --window 5,5,6,6 -o out.svg | --window: nothing is there; the picture extends from
 2 | stageview w/half_disc.tri.h5 --curve-labels --no-curve-labels -o out.svg | --curve-labels and --no-curve-labels exclude each other
+2 | stageview w/half_disc.quad.h5 -o out.gif | out.gif: pictures are written as SVG, PNG or PDF: end the name in
 2 | stagecheck --histroy w/half_disc.quad.h5 | unknown option --histroy: did you mean --history?
 3 | stagecheck half_disc.step w/half_disc.quad.h5 | 1 of 2 files is broken
 3 | stagecheck half_disc.step | 1 of 1 file is broken
