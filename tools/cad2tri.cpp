@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
         "--name", name_options, "NAME=LIST|NAME@X,Y",
         "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
         "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
-        "in file units, which must be within a tenth of the diameter; may be given several times; overrides "
+        "in file units, which must be within a tenth of the diameter; overrides "
         "--boundary-names; stageview --curve-labels draws the numbers");
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
              "ratio of the radii of successive layers of a fan");
