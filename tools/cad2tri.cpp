@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
         "--name", name_options, "NAME=LIST|NAME@X,Y",
         "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
         "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
-        "in file units, which must be within a tenth of the diameter; may be given several times; overrides "
+        "in file units, which must be within a tenth of the diameter; overrides "
         "--boundary-names; stageview --curve-labels draws the numbers");
     o.texts("--region-name", region_options, "NAME=LIST|NAME@X,Y",
             "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "

@@ -244,7 +244,7 @@ int main(int argc, char** argv) {
     o.texts(
         "--patch-type", patch_types, "NAME=TYPE",
         "type of the OpenFOAM patches whose name fits NAME, with the wild cards * and ?: patch, wall, symmetryPlane, "
-        "symmetry, empty or wedge; may be given several times, the last one decides; without it names that begin "
+        "symmetry, empty or wedge; the last one that fits decides; without it names that begin "
         "with wall, symmetry or empty decide, and the rest is patch");
     o.choice("--unit", options.length.unit, unit_choices(),
              "length unit of the written coordinates; file: that of the CAD file, whose numbers are kept");

@@ -203,9 +203,10 @@ std::string drawn(const Settings& settings, bool is_page, cli::Session& session)
 }
 
 void run(const Settings& settings, cli::Session& session) {
-  const bool is_page = settings.output.ends_with(".html") || settings.output.ends_with(".htm");
+  const std::string ending = io::picture_ending(settings.output);
+  const bool is_page = ending == "html" || ending == "htm";
   check_usage(settings, is_page);
-  const io::PictureFormat format = io::picture_format(settings.output);
+  const io::PictureFormat format = is_page ? io::PictureFormat::svg : io::picture_format(settings.output);
   const std::string text = drawn(settings, is_page, session);
   const std::string bytes = is_page ? text : io::converted_picture(text, format, settings.output);
   session.end_phase();
@@ -228,7 +229,8 @@ int main(int argc, char** argv) {
       "goes to the worst element; the key ? lists its keys. Several files of one chain become the tabs of one page. "
       "Any "
       "other output is a picture: PNG or PDF if its name ends so (made by the program rsvg-convert, which must be "
-      "installed), else SVG. Critical points are drawn with error bars, clusters, changes and the cells of the "
+      "installed), else SVG, the ending of which may be left out. Critical points are drawn with error bars, clusters, "
+      "changes and the cells of the "
       "certificate, over the field that --field names or, without it, in the outline of the face. The worst element or "
       "block is marked if its scaled Jacobian is below 0.5. In a browser, "
       "elements, blocks and points show their numbers and "

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
@@ -93,9 +94,24 @@ bool succeeded(pid_t child) {
 
 }  // namespace
 
+std::string picture_ending(const std::string& path) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos || dot == 0) return "";
+  std::string ending = name.substr(dot + 1);
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
 PictureFormat picture_format(const std::string& path) {
-  if (path.ends_with(".png")) return PictureFormat::png;
-  return path.ends_with(".pdf") ? PictureFormat::pdf : PictureFormat::svg;
+  const std::string ending = picture_ending(path);
+  if (ending == "png") return PictureFormat::png;
+  if (ending == "pdf") return PictureFormat::pdf;
+  if (!ending.empty() && ending != "svg")
+    throw UsageError(fmt::format(
+        "{}: pictures are written as SVG, PNG or PDF: end the name in .svg, .png or .pdf (or, for a page, in .html)",
+        path));
+  return PictureFormat::svg;
 }
 
 std::string converted_picture(const std::string& svg, PictureFormat format, const std::string& path) {

@@ -8,7 +8,11 @@ namespace quadrille::io {
 
 enum class PictureFormat { svg, png, pdf };
 
-/// By the ending of the path, ".png" or ".pdf"; else SVG.
+/// What follows the last dot of a file's name, in small letters: "png" of "a.b/c.PNG", "" of "c" and "-".
+std::string picture_ending(const std::string& path);
+
+/// By the ending of the path: svg, png or pdf; without one SVG. Throws UsageError for another ending: a file that is
+/// called x.gif and holds an SVG helps nobody.
 PictureFormat picture_format(const std::string& path);
 
 /// The SVG as PNG, one pixel for each of its pixels on white, or as PDF with lines and texts, without the time at which

@@ -99,14 +99,11 @@ sizing::MaxLengthConstraint constraint(const ChordTask& task, int i, double low,
   return {std::min(a, b), std::max(a, b), std::abs(b - a) / factor, factor};
 }
 
-/// Segments keep the numbers from the last settle_counts, also if an earlier arc has cut one since: then more elements
-/// may be added to another segment in this round, which the next round corrects.
-void apply(const Corrections& corrections, const DivideOptions& options, ChordDivision& division) {
+void raise_counts(const Corrections& corrections, const DivideOptions& options, ChordDivision& division) {
   std::vector<int>& least = division.anchored.segments.least_counts;
   for (std::size_t s = 0; s < corrections.worst_errors.size(); ++s)
     if (const double worst = corrections.worst_errors[s]; worst > 0)
       least[s] = std::max(least[s], raised_count(options, division.counts[s], worst));
-  for (const int anchor : corrections.anchors) require_anchor(division.anchored, anchor);
 }
 
 void refine_grading(const ChordTask& task, const std::vector<sizing::MaxLengthConstraint>& constraints,
@@ -146,14 +143,19 @@ Corrections find_corrections(const ChordTask& task, const ChordDivision& divisio
 }
 
 bool correct_misses(const ChordTask& task, ChordDivision& division) {
-  bool is_any = false;
+  bool is_any = false, is_cut = false;
+  std::vector<Corrections> all;
   std::vector<sizing::MaxLengthConstraint> constraints;
   for (int i = 0; i < task.num_arcs(); ++i) {
     if (!is_on_cad_curve(task.measured.blocks(), task.arc(i))) continue;
-    const Corrections corrections = find_corrections(task, division, i);
-    is_any |= corrections.is_needed;
-    apply(corrections, task.options, division);
-    constraints.insert(constraints.end(), corrections.constraints.begin(), corrections.constraints.end());
+    all.push_back(find_corrections(task, division, i));
+    is_any |= all.back().is_needed;
+    is_cut |= !all.back().anchors.empty();
+    constraints.insert(constraints.end(), all.back().constraints.begin(), all.back().constraints.end());
+  }
+  for (const Corrections& corrections : all) {
+    for (const int anchor : corrections.anchors) require_anchor(division.anchored, anchor);
+    if (!is_cut) raise_counts(corrections, task.options, division);
   }
   if (!constraints.empty()) refine_grading(task, constraints, division);
   return is_any;

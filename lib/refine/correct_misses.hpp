@@ -29,8 +29,8 @@ struct Corrections {
 
 Corrections find_corrections(const ChordTask& task, const ChordDivision& division, int i);
 
-/// Applies the corrections of all boundary arcs to the state from which settle_counts starts. Returns false if all of
-/// them meet the tolerance.
+/// Applies the corrections of all boundary arcs to the state from which settle_counts starts. Where a segment is cut,
+/// no count is raised in the same round: both parts may need none. Returns false if all of them meet the tolerance.
 bool correct_misses(const ChordTask& task, ChordDivision& division);
 
 }  // namespace quadrille::refine

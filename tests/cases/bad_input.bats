@@ -77,7 +77,7 @@ ends_of_signal() {
         *newer*) sentence="is newer than this program" ;;
         *older*) sentence="is from an older program" ;;
       esac
-      refuses 3 "$tool: $file: *$sentence*" "$tool" "$file" -o out.msh
+      refuses 3 "$tool: $file: *$sentence*" "$tool" "$file" -o "out.$([[ $tool == stageview ]] && echo svg || echo msh)"
     done
   done
   for age in newer older; do

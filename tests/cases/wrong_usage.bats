@@ -42,6 +42,8 @@ table() {
 1 | quadrefine --count 0=100000000 w/half_disc.blocks.h5 -o out.quad.h5 | counts require about * quads, more than --max-elements 1000000: lower --count
 1 | quadrefine --size 0.1 --max-elements 50 w/half_disc.blocks.h5 -o out.quad.h5 | more than --max-elements 50
 2 | quadrefine --wall curve_0 w/half_disc.blocks.h5 | --wall curve_0: expected NAME:first=H,layers=N
+2 | quadrefine w/half_disc.blocks.h5 -o out.quad.h5 --report ./out.quad.h5 | ./out.quad.h5: is written twice: give two names
+2 | critpoints w/half_disc.field.h5 --report - | two outputs cannot both go to standard output
 2 | quadrefine --size-near hole w/half_disc.blocks.h5 | hole
 2 | quadrefine --count x w/half_disc.blocks.h5 | x
 2 | quadrefine --target-edge-ratio 0.5 w/half_disc.blocks.h5 | --target-edge-ratio must be 0 or at least 1
@@ -55,6 +57,7 @@ table() {
 2 | stageview w/half_disc.quad.h5 --window 0,0,1 -o out.svg | --window: '0,0,1' is not X0,Y0,X1,Y1
 2 | stageview w/half_disc.quad.h5 --window 5,5,6,6 -o out.svg | --window: nothing is there; the picture extends from
 2 | stageview w/half_disc.tri.h5 --curve-labels --no-curve-labels -o out.svg | --curve-labels and --no-curve-labels exclude each other
+2 | stageview w/half_disc.quad.h5 -o out.gif | out.gif: pictures are written as SVG, PNG or PDF: end the name in
 2 | stagecheck --histroy w/half_disc.quad.h5 | unknown option --histroy: did you mean --history?
 3 | stagecheck half_disc.step w/half_disc.quad.h5 | 1 of 2 files is broken
 3 | stagecheck half_disc.step | 1 of 1 file is broken

@@ -33,6 +33,15 @@ TEST_F(OverwriteTest, OtherFilesAndNewFilesAreWritten) {
   EXPECT_NO_THROW(refuse_to_overwrite({"/dev/null"}, {"/dev/null"}));
 }
 
+TEST_F(OverwriteTest, TwoOutputsAreTwoFiles) {
+  EXPECT_NO_THROW(refuse_to_overwrite({}, {path("new"), path("b"), "-", "", ""}));
+  EXPECT_NO_THROW(refuse_to_overwrite({}, {"/dev/null", "/dev/null"}));
+  EXPECT_THROW(refuse_to_overwrite({}, {path("new"), path("./new")}), UsageError);
+  EXPECT_THROW(refuse_to_overwrite({}, {path("a"), path("link")}), UsageError);
+  EXPECT_THROW(refuse_to_overwrite({}, {"-", "-"}), UsageError);
+  EXPECT_THROW(refuse_to_overwrite({}, {"no_such_file", "./no_such_file"}), UsageError);
+}
+
 TEST_F(OverwriteTest, AnInputIsRefusedByAnyOfItsNames) {
   for (const std::string& name :
        std::vector<std::string>{"a", "./a", "../" + folder.filename().string() + "/a", "link"}) {

@@ -12,6 +12,11 @@ TEST(ConvertedPicture, TheEndingChoosesTheFormat) {
   EXPECT_EQ(picture_format("folder.png/a.pdf"), PictureFormat::pdf);
   EXPECT_EQ(picture_format("folder.png/a.svg"), PictureFormat::svg);
   EXPECT_EQ(picture_format("-"), PictureFormat::svg);
+  EXPECT_EQ(picture_format("folder.gif/a"), PictureFormat::svg);
+  EXPECT_EQ(picture_format("/dev/stdout"), PictureFormat::svg);
+  EXPECT_EQ(picture_format("A.PDF"), PictureFormat::pdf);
+  EXPECT_THROW(picture_format("a.gif"), UsageError);
+  EXPECT_THROW(picture_format("a.svg.bak"), UsageError);
 }
 
 TEST(ConvertedPicture, SvgIsLeftAsItIs) {

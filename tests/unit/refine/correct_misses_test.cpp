@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "chord_samples.hpp"
 #include "refine/settle_counts.hpp"
 
@@ -31,6 +33,23 @@ TEST(CorrectMisses, AnIntervalWithABreakEndsThere) {
   EXPECT_EQ(corrections.worst_errors, (std::vector<double>{0})) << "the break is tried before a higher count";
   EXPECT_TRUE(correct_misses(sample.task, division));
   EXPECT_FALSE(division.anchored.required.empty());
+}
+
+// Counts are those of segments before a cut: raised with it, they would go to one of the new segments, at one end.
+TEST(CorrectMisses, CountsAreNotRaisedInTheRoundThatCutsASegment) {
+  const ChordSample sample(hand_made::elbow(), 0, 3, {1, 1e-5});
+  ChordDivision division = settled(sample);
+  double worst = 0;
+  bool is_cut = false;
+  for (int i = 0; i < sample.task.num_arcs(); ++i) {
+    const Corrections corrections = find_corrections(sample.task, division, i);
+    for (const double error : corrections.worst_errors) worst = std::max(worst, error);
+    is_cut |= !corrections.anchors.empty();
+  }
+  ASSERT_TRUE(is_cut);
+  ASSERT_GT(worst, sample.options.tolerance);
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  for (const int least : division.anchored.segments.least_counts) EXPECT_EQ(least, 1);
 }
 
 TEST(CorrectMisses, ASmoothIntervalOfEqualElementsRaisesTheCountOfItsSegment) {
