@@ -55,7 +55,7 @@ keeps() {
   keeps 12 coated_gear
   has 12 0.7 coated_cam
   has 30 0.4 layered_beam
-  has 150 0.4 layered_cable
+  has 150 0.35 layered_cable
   has 80 0.3 layered_seal
   has 80 0.75 pins
   keeps 4 pins
@@ -64,7 +64,7 @@ keeps() {
 @test "embedded curves, closed, open, and a wake" {
   has 17 0.86 plate_circle
   keeps 4 plate_circle
-  has 20 0.6 plate_curve
+  has 20 0.58 plate_curve
   has 6 0.99 inner_curve
   has 12 0.8 aerofoil_wake --order 12
 }
