@@ -24,7 +24,9 @@ int main(int argc, char** argv) {
       "transfinite blend; no order is chosen here. A block whose blend cannot be proved valid, or whose scaled "
       "Jacobian is below 0.1, is split across its long sides, together with all blocks of its chord, if that improves "
       "it. -v reports the worst and the smallest block, and which boundary features force the smallest one. Blocks "
-      "have the name of the CAD face, so that they are one region; if it has none, they are called block_N.";
+      "have the name of their region or, where there is one region, of the CAD face, so that they are one group; if it "
+      "has "
+      "none, they are called block_N.";
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5",
                    "echo '{\"*\": \"fluid\"}' | blocksplit half_disc.sep.json --block-names - -o half_disc.blocks.h5"};

@@ -33,7 +33,8 @@ struct SizeArguments {
 void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
   o.texts("--size-near", sizes.near, "NAME=H",
-          "edge length H along the boundary NAME, growing with the distance from it");
+          "edge length H along the boundary or interface NAME, growing with the distance from it; NAME@REGION: in this "
+          "region alone");
   o.input_file("--size-field", sizes.path, "FILE",
                "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
   o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",
@@ -108,11 +109,11 @@ int main(int argc, char** argv) {
         "--geometry-tol", options.geometry_tol, 0, 1, "diameters",
         "greatest distance between the boundary of the mesh and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
         "else 5e-7");
-    o.texts(
-        "--wall", walls, "NAME:first=H,growth=R,layers=N",
-        "layers along the boundary NAME (or NAME,NAME): H is the height of the first one in file units, R the greatest "
-        "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
-        "law=uniform|geometric|tanh|gll (default: geometric)");
+    o.texts("--wall", walls, "NAME:first=H,growth=R,layers=N",
+            "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
+            "of the first one in file units, R the greatest "
+            "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
+            "law=uniform|geometric|tanh|gll (default: geometric)");
     o.text("--blocks", blocks, "ID,...",
            "numbers or names of blocks: only the chords through them are refined, all others get as few elements as "
            "possible");

@@ -80,15 +80,22 @@ bool is_straight(const Nurbs& curve) { return curve.degree == 1; }
 
 namespace {
 
+/// The region of this name or else of this number; -1: none.
+int region_of_name(const CadFace& face, const std::string& name) {
+  for (int r = 0; r < face.num_regions(); ++r)
+    if (face.region_names[r] == name) return r;
+  for (int r = 0; r < face.num_regions(); ++r)
+    if (std::to_string(r) == name) return r;
+  return -1;
+}
+
 /// The part behind the last @ is the name of a region, or its number.
 std::vector<int> curves_of_region(const CadFace& face, const std::string& name, std::size_t at,
                                   const std::string& option) {
   const std::string region = name.substr(at + 1);
   const std::vector<int> curve_region = curve_regions(face);
-  const auto is_in_region = [&](int c) {
-    const int r = curve_region[c];
-    return face.region_names[r] == region || std::to_string(r) == region;
-  };
+  const int number = region_of_name(face, region);
+  const auto is_in_region = [&](int c) { return curve_region[c] == number; };
   std::vector<int> curves = named_curves(face, name.substr(0, at), option);
   std::erase_if(curves, [&](int c) { return !is_in_region(c); });
   if (!curves.empty()) return curves;
@@ -114,6 +121,13 @@ std::vector<int> named_curves(const CadFace& face, const std::string& name, cons
   throw UsageError(fmt::format("{}: there is no boundary \"{}\"{}; the names are {} (or use the numbers 0 to {})",
                                option, name, did_you_mean(name, face.curve_names), fmt::join(known, ", "),
                                face.num_curves() - 1));
+}
+
+int named_region(const CadFace& face, const std::string& name) {
+  const std::size_t at = name.rfind('@');
+  if (at == std::string::npos || face.num_regions() == 1) return -1;
+  if (std::find(face.curve_names.begin(), face.curve_names.end(), name) != face.curve_names.end()) return -1;
+  return region_of_name(face, name.substr(at + 1));
 }
 
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope) {

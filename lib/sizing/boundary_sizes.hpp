@@ -18,6 +18,9 @@ namespace quadrille::sizing {
 /// names, the nearest one first, if the face has no such curve; `option` is at the beginning of its message.
 std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option);
 
+/// The region that "NAME@REGION" picks; -1 if no region is named.
+int named_region(const CadFace& face, const std::string& name);
+
 /// `size` along one curve. `slope` > 0: growth of sizes per distance from it.
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope);
 

@@ -48,12 +48,13 @@ ChordSections::ChordSections(const MeasuredLayout& measured, const mesh::Chord& 
   for (const ChordBlock& b : blocks) {
     std::array<HalfEdge, 4> sides = measured.blocks().block2arcs[b.block];
     std::rotate(sides.begin(), sides.begin() + b.side, sides.end());
-    add_block(sides, {arc2position.at(sides[0].arc), arc2position.at(sides[2].arc)});
+    add_block(sides, {arc2position.at(sides[0].arc), arc2position.at(sides[2].arc)}, measured.region_of_block(b.block));
   }
 }
 
-void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends) {
+void ChordSections::add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends, int region) {
   Block block;
+  block.region = region;
   block.a = ends[0], block.b = ends[1];
   block.is_against = chord_.backwards[block.a] != sides[0].is_backwards;
   if (!sizes_.is_uniform()) {
@@ -83,9 +84,9 @@ double ChordSections::least_size(const Block& block) const {
   double least = sizes_.greatest();
   for (int k = 0; k <= trial_lines + 1; ++k) {
     const std::vector<ArcPoint> at = arc_points(static_cast<double>(k) / (trial_lines + 1));
-    for (const int end : {block.a, block.b}) least = std::min(least, sizes_.at(at[end].position));
+    for (const int end : {block.a, block.b}) least = std::min(least, sizes_.at(at[end].position, region_of(end)));
     for (std::size_t line = 0; line < block.left.size(); ++line)
-      least = std::min(least, sizes_.at(position(block, at, line)));
+      least = std::min(least, sizes_.at(position(block, at, line), block.region));
   }
   return least;
 }
@@ -111,13 +112,13 @@ ElementDensity ChordSections::at(double u) const {
   Sum sum;
   const std::vector<ArcPoint> at = sizes_.is_uniform() ? std::vector<ArcPoint>(chord_.arcs.size()) : arc_points(u);
   for (std::size_t i = 0; i < at.size(); ++i)
-    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position), greatest, 1);
+    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position, region_of(i)), greatest, 1);
   for (const Block& block : blocks_) {
     const double lines = static_cast<double>(block.left.size()) + 1;
     for (std::size_t line = 0; line < block.left.size(); ++line) {
       const double t = static_cast<double>(line + 1) / lines;
       const double length = (1 - t) * chain(block.a).length() + t * chain(block.b).length();
-      sum.add(length, sizes_.at(position(block, at, line)), greatest, 1 / lines);
+      sum.add(length, sizes_.at(position(block, at, line), block.region), greatest, 1 / lines);
     }
   }
   return {std::exp(sum.weighted_log / sum.weight), sum.greatest};

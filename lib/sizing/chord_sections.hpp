@@ -51,12 +51,14 @@ class ChordSections {
   /// t = k / (lines + 1).
   struct Block {
     int a = 0, b = 0;
+    int region = -1;
     bool is_against = false;  ///< s runs against the chord
     std::array<Vec2, 4> corners;
     std::vector<Vec2> left, right;  ///< points on the sides s = 0 and s = 1, one for each line
   };
   const curve::Chain& chain(int arc) const { return measured_.chain(chord_.arcs[arc]); }
-  void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends);
+  int region_of(std::size_t arc) const { return measured_.region_of(chord_.arcs[arc]); }
+  void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends, int region);
   void add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const;
   double least_size(const Block& block) const;
   std::vector<ArcPoint> arc_points(double u) const;

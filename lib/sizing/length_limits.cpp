@@ -97,7 +97,7 @@ bool add_length_limits(const MeasuredLayout& measured, const ArcDivisions& divis
   for (int e = 0; e < mesh.num_elems(); ++e) {
     if (mesh.elem_edge_ratio[e] <= target || (!is_left_out.empty() && is_left_out[e])) continue;
     const std::array<Vec2, 4> corners = corners_of(mesh, e);
-    const double size = sizes.at(0.5 * (corners[0] + corners[2]));
+    const double size = sizes.at(0.5 * (corners[0] + corners[2]), measured.region_of_block(mesh.elem_block[e]));
     const double excess = mesh.elem_edge_ratio[e] / std::max(target, edge_elongation * size / shortest);
     if (excess <= 1) continue;
     const std::array<double, 4> lengths = side_lengths(corners);

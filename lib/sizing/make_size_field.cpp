@@ -47,9 +47,14 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   const auto add = [&](const std::vector<SizeSegment>& more) {
     segments.insert(segments.end(), more.begin(), more.end());
   };
-  for (const NearSize& near : options.near)
-    for (const int curve : named_curves(face, near.boundary, "--size-near"))
-      add(segments_near(face.curves[curve], near.size, slope));
+  for (const NearSize& near : options.near) {
+    const int region = named_region(face, near.boundary);
+    for (const int curve : named_curves(face, near.boundary, "--size-near")) {
+      std::vector<SizeSegment> own = segments_near(face.curves[curve], near.size, slope);
+      for (SizeSegment& segment : own) segment.region = region;
+      add(own);
+    }
+  }
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));

@@ -11,7 +11,7 @@
 
 namespace quadrille::sizing {
 
-/// Edges of length `size` along a named boundary.
+/// Edges of length `size` along a named boundary; with "NAME@REGION" in this region alone.
 struct NearSize {
   std::string boundary;
   double size = 0;

@@ -17,12 +17,25 @@ std::vector<bool> parallel_arcs(const std::vector<GraphArc>& arcs) {
   return are_parallel;
 }
 
+/// By arc: the region of the blocks beside it; -1 where they differ, or are not known.
+std::vector<int> regions_of_arcs(const BlockLayout& layout) {
+  constexpr int unmet = -2;
+  std::vector<int> regions(layout.arcs.size(), layout.block_region.empty() ? -1 : unmet);
+  for (std::size_t b = 0; b < layout.block_region.size(); ++b)
+    for (const HalfEdge side : layout.block2arcs[b]) {
+      int& region = regions[side.arc];
+      region = region == unmet || region == layout.block_region[b] ? layout.block_region[b] : -1;
+    }
+  return regions;
+}
+
 }  // namespace
 
 MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
     : blocks(&layout),
       curves(layout.face, layout.splines),
       arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()))),
+      arc_region(regions_of_arcs(layout)),
       chords(mesh::directed_chords(layout.block2arcs, arc_chord)),
       is_parallel(parallel_arcs(layout.arcs)) {
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(curves, arc.pieces);

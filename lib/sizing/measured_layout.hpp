@@ -35,6 +35,9 @@ class MeasuredLayout {
 
   const std::vector<mesh::Chord>& chords() const { return geometry_->chords; }
   int chord_of(int arc) const { return geometry_->arc_chord[arc]; }
+  /// The region that the arc is in; -1: between two, or there is only one.
+  int region_of(int arc) const { return geometry_->arc_region[arc]; }
+  int region_of_block(int block) const { return blocks().block_region.empty() ? -1 : blocks().block_region[block]; }
   /// Whether another arc has the same two ends.
   bool is_parallel(int arc) const { return geometry_->is_parallel[arc]; }
 
@@ -50,7 +53,7 @@ class MeasuredLayout {
     const BlockLayout* blocks;
     curve::CurveTable curves;
     std::vector<curve::Chain> chains;  ///< by arc; they refer to `curves`
-    std::vector<int> arc_chord;
+    std::vector<int> arc_chord, arc_region;
     std::vector<mesh::Chord> chords;
     std::vector<bool> is_parallel;  ///< by arc
 

@@ -53,7 +53,7 @@ Sums sums_of(const mesh::Chord& chord, const MeasuredLayout& measured, const Arc
     for (int k = 0; k < division.num_intervals(); ++k) {
       const double achieved = (division.high(k) - division.low(k)) * chain.length();
       const double prescribed_length =
-          sizes.is_uniform() ? sizes.greatest() : sizes.at(chain.position(division.middle(k)));
+          sizes.is_uniform() ? sizes.greatest() : sizes.at(chain.position(division.middle(k)), measured.region_of(arc));
       sums.add_edge(achieved, prescribed_length);
     }
   }

@@ -43,6 +43,9 @@ struct Source {
   Bounds bounds;
   Vec2 a, b;
   double size_a = 0, size_b = 0, radius = 0;
+  int region = -1;
+
+  bool acts_in(int other) const { return region < 0 || other < 0 || region == other; }
 
   double at(Vec2 x, double slope) const {
     if (kind == Kind::point) return size_a + slope * std::max(0.0, distance(x, a) - radius);
@@ -82,14 +85,15 @@ struct SizeField::Sources {
 
   void build() { divide(0, 0, static_cast<int>(items.size())); }
 
-  double at(Vec2 x, double greatest, double slope) const {
+  double at(Vec2 x, int region, double greatest, double slope) const {
     double best = greatest;
     std::vector<int> open{0};
     while (!open.empty()) {
       const Node& node = nodes[open.back()];
       open.pop_back();
       if (lower_bound(node, x, slope) >= best) continue;
-      for (int k = 0; k < node.count; ++k) best = std::min(best, items[node.first + k].at(x, slope));
+      for (int k = 0; k < node.count; ++k)
+        if (items[node.first + k].acts_in(region)) best = std::min(best, items[node.first + k].at(x, slope));
       if (node.count > 0) continue;
       std::array<int, 2> children{node.first, node.first + 1};
       if (lower_bound(nodes[children[0]], x, slope) < lower_bound(nodes[children[1]], x, slope))
@@ -143,7 +147,8 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
     add({Kind::box, bounds_of(b.low, b.high, b.size), b.low, b.high, b.size}, b.size, "a box");
   for (const SizeSegment& s : segments) {
     const double least = std::min(s.size_a, s.size_b);
-    add({Kind::segment, bounds_of(s.a, s.b, least), s.a, s.b, s.size_a, s.size_b}, least, "a piece of the boundary");
+    add({Kind::segment, bounds_of(s.a, s.b, least), s.a, s.b, s.size_a, s.size_b, 0, s.region}, least,
+        "a piece of the boundary");
   }
   if (tree->items.empty()) return;
   tree->build();
@@ -151,6 +156,8 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
   sources_ = std::move(tree);
 }
 
-double SizeField::at(Vec2 x) const { return sources_ ? sources_->at(x, greatest_, slope_) : greatest_; }
+double SizeField::at(Vec2 x, int region) const {
+  return sources_ ? sources_->at(x, region, greatest_, slope_) : greatest_;
+}
 
 }  // namespace quadrille::sizing

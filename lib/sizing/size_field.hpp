@@ -18,6 +18,7 @@ namespace quadrille::sizing {
 struct SizeSegment {
   Vec2 a, b;
   double size_a = 0, size_b = 0;
+  int region = -1;  ///< acts in this region alone; -1: everywhere
 };
 
 class SizeField {
@@ -29,8 +30,9 @@ class SizeField {
   /// Sources of `greatest` or more have no effect. `growth` > 1. Throws UsageError for sizes that are not positive.
   SizeField(double greatest, const SizeSources& sources, const std::vector<SizeSegment>& segments, double growth);
 
-  /// Prescribed edge length at x, relative to face.origin. Cost: logarithmic in the number of sources.
-  double at(Vec2 x) const;
+  /// Prescribed edge length at x, relative to face.origin, in a region; -1: on an interface, where the sources of both
+  /// sides act, or in a face of one region. Cost: logarithmic in the number of sources.
+  double at(Vec2 x, int region = -1) const;
   double greatest() const { return greatest_; }
   /// Bound of |dh / dx|: ln(growth); 0 if the size is constant.
   double slope() const { return slope_; }

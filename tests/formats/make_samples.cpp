@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "../unit/region_samples.hpp"
+#include "../unit/region_layout_samples.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "io/stage_io.hpp"
@@ -100,6 +100,16 @@ void write_regions() {
   io::write_field(target("field", "passed", "regions.field.h5"), samples::two_regions_field());
   io::write_field(target("field", "passed", "regions-phase.field.h5"), samples::two_regions_phase_field());
   io::write_critical_points(target("critical_points", "passed", "regions.crit.json"), samples::two_regions_points());
+  io::write_separatrix_graph(target("separatrix_graph", "passed", "regions.sep.json"), samples::two_regions_graph());
+  io::write_block_layout(target("block_layout", "passed", "regions.blocks.h5"), samples::two_regions_layout());
+  io::write_quad_mesh(target("quad_mesh", "passed", "regions.quad.h5"), samples::two_regions_quads());
+  write_broken("block_layout", ".blocks.h5", io::write_block_layout, samples::two_regions_layout(), "BLK-R16",
+               [](BlockLayout& b) {
+                 b.block_region = {1, 0};
+               });
+  write_broken("quad_mesh", ".quad.h5", io::write_quad_mesh, samples::two_regions_quads(), "QUA-R13", [](QuadMesh& m) {
+    m.block_region = {1, 0};
+  });
   const auto broken = [](const std::string& rule, const auto& damage) {
     write_broken("tri_mesh", ".tri.h5", io::write_tri_mesh, samples::two_regions_mesh(), rule, damage);
   };

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "../samples.hpp"
+#include "../region_layout_samples.hpp"
 #include "rules_of.hpp"
 
 namespace quadrille::check {
@@ -86,6 +86,16 @@ TEST(BlockLayoutCheck, BlkR14ValencesAreBlocks) {
               b.nodes[1].valence = 0;
             }),
             Rules{"BLK-R14"});
+}
+TEST(BlockLayoutCheck, BlkR16BlocksLieInOneRegion) {
+  const auto broken_regions = [](const auto& damage) {
+    return broken_rules(samples::two_regions_layout(), check_block_layout, damage);
+  };
+  EXPECT_EQ(broken_regions([](auto&) {}), Rules{});
+  EXPECT_EQ(broken_regions([](auto& b) { b.block_region = {1, 0}; }), Rules{"BLK-R16"});
+  EXPECT_EQ(broken_regions([](auto& b) { b.block_region.clear(); }), Rules{"BLK-R16"});
+  EXPECT_EQ(broken([](auto& b) { b.block_region = {0, 0}; }), Rules{}) << "needless, but true";
+  EXPECT_EQ(broken([](auto& b) { b.block_region = {0, 1}; }), Rules{"BLK-R16"});
 }
 TEST(BlockLayoutCheck, BlkR15IndexSum) {
   EXPECT_EQ(broken([](auto& b) { b.nodes[0].valence = 2; }), (Rules{"BLK-R14", "BLK-R15"}));

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "../samples.hpp"
+#include "../region_layout_samples.hpp"
 #include "rules_of.hpp"
 
 namespace quadrille::check {
@@ -73,6 +73,23 @@ TEST(QuadMeshCheck, QuaR11SizesAreInRange) {
               m.elem_node_distance.clear();
             }),
             Rules{});
+}
+
+template <typename Damage>
+Rules broken_regions(const Damage& damage) {
+  return broken_rules(samples::two_regions_quads(), check_quad_mesh, damage);
+}
+
+TEST(QuadMeshCheck, QuaR12InterfacesAreNamedFromBothSides) {
+  EXPECT_EQ(broken_regions([](auto&) {}), Rules{});
+  EXPECT_EQ(broken_regions([](auto& m) { m.interface_edges[0].curve = 0; }), Rules{"QUA-R12"});
+  EXPECT_EQ(broken_regions([](auto& m) { m.interface_edges.pop_back(); }), (Rules{"QUA-R06", "QUA-R12"}));
+  EXPECT_EQ(broken_regions([](auto& m) { m.interface_edges[0].elem = 2; }), Rules{"QUA-R02"});
+}
+TEST(QuadMeshCheck, QuaR13BlocksLieInOneRegion) {
+  EXPECT_EQ(broken_regions([](auto& m) { m.block_region = {1, 0}; }), Rules{"QUA-R13"});
+  EXPECT_EQ(broken_regions([](auto& m) { m.block_region.clear(); }), Rules{"QUA-R13"});
+  EXPECT_EQ(broken([](auto& m) { m.block_region = {0, 1}; }), Rules{"QUA-R13"});
 }
 
 TEST(QuadMeshCheck, AMeshThatSaysItIsNotValidKeepsTheRules) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../region_samples.hpp"
+#include "../region_layout_samples.hpp"
 #include "base/error.hpp"
 #include "scratch.hpp"
 
@@ -57,6 +57,18 @@ TEST_F(StageFiles, RegionsSurviveTheRoundTrip) {
   expect_same_regions(read_field(read_input(path("second"))).mesh.face, expected.face);
 }
 
+TEST_F(StageFiles, RegionsOfLayoutsAndMeshesSurviveTheRoundTrip) {
+  expect_same_bytes(samples::two_regions_graph(), read_separatrix_graph, write_separatrix_graph);
+  expect_same_regions(read_separatrix_graph(read_input(path("second"))).face, samples::two_regions_face());
+  expect_same_bytes(samples::two_regions_layout(), read_block_layout, write_block_layout);
+  EXPECT_EQ(read_block_layout(read_input(path("second"))).block_region, (std::vector<int>{0, 1}));
+  expect_same_bytes(samples::two_regions_quads(), read_quad_mesh, write_quad_mesh);
+  const QuadMesh mesh = read_quad_mesh(read_input(path("second")));
+  EXPECT_EQ(mesh.block_region, (std::vector<int>{0, 1}));
+  ASSERT_EQ(mesh.interface_edges.size(), 2u);
+  EXPECT_EQ(mesh.interface_edges[1].curve, 7);
+}
+
 TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
   const Field expected = samples::two_regions_phase_field();
   expect_same_bytes(expected, read_field, write_field);
@@ -77,6 +89,14 @@ TEST_F(StageFiles, OneRegionHasNoArraysOfRegions) {
   for (const char* name : {"region_elems", "region_loops", "region_names", "partners", "periodic_pairs"}) {
     EXPECT_EQ(bytes(samples::tri_mesh(), write_tri_mesh).find(name), std::string::npos) << name;
     EXPECT_NE(bytes(samples::two_regions_mesh(), write_tri_mesh).find(name), std::string::npos) << name;
+  }
+  for (const char* name : {"block_region", "region_names"}) {
+    EXPECT_EQ(bytes(samples::block_layout(), write_block_layout).find(name), std::string::npos) << name;
+    EXPECT_NE(bytes(samples::two_regions_layout(), write_block_layout).find(name), std::string::npos) << name;
+  }
+  for (const char* name : {"block_region", "interface_edges"}) {
+    EXPECT_EQ(bytes(samples::quad_mesh(), write_quad_mesh).find(name), std::string::npos) << name;
+    EXPECT_NE(bytes(samples::two_regions_quads(), write_quad_mesh).find(name), std::string::npos) << name;
   }
   const std::string slit = bytes(samples::slit_mesh(), write_tri_mesh);
   EXPECT_NE(slit.find("partners"), std::string::npos);

@@ -10,6 +10,7 @@
 #include "curve/project.hpp"
 #include "model/quad_sides.hpp"
 #include "refine/relax.hpp"
+#include "sizing/make_size_field.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -110,6 +111,27 @@ std::map<int, double> first_heights(const QuadMesh& mesh) {
         distance(mesh.nodes[beside.front()], mesh.nodes[beside.back()]);
   }
   return height;
+}
+
+TEST(Regions, SizesOnOneSideOfAnInterface) {
+  SeparatrixGraph graph = two_squares();
+  graph.face.curve_names[1] = graph.face.curve_names[7] = "wet";
+  graph.face.region_names = {"fluid", "solid"};
+  const auto heights = [&](const std::string& name) {
+    RefineOptions options{.size = 0.25, .order = 2};
+    sizing::SizeOptions sizes;
+    sizes.size = 0.25;
+    sizes.near = {{name, 0.05}};
+    options.size_field = sizing::make_size_field(graph.face, sizes);
+    return first_heights(refined(graph, options));
+  };
+  const std::map<int, double> fluid = heights("wet@fluid"), solid = heights("wet@solid"), both = heights("wet");
+  EXPECT_LT(fluid.at(0), 0.07);
+  EXPECT_NEAR(fluid.at(1), 0.25, 1e-9) << "the size does not act beyond the interface";
+  EXPECT_NEAR(solid.at(0), fluid.at(1), 1e-9);
+  EXPECT_NEAR(solid.at(1), fluid.at(0), 1e-9);
+  EXPECT_NEAR(both.at(0), fluid.at(0), 1e-9);
+  EXPECT_NEAR(both.at(1), fluid.at(0), 1e-9);
 }
 
 TEST(Regions, LayersOnOneSideOfAnInterface) {
