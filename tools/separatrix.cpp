@@ -48,7 +48,7 @@ CriticalPoints read_points_of(const Field& field, const io::InputFile& field_fil
   return points;
 }
 
-// The layout of each region, and from them that of the whole if they share curves.
+// The layout of each region, and from them that of the whole if they share curves or have periodic sides.
 SeparatrixGraph layout_of_regions(const CadFace& face,
                                   const std::vector<std::unique_ptr<field::FieldEvaluator>>& evaluators,
                                   const std::vector<CriticalPoints>& points, const Settings& settings,
@@ -57,7 +57,7 @@ SeparatrixGraph layout_of_regions(const CadFace& face,
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*evaluators[region], points[region], settings.options, report);
       });
-  if (face.partners.empty()) return std::move(graphs.front());
+  if (face.partners.empty() && face.periodic_pairs.empty()) return std::move(graphs.front());
   session.begin_phase("couple");
   couple::RegionLayouts layouts{face, {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {

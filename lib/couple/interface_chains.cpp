@@ -53,6 +53,8 @@ int line_at(const graph::CandidateLayout& layout, int node) {
   return is_line_end && n.valence == 2 && around.size() == 3 ? around[1].arc : -1;
 }
 
+}  // namespace
+
 Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table, int region, int node) {
   Station station{region, node, 0, false, 0};
   const int line = line_at(layout, node);
@@ -61,8 +63,6 @@ Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable
   station.line_length = curve::Chain(table, layout.graph().arcs[line].pieces).length();
   return station;
 }
-
-}  // namespace
 
 std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions) {
   const CadFace& face = regions.face;

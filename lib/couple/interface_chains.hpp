@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "couple/region_layouts.hpp"
+#include "curve/chain.hpp"
 
 namespace quadrille::couple {
 
@@ -25,6 +26,9 @@ struct InterfaceChain {
 
   double length() const { return offsets.back(); }
 };
+
+/// What ends at a node of a layout; without its position.
+Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table, int region, int node);
 
 /// Without the ends of chains that are not closed: a node there, a junction, is on both sides.
 std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions);

@@ -42,8 +42,8 @@ Nearest nearest(const InterfaceChain& chain, int side, double position, int exce
   for (int i = 0; i < static_cast<int>(stations.size()); ++i) {
     if (i == except) continue;
     const double d = distance_along(chain, stations[i].position, position);
-    best.is_tied = (best.is_tied && d > best.distance * (1 - relative_tie)) ||
-                   std::abs(d - best.distance) <= relative_tie * best.distance;
+    const bool is_as_near = best.station >= 0 && std::abs(d - best.distance) <= relative_tie * best.distance;
+    best.is_tied = is_as_near || (best.is_tied && d > best.distance);
     if (d < best.distance) best.station = i, best.distance = d;
   }
   return best;
@@ -66,10 +66,7 @@ double bend(const Station& a, const Station& b, double distance) {
   return greatest;
 }
 
-struct Meeting {
-  std::array<int, 2> stations{};  // of both sides
-  double position = 0;            // along the chain; of no meaning if one of them is fixed
-};
+}  // namespace
 
 std::vector<Meeting> meetings_on(const InterfaceChain& chain, double same) {
   std::vector<Meeting> meetings;
@@ -120,6 +117,8 @@ std::optional<simplify::LineEndMove> move_to(const graph::CandidateLayout& layou
   return std::nullopt;
 }
 
+namespace {
+
 // The place of the same point on one side of the chain.
 Place place_on_side(const CadFace& face, const InterfaceChain& chain, int side, const Place& place) {
   for (const Place& p : places_of_point(face, place)) {
@@ -140,15 +139,14 @@ double move_end(RegionLayouts& regions, const Station& station, Place place) {
   return simplify::move_line_end(layout.subdivision, *move, &field);
 }
 
-// The lines again, with the splines that replace parts of them.
+}  // namespace
+
 void renew_lines(graph::CandidateLayout& layout, std::vector<LineKind> kinds) {
   if (kinds.size() == layout.graph().splines.size()) return;
   kinds.resize(layout.graph().splines.size(), LineKind::merged);
   layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
   layout.subdivision.drop_unused_splines();
 }
-
-}  // namespace
 
 int meet_stations(RegionLayouts& regions) {
   const CadFace& face = regions.face;
