@@ -18,6 +18,7 @@
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
 #include "cad/name_options.hpp"
+#include "cad/periodic_sides.hpp"
 #include "cad/region_names.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
@@ -43,6 +44,7 @@ void report_face(const CadFace& face, Report& report) {
   report.set("face.corners", num_corners);
   report.set("face.diameter", face.diameter);
   report.set("face.length_unit", face.length_unit);
+  if (!face.periodic_pairs.empty()) report.set("face.periodic_pairs", face.periodic_pairs.size());
 }
 
 std::string fit_text(const CadFace& face, const std::vector<Repair>& repairs) {
@@ -103,7 +105,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
-  std::vector<std::string> name_options, region_options;
+  std::vector<std::string> name_options, region_options, periodic_options;
   double corner_angle = 1, heal_tolerance = -1, blunt = 0, fit_tolerance = 1e-8;
   triangulate::TriangulateOptions options;
 
@@ -178,12 +180,19 @@ int main(int argc, char** argv) {
             "curves "
             "without a name of their own are called after their regions, such as fluid-solid",
             false);
+    o.texts(
+        "--periodic", periodic_options, "A=B[:MOTION]",
+        "the sides A and B, names of one curve or of several that follow each other, repeat each other: their nodes "
+        "are images under a translation or rotation, found from the curves or given as "
+        "A=B:translate=DX,DY or A=B:rotate=DEGREES[,CX,CY], in file units; B is replaced by the exact image of A, "
+        "from which it may differ by 1e-9 diameters; may be given several times");
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
              "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
     const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
     const std::vector<NameRule> region_names = cad::name_option_rules(region_options, "--region-name");
+    const std::vector<cad::PeriodicRequest> periodic = cad::periodic_options(periodic_options);
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     if (!healed.empty()) healed_format(healed);  // a wrong name is told before any work
     std::optional<io::InputFile> names_file;
@@ -201,6 +210,7 @@ int main(int argc, char** argv) {
     if (names_file) inputs.push_back(names_file->digest("boundary-names"));
     cad::rename_regions(face, region_names);
     cad::rename_curves(face, name_rules, chosen_names);
+    cad::pair_periodic_sides(face, periodic);
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
     if (face.num_regions() > 1) s.info(regions_text(face));

@@ -81,7 +81,7 @@ std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io:
   return parts;
 }
 
-// The layout of each region, and from them that of the whole if they share curves.
+// The layout of each region, and from them that of the whole if they share curves or have periodic sides.
 SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
                                   const Settings& settings, cli::Session& session) {
   const CadFace& face = fields.whole.mesh.face;
@@ -91,7 +91,7 @@ SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*fields.evaluators[region], points[region], settings.options, report);
       });
-  if (face.partners.empty()) return std::move(graphs.front());
+  if (face.partners.empty() && face.periodic_pairs.empty()) return std::move(graphs.front());
   session.begin_phase("couple");
   couple::RegionLayouts layouts{open_face, {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {

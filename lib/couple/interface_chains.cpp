@@ -55,6 +55,8 @@ int line_at(const graph::CandidateLayout& layout, int node) {
   return is_line_end && n.valence == 2 && around.size() == 3 ? around[1].arc : -1;
 }
 
+}  // namespace
+
 Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table,
                    const std::vector<LineKind>& kinds, int region, int node) {
   Station station{region, node, 0, false, 0, false};
@@ -67,8 +69,6 @@ Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable
   station.is_cut = spline >= 0 && kinds[spline] == LineKind::cut;
   return station;
 }
-
-}  // namespace
 
 std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions, CutEnds cuts) {
   const CadFace& face = regions.face;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "couple/region_layouts.hpp"
+#include "curve/chain.hpp"
 
 namespace quadrille::couple {
 
@@ -29,6 +30,10 @@ struct InterfaceChain {
 
 /// Cuts are lines at arbitrary places, which make sense only where no other line is.
 enum class CutEnds { ignored, included };
+
+/// What ends at a node of a layout; without its position. `kinds`: of the lines of its splines.
+Station station_at(const graph::CandidateLayout& layout, const curve::CurveTable& table,
+                   const std::vector<LineKind>& kinds, int region, int node);
 
 /// Without the ends of chains that are not closed: a node there, a junction, is on both sides.
 std::vector<InterfaceChain> interface_chains(const RegionLayouts& regions, CutEnds cuts);

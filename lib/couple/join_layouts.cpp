@@ -208,20 +208,6 @@ class LayoutJoiner {
   std::map<int, std::map<double, int>> on_curve_;  // of each curve: the nodes on it by parameter, not at its end
 };
 
-// Splines end at the nodes, bit for bit.
-void close_lines(SeparatrixGraph& graph) {
-  const int num_curves = graph.face.num_curves();
-  for (const GraphArc& arc : graph.arcs) {
-    for (const auto& [node, piece, t] : {std::tuple(arc.from, &arc.pieces.front(), arc.pieces.front().t0),
-                                         std::tuple(arc.to, &arc.pieces.back(), arc.pieces.back().t1)}) {
-      if (piece->curve < num_curves) continue;
-      Nurbs& spline = graph.splines[piece->curve - num_curves];
-      if (t == spline.begin()) spline.poles.front() = graph.nodes[node].position;
-      if (t == spline.end()) spline.poles.back() = graph.nodes[node].position;
-    }
-  }
-}
-
 LayoutCertificate joined_certificate(const RegionLayouts& regions) {
   LayoutCertificate whole;
   whole.method = LayoutMethod::traced;
@@ -240,6 +226,19 @@ LayoutCertificate joined_certificate(const RegionLayouts& regions) {
 }
 
 }  // namespace
+
+void close_lines(SeparatrixGraph& graph) {
+  const int num_curves = graph.face.num_curves();
+  for (const GraphArc& arc : graph.arcs) {
+    for (const auto& [node, piece, t] : {std::tuple(arc.from, &arc.pieces.front(), arc.pieces.front().t0),
+                                         std::tuple(arc.to, &arc.pieces.back(), arc.pieces.back().t1)}) {
+      if (piece->curve < num_curves) continue;
+      Nurbs& spline = graph.splines[piece->curve - num_curves];
+      if (t == spline.begin()) spline.poles.front() = graph.nodes[node].position;
+      if (t == spline.end()) spline.poles.back() = graph.nodes[node].position;
+    }
+  }
+}
 
 SeparatrixGraph join_layouts(const RegionLayouts& regions) {
   SeparatrixGraph graph = LayoutJoiner(regions).join();

@@ -12,4 +12,7 @@ namespace quadrille::couple {
 /// sectors of its regions.
 SeparatrixGraph join_layouts(const RegionLayouts& regions);
 
+/// Moves the ends of splines to the nodes at which their arcs end, bit for bit.
+void close_lines(SeparatrixGraph& graph);
+
 }  // namespace quadrille::couple

@@ -68,10 +68,7 @@ double bend(const Station& a, const Station& b, double distance) {
   return greatest;
 }
 
-struct Meeting {
-  std::array<int, 2> stations{};  // of both sides
-  double position = 0;            // along the chain; of no meaning if one of them is fixed
-};
+}  // namespace
 
 std::vector<Meeting> meetings_on(const InterfaceChain& chain, double same) {
   std::vector<Meeting> meetings;
@@ -121,6 +118,8 @@ std::optional<simplify::LineEndMove> move_to(const graph::CandidateLayout& layou
   }
   return std::nullopt;
 }
+
+namespace {
 
 // Returns the deviation of the line that moved, radians.
 double move_end(RegionLayouts& regions, const Station& station, Place place) {

@@ -13,13 +13,14 @@ std::vector<std::vector<LineKind>> kinds_of_lines(const RegionLayouts& regions) 
   return kinds;
 }
 
+void renew_lines(graph::CandidateLayout& layout, std::vector<LineKind> kinds, LineKind added) {
+  kinds.resize(layout.graph().splines.size(), added);
+  layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
+  layout.subdivision.drop_unused_splines();
+}
+
 void renew_lines(RegionLayouts& regions, std::vector<std::vector<LineKind>> kinds, LineKind added) {
-  for (std::size_t r = 0; r < regions.layouts.size(); ++r) {
-    graph::CandidateLayout& layout = regions.layouts[r];
-    kinds[r].resize(layout.graph().splines.size(), added);
-    layout.lines = graph::lines_of_arcs(layout.graph(), kinds[r]);
-    layout.subdivision.drop_unused_splines();
-  }
+  for (std::size_t r = 0; r < regions.layouts.size(); ++r) renew_lines(regions.layouts[r], std::move(kinds[r]), added);
 }
 
 }  // namespace quadrille::couple

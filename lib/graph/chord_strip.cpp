@@ -118,4 +118,14 @@ std::vector<FixedSide> fixed_sides(const Subdivision& subdivision, const ChordSt
   return any ? sides : std::vector<FixedSide>{};
 }
 
+bool ends_on_periodic_side(const Subdivision& subdivision, const ChordStrip& strip) {
+  const ArcGraph& graph = subdivision.graph();
+  return std::any_of(strip.rungs.begin(), strip.rungs.end(), [&](HalfEdge h) {
+    if (!graph.arcs[h.arc].is_boundary) return false;
+    const int curve = graph.arcs[h.arc].pieces.front().curve;
+    return std::any_of(graph.face.periodic_pairs.begin(), graph.face.periodic_pairs.end(),
+                       [&](const PeriodicPair& pair) { return pair.curves[0] == curve || pair.curves[1] == curve; });
+  });
+}
+
 }  // namespace quadrille::graph

@@ -40,6 +40,9 @@ ChordStrip measured_strip(const Subdivision& subdivision, int arc, const std::ve
 /// All strips, ordered by their lowest arcs; `lengths` of all arcs. Linear in the number of arcs.
 std::vector<ChordStrip> all_strips(const Subdivision& subdivision, const std::vector<double>& lengths);
 
+/// Whether the strip ends on a periodic side: it goes on beyond, so that it cannot be collapsed alone.
+bool ends_on_periodic_side(const Subdivision& subdivision, const ChordStrip& strip);
+
 /// The side of a strip on which a rung's end does not move when the rung is shrunk to a point.
 enum class FixedSide { none, left, right };
 

@@ -21,7 +21,7 @@ std::vector<SeparatrixLine> split_lines(std::vector<SeparatrixLine> lines, const
 }  // namespace
 
 graph::CandidateLayout extend_lines(const graph::CandidateLayout& layout, const std::vector<TFace>& faces,
-                                    const std::vector<int>& lengths) {
+                                    const std::vector<int>& lengths, const std::vector<HalfEdge>& same) {
   const ArcGraph& t_mesh = layout.graph();
   const curve::CurveTable table(t_mesh.face, t_mesh.splines);
   std::vector<curve::Chain> chains;
@@ -30,7 +30,7 @@ graph::CandidateLayout extend_lines(const graph::CandidateLayout& layout, const 
     chains.emplace_back(table, arc.pieces);
     arc_lengths.push_back(chains.back().length());
   }
-  const QuantizedParametrization parametrization(t_mesh, faces, lengths, std::move(arc_lengths));
+  const QuantizedParametrization parametrization(t_mesh, faces, lengths, std::move(arc_lengths), same);
   graph::CandidateLayout extended = layout;
   const ArcParts parts = split_arcs(chains, parametrization.crossing_fractions(), extended.subdivision);
   extended.lines = split_lines(layout.lines, parts);

@@ -12,9 +12,11 @@
 namespace quadrille::quantize {
 
 /// `lengths` (1 or more for each arc, opposite sides of the faces equal): of quantize(). Nodes of the T-mesh keep their
-/// numbers. Throws ComputeError if the result has a face without four corners, or if lines
-/// run across each other at a node (faces that are much thinner than their sides are curved).
+/// numbers. `same`, of each arc (model/periodic.hpp): of arcs of periodic sides, the one that it is the image of; lines
+/// that leave through one enter through the other, at equal fractions; both must have one length. Throws ComputeError
+/// if the result has a face without four corners, or if lines run across each other at a node (faces that are much
+/// thinner than their sides are curved).
 graph::CandidateLayout extend_lines(const graph::CandidateLayout& t_mesh, const std::vector<TFace>& faces,
-                                    const std::vector<int>& lengths);
+                                    const std::vector<int>& lengths, const std::vector<HalfEdge>& same = {});
 
 }  // namespace quadrille::quantize

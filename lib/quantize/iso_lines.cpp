@@ -5,7 +5,7 @@ namespace {
 
 class Continuation {
  public:
-  Continuation(const ArcGraph& t_mesh, const IntegerSides& sides) : t_mesh_(t_mesh), sides_(sides) {
+  Continuation(const ArcGraph& t_mesh, const IntegerSides& sides) : sides_(sides) {
     result.crossings.resize(t_mesh.arcs.size());
     result.lines.resize(sides.faces().size());
   }
@@ -39,12 +39,11 @@ class Continuation {
     const int length = sides_.arc(h.arc);
     if (number == length) return;
     const bool is_new = result.crossings[h.arc].insert(!h.is_backwards ? number : length - number).second;
-    if (!is_new || t_mesh_.arcs[h.arc].is_boundary) return;
     const SidePosition& behind = sides_.position_of(h.reversed());
+    if (!is_new || behind.face < 0) return;
     start(behind.face, behind.side, behind.offset + length - number);
   }
 
-  const ArcGraph& t_mesh_;
   const IntegerSides& sides_;
   std::vector<FaceLine> unfinished_;
 };

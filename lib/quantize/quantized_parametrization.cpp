@@ -29,15 +29,40 @@ void keep_apart(std::map<int, double>& fractions, int length) {
 
 }  // namespace
 
+std::vector<TFace> faces_across_periodic_sides(std::vector<TFace> faces, const std::vector<HalfEdge>& same) {
+  if (same.empty()) return faces;
+  for (TFace& face : faces)
+    for (std::vector<HalfEdge>& side : face)
+      for (HalfEdge& h : side) h = h.is_backwards ? same[h.arc].reversed() : same[h.arc];
+  return faces;
+}
+
 QuantizedParametrization::QuantizedParametrization(const ArcGraph& t_mesh, const std::vector<TFace>& faces,
-                                                   const std::vector<int>& lengths, std::vector<double> arc_lengths)
-    : sides_(faces, lengths),
-      lines_(iso_lines(t_mesh, sides_)),
+                                                   const std::vector<int>& lengths, std::vector<double> arc_lengths,
+                                                   const std::vector<HalfEdge>& same)
+    : glued_(faces_across_periodic_sides(faces, same)),
+      own_sides_(faces, lengths),
+      glued_sides_(glued_, lengths),
+      lines_(iso_lines(t_mesh, glued_sides_)),
       arc_lengths_(std::move(arc_lengths)),
       fractions_(arc_lengths_.size()) {
   for (size_t a = 0; a < fractions_.size(); ++a)
     for (const int number : lines_.crossings[a]) fractions_[a][number] = static_cast<double>(number) / lengths[a];
   for (int round = 0; round < num_rounds; ++round) straighten();
+  copy_to_images(same);
+  is_finished_ = true;
+}
+
+// Both run in opposite directions.
+void QuantizedParametrization::copy_to_images(const std::vector<HalfEdge>& same) {
+  for (int a = 0; a < static_cast<int>(same.size()); ++a) {
+    if (same[a].arc == a) continue;
+    const int length = glued_sides_.arc(a);
+    for (const auto& [number, fraction] : fractions_[same[a].arc]) {
+      fractions_[a][length - number] = 1 - fraction;
+      lines_.crossings[a].insert(length - number);
+    }
+  }
 }
 
 // All arcs are updated at once, so that none is preferred.
@@ -45,7 +70,7 @@ void QuantizedParametrization::straighten() {
   CrossingFractions next = fractions_;
   for (int a = 0; a < static_cast<int>(next.size()); ++a) {
     for (auto& [number, fraction] : next[a]) fraction = (fraction + straightened(a, number)) / 2;
-    keep_apart(next[a], sides_.arc(a));
+    keep_apart(next[a], sides().arc(a));
   }
   fractions_ = std::move(next);
 }
@@ -55,10 +80,10 @@ double QuantizedParametrization::straightened(int arc, int number) const {
   double sum = 0;
   int count = 0;
   for (const HalfEdge h : {HalfEdge{arc}, HalfEdge{arc, true}}) {
-    const SidePosition& at = sides_.position_of(h);
+    const SidePosition& at = sides().position_of(h);
     if (at.face < 0) continue;
-    const int position = at.offset + (!h.is_backwards ? number : sides_.arc(arc) - number);
-    const int across = (at.side + 2) % 4, total = sides_.total(at.face, across);
+    const int position = at.offset + (!h.is_backwards ? number : sides().arc(arc) - number);
+    const int across = (at.side + 2) % 4, total = sides().total(at.face, across);
     sum += arc_fraction(h, 1 - side_fraction(at.face, across, total - position));
     ++count;
   }
@@ -67,9 +92,9 @@ double QuantizedParametrization::straightened(int arc, int number) const {
 
 // Fraction of the half-edge's arc at a fraction of its side; outside 0 ... 1 beyond the half-edge.
 double QuantizedParametrization::arc_fraction(HalfEdge h, double fraction_of_side) const {
-  const SidePosition& at = sides_.position_of(h);
+  const SidePosition& at = sides().position_of(h);
   double before = 0, total = 0;
-  for (const HalfEdge other : sides_.faces()[at.face][at.side]) {
+  for (const HalfEdge other : sides().faces()[at.face][at.side]) {
     if (other == h) before = total;
     total += arc_lengths_[other.arc];
   }
@@ -78,10 +103,10 @@ double QuantizedParametrization::arc_fraction(HalfEdge h, double fraction_of_sid
 }
 
 double QuantizedParametrization::side_fraction(int face, int side, int position) const {
-  const auto [last, number] = sides_.half_edge_at(face, side, position);
-  const int arc = last.arc, length = sides_.arc(arc);
+  const auto [last, number] = sides().half_edge_at(face, side, position);
+  const int arc = last.arc, length = sides().arc(arc);
   double before = 0, total = 0;
-  for (const HalfEdge h : sides_.faces()[face][side]) {
+  for (const HalfEdge h : sides().faces()[face][side]) {
     if (h == last) before = total;
     total += arc_lengths_[h.arc];
   }

@@ -10,13 +10,13 @@
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
+#include "layers/match_periodic.hpp"
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
-#include "refine/match_periodic.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
@@ -107,7 +107,7 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
-  match_periodic(measured.periodic_arcs(), result.divisions, result.walls);
+  layers::match_periodic(measured.periodic_arcs(), result.divisions, result.walls);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);

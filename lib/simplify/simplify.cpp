@@ -89,7 +89,9 @@ class Simplifier {
     subdivision_.compact();
   }
 
+  // Not with periodic sides, on which the ends of lines have images.
   bool shorten_spirals() {
+    if (!subdivision_.graph().face.periodic_pairs.empty()) return false;
     return take_thinnest(
         find_shortcuts(subdivision_, graph::arc_lengths(subdivision_.graph())),
         [](const SpiralShortcut& s) { return s.aspect; },

@@ -47,7 +47,8 @@ StripQueue::Key StripQueue::add_strip_through(const Subdivision& subdivision, in
   ChordStrip strip = graph::measured_strip(subdivision, arc, lengths_);
   const int lowest = lowest_arc(strip);
   if (strip.is_closed && lowest < strip.rungs.front().arc) strip = graph::measured_strip(subdivision, lowest, lengths_);
-  const bool can_collapse = !graph::fixed_sides(subdivision, strip).empty();
+  const bool can_collapse =
+      !graph::ends_on_periodic_side(subdivision, strip) && !graph::fixed_sides(subdivision, strip).empty();
   const int id = num_made_++;
   for (const HalfEdge h : strip.rungs) {
     if (arc2strip_[h.arc] >= 0 && !strip.crosses_itself) remove_strip(arc2strip_[h.arc]);

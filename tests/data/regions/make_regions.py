@@ -284,6 +284,79 @@ def upper_half(z, radius):
     return [("line", z - radius, z + radius), ("arc", z, radius, z + radius, z - radius, 1)]
 
 
+def moved(loop, turn, shift):
+    """A chain of edges under z -> turn z + shift."""
+    def image(arg):
+        if isinstance(arg, complex):
+            return turn * arg + shift
+        return [turn * z + shift for z in arg] if isinstance(arg, list) and isinstance(arg[0], complex) else arg
+    return [(kind, *map(image, args)) for kind, *args in loop]
+
+
+def named(chain, name):
+    return [(*edge, name) for edge in chain]
+
+
+def spline(points):
+    """A cubic with these poles."""
+    count = len(points) - 3
+    return "spline", points, [0.0] * 4 + [float(k) for k in range(1, count)] + [float(count)] * 4
+
+
+def periodic_box():
+    """A box with a hole off its centre, which repeats in both directions."""
+    return [("line", 0j, 4 + 0j, "bottom"), ("line", 4 + 0j, 4 + 3j, "right"), ("line", 4 + 3j, 3j, "top"),
+            ("line", 3j, 0j, "left")], circle(1.7 + 1.4j, 0.6)
+
+
+def blade_passage(pitch=1.1):
+    """Around one blade: an inlet, an outlet, and a curved cut of three edges that repeats above."""
+    cut = [("line", -1 - 0.55j, -0.2 - 0.55j), spline([-0.2 - 0.55j, 0.15 - 0.55j, 0.4 - 0.5j, 0.7 - 0.75j, 1 - 0.95j]),
+           ("line", 1 - 0.95j, 2 - 1.75j)]
+    _, poles, knots = naca0012()[0]
+    cambered = [complex(z.real, z.imag + 0.4 * z.real * (1 - z.real)) * cmath.exp(-0.35j) - 0.05j for z in poles]
+    above = hole(moved(cut, 1, 1j * pitch))
+    outline = named(cut, "below") + [("line", cut[-1][2], cut[-1][2] + 1j * pitch, "outlet")] + named(above, "above")
+    return outline + [("line", above[-1][2], cut[0][1], "inlet")], [("spline", cambered, knots, "blade")]
+
+
+def wavy_channel():
+    """One wave of a channel whose walls are waves of different height."""
+    def wave(height, low):
+        return spline([low + 0j, 0.5 + low, 1 + low + 1j * height, 2 + low - 1j * height, 2.5 + low, 3 + low])
+    lower, upper = wave(0.5, 0j), wave(0.3, 1.2j)
+    return [(*lower, "wall"), ("line", 3 + 0j, 3 + 1.2j, "outflow"), *named(hole([upper]), "wall"),
+            ("line", 1.2j, 0j, "inflow")]
+
+
+def sector(holes=(1.1, 1.75)):
+    """30 degrees of a perforated disc, with its centre."""
+    end = 2.4 * cmath.exp(1j * math.pi / 6)
+    outline = [("line", 0j, 2.4 + 0j, "from"), ("arc", 0j, 2.4, 2.4 + 0j, end, 1, "rim"), ("line", end, 0j, "to")]
+    return [outline] + [hole(circle(radius * cmath.exp(1j * math.pi / 12), 0.14)) for radius in holes]
+
+
+def periodic_models():
+    box, ring = periodic_box()
+    blade_outline, blade = blade_passage()
+    # The top is an arc: the bottom is straight.
+    unequal = [("line", 0j, 2 + 0j, "bottom"), ("line", 2 + 0j, 2 + 1j, "right"),
+               ("arc", 1 + 0j, math.sqrt(2), 2 + 1j, 1j, 1, "top"), ("line", 1j, 0j, "left")]
+    layers = [("fluid", [[("line", 0j, 4 + 0j, "wall"), ("line", 4 + 0j, 4 + 1j, "right"), ("line", 4 + 1j, 1j),
+                          ("line", 1j, 0j, "left")], hole(circle(1.3 + 0.55j, 0.2))]),
+              ("solid", [[("line", 1j, 4 + 1j), ("line", 4 + 1j, 4 + 1.5j, "right"), ("line", 4 + 1.5j, 1.5j, "top"),
+                          ("line", 1.5j, 1j, "left")]])]
+    return {
+        "periodic_box": sheet("periodic_box", [("box", [box, hole(ring)])]),
+        "periodic_blade": sheet("periodic_blade", [("passage", [blade_outline, blade])]),
+        "periodic_wave": sheet("periodic_wave", [("channel", [wavy_channel()])]),
+        "periodic_sector": sheet("periodic_sector", [("disc", sector())]),
+        "periodic_layers": sheet("periodic_layers", layers),
+        "periodic_pin": sheet("periodic_pin", [("fluid", [box, hole(ring)]), ("pin", [ring])]),
+        "bad/periodic_unequal": sheet("periodic_unequal", [("plate", [unequal])]),
+    }
+
+
 def models():
     square = rectangle(-1 - 1j, 1 + 1j)
     gear_outline, cam_outline = gear(), cam()
@@ -325,6 +398,7 @@ def models():
         "pin_in_channel": sheet("pin_in_channel", [("fluid", [channel, [("circle", 4 + 2j, 0.5, -1, "pin surface")]]),
                                                    ("pin", [circle(4 + 2j, 0.5)])]),
         "bad/dangling": sheet("dangling", [("plate", [plate])], [("line", 1.5 + 0.0005j, 1.5 + 1j)]),
+        **periodic_models(),
         "bad/overlap": sheet("overlap", [("one", [rectangle(0j, 2 + 1j)]), ("two", [rectangle(1.5 + 0.25j, 3 + 0.75j)])]),
         "bad/disc_on_square": sheet("disc_on_square", [("plate", [square]), ("disc", [circle(0, 0.4)])]),
         "bad/twice": sheet("twice", [("one", [square]), ("two", [square])], own=True),

@@ -11,13 +11,13 @@
 #include "mesh/periodic_arcs.hpp"
 #include "sizing/arc_division.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::layers {
 
 /// Replaces rising fractions from 0 to 1 of both arcs, each in the arc's own direction, by their means.
 void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second);
 
 /// The divisions of all pairs, and the nodes of the layers at their ends.
 void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, sizing::ArcDivisions& divisions,
-                    std::optional<layers::WallPlan>& walls);
+                    std::optional<WallPlan>& walls);
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::layers

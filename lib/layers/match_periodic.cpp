@@ -1,6 +1,6 @@
-#include "refine/match_periodic.hpp"
+#include "layers/match_periodic.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::layers {
 
 void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {
   if (first.size() != second.size()) return;
@@ -16,7 +16,7 @@ void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first,
 }
 
 void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, sizing::ArcDivisions& divisions,
-                    std::optional<layers::WallPlan>& walls) {
+                    std::optional<WallPlan>& walls) {
   for (const mesh::PeriodicArcs& arcs : pairs) {
     match_fractions(arcs, divisions[arcs[0].arc].ends, divisions[arcs[1].arc].ends);
     if (!walls) continue;
@@ -28,4 +28,4 @@ void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, sizing::ArcDiv
   }
 }
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::layers

@@ -1,0 +1,234 @@
+#include "cad/periodic_sides.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "cad/split_curve.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+#include "model/periodic.hpp"
+
+namespace quadrille::cad {
+namespace {
+
+constexpr double relative_fit = 1e-9;   // of the diameter: the greatest distance of the image from the other side
+constexpr double relative_same = 1e-8;  // of the diameter: points nearer than this are one joint
+constexpr double angle_tol = 1e-9;      // radians: an angle nearer to a whole fraction of a turn is that
+constexpr int max_fraction = 720;       // of a turn
+constexpr int samples_per_span = 8;
+
+/// Curves that follow each other along the boundary of the whole, in its direction.
+struct Side {
+  std::string name;
+  std::vector<int> curves;
+};
+
+class PeriodicPairing {
+ public:
+  PeriodicPairing(CadFace& face, const PeriodicRequest& request)
+      : face_(face), request_(request), same_(relative_same * face.diameter) {}
+
+  void pair() {
+    Side a = side(request_.first), b = side(request_.second);
+    const GivenMotion given = request_.motion ? *request_.motion : motion_between(a, b);
+    const PeriodicMotion motion(given.angle, given.shift, face_.origin);
+    require_fit(a, b, motion);
+    split_at_joints(b.name, images_of_joints(a, motion, true));
+    split_at_joints(a.name, images_of_joints(side(b.name), motion, false));
+    a = side(a.name), b = side(b.name);
+    if (a.curves.size() != b.curves.size()) throw Defect("periodic sides with different numbers of curves");
+    for (std::size_t k = 0; k < a.curves.size(); ++k) {
+      const int from = a.curves[k], to = b.curves[b.curves.size() - 1 - k];
+      replace_by_image(from, to, motion);
+      face_.periodic_pairs.push_back({{from, to}, given.angle, given.shift});
+    }
+  }
+
+ private:
+  Vec2 start(int curve) const { return face_.curves[curve].poles.front(); }
+  Vec2 end(int curve) const { return face_.curves[curve].poles.back(); }
+  bool are_same(Vec2 a, Vec2 b) const { return distance(a, b) <= same_; }
+  std::string place(Vec2 x) const { return position_text(x + face_.origin); }
+
+  std::vector<int> curves_named(const std::string& name) const {
+    std::vector<int> curves;
+    for (int c = 0; c < face_.num_curves(); ++c)
+      if (face_.curve_names[c] == name) curves.push_back(c);
+    if (curves.empty())
+      throw UsageError(fmt::format("{}: no curve is named '{}'; the names are: {}", request_.where, name,
+                                   fmt::join(std::set(face_.curve_names.begin(), face_.curve_names.end()), ", ")));
+    for (const int c : curves)
+      if (face_.is_interface(c))
+        throw UsageError(fmt::format("{}: '{}' at {} is not on the boundary: the face is on both sides of it",
+                                     request_.where, name, place(start(c))));
+    const std::vector<int> partners = periodic_partners(face_);
+    for (const int c : curves)
+      if (partners[c] >= 0)
+        throw UsageError(fmt::format("{}: '{}' is already a side of another periodic pair", request_.where, name));
+    return curves;
+  }
+
+  // The curves of a name in the order of the boundary; also of several regions, whose loops they belong to.
+  Side side(const std::string& name) const {
+    std::vector<int> rest = curves_named(name);
+    const auto follows_another = [&](int c) {
+      return std::any_of(rest.begin(), rest.end(), [&](int o) { return are_same(end(o), start(c)); });
+    };
+    const auto first = std::find_if_not(rest.begin(), rest.end(), follows_another);
+    if (first == rest.end())
+      throw UsageError(fmt::format(
+          "{}: the curves '{}' are closed: no motion in the plane maps a closed side onto another from outside",
+          request_.where, name));
+    Side side{name, {*first}};
+    rest.erase(first);
+    while (!rest.empty()) {
+      const auto next =
+          std::find_if(rest.begin(), rest.end(), [&](int c) { return are_same(end(side.curves.back()), start(c)); });
+      if (next == rest.end())
+        throw UsageError(
+            fmt::format("{}: the curves '{}' do not follow each other: one part ends at {}, another one "
+                        "begins at {}; give the parts names of their own (--name)",
+                        request_.where, name, place(end(side.curves.back())), place(start(rest.front()))));
+      side.curves.push_back(*next);
+      rest.erase(next);
+    }
+    return side;
+  }
+
+  // The motion that maps the line between the ends of the first side onto that of the second one.
+  GivenMotion motion_between(const Side& a, const Side& b) const {
+    const Vec2 a0 = start(a.curves.front()), a1 = end(a.curves.back());
+    const Vec2 b0 = start(b.curves.front()), b1 = end(b.curves.back());
+    const Vec2 from = (a0 + a1) / 2 + face_.origin, to = (b0 + b1) / 2 + face_.origin;
+    double angle = wrap_pi(angle_of(b0 - b1) - angle_of(a1 - a0));
+    for (int n = 1; n <= max_fraction; ++n)
+      if (const double whole = 2 * pi * std::round(angle * n / (2 * pi)) / n; std::abs(angle - whole) < angle_tol) {
+        angle = whole;
+        break;
+      }
+    if (angle == 0) return {0, to - from};
+    const Vec2 turn = unit(angle);
+    return {angle, to - Vec2{turn.x * from.x - turn.y * from.y, turn.y * from.x + turn.x * from.y}};
+  }
+
+  double distance_to(const Side& side, Vec2 x) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int c : side.curves) least = std::min(least, curve::project(face_.curves[c], x).distance);
+    return least;
+  }
+
+  std::vector<Vec2> samples(const Side& side) const {
+    std::vector<Vec2> points;
+    for (const int c : side.curves) {
+      const Nurbs& curve = face_.curves[c];
+      for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
+        for (int i = 0; i < samples_per_span && curve.knots[k] < curve.knots[k + 1]; ++i)
+          points.push_back(
+              curve::point(curve, curve.knots[k] + (curve.knots[k + 1] - curve.knots[k]) * i / samples_per_span));
+      points.push_back(curve.poles.back());
+    }
+    return points;
+  }
+
+  struct Worst {
+    Vec2 at;
+    double distance = 0;
+    bool is_on_first = true;
+  };
+
+  void require_fit(const Side& a, const Side& b, const PeriodicMotion& motion) const {
+    Worst worst;
+    const auto compare = [&](Vec2 x, double d, bool is_on_first) {
+      if (!(d <= worst.distance)) worst = {x, d, is_on_first};
+    };
+    compare(start(a.curves.front()), distance(motion.image(start(a.curves.front())), end(b.curves.back())), true);
+    compare(end(a.curves.back()), distance(motion.image(end(a.curves.back())), start(b.curves.front())), true);
+    for (const Vec2 x : samples(a)) compare(x, distance_to(b, motion.image(x)), true);
+    for (const Vec2 x : samples(b)) compare(x, distance_to(a, motion.original(x)), false);
+    if (worst.distance <= relative_fit * face_.diameter) return;
+    const GivenMotion own = motion_between(a, b);
+    const std::string found =
+        own.angle == 0 ? fmt::format("translate={:.9g},{:.9g}", own.shift.x, own.shift.y)
+                       : fmt::format("rotate={:.9g}, about the point that maps their ends", degrees(own.angle));
+    throw FormatError(fmt::format(
+        "{}: the sides are not equal up to {} motion: the point {} of '{}' would be {:.3g} ({:.2g} diameters) away "
+        "from '{}', and {:g} diameters are allowed; the ends of the sides give {}. Draw one side as a copy of the "
+        "other{}",
+        request_.where, request_.motion ? "this" : "a", place(worst.at), worst.is_on_first ? a.name : b.name,
+        worst.distance, worst.distance / face_.diameter, worst.is_on_first ? b.name : a.name, relative_fit, found,
+        request_.motion ? ", or leave out the motion" : ""));
+  }
+
+  // Of the joints inside a side.
+  std::vector<Vec2> images_of_joints(const Side& side, const PeriodicMotion& motion, bool is_first) const {
+    std::vector<Vec2> images;
+    for (std::size_t k = 1; k < side.curves.size(); ++k)
+      images.push_back(is_first ? motion.image(start(side.curves[k])) : motion.original(start(side.curves[k])));
+    return images;
+  }
+
+  void split_at_joints(const std::string& name, const std::vector<Vec2>& joints) {
+    for (const Vec2 x : joints) {
+      const std::vector<int> curves = side(name).curves;
+      if (std::any_of(curves.begin(), curves.end(), [&](int c) { return are_same(start(c), x); })) continue;
+      int nearest = curves.front();
+      curve::Projection at = curve::project(face_.curves[nearest], x);
+      for (const int c : curves)
+        if (const curve::Projection p = curve::project(face_.curves[c], x); p.distance < at.distance)
+          nearest = c, at = p;
+      split_curve(face_, nearest, at.t);
+    }
+  }
+
+  // Whatever meets a joint meets it in its new place.
+  void move_joint(Vec2 from, Vec2 to) {
+    for (Nurbs& curve : face_.curves) {
+      if (are_same(curve.poles.front(), from)) curve.poles.front() = to;
+      if (are_same(curve.poles.back(), from)) curve.poles.back() = to;
+    }
+    for (Joint& joint : face_.joints)
+      if (are_same(joint.position, from)) joint.position = to;
+  }
+
+  void turn_tangents(int joint, double change_in, double change_out) {
+    Joint& j = face_.joints[joint];
+    j.tangent_in = wrap_pi(j.tangent_in + change_in);
+    j.tangent_out = wrap_pi(j.tangent_out + change_out);
+    j.interior_angle += change_in - change_out;
+  }
+
+  void replace_by_image(int from, int to, const PeriodicMotion& motion) {
+    Nurbs image = curve::reversed(face_.curves[from]);
+    for (Vec2& pole : image.poles) pole = motion.image(pole);
+    const Vec2 old_start = start(to), old_end = end(to);
+    const int next = face_.next_in_loop(to);
+    const double old_out = face_.joints[to].tangent_out, old_in = face_.joints[next].tangent_in;
+    face_.curves[to] = image;
+    move_joint(old_start, image.poles.front());
+    move_joint(old_end, image.poles.back());
+    const auto angle_at = [&](double t, bool from_left) { return angle_of(curve::tangent(image, t, from_left)); };
+    turn_tangents(to, 0, wrap_pi(angle_at(image.begin(), false) - old_out));
+    turn_tangents(next, wrap_pi(angle_at(image.end(), true) - old_in), 0);
+  }
+
+  CadFace& face_;
+  const PeriodicRequest& request_;
+  double same_;
+};
+
+}  // namespace
+
+void pair_periodic_sides(CadFace& face, const std::vector<PeriodicRequest>& requests) {
+  for (const PeriodicRequest& request : requests) PeriodicPairing(face, request).pair();
+}
+
+}  // namespace quadrille::cad
