@@ -70,6 +70,7 @@ enum class Position { outside, on_boundary, inside };
 Position position_in(const std::vector<Region>& regions, Vec2 x, double tol) {
   Position position = Position::outside;
   for (const Region& region : regions) {
+    if (!region_box(region).contains(x, tol)) continue;
     if (distance_from_boundary(region, x) <= tol)
       position = Position::on_boundary;
     else if (contains(region, x))

@@ -45,6 +45,16 @@ std::string face_text(const Region& region) {
                              : fmt::format("face {} '{}'", region.cad_face, region.name);
 }
 
+curve::PoleBox region_box(const Region& region) {
+  curve::PoleBox box{region.curves.front().curve.poles.front(), region.curves.front().curve.poles.front()};
+  for (int c = 0; c < region.loop_offsets[1]; ++c)  // the outline
+    for (const Vec2 p : region.curves[c].curve.poles) {
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+  return box;
+}
+
 std::vector<std::vector<Nurbs>> loop_curves(const Region& region) {
   std::vector<std::vector<Nurbs>> loops;
   for (int l = 0; l < region.num_loops(); ++l) {

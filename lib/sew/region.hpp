@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "curve/pole_box.hpp"
 #include "heal/loop.hpp"
 
 namespace quadrille::sew {
@@ -49,6 +50,9 @@ bool has_seam(const Region& region, int curve);
 
 /// "face 2 'lid'".
 std::string face_text(const Region& region);
+
+/// Contains the region.
+curve::PoleBox region_box(const Region& region);
 
 /// The curves of each loop.
 std::vector<std::vector<Nurbs>> loop_curves(const Region& region);

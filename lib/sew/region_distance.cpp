@@ -32,15 +32,9 @@ std::vector<Sample> samples_of(const Nurbs& curve) {
   return samples;
 }
 
-curve::PoleBox box_of(const Region& region) {
-  std::vector<Nurbs> curves;
-  for (const heal::LoopCurve& c : region.curves) curves.push_back(c.curve);
-  return curve::pole_box(curves);
-}
-
 /// Samples on the boundary of `a` and beside it that are inside of `b`.
 void find_overlap(const Region& a, const Region& b, double negligible, std::optional<MeasuredPlace>& deepest) {
-  const curve::PoleBox box = box_of(b);
+  const curve::PoleBox box = region_box(b);
   const auto consider = [&](Vec2 x, bool is_on_boundary) {
     if (!box.contains(x)) return;
     double depth = distance_from_boundary(b, x);
