@@ -13,6 +13,7 @@
 #include "couple/couple_layouts.hpp"
 #include "couple/open_curves.hpp"
 #include "field/check_nodes_match_field.hpp"
+#include "graph/open_interfaces.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "layout/compute_layout.hpp"
@@ -101,6 +102,10 @@ SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<
   }
   SeparatrixGraph graph = couple::couple_layouts(std::move(layouts), settings.options, session.report());
   graph.face = face;
+  // A crack is opened last, so that its sides have nodes in the same places.
+  std::vector<bool> is_crack;
+  for (int c = 0; c < face.num_curves(); ++c) is_crack.push_back(face.is_interface(c) && with_cracks.partners[c] < 0);
+  graph::open_interfaces(graph, is_crack);
   return graph;
 }
 
@@ -185,7 +190,7 @@ int main(int argc, char** argv) {
         "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
         "crossings ends at ten times as many; auto allows ten times as many of both if there is no quantized layout");
     o.texts("--open", settings.open, "NAME",
-            "the embedded curve of this name is open, a crack: no line crosses it, and nodes on its two sides differ, "
+            "the embedded curve of this name is open, a crack: its nodes are doubled, one for each side in each place, "
             "but at its ends");
     o.texts("--interface", settings.interfaces, "NAME=nonconforming",
             "no line crosses the interface of this name: the two regions have nodes of their own there");

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::mesh {
 namespace {
@@ -45,11 +46,22 @@ HalfEdge counterpart(const ArcGraph& graph, const PeriodicPair& pair, const Dire
   return {};
 }
 
+/// The pairs of the face, and cracks: both sides of an open slit lie in one place.
+std::vector<PeriodicPair> pairs_of_curves(const ArcGraph& graph) {
+  std::vector<PeriodicPair> pairs = graph.face.periodic_pairs;
+  if (graph.face.partners.empty()) return pairs;
+  const std::vector<int> curve_region = curve_regions(graph.face);
+  for (int c = 0; c < graph.face.num_curves(); ++c)
+    if (const int partner = graph.face.partners[c]; partner > c && curve_region[c] == curve_region[partner])
+      pairs.push_back({{c, partner}, 0, {}});
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<PeriodicArcs> periodic_arcs(const ArcGraph& graph) {
   std::vector<PeriodicArcs> pairs;
-  for (const PeriodicPair& pair : graph.face.periodic_pairs)
+  for (const PeriodicPair& pair : pairs_of_curves(graph))
     for (const Directed& first : arcs_on(graph, pair.curves[0]))
       if (const HalfEdge second = counterpart(graph, pair, first); second.arc >= 0)
         pairs.push_back({first.arc, second});

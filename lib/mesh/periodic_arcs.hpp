@@ -1,5 +1,6 @@
 #pragma once
 // Arcs that a solver sees as one: a periodic pair of curves consists of pairs of arcs, which must have the same nodes.
+// Both sides of a crack are such a pair too, where the blocks beside them match.
 
 #include <array>
 #include <vector>

@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
-#include "layers/match_periodic.hpp"
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
 #include "mesh/element_sizes.hpp"
@@ -23,6 +22,7 @@
 #include "sizing/element_limit.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/length_limits.hpp"
+#include "sizing/match_periodic.hpp"
 #include "sizing/measured_layout.hpp"
 #include "sizing/report_sizes.hpp"
 
@@ -107,7 +107,7 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
-  layers::match_periodic(measured.periodic_arcs(), result.divisions, result.walls);
+  sizing::match_periodic(measured.periodic_arcs(), result.divisions, result.walls ? &result.walls->arc_nodes : nullptr);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);

@@ -29,3 +29,43 @@ setup() {
   assert_line --partial "FAULT regions"
   run -3 /usr/bin/python3 "$ROOT/tests/check_regions.py" none.h5
 }
+
+# judged SHAPE OPTION...: the checker and stagecheck accept the mesh of tests/data/regions/SHAPE.step.
+judged() {
+  local shape=$1
+  mkdir -p "$shape"
+  "$ROOT/pipelines/quadmesh" "$ROOT/tests/data/regions/$shape.step" --order 6 "${@:2}" --workdir "$shape" \
+    -o "$shape/$shape.msh" 2>"$shape/log"
+  stagecheck "$shape/$shape.sep.json" "$shape/$shape.blocks.h5" "$shape/$shape.quad.h5"
+  run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" "$shape/$shape.quad.h5" --face "$shape/$shape.tri.h5"
+  refute_output --partial FAULT
+}
+
+@test "the checker accepts regions, embedded curves, cracks and interfaces that need not conform" {
+  judged disc_in_square
+  assert_line --partial "2 regions, 2 parts between interfaces"
+  judged chequerboard_2_hole
+  judged plate_circle
+  judged aerofoil_wake --geometry-tol 1e-9
+  judged plate_curve --open baffle
+  assert_line --regexp '^ok +cracks: 2 sides, [1-9][0-9]+ doubled nodes'
+  judged t_joint --interface left-right=nonconforming
+  assert_line --regexp '^ok +open interface left-right: '
+}
+
+@test "layers and sizes on one side of an interface keep the nodes of both sides" {
+  judged pin_in_channel
+  name=$(/usr/bin/python3 -c '
+import h5py
+face = h5py.File("pin_in_channel/pin_in_channel.quad.h5")["face"]
+curve = next(c for c, p in enumerate(face["partners"][:]) if p >= 0)
+print(face["curve_names"][:][curve].decode())')
+  judged_with() {
+    quadrefine --order 6 "$@" pin_in_channel/pin_in_channel.blocks.h5 -o x.quad.h5
+    run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" x.quad.h5
+    refute_output --partial FAULT
+  }
+  judged_with --wall "$name@0:first=0.01,layers=3"
+  judged_with --wall "$name@1:first=0.01,layers=3"
+  judged_with --size-near "$name@1=0.03"
+}

@@ -80,6 +80,19 @@ TEST(Regions, BothSidesOfASlitAreOneOrTwo) {
   EXPECT_EQ(open.nodes.size(), closed.nodes.size() + 7);
 }
 
+TEST(Regions, BothSidesOfACrackHaveNodesInTheSamePlaces) {
+  RefineOptions options{.size = 0.5, .order = 3};
+  options.size_field = sizing::SizeField(0.5, {{{{2, 0}, 0.06, 0.1}}, {}, 0}, {}, 1.3);  // below the crack
+  const QuadMesh mesh = refined(slit_plate(true), options);
+  std::vector<Vec2> above, below;
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges)
+    for (const int node : side_nodes(mesh, e.elem, e.side))
+      if (e.curve >= 4) (e.curve == 4 ? above : below).push_back(mesh.nodes[node]);
+  ASSERT_EQ(above.size(), below.size());
+  ASSERT_GT(above.size(), 20u);
+  for (std::size_t k = 0; k < above.size(); ++k) EXPECT_LT(distance(above[k], below[below.size() - 1 - k]), 1e-13);
+}
+
 TEST(Regions, RelaxationKeepsInterfaces) {
   QuadMesh mesh = refined(disc_in_square(), {.size = 0.5, .order = 4});
   const QuadMesh before = mesh;

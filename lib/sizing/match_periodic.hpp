@@ -4,20 +4,19 @@
 // Both arcs belong to one chord, so they have the same number of elements. Their own divisions differ where the blocks
 // beside them do; each then gets the mean of both.
 
-#include <optional>
 #include <vector>
 
-#include "layers/wall_layers.hpp"
 #include "mesh/periodic_arcs.hpp"
 #include "sizing/arc_division.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::sizing {
 
 /// Replaces rising fractions from 0 to 1 of both arcs, each in the arc's own direction, by their means.
 void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second);
 
-/// The divisions of all pairs, and the nodes of the layers at their ends.
-void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, sizing::ArcDivisions& divisions,
-                    std::optional<WallPlan>& walls);
+/// The divisions of all pairs, and `arc_nodes`, the fractions of all nodes of arcs at which layers end; null: there are
+/// none.
+void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, ArcDivisions& divisions,
+                    std::vector<std::vector<double>>* arc_nodes);
 
-}  // namespace quadrille::layers
+}  // namespace quadrille::sizing

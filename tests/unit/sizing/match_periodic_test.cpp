@@ -1,4 +1,4 @@
-#include "layers/match_periodic.hpp"
+#include "sizing/match_periodic.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "block/split_chord.hpp"
 #include "model/quad_sides.hpp"
 
-namespace quadrille::layers {
+namespace quadrille::sizing {
 namespace {
 
 using layers::parse_wall_spec;
@@ -164,4 +164,4 @@ TEST(MatchPeriodic, BlocksThatDoNotMatchAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille::layers
+}  // namespace quadrille::sizing
