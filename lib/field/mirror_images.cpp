@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -61,7 +62,7 @@ std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) co
   const Vec2 image = foot.position + beyond * outward;
   const double clearance = least_clearance * std::min(depth, beyond);
   for (int other = 0; other < face.num_curves(); ++other) {
-    if (other != c && boxes_[other].distance_from(image) < clearance &&
+    if (other != c && boxes_[other].contains(image, clearance) && boxes_[other].distance_from(image) < clearance &&
         curve::project(face.curves[other], image).distance < clearance)
       return {};
   }
@@ -78,10 +79,12 @@ std::vector<MirrorImages::Candidate> MirrorImages::candidates(Vec2 x) const {
     const double bound = boxes_[c].distance_from(x);
     if (bound <= farthest_foot * face_->diameter) order.emplace_back(bound, c);
   }
-  std::sort(order.begin(), order.end());
+  std::make_heap(order.begin(), order.end(), std::greater<>());  // few of many curves are taken from it
   std::vector<Candidate> candidates;
   double reach = INFINITY;
-  for (const auto& [bound, c] : order) {
+  for (; !order.empty(); order.pop_back()) {
+    std::pop_heap(order.begin(), order.end(), std::greater<>());
+    const auto [bound, c] = order.back();
     if (bound > reach) break;
     const std::optional<Candidate> found = candidate(c, x);
     if (!found) continue;

@@ -1,6 +1,11 @@
 #include "io/json_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 namespace quadrille::io {
@@ -12,20 +17,46 @@ constexpr std::size_t line_width = 110;
 
 constexpr std::size_t unlimited = std::string::npos;
 
-std::string leaf(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dumped(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-std::string quoted(const std::string& text) { return leaf(Json(text)); }
+// Numbers and names are most of a file, and dump() allocates a buffer for each.
+void append_leaf(const Json& value, std::string& out) {
+  std::array<char, 64> text{};
+  char* end = nullptr;
+  if (value.is_number_float() && std::isfinite(value.get<double>())) {
+    end = nlohmann::detail::to_chars(text.data(), text.data() + text.size(), value.get<double>());
+  } else if (value.is_number_unsigned()) {
+    end = std::to_chars(text.data(), text.data() + text.size(), value.get<std::uint64_t>()).ptr;
+  } else if (value.is_number_integer()) {
+    end = std::to_chars(text.data(), text.data() + text.size(), value.get<std::int64_t>()).ptr;
+  } else {
+    out += dumped(value);
+    return;
+  }
+  out.append(text.data(), end);
+}
+
+bool needs_no_escape(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+void append_key(const std::string& key, std::string& out) {
+  if (std::all_of(key.begin(), key.end(), needs_no_escape)) {
+    (out += '"') += key;
+    out += "\": ";
+  } else {
+    out += dumped(Json(key)) + ": ";
+  }
+}
 
 /// Appends the value on one line, with blanks after commas and colons. Stops as soon as `out` is longer than `limit`.
 void append_line(const Json& value, std::string& out, std::size_t limit = unlimited) {
   if (!value.is_structured()) {
-    out += leaf(value);
+    append_leaf(value, out);
     return;
   }
   out += value.is_object() ? '{' : '[';
   for (auto it = value.begin(); it != value.end() && out.size() <= limit; ++it) {
     if (it != value.begin()) out += ", ";
-    if (value.is_object()) out += quoted(it.key()) + ": ";
+    if (value.is_object()) append_key(it.key(), out);
     append_line(it.value(), out, limit);
   }
   out += value.is_object() ? '}' : ']';
@@ -78,7 +109,7 @@ void append_pretty(const Json& value, std::size_t indent, std::string& out) {
   out += value.is_object() ? '{' : '[';
   for (auto it = value.begin(); it != value.end(); ++it) {
     out += it == value.begin() ? margin : ',' + margin;
-    if (value.is_object()) out += quoted(it.key()) + ": ";
+    if (value.is_object()) append_key(it.key(), out);
     append_pretty(it.value(), indent + 2, out);
   }
   out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
@@ -95,7 +126,8 @@ std::string json_text(const nlohmann::ordered_json& value) {
   // The top level always has a line for each key.
   out = "{";
   for (auto it = value.begin(); it != value.end(); ++it) {
-    out += std::string(it == value.begin() ? "\n  " : ",\n  ") + quoted(it.key()) + ": ";
+    out += it == value.begin() ? "\n  " : ",\n  ";
+    append_key(it.key(), out);
     append_pretty(it.value(), 2, out);
   }
   return out + "\n}\n";

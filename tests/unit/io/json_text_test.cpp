@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
 
 namespace quadrille::io {
 namespace {
@@ -25,6 +27,22 @@ TEST(JsonText, DoublesKeepTheirBitsAndAPoint) {
     const std::string text = json_text(json);
     EXPECT_EQ(Json::parse(text)["x"].get<double>(), x) << text;
     EXPECT_TRUE(Json::parse(text)["x"].is_number_float()) << text << "has a point or an exponent";
+  }
+}
+
+TEST(JsonText, LeavesAndKeysAreThoseOfTheLibrary) {
+  const Json leaves =
+      Json::array({-7, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::uint64_t>::max(), 2.0, -0.0,
+                   1e-7, 1e22, std::numeric_limits<double>::quiet_NaN(), true, nullptr, "a\tb"});
+  for (const Json& leaf : leaves) {
+    Json json;
+    json["k"] = leaf;
+    EXPECT_EQ(json_text(json), "{\n  \"k\": " + leaf.dump() + "\n}\n");
+  }
+  for (const std::string key : {"plain_1", "", "with blank", "a\"b", "\xC3\xA4"}) {
+    Json json;
+    json[key] = 1;
+    EXPECT_EQ(json_text(json), "{\n  " + Json(key).dump() + ": 1\n}\n");
   }
 }
 
