@@ -86,8 +86,9 @@ std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io:
 SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
                                   const Settings& settings, cli::Session& session) {
   const CadFace& face = fields.whole.mesh.face;
-  CadFace open_face = couple::with_open_curves(face, settings.open, "--open");
-  open_face = couple::with_open_curves(open_face, couple::nonconforming_interfaces(settings.interfaces), "--interface");
+  const CadFace with_cracks = couple::with_open_curves(face, settings.open, "--open");
+  const CadFace open_face =
+      couple::with_open_curves(face, couple::nonconforming_interfaces(settings.interfaces), "--interface");
   std::vector<SeparatrixGraph> graphs = regions::map_regions<SeparatrixGraph>(
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*fields.evaluators[region], points[region], settings.options, report);
