@@ -66,7 +66,7 @@ keeps() {
   keeps 4 plate_circle
   has 20 0.58 plate_curve
   has 6 0.99 inner_curve
-  has 12 0.8 aerofoil_wake --order 12
+  has 12 0.8 aerofoil_wake --geometry-tol 1e-9
 }
 
 # The distance of the nodes on the two sides of the slit: those of its ends are one.

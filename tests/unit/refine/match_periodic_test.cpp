@@ -11,7 +11,7 @@
 #include "block/split_chord.hpp"
 #include "model/quad_sides.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
 using layers::parse_wall_spec;
@@ -63,11 +63,11 @@ double greatest_gap(const QuadMesh& mesh, const PeriodicPair& pair) {
 
 TEST(MatchPeriodic, BothArcsGetTheMean) {
   std::vector<double> first{0, 0.25, 0.5, 1}, second{0, 0.5, 0.625, 1};
-  match_fractions({HalfEdge{0}, HalfEdge{1}}, first, second);
+  sizing::match_fractions({HalfEdge{0}, HalfEdge{1}}, first, second);
   EXPECT_EQ(first, (std::vector<double>{0, 0.3125, 0.5, 1}));
   EXPECT_EQ(second, (std::vector<double>{0, 0.5, 0.6875, 1}));
   first = {0, 0.25, 1}, second = {0, 0.5, 1};
-  match_fractions({HalfEdge{0}, HalfEdge{1, true}}, first, second);
+  sizing::match_fractions({HalfEdge{0}, HalfEdge{1, true}}, first, second);
   EXPECT_EQ(first, second);
   EXPECT_EQ(first[1], 0.375);
 }
@@ -164,4 +164,4 @@ TEST(MatchPeriodic, BlocksThatDoNotMatchAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine
