@@ -16,13 +16,13 @@
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
-#include "refine/match_periodic.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/length_limits.hpp"
+#include "sizing/match_periodic.hpp"
 #include "sizing/measured_layout.hpp"
 #include "sizing/report_sizes.hpp"
 
@@ -106,7 +106,9 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
-  match_periodic(measured.periodic_arcs(), result.divisions, result.walls);
+  std::vector<std::vector<double>> no_layers;
+  sizing::match_periodic(measured.periodic_arcs(), result.divisions,
+                         result.walls ? result.walls->arc_nodes : no_layers);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.progress, request.last ? &request.last->mesh : nullptr);

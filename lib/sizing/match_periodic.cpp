@@ -1,6 +1,6 @@
-#include "refine/match_periodic.hpp"
+#include "sizing/match_periodic.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 
 void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {
   if (first.size() != second.size()) return;
@@ -15,12 +15,12 @@ void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first,
   }
 }
 
-void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, sizing::ArcDivisions& divisions,
-                    std::optional<layers::WallPlan>& walls) {
+void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, ArcDivisions& divisions,
+                    std::vector<std::vector<double>>& layered_nodes) {
   for (const mesh::PeriodicArcs& arcs : pairs) {
     match_fractions(arcs, divisions[arcs[0].arc].ends, divisions[arcs[1].arc].ends);
-    if (!walls) continue;
-    std::vector<double>&first = walls->arc_nodes[arcs[0].arc], &second = walls->arc_nodes[arcs[1].arc];
+    if (layered_nodes.empty()) continue;
+    std::vector<double>&first = layered_nodes[arcs[0].arc], &second = layered_nodes[arcs[1].arc];
     if (first.size() == second.size())
       match_fractions(arcs, first, second);
     else
@@ -28,4 +28,4 @@ void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, sizing::ArcDiv
   }
 }
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing
