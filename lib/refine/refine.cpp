@@ -107,7 +107,9 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   if (!options.walls.empty())
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
-  sizing::match_periodic(measured.periodic_arcs(), result.divisions, result.walls ? &result.walls->arc_nodes : nullptr);
+  std::vector<std::vector<double>> no_layers;
+  sizing::match_periodic(measured.periodic_arcs(), result.divisions,
+                         result.walls ? result.walls->arc_nodes : no_layers);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);

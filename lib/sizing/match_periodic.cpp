@@ -16,11 +16,11 @@ void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first,
 }
 
 void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, ArcDivisions& divisions,
-                    std::vector<std::vector<double>>* arc_nodes) {
+                    std::vector<std::vector<double>>& layered_nodes) {
   for (const mesh::PeriodicArcs& arcs : pairs) {
     match_fractions(arcs, divisions[arcs[0].arc].ends, divisions[arcs[1].arc].ends);
-    if (arc_nodes == nullptr) continue;
-    std::vector<double>&first = (*arc_nodes)[arcs[0].arc], &second = (*arc_nodes)[arcs[1].arc];
+    if (layered_nodes.empty()) continue;
+    std::vector<double>&first = layered_nodes[arcs[0].arc], &second = layered_nodes[arcs[1].arc];
     if (first.size() == second.size())
       match_fractions(arcs, first, second);
     else

@@ -54,7 +54,9 @@ class Block:
 
 
 class BlockLayout(ArcGraph):
-    """Also `blocks`: Block; `arc_chord`: the chord of each arc (arcs of one chord are divided alike)."""
+    """Also `blocks`: Block; `arc_chord`: the chord of each arc (arcs of one chord are divided alike); `block_region`: the
+    region of each block in `face`.
+    """
 
     def __init__(self, content):
         super().__init__(content)
@@ -65,6 +67,7 @@ class BlockLayout(ArcGraph):
             sides = [(self.arcs[h if h >= 0 else -1 - h], bool(h >= 0)) for h in half_edges[i]]
             chords = tuple(int(self.arc_chord[arc.number]) for arc, _ in sides[:2])
             self.blocks.append(Block(i, name, tuple(int(n) for n in nodes[i]), sides, chords))
+        self.block_region = np.asarray(content.get("block_region", [0] * len(self.blocks)), int)
         for member in ("jacobian_bound", "scaled_jacobian", "boundary_distance"):
             values = content.get("block_" + member, [])
             for block, value in zip(self.blocks, values):

@@ -12,7 +12,8 @@ class QuadMesh:
 
     `face`: Face; `order`; `nodes` [n, 2]; `elem_nodes` [m, (N + 1)^2]: nodes of each element, xi1 fastest, at the
     Gauss-Lobatto-Legendre points; `elem_block` [m]; `block_names`; `boundary_edges`: a dict of arrays `elem`, `side`,
-    `curve`; `elem_jacobian_bound`, `elem_scaled_jacobian`, `elem_edge_ratio`, `elem_area_jump`, `elem_node_distance`
+    `curve`; `interface_edges`: the same of edges on interfaces, once for each side; `elem_region` [m]: the region of
+    each element in `face`; `elem_jacobian_bound`, `elem_scaled_jacobian`, `elem_edge_ratio`, `elem_area_jump`, `elem_node_distance`
     [m], None where the file has none; `is_valid`: every element is proved valid.
     """
 
@@ -23,7 +24,12 @@ class QuadMesh:
         self.elem_nodes = np.asarray(content["elem_nodes"]).reshape(-1, (self.order + 1) ** 2)
         self.elem_block = np.asarray(content["elem_block"])
         self.block_names = list(content["block_names"])
-        self.boundary_edges = {key: np.asarray(content["boundary_edges"][key]) for key in ("elem", "side", "curve")}
+        keys = ("elem", "side", "curve")
+        self.boundary_edges = {key: np.asarray(content["boundary_edges"][key]) for key in keys}
+        interfaces = content.get("interface_edges", {})
+        self.interface_edges = {key: np.asarray(interfaces.get(key, []), int) for key in keys}
+        regions = np.asarray(content.get("block_region", [0] * len(self.block_names)), int)
+        self.elem_region = regions[self.elem_block]
         self.is_valid = bool(content.get("is_valid", 1))
         self.num_irregular = int(content["num_irregular"])
         for measure in MEASURES:

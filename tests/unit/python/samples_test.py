@@ -95,6 +95,16 @@ class SquareTest(unittest.TestCase):
         self.assertEqual((square.face.interfaces(), square.face.periodic_pairs), ([], []))
         self.assertEqual((slit.face.interfaces(), slit.face.regions), ([(4, 5)], [range(0, 2)]))
 
+    def test_regions_of_blocks_and_quads(self):
+        layout = sample("block_layout/passed/regions.blocks.h5")
+        self.assertEqual(list(layout.block_region), [0, 1])
+        mesh = sample("quad_mesh/passed/regions.quad.h5")
+        self.assertEqual(list(mesh.elem_region), [0, 1])
+        self.assertEqual([list(mesh.interface_edges[key]) for key in ("elem", "side", "curve")], [[0, 1], [1, 3], [1, 7]])
+        one = sample("quad_mesh/passed/square.quad.h5")
+        self.assertEqual((list(one.elem_region), len(one.interface_edges["elem"])), ([0, 0], 0))
+        self.assertEqual(list(sample("block_layout/passed/square.blocks.h5").block_region), [0, 0])
+
     def test_phases_of_regions_hold_in_their_own(self):
         field, one = sample("field/passed/regions-phase.field.h5"), sample("field/passed/phase.field.h5")
         x = np.array([[0.3, 0.2], [0.6, 0.8]])

@@ -11,10 +11,11 @@
 #include "block/split_chord.hpp"
 #include "model/quad_sides.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 namespace {
 
 using layers::parse_wall_spec;
+using refine::RefineOptions;
 
 /// Two blocks on top of each other, on the left of a wave: [0, w(y)] x [0, 2]; the top is the bottom moved by (0, 2).
 SeparatrixGraph wavy_column() {
@@ -83,7 +84,7 @@ TEST(MatchPeriodic, ArcsOfAPairAreOneChord) {
 TEST(MatchPeriodic, NodesAreMappedOntoEachOther) {
   for (const SeparatrixGraph& graph : {sector(), wavy_column()}) {
     RefineOptions options{.size = 0.2, .order = 4};
-    options.size_field = sizing::SizeField(0.2, {{{{1, 0}, 0.03, 0}}, {}, 0}, {}, 1.3);
+    options.size_field = SizeField(0.2, {{{{1, 0}, 0.03, 0}}, {}, 0}, {}, 1.3);
     EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
     options.relax = 5;
     EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
@@ -137,7 +138,7 @@ SeparatrixGraph periodic_grid() {
 TEST(MatchPeriodic, SizesOnOneSideActOnTheOther) {
   const SeparatrixGraph graph = periodic_grid();
   RefineOptions options{.size = 0.5, .order = 2};
-  options.size_field = sizing::SizeField(0.5, {{{{3, 0.5}, 0.05, 0.1}}, {}, 0}, {}, 1.3);
+  options.size_field = SizeField(0.5, {{{{3, 0.5}, 0.05, 0.1}}, {}, 0}, {}, 1.3);
   const QuadMesh mesh = refined(graph, options);
   EXPECT_LT(greatest_gap(mesh, graph.face.periodic_pairs[0]), 1e-13);
   EXPECT_LT(greatest_gap(mesh, {{3, 1}, 0, {3, 0}}), 1e-13) << "and as many";
@@ -164,4 +165,4 @@ TEST(MatchPeriodic, BlocksThatDoNotMatchAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing
