@@ -9,14 +9,13 @@
 #include "couple/join_layouts.hpp"
 #include "couple/meet_stations.hpp"
 #include "couple/periodic_layout.hpp"
+#include "couple/periodic_nodes.hpp"
 #include "couple/turn_round_regions.hpp"
 #include "curve/chain.hpp"
 #include "graph/face_corners.hpp"
 #include "layout/certificate.hpp"
-#include "model/periodic.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
-#include "quantize/quantized_parametrization.hpp"
 #include "quantize/t_mesh_faces.hpp"
 #include "simplify/simplify.hpp"
 
@@ -37,15 +36,13 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
 graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
   const ArcGraph& graph = t_mesh.graph();
   const std::vector<quantize::TFace> faces = quantize::t_mesh_faces(t_mesh.subdivision);
-  const std::vector<HalfEdge> same = periodic_arcs(graph.face, graph.arcs);
-  quantize::Quantization found = quantize::quantize_or_explain(quantize::faces_across_periodic_sides(faces, same),
-                                                               arc_lengths(graph), relative_unit * graph.face.diameter);
+  const quantize::Quantization found =
+      quantize::quantize_or_explain(faces, arc_lengths(graph), relative_unit * graph.face.diameter);
   if (found.lengths.empty())
     throw ComputeError(
-        "the lines of the regions cannot be continued across their interfaces and periodic sides: a strip of blocks "
-        "winds onto itself; mesh the regions alone (cad2tri --face), or leave out a pair (cad2tri --periodic)");
-  for (std::size_t a = 0; a < same.size(); ++a) found.lengths[a] = found.lengths[same[a].arc];
-  return quantize::extend_lines(t_mesh, faces, found.lengths, same);
+        "the lines of the regions cannot be continued across their interfaces: a strip of blocks winds onto itself; "
+        "mesh the regions alone (cad2tri --face)");
+  return quantize::extend_lines(t_mesh, faces, found.lengths);
 }
 
 // The deviation of continued lines is that from the field of the region through which each runs.
@@ -54,18 +51,6 @@ void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::Can
   for (const field::FieldEvaluator* field : fields)
     deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(*field, layout)));
   layout::certify(*layout.certificate.method, layout, report);
-}
-
-// The layouts as one, whose nodes on periodic sides are images of each other.
-graph::CandidateLayout joined(const RegionLayouts& regions, int& num_divided, Report& report) {
-  SeparatrixGraph graph = join_layouts(regions);
-  if (graph.face.periodic_pairs.empty()) return graph::candidate_layout(std::move(graph));
-  snap_periodic_nodes(graph);
-  graph::CandidateLayout layout = graph::candidate_layout(std::move(graph));
-  report.set("couple.periodic_lines_met", meet_periodic_lines(layout, regions.fields));
-  num_divided = divide_periodic_sides(layout);
-  report.set("couple.periodic_t_junctions", num_divided);
-  return layout;
 }
 
 }  // namespace
@@ -85,11 +70,16 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
   }
   report.set("couple.lines_met", num_met);
   report.set("couple.lines_continued", num_continued);
-  int num_divided = 0;
-  graph::CandidateLayout layout = joined(regions, num_divided, report);
+  SeparatrixGraph joined = join_layouts(regions);
+  const bool is_periodic = !joined.face.periodic_pairs.empty();
+  if (is_periodic) snap_periodic_nodes(joined);
+  graph::CandidateLayout layout = graph::candidate_layout(std::move(joined));
   report.set("couple.t_junctions", layout.t_junctions.size());
   report.set("couple.faces_before", layout.subdivision.num_faces());
-  if (!layout.t_junctions.empty() || num_divided > 0) layout = conforming(layout);
+  if (is_periodic)
+    layout = conforming_across_periodic_sides(std::move(layout), regions.fields, relative_unit, report);
+  else if (!layout.t_junctions.empty())
+    layout = conforming(layout);
   graph::require_four_corners(layout.subdivision);
   if (options.simplify != layout::SimplifyLevel::none)
     layout = simplify::simplify(field::FieldsOfRegions(regions.fields), std::move(layout),

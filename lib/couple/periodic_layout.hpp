@@ -1,26 +1,22 @@
 #pragma once
-// The nodes of a layout on periodic sides become images of each other (lib/method.md §11, "Periodic sides").
+// Lines that leave through one of two periodic sides enter through the other (lib/method.md §11, "Periodic sides").
 
 #include <vector>
 
+#include "base/report.hpp"
 #include "field/evaluate.hpp"
 #include "graph/candidate_layout.hpp"
-#include "model/separatrix_graph.hpp"
 
 namespace quadrille::couple {
 
-/// Moves nodes on second sides that are nearer than 1e-8 diameters to the image of a node on the first onto it.
-void snap_periodic_nodes(SeparatrixGraph& graph);
-
-/// Bends lines that end near the image of an end on the other side, by the rule of couple/meet_stations.hpp. Returns
-/// the number of pairs that meet.
-int meet_periodic_lines(graph::CandidateLayout& layout, const std::vector<const field::FieldEvaluator*>& fields);
-
-/// Divides each side where the other one has a node, and both where a periodic side ends. Returns the number of new
-/// nodes: T-junctions of the layout seen across its periodic sides.
-int divide_periodic_sides(graph::CandidateLayout& layout);
-
-/// Throws ComputeError with the place of a boundary arc on a periodic side that has no image.
-void require_periodic_nodes(const ArcGraph& graph);
+/// A conforming layout whose nodes on periodic sides are images of each other. Lines that end near the image of an end
+/// on the other side are bent to meet, by the rule of couple/meet_stations.hpp, and so are those whose distance is zero
+/// in every integer grid. Where one side has a node, and where a periodic side ends, the other side has a T-junction;
+/// integer lengths are found for the T-mesh, with one for an arc and its image, and every line goes on through the
+/// other side. `relative_unit`: length of an arc of integer length one, in diameters. Reports couple.periodic_*. Throws
+/// ComputeError if there are no integer lengths.
+graph::CandidateLayout conforming_across_periodic_sides(graph::CandidateLayout layout,
+                                                        const std::vector<const field::FieldEvaluator*>& fields,
+                                                        double relative_unit, Report& report);
 
 }  // namespace quadrille::couple
