@@ -14,8 +14,8 @@ Vec2 middle_of_face(const Subdivision& subdivision, int face);
 /// The faces that are no quadrilaterals: their number of sides or of corners is not four.
 std::vector<int> faces_without_four_corners(const Subdivision& subdivision);
 
-/// Throws ComputeError unless every face has four corners and the graph has no more parts than regions; the message states how many faces
-/// violate this and the position of the first. Returns the number of faces.
+/// Throws ComputeError unless every face has four corners and the graph has no more parts than regions; the message
+/// states how many faces violate this and the position of the first. Returns the number of faces.
 int require_four_corners(const Subdivision& subdivision);
 
 /// Whether the curves at a node start in the counter-clockwise order of the topology. Operations of
