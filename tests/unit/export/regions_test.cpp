@@ -162,8 +162,7 @@ TEST(ExportRegions, ACrackIsABoundaryWithTwoSides) {
   const Groups groups = mesh_groups(mesh);
   EXPECT_TRUE(groups.interface_names.empty());
   EXPECT_EQ(groups.boundary_names.back(), "crack");
-  for (const SkeletonCurve& curve : mesh_skeleton(mesh).curves)
-    EXPECT_TRUE(curve.cad_curve < 0 || curve.is_boundary());
+  for (const SkeletonCurve& curve : mesh_skeleton(mesh).curves) EXPECT_TRUE(curve.cad_curve < 0 || curve.is_boundary());
 }
 
 }  // namespace
