@@ -98,7 +98,7 @@ std::optional<std::array<double, 2>> positions_on(const CadFace& face, const Per
 std::vector<Meeting> forced_meetings(const ArcGraph& graph, const PeriodicChain& chain, const std::vector<int>& zero,
                                      double same) {
   std::vector<std::pair<double, Meeting>> found;
-  const auto& [firsts, seconds] = chain.chain.stations;
+  const std::vector<Station>&firsts = chain.chain.stations[0], &seconds = chain.chain.stations[1];
   const auto add_between = [&](double low, double high) {
     for (int i = 0; i < static_cast<int>(firsts.size()); ++i)
       for (int j = 0; j < static_cast<int>(seconds.size()); ++j) {

@@ -56,7 +56,7 @@ AdaptStep joined_step(const std::vector<Field>& parts, std::size_t round) {
   return whole;
 }
 
-void append_points(CriticalPoints& whole, CriticalPoints part, int first_elem, int first_curve) {
+void append_points(CriticalPoints& whole, const CriticalPoints& part, int first_elem, int first_curve) {
   const auto append_nodes = [&](std::vector<CriticalPoint>& nodes, const std::vector<CriticalPoint>& part_nodes) {
     for (CriticalPoint node : part_nodes) {
       node.elem += first_elem;
@@ -169,7 +169,7 @@ CriticalPoints join(const TriMesh& whole, std::vector<CriticalPoints> parts) {
     const int region = static_cast<int>(r), first_elem = elems_of(whole, region).begin;
     append_certificate(points.certificate, parts[r].certificate, first_elem);
     if (parts[r].form == NodeForm::phase) points.form = NodeForm::phase;
-    append_points(points, std::move(parts[r]), first_elem, curves_of(whole.face, region).begin);
+    append_points(points, parts[r], first_elem, curves_of(whole.face, region).begin);
   }
   return points;
 }
