@@ -9,11 +9,8 @@
 #include "base/report.hpp"
 #include "field/corner_tilt.hpp"
 #include "field/harmonic_part.hpp"
+#include "field/phase_boundary.hpp"
 #include "model/field.hpp"
-
-namespace quadrille::field {
-class PhaseBoundary;
-}
 
 namespace quadrille::galerkin {
 
