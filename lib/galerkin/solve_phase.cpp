@@ -8,7 +8,6 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "field/phase_boundary.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/explicit_energy.hpp"
 #include "galerkin/hole_winding.hpp"
