@@ -73,7 +73,7 @@ NameRule rule_of_point(const std::string& point, const std::string& where) {
 std::vector<NameRule> name_option_rules(const std::vector<std::string>& options, const std::string& option_name) {
   std::vector<NameRule> rules;
   for (const std::string& option : options) {
-    const std::string where = option_name + " " + option;
+    const std::string where = fmt::format("{} {}", option_name, option);
     const std::size_t end = option.find_first_of("=@");
     const std::string name = end == std::string::npos ? "" : clean_name(option.substr(0, end));
     if (name.empty())
