@@ -9,6 +9,7 @@
 #include "graph/face_corners.hpp"
 #include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
+#include "model/periodic.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -64,7 +65,8 @@ BlockLayout blocks_of(const graph::Subdivision& subdivision) {
     layout.block_names.emplace_back();
   }
   layout.unnamed_blocks = replace_empty_names(layout.block_names, "block");
-  layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()));
+  layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()),
+                                      periodic_arcs(layout.face, layout.arcs));
   if (layout.face.num_regions() > 1) layout.block_region = regions_of_blocks(layout);
   return layout;
 }

@@ -12,6 +12,7 @@
 #include "curve/nurbs.hpp"
 #include "graph/divide_at_point.hpp"
 #include "mesh/chords.hpp"
+#include "model/periodic.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -64,11 +65,13 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
       const double width = maps.arc(sides[c.side + 1].arc).length() + maps.arc(sides[(c.side + 3) % 4].arc).length();
       const double d = opposite_point_offset(walk(i), walk(j), (f[i] + f[j]) / 2).value_or(f[j] - f[i]);
       const double w = length * length / (width * width);
-      normal(i, i) += w, normal(j, j) += w, normal(i, j) -= w, normal(j, i) -= w;
-      right[j] += w * d, right[i] -= w * d;
+      const int a = chord.same[i], b = chord.same[j];
+      if (a == b) continue;
+      normal(a, a) += w, normal(b, b) += w, normal(a, b) -= w, normal(b, a) -= w;
+      right[b] += w * d, right[a] -= w * d;
     }
-    f = normal.ldlt().solve(right);
-    for (int i = 0; i < n; ++i) f[i] = std::clamp(f[i], least_fraction, 1 - least_fraction);
+    const Eigen::VectorXd solution = normal.ldlt().solve(right);
+    for (int i = 0; i < n; ++i) f[i] = std::clamp(solution[chord.same[i]], least_fraction, 1 - least_fraction);
   }
   return {f.data(), f.data() + n};
 }
@@ -148,7 +151,8 @@ bool split_chord(graph::Subdivision& subdivision, int arc, const std::vector<boo
   const int id = layout.arc_chord[arc];
   const std::vector<Crossing> crossings = blocks_of_chord(layout, id);
   if (!may_be_cut(layout, id) || crosses_itself(crossings)) return false;
-  const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord)[id];
+  const mesh::Chord chord =
+      mesh::directed_chords(layout.block2arcs, layout.arc_chord, periodic_arcs(layout.face, layout.arcs))[id];
   const BlockMaps maps(layout);
   const std::vector<double> fractions = arc_fractions(layout, maps, chord, crossings);
   std::vector<int> second(layout.arcs.size(), -1);  // part of each divided arc

@@ -6,10 +6,12 @@
 
 namespace quadrille::mesh {
 
-std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs) {
+std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs,
+                            const std::vector<HalfEdge>& same) {
   DisjointSets linked(num_arcs);
   for (const std::array<HalfEdge, 4>& arcs : block2arcs)
     for (int k = 0; k < 2; ++k) linked.unite(arcs[k].arc, arcs[k + 2].arc);
+  for (int arc = 0; arc < static_cast<int>(same.size()); ++arc) linked.unite(arc, same[arc].arc);
   std::vector<int> chord(num_arcs);
   int num_chords = 0;
   for (int arc = 0; arc < num_arcs; ++arc) {
@@ -20,7 +22,7 @@ std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2ar
 }
 
 std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs,
-                                   const std::vector<int>& arc_chord) {
+                                   const std::vector<int>& arc_chord, const std::vector<HalfEdge>& same) {
   const int num_arcs = static_cast<int>(arc_chord.size());
   struct Link {
     int arc;
@@ -34,6 +36,11 @@ std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& b
       links[a].push_back({b, flips});
       links[b].push_back({a, flips});
     }
+  for (int arc = 0; arc < static_cast<int>(same.size()); ++arc) {
+    if (same[arc].arc == arc) continue;
+    links[arc].push_back({same[arc].arc, same[arc].is_backwards});
+    links[same[arc].arc].push_back({arc, same[arc].is_backwards});
+  }
   std::vector<Chord> chords(num_arcs == 0 ? 0 : 1 + *std::max_element(arc_chord.begin(), arc_chord.end()));
   std::vector<int> arc2index(num_arcs, -1);
   for (int first = 0; first < num_arcs; ++first) {
@@ -54,6 +61,8 @@ std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& b
       const int a = sides[k].arc, b = sides[k + 2].arc;
       if (a != b) chords[arc_chord[a]].pairs.push_back({arc2index[a], arc2index[b]});
     }
+  for (Chord& chord : chords)
+    for (const int arc : chord.arcs) chord.same.push_back(arc2index[same.empty() ? arc : same[arc].arc]);
   return chords;
 }
 

@@ -11,17 +11,21 @@ namespace quadrille::mesh {
 /// The chord of each of `num_arcs` arcs; chords are numbered by their first arc. `block2arcs` as in BlockLayout. An arc
 /// that is not a side of a block is a chord of its own. If a chord crosses itself, all four sides of a block belong to
 /// it.
-std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs);
+/// `same`: as in model/periodic.hpp, periodic_arcs; an arc and its image on a periodic side are of one chord.
+std::vector<int> arc_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs, int num_arcs,
+                            const std::vector<HalfEdge>& same = {});
 
 /// A chord with its arcs, all in one direction, and the pairs of them that are opposite sides of a block.
 struct Chord {
   std::vector<int> arcs;
   std::vector<bool> backwards;            ///< the arc's own direction is opposite to the chord's (its first arc's)
   std::vector<std::array<int, 2>> pairs;  ///< positions in `arcs`; a block that touches itself is not a pair
+  /// By position in `arcs`: the position of the arc whose division it has, its own or that of which it is the image.
+  std::vector<int> same;
 };
 
 /// All chords, numbered as in `arc_chord`.
 std::vector<Chord> directed_chords(const std::vector<std::array<HalfEdge, 4>>& block2arcs,
-                                   const std::vector<int>& arc_chord);
+                                   const std::vector<int>& arc_chord, const std::vector<HalfEdge>& same = {});
 
 }  // namespace quadrille::mesh

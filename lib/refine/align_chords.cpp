@@ -116,9 +116,10 @@ class Aligner {
     return result;
   }
 
-  /// Unknown number of arc i's fraction at sample k; -1 for the fixed ends.
+  /// Unknown number of arc i's fraction at sample k, that of the arc whose image it is on a periodic side; -1 for the
+  /// fixed ends.
   int unknown(int i, int k) const {
-    return k <= 0 || k >= fine_samples ? -1 : (k - 1) * static_cast<int>(chord_.arcs.size()) + i;
+    return k <= 0 || k >= fine_samples ? -1 : (k - 1) * static_cast<int>(chord_.arcs.size()) + chord_.same[i];
   }
 
   /// Adds one squared residual to the normal equations.
@@ -139,6 +140,10 @@ class Aligner {
     const int count = (fine_samples - 1) * static_cast<int>(chord_.arcs.size());
     entries_.clear();
     gradient_ = Eigen::VectorXd::Zero(count);
+    for (int i = 0; i < static_cast<int>(chord_.arcs.size()); ++i)  // without an unknown of its own
+      for (int k = 1; k < fine_samples && chord_.same[i] != i; ++k)
+        entries_.emplace_back((k - 1) * static_cast<int>(chord_.arcs.size()) + i,
+                              (k - 1) * static_cast<int>(chord_.arcs.size()) + i, 1.0);
     std::vector<double> width(chord_.arcs.size(), 0), pairs(chord_.arcs.size(), 0);
     for (const auto& [a, b] : chord_.pairs) {
       const std::vector<CrossLine> lines = cross_lines(tables_, g, a, b);

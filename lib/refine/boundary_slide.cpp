@@ -5,6 +5,7 @@
 
 #include "base/angle.hpp"
 #include "curve/project.hpp"
+#include "model/periodic.hpp"
 #include "model/quad_sides.hpp"
 #include "sizing/interval_error.hpp"
 #include "spectral/quadrature.hpp"
@@ -64,8 +65,9 @@ void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
     fix_at_breaks(static_cast<int>(vertices_.size()) - 1);
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
+  const std::vector<int> periodic = periodic_partners(mesh_->face);
   for (int k = 0; k < count; ++k)
-    if (mesh_->face.is_interface(loop_edges[k].curve))
+    if (mesh_->face.is_interface(loop_edges[k].curve) || periodic[loop_edges[k].curve] >= 0)
       vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
   for (int e = first; e < first + count; ++e) {
     const curve::Chain& chain = loops_[vertices_[edges_[e].from].loop];

@@ -2,7 +2,8 @@
 // The vertices of a mesh on the boundary by their position along the loops of CAD curves, and whether they may slide.
 //
 // Fixed are vertices at joints between curves (corners and changes of name among them) and at breaks of a curve, and
-// the ends of an edge that passes a joint, and all vertices on interfaces, which both regions share. The seam of a
+// the ends of an edge that passes a joint, and all vertices on interfaces, which both regions share, and on periodic
+// sides, whose vertices are images of each other. The seam of a
 // smooth closed curve fixes no vertex.
 
 #include <vector>

@@ -17,6 +17,12 @@ std::vector<sizing::ArcDivision> divide_chord(const ChordTask& task) {
 
 }  // namespace
 
+void copy_to_periodic_images(const sizing::MeasuredLayout& measured, sizing::ArcDivisions& divisions) {
+  for (int arc = 0; arc < static_cast<int>(measured.same_arcs().size()); ++arc)
+    if (const HalfEdge same = measured.same_arcs()[arc]; same.arc != arc)
+      divisions[arc] = same.is_backwards ? sizing::mirrored(divisions[same.arc]) : divisions[same.arc];
+}
+
 sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
                                  const DivideOptions& options, Progress* progress, const KnownDivisions& known) {
   sizing::ArcDivisions divisions(measured.num_arcs());
@@ -30,6 +36,7 @@ sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const s
     std::vector<sizing::ArcDivision> divided = divide_chord({measured, chords[c], plans[c], options});
     for (std::size_t i = 0; i < divided.size(); ++i) divisions[chords[c].arcs[i]] = std::move(divided[i]);
   }
+  copy_to_periodic_images(measured, divisions);
   return divisions;
 }
 

@@ -33,4 +33,7 @@ sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const s
                                  const DivideOptions& options, Progress* progress = nullptr,
                                  const KnownDivisions& known = {});
 
+/// The division of each arc that is the image of another one on a periodic side is made that of the other one.
+void copy_to_periodic_images(const sizing::MeasuredLayout& measured, sizing::ArcDivisions& divisions);
+
 }  // namespace quadrille::refine

@@ -86,6 +86,19 @@ KnownDivisions known_divisions(const SplitRequest& request, const SplitMesh& now
   return {&last->plans, &last->divisions};
 }
 
+/// As copy_to_periodic_images. `arc_nodes`: layers::WallPlan::arc_nodes.
+void copy_nodes_to_periodic_images(const sizing::MeasuredLayout& measured,
+                                   std::vector<std::vector<double>>& arc_nodes) {
+  for (int arc = 0; arc < static_cast<int>(arc_nodes.size()); ++arc) {
+    const HalfEdge same = measured.same_arcs()[arc];
+    if (same.arc == arc) continue;
+    arc_nodes[arc] = arc_nodes[same.arc];
+    if (!same.is_backwards) continue;
+    std::reverse(arc_nodes[arc].begin(), arc_nodes[arc].end());
+    for (double& fraction : arc_nodes[arc]) fraction = 1 - fraction;
+  }
+}
+
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
                 const std::vector<sizing::ChordCount>& coarse) {
   request.attempt->advance();
@@ -102,9 +115,12 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   result.has_equal_parameters = measured.has_equal_parameters();
   result.divisions = divide_arcs(measured, plans, request.division, request.progress, known_divisions(request, result));
   result.plans = std::move(plans);
-  if (!options.walls.empty())
+  if (!options.walls.empty()) {
     result.walls = layers::plan_walls(
         {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
+    copy_to_periodic_images(measured, result.divisions);
+    copy_nodes_to_periodic_images(measured, result.walls->arc_nodes);
+  }
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
   result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
   measure_elements(result.mesh, request.progress, request.last ? &request.last->mesh : nullptr);

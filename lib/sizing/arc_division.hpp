@@ -15,6 +15,14 @@ struct ArcDivision {
   double middle(int k) const { return (ends[k] + ends[k + 1]) / 2; }
 };
 
+/// The same ends from the other end of the arc on.
+inline ArcDivision mirrored(const ArcDivision& division) {
+  ArcDivision result;
+  result.ends.assign(division.ends.rbegin(), division.ends.rend());
+  for (double& end : result.ends) end = 1 - end;
+  return result;
+}
+
 /// One per arc of a layout; arcs of one chord have the same number of intervals.
 using ArcDivisions = std::vector<ArcDivision>;
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "model/periodic.hpp"
+
 namespace quadrille::sizing {
 namespace {
 
@@ -34,9 +36,10 @@ std::vector<int> regions_of_arcs(const BlockLayout& layout) {
 MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
     : blocks(&layout),
       curves(layout.face, layout.splines),
-      arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()))),
+      same(periodic_arcs(layout.face, layout.arcs)),
+      arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()), same)),
       arc_region(regions_of_arcs(layout)),
-      chords(mesh::directed_chords(layout.block2arcs, arc_chord)),
+      chords(mesh::directed_chords(layout.block2arcs, arc_chord, same)),
       is_parallel(parallel_arcs(layout.arcs)) {
   for (const GraphArc& arc : layout.arcs) chains.emplace_back(curves, arc.pieces);
 }

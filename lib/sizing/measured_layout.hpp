@@ -38,6 +38,8 @@ class MeasuredLayout {
   /// The region that the arc is in; -1: between two, or there is only one.
   int region_of(int arc) const { return geometry_->arc_region[arc]; }
   int region_of_block(int block) const { return blocks().block_region.empty() ? -1 : blocks().block_region[block]; }
+  /// By arc: itself, or the arc of which it is the image on a periodic side (model/periodic.hpp, periodic_arcs).
+  const std::vector<HalfEdge>& same_arcs() const { return geometry_->same; }
   /// Whether another arc has the same two ends.
   bool is_parallel(int arc) const { return geometry_->is_parallel[arc]; }
 
@@ -53,6 +55,7 @@ class MeasuredLayout {
     const BlockLayout* blocks;
     curve::CurveTable curves;
     std::vector<curve::Chain> chains;  ///< by arc; they refer to `curves`
+    std::vector<HalfEdge> same;
     std::vector<int> arc_chord, arc_region;
     std::vector<mesh::Chord> chords;
     std::vector<bool> is_parallel;  ///< by arc
