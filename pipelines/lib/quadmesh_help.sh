@@ -28,6 +28,8 @@ OPTIONS
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
                             of the curve nearest to a point; may be given several times (see cad2tri --help)
+  --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other; may be
+                            given several times (see cad2tri --help)
   --boundary-names FILE     new names of boundary curves, JSON (see formats/boundary-names.md)
   --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
   --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see
