@@ -5,8 +5,7 @@ shape='' out='' workdir='' report='' face='' names='' heal='' blunt='' healed=''
 fit='' html='' max_seconds='' max_memory='' threads='' given_nodes='' first_stage='' last_stage='' dry_run=''
 own_flags='--help --verbose --quiet --version --dry-run'
 own_values='--output --workdir --html --report --max-seconds --max-memory --threads --face --boundary-names --name
-  --periodic --heal-tolerance --fit-tolerance --blunt --write-healed --nodes --from
-  --until'
+  --periodic --heal-tolerance --fit-tolerance --blunt --write-healed --nodes --from --until'
 
 mistake() { printf '%s\n' "quadmesh: $1" "try 'quadmesh --help'" >&2; exit 2; }
 

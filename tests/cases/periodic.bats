@@ -24,8 +24,8 @@ accepted() {
 }
 
 @test "a blade passage and a wavy channel are periodic along curves and lines" {
-  accepted blade --periodic below=above
-  accepted wave --periodic inflow=outflow
+  accepted blade --periodic below=above --geometry-tol 1e-10
+  accepted wave --periodic inflow=outflow --geometry-tol 1e-10
 }
 
 @test "a sector of 30 degrees of a perforated disc is periodic about its centre" {
@@ -38,7 +38,7 @@ accepted() {
 }
 
 @test "sizes, layers and relaxation keep the nodes of both sides" {
-  accepted wave --periodic inflow=outflow
+  accepted wave --periodic inflow=outflow --geometry-tol 1e-10
   for options in "--wall wall:first=0.01,layers=4" "--size 0.1 --relax 10" "--size-near wall=0.04"; do
     # shellcheck disable=SC2086  # several options
     quadrefine --order 4 $options wave/*.blocks.h5 -o x.quad.h5
