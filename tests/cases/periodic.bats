@@ -64,3 +64,15 @@ accepted() {
   run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right --periodic left=top -o x.tri.h5
   assert_line --partial "already a side of another periodic pair"
 }
+
+@test "Gmsh and Nek5000 files name the partner of each periodic side, the others report the loss" {
+  "$ROOT/pipelines/quadmesh" "$DATA/regions/periodic_sector.step" --periodic from=to --workdir . -o x.msh
+  quadexport --format msh22 periodic_sector.quad.h5 -o x22.msh
+  quadexport --frame 3d periodic_sector.quad.h5 -o space.msh
+  quadexport periodic_sector.quad.h5 -o x.re2
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" x.msh x22.msh space.msh x.re2
+  for format in vtu nektar mfem blockmesh inp; do
+    run -0 quadexport --format "$format" periodic_sector.quad.h5 -o "x.$format"
+    assert_output --partial 'that sides are periodic is not stored, their nodes are images of each other: "from" and "to"'
+  done
+}
