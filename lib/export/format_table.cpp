@@ -13,7 +13,7 @@
 #include "export/mfem.hpp"
 #include "export/nek_re2.hpp"
 #include "export/nektar.hpp"
-#include "export/periodic_sides.hpp"
+#include "export/periodic_edges.hpp"
 #include "export/scale_mesh.hpp"
 #include "export/vtu.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "export/gmsh.hpp"
 #include "export/gmsh_model.hpp"
-#include "export/periodic_sides.hpp"
+#include "export/periodic_edges.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "export/gmsh_model.hpp"
-#include "export/periodic_sides.hpp"
+#include "export/periodic_edges.hpp"
 
 namespace quadrille::exports {
 namespace {

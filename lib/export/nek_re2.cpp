@@ -12,7 +12,7 @@
 #include "export/little_endian.hpp"
 #include "export/names_table.hpp"
 #include "export/nek_field.hpp"
-#include "export/periodic_sides.hpp"
+#include "export/periodic_edges.hpp"
 #include "export/plain_names.hpp"
 #include "export/side_blend.hpp"
 #include "export/transfinite_loss.hpp"

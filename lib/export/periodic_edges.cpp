@@ -1,4 +1,4 @@
-#include "export/periodic_sides.hpp"
+#include "export/periodic_edges.hpp"
 
 #include <fmt/format.h>
 
