@@ -2,6 +2,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <new>
 
 #include "base/error.hpp"
 #include "io/hdf5_file.hpp"
@@ -17,6 +18,11 @@ Hdf5Id checked(hid_t id, Hdf5Id::Close close, const std::string& what) {
 
 void check(herr_t status, const std::string& what) {
   if (status < 0) throw OutputError(fmt::format("HDF5 cannot write {}", what));
+}
+
+// A data set is written into an image in memory: what fails there is an allocation, which the library does not report.
+void check_data(herr_t status) {
+  if (status < 0) throw std::bad_alloc();
 }
 
 Hdf5Id space_of(const Hdf5GroupWriter::Shape& shape) {
@@ -60,8 +66,7 @@ void write_dataset(hid_t group, const std::string& path, const std::string& name
   const Hdf5Id dataset =
       checked(H5Dcreate2(group, name.c_str(), file_type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
               H5Dclose, "dataset " + path + name);
-  if (bytes > 0)
-    check(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "dataset " + path + name);
+  if (bytes > 0) check_data(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
   if (*units) write_text_attribute(dataset.get(), "units", units);
   if (*long_name) write_text_attribute(dataset.get(), "long_name", long_name);
 }
@@ -125,7 +130,7 @@ Hdf5Writer::Hdf5Writer() {
 
 std::string Hdf5Writer::image() {
   root_.reset();
-  check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "a file image");
+  check_data(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL));
   const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
   if (size <= 0) throw OutputError("HDF5 cannot write a file image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
