@@ -163,7 +163,8 @@ graph::CandidateLayout conforming_across_periodic_sides(graph::CandidateLayout l
     if (t_mesh.lengths.empty() && t_mesh.num_divided >= num_before)
       throw ComputeError(
           "the lines of the layout cannot be continued across the periodic sides: a strip of blocks winds onto itself; "
-          "cut the repeated shape elsewhere, or leave out a pair (cad2tri --periodic)");
+          "cut the repeated shape so that its periodic sides end at right angles, or leave out a pair (cad2tri "
+          "--periodic)");
   }
   report.set("couple.periodic_lines_met", num_met);
   report.set("couple.periodic_t_junctions", t_mesh.num_divided);

@@ -31,6 +31,8 @@ OPTIONS
   --region-name NAME=LIST|NAME@X,Y
                             name of regions, where SHAPE has several faces in one plane, in the same way; a point lies
                             inside the region
+  --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other; may be
+                            given several times (see cad2tri --help)
   --boundary-names FILE     new names of boundary curves, JSON (see formats/boundary-names.md)
   --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
   --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see

@@ -310,11 +310,12 @@ def periodic_box():
 
 
 def blade_passage(pitch=1.1):
-    """Around one blade: an inlet, an outlet, and a curved cut of three edges that repeats above."""
-    cut = [("line", -1 - 0.55j, -0.2 - 0.55j), spline([-0.2 - 0.55j, 0.15 - 0.55j, 0.4 - 0.5j, 0.7 - 0.75j, 1 - 0.95j]),
-           ("line", 1 - 0.95j, 2 - 1.75j)]
+    """Around one blade: an inlet, an outlet at right angles, and a curved cut of three edges that repeats above."""
+    cut = [("line", -1 - 0.55j, -0.4 - 0.55j),
+           spline([-0.4 - 0.55j, -0.1 - 0.55j, 0.3 - 0.5j, 0.7 - 0.65j, 1.1 - 0.8j, 1.4 - 0.8j]),
+           ("line", 1.4 - 0.8j, 2 - 0.8j)]
     _, poles, knots = naca0012()[0]
-    cambered = [complex(z.real, z.imag + 0.4 * z.real * (1 - z.real)) * cmath.exp(-0.35j) - 0.05j for z in poles]
+    cambered = [complex(z.real, z.imag + 0.3 * z.real * (1 - z.real)) * cmath.exp(-0.25j) - 0.02j for z in poles]
     above = hole(moved(cut, 1, 1j * pitch))
     outline = named(cut, "below") + [("line", cut[-1][2], cut[-1][2] + 1j * pitch, "outlet")] + named(above, "above")
     return outline + [("line", above[-1][2], cut[0][1], "inlet")], [("spline", cambered, knots, "blade")]

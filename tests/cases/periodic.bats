@@ -1,0 +1,66 @@
+# Periodic sides, from the options of cad2tri to meshes that the checker of regions accepts.
+load ../tools/common
+
+setup() {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  common_setup
+  export PYTHONDONTWRITEBYTECODE=1
+}
+
+# accepted SHAPE OPTION...: a mesh of tests/data/regions/periodic_SHAPE.step whose nodes are images of each other.
+accepted() {
+  local shape=$1
+  mkdir -p "$shape"
+  "$ROOT/pipelines/quadmesh" "$DATA/regions/periodic_$shape.step" --order 8 --geometry-tol 1e-9 "${@:2}" --workdir "$shape" \
+    -o "$shape/$shape.msh" 2>"$shape/log"
+  stagecheck "$shape"/*.tri.h5 "$shape"/*.sep.json "$shape"/*.blocks.h5 "$shape"/*.quad.h5
+  run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" "$(echo "$shape"/*.quad.h5)" --face "$(echo "$shape"/*.tri.h5)"
+  refute_output --partial FAULT
+  assert_line --regexp '^ok +periodic nodes: [1-9][0-9]+ pairs'
+}
+
+@test "a box with a hole is periodic in both directions" {
+  accepted box --periodic left=right --periodic bottom=top
+}
+
+@test "a blade passage and a wavy channel are periodic along curves and lines" {
+  accepted blade --periodic below=above
+  accepted wave --periodic inflow=outflow
+}
+
+@test "a sector of 30 degrees of a perforated disc is periodic about its centre" {
+  accepted sector --periodic from=to
+}
+
+@test "periodic sides of two regions have nodes in the same places" {
+  accepted layers --periodic left=right
+  accepted pin --periodic left=right --periodic bottom=top
+}
+
+@test "sizes, layers and relaxation keep the nodes of both sides" {
+  accepted wave --periodic inflow=outflow
+  for options in "--wall wall:first=0.01,layers=4" "--size 0.1 --relax 10" "--size-near wall=0.04"; do
+    # shellcheck disable=SC2086  # several options
+    quadrefine --order 4 $options wave/*.blocks.h5 -o x.quad.h5
+    run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" x.quad.h5 --area-tolerance 1e-8
+    refute_output --partial FAULT
+  done
+}
+
+@test "sides that differ are refused with the place and the distance" {
+  run -3 cad2tri "$DATA/regions/bad/periodic_unequal.step" --periodic bottom=top -o x.tri.h5
+  assert_line --partial "the point (1, 0) of 'bottom' would be 0.414"
+  assert_line --partial "Draw one side as a copy of the other"
+  run -3 cad2tri "$DATA/regions/bad/periodic_unequal.step" --periodic left=right:translate=2,0.1 -o x.tri.h5
+  assert_line --partial "the ends of the sides give translate=2,0"
+  cad2tri "$DATA/regions/bad/periodic_unequal.step" --periodic left=right:translate=2,0 -o x.tri.h5
+}
+
+@test "wrong names and motions are refused" {
+  for pair in left left=left left=right:translate=1 left=right:rotate=x,0,0 =right left=none; do
+    run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic "$pair" -o x.tri.h5
+    assert_line --partial "--periodic $pair"
+  done
+  run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right --periodic left=top -o x.tri.h5
+  assert_line --partial "already a side of another periodic pair"
+}
