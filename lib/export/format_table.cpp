@@ -13,6 +13,7 @@
 #include "export/mfem.hpp"
 #include "export/nek_re2.hpp"
 #include "export/nektar.hpp"
+#include "export/periodic_edges.hpp"
 #include "export/scale_mesh.hpp"
 #include "export/vtu.hpp"
 
@@ -20,8 +21,8 @@ namespace quadrille::exports {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
-      {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
-      {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22},
+      {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41, nullptr, true},
+      {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22, nullptr, true},
       {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange},
       {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier},
       {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
@@ -30,7 +31,7 @@ const std::vector<ExportFormat>& export_formats() {
       {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
       {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm},
       {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
-      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
+      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2, nullptr, true},
       {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
        [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict},
   };
@@ -71,6 +72,8 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =
       format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);
+  if (const std::string loss = periodic_loss(mesh.face); !loss.empty() && !format.holds_periodic_sides)
+    exported.losses.push_back(loss);
   exported.length = length;
   return exported;
 }

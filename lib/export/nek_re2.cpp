@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
 #include "export/little_endian.hpp"
 #include "export/names_table.hpp"
 #include "export/nek_field.hpp"
+#include "export/periodic_edges.hpp"
 #include "export/plain_names.hpp"
 #include "export/side_blend.hpp"
 #include "export/transfinite_loss.hpp"
@@ -87,9 +90,26 @@ class Writer {
     std::sort(by_elem.begin(), by_elem.end(), [](const QuadBoundaryEdge& a, const QuadBoundaryEdge& b) {
       return std::tie(a.elem, a.side) < std::tie(b.elem, b.side);
     });
+    const std::map<std::pair<int, int>, QuadBoundaryEdge> partners = periodic_partner_edges();
     put(static_cast<double>(by_elem.size()));
     for (const QuadBoundaryEdge& e : by_elem)
-      write_record(e.elem, e.side, {0, 0, 0, 0, 1.0 + groups_.curve2boundary[e.curve]}, "MSH");
+      if (const auto partner = partners.find({e.elem, e.side}); partner != partners.end())
+        write_record(
+            e.elem, e.side,
+            {1.0 + partner->second.elem, 1.0 + partner->second.side, 0, 0, 1.0 + groups_.curve2boundary[e.curve]}, "P");
+      else
+        write_record(e.elem, e.side, {0, 0, 0, 0, 1.0 + groups_.curve2boundary[e.curve]}, "MSH");
+  }
+
+  /// By element and side.
+  std::map<std::pair<int, int>, QuadBoundaryEdge> periodic_partner_edges() const {
+    std::map<std::pair<int, int>, QuadBoundaryEdge> partners;
+    for (const PeriodicEdges& edges : periodic_edges(mesh_)) {
+      const QuadBoundaryEdge &a = mesh_.boundary_edges[edges.first], &b = mesh_.boundary_edges[edges.second];
+      partners[{a.elem, a.side}] = b;
+      partners[{b.elem, b.side}] = a;
+    }
+    return partners;
   }
 
   const QuadMesh& mesh_;

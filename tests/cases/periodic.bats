@@ -24,8 +24,8 @@ accepted() {
 }
 
 @test "a blade passage and a wavy channel are periodic along curves and lines" {
-  accepted blade --periodic below=above
-  accepted wave --periodic inflow=outflow
+  accepted blade --periodic below=above --geometry-tol 1e-10
+  accepted wave --periodic inflow=outflow --geometry-tol 1e-10
 }
 
 @test "a sector of 30 degrees of a perforated disc is periodic about its centre" {
@@ -38,7 +38,7 @@ accepted() {
 }
 
 @test "sizes, layers and relaxation keep the nodes of both sides" {
-  accepted wave --periodic inflow=outflow
+  accepted wave --periodic inflow=outflow --geometry-tol 1e-10
   for options in "--wall wall:first=0.01,layers=4" "--size 0.1 --relax 10" "--size-near wall=0.04"; do
     # shellcheck disable=SC2086  # several options
     quadrefine --order 4 $options wave/*.blocks.h5 -o x.quad.h5
@@ -63,4 +63,16 @@ accepted() {
   done
   run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right --periodic left=top -o x.tri.h5
   assert_line --partial "already a side of another periodic pair"
+}
+
+@test "Gmsh and Nek5000 files name the partner of each periodic side, the others report the loss" {
+  "$ROOT/pipelines/quadmesh" "$DATA/regions/periodic_sector.step" --periodic from=to --workdir . -o x.msh
+  quadexport --format msh22 periodic_sector.quad.h5 -o x22.msh
+  quadexport --frame 3d periodic_sector.quad.h5 -o space.msh
+  quadexport periodic_sector.quad.h5 -o x.re2
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" x.msh x22.msh space.msh x.re2
+  for format in vtu nektar mfem blockmesh inp; do
+    run -0 quadexport --format "$format" periodic_sector.quad.h5 -o "x.$format"
+    assert_output --partial 'that sides are periodic is not stored, their nodes are images of each other: "from" and "to"'
+  done
 }

@@ -1,0 +1,97 @@
+#include "export/periodic_edges.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "model/periodic.hpp"
+#include "model/quad_sides.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+constexpr double relative_same = 1e-9;  // of the diameter
+
+using Triple = std::array<double, 3>;
+
+Triple minus(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+Triple cross_product(const Triple& a, const Triple& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// By curve, the edges in the order of the loop.
+std::vector<std::vector<int>> edges_of_curves(const QuadMesh& mesh) {
+  std::vector<std::vector<int>> edges(mesh.face.curves.size());
+  for (int e = 0; e < static_cast<int>(mesh.boundary_edges.size()); ++e)
+    edges[mesh.boundary_edges[e].curve].push_back(e);
+  return edges;
+}
+
+Vec2 end_of_edge(const QuadMesh& mesh, int edge, bool is_last) {
+  const QuadBoundaryEdge& e = mesh.boundary_edges[edge];
+  return mesh.nodes[side_node(mesh, e.elem, e.side, is_last ? mesh.order : 0)];
+}
+
+}  // namespace
+
+std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh) {
+  std::vector<PeriodicEdges> result;
+  const std::vector<std::vector<int>> edges = edges_of_curves(mesh);
+  const double same = relative_same * mesh.face.diameter;
+  for (int p = 0; p < static_cast<int>(mesh.face.periodic_pairs.size()); ++p) {
+    const PeriodicPair& pair = mesh.face.periodic_pairs[p];
+    const PeriodicMotion motion(pair, mesh.face.origin);
+    const std::vector<int>&firsts = edges[pair.curves[0]], &seconds = edges[pair.curves[1]];
+    for (std::size_t k = 0; k < std::max(firsts.size(), seconds.size()); ++k) {
+      const bool is_there = k < firsts.size() && k < seconds.size();
+      const int first = k < firsts.size() ? firsts[k] : firsts.empty() ? seconds.front() : firsts.back();
+      const int second = is_there ? seconds[seconds.size() - 1 - k] : -1;
+      if (!is_there ||
+          distance(motion.image(end_of_edge(mesh, first, false)), end_of_edge(mesh, second, true)) > same ||
+          distance(motion.image(end_of_edge(mesh, first, true)), end_of_edge(mesh, second, false)) > same)
+        throw ComputeError("no edge of the other periodic side is the image of the edge at " +
+                           position_text(end_of_edge(mesh, first, false) + mesh.face.origin) +
+                           ": make the mesh again from the blocks (quadrefine)");
+      result.push_back({first, second, p});
+    }
+  }
+  return result;
+}
+
+// The frame's axes have one length and are normal to each other; what is normal to both stays.
+std::array<double, 16> affine_motion(const CadFace& face, int pair, const Frame& frame) {
+  const PeriodicMotion motion(face.periodic_pairs[pair], face.origin);
+  const Triple& x = frame.x_axis;
+  const Triple& y = frame.y_axis;
+  const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+  const Triple from = frame.at({0, 0}), to = frame.at(motion.image({0, 0}));
+  const Triple image_x = minus(frame.at(motion.image({1, 0})), to), image_y = minus(frame.at(motion.image({0, 1})), to);
+  const Triple normal = cross_product(x, y);
+  std::array<double, 16> result{};
+  for (int i = 0; i < 3; ++i) {
+    double moved = 0;
+    for (int j = 0; j < 3; ++j) {
+      result[4 * i + j] = (image_x[i] * x[j] + image_y[i] * y[j]) / square + normal[i] * normal[j] / (square * square);
+      moved += result[4 * i + j] * from[j];
+    }
+    result[4 * i + 3] = to[i] - moved;
+  }
+  result[15] = 1;
+  return result;
+}
+
+std::string periodic_loss(const CadFace& face) {
+  std::set<std::pair<std::string, std::string>> names;
+  for (const PeriodicPair& pair : face.periodic_pairs)
+    names.emplace(face.curve_names[pair.curves[0]], face.curve_names[pair.curves[1]]);
+  std::string list;
+  for (const auto& [first, second] : names)
+    list += fmt::format("{}\"{}\" and \"{}\"", list.empty() ? "" : "; ", first, second);
+  return list.empty() ? list : "that sides are periodic is not stored, their nodes are images of each other: " + list;
+}
+
+}  // namespace quadrille::exports
