@@ -79,6 +79,7 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
   /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
   runs '### 4.3'
   assert_file_not_empty work/blade.svg
+  grep -qxF "\$Periodic" work/blade.msh
   run -0 /usr/bin/python3 -B "$ROOT/tests/check_regions.py" work/stages/periodic_blade.quad.h5 \
     --face work/stages/periodic_blade.tri.h5 --area-tolerance 1e-4
   assert_line --regexp '^ok +periodic nodes: [1-9][0-9]+ pairs'
