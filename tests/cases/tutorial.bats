@@ -24,7 +24,7 @@ runs() {
   missing=
   if [[ -n ${2-} ]] && ! eval "$2" >/dev/null 2>&1; then
     missing=yes
-    sed -i -E '/^export WM_PROJECT_DIR|pipe_heat\.py/,$d' commands
+    sed -i -E '/^export WM_PROJECT_DIR|(pipe|pin|crack)_heat\.py/,$d' commands
   fi
   run -0 bash -euo pipefail commands
 }
@@ -52,6 +52,39 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
   assert_line --regexp '^heat loss 18\.84783. W/m, exact 18\.847830 W/m, relative error [1-9]\.[0-9]e-0[89]$'
 }
 
+@test "a pin in a stream: two materials, all heat leaves" {
+  runs '### 4.1' "/usr/bin/python3 -c 'import dolfinx, gmsh'"
+  assert_line --regexp '^1 +plane .* pin '
+  assert_line --partial '17 blocks, 8 irregular nodes, 1328 quads'
+  for name in '1 [0-9]+ "pin surface"' '2 [0-9]+ "fluid"' '2 [0-9]+ "pin"'; do
+    grep -qE "^$name\$" work/pin.msh || fail "$name"
+  done
+  grep -qF 'interface of two regions' work/pin.svg
+  [[ -z $missing ]] || skip "no dolfinx: the mesh was made, nothing was solved"
+  assert_line --regexp '^pin 19\.06[0-9] K, heat that leaves with the water (1\.0000|0\.9999)[0-9] of what the pin gives$'
+}
+
+@test "a crack: the resistance of a plate with a crack, and without" {
+  runs '### 4.2' "/usr/bin/python3 -c 'import dolfinx, gmsh'"
+  assert_file_not_empty work/crack.msh
+  [[ -z $missing ]] || skip "no dolfinx: the mesh was made, nothing was solved"
+  assert_line --regexp '^resistance 1\.84[12][0-9], without the crack 1\.5000, strip 1\.8487$'
+  sed -i 's/ --open crack//' commands
+  rm -r work
+  run -0 bash -euo pipefail commands
+  assert_line --regexp '^resistance 1\.5000, '
+}
+
+@test "a blade passage: its sides have the same nodes" {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  runs '### 4.3'
+  assert_file_not_empty work/blade.svg
+  grep -qxF "\$Periodic" work/blade.msh
+  run -0 /usr/bin/python3 -B "$ROOT/tests/check_regions.py" work/stages/periodic_blade.quad.h5 \
+    --face work/stages/periodic_blade.tri.h5 --area-tolerance 1e-4
+  assert_line --regexp '^ok +periodic nodes: [1-9][0-9]+ pairs'
+}
+
 @test "an aerofoil from points: the drag of a finer mesh, no lift" {
   runs '## 3.' 'command -v simpleFoam'
   assert_line --partial ' 3054 quads'
@@ -62,16 +95,18 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
 }
 
 @test "the sections above are all that have commands, and every option of the table is one of quadmesh" {
-  run -0 awk '/^## / { heading = $2 } /^```sh$/ && !seen[heading]++ { printf " %s", heading }' "$page"
-  assert_output "  1. 2. 3."
+  run -0 awk '/^###? / { heading = $2 } /^```sh$/ && !seen[heading]++ { printf " %s", heading }' "$page"
+  assert_output "  1. 2. 3. 4.1 4.2 4.3"
   "$ROOT/pipelines/quadmesh" --help >help
   sed -n '/^## Which option/,/^## /p' "$page" | sed 's/`cad2tri[^`]*`//' | grep -oE -- '--[a-z][a-z-]+' | sort -u >options
   assert [ "$(wc -l <options)" -ge 20 ]
   while read -r option; do grep -qE "^  (-., )?$option\b" help || fail "quadmesh has no $option"; done <options
 }
 
-@test "the shapes and points are those that make_examples.py draws" {
+@test "the shapes and points are those that make_examples.py and make_regions.py draw" {
   mkdir made
   python3 -B "$DATA/make_examples.py" made
-  for file in made/*; do cmp "$file" "$ROOT/pipelines/examples/${file##*/}"; done
+  for file in made/* "$DATA"/regions/{pin_in_channel,plate_crack,periodic_blade}.step; do
+    cmp "$file" "$ROOT/pipelines/examples/${file##*/}"
+  done
 }

@@ -34,6 +34,43 @@ judge() {
   assert_output 16 # four shapes, two orders, two refinements
 }
 
+# three_meshes ORDER: a.msh, b.msh and c.msh of disc_in_square, each with twice the elements of the one before along
+# every chord of blocks, as exact at the circle as the order makes them.
+three_meshes() {
+  local name sizes=(--size 0.3)
+  for name in a b c; do
+    quadrefine -q --order "$1" --geometry-tol 1 "${sizes[@]}" --report report.json "$blocks" -o "$name.quad.h5"
+    quadexport "$name.quad.h5" -o "$name.msh"
+    mapfile -t sizes < <(jq -r '.sizes.chord | [.id, .count] | transpose[] | "--count", "\(.[0])=\(.[1] * 2)"' report.json)
+  done
+}
+
+# rates ORDER: solves on the three meshes, into the file `solved`; $rates are those of the second and the third.
+rates() {
+  "$PYTHON" "$ROOT/tests/peers/two_materials.py" "$1" a.msh b.msh c.msh >solved
+  mapfile -t rates < <(cut -d ' ' -f 3 solved | tail -n 2)
+  assert_equal "${#rates[@]}" 2
+}
+
+@test "two materials: a solution with a kink converges at the order plus one, and not with the materials swapped" {
+  local order blocks rate length
+  blocks=$(blocks_of "$DATA/regions/disc_in_square.step")
+  for order in 2 3; do
+    three_meshes "$order"
+    rates "$order"
+    for rate in "${rates[@]}"; do
+      jq -en "($rate - $order - 1) | fabs < 0.2" >/dev/null || fail "order $order, rate $rate"
+    done
+    length=$(tail -n 1 solved | cut -d ' ' -f 4)
+    jq -en "$length < 1e-5" >/dev/null || fail "length of the interface: $length"
+    sed -i -e 's/^\(2 [0-9]* \)"matrix"$/\1"other"/' -e 's/"fibre"$/"matrix"/' -e 's/"other"$/"fibre"/' [abc].msh
+    rates "$order"
+    for rate in "${rates[@]}"; do
+      jq -en "$rate < 0.5" >/dev/null || fail "order $order, swapped, rate $rate"
+    done
+  done
+}
+
 @test "the commands of the page work" {
   quadrefine --order 3 "$(blocks_of "$DATA/half_disc.step")" | quadexport -o x.msh
   example 1 python msh >commands.py

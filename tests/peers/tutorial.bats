@@ -14,4 +14,4 @@ solves() {
 }
 
 @test "both flows, with OpenFOAM" { solves openfoam 'flow around|aerofoil'; }
-@test "the heat loss, with dolfinx" { solves 'python3-dolfinx python3-gmsh' 'heat loss'; }
+@test "heat loss, a pin, a crack, with dolfinx" { solves 'python3-dolfinx python3-gmsh' 'heat loss|a pin|a crack'; }
