@@ -89,8 +89,11 @@ class LayoutJoiner {
   // The kind that the node has in the whole.
   NodeKind kind_of(const BoundaryPoint& point) const {
     if (!point.is_inside) {
+      if (point.places.size() > 1) return NodeKind::corner;
       const RegionNode& member = point.members.front();
-      return point.places.size() > 1 ? NodeKind::corner : part(member.region).nodes[member.node].kind;
+      const NodeKind kind = part(member.region).nodes[member.node].kind;
+      // A cut that is left is the line of a neighbour, which ends where it would have gone on.
+      return kind == NodeKind::cut ? NodeKind::boundary : kind;
     }
     const bool is_smooth = point.places.size() == 2 &&
                            std::none_of(point.members.begin(), point.members.end(), [&](const RegionNode& member) {

@@ -47,6 +47,7 @@ keeps() {
   keeps 8 disc_in_square
   has 13 0.86 nested_rings
   has 9 0.86 pipe_wall
+  keeps 2 pipe_wall
   has 17 0.86 pin_in_channel
 }
 
