@@ -5,7 +5,6 @@
 
 #include "export/gmsh.hpp"
 #include "export/gmsh_model.hpp"
-#include "export/periodic_edges.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -147,22 +146,6 @@ void append_elements(const GmshModel& model, const QuadMesh& mesh, std::string& 
   text += "$EndElements\n";
 }
 
-/// Entities of second periodic sides with their masters, the motion row by row, and pairs of nodes.
-std::string periodic_section(const GmshModel& model, const QuadMesh& mesh, const Frame& frame) {
-  const std::vector<GmshPeriodicLink> links = gmsh_periodic_links(model, mesh);
-  if (links.empty()) return {};
-  std::string text = fmt::format("$Periodic\n{}\n", links.size());
-  const auto out = std::back_inserter(text);
-  for (const GmshPeriodicLink& link : links) {
-    fmt::format_to(out, "{} {} {}\n16", link.dim, link.entity + 1, link.master + 1);
-    for (const double number : affine_motion(mesh.face, link.pair, frame)) fmt::format_to(out, " {}", number);
-    fmt::format_to(out, "\n{}\n", link.nodes.size());
-    for (const auto& [node, master] : link.nodes)
-      fmt::format_to(out, "{} {}\n", model.node_tags[node], model.node_tags[master]);
-  }
-  return text + "$EndPeriodic\n";
-}
-
 }  // namespace
 
 Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
@@ -171,7 +154,7 @@ Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
   append_entities(model, text);
   append_nodes(model, mesh.nodes.size(), text);
   append_elements(model, mesh, text);
-  text += periodic_section(model, mesh, frame);
+  text += gmsh_periodic(model, mesh, frame, "16");
   return {std::move(text), false, {}, {}};
 }
 

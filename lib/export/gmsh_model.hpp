@@ -41,15 +41,10 @@ std::string gmsh_names(const Groups& groups);
 void append_gmsh_line(const GmshModel& model, const QuadMesh& mesh, const SkeletonEdge& edge, std::string& text);
 void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, std::string& text);
 
-/// A point or curve of the second of two periodic sides, and the one of the first that it is the image of.
-struct GmshPeriodicLink {
-  int dim = 0, entity = 0, master = 0;
-  int pair = 0;                           ///< of CadFace::periodic_pairs
-  std::vector<std::array<int, 2>> nodes;  ///< mesh nodes, each with that of the master
-};
-
-/// Points first. A point that is the image of several has one link.
-std::vector<GmshPeriodicLink> gmsh_periodic_links(const GmshModel& model, const QuadMesh& mesh);
+/// The section $Periodic: points and curves of second periodic sides with their masters, the motion row by row, and
+/// pairs of nodes. Empty without periodic sides. `motion`: the word or number before the motion, which formats differ
+/// in.
+std::string gmsh_periodic(const GmshModel& model, const QuadMesh& mesh, const Frame& frame, const char* motion);
 
 /// "x y z", the shortest digits that read back to the same bits.
 void append_position(const std::array<double, 3>& x, std::string& text);

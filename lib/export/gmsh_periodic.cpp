@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -19,9 +23,15 @@ SideTable curves_by_side(const GmshModel& model) {
   return table;
 }
 
-}  // namespace
+/// A point or curve of the second of two periodic sides, and the one of the first that it is the image of.
+struct GmshPeriodicLink {
+  int dim = 0, entity = 0, master = 0;
+  int pair = 0;                           // of CadFace::periodic_pairs
+  std::vector<std::array<int, 2>> nodes;  // mesh nodes, each with that of the master
+};
 
-std::vector<GmshPeriodicLink> gmsh_periodic_links(const GmshModel& model, const QuadMesh& mesh) {
+// Points first. A point that is the image of several has one link.
+std::vector<GmshPeriodicLink> periodic_links(const GmshModel& model, const QuadMesh& mesh) {
   const SideTable curves = curves_by_side(model);
   std::map<int, GmshPeriodicLink> points, links;  // by the entity
   std::map<int, int> point_of_node;
@@ -46,6 +56,23 @@ std::vector<GmshPeriodicLink> gmsh_periodic_links(const GmshModel& model, const 
   for (const auto* of : {&points, &links})
     for (const auto& [entity, link] : *of) all.push_back(link);
   return all;
+}
+
+}  // namespace
+
+std::string gmsh_periodic(const GmshModel& model, const QuadMesh& mesh, const Frame& frame, const char* motion) {
+  const std::vector<GmshPeriodicLink> links = periodic_links(model, mesh);
+  if (links.empty()) return {};
+  std::string text = fmt::format("$Periodic\n{}\n", links.size());
+  const auto out = std::back_inserter(text);
+  for (const GmshPeriodicLink& link : links) {
+    fmt::format_to(out, "{} {} {}\n{}", link.dim, link.entity + 1, link.master + 1, motion);
+    for (const double number : affine_motion(mesh.face, link.pair, frame)) fmt::format_to(out, " {}", number);
+    fmt::format_to(out, "\n{}\n", link.nodes.size());
+    for (const auto& [node, master] : link.nodes)
+      fmt::format_to(out, "{} {}\n", model.node_tags[node], model.node_tags[master]);
+  }
+  return text + "$EndPeriodic\n";
 }
 
 }  // namespace quadrille::exports
