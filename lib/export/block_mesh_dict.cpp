@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "export/cyclic_patches.hpp"
 #include "export/hex_blocks.hpp"
 #include "export/names_table.hpp"
 #include "export/plain_names.hpp"
@@ -23,14 +24,17 @@ class Writer {
       : mesh_(mesh), frame_(frame), hexes_(hexes), above_(static_cast<int>(hexes.vertices.size())) {}
 
   std::string text(const std::vector<std::string>& patches, const std::vector<std::string>& types,
-                   const std::vector<std::string>& zones) {
+                   const std::vector<CyclicPatch>& cyclic, const std::vector<std::string>& zones) {
     print(
         "FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class dictionary;\n    object blockMeshDict;\n}}\n\n");
-    print("scale {};\n\n", mesh_.face.metres_per_unit > 0 ? mesh_.face.metres_per_unit : 1.0);
+    // blockMesh scales points, but neither separations nor centres of rotation, and checks these before and after.
+    for (const CyclicPatch& patch : cyclic)
+      if (patch.neighbour >= 0) metres_ = scale();
+    print("scale {};\n\n", scale() / metres_);
     write_vertices();
     write_splines();
     write_blocks(zones);
-    write_patches(patches, types);
+    write_patches(patches, types, cyclic);
     print("mergePatchPairs\n(\n);\n");
     return fmt::to_string(out_);
   }
@@ -41,11 +45,13 @@ class Writer {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
 
+  double scale() const { return mesh_.face.metres_per_unit > 0 ? mesh_.face.metres_per_unit : 1.0; }
+
   double height(bool is_above) const { return is_above ? thickness_share * mesh_.face.diameter : 0.0; }
 
   void write_point(Vec2 position, bool is_above) {
     const std::array<double, 3> x = frame_.at(position);
-    print("({} {} {})", x[0], x[1], height(is_above));
+    print("({} {} {})", metres_ * x[0], metres_ * x[1], metres_ * height(is_above));
   }
 
   void write_vertices() {
@@ -114,11 +120,17 @@ class Writer {
     print(")\n");
   }
 
-  void write_patches(const std::vector<std::string>& names, const std::vector<std::string>& types) {
+  void write_patches(const std::vector<std::string>& names, const std::vector<std::string>& types,
+                     const std::vector<CyclicPatch>& cyclic) {
     print("boundary\n(\n");
     for (std::size_t p = 0; p < names.size(); ++p) {
       if (hexes_.patches[p].empty()) continue;
-      print("    {}\n    {{\n        type {};\n        faces\n        (\n", names[p], types[p]);
+      const bool is_cyclic = cyclic[p].neighbour >= 0;
+      print("    {}\n    {{\n        type {};\n", names[p], is_cyclic ? "cyclic" : types[p]);
+      if (is_cyclic)
+        print("        neighbourPatch {};\n{}", names[cyclic[p].neighbour],
+              cyclic_transform(mesh_.face, cyclic[p], metres_));
+      print("        faces\n        (\n");
       for (const auto& [from, to] : hexes_.patches[p])
         print("            ({} {} {} {})\n", from, to, to + above_, from + above_);
       print("        );\n    }}\n");
@@ -135,7 +147,8 @@ class Writer {
   const QuadMesh& mesh_;
   const Frame& frame_;
   const HexBlocks& hexes_;
-  int above_;  ///< number of a vertex in the upper plane less its number in the lower one
+  int above_;          ///< number of a vertex in the upper plane less its number in the lower one
+  double metres_ = 1;  ///< factor of all written lengths; `scale` has the rest
   fmt::memory_buffer out_;
 };
 
@@ -179,14 +192,18 @@ struct Words {
 
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) {
   const Groups groups = mesh_groups(mesh);
-  const HexBlocks hexes = hex_blocks(mesh, groups);
+  HexBlocks hexes = hex_blocks(mesh, groups);
+  const std::vector<std::string> type_names = patch_types(mesh, groups, types);
+  const std::vector<CyclicPatch> cyclic = cyclic_patches(mesh, groups, types);
+  order_cyclic_blocks(mesh, groups, cyclic, hexes);
   Exported exported;
   tell_losses(mesh, hexes, exported.losses);
   if (const std::string interfaces = interface_loss(groups); !interfaces.empty())
     exported.losses.push_back(interfaces +
                               " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
+  if (const std::string loss = cyclic_loss(mesh.face, groups, cyclic); !loss.empty()) exported.losses.push_back(loss);
   const Words words(groups, exported);
-  exported.bytes = Writer(mesh, frame, hexes).text(words.patches, patch_types(mesh, groups, types), words.zones);
+  exported.bytes = Writer(mesh, frame, hexes).text(words.patches, type_names, cyclic, words.zones);
   return exported;
 }
 

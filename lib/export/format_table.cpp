@@ -33,7 +33,8 @@ const std::vector<ExportFormat>& export_formats() {
       {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
       {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2, nullptr, true},
       {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
-       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict},
+       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict,
+       true},
   };
   return formats;
 }

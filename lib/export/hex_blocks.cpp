@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "export/periodic_edges.hpp"
+#include "model/quad_sides.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -62,13 +64,22 @@ struct DividedGrid {
 
 class Divider {
  public:
-  Divider(const QuadMesh& mesh, const Groups& groups) : mesh_(mesh), boundaries_(boundaries_of_sides(mesh, groups)) {}
+  Divider(const QuadMesh& mesh, const Groups& groups) : mesh_(mesh), boundaries_(boundaries_of_sides(mesh, groups)) {
+    for (const PeriodicEdges& edges : periodic_edges(mesh)) {
+      const QuadBoundaryEdge &first = mesh.boundary_edges[edges.first], &second = mesh.boundary_edges[edges.second];
+      for (const bool is_end : {false, true})
+        images_.emplace_back(side_node(mesh, first.elem, first.side, is_end ? mesh.order : 0),
+                             side_node(mesh, second.elem, second.side, is_end ? 0 : mesh.order));
+    }
+  }
 
   std::vector<DividedGrid> divide() {
     std::vector<BlockGrid> grids = first_grids();
     std::vector<int> cuts = ends_of_names(grids);
     for (;;) {
       grids = cut_grids(mesh_, grids, std::move(cuts));
+      cuts = images_of_corners(grids);
+      if (!cuts.empty()) continue;
       std::vector<DividedGrid> divided;
       for (const BlockGrid& grid : grids) divided.push_back(divided_grid(grid));
       cuts = middles_of_faulty(divided);
@@ -96,6 +107,20 @@ class Divider {
           if (boundary_of(sides[at]) != boundary_of(sides[at - 1]))
             nodes.push_back(side_start(mesh_, sides[at].elem, sides[at].side));
       }
+    return nodes;
+  }
+
+  /// Nodes to cut at, so that periodic sides consist of as many sides of blocks, which are images of each other.
+  std::vector<int> images_of_corners(const std::vector<BlockGrid>& grids) {
+    std::set<int> corners;
+    if (!images_.empty())
+      for (const BlockGrid& grid : grids)
+        for (int k = 0; k < 4; ++k)
+          corners.insert(side_start(mesh_, grid.side(k).front().elem, grid.side(k).front().side));
+    std::vector<int> nodes;
+    for (const auto& [a, b] : images_)
+      if (const bool has_a = corners.count(a) > 0; has_a != (corners.count(b) > 0))
+        if (const int node = has_a ? b : a; asked_.insert(node).second) nodes.push_back(node);
     return nodes;
   }
 
@@ -170,6 +195,8 @@ class Divider {
 
   const QuadMesh& mesh_;
   std::vector<int> boundaries_;
+  std::vector<std::pair<int, int>> images_;  ///< nodes at the ends of periodic edges
+  std::set<int> asked_;                      ///< nodes at which images_of_corners has cut
 };
 
 class Collector {

@@ -31,8 +31,9 @@ struct HexBlocks {
 
 /// One hexahedral block for each block of the layout, cut in two, across all blocks that follow, wherever blockMesh
 /// could not build it as it is: names that end within a side, two sides between the same vertices, corners that are not
-/// convex, cells that blockMesh's own interpolation would fold or move by more than a tenth of their shortest side.
-/// Throws ComputeError with the position if a quad with straight sides is not convex.
+/// convex, cells that blockMesh's own interpolation would fold or move by more than a tenth of their shortest side, a
+/// corner on the other one of two periodic sides. Throws ComputeError with the position if a quad with straight sides
+/// is not convex.
 HexBlocks hex_blocks(const QuadMesh& mesh, const Groups& groups);
 
 }  // namespace quadrille::exports

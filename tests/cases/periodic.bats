@@ -65,14 +65,31 @@ accepted() {
   assert_line --partial "already a side of another periodic pair"
 }
 
-@test "Gmsh and Nek5000 files name the partner of each periodic side, the others report the loss" {
+@test "Gmsh and Nek5000 files name the partner of each periodic side, others report the loss" {
   "$ROOT/pipelines/quadmesh" "$DATA/regions/periodic_sector.step" --periodic from=to --workdir . -o x.msh
   quadexport --format msh22 periodic_sector.quad.h5 -o x22.msh
   quadexport --frame 3d periodic_sector.quad.h5 -o space.msh
   quadexport periodic_sector.quad.h5 -o x.re2
   run -0 python3 "$ROOT/tests/exports/check_periodic.py" x.msh x22.msh space.msh x.re2
-  for format in vtu nektar mfem blockmesh inp; do
+  for format in vtu nektar mfem inp; do
     run -0 quadexport --format "$format" periodic_sector.quad.h5 -o "x.$format"
     assert_output --partial 'that sides are periodic is not stored, their nodes are images of each other: "from" and "to"'
   done
+}
+
+@test "periodic boundaries are OpenFOAM's cyclic patches, unless an option gives them a type" {
+  "$ROOT/pipelines/quadmesh" "$DATA/regions/periodic_box.step" --periodic left=right --periodic bottom=top --workdir . -o x.msh
+  run -0 quadexport --format blockmesh periodic_box.quad.h5 -o x
+  refute_output --partial periodic
+  run -0 grep -c 'type cyclic;' x
+  assert_output 4
+  run -0 grep -A 4 '^    left$' x
+  assert_line --index 3 '        neighbourPatch right;'
+  run -0 grep '^scale' x # positions and separations have one unit
+  assert_output 'scale 1;'
+  run -0 python3 "$ROOT/tests/exports/read_blockmesh.py" x periodic_box.quad.h5
+  run -0 quadexport --format blockmesh --patch-type 'left=wall' periodic_box.quad.h5 -o x
+  assert_output --partial 'that sides are periodic is not stored, their nodes are images of each other: "left" and "right" (a cyclic patch'
+  run -0 grep -c 'type cyclic;' x
+  assert_output 2
 }

@@ -13,6 +13,7 @@ class ElementMesh:
     boundaries: dict   # (element, side) -> name or number
     num_vertices: int
     diameter: float = 0
+    metres: float = 1  # of one unit, 1 where it is unknown
     numbers: dict = field(default_factory=dict)
 
 

@@ -73,10 +73,13 @@ def divisions(grading, count):
 
 
 class Dict:
-    def __init__(self, path):
+    def __init__(self, path, metres):
+        """metres: of one unit of the stage file; the numbers are metres themselves where patches are cyclic."""
         found = entries(path)
-        self.scale = float(found["scale"])
-        self.vertices = [position(v) for v in found["vertices"]]
+        is_cyclic = "cyclic" in [body[1] for body in found["boundary"][1::2]]
+        unit = metres if is_cyclic else 1.0
+        self.scale = float(found["scale"]) * unit
+        self.vertices = [tuple(x / unit for x in position(v)) for v in found["vertices"]]
         half = len(self.vertices) // 2
         heights = {v[2] for v in self.vertices[half:]}
         assert {v[2] for v in self.vertices[:half]} == {0.0} and len(heights) == 1 and min(heights) > 0
@@ -86,7 +89,7 @@ class Dict:
         edges = found["edges"]
         for word, a, b, points in zip(*(edges[k::4] for k in range(4))):
             assert word == "spline" and (int(a), int(b)) not in self.splines
-            self.splines[int(a), int(b)] = [position(p) for p in points]
+            self.splines[int(a), int(b)] = [tuple(x / unit for x in position(p)) for p in points]
         self.blocks = blocks_of(found["blocks"])
         self.patches = patches_of(found["boundary"])
         self.check_upper_plane()
@@ -123,6 +126,10 @@ def blocks_of(items):
 def patches_of(items):
     patches = {}
     for name, body in zip(items[::2], items[1::2]):
+        if body[:2] == ["type", "cyclic"]:  # whose transform OpenFOAM checks
+            assert "faces" in body and name not in patches
+            patches[name] = [[int(v) for v in face] for face in body[body.index("faces") + 1]]
+            continue
         assert body[0] == "type" and body[3] == "faces" and name not in patches
         assert body[1] == ("empty" if name == "frontAndBack" else "wall" if name.startswith("wall") else "patch")
         patches[name] = [[int(v) for v in face] for face in body[4]]
@@ -238,7 +245,8 @@ def check_made(path, cells, mesh, diameter):
 def main(words):
     if len(words) not in (2, 3):
         sys.exit(__doc__)
-    mesh, wanted = Dict(words[0]), stage_mesh.read(words[1])
+    wanted = stage_mesh.read(words[1])
+    mesh = Dict(words[0], wanted.metres)
     try:
         cells = cells_of(mesh)
         moved = compare(cells, wanted)

@@ -58,7 +58,8 @@ def mesh_of(file, in_space):
         regions=[block_names[b] for b in file.numbers("/elem_block", "i")],
         boundaries={(elem, side): curve_names[curve] or f"curve_{curve}" for elem, side, curve in edges},
         num_vertices=len({e[c] for e in corner_ids(ids, order) for c in range(4)}),
-        diameter=file.numbers("/face/diameter", "d")[0])
+        diameter=file.numbers("/face/diameter", "d")[0],
+        metres=file.numbers("/face/metres_per_unit", "d")[0] or 1)
 
 
 def corner_ids(ids, order):

@@ -70,6 +70,23 @@ builds() {
   assert_output --partial 'Mesh OK.'
 }
 
+@test "cyclic patches match point by point" {
+  local options shape
+  for options in "box left=right bottom=top" "sector from=to" "wave inflow=outflow"; do
+    read -ra words <<<"$options"
+    shape=periodic_${words[0]}
+    mapfile -t pairs < <(printf -- '--periodic\n%s\n' "${words[@]:1}")
+    "$ROOT/pipelines/quadmesh" -q "$DATA/regions/$shape.step" "${pairs[@]}" --workdir . -o a.msh
+    quadrefine -q --order 2 "$shape.blocks.h5" -o a.quad.h5
+    builds a.quad.h5
+    run -0 grep -c 'type  *cyclic;' case/constant/polyMesh/boundary
+    assert_output $((2 * (${#words[@]} - 1)))
+    run checkMesh -case case -allGeometry -allTopology
+    assert_output --partial 'Mesh OK.'
+    assert_output --regexp 'Coupled point location match \(average [0-9.e-]+\) OK'
+  done
+}
+
 @test "the commands of the page work" {
   cp "$(blocks_of "$DATA/half_disc.step")" half_disc.blocks.h5
   new_case

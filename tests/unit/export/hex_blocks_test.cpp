@@ -126,5 +126,33 @@ TEST(HexBlocks, RefusesCellsThatAreNotConvex) {
   EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
 }
 
+/// Two strips of two quads, [0, 1] x [0, 2] and [5, 6] x [0, 2]. The left side of the first one (curve 0) is the right
+/// side of the second one (curve 1) moved by -6; the right side of the first one has two names.
+QuadMesh two_strips() {
+  QuadMesh mesh;
+  mesh.order = 1;
+  mesh.face.diameter = 6;
+  mesh.face.curves.resize(5);
+  mesh.face.curve_names = {"left", "right", "lower", "upper", "rest"};
+  for (const double x : {0.0, 5.0})
+    for (const double y : {0.0, 1.0, 2.0})
+      for (const double width : {0.0, 1.0}) mesh.nodes.push_back({x + width, y});
+  for (const int first : {0, 2, 6, 8})
+    for (const int k : {0, 1, 2, 3}) mesh.elem_nodes.push_back(first + k);
+  mesh.elem_block = {0, 0, 1, 1};
+  mesh.block_names = {"", ""};
+  mesh.elem_jacobian_bound = mesh.elem_scaled_jacobian = std::vector<double>(4, 0.5);
+  mesh.boundary_edges = {{1, 3, 0}, {0, 3, 0}, {2, 1, 1}, {3, 1, 1}, {0, 1, 2}, {1, 1, 3},
+                         {0, 0, 4}, {1, 2, 4}, {2, 0, 4}, {3, 2, 4}, {2, 3, 4}, {3, 3, 4}};
+  return mesh;
+}
+
+TEST(HexBlocks, ACutContinuesAcrossPeriodicSides) {
+  QuadMesh mesh = two_strips();
+  EXPECT_EQ(hex_blocks(mesh, mesh_groups(mesh)).blocks.size(), 3u);
+  mesh.face.periodic_pairs = {{{1, 0}, 0, {-6, 0}}};
+  EXPECT_EQ(hex_blocks(mesh, mesh_groups(mesh)).blocks.size(), 4u);
+}
+
 }  // namespace
 }  // namespace quadrille::exports

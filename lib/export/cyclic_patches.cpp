@@ -1,0 +1,151 @@
+#include "export/cyclic_patches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/name_text.hpp"
+#include "export/periodic_edges.hpp"
+#include "model/quad_sides.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+constexpr double same_angle = 1e-9, relative_same = 1e-9;  // of the diameter
+
+bool is_same_motion(const CadFace& face, int a, int b) {
+  const PeriodicPair &one = face.periodic_pairs[a], &other = face.periodic_pairs[b];
+  return std::abs(one.angle - other.angle) <= same_angle &&
+         distance(one.shift, other.shift) <= relative_same * face.diameter;
+}
+
+bool is_chosen(const std::string& name, const std::vector<PatchType>& chosen) {
+  return std::any_of(chosen.begin(), chosen.end(),
+                     [&](const PatchType& choice) { return matches_wildcard(name, choice.pattern); });
+}
+
+// By curve.
+std::vector<CyclicPatch> cyclic_curves(const CadFace& face, const Groups& groups) {
+  std::vector<CyclicPatch> curves(face.curves.size());
+  for (int p = 0; p < static_cast<int>(face.periodic_pairs.size()); ++p) {
+    const auto& [first, second] = face.periodic_pairs[p].curves;
+    curves[first] = {groups.curve2boundary[second], p, true};
+    curves[second] = {groups.curve2boundary[first], p, false};
+  }
+  return curves;
+}
+
+// A block with another first corner.
+HexBlock turned(const HexBlock& block, int corner) {
+  HexBlock result = block;
+  for (int k = 0; k < 4; ++k) {
+    const int from = (k + corner) % 4;
+    result.corners[k] = block.corners[from];
+    result.edges[k] = (k < 2) == (from < 2) ? block.edges[from] : block.edges[from].reversed();
+  }
+  return result;
+}
+
+// The point that a rotation about (0, 0) and a translation leave where it is.
+Vec2 centre_of(const PeriodicPair& pair) {
+  const double cotangent = 1 / std::tan(0.5 * pair.angle);
+  return 0.5 * Vec2{pair.shift.x - cotangent * pair.shift.y, pair.shift.y + cotangent * pair.shift.x};
+}
+
+// blockMesh lists the cells of a block's side in the direction of rising i or j and couples them in that order, before
+// it compares positions: sides of first patches become the lower or right ones of their blocks, where i and j rise
+// counter-clockwise, those of second patches the upper or left ones.
+void turn_blocks(const std::vector<CyclicPatch>& cyclic, HexBlocks& hexes) {
+  std::map<std::array<int, 2>, bool> is_first;  // by the ends of a side
+  for (std::size_t b = 0; b < cyclic.size(); ++b)
+    if (cyclic[b].neighbour >= 0)
+      for (const std::array<int, 2>& side : hexes.patches[b]) is_first[side] = cyclic[b].is_first;
+  const auto fits = [&](const HexBlock& block) {
+    for (int k = 0; k < 4; ++k)
+      if (const auto side = is_first.find({block.corners[k], block.corners[(k + 1) % 4]});
+          side != is_first.end() && side->second != (k < 2))
+        return false;
+    return true;
+  };
+  for (HexBlock& block : hexes.blocks)
+    for (int corner = 0; corner < 4; ++corner)
+      if (HexBlock other = turned(block, corner); fits(other)) {
+        block = std::move(other);
+        break;
+      }
+}
+
+}  // namespace
+
+std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& groups,
+                                        const std::vector<PatchType>& chosen) {
+  const std::vector<CyclicPatch> curves = cyclic_curves(mesh.face, groups);
+  std::vector<CyclicPatch> patches(groups.num_boundaries());
+  std::vector<bool> is_known(patches.size(), false), is_cyclic(patches.size(), true);
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges) {
+    const int boundary = groups.curve2boundary[e.curve];
+    const CyclicPatch& curve = curves[e.curve];
+    CyclicPatch& patch = patches[boundary];
+    if (!is_known[boundary]) patch = curve;
+    is_known[boundary] = true;
+    if (curve.neighbour < 0 || curve.neighbour == boundary || curve.neighbour != patch.neighbour ||
+        curve.is_first != patch.is_first || !is_same_motion(mesh.face, curve.pair, patch.pair))
+      is_cyclic[boundary] = false;
+  }
+  for (int b = 0; b < groups.num_boundaries(); ++b)
+    if (is_chosen(groups.boundary_names[b], chosen)) is_cyclic[b] = false;
+  std::vector<CyclicPatch> result(patches.size());
+  for (std::size_t b = 0; b < patches.size(); ++b)
+    if (is_known[b] && is_cyclic[b] && is_cyclic[patches[b].neighbour]) result[b] = patches[b];
+  return result;
+}
+
+void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
+                         HexBlocks& hexes) {
+  std::vector<std::map<int, int>> images(cyclic.size());  // by first patch: of nodes
+  for (const PeriodicEdges& edges : periodic_edges(mesh)) {
+    const QuadBoundaryEdge &first = mesh.boundary_edges[edges.first], &second = mesh.boundary_edges[edges.second];
+    std::map<int, int>& of_patch = images[groups.curve2boundary[first.curve]];
+    of_patch[side_node(mesh, first.elem, first.side, 0)] = side_node(mesh, second.elem, second.side, mesh.order);
+    of_patch[side_node(mesh, first.elem, first.side, mesh.order)] = side_node(mesh, second.elem, second.side, 0);
+  }
+  std::vector<int> vertex_of_node(mesh.nodes.size(), -1);
+  for (std::size_t v = 0; v < hexes.vertices.size(); ++v) vertex_of_node[hexes.vertices[v]] = static_cast<int>(v);
+  for (std::size_t b = 0; b < cyclic.size(); ++b) {
+    if (cyclic[b].neighbour < 0 || !cyclic[b].is_first) continue;
+    const auto image = [&](int vertex) { return vertex_of_node[images[b].at(hexes.vertices[vertex])]; };
+    std::vector<std::array<int, 2>> ordered;
+    for (const auto& [from, to] : hexes.patches[b]) ordered.push_back({image(to), image(from)});
+    hexes.patches[cyclic[b].neighbour] = std::move(ordered);
+  }
+  turn_blocks(cyclic, hexes);
+}
+
+std::string cyclic_transform(const CadFace& face, const CyclicPatch& patch, double scale) {
+  const PeriodicPair& pair = face.periodic_pairs[patch.pair];
+  if (pair.angle != 0) {
+    const Vec2 centre = scale * centre_of(pair);
+    return fmt::format(
+        "        transform rotational;\n        rotationAxis (0 0 1);\n        rotationCentre ({} {} 0);\n",
+        centre.x + 0.0, centre.y + 0.0);
+  }
+  // openfoam.com reads the vector to the neighbour, openfoam.org from version 8 on the one from it, by another name.
+  const Vec2 forth = (patch.is_first ? scale : -scale) * pair.shift;
+  return fmt::format(
+      "        transform translational;\n        separationVector ({} {} 0);\n        separation ({} {} 0);\n",
+      forth.x + 0.0, forth.y + 0.0, 0.0 - forth.x, 0.0 - forth.y);
+}
+
+std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic) {
+  CadFace others;
+  others.curve_names = face.curve_names;
+  for (const PeriodicPair& pair : face.periodic_pairs)
+    if (cyclic[groups.curve2boundary[pair.curves[0]]].neighbour < 0) others.periodic_pairs.push_back(pair);
+  const std::string loss = periodic_loss(others);
+  if (loss.empty()) return loss;
+  return loss + " (a cyclic patch has periodic curves of one motion only, and no type by --patch-type)";
+}
+
+}  // namespace quadrille::exports

@@ -1,0 +1,36 @@
+#pragma once
+// Pairs of OpenFOAM's cyclic patches, from the periodic sides of a mesh.
+
+#include <string>
+#include <vector>
+
+#include "export/groups.hpp"
+#include "export/hex_blocks.hpp"
+#include "export/patch_types.hpp"
+
+namespace quadrille::exports {
+
+struct CyclicPatch {
+  int neighbour = -1;     ///< boundary; -1: the patch is not cyclic
+  int pair = -1;          ///< of CadFace::periodic_pairs: one of those of the patch, all have the same motion
+  bool is_first = false;  ///< the motion maps this patch onto its neighbour, else the neighbour onto this patch
+};
+
+/// By boundary. A patch is cyclic if one motion maps all its curves onto all curves of another patch, and if none of
+/// `chosen` fits the name of either.
+std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& groups,
+                                        const std::vector<PatchType>& chosen);
+
+/// Gives the sides of each second cyclic patch the order of their partners, and turns blocks so that also blockMesh's
+/// cells along them have the same order.
+void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
+                         HexBlocks& hexes);
+
+/// The entries of a cyclic patch after its neighbour: the kind of motion and its numbers, lengths times `scale`, each
+/// line ending in a line feed and indented as in the dictionary.
+std::string cyclic_transform(const CadFace& face, const CyclicPatch& patch, double scale);
+
+/// A sentence about the periodic sides that are no cyclic patches; empty if there are none.
+std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic);
+
+}  // namespace quadrille::exports

@@ -1,0 +1,77 @@
+#include "export/cyclic_patches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <numbers>
+
+#include "export/block_mesh_dict.hpp"
+#include "two_quads.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+/// The two quads, of which the right side (curve 1) is the left one (curve 3) moved by 4.
+QuadMesh periodic_quads(const std::vector<std::string>& names) {
+  QuadMesh mesh = two_quads();
+  mesh.face.curve_names = names;
+  mesh.face.periodic_pairs = {{{3, 1}, 0, {4, 0}}};
+  return mesh;
+}
+
+std::vector<int> neighbours(const std::vector<std::string>& names, const std::vector<PatchType>& chosen = {}) {
+  const QuadMesh mesh = periodic_quads(names);
+  std::vector<int> result;
+  for (const CyclicPatch& patch : cyclic_patches(mesh, mesh_groups(mesh), chosen)) result.push_back(patch.neighbour);
+  return result;
+}
+
+TEST(CyclicPatches, NameEachOther) {
+  EXPECT_EQ(neighbours({"wall", "right", "wall", "left"}), (std::vector{-1, 2, 1}));
+}
+
+TEST(CyclicPatches, APatchWithOtherCurvesIsNotCyclic) {
+  EXPECT_EQ(neighbours({"wall", "right", "left", "left"}), (std::vector{-1, -1, -1}));
+  EXPECT_EQ(neighbours({"right", "right", "wall", "left"}), (std::vector{-1, -1, -1}));
+  EXPECT_EQ(neighbours({"wall", "side", "wall", "side"}), (std::vector{-1, -1})) << "its own neighbour";
+  const QuadMesh mesh = periodic_quads({"wall", "right", "left", "left"});
+  const Exported exported = block_mesh_dict(mesh, plane_frame(mesh.face));
+  EXPECT_EQ(exported.bytes.find("cyclic"), std::string::npos);
+  EXPECT_NE(exported.losses.back().find("\"left\" and \"right\""), std::string::npos);
+}
+
+TEST(CyclicPatches, AnOptionDecides) {
+  EXPECT_EQ(neighbours({"wall", "right", "wall", "left"}, {{"righ*", "wall"}}), (std::vector{-1, -1, -1}));
+}
+
+TEST(CyclicPatches, AllLengthsAreMetres) {
+  QuadMesh mesh = periodic_quads({"wall", "right", "wall", "left"});
+  mesh.face.metres_per_unit = 0.5;
+  const std::string text = block_mesh_dict(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(text.find("scale 1;"), std::string::npos);
+  EXPECT_NE(text.find("    (2 1 0.25)\n"), std::string::npos);
+  EXPECT_NE(text.find(R"(    left
+    {
+        type cyclic;
+        neighbourPatch right;
+        transform translational;
+        separationVector (2 0 0);
+        separation (-2 0 0);
+        faces
+)"),
+            std::string::npos);
+}
+
+TEST(CyclicPatches, ARotationHasItsCentre) {
+  CadFace face;
+  face.periodic_pairs = {{{0, 1}, std::numbers::pi / 2, {3, 1}}};  // (1, 2) -> (-2, 1) + (3, 1)
+  const std::string text = cyclic_transform(face, {1, 0, true}, 10);
+  double x = 0, y = 0;
+  ASSERT_EQ(
+      std::sscanf(text.c_str(), " transform rotational; rotationAxis (0 0 1); rotationCentre (%lf %lf 0);", &x, &y), 2);
+  EXPECT_NEAR(x, 10, 1e-12);
+  EXPECT_NEAR(y, 20, 1e-12);
+}
+
+}  // namespace
+}  // namespace quadrille::exports
