@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
+#include <variant>
 
 #include "../regions/faces_of_regions.hpp"
 #include "adapt/adapt_loop.hpp"
@@ -60,6 +62,13 @@ SeparatrixGraph coupled(const CadFace& face) {
   Regions regions(face);
   Report report;
   return couple_layouts(std::move(regions.layouts), {}, report);
+}
+
+long long value_of(const Report& report, const std::string& key) {
+  for (const auto& [name, value] : report.entries())
+    if (name == key) return std::get<long long>(value);
+  ADD_FAILURE() << key << " is not reported";
+  return -1;
 }
 
 int num_faces(const SeparatrixGraph& graph) { return graph::Subdivision(graph).num_faces(); }
@@ -130,6 +139,28 @@ TEST(CoupleLayouts, nested_rings_are_turned_to_each_other) {
                                make_face({circle({0, 0}, 2), hole({0, 0}, 1)}), make_face({circle({0, 0}, 1)})}));
   expect_layout(graph, 1);
   EXPECT_LE(num_faces(graph), 21);
+}
+
+TEST(CoupleLayouts, every_pair_of_near_lines_meets) {
+  Regions regions(face_of_regions(
+      {make_face({polygon({{-3, -2}, {3, -2}, {3, 2}, {-3, 2}}), hole({0, 0}, 1)}), make_face({circle({0, 0}, 1)})}));
+  Report report;
+  const SeparatrixGraph graph = couple_layouts(std::move(regions.layouts), {}, report);
+  expect_layout(graph, 1);
+  EXPECT_EQ(value_of(report, "couple.lines_met"), 4) << "also those beside the seam of the circle";
+  EXPECT_EQ(value_of(report, "couple.t_junctions"), 0);
+}
+
+TEST(CoupleLayouts, lines_go_on_through_a_ring_in_place_of_its_cuts) {
+  Regions regions(face_of_regions({make_face({polygon({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}), hole({0, 0}, 2)}),
+                                   make_face({circle({0, 0}, 2), hole({0, 0}, 1)})}));
+  Report report;
+  const SeparatrixGraph graph = couple_layouts(std::move(regions.layouts), {}, report);
+  expect_layout(graph, 0);
+  EXPECT_EQ(value_of(report, "couple.t_junctions"), 0);
+  EXPECT_GE(value_of(report, "couple.lines_continued"), 4);
+  for (const SeparatrixLine& line : graph.lines) EXPECT_NE(line.kind, LineKind::cut);
+  for (const GraphNode& node : graph.nodes) EXPECT_NE(node.kind, NodeKind::cut);
 }
 
 TEST(CoupleLayouts, four_squares_meet_in_a_junction) {
