@@ -194,7 +194,7 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
   const Groups groups = mesh_groups(mesh);
   HexBlocks hexes = hex_blocks(mesh, groups);
   const std::vector<std::string> type_names = patch_types(mesh, groups, types);
-  const std::vector<CyclicPatch> cyclic = cyclic_patches(mesh, groups, types);
+  std::vector<CyclicPatch> cyclic = cyclic_patches(mesh, groups, types);
   order_cyclic_blocks(mesh, groups, cyclic, hexes);
   Exported exported;
   tell_losses(mesh, hexes, exported.losses);

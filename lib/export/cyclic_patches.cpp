@@ -57,24 +57,34 @@ Vec2 centre_of(const PeriodicPair& pair) {
 // blockMesh lists the cells of a block's side in the direction of rising i or j and couples them in that order, before
 // it compares positions: sides of first patches become the lower or right ones of their blocks, where i and j rise
 // counter-clockwise, those of second patches the upper or left ones.
-void turn_blocks(const std::vector<CyclicPatch>& cyclic, HexBlocks& hexes) {
-  std::map<std::array<int, 2>, bool> is_first;  // by the ends of a side
+// A block that has opposite sides on two first patches, or on two second ones, cannot: its patches are not cyclic then.
+void turn_blocks(std::vector<CyclicPatch>& cyclic, HexBlocks& hexes) {
+  std::map<std::array<int, 2>, int> patch_of;  // by the ends of a side
   for (std::size_t b = 0; b < cyclic.size(); ++b)
     if (cyclic[b].neighbour >= 0)
-      for (const std::array<int, 2>& side : hexes.patches[b]) is_first[side] = cyclic[b].is_first;
+      for (const std::array<int, 2>& side : hexes.patches[b]) patch_of[side] = static_cast<int>(b);
+  const auto patch_at = [&](const HexBlock& block, int k) {
+    const auto side = patch_of.find({block.corners[k], block.corners[(k + 1) % 4]});
+    return side == patch_of.end() || cyclic[side->second].neighbour < 0 ? -1 : side->second;
+  };
   const auto fits = [&](const HexBlock& block) {
     for (int k = 0; k < 4; ++k)
-      if (const auto side = is_first.find({block.corners[k], block.corners[(k + 1) % 4]});
-          side != is_first.end() && side->second != (k < 2))
-        return false;
+      if (const int patch = patch_at(block, k); patch >= 0 && cyclic[patch].is_first != (k < 2)) return false;
     return true;
   };
-  for (HexBlock& block : hexes.blocks)
-    for (int corner = 0; corner < 4; ++corner)
-      if (HexBlock other = turned(block, corner); fits(other)) {
-        block = std::move(other);
-        break;
+  for (HexBlock& block : hexes.blocks) {
+    int corner = 0;
+    while (corner < 4 && !fits(turned(block, corner))) ++corner;
+    if (corner < 4) {
+      block = turned(block, corner);
+      continue;
+    }
+    for (int k = 0; k < 4; ++k)
+      if (const int patch = patch_at(block, k); patch >= 0) {
+        cyclic[cyclic[patch].neighbour].neighbour = -1;
+        cyclic[patch].neighbour = -1;
       }
+  }
 }
 
 }  // namespace
@@ -102,8 +112,9 @@ std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& grou
   return result;
 }
 
-void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
+void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, std::vector<CyclicPatch>& cyclic,
                          HexBlocks& hexes) {
+  turn_blocks(cyclic, hexes);
   std::vector<std::map<int, int>> images(cyclic.size());  // by first patch: of nodes
   for (const PeriodicEdges& edges : periodic_edges(mesh)) {
     const QuadBoundaryEdge &first = mesh.boundary_edges[edges.first], &second = mesh.boundary_edges[edges.second];
@@ -120,7 +131,6 @@ void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, const std::
     for (const auto& [from, to] : hexes.patches[b]) ordered.push_back({image(to), image(from)});
     hexes.patches[cyclic[b].neighbour] = std::move(ordered);
   }
-  turn_blocks(cyclic, hexes);
 }
 
 std::string cyclic_transform(const CadFace& face, const CyclicPatch& patch, double scale) {

@@ -22,8 +22,9 @@ std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& grou
                                         const std::vector<PatchType>& chosen);
 
 /// Gives the sides of each second cyclic patch the order of their partners, and turns blocks so that also blockMesh's
-/// cells along them have the same order.
-void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
+/// cells along them have the same order. Patches of a block that cannot be turned so are not cyclic afterwards: it has
+/// opposite sides on two first patches, or on two second ones.
+void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, std::vector<CyclicPatch>& cyclic,
                          HexBlocks& hexes);
 
 /// The entries of a cyclic patch after its neighbour: the kind of motion and its numbers, lengths times `scale`, each

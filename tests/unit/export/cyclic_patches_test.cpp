@@ -44,6 +44,17 @@ TEST(CyclicPatches, AnOptionDecides) {
   EXPECT_EQ(neighbours({"wall", "right", "wall", "left"}, {{"righ*", "wall"}}), (std::vector{-1, -1, -1}));
 }
 
+TEST(CyclicPatches, ABlockBetweenTwoFirstOrTwoSecondSidesCannotBeTurned) {
+  for (const bool is_first : {false, true}) {
+    std::vector<CyclicPatch> cyclic{{1, 0, is_first}, {0, 0, !is_first}, {3, 1, is_first}, {2, 1, !is_first}};
+    HexBlocks hexes;
+    hexes.blocks.push_back({{0, 1, 2, 3}, 0, {}});
+    hexes.patches = {{{0, 1}}, {}, {{2, 3}}, {}};
+    order_cyclic_blocks(QuadMesh(), Groups(), cyclic, hexes);
+    for (const CyclicPatch& patch : cyclic) EXPECT_EQ(patch.neighbour, -1);
+  }
+}
+
 TEST(CyclicPatches, AllLengthsAreMetres) {
   QuadMesh mesh = periodic_quads({"wall", "right", "wall", "left"});
   mesh.face.metres_per_unit = 0.5;
