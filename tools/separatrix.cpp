@@ -150,7 +150,8 @@ int main(int argc, char** argv) {
       "separatrices and boundary. If the nodes of CRIT are not the zeros of the field, FIELD must be the phase that "
       "fieldsolve --nodes solved for them. Every face of the graph must have four corners; otherwise the exit code is "
       "1 and the message names the position, unless --layout auto or midpoint divides triangles into blocks instead, "
-      "which need no field.";
+      "which need no field. If the face has several regions, lines go on at a right angle in the neighbouring region, "
+      "and the graph is that of the whole face.";
   tool.examples = {
       "separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json",
       "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5",
