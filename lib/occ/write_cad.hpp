@@ -8,10 +8,10 @@
 namespace quadrille::occ {
 
 /// One shell with one face for each block, named as the block, in the plane of the CAD face in space and in the length
-/// unit of the CAD file (millimetre if it is unknown, or is none of has_step_unit). Every piece of an arc is one edge,
+/// unit of the CAD file (millimetre if that is unknown or STEP has no name for it). Every piece of an arc is one edge,
 /// shared by the faces on both sides; vertices are shared likewise; edges on the boundary carry the name of their CAD
-/// curve. Straight pieces are lines, the others are exact rational B-splines. Equal layouts produce equal bytes. Throws
-/// ComputeError if the arcs of a layout do not meet.
+/// curve. Straight pieces are lines, circular ones circles, the others exact rational B-splines. Equal layouts produce
+/// equal bytes. Throws ComputeError if the arcs of a layout do not meet.
 std::string step_of_blocks(const BlockLayout& layout);
 
 /// The face, with one edge for each curve, in the same way; several regions as a shell of faces that share the edges of

@@ -6,9 +6,8 @@
 namespace quadrille::sew {
 
 struct Matched {
-  ByCurve<CurveId>
-      partners;         ///< the same curve of another region, in the opposite direction; CurveId() if there is none
-  double greatest = 0;  ///< greatest distance of two partners, a length
+  ByCurve<CurveId> partners;  ///< the same curve of another region, in the opposite direction; a default CurveId: none
+  double greatest = 0;        ///< greatest distance of two partners, a length
 };
 
 /// Curves between the same places in opposite directions that are within `tol` of each other, a length, everywhere;

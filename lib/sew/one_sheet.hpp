@@ -14,7 +14,7 @@ namespace quadrille::sew {
 /// of all regions together; `is_asked`: a tolerance was given.
 void require_one_sheet(const Sewn& sewn, const heal::HealScale& scale, bool is_asked);
 
-/// What a message about several faces tells to do.
+/// The remedy with which messages about several faces end.
 inline constexpr const char* face_choice_text =
     "choose one planar face with --face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)";
 
