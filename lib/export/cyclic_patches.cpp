@@ -153,9 +153,9 @@ std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::ve
   others.curve_names = face.curve_names;
   for (const PeriodicPair& pair : face.periodic_pairs)
     if (cyclic[groups.curve2boundary[pair.curves[0]]].neighbour < 0) others.periodic_pairs.push_back(pair);
-  const std::string loss = periodic_loss(others);
-  if (loss.empty()) return loss;
-  return loss + " (a cyclic patch has periodic curves of one motion only, and no type by --patch-type)";
+  std::string loss = periodic_loss(others);
+  if (!loss.empty()) loss += " (a cyclic patch has periodic curves of one motion only, and no type by --patch-type)";
+  return loss;
 }
 
 }  // namespace quadrille::exports
