@@ -2,7 +2,7 @@
 """The commands that the pages of the repository show.
 
     page_commands.py lines [PAGE...]    page, heading and command of every line in a block of code that calls one of
-                                        our commands, continued lines joined, separated by tabs
+                                        our commands or h5dump, continued lines joined, separated by tabs
     page_commands.py options            page, command and option of every option in such lines and in code within a
                                         sentence, each once
 """
@@ -13,7 +13,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOOLS = [path.stem for path in ROOT.glob("tools/*.cpp") if "-" not in path.stem]
 PIPELINES = ["quadmesh", "place", "points2step", "batch", "gallery"]
-CALL = re.compile(r"(?:^|[|;&(\"] ?|\$ |\S+ && |-d '\\n' )(?:pipelines/|build/bin/)?(" + "|".join(TOOLS + PIPELINES) + r")(?= )")
+OTHERS = ["h5dump"]  # that read our files, and are installed for tests
+CALL = re.compile(r"(?:^|[|;&(\"] ?|\$ |\S+ && |-d '\\n' )(?:pipelines/|build/bin/)?(" +
+                  "|".join(TOOLS + PIPELINES + OTHERS) + r")(?= )")
 PAGES = ["README.md", "CONTRIBUTING.md", "formats", "lib", "pipelines", "tests"]
 
 

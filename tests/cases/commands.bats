@@ -58,14 +58,14 @@ here() {
   while read -r page; do here "$page"; done <pages
 }
 
-@test "the commands within the sentences of README, tutorial and batch" {
-  "$list" inline README.md pipelines/tutorial.md pipelines/batch.md | cut -f 2 | sort -u | sed 's/-o FILE$/-o x.msh/' >commands
-  assert [ "$(wc -l <commands)" -ge 7 ]
+@test "the commands within the sentences of pages" {
+  "$list" inline README.md CONTRIBUTING.md pipelines formats lib | cut -f 2 | sort -u | sed 's/-o FILE$/-o x.msh/' >commands
+  assert [ "$(wc -l <commands)" -ge 17 ]
   ln -s "$ROOT/pipelines" .
   for file in "$BATS_FILE_TMPDIR"/half_disc.*; do
     for stem in d x shape; do cp "$file" "$stem.${file##*/half_disc.}"; done
   done
-  mkdir meshes
+  mkdir meshes system
   run -0 bash -euo pipefail commands
   for file in DIR/gallery.html shape.msh x.msh x.svg; do assert_file_exists "$file"; done
 }
@@ -108,6 +108,57 @@ here() {
     run -2 "copy/pipelines/$script" all
   done
   assert_equal "$(find copy -type f | wc -l)" 5
+}
+
+@test "quickstart makes what it prints, once packages and tools are there" {
+  mkdir -p copy/pipelines copy/build copy/tests/data
+  cp "$ROOT/pipelines/quickstart" copy/pipelines
+  ln -s "$ROOT/pipelines/quadmesh" copy/pipelines && ln -s "$BIN" copy/build/bin
+  cp "$DATA/half_disc.step" copy/tests/data
+  for script in install-dependencies build-tools; do # these take minutes and change the machine
+    printf '#!/bin/sh\necho "$(basename "$0")" "$@" >>../steps\n' >copy/pipelines/$script
+    chmod +x copy/pipelines/$script
+  done
+  run -0 --separate-stderr copy/pipelines/quickstart
+  assert_equal "$(cut -d ' ' -f 1,2 steps | paste -sd ,)" "install-dependencies,build-tools build"
+  for what in mesh pictures report; do
+    file=$(awk -v what=$what '$1 == what { print $2 }' <<<"$output")
+    for file in $(eval echo "$file"); do assert_file_not_empty "copy/$file"; done
+  done
+  assert_equal "$(find copy/build/quickstart -name '*.svg' | wc -l)" 6
+  assert_line --regexp '^next +pipelines/quadmesh SHAPE.step'
+}
+
+# code PATTERN: the words of CONTRIBUTING.md that the pattern's group takes from its code, each once.
+code() {
+  { sed -n 's/^    *//p; s/^       *//p' "$ROOT/CONTRIBUTING.md"; grep -oE '`[^`]+`' "$ROOT/CONTRIBUTING.md" | tr -d '`'; } |
+    sed -nE "s/.*$1.*/\\1/p" | sort -u
+}
+
+@test "presets, targets, tests and filters that CONTRIBUTING.md names exist" {
+  run -0 code '--preset ([a-z]+)'
+  assert [ "${#lines[@]}" -ge 1 ]
+  for name in "${lines[@]}"; do
+    jq -e --arg name "$name" 'any(.configurePresets[], .buildPresets[]; .name == $name)' "$ROOT/CMakePresets.json" >/dev/null ||
+      fail "no preset $name"
+  done
+  run -0 code 'ninja -C build ([a-z_]+)'
+  assert [ "${#lines[@]}" -ge 5 ]
+  for name in "${lines[@]}"; do
+    [[ -e $ROOT/tools/$name.cpp || -d $ROOT/lib/$name || -d $ROOT/tests/unit/${name#unit_} ]] ||
+      grep -qE "^ *(add_custom_target|add_executable)\($name\b" "$ROOT"/{,tests,tools}/CMakeLists.txt || fail "no target $name"
+  done
+  run -0 code "(bats -f ('[^']+'|[a-z]+) [a-z/]+\.bats)"
+  assert [ "${#lines[@]}" -ge 4 ]
+  for line in "${lines[@]}"; do
+    count=$(cd "$ROOT" && eval "${line/bats/bats -c}") && [[ $count -ge 1 ]] || fail "no test: $line"
+  done
+  run -0 code "(unit_[a-z]+ --gtest_filter='[^']+')"
+  assert [ "${#lines[@]}" -ge 1 ]
+  for line in "${lines[@]}"; do
+    folder=$(sed 's/^unit_//; s/ .*//' <<<"$line") filter=$(sed "s/.*='//; s/[*']*$//" <<<"$line")
+    grep -rqE "^TEST(_[FP])?\($filter" "$ROOT/tests/unit/$folder" || fail "no test: $line"
+  done
 }
 
 @test "every option that a page or a help shows is one of its command" {
