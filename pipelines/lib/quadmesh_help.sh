@@ -10,17 +10,18 @@ quadmesh meshes a planar CAD face with curved quads.
 Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
 passed on to them.
-Where a strip of blocks contains itself, so that nothing but triangles is left (W-SEP-002), critpoints runs again
-with other nodes on the strip, by up to seven options that separatrix proposes, one after another: --corner-absorb 0,
---ties field, --place energy, --corner-valence A:B=V. The first that gives a layout is kept.
+Where a strip of blocks winds onto itself, so that separatrix can only divide triangles (W-SEP-002), critpoints runs
+again with other nodes on the strip, by up to seven options that separatrix proposes, one after another:
+--corner-absorb 0, --ties field, --place energy, --corner-valence A:B=V. The first that gives a layout is kept.
 Where the field gives no valid mesh, the face is meshed without it, by triangles divided into quads, with a
 warning (--layout midpoint; with --layout traced or quantized the exit code is 1 instead).
 
 The stages are cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, quadrefine and quadexport. --until and
 --from run some of them. In between, files of --workdir may be edited: --from STAGE reads the files of the stages
-before it and writes those from it on. --from separatrix (or --nodes) uses an edited x.crit.json; so does
---from critpoints, which first finds the nodes again: if x.crit.json has the same provenance but other content, it was
-edited and is kept, else it is replaced (but not nodes that were set by hand: then it ends with 2). Results are those of the single commands, byte for byte.
+before it and writes those from it on. --from separatrix (or --nodes) uses an edited x.crit.json. --from critpoints
+finds the nodes again and uses an x.crit.json that differs from them in its content alone, because it was edited; one
+with another provenance was made with other options and is replaced, but never nodes that were set by hand (exit
+code 2). Results are those of the single commands, byte for byte.
 
 OPTIONS
   -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output);
