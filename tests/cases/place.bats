@@ -49,8 +49,15 @@ here() { TMPDIR=$PWD "$@"; }
   assert_output --regexp '^least scaled Jacobian'
 }
 
+@test "the goal is the user's choice: the ratio of the sides of blocks falls, the report names it" {
+  run -0 "$place" "$DATA/half_disc.step" -o out.msh --rounds 1 --goal edge-ratio --report out.json
+  assert_output --regexp '^greatest ratio of the sides of a block [0-9.]+ -> [0-9.]+, '
+  jq -e '.goal == "edge-ratio" and .best < .start and .moves[-1].quality == .best' out.json
+}
+
 @test "mistakes on the command line are exit 2 with a hint" {
-  for arguments in "" "--frob" "a.step b.step" "a.step -o" "a.step --rounds -1" "a.step --rounds x" "a.step --step 0"; do
+  for arguments in "" "--frob" "a.step b.step" "a.step -o" "a.step --rounds -1" "a.step --rounds x" "a.step --step 0" \
+    "a.step --goal beauty"; do
     # shellcheck disable=SC2086
     run -2 --separate-stderr "$place" $arguments
     assert_equal "${stderr_lines[1]}" "try 'place --help'"

@@ -77,6 +77,7 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --feature-size big | --feature-size big: expected "auto" or a length
 2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
 2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | the page and the report are the same file
+2 | place half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
 3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
 3 | quadmesh half_disc.step -o out.msh --block-names wrong_names.json | wrong_names.json: "*": the new name must be a text
 3 | quadmesh half_disc.step -o out.msh --boundary-names wrong_names.json | wrong_names.json: "*": the new name must be a text

@@ -1,14 +1,12 @@
 """Compass search: each orbit of nodes is tried a step towards the nearest boundary, away from it and to both sides; a
-move that raises the least scaled Jacobian of the blocks is kept; a round without such a move halves the step."""
+move that comes nearer to the goal is kept; a round without such a move halves the step."""
 import json
-import math
 import shutil
 
 from command_frame import Failure
 from node_search import boundary, layouts
+from node_search.goals import GOALS, LEAST_GAIN
 from node_search.symmetries import Marks, orbits
-
-LEAST_GAIN = 1e-4  # of the least scaled Jacobian: a smaller one does not justify a field of its own
 
 
 def node_positions(nodes):
@@ -37,20 +35,12 @@ def directions(position, boundary_points, orbit):
     return found
 
 
-def upper_bound(nodes):
-    """Of the least scaled Jacobian for any positions: of V angles at a point one is at most the V-th part of all."""
-    angles = [360 / point["valence"] for point in nodes["critical_points"] if point["valence"]]
-    angles += [180 / point["valence"] for point in nodes.get("boundary_nodes", [])]
-    angles += [corner["angle_degrees"] / corner["valence"] for corner in nodes["corners"] if corner["valence"]]
-    return min((math.sin(math.radians(angle)) for angle in angles), default=1.0)
-
-
 class Search:
     """`best`: the layout so far. `moves`: those that were kept, for the report. `report_move` gets a line for each."""
 
-    def __init__(self, first, start, report_move):
+    def __init__(self, first, start, report_move, goal=GOALS["scaled-jacobian"]):
         graph = json.loads((start.folder / "sep.json").read_text())
-        self.first, self.best, self.report_move = first, start, report_move
+        self.first, self.start, self.best, self.report_move, self.goal = first, start, start, report_move, goal
         self.diameter = graph["face"]["diameter"]
         self.boundary = boundary.boundary_points(graph["face"])
         marks = [((node["kind"], node["valence"]), complex(*node["position"])) for node in graph["nodes"]]
@@ -64,7 +54,7 @@ class Search:
         folder = self.first / f"trial{self.trials}"
         layout = self.try_layout(moved_nodes(self.best.nodes, moves), folder)
         self.num_layouts += layout is not None
-        if layout is None or layout.quality < self.best.quality + LEAST_GAIN:
+        if layout is None or not self.goal.is_better(layout, self.best, self.start):
             shutil.rmtree(folder)
             return False
         shutil.rmtree(self.best.folder)
@@ -90,15 +80,16 @@ class Search:
         return False
 
     def record(self, nodes, step, first, position):
-        self.moves.append({"nodes": nodes, "step": step / self.diameter, "quality": self.best.quality})
+        figure = self.goal.figure(self.best)
+        self.moves.append({"nodes": nodes, "step": step / self.diameter, "quality": figure})
         self.report_move(f"nodes {', '.join(map(str, nodes))}: by {step:.3g}, node {first} to "
-                         f"({position.real:.6g}, {position.imag:.6g}): {self.best.quality:.4g}")
+                         f"({position.real:.6g}, {position.imag:.6g}): {figure:.4g}")
 
     def reason_to_stay(self, rounds):
         """Why no node was moved in these rounds."""
         if not self.orbits:
             return "there is no irregular node inside"
-        if not rounds and self.best.quality >= upper_bound(self.best.nodes) - LEAST_GAIN:
+        if not rounds and self.goal.is_reached(self.best):
             return "the blocks are as good as the valences allow"
         if not rounds:
             return "no round was allowed"
@@ -106,12 +97,13 @@ class Search:
             return "symmetry leaves the nodes no direction"
         if not self.num_layouts:
             return "no trial gave blocks: try a smaller --step"
-        return f"no trial raised it by {LEAST_GAIN:g}: try a smaller --step or more --rounds"
+        least = "" if self.goal is GOALS["blocks"] else f" by {LEAST_GAIN:g}"
+        return f"no trial {self.goal.verb} it{least}: try a smaller --step or more --rounds"
 
     def run(self, rounds, step):
         """At most `rounds` rounds, the first with a step of `step` diameters; returns the number of rounds made."""
         made = 0
-        while made < rounds and self.best.quality < upper_bound(self.best.nodes) - LEAST_GAIN:
+        while made < rounds and not self.goal.is_reached(self.best):
             made += 1
             gains = [self.move_orbit(orbit, step * self.diameter) for orbit in self.orbits]
             if not any(gains):

@@ -36,11 +36,14 @@ class StageFailure(Failure):
 
 @dataclass(frozen=True)
 class Layout:
-    """The nodes (the content of x.crit.json), the folder of their files and the least scaled Jacobian of the blocks."""
+    """The nodes (the content of x.crit.json), the folder of their files, and of the blocks the least scaled Jacobian, the
+    greatest ratio of sides and the number."""
 
     nodes: dict
     folder: pathlib.Path
     quality: float
+    edge_ratio: float = 1.0
+    num_blocks: int = 1
 
 
 def make_layout(nodes, folder, first, is_trial):
@@ -55,7 +58,7 @@ def make_layout(nodes, folder, first, is_trial):
         raise Failure(1, "with these nodes there are no blocks but divided triangles, which do not depend on them: "
                          "use quadmesh, or give other nodes by --start")
     run_stage("blocksplit", "-q", sep, "-o", blocks, is_trial=is_trial)
-    return Layout(nodes, folder, least_scaled_jacobian(folder))
+    return Layout(nodes, folder, *block_measures(folder))
 
 
 def make_phase(folder, first, is_trial):
@@ -68,11 +71,13 @@ def make_phase(folder, first, is_trial):
     return phase
 
 
-def least_scaled_jacobian(folder):
-    """Of the blocks as one quad of order 8 each; 0 where one of them is not valid."""
+def block_measures(folder):
+    """The least scaled Jacobian, 0 where a block is not valid, the greatest ratio of sides and the number, of the blocks as
+    one quad of order 8 each."""
     report = folder / "report.json"
     coarse = ("--size", 1e300, "--order", 8, "--geometry-tol", 1, "--target-edge-ratio", 0, "--allow-invalid", "--report",
               report)
     run_stage("quadrefine", "-q", *coarse, folder / "blocks.h5", "-o", folder / "coarse.h5", is_trial=True)
     measured = json.loads(report.read_text())
-    return measured["least_scaled_jacobian"] if measured["valid"] else 0.0
+    quality = measured["least_scaled_jacobian"] if measured["valid"] else 0.0
+    return quality, measured["greatest_edge_ratio"]["value"], measured["blocks"]

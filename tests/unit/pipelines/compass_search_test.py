@@ -1,13 +1,13 @@
 import json
-import math
 import pathlib
 import tempfile
 import unittest
 from unittest import mock
 
 from command_frame import Failure
-from node_search import compass_search
-from node_search.compass_search import Search, directions, moved_nodes, node_positions, upper_bound
+from node_search import compass_search, goals
+from node_search.compass_search import Search, directions, moved_nodes, node_positions
+from node_search.goals import GOALS
 from node_search.layouts import Layout
 from node_search.symmetries import Orbit
 
@@ -23,12 +23,6 @@ class NodesTest(unittest.TestCase):
         self.assertEqual(moved["critical_points"][0], NODES["critical_points"][0])
         self.assertEqual(moved["critical_points"][1], {"position": [-0.5, 0.25], "valence": 5, "source": "hand"})
         self.assertEqual(NODES["form"], "harmonic")
-
-    def test_the_bound_is_the_sine_of_the_best_possible_smallest_angle(self):
-        self.assertAlmostEqual(upper_bound(NODES), math.sin(math.radians(72)))
-        corner = {"angle_degrees": 60, "valence": 1}
-        self.assertAlmostEqual(upper_bound(NODES | {"corners": [corner]}), math.sin(math.radians(60)))
-        self.assertEqual(upper_bound({"critical_points": [], "corners": [{"angle_degrees": 10, "valence": 0}]}), 1)
 
     def test_directions_are_those_that_symmetry_allows(self):
         anywhere, on_axis = Orbit(0, {}, [lambda z: z]), Orbit(0, {}, [lambda z: z, lambda z: z.conjugate()])
@@ -53,7 +47,7 @@ class SearchTest(unittest.TestCase):
         a, b = node_positions(nodes)
         if abs(a) > 1.9:
             raise Failure(1)
-        return Layout(nodes, folder, 0.9 - (abs(a - 1) + abs(b + 1)) / 10)
+        return Layout(nodes, folder, 0.9 - (abs(a - 1) + abs(b + 1)) / 10, 1 + abs(a - 0.1))
 
     def test_a_search_that_moves_nothing_has_a_reason(self):
         search = self.search()
@@ -65,7 +59,7 @@ class SearchTest(unittest.TestCase):
         search.orbits = []
         self.assertRegex(search.reason_to_stay(1), "^there is no irregular node")
 
-    def search(self):
+    def search(self, goal=GOALS["scaled-jacobian"]):
         start = self.make_layout(NODES, self.first / "start", self.first, False)
         lines = [{"degree": 1, "knots": [0, 0, 1, 1], "poles": [[a.real, a.imag], [b.real, b.imag]], "weights": [1, 1]}
                  for a, b in zip(CORNERS, CORNERS[1:] + CORNERS[:1])]
@@ -73,7 +67,7 @@ class SearchTest(unittest.TestCase):
         nodes += [{"kind": "irregular", "valence": 5, "position": [x, 0]} for x in (0.5, -0.5)]
         graph = {"face": {"diameter": 4.0, "curves": lines}, "nodes": nodes}
         (start.folder / "sep.json").write_text(json.dumps(graph))
-        return Search(self.first, start, self.lines.append)
+        return Search(self.first, start, self.lines.append, goal)
 
     def test_symmetric_nodes_move_together_to_the_best_place(self):
         search = self.search()
@@ -98,5 +92,13 @@ class SearchTest(unittest.TestCase):
         self.assertEqual(search.moves[0]["step"], 0.2)
 
     def test_no_round_is_made_where_nothing_can_be_gained(self):
-        with mock.patch.object(compass_search, "upper_bound", lambda nodes: 0.8):
+        with mock.patch.object(goals, "upper_bound", lambda nodes: 0.8):
             self.assertEqual(self.search().run(5, 0.05), 0)
+
+    def test_another_goal_moves_the_nodes_elsewhere(self):
+        search = self.search(GOALS["edge-ratio"])  # that falls towards (0.1, 0)
+        search.run(20, 0.05)
+        a = node_positions(search.best.nodes)[0]
+        self.assertLess(abs(a - 0.1), 2e-3)
+        self.assertEqual(search.moves[-1]["quality"], search.best.edge_ratio)
+        self.assertGreaterEqual(search.best.quality, search.start.quality / 2)
