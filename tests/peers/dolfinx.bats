@@ -34,6 +34,12 @@ judge() {
   assert_output 16 # four shapes, two orders, two refinements
 }
 
+@test "wall layers make the error of a boundary layer less than a tenth, at equal unknowns" {
+  run -0 "$ROOT/tests/benchmarks/boundary_layer" --bin "$BIN" -o .
+  run -0 jq -c '[.rows[] | .layers.unknowns <= .without.unknowns and .ratio < 0.1] | [length, all]' boundary_layer.json
+  assert_output '[8,true]'
+}
+
 # three_meshes ORDER: a.msh, b.msh and c.msh of disc_in_square, each with twice the elements of the one before along
 # every chord of blocks, as exact at the circle as the order makes them.
 three_meshes() {
