@@ -18,6 +18,7 @@
 #include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
+#include "topology/grid_kind.hpp"
 
 using namespace quadrille;
 
@@ -59,11 +60,28 @@ void declare(cli::Options& o, NodeArguments& arguments) {
          "nodes forced by fillets and holes smaller than this length move onto the boundary or away from it, or "
          "cancel; auto: diameter / 500, or half the mean width of the face if that is less; 0: they stay (unit: file "
          "units; default: auto)");
+  o.choice("--nodes", options.nodes,
+           "irregular nodes inside: those of the field; the fewest that the index sum requires for these corner "
+           "valences, all of one sign; none: corner valences change too, to blocks of 40 to 140 degrees there, so that "
+           "no node is required, or as few as possible; auto: fewest if --topology makes a C-, O- or H-grid, else "
+           "field. The fewest nodes are placed at the least energy");
+  o.choice(
+      "--topology", options.topology,
+      "grid around the holes. c: blocks leave with the wake, corners of the outline that are not downstream have "
+      "two blocks; o: blocks close around the holes, all corners of the outline have two blocks; h: blocks pass; "
+      "auto: by a far field, an outline whose curves are all called farfield, o if it has no corner, c with two, h "
+      "with four; none: as in any face");
   o.choice("--place", options.place,
-           "keep nodes at the zeros of the field, or move them to the least energy; nodes of split clusters are always "
-           "moved, those of divided corners never");
+           "keep nodes at the zeros of the field, or move them to the least energy; nodes of split clusters and those "
+           "of --nodes fewest and none are always moved, those of divided corners never");
   o.number("--place-weight", options.placement.weight, 0, 100, "1",
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
+}
+
+// What the face alone decides.
+void require_face(const CadFace& face, const choice::NodeOptions& options) {
+  guide::require_corners(face, options.overrides);
+  topology::require_holes(face, options.topology);
 }
 
 // Those between curves of the region, which count from 0 there.
@@ -83,6 +101,7 @@ std::vector<guide::CornerOverride> overrides_in(const std::vector<guide::CornerO
 CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, cli::Session& s) {
   const CadFace& face = field.mesh.face;
   if (face.num_regions() > 1) guide::require_corners(face, options.overrides);
+  topology::require_holes(face, options.topology);
   std::vector<Field> fields = regions::split(field);
   const auto begin_phase = [&](const char* part) {
     if (fields.size() == 1) s.begin_phase(part);
@@ -114,7 +133,8 @@ int main(int argc, char** argv) {
       "there.\n\n"
       "Zeros that no layout can use are replaced: multiple zeros and zeros nearer to each other than any block are "
       "split symmetrically, merged or cancelled; corners absorb adjacent zeros; nodes of small fillets and holes move "
-      "onto the boundary or away from it; corner valences may be prescribed. Where a corner lies within 2 degrees of "
+      "onto the boundary or away from it; corner valences may be prescribed, by corner or by the kind of grid around "
+      "a body, and the number of nodes reduced to what they require. Where a corner lies within 2 degrees of "
       "45, 135, 225 or 315 degrees, the field does not decide between two valences: they are chosen by rule, and the "
       "nodes are the zeros of the field with its data turned accordingly. Each change is listed in the output with its "
       "reason. Unless \"form\" is \"harmonic\" in the output, the later stages need a field solved for these nodes: "
@@ -124,6 +144,7 @@ int main(int argc, char** argv) {
   tool.examples = {"critpoints half_disc.field.h5 -o half_disc.crit.json",
                    "critpoints half_disc.field.h5 | jq '.critical_points[] | select(.valence == 3) | .position'",
                    "critpoints --place energy half_disc.field.h5 -o half_disc.placed.crit.json",
+                   "critpoints --nodes none plate_hole.field.h5 -o plate_hole.crit.json",
                    "critpoints --feature-size 0.1 half_disc.field.h5 | jq '.changes'"};
   tool.options = [&](cli::Options& o) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
@@ -133,7 +154,7 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     const choice::NodeOptions options = arguments.parsed();
-    if (!shape.empty()) return guide::require_corners(io::read_face(io::read_input(shape)), options.overrides);
+    if (!shape.empty()) return require_face(io::read_face(io::read_input(shape)), options);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const Field field = io::read_field(file);

@@ -64,10 +64,11 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
   return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
 }
 
-void place(const Field& field, const NodeOptions& options, SharedSolver& solver, CriticalPoints& points,
+/// Moves nodes that have no position of their own to the least energy, or with `moves_all` all.
+void place(const Field& field, const NodeOptions& options, bool moves_all, SharedSolver& solver, CriticalPoints& points,
            Report& report) {
   std::vector<bool> is_free = guide::nodes_without_position(field.mesh.face, points);
-  if (options.place == placement::PlaceRule::energy)
+  if (moves_all)
     for (std::size_t i = 0; i < is_free.size(); ++i)
       is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
@@ -98,9 +99,10 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
   features::resolve_features(face, feature_size, points);
   report.set("feature_size", feature_size);
+  const bool is_chosen = topology::apply_topology(face, {options.nodes, options.topology, options.max_valence}, points);
   guide::require_index_sum(points);
   begin_part("place");
-  place(field, options, solver, points, report);
+  place(field, options, is_chosen || options.place == placement::PlaceRule::energy, solver, points, report);
   guide::complete_nodes(evaluator, points);
   points.face = face;
   return points;

@@ -8,6 +8,7 @@
 //   override_corners            prescribed valences
 //   divide_degenerate_corners   corners that are too sharp for a block
 //   resolve_features            nodes of small fillets and holes
+//   apply_topology              the grid and the number of nodes that a user chooses
 //   place_nodes                 positions of least energy
 //   complete_nodes              elements, order
 // Each change is recorded. A step whose result has a node that is no zero of the field sets the form `phase`.
@@ -24,6 +25,7 @@
 #include "model/field.hpp"
 #include "placement/place_nodes.hpp"
 #include "ties/choose_at_ties.hpp"
+#include "topology/apply_topology.hpp"
 
 namespace quadrille::choice {
 
@@ -35,6 +37,8 @@ struct NodeOptions {
   ties::TiePolicy ties = ties::TiePolicy::choose;
   guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
   std::optional<double> feature_size;  ///< length, 0: fillets and holes keep their nodes; none: features/automatic_size
+  topology::NodeRule nodes = topology::NodeRule::by_grid;
+  topology::GridKind topology = topology::GridKind::by_outline;
   placement::PlaceRule place = placement::PlaceRule::keep;
   placement::PlacementOptions placement;
 };

@@ -115,8 +115,8 @@ std::vector<CriticalPoint> added_nodes(const CadFace& face, const CriticalPoints
 
 class Overrider {
  public:
-  Overrider(const CadFace& face, std::vector<Demand> demands, CriticalPoints& points)
-      : face_(face), demands_(std::move(demands)), points_(points) {}
+  Overrider(const CadFace& face, std::vector<Demand> demands, CriticalPoints& points, const std::string& why)
+      : face_(face), demands_(std::move(demands)), points_(points), why_(why) {}
 
   void run() {
     if (demands_.empty()) return;
@@ -173,8 +173,7 @@ class Overrider {
           {points_.critical_points[i].position, points_.critical_points[i].valence, NodeLocation::inside});
     for (const CriticalPoint& p : d.added) change.after.push_back({p.position, p.valence, NodeLocation::inside});
     const bool is_exchange = d.removed.empty() && d.added.empty();
-    change.reason =
-        fmt::format("valence {} is prescribed for {} which had {}", d.valence, name_of(face_, c), c.valence);
+    change.reason = fmt::format("valence {} {} for {} which had {}", d.valence, why_, name_of(face_, c), c.valence);
     if (!is_exchange) {
       change.reason += fmt::format(": {} nodes are removed, {} added", d.removed.size(), d.added.size());
       points_.changes.push_back(change);
@@ -216,13 +215,15 @@ class Overrider {
   const CadFace& face_;
   std::vector<Demand> demands_;
   CriticalPoints& points_;
+  const std::string& why_;
   NodeChange exchange_{ChangeKind::corner, "", {}, {}};  ///< one for all corners that exchange valences
 };
 
 }  // namespace
 
-void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points) {
-  Overrider(face, demands_of(face, overrides, points.corners), points).run();
+void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points,
+                      const std::string& why) {
+  Overrider(face, demands_of(face, overrides, points.corners), points, why).run();
 }
 
 void require_corners(const CadFace& face, const std::vector<CornerOverride>& overrides) {

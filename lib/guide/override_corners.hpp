@@ -1,6 +1,7 @@
 #pragma once
 // Corner valences prescribed by the user, and the nodes that balance them.
 
+#include <string>
 #include <vector>
 
 #include "guide/corner_override.hpp"
@@ -16,8 +17,10 @@ namespace quadrille::guide {
 /// the rest, nodes of valence 3 or 5 are added at equal angles in the corner's sector (a single one on the bisector),
 /// at a quarter of the clearance along their rays. Nodes get the source `corner`; each corner is recorded as a change
 /// of that kind, exchanged corners together as one. No elements are set. Throws UsageError if the curves meet at no
-/// corner, if the valence is not admissible (guide/admissible_valence) or if one corner gets two.
-void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points);
+/// corner, if the valence is not admissible (guide/admissible_valence) or if one corner gets two. `why` is the verb of
+/// the recorded reasons.
+void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points,
+                      const std::string& why = "is prescribed");
 
 /// Throws UsageError for overrides that `override_corners` would refuse, from the face alone.
 void require_corners(const CadFace& face, const std::vector<CornerOverride>& overrides);

@@ -25,6 +25,8 @@ table() {
 3 | padapt w/half_disc.tri.h5 | expected a field file, found a tri-mesh file
 2 | critpoints --plase energy w/half_disc.field.h5 | unknown option --plase: did you mean --place?
 2 | critpoints --corner-valence 3=1 w/half_disc.field.h5 | '3=1' is not a corner valence: write CURVE_A:CURVE_B=VALENCE
+2 | critpoints --nodes few w/half_disc.field.h5 | --nodes: 'few' is not one of auto|none|fewest|field
+2 | critpoints --topology o w/half_disc.field.h5 | a C-, O- or H-grid is made around a hole, and the face has none
 2 | critpoints --threads 0 w/half_disc.field.h5 | --threads: 0 is outside its interval
 3 | critpoints w/half_disc.tri.h5 | expected a field file, found a tri-mesh file
 2 | separatrix --verbos | unknown option --verbos: did you mean --verbose?
@@ -99,6 +101,8 @@ table() {
 2 | quadmesh half_disc.step --report - | cannot both go to standard output
 2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | a file of the stages in --workdir w
 2 | quadmesh half_disc.step -o out.msh --report w/../w/half_disc.crit.json --workdir w | a file of the stages
+2 | quadmesh half_disc.step --topology o -o out.msh | a C-, O- or H-grid is made around a hole
+2 | quadmesh half_disc.step --farfield circle:5 --from separatrix --workdir w | --farfield makes a CAD file of points
 2 | quadmesh half_disc.step --nodes edited.json -o out.msh --report edited.json | the output edited.json is the input edited.json
 3 | quadmesh missing.step -o out.msh | missing.step: no such file
 3 | quadmesh empty.step -o out.msh | empty.step: is empty

@@ -130,3 +130,29 @@ compare='
   jq -e '.all | .percent_below_1 <= 2 and .percent_in_1_to_100 >= 90' bars.json
   jq -e '.by_setting.padapt | .samples > 15 and .percent_in_1_to_100 >= 90' bars.json
 }
+
+@test "--nodes fewest leaves nodes of one sign, --nodes none changes corners instead" {
+  nodes() { # SHAPE RULE: the form, the valences of nodes and those of corners
+    run -0 jq -c '[.form, (.critical_points | map(.valence)), (.corners | map(.valence)), .index_sum.value == .index_sum.expected]' \
+      <(critpoints "$BATS_FILE_TMPDIR/$1.field.h5" --nodes "$2")
+  }
+  nodes eccentric_annulus field
+  assert_output '["harmonic",[3,3,5,5],[],true]'
+  nodes eccentric_annulus fewest
+  assert_output '["phase",[],[],true]'
+  nodes plate_hole fewest
+  assert_output '["phase",[5,5,5,5],[1,1,1,1],true]'
+  nodes plate_hole none
+  assert_output '["phase",[],[2,2,2,2],true]'
+  critpoints "$BATS_FILE_TMPDIR/plate_hole.field.h5" --nodes none -o a.crit.json
+  run -0 stagecheck a.crit.json
+  jq -e '.changes[0].reason | startswith("valence 2 needs the fewest nodes")' a.crit.json
+}
+
+@test "--topology sets the corners of an outline around a hole, and needs a hole" {
+  run -0 jq -c '[(.critical_points | length), (.corners | map(.valence))]' \
+    <(critpoints "$BATS_FILE_TMPDIR/plate_hole.field.h5" --topology o)
+  assert_output '[0,[2,2,2,2]]'
+  run -2 critpoints "$field" --topology o
+  assert_line --index 0 'critpoints: a C-, O- or H-grid is made around a hole, and the face has none: leave --topology o out'
+}

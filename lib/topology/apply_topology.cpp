@@ -1,0 +1,42 @@
+#include "topology/apply_topology.hpp"
+
+#include "guide/override_corners.hpp"
+#include "topology/corners_without_nodes.hpp"
+#include "topology/fewest_nodes.hpp"
+
+namespace quadrille::topology {
+namespace {
+
+/// The kind of grid of this face: none without a hole, or a slit that joins one to the outline.
+GridKind grid_of(const CadFace& face, const TopologyOptions& options) {
+  if (face.num_loops() < 2 && face.partners.empty()) return GridKind::none;
+  if (options.grid != GridKind::by_outline) return options.grid;
+  return options.nodes == NodeRule::field ? GridKind::none : kind_of_outline(face);
+}
+
+const char* reason_of(GridKind grid) {
+  switch (grid) {
+    case GridKind::c:
+      return "makes a C-grid";
+    case GridKind::o:
+      return "makes an O-grid";
+    default:
+      return "makes an H-grid";
+  }
+}
+
+}  // namespace
+
+bool apply_topology(const CadFace& face, const TopologyOptions& options, CriticalPoints& points) {
+  const GridKind grid = grid_of(face, options);
+  guide::override_corners(face, grid_corners(face, grid, points), points, reason_of(grid));
+  NodeRule nodes = options.nodes;
+  if (nodes == NodeRule::by_grid) nodes = grid == GridKind::none ? NodeRule::field : NodeRule::fewest;
+  if (nodes == NodeRule::field) return false;
+  if (nodes == NodeRule::none)
+    guide::override_corners(face, corners_without_nodes(face, points), points, "needs the fewest nodes");
+  keep_fewest_nodes(face, options.max_valence, points);
+  return true;
+}
+
+}  // namespace quadrille::topology

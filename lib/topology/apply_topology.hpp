@@ -1,0 +1,33 @@
+#pragma once
+// The grid and the number of nodes that a user chooses, applied to nodes and corners that the field has.
+
+#include "base/enum_names.hpp"
+#include "model/cad_face.hpp"
+#include "model/critical_points.hpp"
+#include "topology/grid_kind.hpp"
+
+namespace quadrille::topology {
+
+/// Which irregular nodes a layout has inside. `field`: those of the field. `fewest`: none that the index sum does not
+/// require for these corner valences, so that all have the same sign. `none`: corner valences are changed too, so that
+/// no node is required, or as few as possible. `by_grid`: `fewest` if a kind of grid is chosen, else `field`.
+enum class NodeRule { by_grid, none, fewest, field };
+constexpr auto enum_names(NodeRule) {
+  return std::to_array<EnumName<NodeRule>>({{NodeRule::by_grid, "auto"},
+                                            {NodeRule::none, "none"},
+                                            {NodeRule::fewest, "fewest"},
+                                            {NodeRule::field, "field"}});
+}
+
+struct TopologyOptions {
+  NodeRule nodes = NodeRule::by_grid;
+  GridKind grid = GridKind::by_outline;
+  int max_valence = 6;  ///< nodes of opposite index that merge to a greater one become several
+};
+
+/// Sets corner valences of the grid, then those without nodes, then merges nodes. Returns whether all nodes (but those
+/// of divided corners) are to be placed at the least energy: true unless the nodes are those of the field. `face` has
+/// one region. A far field's grid is not chosen if `nodes` is `field`. Throws ComputeError if no valid valence exists.
+bool apply_topology(const CadFace& face, const TopologyOptions& options, CriticalPoints& points);
+
+}  // namespace quadrille::topology

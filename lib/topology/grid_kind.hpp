@@ -1,0 +1,53 @@
+#pragma once
+// The kind of grid around a body: C, O or H. It states the valence of each corner of a face with holes.
+//
+//   C-grid   blocks wrap around the front of the body and leave with its wake: outline corners downstream of the body
+//            and corners of holes keep the valence that they have in any face, other outline corners have two
+//            blocks.
+//   O-grid   blocks close around the body: outline corners have two blocks; reflex corners of holes have the least
+//            valence that keeps blocks below 165 degrees: a blunt trailing edge has two corners of valence 2, a sharp
+//            one has valence 3, so that a node of valence 3 is left in its wake.
+//   H-grid   blocks pass the body: all corners keep the valence that they have in any face.
+//
+// The index sum of a half circle with a rectangle (two outline corners) around an aerofoil (sharp: one corner of
+// valence 4; blunt: two of valence 3) is then 0 without a node.
+
+#include <vector>
+
+#include "base/enum_names.hpp"
+#include "base/vec2.hpp"
+#include "guide/corner_override.hpp"
+#include "model/cad_face.hpp"
+#include "model/critical_points.hpp"
+
+namespace quadrille::topology {
+
+/// `by_outline`: that of the far field; `none`: corner valences as in any face.
+enum class GridKind { by_outline, c, o, h, none };
+constexpr auto enum_names(GridKind) {
+  return std::to_array<EnumName<GridKind>>({{GridKind::by_outline, "auto"},
+                                            {GridKind::c, "c"},
+                                            {GridKind::o, "o"},
+                                            {GridKind::h, "h"},
+                                            {GridKind::none, "none"}});
+}
+
+/// The name of the boundary curves by which an outline is recognised as a far field.
+inline constexpr const char* far_field_name = "farfield";
+
+/// The grid that the outline of a face (of one region) with holes means, if all its curves are called `farfield`: O
+/// without corners, C with two, H with four, otherwise none. Where a slit (a wake) joins the body to the outline, both
+/// are one loop, of which only the curves of this name count.
+GridKind kind_of_outline(const CadFace& face);
+
+/// Throws UsageError if a kind is chosen and the face has no hole.
+void require_holes(const CadFace& face, GridKind kind);
+
+/// The direction in which the wake leaves the bodies: the mean of the directions in which the corners of holes with the
+/// greatest angle point, within 1e-6 radians; (1, 0) if there is no reflex corner or the mean is 0. A unit vector.
+Vec2 downstream(const CadFace& face);
+
+/// The corners whose valences the grid changes. Corners that a user prescribed (source `corner`) are not among them.
+std::vector<guide::CornerOverride> grid_corners(const CadFace& face, GridKind kind, const CriticalPoints& points);
+
+}  // namespace quadrille::topology

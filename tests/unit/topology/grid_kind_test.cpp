@@ -1,0 +1,90 @@
+#include "topology/grid_kind.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/critical_points.hpp"
+#include "base/error.hpp"
+#include "far_field_faces.hpp"
+
+namespace quadrille::topology {
+namespace {
+
+using namespace testing_faces;
+
+TEST(GridKind, OfAFarFieldFollowsFromItsCorners) {
+  EXPECT_EQ(kind_of_outline(in_far_field(make_face({c_outline(), sharp_body()}))), GridKind::c);
+  EXPECT_EQ(kind_of_outline(in_far_field(make_face({circle({0, 0}, 8), sharp_body()}))), GridKind::o);
+  EXPECT_EQ(kind_of_outline(in_far_field(make_face({box(), sharp_body()}))), GridKind::h);
+  EXPECT_EQ(kind_of_outline(in_far_field(make_face({polygon({{-8, -8}, {8, -8}, {0, 8}}), sharp_body()}))),
+            GridKind::none);
+}
+
+TEST(GridKind, IsNoneWithoutAHoleOrWithAnotherName) {
+  EXPECT_EQ(kind_of_outline(in_far_field(square())), GridKind::none);
+  CadFace face = in_far_field(make_face({c_outline(), sharp_body()}));
+  face.curve_names[1] = "outlet";
+  EXPECT_EQ(kind_of_outline(face), GridKind::none);
+  EXPECT_THROW(require_holes(square(), GridKind::o), UsageError);
+  EXPECT_NO_THROW(require_holes(square(), GridKind::by_outline));
+  EXPECT_NO_THROW(require_holes(face, GridKind::c));
+}
+
+TEST(GridKind, TheWakePointsAwayFromTheSharpestCorner) {
+  EXPECT_NEAR(distance(downstream(make_face({box(), sharp_body()})), {1, 0}), 0, 1e-12);
+  EXPECT_NEAR(distance(downstream(make_face({box(), blunt_body()})), {1, 0}), 0, 1e-12);
+  const CadFace turned = moved(make_face({box(), sharp_body()}), 1, 1.0, {0, 0});
+  EXPECT_NEAR(distance(downstream(turned), unit(1.0)), 0, 1e-12);
+  EXPECT_NEAR(distance(downstream(annulus()), {1, 0}), 0, 1e-12);
+}
+
+/// The changed valences, corner by corner; 0 where nothing changes.
+std::vector<int> changed(const CadFace& face, GridKind kind) {
+  std::vector<int> valences(face.num_curves(), 0);
+  for (const guide::CornerOverride& o : grid_corners(face, kind, hand_made::points_of(face)))
+    valences[o.curve_b] = o.valence;
+  return valences;
+}
+
+TEST(GridKind, ACGridTurnsTheUpstreamCornersOfABox) {
+  EXPECT_EQ(changed(make_face({box(), sharp_body()}), GridKind::c), (std::vector<int>{2, 0, 0, 2, 0, 0, 0}));
+  EXPECT_EQ(changed(make_face({c_outline(), sharp_body()}), GridKind::c), (std::vector<int>{0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(GridKind, AnOGridTurnsAllCornersAndNeedsTheFewestBlocksAtTheBody) {
+  // The front corners of 281 degrees have 2 blocks, the tail of 338 degrees has 3.
+  EXPECT_EQ(changed(make_face({box(), wedge()}), GridKind::o), (std::vector<int>{2, 2, 2, 2, 3, 2, 2}));
+  EXPECT_EQ(changed(make_face({circle({0, 0}, 8), blunt_body()}), GridKind::o), (std::vector<int>{0, 2, 2, 0, 0}));
+}
+
+TEST(GridKind, ASlitJoinsTheBodyToTheOutline) {
+  // The outline runs along the slit to the body, around it and back: only its curves called farfield count.
+  Loop loop = c_outline();
+  loop[1] = curve::segment({9, -8}, {9, 0});
+  const Nurbs slit = curve::segment({9, 0}, {1, 0});
+  const Loop body = sharp_body();
+  Loop joined{loop[0], loop[1], slit, body[0], body[1], body[2], curve::reversed(slit), curve::segment({9, 0}, {9, 8})};
+  joined.insert(joined.end(), {loop[2], loop[3]});
+  CadFace face = make_face({joined});
+  for (const int c : {0, 1, 7, 8, 9}) face.curve_names[c] = "farfield";
+  EXPECT_EQ(kind_of_outline(face), GridKind::none);
+  face.partners.assign(face.num_curves(), -1);
+  face.partners[2] = 6;
+  face.partners[6] = 2;
+  EXPECT_EQ(kind_of_outline(face), GridKind::c);
+  EXPECT_NO_THROW(require_holes(face, GridKind::c));
+  EXPECT_TRUE(grid_corners(face, GridKind::c, hand_made::points_of(face)).empty());
+}
+
+TEST(GridKind, AnHGridChangesNothing) {
+  EXPECT_EQ(changed(make_face({box(), sharp_body()}), GridKind::h), std::vector<int>(7, 0));
+}
+
+TEST(GridKind, PrescribedCornersStay) {
+  const CadFace face = make_face({box(), sharp_body()});
+  CriticalPoints points = hand_made::points_of(face);
+  for (Corner& c : points.corners) c.source = NodeSource::corner;
+  EXPECT_TRUE(grid_corners(face, GridKind::o, points).empty());
+}
+
+}  // namespace
+}  // namespace quadrille::topology
