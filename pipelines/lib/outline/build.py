@@ -2,7 +2,7 @@
 from dataclasses import dataclass
 
 from command_frame import mistake
-from outline import corners, edges, loops, point_files, polygons
+from outline import corners, edges, loops, point_files, polygons, wake
 
 SAME = 1e-9  # points nearer to each other than this are one; in units of the largest distance of two points
 
@@ -17,6 +17,7 @@ class Settings:
     far_field: tuple = None  # kind, radius in chords
     chord: float = None  # to which the points are scaled
     name: str = None
+    wake: str = None  # "auto", or a file of points
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,7 @@ class Outline:
     chord: float
     size: float  # the chord, or the radius of the far field
     edges: list  # of each loop, the outline first
+    embedded: list  # edges inside the face
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,7 @@ class Extent:
     chord: float
     middle: complex
     tail: complex  # the trailing edge, or the rightmost point
+    direction: complex = 1 + 0j  # of the wake at the tail
 
 
 def read_loops(file, requested_format):
@@ -83,7 +86,21 @@ def extent_of_points(found):
 def extent_of_aerofoil(file, loop, nose, name):
     """Names and marks its edges as well."""
     front, tail = corners.mark_aerofoil(file, loop, nose, name + "_" if name is not None else "")
-    return Extent(abs(tail - front), (front + tail) / 2, tail)
+    direction = wake.tail_direction(loop.points, is_blunt=len(loop.corners) > 1)
+    return Extent(abs(tail - front), (front + tail) / 2, tail, direction)
+
+
+def wake_edges(settings, extent, factor):
+    """The wake as edges inside the face."""
+    if settings.wake is None:
+        return []
+    if settings.far_field is None:
+        raise mistake("--wake needs --farfield, in which it ends")
+    if settings.wake != "auto":
+        return wake.given(settings.wake, factor)
+    shape, reach = settings.far_field
+    chord = factor * extent.chord
+    return [wake.computed(shape, reach * chord, chord, factor * extent.middle, factor * extent.tail, extent.direction)]
 
 
 def build_outline(file, settings):
@@ -105,4 +122,5 @@ def build_outline(file, settings):
         shape, reach = settings.far_field
         size = reach * chord
         all_edges.insert(0, edges.far_field_edges(shape, size, factor * extent.middle, factor * extent.tail))
-    return Outline(kind, title, sum(len(loop.points) for loop in found), chord, size, all_edges)
+    return Outline(kind, title, sum(len(loop.points) for loop in found), chord, size, all_edges,
+                   wake_edges(settings, extent, factor))

@@ -70,17 +70,19 @@ def circle(step, edge):
     return step.add(f"CIRCLE('',{placement(step, edge.centre)},{real(edge.radius)})")
 
 
-def spline(step, edge):
+def spline(step, edge, name):
     multiplicities = listed(["4"] + ["1"] * (len(edge.knots) - 2) + ["4"])
     is_closed = ".T." if edge.start == edge.end else ".F."
     poles = listed([point(step, z) for z in edge.poles])
-    return step.add(f"B_SPLINE_CURVE_WITH_KNOTS('',3,{poles},.UNSPECIFIED.,{is_closed},.F.,{multiplicities},"
+    return step.add(f"B_SPLINE_CURVE_WITH_KNOTS({text(name)},3,{poles},.UNSPECIFIED.,{is_closed},.F.,{multiplicities},"
                     f"{listed(map(real, edge.knots))},.UNSPECIFIED.)")
 
 
-def curve(step, edge):
-    write = line if isinstance(edge, Line) else circle if isinstance(edge, Arc) else spline
-    return write(step, edge)
+def curve(step, edge, name=""):
+    """The geometry of an edge; a spline may have a name of its own."""
+    if isinstance(edge, (Line, Arc)):
+        return line(step, edge) if isinstance(edge, Line) else circle(step, edge)
+    return spline(step, edge, name)
 
 
 # ---- topology
@@ -128,6 +130,23 @@ def context(step, unit, tolerance):
                     f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid})) REPRESENTATION_CONTEXT('','3D') )")
 
 
+def embedded_curve(step, edge):
+    """A curve of its own, with a name and ends."""
+    geometry = curve(step, edge, edge.name)
+    if not isinstance(edge, Line):
+        return geometry
+    ends = listed([point(step, edge.start)]), listed([point(step, edge.end)])
+    return step.add(f"TRIMMED_CURVE({text(edge.name)},{geometry},{ends[0]},{ends[1]},.T.,.CARTESIAN.)")
+
+
+def wireframe(step, edges, context_number, whole):
+    """Edges inside the face: a shape of the product beside the face."""
+    curves = step.add(f"GEOMETRIC_CURVE_SET('',{listed([embedded_curve(step, edge) for edge in edges])})")
+    shape = step.add("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',"
+                     f"({placement(step, 0j)},{curves}),{context_number})")
+    step.add(f"SHAPE_DEFINITION_REPRESENTATION({whole},{shape})")
+
+
 def product(step, title, face_number, context_number):
     shell = step.add(f"OPEN_SHELL('',({face_number}))")
     model = step.add(f"SHELL_BASED_SURFACE_MODEL('',({shell}))")
@@ -141,14 +160,19 @@ def product(step, title, face_number, context_number):
     definition = step.add(f"PRODUCT_DEFINITION('design','',{formation},{stage})")
     whole = step.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
     step.add(f"SHAPE_DEFINITION_REPRESENTATION({whole},{shape})")
+    return whole
 
 
-def step_file(title, loops, face_name, unit, size):
+def step_file(title, loops, face_name, unit, size, embedded=()):
     """The text of the file. `loops` of edges: the outline first and counter-clockwise, holes clockwise; `unit` is a key
-    of UNITS; the accuracy is given as a ten millionth of `size`, rounded down to a power of ten."""
+    of UNITS; the accuracy is given as a ten millionth of `size`, rounded down to a power of ten. `embedded`: edges
+    inside the face."""
     step = Statements()
     face_number = face(step, loops, face_name)
-    product(step, title, face_number, context(step, unit, 10.0 ** math.floor(math.log10(1e-7 * size))))
+    common = context(step, unit, 10.0 ** math.floor(math.log10(1e-7 * size)))
+    whole = product(step, title, face_number, common)
+    if embedded:
+        wireframe(step, embedded, common, whole)
     return ("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
             f"FILE_NAME({text(title)},'2000-01-01T00:00:00',(''),(''),'points2step','','');\n"
             "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\n"

@@ -42,6 +42,13 @@ class StepFileTest(unittest.TestCase):
         found = written([Spline([0, 1, 1 + 1j, 1j, 0], [0.0, 1.0, 2.0], "")])
         self.assertIn(".UNSPECIFIED.,.T.,.F.,(4,1,4),(0.0,1.0,2.0),.UNSPECIFIED.)", found)
 
+    def test_embedded_edges_are_curves_beside_the_face(self):
+        inner = [Spline([0.1, 0.2, 0.3, 0.4], [0.0, 1.0], "wake"), Line(0.4, 0.5, "wake")]
+        found = step_file.step_file("title", [TRIANGLE], "", "m", 1.0, inner)
+        self.assertEqual((found.count("B_SPLINE_CURVE_WITH_KNOTS('wake'"), found.count("TRIMMED_CURVE('wake'")), (1, 1))
+        self.assertEqual((found.count("GEOMETRIC_CURVE_SET("), found.count("SHAPE_DEFINITION_REPRESENTATION(")), (1, 2))
+        self.assertNotIn("GEOMETRIC_CURVE_SET(", written())
+
     def test_units_and_accuracy(self):
         self.assertIn("SI_UNIT(.MILLI.,.METRE.)", written(unit="mm"))
         self.assertIn("CONVERSION_BASED_UNIT('INCH',", written(unit="in"))
