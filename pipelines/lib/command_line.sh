@@ -2,11 +2,11 @@
 # The options of quadmesh itself; those of the stages are in stage_options.sh. Each function that takes a word of the
 # command line sets $taken, the number of words: 0 if it is no option of its own.
 shape='' out='' workdir='' report='' face='' names='' heal='' blunt='' healed='' verbose=false quiet='' version=''
-fit='' html='' max_seconds='' max_memory='' threads='' given_nodes='' first_stage='' last_stage='' dry_run=''
+fit='' html='' of_points='' max_seconds='' max_memory='' threads='' given_nodes='' first_stage='' last_stage='' dry_run=''
 own_flags='--help --verbose --quiet --version --dry-run'
 own_values='--output --workdir --html --report --max-seconds --max-memory --threads --face --boundary-names --name
   --region-name --periodic --heal-tolerance --fit-tolerance --blunt --write-healed --nodes --from
-  --until'
+  --until --farfield --wake --chord'
 
 mistake() { printf '%s\n' "quadmesh: $1" "try 'quadmesh --help'" >&2; exit 2; }
 
@@ -60,7 +60,12 @@ take_value() {
     --max-seconds) max_seconds=${2:-none} ;;
     --max-memory) max_memory=${2:-none} ;;
     --threads) threads=${2:-none} ;;
-    --nodes) given_nodes=$2 ;;
+    --nodes)
+      case $2 in
+        auto | none | fewest | field) takers=critpoints && choose_option "$@" ;;
+        *) given_nodes=$2 ;;
+      esac ;;
+    --farfield | --wake | --chord) of_points=$1 takers=points2step && choose_option "$@" ;;
     --from) first_stage=$2 ;;
     --until) last_stage=$2 ;;
     *) take_value_of_cad2tri "$@" ;;

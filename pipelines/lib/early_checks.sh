@@ -166,7 +166,7 @@ cannot_be_written() {
 }
 
 refuse_stage_file() {
-  for ending in tri.h5 solve.h5 field.h5 crit.json phase.solve.h5 phase.h5 sep.json blocks.h5 quad.h5; do
+  for ending in outline.step tri.h5 solve.h5 field.h5 crit.json phase.solve.h5 phase.h5 sep.json blocks.h5 quad.h5; do
     if is_same_file "$1" "$workdir/$(stem_of "$shape").$ending"; then
       mistake "the output $1 is a file of the stages in --workdir $workdir"
     fi

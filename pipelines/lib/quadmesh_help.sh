@@ -5,11 +5,12 @@ usage() {
   cat <<'END'
 Usage: quadmesh [OPTIONS] SHAPE
 
-quadmesh meshes a planar CAD face with curved quads.
+quadmesh meshes a planar CAD face, or the shape that points describe, with curved quads.
 
 Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
-passed on to them.
+passed on to them. SHAPE.dat, SHAPE.txt and SHAPE.xy are points of an outline or an aerofoil, from which points2step
+makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with --farfield, --wake or --chord.
 Where a strip of blocks winds onto itself, so that separatrix can only divide triangles (W-SEP-002), critpoints runs
 again with other nodes on the strip, by up to seven options that separatrix proposes, one after another:
 --corner-absorb 0, --ties field, --place energy, --corner-valence A:B=V. The first that gives a layout is kept.
@@ -26,6 +27,11 @@ code 2). Results are those of the single commands, byte for byte.
 OPTIONS
   -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output);
                             x.step: not the mesh but its blocks, as a CAD model of named faces
+  --farfield KIND:R         points: mesh the region between the shape and a far field, circle:R, box:R or cgrid:R, R in
+                            chords; it makes an O-, H- or C-grid (--topology; see points2step --help)
+  --wake auto|FILE          points: sides of blocks follow a curve called wake from the body to the far field: computed,
+                            or through the points of FILE (see points2step --help)
+  --chord C                 points: scale them so that the chord is C
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
                             of the curve nearest to a point; may be given several times (see cad2tri --help)
@@ -45,8 +51,8 @@ OPTIONS
   --until STAGE             end after this stage; needs --workdir; -o is then not written and may be left out
   --from STAGE              begin with this stage, with the files of earlier ones in --workdir; of SHAPE only the name
                             is used, and it may be left out if --workdir has the files of one shape
-  --nodes FILE              use these irregular nodes (x.crit.json, edited or of another run; -: standard input) in
-                            place of those that critpoints finds
+  --nodes RULE|FILE         RULE: which irregular nodes critpoints chooses (none, fewest, field, auto; see below); FILE:
+                            use those of x.crit.json, edited or of another run (-: standard input), in their place
   --dry-run                 print the commands that would be run, one a line, and run nothing (without --workdir with
                             the files of the stages in the present folder)
   --html FILE               also write a page for a browser (x.html): every stage as a tab, and one with the report
@@ -86,6 +92,8 @@ EXAMPLES
   quadmesh half_disc.step -o placed.msh --place energy
   quadmesh half_disc.step -o in_time.msh --max-seconds 60 --max-memory 2G
   quadmesh half_disc.step -o half_disc.xml --order 7
+  quadmesh half_disc.step -o fewest.msh --nodes fewest
+  quadmesh naca0012.dat --farfield cgrid:20 -o naca0012.msh
   quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
   quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10

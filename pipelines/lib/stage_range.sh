@@ -49,6 +49,9 @@ refuse_options_before() {
   if [ "$first_position" -gt 1 ] && [ -n "${of_cad2tri-}" ]; then
     mistake "$of_cad2tri is an option of cad2tri, which --from $first_stage does not run: leave one of them out"
   fi
+  if [ "$first_position" -gt 1 ] && [ -n "${of_points-}" ]; then
+    mistake "$of_points makes a CAD file of points, which --from $first_stage does not read: leave one of them out"
+  fi
   for tool in critpoints separatrix blocksplit quadrefine; do
     if is_skipped "$tool"; then refuse_options_of "$tool"; fi
   done

@@ -1,0 +1,66 @@
+# C-, O- and H-grids around aerofoils, in one command from their coordinates, and wakes.
+load ../tools/common
+
+quadmesh=$ROOT/pipelines/quadmesh
+
+# naca0012 [blunt]: coordinates in Selig's format.
+naca0012() {
+  awk -v last="$([ -n "${1-}" ] && echo 0.1015 || echo 0.1036)" -v n=40 '
+    function line(k, side, x) {
+      x = (1 + cos(atan2(0, -1) * k / n)) / 2
+      printf "%.12f %.12f\n", x, side * 0.6 * (0.2969 * sqrt(x) - 0.126 * x - 0.3516 * x^2 + 0.2843 * x^3 - last * x^4)
+    }
+    BEGIN {
+      print "NACA 0012"
+      for (k = 0; k <= n; ++k) line(k, 1)
+      for (k = n - 1; k >= 0; --k) line(k, -1)
+    }'
+}
+
+# grid NAME 'FORMULA' OPTION...: meshes NAME.dat; the formula of jq must hold for the report of the run.
+grid() {
+  "$quadmesh" -q "$1.dat" "${@:3}" --workdir stages -o a.msh --report a.json
+  jq -e "$2" a.json >verdict || fail "$(jq -c '[.blocks, .irregular_nodes, .least_scaled_jacobian, .valid]' a.json)"
+}
+
+setup() {
+  common_setup
+  naca0012 >sharp.dat
+  naca0012 blunt >blunt.dat
+}
+
+@test "a C-shaped far field has a C-grid without irregular nodes, around sharp and blunt aerofoils" {
+  grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0 and .least_scaled_jacobian > 0.5' --farfield cgrid:20
+  assert_equal "$(jq -c '.corners | map(.valence)' stages/sharp.crit.json)" '[1,1,4]'
+  grid blunt '.valid and .blocks == 4 and .irregular_nodes == 0 and .least_scaled_jacobian > 0.5' --farfield cgrid:20
+  assert_equal "$(jq -c '.corners | map(.valence)' stages/blunt.crit.json)" '[1,1,3,3]'
+}
+
+@test "--nodes field and --topology none keep the nodes of the field in the same far field" {
+  for rule in '--nodes field' '--topology none'; do
+    # shellcheck disable=SC2086 # words
+    "$quadmesh" -q sharp.dat --farfield cgrid:20 $rule --until critpoints --workdir stages
+    assert_equal "$(jq '.critical_points | length > 0' stages/sharp.crit.json)" true
+  done
+}
+
+@test "blocks and sizes follow a wake" {
+  grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
+    --size-near wake=0.05:1
+  h5dump -A 0 -d /face/curve_names stages/sharp.quad.h5 | grep -q '"wake"'
+}
+
+@test "points need no other command, and what is wrong with them is told" {
+  grid sharp '.valid' --farfield circle:5 --size 1
+  assert_file_exists stages/sharp.outline.step
+  run -2 "$quadmesh" sharp.dat --farfield oval:5 -o a.msh
+  assert_line --index 0 "quadmesh: --farfield: 'oval:5' is not circle:R, box:R or cgrid:R"
+  assert_line --index 1 "try 'quadmesh --help'"
+  printf 'points\n1 x\n' >bad.txt
+  run -3 "$quadmesh" bad.txt -o a.msh
+  assert_output --partial 'quadmesh: bad.txt: line 2: expected x and y'
+  run -2 "$quadmesh" sharp.dat --farfield circle:5 --from separatrix --workdir stages -o a.msh
+  assert_output --partial '--farfield makes a CAD file of points, which --from separatrix does not read'
+  run -0 "$quadmesh" sharp.dat --farfield circle:5 --dry-run -o a.msh
+  assert_line --index 0 'points2step sharp.dat -o ./sharp.outline.step --farfield circle:5'
+}
