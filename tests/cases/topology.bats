@@ -47,7 +47,7 @@ setup() {
 @test "blocks and sizes follow a wake" {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
     --size-near wake=0.2
-  h5dump -A 0 -d /face/curve_names stages/sharp.quad.h5 | grep -q '"wake"'
+  h5dump -A 0 -d /face/curve_names stages/sharp.quad.h5 | grep -q wake
 }
 
 @test "points need no other command, and what is wrong with them is told" {
