@@ -27,11 +27,10 @@ bool do_see_each_other(const BoundaryClearance& clearance, const FeatureNode& a,
                                      b.is_inside() ? b.position : b.position - lift);
 }
 
-/// Without their nodes, sides of blocks would have corners in them: the fillets are too small for their distance.
-bool do_hold_corners(const CadFace& face, const BoundaryClearance& clearance, const FeatureNode& a,
-                     const FeatureNode& b, double distance) {
-  return is_on_corner_fillet(face, a, distance) || is_on_corner_fillet(face, b, distance) ||
-         (is_beside_corner_fillet(clearance, a, distance) && is_beside_corner_fillet(clearance, b, distance));
+/// Without the node, a side of a block would have a corner in it: its fillet is too small for the distance.
+bool does_hold_corner(const CadFace& face, const BoundaryClearance& clearance, const FeatureNode& node,
+                      double distance) {
+  return is_on_corner_fillet(face, node, distance) || is_beside_corner_fillet(clearance, node, distance);
 }
 
 Pairs opposite_pairs(const CadFace& face, const FeatureState& state, const BoundaryClearance& clearance, double below) {
@@ -39,7 +38,8 @@ Pairs opposite_pairs(const CadFace& face, const FeatureState& state, const Bound
     const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
     const double d = distance(a.position, b.position);
     if (d < below - state.tie && a.index() * b.index() < 0 && (a.is_inside() || b.is_inside()) &&
-        do_see_each_other(clearance, a, b) && !do_hold_corners(face, clearance, a, b, d))
+        !does_hold_corner(face, clearance, a, d) && !does_hold_corner(face, clearance, b, d) &&
+        do_see_each_other(clearance, a, b))
       return Pair{d, i, j};
     return std::nullopt;
   });

@@ -19,8 +19,10 @@ struct FeatureConstants {
   double spacing = 0.5;              ///< least final distance between nodes: nearer ones are merged or pushed apart
 
   // Fillets that act as corners: on the scale of the distance between two nodes.
-  double corner_radius = 0.05;     ///< relative to the distance: a fillet with a smaller radius is a corner there
-  double corner_clearance = 0.02;  ///< the same of its node inside, at 0.31 to 0.41 radii from the boundary
+  double corner_radius = 0.05;  ///< relative to the distance: a fillet with a smaller radius is a corner there
+  /// A node inside, at 0.31 to 0.41 radii from the boundary, with less clearance than this, relative to the distance,
+  /// stays: a block without it would turn round a radius of less than a quarter of its width.
+  double corner_clearance = 0.08;
 
   // Nodes on the boundary.
   double least_block_angle = 15;     ///< degrees, of a block at a corner into which a node moves (lib/method.md §5)

@@ -47,11 +47,34 @@ void push_off_boundary(const FeatureState& state, const BoundaryClearance& clear
   }
 }
 
-Push pushes(const FeatureState& state, const BoundaryClearance& clearance, double spacing) {
+/// Reflex boundary does not push, because nodes of valence 5 belong near it; but none is pushed onto it.
+void keep_off_reflex_boundary(const FeatureState& state, const BoundaryClearance& clearance,
+                              const std::vector<double>& least_clearance, Push& push) {
+  for (size_t i = 0; i < state.nodes.size(); ++i) {
+    Vec2& move = push.moves[i];
+    if (norm(move) == 0) continue;
+    for (const CurveFoot& foot : clearance.feet(state.nodes[i].position, least_clearance[i])) {
+      const Vec2 away = normalized(state.nodes[i].position - foot.position);
+      if (foot.is_reflex && dot(move, away) < 0) move -= dot(move, away) * away;
+    }
+  }
+}
+
+Push pushes(const FeatureState& state, const BoundaryClearance& clearance, double spacing,
+            const std::vector<double>& least_clearance) {
   Push push{std::vector<Vec2>(state.nodes.size()), 0};
   push_apart(state, spacing, push);
   push_off_boundary(state, clearance, spacing, push);
+  keep_off_reflex_boundary(state, clearance, least_clearance, push);
   return push;
+}
+
+/// Of each node, its distance to the boundary at first, but no more than the spacing.
+std::vector<double> least_clearances(const FeatureState& state, const BoundaryClearance& clearance, double spacing) {
+  std::vector<double> least;
+  for (const FeatureNode& node : state.nodes)
+    least.push_back(node.is_inside() ? std::min(spacing, clearance.at(node.position)) : 0);
+  return least;
 }
 
 /// Carries out one round. No node moves farther than half of its clearance.
@@ -68,12 +91,13 @@ void apply(const Push& push, const BoundaryClearance& clearance, FeatureState& s
 
 /// Keeps the round with the least shortfall; stops as soon as there is no shortfall.
 void push_to_spacing(FeatureState& state, const BoundaryClearance& clearance, double spacing) {
+  const std::vector<double> least_clearance = least_clearances(state, clearance, spacing);
   std::vector<FeatureNode> best = state.nodes;
-  Push push = pushes(state, clearance, spacing);
+  Push push = pushes(state, clearance, spacing, least_clearance);
   double least = push.shortfall;
   for (int round = 0; round < feature_constants.max_push_rounds && push.shortfall > 0; ++round) {
     apply(push, clearance, state);
-    push = pushes(state, clearance, spacing);
+    push = pushes(state, clearance, spacing, least_clearance);
     if (push.shortfall >= least) continue;
     least = push.shortfall;
     best = state.nodes;

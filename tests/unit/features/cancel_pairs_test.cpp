@@ -72,11 +72,13 @@ TEST(CancelPairs, KeepsABoundaryNodeThatNothingBalances) {
 
 TEST(CancelPairs, LeavesNodesOfFilletsThatAreCornersAtTheirDistance) {
   const CadFace face = plate(2);
-  const auto left = [&](double depth) {
-    return cancelled(face, {inner_node({0, depth - 2}, 3), inner_node({2 - depth, -1}, 5)}, 3).nodes.size();
+  const auto left = [&](double depth, double other_depth) {
+    return cancelled(face, {inner_node({0, depth - 2}, 3), inner_node({2 - other_depth, -1}, 5)}, 3).nodes.size();
   };
-  EXPECT_EQ(left(0.01), 2u);
-  EXPECT_EQ(left(0.2), 0u);
+  EXPECT_EQ(left(0.01, 0.01), 2u);
+  EXPECT_EQ(left(0.2, 0.2), 0u);
+  EXPECT_EQ(left(0.01, 0.2), 2u);
+  EXPECT_EQ(left(0.2, 0.01), 2u);
   const CadFace window_face = plate(2, {window({-0.5, -0.5}, {0.5, 0.5}, 0.01)});
   const FeatureNode on_fillet = boundary_node(window_face, 4, window_face.curves[4].end() / 2);
   EXPECT_EQ(cancelled(window_face, {on_fillet, inner_node({-1, -1}, 3)}, 1).nodes.size(), 2u);

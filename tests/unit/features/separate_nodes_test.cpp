@@ -59,6 +59,12 @@ TEST(SeparateNodes, LeavesChangedNodesBesideReflexBoundary) {
   EXPECT_TRUE(separated(face, 0.4, {changed(inner_node({0.15, 0}, 5))}).changes.empty());
 }
 
+TEST(SeparateNodes, PushesNoNodeOntoReflexBoundary) {
+  const CadFace face = plate(2, {round_hole({0, 0}, 0.3)});
+  const FeatureState state = separated(face, 3.6, {boundary_node(face, 0, 2), changed(inner_node({0, -1.2}, 5))});
+  EXPECT_GT(BoundaryClearance(face).at(state.nodes[1].position), 0.4);
+}
+
 TEST(SeparateNodes, RecordsPairsWithoutRoomButNotThoseOfOneHole) {
   const CadFace face = plate(2, {round_hole({0, 0}, 0.1)});
   const double t = face.curves[4].end();
