@@ -48,7 +48,7 @@ def judge_worst(page):
     page.point_at_middle(1, 1)
     tip = page.text("#tip")
     expect(worst and tip.startswith(worst[0]), f"the pointer is over {worst and worst[0]}, the page shows {tip}")
-    least = re.search(r"least ([\d.e-]+)", page.text("#measure-text"))
+    least = re.search(r"least\s([\d.e-]+)", page.text("#measure-text"))
     expect(least and f"scaled Jacobian{least[1]}" in tip, f"{tip} does not show the least value {least and least[1]}")
     for text in ("sides", "area", "skewness"):
         expect(text in tip, f"the figures of an element have no {text}: {tip}")

@@ -94,7 +94,8 @@ function showMeasure(layers, theme) {
 
 function limitsText(quantity) {
   const median = quantity.values[quantity.order[quantity.order.length >> 1]];
-  const limits = `least ${figure(quantity.least)}, median ${figure(median)}, greatest ${figure(quantity.greatest)}`;
+  const limits = [["least", quantity.least], ["median", median], ["greatest", quantity.greatest]]
+    .map(([name, value]) => `${name}\u00a0${figure(value)}`).join(", ");
   return `${limits}${quantity.isLog ? "; logarithmic scale" : ""}`;
 }
 
