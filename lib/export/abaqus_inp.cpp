@@ -6,6 +6,8 @@
 
 #include "export/edge_numbering.hpp"
 #include "export/hohqmesh_model.hpp"
+#include "export/periodic_edges.hpp"
+#include "export/periodic_vertices.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -16,7 +18,8 @@ constexpr const char* second_part = "** ***** HOHQMesh boundary information ****
 
 class Writer {
  public:
-  Writer(const QuadMesh& mesh, const HohqmeshModel& model) : mesh_(mesh), model_(model) {}
+  Writer(const QuadMesh& mesh, const HohqmeshModel& model, const PeriodicVertices& periodic)
+      : mesh_(mesh), model_(model), periodic_(periodic) {}
 
   std::string text() {
     print(heading);
@@ -40,9 +43,10 @@ class Writer {
       print("{}, {}, {}, {}\n", k + 1, x[0], x[1], x[2]);
     }
     print("*ELEMENT, type=CPS4, ELSET=Surface1\n");
+    const auto number = [this](int corner) { return periodic_(corner - 1) + 1; };
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
       const std::array<int, 4>& c = model_.elem_corners[elem];
-      print("{}, {}, {}, {}, {}\n", elem + 1, c[0], c[1], c[2], c[3]);
+      print("{}, {}, {}, {}, {}\n", elem + 1, number(c[0]), number(c[1]), number(c[2]), number(c[3]));
     }
   }
 
@@ -66,15 +70,28 @@ class Writer {
 
   const QuadMesh& mesh_;
   const HohqmeshModel& model_;
+  const PeriodicVertices& periodic_;
   fmt::memory_buffer out_;
 };
 
 }  // namespace
 
 Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame) {
-  require_edges_known_by_ends(mesh, number_edges(mesh), "p4est");
+  const EdgeNumbering numbering = number_edges(mesh);
+  require_edges_known_by_ends(mesh, numbering, "p4est");
   HohqmeshModel model = hohqmesh_model(mesh, frame);
-  std::string text = Writer(mesh, model).text();
+  const PeriodicVertices periodic = periodic_vertices(mesh, numbering, Motions::translations, "p4est");
+  if (periodic.are_identified()) {
+    join_periodic_edges(mesh, model);
+    model.losses.push_back(
+        "periodic sides have the same corners in *ELEMENT, from which p4est knows that they are one, and their own in "
+        "the "
+        "comments that Trixi.jl reads: other programs read wrong quads along " +
+        periodic_names(mesh.face, translated_pairs(mesh.face)));
+  }
+  for (const std::string& loss : {periodic.loss, rotation_loss(mesh.face)})
+    if (!loss.empty()) model.losses.push_back(loss);
+  std::string text = Writer(mesh, model, periodic).text();
   return {std::move(text), false, std::move(model.side_files), std::move(model.losses)};
 }
 

@@ -201,7 +201,10 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
   if (const std::string interfaces = interface_loss(groups); !interfaces.empty())
     exported.losses.push_back(interfaces +
                               " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
-  if (const std::string loss = cyclic_loss(mesh.face, groups, cyclic); !loss.empty()) exported.losses.push_back(loss);
+  const std::string loss = cyclic_loss(mesh.face, groups, cyclic,
+                                       "a cyclic patch has periodic curves of one motion only, and no type by "
+                                       "--patch-type");
+  if (!loss.empty()) exported.losses.push_back(loss);
   const Words words(groups, exported);
   exported.bytes = Writer(mesh, frame, hexes).text(words.patches, type_names, cyclic, words.zones);
   return exported;

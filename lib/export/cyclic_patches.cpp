@@ -148,14 +148,12 @@ std::string cyclic_transform(const CadFace& face, const CyclicPatch& patch, doub
       forth.x + 0.0, forth.y + 0.0, 0.0 - forth.x, 0.0 - forth.y);
 }
 
-std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic) {
-  CadFace others;
-  others.curve_names = face.curve_names;
+std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
+                        std::string_view condition) {
+  std::vector<PeriodicPair> others;
   for (const PeriodicPair& pair : face.periodic_pairs)
-    if (cyclic[groups.curve2boundary[pair.curves[0]]].neighbour < 0) others.periodic_pairs.push_back(pair);
-  std::string loss = periodic_loss(others);
-  if (!loss.empty()) loss += " (a cyclic patch has periodic curves of one motion only, and no type by --patch-type)";
-  return loss;
+    if (cyclic[groups.curve2boundary[pair.curves[0]]].neighbour < 0) others.push_back(pair);
+  return periodic_loss(face, others, condition);
 }
 
 }  // namespace quadrille::exports

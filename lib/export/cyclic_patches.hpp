@@ -1,7 +1,8 @@
 #pragma once
-// Pairs of OpenFOAM's cyclic patches, from the periodic sides of a mesh.
+// Pairs of OpenFOAM's cyclic patches, and of Nektar++'s periodic composites, from the periodic sides of a mesh.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "export/groups.hpp"
@@ -31,7 +32,9 @@ void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, std::vector
 /// line ending in a line feed and indented as in the dictionary.
 std::string cyclic_transform(const CadFace& face, const CyclicPatch& patch, double scale);
 
-/// A sentence about the periodic sides that are no cyclic patches; empty if there are none.
-std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic);
+/// A sentence about the periodic sides that are no cyclic patches, with the condition that they do not satisfy; empty
+/// if there are none.
+std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
+                        std::string_view condition);
 
 }  // namespace quadrille::exports

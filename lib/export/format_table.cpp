@@ -21,20 +21,19 @@ namespace quadrille::exports {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
-      {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41, nullptr, true},
-      {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22, nullptr, true},
-      {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange},
-      {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier},
+      {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
+      {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22},
+      {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange, nullptr, true},
+      {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier, nullptr, true},
       {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
       {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10},
       {"mfem13", "", "MFEM mesh v1.3, with names", 20, true, mfem_mesh13},
       {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
-      {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm},
+      {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm, nullptr, true},
       {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
-      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2, nullptr, true},
+      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
       {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
-       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict,
-       true},
+       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict},
   };
   return formats;
 }
@@ -73,8 +72,8 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =
       format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);
-  if (const std::string loss = periodic_loss(mesh.face); !loss.empty() && !format.holds_periodic_sides)
-    exported.losses.push_back(loss);
+  if (format.loses_periodic_sides && !mesh.face.periodic_pairs.empty())
+    exported.losses.push_back(periodic_loss(mesh.face, mesh.face.periodic_pairs));
   exported.length = length;
   return exported;
 }

@@ -20,7 +20,7 @@ struct ExportFormat {
   Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
   /// The same for a format whose boundaries have types; nullptr: they have none.
   Exported (*write_with_types)(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) = nullptr;
-  bool holds_periodic_sides = false;
+  bool loses_periodic_sides = false;  ///< which export_mesh reports; the other writers report those that they lose
 };
 
 /// All formats of a quad mesh, in the order of the help.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 #include "export/hohqmesh_model.hpp"
 
@@ -77,7 +78,12 @@ Exported exported(const QuadMesh& mesh, HohqmeshModel model) {
 
 }  // namespace
 
-Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame) { return exported(mesh, hohqmesh_model(mesh, frame)); }
+Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame) {
+  HohqmeshModel model = hohqmesh_model(mesh, frame);
+  join_periodic_edges(mesh, model);
+  if (const std::string loss = rotation_loss(mesh.face); !loss.empty()) model.losses.push_back(loss);
+  return exported(mesh, std::move(model));
+}
 
 Exported hohqmesh_ism_mm(const QuadMesh& mesh, const Frame& frame) {
   return exported(mesh, hohqmesh_model_with_materials(mesh, frame));

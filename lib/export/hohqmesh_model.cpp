@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "export/chebyshev_lobatto.hpp"
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
 #include "export/names_table.hpp"
+#include "export/periodic_edges.hpp"
 #include "export/plain_names.hpp"
 #include "export/renode.hpp"
 #include "export/side_blend.hpp"
@@ -113,6 +116,28 @@ HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame) {
 
 HohqmeshModel hohqmesh_model_with_materials(const QuadMesh& mesh, const Frame& frame) {
   return make_model(mesh, frame, Materials::kept);
+}
+
+void join_periodic_edges(const QuadMesh& mesh, HohqmeshModel& model) {
+  std::map<std::pair<int, int>, int> edge_of;  // by element and side of boundary edges
+  for (std::size_t e = 0; e < model.edges.size(); ++e)
+    if (model.edges[e].other_elem < 0) edge_of[{model.edges[e].elem, model.edges[e].side}] = static_cast<int>(e);
+  std::vector<bool> is_joined(model.edges.size(), false);
+  for (const PeriodicEdges& pair : periodic_edges(mesh)) {
+    if (mesh.face.periodic_pairs[pair.pair].angle != 0) continue;
+    const QuadBoundaryEdge &first = mesh.boundary_edges[pair.first], &second = mesh.boundary_edges[pair.second];
+    const auto [lower, higher] = std::minmax(edge_of.at({first.elem, first.side}), edge_of.at({second.elem, second.side}));
+    HohqmeshEdge &kept = model.edges[lower], &other = model.edges[higher];
+    kept.other_elem = other.elem, kept.other_side = other.side;
+    is_joined[higher] = true;
+    model.boundary[kept.elem][kept.side] = model.boundary[other.elem][other.side] = -1;
+  }
+  std::size_t number = 0;
+  std::erase_if(model.edges, [&](const HohqmeshEdge&) { return is_joined[number++]; });
+}
+
+std::string rotation_loss(const CadFace& face) {
+  return periodic_loss(face, rotated_pairs(face), "the solvers couple sides that are moved, not turned");
 }
 
 std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side) {

@@ -17,7 +17,7 @@ namespace quadrille::exports {
 
 struct HohqmeshEdge {
   int elem = 0, side = 0;                ///< the element of lower number; the edge runs counter-clockwise round it
-  int other_elem = -1, other_side = -1;  ///< -1 on the boundary
+  int other_elem = -1, other_side = -1;  ///< -1 on the boundary; may lie across a periodic side
 };
 
 struct HohqmeshModel {
@@ -42,6 +42,13 @@ struct HohqmeshModel {
 HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame);
 /// The same with the region of each element.
 HohqmeshModel hohqmesh_model_with_materials(const QuadMesh& mesh, const Frame& frame);
+
+/// Makes one edge of the two of each periodic pair whose motion is a translation, between the elements on both sides;
+/// it has no name any more.
+void join_periodic_edges(const QuadMesh& mesh, HohqmeshModel& model);
+
+/// A sentence about the other periodic pairs; empty if there are none.
+std::string rotation_loss(const CadFace& face);
 
 /// The mesh nodes of a side in its local direction, both ends included.
 std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side);

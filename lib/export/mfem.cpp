@@ -9,6 +9,7 @@
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
 #include "export/names_table.hpp"
+#include "export/periodic_vertices.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -35,7 +36,11 @@ class Writer {
   Writer(const QuadMesh& mesh, const Frame& frame, bool with_names)
       : mesh_(mesh), frame_(frame), with_names_(with_names), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {
     require_edges_known_by_ends(mesh_, edges_, "MFEM");
+    number_vertices();
   }
+
+  /// That sides are periodic, if the file does not store it; else empty.
+  const std::string& periodic_loss() const { return periodic_.loss; }
 
   std::string text() {
     print("MFEM mesh v1.{}\n\ndimension\n2\n", with_names_ ? 3 : 0);
@@ -54,12 +59,21 @@ class Writer {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
 
+  /// Vertices of periodic sides are one in the file; without periodic sides they have the numbers of edges_.
+  void number_vertices() {
+    periodic_ = periodic_vertices(mesh_, edges_, Motions::all, "MFEM");
+    for (int v = 0; v < edges_.num_vertices(); ++v)
+      vertex_numbers_.push_back(periodic_(v) == v ? num_vertices_++ : vertex_numbers_[periodic_(v)]);
+  }
+
+  int vertex(int elem, int corner) const { return vertex_numbers_[edges_.elem2verts[4 * elem + corner % 4]]; }
+
   void write_elements() {
     print("\nelements\n{}\n", mesh_.num_elems());
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
-      const int* v = &edges_.elem2verts[4 * elem];
       const int attribute = 1 + groups_.block2region[mesh_.elem_block[elem]];
-      print("{} {} {} {} {} {}\n", attribute, square_type, v[0], v[1], v[2], v[3]);
+      print("{} {} {} {} {} {}\n", attribute, square_type, vertex(elem, 0), vertex(elem, 1), vertex(elem, 2),
+            vertex(elem, 3));
     }
   }
 
@@ -69,16 +83,16 @@ class Writer {
     return names;
   }
 
-  /// MFEM's boundary may have elements inside the mesh: interfaces, with attributes after those of the boundary.
+  /// MFEM's boundary may have elements inside the mesh: periodic sides, and interfaces with attributes after those of
+  /// the boundary.
   void write_boundary() {
     std::vector<QuadBoundaryEdge> edges = mesh_.boundary_edges;
     const std::vector<QuadBoundaryEdge> inner = interface_edges_once(mesh_);
     edges.insert(edges.end(), inner.begin(), inner.end());
     print("\nboundary\n{}\n", edges.size());
-    for (const QuadBoundaryEdge& e : edges) {
-      const int* v = &edges_.elem2verts[4 * e.elem];
-      print("{} {} {} {}\n", 1 + groups_.curve2boundary[e.curve], segment_type, v[e.side], v[(e.side + 1) % 4]);
-    }
+    for (const QuadBoundaryEdge& e : edges)
+      print("{} {} {} {}\n", 1 + groups_.curve2boundary[e.curve], segment_type, vertex(e.elem, e.side),
+            vertex(e.elem, e.side + 1));
   }
 
   void write_sets(const char* title, const std::vector<std::string>& names) {
@@ -95,17 +109,26 @@ class Writer {
     print("\n");
   }
 
-  /// Straight-sided quads are their vertices; others a grid function of nodes.
+  /// Straight-sided quads are their vertices; others a grid function of nodes, which is discontinuous where vertices of
+  /// periodic sides are one.
   void write_geometry() {
-    print("\nvertices\n{}\n", edges_.num_vertices());
+    print("\nvertices\n{}\n", num_vertices_);
+    if (periodic_.are_identified()) {
+      write_space("L2_T1");  // T1: the basis of Gauss-Lobatto nodes
+      for (const int node : mesh_.elem_nodes) print_position(node);
+      return;
+    }
     if (mesh_.order == 1)
       print("{}\n", space_dim());
     else
-      print("\nnodes\nFiniteElementSpace\nFiniteElementCollection: H1_2D_P{}\nVDim: {}\nOrdering: 1\n\n",  // 1: x y x y
-                                                                                                           // ...
-            mesh_.order, space_dim());
+      write_space("H1");
     for (const int node : edges_.vertices) print_position(node);
     if (mesh_.order > 1) write_inner_nodes();
+  }
+
+  void write_space(const char* kind) {
+    print("\nnodes\nFiniteElementSpace\nFiniteElementCollection: {}_2D_P{}\nVDim: {}\nOrdering: 1\n\n",  // 1: x y x y
+          kind, mesh_.order, space_dim());
   }
 
   /// MFEM's own order: vertices, edges (each in its own direction), elements (i fastest).
@@ -125,24 +148,33 @@ class Writer {
   bool with_names_;
   EdgeNumbering edges_;
   Groups groups_;
+  PeriodicVertices periodic_;
+  std::vector<int> vertex_numbers_;  ///< by vertex of edges_
+  int num_vertices_ = 0;
   std::string out_;
 };
+
+Exported exported(const QuadMesh& mesh, const Frame& frame, bool with_names) {
+  Writer writer(mesh, frame, with_names);
+  Exported result;
+  result.bytes = writer.text();
+  if (!writer.periodic_loss().empty()) result.losses.push_back(writer.periodic_loss());
+  return result;
+}
 
 }  // namespace
 
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
   const Groups groups = mesh_groups(mesh);
-  return {Writer(mesh, frame, false).text(),
-          false,
-          {names_table(groups)},
-          {fmt::format("MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
-                       "(--format mfem13 keeps them, for MFEM 4.7 and later)",
-                       counted(groups.num_boundaries(), "boundary", "boundaries"),
-                       counted(groups.num_regions(), "region", "regions"))}};
+  Exported result = exported(mesh, frame, false);
+  result.side_files.push_back(names_table(groups));
+  result.losses.push_back(fmt::format(
+      "MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
+      "(--format mfem13 keeps them, for MFEM 4.7 and later)",
+      counted(groups.num_boundaries(), "boundary", "boundaries"), counted(groups.num_regions(), "region", "regions")));
+  return result;
 }
 
-Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) {
-  return {Writer(mesh, frame, true).text(), false, {}, {}};
-}
+Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) { return exported(mesh, frame, true); }
 
 }  // namespace quadrille::exports

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 
 #include "export/chord_directions.hpp"
+#include "export/cyclic_patches.hpp"
 #include "export/groups.hpp"
+#include "export/periodic_edges.hpp"
 #include "export/side_blend.hpp"
 
 namespace quadrille::exports {
@@ -41,7 +44,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// "0-3,7": ascending numbers as ranges.
+/// "0-3,7": in their order, those that follow each other as ranges.
 std::string ranges(const std::vector<int>& numbers) {
   std::string out;
   for (std::size_t k = 0; k < numbers.size();) {
@@ -178,19 +181,34 @@ class Writer {
         lines[groups_.curve2boundary[e.curve]].push_back(edges_.elem2edges[4 * e.elem + e.side]);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem)
       regions[groups_.block2region[mesh_.elem_block[elem]]].push_back(elem);
+    for (std::vector<int>& edges : lines) std::sort(edges.begin(), edges.end());
+    order_periodic_edges(lines);
     int id = 1;
     print("    <COMPOSITE>\n");
-    for (std::size_t b = 0; b < names.size(); ++b) write_composite(id++, names[b], 'E', std::move(lines[b]));
+    for (std::size_t b = 0; b < names.size(); ++b) write_composite(id++, names[b], 'E', lines[b]);
     for (int r = 0; r < groups_.num_regions(); ++r) {
       if (!regions[r].empty()) region_ids_.push_back(id);
-      write_composite(id++, groups_.region_names[r], 'Q', std::move(regions[r]));
+      write_composite(id++, groups_.region_names[r], 'Q', regions[r]);
     }
     print("    </COMPOSITE>\n    <DOMAIN>\n      <D ID=\"0\"> C[{}] </D>\n    </DOMAIN>\n", ranges(region_ids_));
   }
 
-  void write_composite(int id, const std::string& name, char letter, std::vector<int> members) {
+  /// Nektar++ couples the edges of two periodic composites in the order of their lists.
+  void order_periodic_edges(std::vector<std::vector<int>>& lines) {
+    std::map<int, int> images;
+    const auto edge = [this](int e) {
+      return edges_.elem2edges[4 * mesh_.boundary_edges[e].elem + mesh_.boundary_edges[e].side];
+    };
+    for (const PeriodicEdges& pair : periodic_edges(mesh_)) images[edge(pair.first)] = edge(pair.second);
+    const std::vector<CyclicPatch> cyclic = cyclic_patches(mesh_, groups_, {});
+    for (std::size_t b = 0; b < cyclic.size(); ++b)
+      if (cyclic[b].neighbour >= 0 && cyclic[b].is_first)
+        std::transform(lines[b].begin(), lines[b].end(), lines[cyclic[b].neighbour].begin(),
+                       [&](int of) { return images.at(of); });
+  }
+
+  void write_composite(int id, const std::string& name, char letter, const std::vector<int>& members) {
     if (members.empty()) return;  // an empty list is an error of the file
-    std::sort(members.begin(), members.end());
     print("      <C ID=\"{}\" NAME=\"{}\"> {}[{}] </C>\n", id, escaped(name), letter, ranges(members));
   }
 
@@ -209,19 +227,26 @@ class Writer {
   std::string out_;
 };
 
-std::vector<std::string> losses_of(const Groups& groups) {
+std::vector<std::string> losses_of(const QuadMesh& mesh) {
+  const Groups groups = mesh_groups(mesh);
+  std::vector<std::string> losses;
+  const std::string periodic = cyclic_loss(mesh.face, groups, cyclic_patches(mesh, groups, {}),
+                                           "a composite has periodic curves of one motion only");
+  if (!periodic.empty()) losses.push_back(periodic);
   std::size_t count = 0;
   for (const auto* names : {&groups.boundary_names, &groups.interface_names, &groups.region_names})
     count += std::count_if(names->begin(), names->end(),
                            [](const std::string& name) { return std::any_of(name.begin(), name.end(), is_control); });
-  if (count == 0) return {};
-  return {fmt::format("XML cannot represent control characters: those of {} names are replaced by underscores", count)};
+  if (count > 0)
+    losses.push_back(
+        fmt::format("XML cannot represent control characters: those of {} names are replaced by underscores", count));
+  return losses;
 }
 
 }  // namespace
 
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame) {
-  return {Writer(turned_along_chords(mesh), frame).text(), false, {}, losses_of(mesh_groups(mesh))};
+  return {Writer(turned_along_chords(mesh), frame).text(), false, {}, losses_of(mesh)};
 }
 
 }  // namespace quadrille::exports

@@ -84,14 +84,32 @@ std::array<double, 16> affine_motion(const CadFace& face, int pair, const Frame&
   return result;
 }
 
-std::string periodic_loss(const CadFace& face) {
+std::vector<PeriodicPair> translated_pairs(const CadFace& face) {
+  std::vector<PeriodicPair> pairs = face.periodic_pairs;
+  std::erase_if(pairs, [](const PeriodicPair& pair) { return pair.angle != 0; });
+  return pairs;
+}
+
+std::vector<PeriodicPair> rotated_pairs(const CadFace& face) {
+  std::vector<PeriodicPair> pairs = face.periodic_pairs;
+  std::erase_if(pairs, [](const PeriodicPair& pair) { return pair.angle == 0; });
+  return pairs;
+}
+
+std::string periodic_names(const CadFace& face, const std::vector<PeriodicPair>& pairs) {
   std::set<std::pair<std::string, std::string>> names;
-  for (const PeriodicPair& pair : face.periodic_pairs)
+  for (const PeriodicPair& pair : pairs)
     names.emplace(face.curve_names[pair.curves[0]], face.curve_names[pair.curves[1]]);
   std::string list;
   for (const auto& [first, second] : names)
     list += fmt::format("{}\"{}\" and \"{}\"", list.empty() ? "" : "; ", first, second);
-  return list.empty() ? list : "that sides are periodic is not stored, their nodes are images of each other: " + list;
+  return list;
+}
+
+std::string periodic_loss(const CadFace& face, const std::vector<PeriodicPair>& pairs, std::string_view why) {
+  if (pairs.empty()) return {};
+  return fmt::format("that sides are periodic is not stored, their nodes are images of each other: {}{}",
+                     periodic_names(face, pairs), why.empty() ? "" : fmt::format(" ({})", why));
 }
 
 }  // namespace quadrille::exports

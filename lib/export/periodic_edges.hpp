@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "export/frame.hpp"
@@ -22,7 +23,16 @@ std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh);
 /// The motion of a pair in a frame, row by row: it maps (x, y, z, 1) of the first curve onto the second.
 std::array<double, 16> affine_motion(const CadFace& face, int pair, const Frame& frame);
 
-/// A sentence that the format does not store the periodic sides; empty if there are none.
-std::string periodic_loss(const CadFace& face);
+/// Those pairs whose motion is a translation, and the others. Discontinuous Galerkin methods that take the normal of
+/// one side for both couple the former only.
+std::vector<PeriodicPair> translated_pairs(const CadFace& face);
+std::vector<PeriodicPair> rotated_pairs(const CadFace& face);
+
+/// The names of the sides, pair by pair: "left" and "right"; "bottom" and "top".
+std::string periodic_names(const CadFace& face, const std::vector<PeriodicPair>& pairs);
+
+/// A sentence that the format does not store that the sides of `pairs` are periodic, and why, if that is not empty.
+/// Empty if there are no pairs.
+std::string periodic_loss(const CadFace& face, const std::vector<PeriodicPair>& pairs, std::string_view why = {});
 
 }  // namespace quadrille::exports

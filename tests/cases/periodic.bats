@@ -65,16 +65,45 @@ accepted() {
   assert_line --partial "already a side of another periodic pair"
 }
 
-@test "Gmsh and Nek5000 files name the partner of each periodic side, others report the loss" {
-  "$ROOT/pipelines/quadmesh" "$DATA/regions/periodic_sector.step" --periodic from=to --workdir . -o x.msh
-  quadexport --format msh22 periodic_sector.quad.h5 -o x22.msh
-  quadexport --frame 3d periodic_sector.quad.h5 -o space.msh
-  quadexport periodic_sector.quad.h5 -o x.re2
-  run -0 python3 "$ROOT/tests/exports/check_periodic.py" x.msh x22.msh space.msh x.re2
-  for format in vtu nektar mfem inp; do
-    run -0 quadexport --format "$format" periodic_sector.quad.h5 -o "x.$format"
+# exported NAME OPTION...: files of a periodic mesh in all formats, and how many pairs of edges it has.
+exported() {
+  "$ROOT/pipelines/quadmesh" -q "$DATA/regions/$1.step" "${@:2}" --workdir . -o x.msh
+  quadexport -q --format msh22 "$1.quad.h5" -o x22.msh
+  quadexport -q --frame 3d "$1.quad.h5" -o space.msh
+  for format in re2 mesh xml ism inp; do quadexport -q "$1.quad.h5" -o "x.$format" 2>>messages; done
+  quadexport -q --format mfem13 "$1.quad.h5" -o x13.mesh
+}
+
+@test "each format says that sides are periodic in its own way" {
+  exported periodic_box --periodic left=right --periodic bottom=top --size 0.7
+  refute grep periodic messages
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" x.msh x22.msh space.msh
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" --stage periodic_box.quad.h5 --composites left=right \
+    --composites bottom=top x.re2 x.mesh x13.mesh x.xml x.ism x.inp
+  assert_equal "$(sed -E 's/[^:]*: //; s/,.*//' <<<"$output" | sort -u | wc -l)" 1 # as many pairs of sides in each
+}
+
+@test "a rotation is written where the solver can use it, and reported elsewhere" {
+  exported periodic_sector --periodic from=to
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" x.msh x22.msh space.msh
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" --composites from=to x.re2 x.xml
+  run -0 quadexport --format mfem13 periodic_sector.quad.h5 -o y.mesh
+  assert_output --partial 'sides that meet in a corner stay apart' # in the centre
+  for format in vtu vtu-bezier ism-v2 ism-mm inp; do
+    run -0 quadexport --format "$format" periodic_sector.quad.h5 -o y
     assert_output --partial 'that sides are periodic is not stored, their nodes are images of each other: "from" and "to"'
   done
+  run -0 "$ROOT/tests/exports/compare" --off 1e-10 inp x.inp periodic_sector.quad.h5 ism x.ism periodic_sector.quad.h5
+}
+
+@test "files of a periodic mesh with few elements, and of several regions" {
+  "$ROOT/pipelines/quadmesh" -q "$DATA/square.step" --periodic curve_1=curve_3 --size 10 --workdir . -o x.msh
+  run -0 quadexport --format mfem13 square.quad.h5 -o few.mesh
+  assert_output --partial '(MFEM identifies edges by their ends, and the edge from'
+  run -0 "$ROOT/tests/exports/compare" mfem few.mesh square.quad.h5
+  "$ROOT/pipelines/quadmesh" -q "$DATA/regions/periodic_layers.step" --periodic left=right --workdir . -o x.msh
+  quadexport -q --format mfem13 periodic_layers.quad.h5 -o layers.mesh
+  run -0 python3 "$ROOT/tests/exports/check_periodic.py" --stage periodic_layers.quad.h5 layers.mesh
 }
 
 @test "periodic boundaries are OpenFOAM's cyclic patches, unless an option gives them a type" {

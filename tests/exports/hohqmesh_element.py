@@ -77,20 +77,23 @@ def check_sides(elements, vertices, curved, n):
     return neighbours
 
 
-def element_mesh(path, n, vertices, elements, curved, names):
-    """names: for each element four words, "---" inside."""
+def element_mesh(path, n, vertices, elements, curved, names, joined=()):
+    """names: for each element four words, "---" inside; joined: {(element, side): (element, side)} across periodic
+    sides, which count as inside."""
     neighbours = check_sides(elements, vertices, curved, n)
+    assert not set(joined) & set(neighbours)
     said = real_names(path)
     boundaries = {}
     for e, words in enumerate(names):
         assert len(words) == 4
         for side, word in enumerate(words):
-            assert (word == "---") == ((e, side) in neighbours), f"side {side} of {e} is called {word}"
+            assert (word == "---") == ((e, side) in neighbours or (e, side) in joined), f"side {side} of {e} is called {word}"
             if word != "---":
                 boundaries[e, side] = said.get(word, word)
     assert {v for ids in elements for v in ids} == set(range(len(vertices)))
     nodes = [blended([vertices[v] for v in ids], curved[e], n) for e, ids in enumerate(elements)]
-    return ElementMesh(n, nodes, None, boundaries, len(vertices)), neighbours
+    mesh = ElementMesh(n, nodes, None, boundaries, len(vertices), numbers={"joined": dict(joined)})
+    return mesh, neighbours
 
 
 def real_names(path):

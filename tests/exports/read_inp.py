@@ -14,9 +14,9 @@ def read(path, _order=None):
     assert lines[start - 1] == "** ***** HOHQMesh boundary information ***** **"
     n = int(lines[start].split()[5])
     comments = iter([words_of(line) for line in lines[start + 1:]])
-    curved = []
-    for ids in elements:
-        assert [int(word) - 1 for word in next(comments)] == ids
+    corners, curved = [], []
+    for _ in elements:
+        corners.append([int(word) - 1 for word in next(comments)])
         flags = next(comments)
         assert len(flags) == 4 and set(flags) <= {"0", "1"}
         curved.append([[tuple(map(float, next(comments))) for _ in range(n + 1)] if flag == "1" else None
@@ -26,7 +26,24 @@ def read(path, _order=None):
         left, right, low, high = next(comments)  # -x +x -y +y
         names.append([low, right, high, left])
     assert next(comments, None) is None, "something follows"
-    return element_mesh(path, n, vertices, elements, curved, names)[0]
+    return element_mesh(path, n, vertices, corners, curved, names, joined_sides(elements, corners))[0]
+
+
+def joined_sides(elements, corners):
+    """{(element, side): (other element, its side)} of sides that p4est takes for one though their corners differ:
+    *ELEMENT has the same corners for both, the comments have their own."""
+    def sides(quads):
+        met = {}
+        for e, ids in enumerate(quads):
+            for side in range(4):
+                met.setdefault(frozenset((ids[side], ids[(side + 1) % 4])), []).append((e, side))
+        return met
+    trees, drawn = sides(elements), sides(corners)
+    assert all(len(places) <= 2 and len(ends) == 2 for ends, places in trees.items()), "p4est could not tell sides apart"
+    alone = {places[0] for places in drawn.values() if len(places) == 1}
+    pairs = [places for places in trees.values() if len(places) == 2 and alone.issuperset(places)]
+    assert len(trees) == len(drawn) - len(pairs), "corners are joined that no periodic side has"
+    return {a: b for pair in pairs for a, b in (pair, pair[::-1])}
 
 
 def words_of(line):

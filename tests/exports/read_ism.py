@@ -18,8 +18,9 @@ def read(path, _order=None):
         curved.append([[point(next(lines)) for _ in range(n + 1)] if flag == "1" else None for flag in flags])
         names.append(next(lines).split())
     assert next(lines, None) is None, "something follows"
-    mesh, neighbours = element_mesh(path, n, vertices, elements, curved, names)
-    check_edges(edges, elements, neighbours)
+    joined = joined_sides(edges, elements)
+    mesh, neighbours = element_mesh(path, n, vertices, elements, curved, names, joined)
+    check_edges(edges, elements, neighbours, joined)
     return mesh
 
 
@@ -28,10 +29,21 @@ def point(line):
     return x, y, z
 
 
-def check_edges(edges, elements, neighbours):
+def joined_sides(edges, elements):
+    """{(element, side): (other element, its side)} of edges between sides with other corners: periodic ones."""
+    joined = {}
+    for _, _, left, right, side, other in edges:
+        one, two = (left - 1, side - 1), (right - 1, abs(other) - 1)
+        ends = [{elements[e][s], elements[e][(s + 1) % 4]} for e, s in (one, two)] if right > 0 else []
+        if ends and ends[0] != ends[1]:
+            joined |= {one: two, two: one}
+    return joined
+
+
+def check_edges(edges, elements, neighbours, joined):
     """Each edge once: the left element lies on its left; the last number is negative where the points of the two sides
-    come in opposite sequence."""
-    assert len(edges) == 4 * len(elements) - len(neighbours) // 2, "an edge is missing or there twice"
+    come in opposite sequence. Round their elements both sides run in opposite directions."""
+    assert len(edges) == 4 * len(elements) - (len(neighbours) + len(joined)) // 2, "an edge is missing or there twice"
     told = set()
     for a, b, left, right, side, other in edges:
         ids = elements[left - 1]
@@ -40,6 +52,9 @@ def check_edges(edges, elements, neighbours):
         if right == 0:
             assert other == 0 and (left - 1, side - 1) not in neighbours
             continue
-        assert neighbours[left - 1, side - 1] == (right - 1, abs(other) - 1, other > 0)
+        if (left - 1, side - 1) in joined:
+            assert (other > 0) == ((side > 2) != (abs(other) > 2)), "the points of a periodic side are reversed"
+        else:
+            assert neighbours[left - 1, side - 1] == (right - 1, abs(other) - 1, other > 0)
         told.add((right - 1, abs(other) - 1))
     assert len(told) == 4 * len(elements)

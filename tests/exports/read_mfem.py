@@ -1,5 +1,5 @@
 """MFEM mesh v1.0 and v1.3 as MFEM reads it: topology, attributes with their names, and the nodes as an H1 grid function
-in MFEM's numbering of degrees of freedom."""
+in MFEM's numbering of degrees of freedom, or as an L2 one, element by element, where periodic sides share vertices."""
 import json
 import re
 from pathlib import Path
@@ -49,22 +49,28 @@ def name_sets(words, title):
     return names
 
 
+def positions(words, dimension, count):
+    return [tuple(words.floats(dimension)) + (0.0,) * (3 - dimension) for _ in range(count)]
+
+
 def nodes_of(words, elements, num_vertices):
     """Positions of each element's (N+1)^2 nodes: vertices first, then edges in the sequence in which a loop over the
     elements meets them (from the lower vertex to the higher), then the elements' insides."""
     words.expect("FiniteElementSpace", "FiniteElementCollection:")
-    order = int(re.fullmatch(r"H1_2D_P(\d+)", words.next())[1])
+    space, order = re.fullmatch(r"(H1|L2_T1)_2D_P(\d+)", words.next()).groups()  # T1: Gauss-Lobatto nodes
+    order = int(order)
     words.expect("VDim:")
     dimension = words.int()
     words.expect("Ordering:", "1")
+    if space != "H1":
+        return order, [positions(words, dimension, (order + 1) ** 2) for _ in elements]
     edges = {}
     for corners in elements:
         for side in range(4):
             edges.setdefault(frozenset((corners[side], corners[(side + 1) % 4])), len(edges))
     inner = order - 1
     count = num_vertices + inner * len(edges) + inner ** 2 * len(elements)
-    numbers = words.floats(dimension * count)
-    dofs = [tuple(numbers[k:k + dimension]) + (0.0,) * (3 - dimension) for k in range(0, len(numbers), dimension)]
+    dofs = positions(words, dimension, count)
     all_nodes = []
     for e, corners in enumerate(elements):
         nodes = [None] * (order + 1) ** 2
@@ -114,7 +120,7 @@ def read(path, _order=None):
         order, nodes = nodes_of(words, elements, num_vertices)
     else:
         order, dimension = 1, int(word)
-        x = [tuple(words.floats(dimension)) + (0.0,) * (3 - dimension) for _ in range(num_vertices)]
+        x = positions(words, dimension, num_vertices)
         nodes = [bilinear([x[v] for v in corners], gll_points(1)) for corners in elements]
     if version == "3":
         words.expect("mfem_mesh_end")
@@ -123,7 +129,8 @@ def read(path, _order=None):
         region_names, boundary_names = names_beside(path)
     sides = {(e[s], e[(s + 1) % 4]): (k, s) for k, e in enumerate(elements) for s in range(4)}  # as the element runs
     return ElementMesh(order, nodes, [region_names[a] for a in attributes],
-                       {sides[a, b]: boundary_names[attribute] for attribute, a, b in boundary}, num_vertices)
+                       {sides[a, b]: boundary_names[attribute] for attribute, a, b in boundary}, num_vertices,
+                       numbers={"corners": elements})
 
 
 def names_beside(path):

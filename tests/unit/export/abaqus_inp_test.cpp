@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "periodic_row.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -29,6 +30,29 @@ TEST(AbaqusInp, ThePageShowsWhatIsWritten) {
 TEST(AbaqusInp, RefusesEdgesThatP4estCannotTellApart) {
   const QuadMesh mesh = ring_of_two_quads();
   EXPECT_THROW(abaqus_inp(mesh, plane_frame(mesh.face)), ComputeError);
+}
+
+TEST(AbaqusInp, PeriodicSidesHaveTheSameCornersAndTheirOwnInComments) {
+  const QuadMesh mesh = periodic_row(3);
+  const Exported exported = abaqus_inp(mesh, plane_frame(mesh.face));
+  EXPECT_EQ(exported.bytes,
+            "*Heading\n File created by HOHQMesh\n"
+            "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 2, 0, 0\n6, 2, 1, 0\n7, 3, 0, 0\n8, 3, 1, 0\n"
+            "*ELEMENT, type=CPS4, ELSET=Surface1\n1, 1, 2, 3, 4\n2, 2, 5, 6, 3\n3, 5, 1, 4, 6\n"
+            "** ***** HOHQMesh boundary information ***** **\n** mesh polynomial degree = 1\n"
+            "**  1 2 3 4\n**  0 0 0 0\n**  2 5 6 3\n**  0 0 0 0\n**  5 7 8 6\n**  0 0 0 0\n"
+            "** --- --- low high\n** --- --- low high\n** --- --- low high\n");
+  ASSERT_EQ(exported.losses.size(), 1u);
+  EXPECT_NE(exported.losses[0].find("other programs read wrong quads along \"left\" and \"right\""), std::string::npos);
+}
+
+TEST(AbaqusInp, PeriodicSidesThatP4estCouldNotDistinguishAreReported) {
+  const QuadMesh mesh = periodic_row(2);
+  const Exported exported = abaqus_inp(mesh, plane_frame(mesh.face));
+  EXPECT_NE(exported.bytes.find("\n2, 2, 5, 6, 3\n"), std::string::npos);
+  EXPECT_NE(exported.bytes.find("\n** left --- low high\n** --- right low high\n"), std::string::npos);
+  ASSERT_EQ(exported.losses.size(), 1u);
+  EXPECT_NE(exported.losses[0].find("p4est identifies edges by their ends"), std::string::npos);
 }
 
 TEST(AbaqusInp, NamesAreWrittenInLettersThatReadersTake) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "export/hohqmesh_model.hpp"
+#include "periodic_row.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -67,6 +68,16 @@ TEST(HohqmeshIsm, SignTellsOppositeSequences) {
     const QuadMesh mesh = turned(quarters);
     EXPECT_NE(hohqmesh_ism(mesh, plane_frame(mesh.face)).bytes.find(lines[quarters]), std::string::npos) << quarters;
   }
+}
+
+TEST(HohqmeshIsm, APeriodicEdgeLiesBetweenTheElementsOfBothSides) {
+  const QuadMesh mesh = periodic_row(2);
+  const Exported exported = hohqmesh_ism(mesh, plane_frame(mesh.face));
+  EXPECT_EQ(exported.bytes,
+            "ISM-V2\n6 6 2 1\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n"
+            "1 2 1 0 1 0\n2 3 1 2 2 4\n3 4 1 0 3 0\n4 1 1 2 4 2\n2 5 2 0 1 0\n6 3 2 0 3 0\n"
+            "1 2 3 4\n0 0 0 0\nlow --- high ---\n2 5 6 3\n0 0 0 0\nlow --- high ---\n");
+  EXPECT_TRUE(exported.losses.empty());
 }
 
 TEST(HohqmeshIsm, UnevenNodesOfAStraightSideAreACurve) {

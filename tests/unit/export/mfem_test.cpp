@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "periodic_row.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -149,6 +150,77 @@ TEST(Mfem, ThirdCoordinateOnlyWhereThePlaneIsLeft) {
   EXPECT_NE(curved.find("\n7 3 2.5\n"), std::string::npos);
   const std::string straight = mfem_mesh10(two_straight_quads(), upright_frame()).bytes;
   EXPECT_NE(straight.find("\nvertices\n6\n3\n7 0 0\n7 2 0\n"), std::string::npos);
+}
+
+TEST(Mfem, VerticesOfPeriodicSidesAreOneAndNodesDiscontinuous) {
+  const QuadMesh mesh = periodic_row(3);
+  const Exported exported = mfem_mesh13(mesh, plane_frame(mesh.face));
+  EXPECT_EQ(exported.bytes, R"(MFEM mesh v1.3
+
+dimension
+2
+
+elements
+3
+1 3 0 1 2 3
+1 3 1 4 5 2
+1 3 4 0 3 5
+
+attribute_sets
+1
+"gas" 1 1
+
+boundary
+8
+1 1 0 1
+1 1 1 4
+1 1 4 0
+2 1 0 3
+3 1 3 5
+3 1 5 2
+3 1 2 3
+4 1 3 0
+
+bdr_attribute_sets
+4
+"low" 1 1
+"right" 1 2
+"high" 1 3
+"left" 1 4
+
+vertices
+6
+
+nodes
+FiniteElementSpace
+FiniteElementCollection: L2_T1_2D_P1
+VDim: 2
+Ordering: 1
+
+0 0
+1 0
+0 1
+1 1
+1 0
+2 0
+1 1
+2 1
+2 0
+3 0
+2 1
+3 1
+
+mfem_mesh_end
+)");
+  EXPECT_TRUE(exported.losses.empty());
+}
+
+TEST(Mfem, PeriodicSidesWithTooFewElementsBetweenThemAreReported) {
+  const QuadMesh mesh = periodic_row(2);
+  const Exported exported = mfem_mesh13(mesh, plane_frame(mesh.face));
+  EXPECT_NE(exported.bytes.find("\nvertices\n6\n2\n0 0\n"), std::string::npos);
+  ASSERT_EQ(exported.losses.size(), 1u);
+  EXPECT_NE(exported.losses[0].find("refine to at least three elements"), std::string::npos);
 }
 
 TEST(Mfem, EdgesThatItCannotTellApartAreRefused) {

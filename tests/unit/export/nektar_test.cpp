@@ -137,6 +137,42 @@ TEST(Nektar, NamesAreEscapedAndControlCharactersAreSaidToBeLost) {
   EXPECT_TRUE(nektar_xml(two_quads(), plane_frame(mesh.face)).losses.empty());
 }
 
+/// Four unit squares, of which the left and the right side of [0, 2]^2 are periodic. On the left the lower square is
+/// met before the upper one, on the right after it.
+QuadMesh four_quads() {
+  QuadMesh mesh;
+  mesh.order = 1;
+  mesh.face.diameter = 3;
+  mesh.face.curves.resize(4);
+  mesh.face.curve_names = {"low", "right", "high", "left"};
+  mesh.face.periodic_pairs = {{{3, 1}, 0, {2, 0}}};
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) mesh.nodes.push_back({1.0 * i, 1.0 * j});
+  for (const int first : {0, 3, 4, 1})
+    for (const int node : {0, 1, 3, 4}) mesh.elem_nodes.push_back(first + node);
+  mesh.elem_block = {0, 0, 0, 0};
+  mesh.block_names = {"gas"};
+  mesh.boundary_edges = {{0, 0, 0}, {3, 0, 0}, {3, 1, 1}, {2, 1, 1}, {2, 2, 2}, {1, 2, 2}, {1, 3, 3}, {0, 3, 3}};
+  return mesh;
+}
+
+TEST(Nektar, EdgesOfPeriodicCompositesAreInTheSameOrder) {
+  const QuadMesh mesh = four_quads();
+  const Exported exported = nektar_xml(mesh, plane_frame(mesh.face));
+  EXPECT_NE(exported.bytes.find(R"(<C ID="2" NAME="right"> E[11,8] </C>)"), std::string::npos);
+  EXPECT_NE(exported.bytes.find(R"(<C ID="4" NAME="left"> E[3,6] </C>)"), std::string::npos);
+  EXPECT_TRUE(exported.losses.empty());
+}
+
+TEST(Nektar, ACompositeWithOtherEdgesIsNotPeriodic) {
+  QuadMesh mesh = four_quads();
+  mesh.face.curve_names[2] = "right";
+  const Exported exported = nektar_xml(mesh, plane_frame(mesh.face));
+  EXPECT_NE(exported.bytes.find(R"(<C ID="2" NAME="right"> E[5,8-9,11] </C>)"), std::string::npos);
+  ASSERT_EQ(exported.losses.size(), 1u);
+  EXPECT_NE(exported.losses[0].find("(a composite has periodic curves of one motion only)"), std::string::npos);
+}
+
 TEST(Nektar, SpaceHasThreeDimensionsOnlyWhereItNeedsThem) {
   const QuadMesh mesh = two_quads();
   const std::string text = nektar_xml(mesh, upright_frame()).bytes;
