@@ -34,9 +34,9 @@ struct SizeArguments {
 
 void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
-  o.texts("--size-near", sizes.near, "NAME=H",
-          "edge length H along the boundary or interface NAME, growing with the distance from it; NAME@REGION: in this "
-          "region alone");
+  o.texts("--size-near", sizes.near, "NAME=H[:H2]",
+          "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
+          "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
   o.input_file("--size-field", sizes.path, "FILE",
                "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
   o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",

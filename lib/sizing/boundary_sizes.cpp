@@ -80,6 +80,30 @@ std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double s
   return segments;
 }
 
+GrowingSize growing_size(const CadFace& face, const std::vector<int>& curves, double size, double other_size) {
+  GrowingSize growing{face.joints[curves[0]].position, face.joints[curves[0]].position, size, other_size};
+  const auto is_before = [&](Vec2 a, Vec2 b) {
+    const double tol = 1e-6 * face.diameter;
+    return std::abs(a.x - b.x) > tol ? a.x < b.x : a.y < b.y - tol;
+  };
+  for (const int c : curves)
+    for (const int joint : {c, face.next_in_loop(c)}) {
+      const Vec2 x = face.joints[joint].position;
+      if (is_before(x, growing.end)) growing.end = x;
+      if (is_before(growing.other_end, x)) growing.other_end = x;
+    }
+  return growing;
+}
+
+std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& size, double slope) {
+  const double whole = distance(size.end, size.other_end);
+  const auto at = [&](double t, bool) {
+    const double part = whole > 0 ? std::min(1.0, distance(curve::point(curve, t), size.end) / whole) : 0;
+    return size.size + part * (size.other_size - size.size);
+  };
+  return segments_of(curve, at, slope);
+}
+
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope) {
   if (is_straight(curve)) return {};

@@ -16,6 +16,16 @@ namespace quadrille::sizing {
 /// `size` along one curve. `slope` > 0: growth of sizes per distance from it.
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope);
 
+/// A size in proportion to the distance from one end of a chain of curves: `size` there, `other_size` at the other end.
+struct GrowingSize {
+  Vec2 end, other_end;
+  double size = 0, other_size = 0;
+};
+/// The ends of the curves: their joint of least x (then y), and the one of greatest x (then y); equal within 1e-6
+/// diameters.
+GrowingSize growing_size(const CadFace& face, const std::vector<int>& curves, double size, double other_size);
+std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& size, double slope);
+
 /// 2 pi / (elements_per_turn |curvature|) along one curve, between `least` and `greatest`; segments all at `greatest`
 /// are omitted. Corners prescribe no size.
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,

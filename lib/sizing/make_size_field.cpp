@@ -23,6 +23,12 @@ std::optional<Number> number_of(const std::string& text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional<Number>(value) : std::nullopt;
 }
 
+/// A finite number above 0.
+std::optional<double> length_of(const std::string& text) {
+  const std::optional<double> length = number_of<double>(text);
+  return length && *length > 0 && std::isfinite(*length) ? length : std::nullopt;
+}
+
 /// The parts of a text before and behind the last =.
 std::pair<std::string, std::string> halves(const std::string& text) {
   const std::size_t at = text.rfind('=');
@@ -50,8 +56,11 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   };
   for (const NearSize& near : options.near) {
     const int region = curve::named_region(face, near.boundary);
-    for (const int curve : curve::named_curves(face, near.boundary, "--size-near")) {
-      std::vector<SizeSegment> own = segments_near(face.curves[curve], near.size, slope);
+    const std::vector<int> curves = curve::named_curves(face, near.boundary, "--size-near");
+    const GrowingSize growing = growing_size(face, curves, near.size, near.other_size);
+    for (const int curve : curves) {
+      std::vector<SizeSegment> own = near.other_size > 0 ? segments_near(face.curves[curve], growing, slope)
+                                                         : segments_near(face.curves[curve], near.size, slope);
       for (SizeSegment& segment : own) segment.region = region;
       add(own);
     }
@@ -64,10 +73,12 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
 
 NearSize parse_near_size(const std::string& text) {
   const auto [name, value] = halves(text);
-  const std::optional<double> size = number_of<double>(value);
-  if (name.empty() || !size || !(*size > 0) || !std::isfinite(*size))
-    throw UsageError(fmt::format("--size-near: '{}' is not NAME=H with a length H > 0", text));
-  return {name, *size};
+  const std::size_t colon = value.find(':');
+  const std::optional<double> size = length_of(value.substr(0, colon));
+  const std::optional<double> other = colon == std::string::npos ? size : length_of(value.substr(colon + 1));
+  if (name.empty() || !size || !other)
+    throw UsageError(fmt::format("--size-near: '{}' is not NAME=H or NAME=H:H2 with lengths above 0", text));
+  return {name, *size, colon == std::string::npos ? 0 : *other};
 }
 
 ChordCount parse_chord_count(const std::string& text) {

@@ -11,10 +11,12 @@
 
 namespace quadrille::sizing {
 
-/// Edges of length `size` along a named boundary; with "NAME@REGION" in this region alone.
+/// Edges of length `size` along a named boundary; with "NAME@REGION" in this region alone. `other_size` > 0: that of
+/// the boundary's right end (of greatest x, then y); `size` is then that of its left end.
 struct NearSize {
   std::string boundary;
   double size = 0;
+  double other_size = 0;
 };
 
 struct SizeOptions {
@@ -29,7 +31,7 @@ struct SizeOptions {
 /// Sizes by curvature are at least 1e-4 diameters. Throws UsageError for names that no boundary has.
 SizeField make_size_field(const CadFace& face, const SizeOptions& options);
 
-/// "NAME=H" (the last = counts) and "CHORD=N"; throw UsageError.
+/// "NAME=H" or "NAME=H:H2" (the last = counts), and "CHORD=N"; throw UsageError.
 NearSize parse_near_size(const std::string& text);
 ChordCount parse_chord_count(const std::string& text);
 

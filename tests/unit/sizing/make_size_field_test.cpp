@@ -68,6 +68,32 @@ TEST(MakeSizeField, ParsesSizesNearABoundary) {
     EXPECT_THROW(parse_near_size(wrong), UsageError) << wrong;
 }
 
+TEST(MakeSizeField, ParsesSizesThatGrowAlongABoundary) {
+  EXPECT_EQ(parse_near_size("wake=0.1:0.5").size, 0.1);
+  EXPECT_EQ(parse_near_size("wake=0.1:0.5").other_size, 0.5);
+  EXPECT_EQ(parse_near_size("wake=0.1").other_size, 0);
+  for (const char* wrong : {"wake=0.1:", "wake=:0.1", "wake=0.1:0", "wake=0.1:0.2:0.3", "wake=0.1:x"})
+    EXPECT_THROW(parse_near_size(wrong), UsageError) << wrong;
+}
+
+TEST(MakeSizeField, SizesGrowFromTheLeftEndOfABoundaryToTheRightOne) {
+  // Whatever the direction of the curves: the bottom of the square runs to the right, its top to the left.
+  const CadFace face = hand_made::unit_square().face;
+  SizeOptions options;
+  options.size = 10;
+  options.growth = 1.5;
+  for (const char* side : {"0", "2"}) {
+    options.near = {{side, 0.01, 0.05}};
+    const SizeField field = make_size_field(face, options);
+    const double y = *side == '0' ? 0 : 1;
+    EXPECT_NEAR(field.at({0, y}), 0.01, 1e-12);
+    EXPECT_NEAR(field.at({0.25, y}), 0.02, 1e-6);
+    EXPECT_NEAR(field.at({1, y}), 0.05, 1e-12);
+  }
+  options.near = {{"1", 0.01, 0.05}};  // upright: from the lower end
+  EXPECT_NEAR(make_size_field(face, options).at({1, 0.5}), 0.03, 1e-6);
+}
+
 TEST(MakeSizeField, ParsesCountsOfChords) {
   EXPECT_EQ(parse_chord_count("3=12").chord, 3);
   EXPECT_EQ(parse_chord_count("3=12").count, 12);
