@@ -3,6 +3,7 @@
 #include "guide/override_corners.hpp"
 #include "topology/corners_without_nodes.hpp"
 #include "topology/fewest_nodes.hpp"
+#include "topology/wake_nodes.hpp"
 
 namespace quadrille::topology {
 namespace {
@@ -36,7 +37,7 @@ bool apply_topology(const CadFace& face, const TopologyOptions& options, Critica
   if (nodes == NodeRule::none)
     guide::override_corners(face, corners_without_nodes(face, points), points, "needs the fewest nodes");
   keep_fewest_nodes(face, options.max_valence, points);
-  return true;
+  return grid != GridKind::o || !set_wake_nodes(face, points);
 }
 
 }  // namespace quadrille::topology

@@ -26,8 +26,9 @@ struct TopologyOptions {
 };
 
 /// Sets corner valences of the grid, then those without nodes, then merges nodes. Returns whether all nodes (but those
-/// of divided corners) are to be placed at the least energy: true unless the nodes are those of the field. `face` has
-/// one region. A far field's grid is not chosen if `nodes` is `field`. Throws ComputeError if no valid valence exists.
+/// of divided corners) are to be placed at the least energy: true unless the nodes are those of the field, or lie in
+/// the wakes of an O-grid (topology/wake_nodes). `face` has one region. A far field's grid is not chosen if `nodes` is
+/// `field`.
 bool apply_topology(const CadFace& face, const TopologyOptions& options, CriticalPoints& points);
 
 }  // namespace quadrille::topology

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../support/critical_points.hpp"
 #include "far_field_faces.hpp"
 
@@ -39,9 +41,12 @@ TEST(ApplyTopology, ACFarFieldNeedsNoNode) {
 
 TEST(ApplyTopology, ACircleHasANodeInTheWakeOfASharpTail) {
   const CadFace face = in_far_field(make_face({circle({0, 0}, 8), sharp_body()}));
-  const CriticalPoints points = applied(face, {}, {node({4, 0.5}, 3), node({4, -0.5}, 3)}, true);
+  const CriticalPoints points = applied(face, {}, {node({-4, 0.5}, 3), node({-4, -0.5}, 3)}, false);
   ASSERT_EQ(points.critical_points.size(), 1U);
   EXPECT_EQ(points.critical_points[0].valence, 3);
+  // Twice the distance of the tail from the corners of the front.
+  const double size = std::hypot(1, 0.2);
+  EXPECT_NEAR(distance(points.critical_points[0].position, {1 + 2 * size, 0}), 0, 1e-12);
   EXPECT_EQ(points.corners.front().valence, 3);
 }
 
