@@ -44,9 +44,15 @@ setup() {
   done
 }
 
+@test "a circle has an O-grid, with a node in the wake of a sharp trailing edge" {
+  grid sharp '.valid and .irregular_nodes == 1 and .blocks < 8 and .certificate.method == "traced"' --farfield circle:20
+  jq -e '.critical_points[0] | .valence == 3 and .position[0] > 1' stages/sharp.crit.json
+  grid blunt '.valid and .irregular_nodes == 0 and .blocks == 2' --farfield circle:20
+}
+
 @test "blocks and sizes follow a wake" {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
-    --size-near wake=0.2
+    --size-near wake=0.1:1
   h5dump -A 0 -d /face/curve_names stages/sharp.quad.h5 | grep -q wake
 }
 
