@@ -29,6 +29,13 @@ struct NodeArguments {
   choice::NodeOptions options;
   std::vector<std::string> corner_valences;
   std::string feature_size = "auto";
+  std::vector<std::string> clearances;
+
+  std::vector<placement::NamedClearance> named_clearances() const {
+    std::vector<placement::NamedClearance> named;
+    for (const std::string& text : clearances) named.push_back(placement::parse_clearance(text));
+    return named;
+  }
 
   choice::NodeOptions parsed() const {
     choice::NodeOptions result = options;
@@ -76,12 +83,18 @@ void declare(cli::Options& o, NodeArguments& arguments) {
            "of --nodes fewest and none are always moved, those of divided corners never");
   o.number("--place-weight", options.placement.weight, 0, 100, "1",
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
+  o.texts(
+      "--clearance", arguments.clearances, "NAME=L",
+      "nodes nearer to the boundary NAME than L (file units) move to a distance of at least L, so that layers along "
+      "it fit below them");
 }
 
 // What the face alone decides.
-void require_face(const CadFace& face, const choice::NodeOptions& options) {
+void require_face(const CadFace& face, const choice::NodeOptions& options,
+                  const std::vector<placement::NamedClearance>& clearances) {
   guide::require_corners(face, options.overrides);
   topology::require_holes(face, options.topology);
+  placement::wall_clearances(face, clearances);
 }
 
 // Those between curves of the region, which count from 0 there.
@@ -93,6 +106,19 @@ std::vector<guide::CornerOverride> overrides_in(const std::vector<guide::CornerO
     override.curve_a -= curves.begin;
     override.curve_b -= curves.begin;
     part.push_back(override);
+  }
+  return part;
+}
+
+// Those along curves of the region, which count from 0 there.
+std::vector<placement::WallClearance> walls_in(const std::vector<placement::WallClearance>& walls,
+                                               regions::IndexRange curves) {
+  std::vector<placement::WallClearance> part;
+  for (const placement::WallClearance& wall : walls) {
+    placement::WallClearance own{{}, wall.clearance};
+    for (const int curve : wall.curves)
+      if (curves.contains(curve)) own.curves.push_back(curve - curves.begin);
+    if (!own.curves.empty()) part.push_back(own);
   }
   return part;
 }
@@ -113,6 +139,7 @@ CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, cl
         if (part.elem_error.empty()) part.elem_error = field::error_estimate(part);
         choice::NodeOptions part_options = options;
         part_options.overrides = overrides_in(options.overrides, regions::curves_of(face, region));
+        part_options.placement.walls = walls_in(options.placement.walls, regions::curves_of(face, region));
         return choice::choose_nodes(part, part_options, threads, report, begin_phase);
       });
   return regions::join(field.mesh, std::move(parts));
@@ -153,8 +180,9 @@ int main(int argc, char** argv) {
     o.hidden_text("--check-shape", shape);
   };
   tool.run = [&](cli::Session& s) {
-    const choice::NodeOptions options = arguments.parsed();
-    if (!shape.empty()) return require_face(io::read_face(io::read_input(shape)), options);
+    choice::NodeOptions options = arguments.parsed();
+    const std::vector<placement::NamedClearance> clearances = arguments.named_clearances();
+    if (!shape.empty()) return require_face(io::read_face(io::read_input(shape)), options, clearances);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const Field field = io::read_field(file);
@@ -162,6 +190,7 @@ int main(int argc, char** argv) {
     if (field.kind != FieldKind::harmonic)
       throw FormatError(file.name +
                         ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
+    options.placement.walls = placement::wall_clearances(field.mesh.face, clearances);
     CriticalPoints points = chosen(field, options, s);
     s.begin_phase("write");
     s.report().set("critical_points", points.critical_points.size());

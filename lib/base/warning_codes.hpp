@@ -28,6 +28,7 @@ inline constexpr const char* sharp_corner = "W-NODE-003";       ///< below 15 de
 inline constexpr const char* zeros_not_decided = "W-NODE-004";  ///< in a region where |v| is below its error
 inline constexpr const char* least_energy_not_found = "W-PLACE-001";
 inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
+inline constexpr const char* clearance_missed = "W-PLACE-003";
 
 // separatrix, blocksplit
 inline constexpr const char* quantized_instead_of_traced = "W-SEP-001";

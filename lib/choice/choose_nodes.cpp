@@ -71,6 +71,9 @@ void place(const Field& field, const NodeOptions& options, bool moves_all, Share
   if (moves_all)
     for (std::size_t i = 0; i < is_free.size(); ++i)
       is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
+  const std::vector<bool> is_near = placement::nodes_near_walls(field.mesh.face, options.placement.walls, points);
+  for (std::size_t i = 0; i < is_free.size(); ++i)
+    if (is_near[i] && points.critical_points[i].source != NodeSource::divide) is_free[i] = true;
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
   const auto energy = galerkin::phase_energy_function(solver.get(), {points.hole_winding_offsets});
   const auto of_points = [&](const CriticalPoints& at) {

@@ -56,6 +56,19 @@ compare='
   assert_output '[true,true,true,true]'
 }
 
+@test "nodes keep a clearance from a boundary, which the changes record" {
+  critpoints --clearance curve_0=0.54 "$field" -o a.crit.json # the diameter
+  run -0 jq -c '[.form, (.changes | map(.kind)), (.critical_points | map(.source))]' a.crit.json
+  assert_output '["phase",["place","place"],["place","place"]]'
+  run -0 jq -r '.changes[0].reason' a.crit.json
+  assert_output --partial 'with clearance for layers'
+  run -0 jq '[.critical_points[].position[1]] | min >= 0.5399' a.crit.json
+  assert_output true
+  critpoints --clearance curve_0=0.5 "$field" -o b.crit.json
+  run jq -c '[.form, (.changes | length)]' b.crit.json
+  assert_output '["harmonic",0]'
+}
+
 @test "two mirror images come out as mirror images" {
   for shape in half_disc geometry_1; do
     run -0 jq '[.critical_points[].position] | (.[0][0] + .[1][0] | fabs < 1e-9) and (.[0][1] - .[1][1] | fabs < 1e-9)' \
