@@ -209,7 +209,8 @@ Field adapt_loop(const Field& start, const AdaptOptions& requested, Report& repo
   }
   field.provenance = start.provenance;
   field.adapt_steps = std::move(steps);
-  if (field.elem_error.empty()) field.elem_error = field::error_estimate(field, solver.phase_boundary());
+  if (field.elem_error.empty())
+    field.elem_error = field::error_estimate(field, solver.phase_boundary(), report.progress());
   report.set("adapt.cpu_seconds_by_step", Report::Value(seconds));
   report_result(field, options, report);
   judge_errors(field, options, report);

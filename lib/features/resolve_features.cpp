@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -103,17 +105,22 @@ void write_back(const FeatureState& state, CriticalPoints& points) {
 
 }  // namespace
 
-void resolve_features(const CadFace& face, double size, CriticalPoints& points) {
+void resolve_features(const CadFace& face, double size, CriticalPoints& points, Progress* progress) {
   if (!(size >= 0) || std::isinf(size))
     throw UsageError(fmt::format("the feature size is {}, it must be a finite length, 0 or more", size));
   if (size == 0) return;
   const BoundaryClearance clearance(face);
   FeatureState state = initial_state(face, size, points);
-  cancel_pairs(face, state, clearance, feature_constants.first_cancellation * size);
-  move_nodes_of_features(face, clearance, state);
-  cancel_pairs(face, state, clearance, feature_constants.second_cancellation * size);
-  merge_on_boundary(face, state);
-  separate_nodes(state, clearance);
+  const std::array<std::function<void()>, 5> rules{
+      [&] { cancel_pairs(face, state, clearance, feature_constants.first_cancellation * size); },
+      [&] { move_nodes_of_features(face, clearance, state); },
+      [&] { cancel_pairs(face, state, clearance, feature_constants.second_cancellation * size); },
+      [&] { merge_on_boundary(face, state); }, [&] { separate_nodes(state, clearance); }};
+  const Progress::Part part(progress, "rules", std::ssize(rules));
+  for (const auto& apply : rules) {
+    apply();
+    part.advance();
+  }
   if (!state.changes.empty()) write_back(state, points);
 }
 

@@ -33,6 +33,7 @@
 // corner does not stop nodes that move inward. Cancelling again, because moves bring nodes together that were apart.
 // Merging before separating: boundary nodes cannot be pushed. All constants are in features/feature_constants.
 
+#include "base/progress.hpp"
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
@@ -41,6 +42,6 @@ namespace quadrille::features {
 /// Applies the rules above with L = `size`, in the file's unit; 0: no change. The definition of a feature and the index
 /// that it forces: features/small_features. Nodes that were moved keep `elem` and `xi` of their old position. Throws
 /// UsageError if `size` is negative or not finite.
-void resolve_features(const CadFace& face, double size, CriticalPoints& points);
+void resolve_features(const CadFace& face, double size, CriticalPoints& points, Progress* progress = nullptr);
 
 }  // namespace quadrille::features

@@ -141,15 +141,17 @@ class RemoteErrors {
 
 }  // namespace
 
-std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary) {
+std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary, Progress* progress) {
   constexpr double share_from_afar = 0.1;
   const int n = field.mesh.num_elems();
+  const Progress::Part part(progress, "error estimate", n + std::ssize(field.mesh.boundary_edges));
   const std::vector<double> misfits = boundary_misfit(field, phase_boundary);
+  part.advance(std::ssize(field.mesh.boundary_edges));
   std::vector<Source> sources(n);
   for (int e = 0; e < n; ++e) sources[e] = source(field, e, misfits[e]);
   RemoteErrors remote(sources);
   std::vector<double> errors(n);
-  for (int e = 0; e < n; ++e)
+  for (int e = 0; e < n; ++e, part.advance())
     errors[e] = std::max(sources[e].tail, misfits[e]) + share_from_afar * remote.at(e) + rounding;
   return errors;
 }

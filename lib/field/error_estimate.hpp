@@ -18,6 +18,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "base/vec2.hpp"
 #include "model/field.hpp"
 
@@ -28,7 +29,8 @@ class PhaseBoundary;
 /// Estimate of |v - v_h| on each element. For a field of kind "phase" it is |s - s_h|, which is the same to first order
 /// because v is a unit vector. Cost: linear in the number of modes and of elements (only the 512 strongest sources are
 /// summed). `phase_boundary`: see boundary_misfit().
-std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary = nullptr);
+std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary = nullptr,
+                                   Progress* progress = nullptr);
 
 /// First-order bound of the displacement (a length) of a zero by a field error |e|: |J^-1 e| <= |e| / (least singular
 /// value of J = dv/dx).

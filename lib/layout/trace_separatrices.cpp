@@ -50,7 +50,7 @@ struct Partition {
 // The graph of the lines traced so far; std::nullopt if they must be continued.
 std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const std::vector<graph::FixedNode>& fixed,
                                    const std::vector<Vec2>& nodes, const trace::LineTracer& tracer,
-                                   const LayoutOptions& options) {
+                                   const LayoutOptions& options, Progress* progress) {
   const CadFace& face = evaluator.field().mesh.face;
   trace::MergedLines lines(evaluator, tracer.lines(), nodes, radians(options.trace.merge_angle),
                            options.trace.merge_distance, trace::LineEnds::required,
@@ -58,7 +58,7 @@ std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const
   graph::CandidateLayout layout;
   // An aggressive merge may result in a face without four corners: such merges are rejected, the worst first.
   do {
-    if (!lines.merge()) return std::nullopt;
+    if (!lines.merge(progress)) return std::nullopt;
     std::vector<graph::FinishedLine> finished;
     for (const trace::MergedLine& line : lines.arrangement().lines) finished.push_back(line.line);
     SeparatrixGraph graph = graph::build_graph(face, fixed, std::move(finished), lines.arrangement().crossings,
@@ -87,7 +87,7 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
     report.set("trace.steps", tracer.num_steps());
     require_total_length(tracer, face.diameter, options.trace.max_total_length);
     const Progress::Part part(report.progress(), "crossings and merges");
-    found = partition(evaluator, fixed, nodes, tracer, options);
+    found = partition(evaluator, fixed, nodes, tracer, options, report.progress());
     if (found) break;
   }
   graph::CandidateLayout layout = std::move(found->layout);

@@ -81,7 +81,7 @@ graph::CandidateLayout TMeshTracer::trace(Report& report) {
   const Progress::Part round(report.progress(), "round");
   for (;;) {
     round.advance();
-    lines_.merge();  // lines need no end here: merging can always be decided
+    lines_.merge(report.progress());  // lines need no end here: merging can always be decided
     const trace::LineArrangement& arrangement = lines_.arrangement();
     const std::vector<CoveredPart> covered = trace_motorcycle_graph(
         trails_of(arrangement, cuts_.head_starts), arrangement.inner_crossings, relative_tie * face.diameter);

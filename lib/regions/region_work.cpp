@@ -38,9 +38,13 @@ void for_each_region(const CadFace& face, int num_threads, Report& report,
   const int n = face.num_regions();
   if (n == 1) return work(0, num_threads, report);
   std::vector<Report> parts(n);
-  parallel_for(n, num_threads, [&](int r) {
-    call_named(face.region_names[r], [&] { work(r, std::max(1, num_threads / n), parts[r]); });
-  });
+  {
+    const Progress::Part done(report.progress(), "regions", n);
+    parallel_for(n, num_threads, [&](int r) {
+      call_named(face.region_names[r], [&] { work(r, std::max(1, num_threads / n), parts[r]); });
+      done.advance();
+    });
+  }
   for (int r = 0; r < n; ++r) merge(parts[r], face, r, report);
 }
 

@@ -38,7 +38,7 @@ MergedLines::MergedLines(const field::FieldEvaluator& evaluator, const std::vect
       plan_(evaluator, lines, nodes, {std::max(merge_angle, same_line_angle), merge_distance}, bounds.reach),
       fitter_(evaluator, lines) {}
 
-bool MergedLines::merge() {
+bool MergedLines::merge(Progress* progress) {
   do {
     if (ends_ == LineEnds::optional) {
       arrangement_.chosen = plan_.choose_by_rules();
@@ -50,7 +50,7 @@ bool MergedLines::merge() {
       }
       arrangement_.chosen = *chosen;
     }
-    arrange();
+    arrange(progress);
   } while (reject_crossing_merges());
   require_family_order();
   return true;
@@ -80,10 +80,11 @@ bool MergedLines::reject_crossing_merges() {
   return any;
 }
 
-void MergedLines::arrange() {
+void MergedLines::arrange(Progress* progress) {
+  const Progress::Part fitted(progress, "fitted lines", std::ssize(lines_));
   const std::vector<int> merge_of = plan_.merge_of_lines(arrangement_.chosen);
   arrangement_.lines.clear();
-  for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(lines_.size()); ++i, fitted.advance()) {
     const int c = merge_of[i];
     if (c >= 0 && plan_.candidate(c).b == i) continue;
     if (c < 0 && ends_ == LineEnds::required && lines_[i].is_endless()) fail_endless(face(), lines_[i]);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "graph/crossing_cache.hpp"
 #include "trace/line_fitter.hpp"
 #include "trace/merge_plan.hpp"
@@ -48,7 +49,7 @@ class MergedLines {
   /// Chooses merges, computes curves and crossings, and rejects merges that have bent a line across its own family
   /// until there are none. Returns false if lines must be continued to decide. Throws ComputeError if a line has no end
   /// but requires one or if lines of one family cross (graph::require_family_order), and as graph::find_crossings.
-  bool merge();
+  bool merge(Progress* progress = nullptr);
 
   /// Rejects those of these merges (numbers as in chosen()) whose deviation is within 1e-6 of the largest. Returns
   /// false if the largest is below `least_deviation` (radians). merge() must be called afterwards.
@@ -64,7 +65,7 @@ class MergedLines {
 
  private:
   const CadFace& face() const { return evaluator_.field().mesh.face; }
-  void arrange();
+  void arrange(Progress* progress);
   bool is_common_end(const graph::Crossing& crossing) const;
   bool reject_crossing_merges();
   void require_family_order() const;

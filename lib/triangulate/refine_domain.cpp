@@ -125,8 +125,9 @@ bool DomainRefiner::split_encroached(const Triangles& triangles) {
   return !marked.empty();
 }
 
-std::vector<DomainRefiner::Candidate> DomainRefiner::candidates(const Triangles& triangles) {
-  std::vector<Candidate> found;
+DomainRefiner::Candidates DomainRefiner::candidates(const Triangles& triangles) {
+  Candidates result;
+  std::vector<Candidate>& found = result.all;
   std::vector<std::array<int, 3>> good;
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
     const auto& [p, q, r] = triangles[i].vertices;
@@ -142,16 +143,19 @@ std::vector<DomainRefiner::Candidate> DomainRefiner::candidates(const Triangles&
     const bool is_thin = circle.radius > thin_ratio * shortest && shortest > least_share * size;
     if (is_large || is_thin) {
       found.push_back({circle.centre, circle.radius, i, is_thin});
+      const double excess = circle.radius / (large_ratio * size);
+      result.num_triangles += std::max(1.0, excess * excess);
     } else {
       good.push_back(triangles[i].vertices);
     }
   }
+  result.num_triangles += static_cast<double>(good.size());
   good_ = std::move(good);
   // Largest first; candidates that are equal up to rounding keep the order of the triangles.
   const auto rank = [](const Candidate& c) { return std::llround(std::log(c.circumradius) * 1e6); };
   std::stable_sort(found.begin(), found.end(),
                    [&](const Candidate& a, const Candidate& b) { return rank(a) > rank(b); });
-  return found;
+  return result;
 }
 
 void DomainRefiner::find_blockers(const Triangles& triangles, const Candidate& candidate,
@@ -186,10 +190,10 @@ void DomainRefiner::find_blockers(const Triangles& triangles, const Candidate& c
 bool DomainRefiner::insert_centres(const Triangles& triangles, Progress* progress) {
   std::vector<Vec2> accepted;
   std::vector<int> blockers, marked;
-  const std::vector<Candidate> found = candidates(triangles);
-  const Progress::Part part(progress, "triangles", static_cast<int>(found.size()));
-  for (const Candidate& candidate : found) {
-    part.advance();
+  const Candidates found = candidates(triangles);
+  const Progress::Part part(progress, "triangles", std::llround(found.num_triangles));
+  part.advance(std::ssize(triangles));
+  for (const Candidate& candidate : found.all) {
     // An accepted centre inside the circumcircle of this triangle changes the triangle: it is re-examined in the next
     // round.
     const bool is_disturbed = std::any_of(accepted.begin(), accepted.end(), [&](Vec2 x) {

@@ -33,6 +33,10 @@ class DomainRefiner {
     int triangle = 0;
     bool is_thin = false;
   };
+  struct Candidates {
+    std::vector<Candidate> all;
+    double num_triangles = 0;  ///< expected at the end, for the display of progress
+  };
   using Triangles = std::vector<DelaunayTriangle>;
 
   int add_point(int draft_vertex);
@@ -43,7 +47,7 @@ class DomainRefiner {
   bool may_split(int segment) const;
   bool split_encroached(const Triangles& triangles);
   bool insert_centres(const Triangles& triangles, Progress* progress);
-  std::vector<Candidate> candidates(const Triangles& triangles);
+  Candidates candidates(const Triangles& triangles);
   /// Sets `blockers` to the segments on which the circumcentre encroaches, or to the first segment between it and its
   /// triangle.
   void find_blockers(const Triangles& triangles, const Candidate& candidate, std::vector<int>& blockers) const;
