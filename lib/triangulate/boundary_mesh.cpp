@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "triangulate/junction_clearance.hpp"
+#include "triangulate/singularity.hpp"
 #include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {
@@ -79,6 +82,25 @@ BoundaryMesh::BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, con
     add_piece(p, start ? start->rim.front() : vertex_at[p], end ? end->rim.back() : vertex_at[piece.next],
               start ? start->t_out.back() : piece.t0, end ? end->t_in.back() : piece.t1, limits);
   }
+  bound_at_junctions(vertex_at);
+}
+
+void BoundaryMesh::bound_at_junctions(const std::vector<int>& vertex_at) {
+  std::map<int, double> greatest;  // length of the segments at a vertex
+  for (std::size_t j = 0; j < vertex_at.size(); ++j) {
+    const double length = greatest_edge_length(fit_->outline().junctions()[j]);
+    if (vertex_at[j] < 0 || !std::isfinite(length)) continue;
+    double& least = greatest.try_emplace(vertex_at[j], length).first->second;
+    least = std::min(least, length);
+  }
+  const auto is_too_long = [&](const Segment& segment) {
+    return std::ranges::any_of(std::array{segment.from, segment.to}, [&](int vertex) {
+      const auto found = greatest.find(vertex);
+      return found != greatest.end() && segment.length() > found->second * slack;
+    });
+  };
+  for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
+    while (!segments_[i].is_rim() && is_too_long(segments_[i])) split(i);
 }
 
 void BoundaryMesh::append(Segment segment) {

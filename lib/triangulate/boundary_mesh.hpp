@@ -19,8 +19,8 @@ struct SplitPoint {
 
 class BoundaryMesh {
  public:
-  /// Constructs segments that satisfy the limits: each smooth piece is divided into equal parts, which are then
-  /// bisected where needed. The fans must be built.
+  /// Constructs segments that satisfy the limits, and at junctions without a fan greatest_edge_length(): each smooth
+  /// piece is divided into equal parts, which are then bisected where needed. The fans must be built.
   BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft);
 
   const std::vector<Segment>& segments() const { return segments_; }
@@ -40,6 +40,8 @@ class BoundaryMesh {
   void add_rim(const Fan& fan);
   void split_to_limits(int i, const EdgeLimits& limits, int depth);
   void append(Segment segment);
+  /// Bisects segments at junctions without a fan, whose vertices these are, until none exceeds greatest_edge_length().
+  void bound_at_junctions(const std::vector<int>& vertex_at);
   SplitPoint middle(const Segment& segment) const;
   int split_at(int i, SplitPoint at);
   /// The segments by their centres, to find those near another.

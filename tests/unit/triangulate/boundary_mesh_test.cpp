@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "faces.hpp"
+#include "triangulate/singularity.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -71,6 +72,51 @@ TEST(BoundaryMesh, SplittingHalvesByArcLengthOnTheCurve) {
   EXPECT_NEAR(first.length(), second.length(), 1e-13);
   EXPECT_NEAR(norm(m.draft.vertices[middle]), 2, 1e-15);
   expect_closed_loops(m);
+}
+
+/// A spline through points of a parabola that are moved off it by turns, above a straight side.
+CadFace rippled_bow(double ripple) {
+  std::vector<double> parameters;
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 12; ++i) {
+    const double x = 1 - i / 12.0;
+    parameters.push_back(i);
+    points.push_back({x, 2 * x * (1 - x) + (i % 3 == 1 ? ripple : 0)});
+  }
+  return make_face({{curve::segment({0, 0}, {1, 0}),
+                     curve::cubic_spline(parameters, points, {-1.0 / 12, 1.0 / 6}, {-1.0 / 12, -1.0 / 6})}});
+}
+
+/// The greatest ratio of the length of a segment to what is allowed at the junctions at its ends.
+double greatest_ratio_at_knots(const Meshed& m) {
+  double greatest = 0;
+  for (const Segment& s : m.boundary.segments()) {
+    for (const Junction& j : m.outline.junctions())
+      if (j.position == m.draft.vertices[s.from] || j.position == m.draft.vertices[s.to])
+        greatest = std::max(greatest, s.length() / greatest_edge_length(j));
+  }
+  return greatest;
+}
+
+TEST(BoundaryMesh, SegmentsAtKnotsAreShortWhereTheSlopeOfTheCurvatureJumps) {
+  const Meshed rippled(rippled_bow(4e-3), 10), smooth(rippled_bow(0), 10);
+  EXPECT_LE(greatest_ratio_at_knots(rippled), 1 + 1e-8);
+  EXPECT_GT(greatest_ratio_at_knots(rippled), 0.5);
+  EXPECT_EQ(greatest_ratio_at_knots(smooth), 0);
+  expect_closed_loops(rippled);
+}
+
+TEST(BoundaryMesh, SegmentsAtKnotsHaveTheSameLengthsOnTheMirroredFace) {
+  const auto lengths = [](const Meshed& m) {
+    std::vector<double> all;
+    for (const Segment& s : m.boundary.segments()) all.push_back(s.length());
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const CadFace face = rippled_bow(4e-3);
+  const auto here = lengths(Meshed(face, 10)), there = lengths(Meshed(moved(face, 1, 1, {3, 4}, true), 10));
+  ASSERT_EQ(here.size(), there.size());
+  for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(here[i], there[i], 1e-9);
 }
 
 TEST(BoundaryMesh, GapsBoundTheLengthsOnBothSides) {

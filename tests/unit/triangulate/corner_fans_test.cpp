@@ -29,7 +29,7 @@ TEST(CornerFans, AnLNeedsOneAtItsReflexCorner) {
   ASSERT_EQ(l.fans.size(), 1u);
   EXPECT_EQ(l.fans[0].junction, 3);
   EXPECT_EQ(l.fans[0].num_sectors, 5);
-  EXPECT_EQ(l.fans[0].radii.size(), 10u);
+  EXPECT_EQ(l.fans[0].radii.size(), 8u);
 }
 
 TEST(CornerFans, AStadiumNeedsOneAtEachTangentJunction) {
