@@ -64,8 +64,7 @@ BlockLayout blocks_of(const graph::Subdivision& subdivision) {
     layout.block_names.emplace_back();
   }
   layout.unnamed_blocks = replace_empty_names(layout.block_names, "block");
-  layout.arc_chord =
-      mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()), mesh::periodic_arcs(layout));
+  layout.arc_chord = mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()), matched_arcs(layout));
   if (layout.face.num_regions() > 1) layout.block_region = regions_of_blocks(layout);
   return layout;
 }

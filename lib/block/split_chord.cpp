@@ -53,7 +53,7 @@ std::vector<double> cut_fractions(const BlockLayout& layout, const BlockMaps& ma
   std::vector<int> arc2index(layout.arcs.size(), -1);
   for (int i = 0; i < n; ++i) arc2index[chord.arcs[i]] = i;
   std::vector<std::array<int, 2>> periodic;  // pairs of the chord's arcs that are cut at the same fraction
-  for (const auto& [first, second] : mesh::periodic_arcs(layout))
+  for (const auto& [first, second] : matched_arcs(layout))
     if (arc2index[first.arc] >= 0) periodic.push_back({arc2index[first.arc], arc2index[second.arc]});
   const auto walk = [&](int i) { return DirectedCurve{&maps.arc(chord.arcs[i]), chord.backwards[i]}; };
   Eigen::VectorXd f = Eigen::VectorXd::Constant(n, 0.5);
@@ -157,7 +157,7 @@ bool split_chord(graph::Subdivision& subdivision, int arc, const std::vector<boo
   const int id = layout.arc_chord[arc];
   const std::vector<Crossing> crossings = blocks_of_chord(layout, id);
   if (!may_be_cut(layout, id) || crosses_itself(crossings)) return false;
-  const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord, mesh::periodic_arcs(layout))[id];
+  const mesh::Chord chord = mesh::directed_chords(layout.block2arcs, layout.arc_chord, matched_arcs(layout))[id];
   const BlockMaps maps(layout);
   const std::vector<double> fractions = arc_fractions(layout, maps, chord, crossings);
   std::vector<int> second(layout.arcs.size(), -1);  // part of each divided arc

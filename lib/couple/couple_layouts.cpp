@@ -14,6 +14,7 @@
 #include "curve/chain.hpp"
 #include "graph/face_corners.hpp"
 #include "layout/certificate.hpp"
+#include "model/periodic_arcs.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/t_mesh_faces.hpp"
@@ -86,7 +87,7 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
                                 layout::simplify_options(options), report);
   report.set("couple.faces", layout.subdivision.num_faces());
   graph::require_drawn_in_order(layout.subdivision);
-  require_periodic_nodes(layout.graph());
+  require_periodic_arcs(layout.graph(), "leave out --simplify, or the pair (cad2tri --periodic)");
   certify(regions.fields, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }

@@ -17,7 +17,7 @@
 #include "curve/arc_length.hpp"
 #include "graph/chord_strip.hpp"
 #include "graph/separatrix_lines.hpp"
-#include "model/periodic.hpp"
+#include "model/periodic_arcs.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
 #include "quantize/quantized_parametrization.hpp"
@@ -123,7 +123,7 @@ std::vector<Meeting> forced_meetings(const ArcGraph& graph, const PeriodicChain&
 struct PeriodicTMesh {
   graph::CandidateLayout layout;
   int num_divided = 0;
-  std::vector<HalfEdge> same;  // model/periodic.hpp, periodic_arcs
+  std::vector<HalfEdge> same;  // model/periodic_arcs.hpp, first_arcs
   std::vector<quantize::TFace> faces, across;
   std::vector<int> lengths;  // empty: there are none
 
@@ -135,7 +135,7 @@ PeriodicTMesh periodic_t_mesh(const graph::CandidateLayout& layout, double relat
   t_mesh.num_divided = divide_periodic_sides(t_mesh.layout);
   if (t_mesh.is_conforming()) return t_mesh;
   const ArcGraph& graph = t_mesh.layout.graph();
-  t_mesh.same = periodic_arcs(graph.face, graph.arcs);
+  t_mesh.same = first_arcs(graph);
   t_mesh.faces = quantize::t_mesh_faces(t_mesh.layout.subdivision);
   t_mesh.across = quantize::faces_across_periodic_sides(t_mesh.faces, t_mesh.same);
   t_mesh.lengths =

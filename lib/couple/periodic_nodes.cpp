@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/error.hpp"
-#include "base/position_text.hpp"
 #include "couple/join_layouts.hpp"
 #include "couple/periodic_chains.hpp"
 #include "curve/nurbs.hpp"
@@ -123,21 +121,6 @@ int divide_periodic_sides(graph::CandidateLayout& layout) {
       }
     }
   return num_divided;
-}
-
-void require_periodic_nodes(const ArcGraph& graph) {
-  const std::vector<int> partners = periodic_partners(graph.face);
-  const std::vector<HalfEdge> same = periodic_arcs(graph.face, graph.arcs);
-  std::vector<bool> has_image(graph.arcs.size(), false);
-  for (int a = 0; a < static_cast<int>(same.size()); ++a)
-    if (same[a].arc != a) has_image[a] = has_image[same[a].arc] = true;
-  for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
-    const GraphArc& arc = graph.arcs[a];
-    if (!arc.is_boundary || partners[arc.pieces.front().curve] < 0 || has_image[a]) continue;
-    throw ComputeError("no arc of the other periodic side is the image of the arc that begins at " +
-                       position_text(graph.nodes[arc.from].position + graph.face.origin) +
-                       "; leave out --simplify, or the pair (cad2tri --periodic)");
-  }
 }
 
 }  // namespace quadrille::couple

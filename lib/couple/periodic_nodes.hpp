@@ -13,7 +13,4 @@ void snap_periodic_nodes(SeparatrixGraph& graph);
 /// nodes: T-junctions of the layout seen across its periodic sides.
 int divide_periodic_sides(graph::CandidateLayout& layout);
 
-/// Throws ComputeError with the place of a boundary arc on a periodic side that has no image.
-void require_periodic_nodes(const ArcGraph& graph);
-
 }  // namespace quadrille::couple

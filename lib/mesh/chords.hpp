@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "mesh/periodic_arcs.hpp"
 #include "model/half_edge.hpp"
+#include "model/periodic_arcs.hpp"
 
 namespace quadrille::mesh {
 

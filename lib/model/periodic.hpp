@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
-#include "model/arc_graph.hpp"
-#include "model/half_edge.hpp"
+#include "model/cad_face.hpp"
 
 namespace quadrille {
 
@@ -58,33 +57,6 @@ inline double periodic_parameter(const CadFace& face, int curve, double t, int p
 /// Whether two parameters of a curve are one place: nodes of both sides of a pair are images up to rounding.
 inline bool is_same_parameter(const Nurbs& curve, double a, double b) {
   return std::abs(a - b) <= 1e-9 * (curve.end() - curve.begin());
-}
-
-/// By arc: itself, or, for an arc on the second curve of a pair, the arc on the first one of which it is the image,
-/// backwards: a solver sees the two as one. Also itself if its image is no arc, or reaches beyond the pair's curves.
-inline std::vector<HalfEdge> periodic_arcs(const CadFace& face, const std::vector<GraphArc>& arcs) {
-  std::vector<HalfEdge> same;
-  for (int a = 0; a < static_cast<int>(arcs.size()); ++a) same.push_back({a});
-  std::vector<int> originals(face.curves.size(), -1);  // of second curves: the first
-  for (const PeriodicPair& pair : face.periodic_pairs) originals[pair.curves[1]] = pair.curves[0];
-  std::vector<std::vector<int>> ending(face.curves.size());  // boundary arcs whose last piece is on the curve
-  if (!face.periodic_pairs.empty())
-    for (int a = 0; a < static_cast<int>(arcs.size()); ++a)
-      if (arcs[a].is_boundary) ending[arcs[a].pieces.back().curve].push_back(a);
-  const auto is_image = [&](const ArcPiece& of, double t_of, const ArcPiece& on, double t_on) {
-    return originals[on.curve] == of.curve &&
-           is_same_parameter(face.curves[on.curve], periodic_parameter(face, of.curve, t_of, on.curve), t_on);
-  };
-  for (int b = 0; b < static_cast<int>(arcs.size()) && !face.periodic_pairs.empty(); ++b) {
-    if (!arcs[b].is_boundary) continue;
-    const ArcPiece first = arcs[b].pieces.front(), last = arcs[b].pieces.back();
-    if (originals[first.curve] < 0) continue;
-    for (const int a : ending[originals[first.curve]])
-      if (is_image(arcs[a].pieces.back(), arcs[a].pieces.back().t1, first, first.t0) &&
-          is_image(arcs[a].pieces.front(), arcs[a].pieces.front().t0, last, last.t1))
-        same[b] = {a, true};
-  }
-  return same;
 }
 
 }  // namespace quadrille

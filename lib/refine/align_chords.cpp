@@ -213,7 +213,7 @@ std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& mea
       by_arc[chord.arcs[i]] = std::move(fractions);
     }
   }
-  for (const mesh::PeriodicArcs& arcs : measured.periodic_arcs())
+  for (const PeriodicArcs& arcs : measured.periodic_arcs())
     sizing::match_fractions(arcs, by_arc[arcs[0].arc], by_arc[arcs[1].arc]);
   std::vector<sizing::ArcParameter> parameters(measured.num_arcs());
   for (std::size_t arc = 0; arc < by_arc.size(); ++arc)

@@ -279,7 +279,7 @@ double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ?
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
   options.validate();
-  mesh::require_periodic_arcs(layout);
+  require_periodic_arcs(layout, "make the blocks again (separatrix, blocksplit)");
   const sizing::MeasuredLayout measured(layout);
   const SplitRequest request = split_request(options, layout.face, report);
   auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);

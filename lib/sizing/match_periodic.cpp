@@ -2,7 +2,7 @@
 
 namespace quadrille::sizing {
 
-void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {
+void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {
   if (first.size() != second.size()) return;
   // With the face on the left of both, the image of the first runs against the second.
   const bool is_mirrored = arcs[0].is_backwards == arcs[1].is_backwards;
@@ -15,9 +15,9 @@ void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first,
   }
 }
 
-void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, ArcDivisions& divisions,
+void match_periodic(const std::vector<PeriodicArcs>& pairs, ArcDivisions& divisions,
                     std::vector<std::vector<double>>& layered_nodes) {
-  for (const mesh::PeriodicArcs& arcs : pairs) {
+  for (const PeriodicArcs& arcs : pairs) {
     match_fractions(arcs, divisions[arcs[0].arc].ends, divisions[arcs[1].arc].ends);
     if (layered_nodes.empty()) continue;
     std::vector<double>&first = layered_nodes[arcs[0].arc], &second = layered_nodes[arcs[1].arc];

@@ -6,18 +6,18 @@
 
 #include <vector>
 
-#include "mesh/periodic_arcs.hpp"
+#include "model/periodic_arcs.hpp"
 #include "sizing/arc_division.hpp"
 
 namespace quadrille::sizing {
 
 /// Replaces rising fractions from 0 to 1 of both arcs, each in the arc's own direction, by their means; lists of
 /// different lengths are not changed.
-void match_fractions(const mesh::PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second);
+void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second);
 
 /// The divisions of all pairs, and the nodes of arcs with layers (by arc; empty where they follow from the
 /// division, and for all arcs of a mesh without layers).
-void match_periodic(const std::vector<mesh::PeriodicArcs>& pairs, ArcDivisions& divisions,
+void match_periodic(const std::vector<PeriodicArcs>& pairs, ArcDivisions& divisions,
                     std::vector<std::vector<double>>& layered_nodes);
 
 }  // namespace quadrille::sizing

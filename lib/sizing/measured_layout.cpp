@@ -34,7 +34,7 @@ std::vector<int> regions_of_arcs(const BlockLayout& layout) {
 MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
     : blocks(&layout),
       curves(layout.face, layout.splines),
-      periodic(mesh::periodic_arcs(layout)),
+      periodic(matched_arcs(layout)),
       arc_chord(mesh::arc_chords(layout.block2arcs, static_cast<int>(layout.arcs.size()), periodic)),
       arc_region(regions_of_arcs(layout)),
       chords(mesh::directed_chords(layout.block2arcs, arc_chord, periodic)),

@@ -38,7 +38,7 @@ class MeasuredLayout {
   /// The region that the arc is in; -1: between two, or there is only one.
   int region_of(int arc) const { return geometry_->arc_region[arc]; }
   int region_of_block(int block) const { return blocks().block_region.empty() ? -1 : blocks().block_region[block]; }
-  const std::vector<mesh::PeriodicArcs>& periodic_arcs() const { return geometry_->periodic; }
+  const std::vector<PeriodicArcs>& periodic_arcs() const { return geometry_->periodic; }
   /// Whether another arc has the same two ends.
   bool is_parallel(int arc) const { return geometry_->is_parallel[arc]; }
 
@@ -54,7 +54,7 @@ class MeasuredLayout {
     const BlockLayout* blocks;
     curve::CurveTable curves;
     std::vector<curve::Chain> chains;  ///< by arc; they refer to `curves`
-    std::vector<mesh::PeriodicArcs> periodic;
+    std::vector<PeriodicArcs> periodic;
     std::vector<int> arc_chord, arc_region;
     std::vector<mesh::Chord> chords;
     std::vector<bool> is_parallel;  ///< by arc

@@ -75,9 +75,9 @@ TEST(MatchPeriodic, BothArcsGetTheMean) {
 
 TEST(MatchPeriodic, ArcsOfAPairAreOneChord) {
   const BlockLayout layout = block::extract_blocks(sector());
-  const std::vector<mesh::PeriodicArcs> pairs = mesh::periodic_arcs(layout);
+  const std::vector<PeriodicArcs> pairs = matched_arcs(layout);
   ASSERT_EQ(pairs.size(), 1u);
-  EXPECT_EQ(pairs[0], (mesh::PeriodicArcs{HalfEdge{0}, HalfEdge{2}}));
+  EXPECT_EQ(pairs[0], (PeriodicArcs{HalfEdge{0}, HalfEdge{2}}));
   EXPECT_EQ(layout.arc_chord[0], layout.arc_chord[2]);
 }
 
@@ -149,8 +149,8 @@ TEST(MatchPeriodic, CutsOfAChordMatch) {
   int right = 0;
   while (subdivision.graph().arcs[right].pieces.front().curve != 1) ++right;
   ASSERT_TRUE(block::split_chord(subdivision, right, std::vector<bool>(6, true)));
-  EXPECT_NO_THROW(mesh::require_periodic_arcs(subdivision.graph()));
-  EXPECT_EQ(mesh::periodic_arcs(subdivision.graph()).size(), 3u);
+  EXPECT_NO_THROW(require_periodic_arcs(subdivision.graph(), ""));
+  EXPECT_EQ(periodic_arcs(subdivision.graph()).size(), 3u);
 }
 
 TEST(MatchPeriodic, BlocksThatDoNotMatchAreRefused) {
