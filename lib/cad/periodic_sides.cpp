@@ -68,8 +68,10 @@ class PeriodicPairing {
                                    fmt::join(std::set(face_.curve_names.begin(), face_.curve_names.end()), ", ")));
     for (const int c : curves)
       if (face_.is_interface(c))
-        throw UsageError(fmt::format("{}: '{}' at {} is not on the boundary: the face is on both sides of it",
-                                     request_.where, name, place(start(c))));
+        throw UsageError(
+            fmt::format("{}: '{}' at {} is not on the boundary: the face is on both sides of it, and free "
+                        "periodic curves, which no side follows, are not supported; cut the shape there",
+                        request_.where, name, place(start(c))));
     const std::vector<int> partners = periodic_partners(face_);
     for (const int c : curves)
       if (partners[c] >= 0)
@@ -86,8 +88,9 @@ class PeriodicPairing {
     const auto first = std::find_if_not(rest.begin(), rest.end(), follows_another);
     if (first == rest.end())
       throw UsageError(fmt::format(
-          "{}: the curves '{}' are closed: no motion in the plane maps a closed side onto another from outside",
-          request_.where, name));
+          "{}: the curves '{}' at {} are closed: no motion in the plane maps a closed side onto another from outside; "
+          "cut the shape along two lines that repeat each other, and name these",
+          request_.where, name, place(start(rest.front()))));
     Side side{name, {*first}};
     rest.erase(first);
     while (!rest.empty()) {

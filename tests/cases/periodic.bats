@@ -56,6 +56,23 @@ accepted() {
   cad2tri "$DATA/regions/bad/periodic_unequal.step" --periodic left=right:translate=2,0 -o x.tri.h5
 }
 
+@test "closed and embedded curves, and sides of different direction, are refused" {
+  run -2 cad2tri "$DATA/regions/periodic_box.step" --name hole=4 --periodic hole=left -o x.tri.h5
+  assert_line --regexp "'hole' at \(2\.3, 1\.4\) are closed.*; cut the shape along two lines"
+  run -2 cad2tri "$DATA/regions/plate_curve.step" --periodic baffle=curve_1 -o x.tri.h5
+  assert_line --regexp "'baffle' at \(.*\) is not on the boundary.*free periodic curves.*; cut the shape there"
+  run -3 cad2tri "$DATA/regions/periodic_box.step" --periodic left=top -o x.tri.h5
+  assert_line --partial "of 'left' would be 0.5"
+  assert_line --partial "Draw one side as a copy of the other"
+  run -3 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right:translate=4,1 -o x.tri.h5
+  assert_line --partial "the ends of the sides give translate=4,0"
+  run -2 cad2tri "$DATA/regions/periodic_box.step" --name sides=left --name sides=right --periodic sides=top -o x.tri.h5
+  assert_line --partial "do not follow each other: one part ends at (4, 3), another one begins at (0, 3)"
+  run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right --periodic right=left -o x.tri.h5
+  assert_line --partial "'right' is already a side of another periodic pair"
+  assert_file_not_exists x.tri.h5
+}
+
 @test "wrong names and motions are refused" {
   for pair in left left=left left=right:translate=1 left=right:rotate=x,0,0 =right left=none; do
     run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic "$pair" -o x.tri.h5
