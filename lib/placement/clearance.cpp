@@ -13,6 +13,8 @@
 namespace quadrille::placement {
 namespace {
 
+constexpr double relative_same = 1e-12;  // relative to the diameter: distances that differ by less are equal
+
 /// Decided by the side of the boundary at the nearest point; at a joint by its sector.
 bool is_inside(const CadFace& face, const BoundaryFoot& foot, Vec2 x) {
   const Nurbs& curve = face.curves[foot.curve];
@@ -70,7 +72,12 @@ double signed_clearance(const CadFace& face, Vec2 x) {
   const std::vector<BoundaryFoot> feet = nearest_feet(face, x);
   const auto nearest = std::min_element(
       feet.begin(), feet.end(), [](const BoundaryFoot& a, const BoundaryFoot& b) { return a.distance < b.distance; });
-  return is_inside(face, *nearest, x) ? nearest->distance : -nearest->distance;
+  // The two sides of a slit are equally near: the point is inside if it is on the face's side of one of them.
+  const double reach = nearest->distance + relative_same * face.diameter;
+  const bool inside = std::any_of(feet.begin(), feet.end(), [&](const BoundaryFoot& foot) {
+    return foot.distance <= reach && is_inside(face, foot, x);
+  });
+  return inside ? nearest->distance : -nearest->distance;
 }
 
 double clearance_along(const CadFace& face, Vec2 x, Vec2 direction) {

@@ -26,12 +26,20 @@ TEST(SignedClearance, near_corners_goes_by_their_sector) {
   EXPECT_NEAR(signed_clearance(l_shape(), {1.1, 1.2}), -0.1, 1e-14);
 }
 
+TEST(SignedClearance, is_positive_on_both_sides_of_a_slit) {
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_NEAR(signed_clearance(slit_square(), {0.5, 0.5 + 0.1 * side}), 0.1, 1e-14);
+    EXPECT_NEAR(signed_clearance(open_slit(), {0.9, 0.5 + 0.05 * side}), 0.05, 1e-14);
+  }
+}
+
 TEST(ClearanceAlong, is_the_first_part_inside) {
   EXPECT_NEAR(clearance_along(square(), {0.25, 0.5}, {1, 0}), 0.75, 1e-12);
   EXPECT_NEAR(clearance_along(square(), {0.25, 0.5}, {-1, 0}), 0.25, 1e-12);
   EXPECT_NEAR(clearance_along(annulus(), {0, 0}, unit(1.0)), 0.5, 1e-12);
   EXPECT_NEAR(clearance_along(annulus(), {-2, 0}, {1, 0}), 0.5, 1e-12);
   EXPECT_EQ(clearance_along(square(), {2, 0.5}, {1, 0}), 0);
+  EXPECT_NEAR(clearance_along(slit_square(), {0.5, 0.25}, {0, 1}), 0.25, 1e-12);
 }
 
 TEST(NearestFeet, are_all_that_are_equally_near) {
