@@ -1,7 +1,10 @@
 #include "couple/boundary_place.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+
+#include "curve/project.hpp"
 
 namespace quadrille::couple {
 namespace {
@@ -25,6 +28,22 @@ Place place_at(const CadFace& face, int curve, double t) {
   if (t < face.curves[curve].end()) return {curve, t};
   const int next = face.next_in_loop(curve);
   return {next, face.curves[next].begin()};
+}
+
+Place place_on_loop(const CadFace& face, int loop, Vec2 position) {
+  constexpr double relative_same = 1e-9;  // relative to the diameter
+  Place best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    if (distance(face.joints[c].position, position) <= relative_same * face.diameter)
+      return {c, face.curves[c].begin()};
+    const curve::Projection p = curve::project(face.curves[c], position);
+    if (p.distance < least) {
+      least = p.distance;
+      best = place_at(face, c, p.t);
+    }
+  }
+  return best;
 }
 
 double partner_parameter(const CadFace& face, int curve, double t) {

@@ -24,6 +24,9 @@ struct Place {
 /// The place of a parameter, which may be that of the curve's end.
 Place place_at(const CadFace& face, int curve, double t);
 
+/// The place on a loop of a position on it.
+Place place_on_loop(const CadFace& face, int loop, Vec2 position);
+
 /// The parameter of the same point on the partner of `curve`.
 double partner_parameter(const CadFace& face, int curve, double t);
 

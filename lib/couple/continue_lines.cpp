@@ -31,6 +31,7 @@ constexpr double relative_end = 1e-6;         // of a piece: crossings nearer to
 struct ArcPoint {
   HalfEdge h;
   curve::ChainPoint at;
+  bool is_end = false;  ///< the node at which the half-edge ends
 };
 
 curve::ChainPoint chain_point(const ArcGraph& graph, const graph::Pieces& pieces, int piece, double t) {
@@ -40,16 +41,18 @@ curve::ChainPoint chain_point(const ArcGraph& graph, const graph::Pieces& pieces
   return {curve::point(curve, t), p.t0 < p.t1 ? along : -along, piece, t};
 }
 
-// The arc that contains a parameter of a curve, not at its ends.
+// The arc that contains a parameter of a curve, not at its start.
 std::optional<ArcPoint> point_on_arcs(const ArcGraph& graph, const std::vector<HalfEdge>& arcs, int curve, double t) {
   for (const HalfEdge h : arcs) {
     const graph::Pieces pieces = graph::pieces_along(graph, h);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const auto [low, high] = std::minmax(pieces[i].t0, pieces[i].t1);
       const double margin = relative_end * (high - low);
-      const bool is_inner_joint = t == pieces[i].t0 && i > 0;
-      if (pieces[i].curve != curve || t > high - margin || (t < low + margin && !is_inner_joint)) continue;
-      return ArcPoint{h, chain_point(graph, pieces, static_cast<int>(i), t)};
+      const bool is_inner_joint = t == pieces[i].t0 && i > 0, is_last = i + 1 == pieces.size();
+      const bool is_end = is_last && std::abs(t - pieces[i].t1) <= margin;
+      const bool is_inside = t <= high - margin && (t >= low + margin || is_inner_joint);
+      if (pieces[i].curve == curve && (is_inside || is_end))
+        return ArcPoint{h, chain_point(graph, pieces, static_cast<int>(i), t), is_end};
     }
   }
   return std::nullopt;
@@ -104,50 +107,114 @@ struct TracedLine {
   Place end;  ///< in the region
 };
 
-std::optional<TracedLine> traced_line(const graph::CandidateLayout& layout, const field::FieldEvaluator& field,
+// The place of a region's boundary, circles about the centre, before or after a turn.
+Place turned(const CadFace& face, const curve::Turn& turn, const Place& place) {
+  if (turn.angle == 0) return place;
+  return place_on_loop(face, face.loop_of(place.curve), turn.of(curve::point(face.curves[place.curve], place.t)));
+}
+
+/// The field of a region, turned as its layout was.
+struct TurnedField {
+  const field::FieldEvaluator& field;
+  curve::Turn turn;
+};
+
+std::optional<TracedLine> traced_line(const graph::CandidateLayout& layout, const TurnedField& turned_field,
                                       const Place& start) {
-  const double d = layout.graph().face.diameter;
+  const auto& [field, turn] = turned_field;
+  const CadFace& face = layout.graph().face;
+  const double d = face.diameter;
   std::vector<Vec2> nodes;
   for (const GraphNode& node : layout.graph().nodes)
-    if (node.curve < 0) nodes.push_back(node.position);
+    if (node.curve < 0) nodes.push_back(turn.inverse().of(node.position));
+  const Place before = turned(face, turn.inverse(), start);
   const trace::Streamline line =
-      trace::advance(field, trace::launch_from_boundary(field, start.curve, start.t), PointGrid(std::move(nodes)),
+      trace::advance(field, trace::launch_from_boundary(field, before.curve, before.t), PointGrid(std::move(nodes)),
                      {relative_tolerance * d, relative_step * d, relative_length * d, relative_hit * d});
   if (line.steps.empty()) return std::nullopt;
+  const auto point = [&field = field, &turn = turn, &line](double s, Vec2& direction) {
+    const Vec2 x = line.at(field, s, direction);
+    direction = turn.of_vector(direction);
+    return turn.of(x);
+  };
   TracedLine traced;
-  traced.spline = curve::fit_line([&](double s, Vec2& direction) { return line.at(field, s, direction); },
-                                  line.length(), relative_fit_tol * d);
+  traced.spline = curve::fit_line(point, line.length(), relative_fit_tol * d);
   traced.ends_on_boundary = line.end == trace::Streamline::End::boundary;
-  if (traced.ends_on_boundary) traced.end = place_at(layout.graph().face, line.reached.curve, line.reached.t);
+  if (traced.ends_on_boundary) traced.end = turned(face, turn, place_at(face, line.reached.curve, line.reached.t));
   return traced;
 }
 
-// Divides the face that the line enters, if it reaches the opposite side.
-bool insert_line(graph::CandidateLayout& layout, const field::FieldEvaluator& field, const Place& start) {
+/// Where a line leaves a face, with its parameter there.
+struct FaceExit {
+  ArcPoint point;
+  double s = 0;
+};
+
+// Where the line leaves the face that it enters over a half-edge, if by the opposite side.
+std::optional<FaceExit> exit_of_face(const graph::Subdivision& subdivision, HalfEdge entry, const TracedLine& line,
+                                     double same) {
+  const ArcGraph& graph = subdivision.graph();
+  const std::optional<EnteredFace> face = entered_face(subdivision, entry);
+  if (!face) return std::nullopt;
+  double s = line.spline.end(), s_other = line.spline.end();
+  std::optional<ArcPoint> exit = first_crossing(graph, face->opposite, line.spline, same, s);
+  const bool crosses_other = first_crossing(graph, face->others, line.spline, same, s_other).has_value();
+  if (!exit && line.ends_on_boundary) exit = point_on_arcs(graph, face->opposite, line.end.curve, line.end.t);
+  if (!exit || (crosses_other && s_other < s)) return std::nullopt;
+  if (exit->is_end && subdivision.quarters(exit->h) != 2) return std::nullopt;
+  return FaceExit{*exit, s};
+}
+
+// The faces that the line divides: up to the first line that is there already, or to the end of one on the other side
+// of a line, across those of this round, from spline `first_new` on. Empty if it leaves a face by a side beside the one
+// that it enters.
+std::vector<FaceExit> exits_of_line(const graph::Subdivision& subdivision, HalfEdge entry, const TracedLine& line,
+                                    double same, int first_new) {
+  std::vector<FaceExit> exits;
+  for (bool is_new = true; is_new;) {
+    const std::optional<FaceExit> exit = exit_of_face(subdivision, entry, line, same);
+    if (!exit || (!exits.empty() && exit->s <= exits.back().s)) return {};
+    exits.push_back(*exit);
+    entry = exit->point.h.reversed();
+    const ArcGraph& graph = subdivision.graph();
+    is_new = !exit->point.is_end && graph.arcs[entry.arc].pieces.front().curve - graph.face.num_curves() >= first_new;
+  }
+  return exits;
+}
+
+// Divides the faces that the line enters, if it reaches the opposite sides.
+bool insert_line(graph::CandidateLayout& layout, const TurnedField& field, const Place& start, int first_new) {
   graph::Subdivision& subdivision = layout.subdivision;
   const ArcGraph& graph = subdivision.graph();
   std::vector<HalfEdge> boundary;
   for (int a = 0; a < subdivision.arc_bound(); ++a)
     if (subdivision.has_arc(a) && graph.arcs[a].is_boundary) boundary.push_back({a});
   const std::optional<ArcPoint> entry = point_on_arcs(graph, boundary, start.curve, start.t);
-  if (!entry) return false;
-  const std::optional<EnteredFace> face = entered_face(subdivision, entry->h);
-  std::optional<TracedLine> line = face ? traced_line(layout, field, start) : std::nullopt;
+  if (!entry || entry->is_end || !entered_face(subdivision, entry->h)) return false;
+  std::optional<TracedLine> line = traced_line(layout, field, start);
   if (!line) return false;
-  const double same = relative_same * graph.face.diameter;
-  double s = line->spline.end(), s_other = line->spline.end();
-  std::optional<ArcPoint> exit = first_crossing(graph, face->opposite, line->spline, same, s);
-  const bool crosses_other = first_crossing(graph, face->others, line->spline, same, s_other).has_value();
-  if (!exit && line->ends_on_boundary) exit = point_on_arcs(graph, face->opposite, line->end.curve, line->end.t);
-  if (!exit || (crosses_other && s_other < s)) return false;
-  const auto end = graph::divide_at_point(subdivision, exit->h, exit->at);
+  const std::vector<FaceExit> exits =
+      exits_of_line(subdivision, entry->h, *line, relative_same * graph.face.diameter, first_new);
+  if (exits.empty()) return false;
   const auto begin = graph::divide_at_point(subdivision, entry->h, entry->at);
-  Nurbs spline = std::move(line->spline);
+  Nurbs& spline = line->spline;
   spline.poles.front() = graph.nodes[begin.node].position;
-  if (s == spline.end()) spline.poles.back() = graph.nodes[end.node].position;
-  const double first = spline.begin();
+  const ArcPoint& last = exits.back().point;
+  if (exits.back().s == spline.end())
+    spline.poles.back() = last.is_end ? graph.nodes[subdivision.end(last.h)].position : last.at.position;
+  double s = spline.begin();
   const int curve = subdivision.add_spline(std::move(spline));
-  subdivision.insert_arc({begin.first}, {end.first}, {{curve, first, s}});
+  HalfEdge from = begin.first;
+  for (const FaceExit& exit : exits) {
+    if (exit.point.is_end) {
+      subdivision.insert_arc({from}, {exit.point.h}, {{curve, s, exit.s}});
+      break;
+    }
+    const auto end = graph::divide_at_point(subdivision, exit.point.h, exit.point.at);
+    subdivision.insert_arc({from}, {end.first}, {{curve, s, exit.s}});
+    from = end.second.reversed();
+    s = exit.s;
+  }
   return true;
 }
 
@@ -164,6 +231,9 @@ int continue_lines(RegionLayouts& regions, CutEnds cuts) {
   const CadFace& face = regions.face;
   const double same = relative_same * face.diameter;
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
+  std::vector<int> first_new;  // spline of each region
+  for (const graph::CandidateLayout& layout : regions.layouts)
+    first_new.push_back(static_cast<int>(layout.graph().splines.size()));
   int num_lines = 0;
   for (const InterfaceChain& chain : interface_chains(regions, cuts))
     for (const int side : {0, 1})
@@ -172,7 +242,8 @@ int continue_lines(RegionLayouts& regions, CutEnds cuts) {
         Place place = place_on_side(face, chain, 1 - side, regions.place_of(station.region, station.node));
         const int region = regions.region_of_curve(place.curve);
         place.curve -= regions.first_curves[region];
-        num_lines += insert_line(regions.layouts[region], *regions.fields[region], place);
+        num_lines += insert_line(regions.layouts[region], {*regions.fields[region], regions.turn_of(region)}, place,
+                                 first_new[region]);
       }
   renew_lines(regions, std::move(kinds), LineKind::traced);
   return num_lines;

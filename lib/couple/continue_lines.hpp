@@ -7,8 +7,9 @@
 namespace quadrille::couple {
 
 /// Continues each line that ends on an interface where no line of the other side does: it is traced through the field
-/// there, up to the opposite side of the face that it enters, where it ends in a T-junction, or on the boundary. A line
-/// that would leave the face by another side is not continued. Returns the number of lines.
+/// there, up to the opposite side of the face that it enters, where it ends in a T-junction, or on the boundary. Lines
+/// that are continued at the same time cross each other, whichever comes first. A line that would leave a face by
+/// another side is not continued. Returns the number of lines.
 int continue_lines(RegionLayouts& regions, CutEnds cuts);
 
 /// Removes the cuts of regions that other lines cross. Returns their number.

@@ -47,10 +47,9 @@ graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
 }
 
 // The deviation of continued lines is that from the field of the region through which each runs.
-void certify(const std::vector<const field::FieldEvaluator*>& fields, graph::CandidateLayout& layout, Report& report) {
+void certify(const field::FieldsOfRegions& fields, graph::CandidateLayout& layout, Report& report) {
   double& deviation = layout.certificate.largest_deviation_degrees;
-  for (const field::FieldEvaluator* field : fields)
-    deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(*field, layout)));
+  deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(fields, layout)));
   layout::certify(*layout.certificate.method, layout, report);
 }
 
@@ -71,6 +70,7 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
   }
   report.set("couple.lines_met", num_met);
   report.set("couple.lines_continued", num_continued);
+  const field::FieldsOfRegions fields(regions.fields, regions.turns);
   SeparatrixGraph joined = join_layouts(regions);
   const bool is_periodic = !joined.face.periodic_pairs.empty();
   if (is_periodic) snap_periodic_nodes(joined);
@@ -78,17 +78,16 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
   report.set("couple.t_junctions", layout.t_junctions.size());
   report.set("couple.faces_before", layout.subdivision.num_faces());
   if (is_periodic)
-    layout = conforming_across_periodic_sides(std::move(layout), regions.fields, relative_unit, report);
+    layout = conforming_across_periodic_sides(std::move(layout), fields, relative_unit, report);
   else if (!layout.t_junctions.empty())
     layout = conforming(layout);
   graph::require_four_corners(layout.subdivision);
   if (options.simplify != layout::SimplifyLevel::none)
-    layout = simplify::simplify(field::FieldsOfRegions(regions.fields), std::move(layout),
-                                layout::simplify_options(options), report);
+    layout = simplify::simplify(fields, std::move(layout), layout::simplify_options(options), report);
   report.set("couple.faces", layout.subdivision.num_faces());
   graph::require_drawn_in_order(layout.subdivision);
   require_periodic_arcs(layout.graph(), "leave out --simplify, or the pair (cad2tri --periodic)");
-  certify(regions.fields, layout, report);
+  certify(fields, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }
 

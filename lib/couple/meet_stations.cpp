@@ -128,7 +128,7 @@ double move_end(RegionLayouts& regions, const Station& station, Place place) {
   place.curve -= regions.first_curves[station.region];
   const auto move = move_to(layout, station.node, place);
   if (!move) return 0;
-  const field::FieldsOfRegions field(*regions.fields[station.region]);
+  const field::FieldsOfRegions field = regions.field_of(station.region);
   return simplify::move_line_end(layout.subdivision, *move, &field);
 }
 

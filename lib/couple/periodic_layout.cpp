@@ -28,7 +28,7 @@ namespace {
 constexpr double relative_same = 1e-8;  // relative to the diameter: nodes nearer than this are one
 constexpr double relative_tie = 1e-6;   // distances of relative difference below it are equal
 
-using Fields = std::vector<const field::FieldEvaluator*>;
+using Fields = field::FieldsOfRegions;
 using MeetingsOf = std::function<std::vector<Meeting>(const PeriodicChain&)>;
 
 Place place_of(const GraphNode& node) { return {node.curve, node.t}; }
@@ -68,11 +68,10 @@ int meet_lines(graph::CandidateLayout& layout, const Fields& fields, const Meeti
   std::vector<LineKind> kinds = graph::spline_kinds(layout.graph(), layout.lines);
   std::vector<PeriodicChain> chains = periodic_chains(layout.graph().face);
   set_stations(layout, chains);
-  const field::FieldsOfRegions all(fields);
   int num_meetings = 0;
   for (const PeriodicChain& chain : chains)
     for (const Meeting& meeting : meetings_of(chain)) {
-      meet(layout, chain, meeting, all);
+      meet(layout, chain, meeting, fields);
       ++num_meetings;
     }
   renew_lines(layout, std::move(kinds), LineKind::merged);

@@ -16,7 +16,7 @@ namespace quadrille::couple {
 /// other side. `relative_unit`: length of an arc of integer length one, in diameters. Reports couple.periodic_*. Throws
 /// ComputeError if there are no integer lengths.
 graph::CandidateLayout conforming_across_periodic_sides(graph::CandidateLayout layout,
-                                                        const std::vector<const field::FieldEvaluator*>& fields,
-                                                        double relative_unit, Report& report);
+                                                        const field::FieldsOfRegions& fields, double relative_unit,
+                                                        Report& report);
 
 }  // namespace quadrille::couple

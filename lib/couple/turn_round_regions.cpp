@@ -7,21 +7,14 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "couple/best_turn.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/project.hpp"
 
 namespace quadrille::couple {
 namespace {
 
 constexpr double relative_round = 1e-9;  // relative to the diameter: deviation of a boundary from circles
-constexpr double relative_tie = 1e-6;
 constexpr int samples_of_curve = 9;
-
-Vec2 rotated(Vec2 x, Vec2 centre, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  const Vec2 d = x - centre;
-  return centre + Vec2{c * d.x - s * d.y, s * d.x + c * d.y};
-}
 
 Vec2 point_at(const Nurbs& curve, double fraction) {
   return curve::point(curve, curve.begin() + fraction * (curve.end() - curve.begin()));
@@ -61,6 +54,7 @@ class RoundRegions {
       has_lines_.push_back(std::find(is_line_end_[r].begin(), is_line_end_[r].end(), true) != is_line_end_[r].end());
     }
     passing_.resize(regions.layouts.size());
+    regions.turns.assign(regions.layouts.size(), {});
   }
 
   int turn_all() {
@@ -115,14 +109,9 @@ class RoundRegions {
 
   double angle_about(Vec2 centre, Vec2 x) const { return angle_of(x - centre); }
 
-  /// Angles about the centre at which lines end on a loop: of the region, and of its settled neighbours.
-  struct LoopAngles {
-    std::vector<double> own, others;
-  };
-
-  std::vector<LoopAngles> angles_of_loops(int region) const {
+  std::vector<EndAngles> angles_of_loops(int region) const {
     const CadFace& face = regions_.layouts[region].graph().face;
-    std::vector<LoopAngles> loops(face.num_loops());
+    std::vector<EndAngles> loops(face.num_loops());
     const std::vector<GraphNode>& nodes = regions_.layouts[region].graph().nodes;
     for (std::size_t n = 0; n < nodes.size(); ++n)
       if (is_line_end_[region][n])
@@ -147,66 +136,20 @@ class RoundRegions {
 
   // A ring without lines of its own lets those of its neighbours pass; it is not turned.
   bool pass_through(int region) {
-    for (const LoopAngles& loop : angles_of_loops(region))
+    for (const EndAngles& loop : angles_of_loops(region))
       passing_[region].insert(passing_[region].end(), loop.others.begin(), loop.others.end());
     return false;
   }
 
-  // From each own end, turned by `angle`, to the nearest other: their mean offset, and the sum of squares.
-  static std::pair<double, double> offsets(const std::vector<LoopAngles>& loops, double angle) {
-    double sum = 0, squares = 0;
-    int count = 0;
-    for (const LoopAngles& loop : loops)
-      for (const double own : loop.own) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const double other : loop.others)
-          if (const double d = wrap_pi(other - own - angle); std::abs(d) < std::abs(least)) least = d;
-        if (loop.others.empty()) continue;
-        sum += least, squares += least * least, ++count;
-      }
-    return {count > 0 ? sum / count : 0, squares};
-  }
-
-  // The angle with the least sum of squares; of equal ones the least in magnitude.
-  static double best_angle(const std::vector<LoopAngles>& loops) {
-    double best = 0, least = std::numeric_limits<double>::infinity();
-    for (const LoopAngles& loop : loops)
-      for (const double own : loop.own)
-        for (const double other : loop.others) {
-          double angle = wrap_pi(other - own);
-          angle = wrap_pi(angle + offsets(loops, angle).first);
-          const double squares = offsets(loops, angle).second, tie = relative_tie * (1 + squares);
-          if (squares < least - tie || (squares <= least + tie && std::abs(angle) < std::abs(best) - relative_tie)) {
-            best = angle;
-            least = std::min(least, squares);
-          }
-        }
-    return best;
-  }
-
   bool turn(int region) {
-    const double angle = best_angle(angles_of_loops(region));
+    const double angle = best_turn(angles_of_loops(region));
     if (angle == 0) return false;
     graph::CandidateLayout& layout = regions_.layouts[region];
     SeparatrixGraph graph = graph::separatrix_graph(std::move(layout));
-    rotate(graph, *centres_[region], angle);
+    regions_.turns[region] = {*centres_[region], angle};
+    rotate(graph, regions_.turns[region]);
     layout = graph::candidate_layout(std::move(graph));
     return true;
-  }
-
-  // The place on its loop of a position on it.
-  static Place on_loop(const CadFace& face, int loop, Vec2 x) {
-    Place best;
-    double least = std::numeric_limits<double>::infinity();
-    for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
-      if (distance(face.joints[c].position, x) <= relative_round * face.diameter) return {c, face.curves[c].begin()};
-      const curve::Projection p = curve::project(face.curves[c], x);
-      if (p.distance < least) {
-        least = p.distance;
-        best = place_at(face, c, p.t);
-      }
-    }
-    return best;
   }
 
   static std::vector<ArcPiece> path(const CadFace& face, const GraphNode& from, const GraphNode& to) {
@@ -222,13 +165,13 @@ class RoundRegions {
     return pieces;
   }
 
-  static void rotate(SeparatrixGraph& graph, Vec2 centre, double angle) {
+  static void rotate(SeparatrixGraph& graph, const curve::Turn& turn) {
     for (Nurbs& spline : graph.splines)
-      for (Vec2& pole : spline.poles) pole = rotated(pole, centre, angle);
+      for (Vec2& pole : spline.poles) pole = turn.of(pole);
     for (GraphNode& node : graph.nodes) {
-      node.position = rotated(node.position, centre, angle);
+      node.position = turn.of(node.position);
       if (node.curve < 0) continue;
-      const Place place = on_loop(graph.face, graph.face.loop_of(node.curve), node.position);
+      const Place place = place_on_loop(graph.face, graph.face.loop_of(node.curve), node.position);
       node.curve = place.curve;
       node.t = place.t;
     }

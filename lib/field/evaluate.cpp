@@ -138,15 +138,25 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
   return result;
 }
 
+// The value is that of a cross: it turns four times as far.
+std::vector<PointSample> FieldsOfRegions::values_in(std::size_t region, std::vector<Vec2> points) const {
+  const curve::Turn& turn = turns_[region];
+  if (turn.angle == 0) return regions_[region]->values_at(points);
+  for (Vec2& x : points) x = turn.inverse().of(x);
+  std::vector<PointSample> samples = regions_[region]->values_at(points);
+  for (PointSample& sample : samples) sample.value = curve::Turn{{}, 4 * turn.angle}.of_vector(sample.value);
+  return samples;
+}
+
 std::vector<PointSample> FieldsOfRegions::values_at(const std::vector<Vec2>& points) const {
-  std::vector<PointSample> samples = regions_.front()->values_at(points);
+  std::vector<PointSample> samples = values_in(0, points);
   for (std::size_t r = 1; r < regions_.size(); ++r) {
     std::vector<std::size_t> numbers;
     std::vector<Vec2> rest;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (samples[i].at.elem < 0) numbers.push_back(i), rest.push_back(points[i]);
     if (rest.empty()) break;
-    const std::vector<PointSample> found = regions_[r]->values_at(rest);
+    const std::vector<PointSample> found = values_in(r, rest);
     for (std::size_t k = 0; k < rest.size(); ++k) samples[numbers[k]] = found[k];
   }
   return samples;

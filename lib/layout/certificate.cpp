@@ -47,7 +47,7 @@ void certify(LayoutMethod method, graph::CandidateLayout& layout, Report& report
   report_certificate(certificate, report);
 }
 
-double deviation_of_extended_lines(const field::FieldEvaluator& evaluator, const graph::CandidateLayout& layout) {
+double deviation_of_extended_lines(const field::FieldsOfRegions& fields, const graph::CandidateLayout& layout) {
   const ArcGraph& graph = layout.graph();
   std::vector<Vec2> positions;
   std::vector<double> angles;
@@ -62,7 +62,7 @@ double deviation_of_extended_lines(const field::FieldEvaluator& evaluator, const
         }
   }
   double deviation = 0;
-  const std::vector<field::PointSample> samples = evaluator.values_at(positions);
+  const std::vector<field::PointSample> samples = fields.values_at(positions);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (samples[i].at.elem >= 0)
       deviation = std::max(deviation, std::abs(guided_angle(samples[i].value, angles[i]) - angles[i]));

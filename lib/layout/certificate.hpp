@@ -18,6 +18,6 @@ void certify(LayoutMethod method, graph::CandidateLayout& layout, Report& report
 
 /// The largest angle between lines of kind LineKind::extended and the nearest direction of the field's cross, radians,
 /// at equal steps inside their arcs: at most pi / 4.
-double deviation_of_extended_lines(const field::FieldEvaluator& evaluator, const graph::CandidateLayout& layout);
+double deviation_of_extended_lines(const field::FieldsOfRegions& fields, const graph::CandidateLayout& layout);
 
 }  // namespace quadrille::layout
