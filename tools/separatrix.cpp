@@ -11,13 +11,13 @@
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "couple/couple_layouts.hpp"
+#include "couple/midpoint_regions.hpp"
 #include "couple/open_curves.hpp"
 #include "field/check_nodes_match_field.hpp"
 #include "graph/open_interfaces.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 #include "layout/compute_layout.hpp"
-#include "layout/midpoint_layout.hpp"
 #include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
@@ -33,20 +33,48 @@ struct Settings {
   std::vector<std::string> open, interfaces;  // names of curves
 };
 
-void require_one_region(const CadFace& face, const std::string& file) {
-  if (face.num_regions() > 1)
-    throw UsageError(
-        fmt::format("{} has {} regions: blocks from triangles (--layout midpoint) need a file of one: cad2tri --face",
-                    file, face.num_regions()));
+/// The curves of --open and --interface in a face.
+class OpenCurves {
+ public:
+  OpenCurves(const CadFace& face, const Settings& settings)
+      : face_(face),
+        with_open_interfaces_(
+            couple::with_open_curves(face, couple::nonconforming_interfaces(settings.interfaces), "--interface")) {
+    const CadFace with_cracks = couple::with_open_curves(face, settings.open, "--open");
+    for (int c = 0; c < face.num_curves(); ++c)
+      is_crack_.push_back(face.is_interface(c) && with_cracks.partners[c] < 0);
+  }
+
+  /// Open interfaces have no partners.
+  const CadFace& with_open_interfaces() const { return with_open_interfaces_; }
+
+  /// A crack is opened last, so that its sides have nodes in the same places.
+  void open_cracks(SeparatrixGraph& graph) const {
+    graph.face = face_;
+    graph::open_interfaces(graph, is_crack_);
+  }
+
+ private:
+  const CadFace& face_;
+  CadFace with_open_interfaces_;
+  std::vector<bool> is_crack_;
+};
+
+/// Midpoint division, if that is chosen or there is no other way.
+SeparatrixGraph layout_of_triangles(const TriMesh& mesh, const Settings& settings, cli::Session& session) {
+  const OpenCurves open(mesh.face, settings);
+  session.begin_phase("divide");
+  SeparatrixGraph graph =
+      couple::layout_without_field(open.with_open_interfaces(), mesh, settings.options.layout, session.report());
+  open.open_cracks(graph);
+  return graph;
 }
 
 /// Without a field there are no separatrices.
-SeparatrixGraph layout_of_triangles(const io::InputFile& file, const Settings& settings, cli::Session& session) {
+SeparatrixGraph layout_of_triangle_file(const io::InputFile& file, const Settings& settings, cli::Session& session) {
   const TriMesh mesh = io::read_tri_mesh(file);
   check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), file.name);
-  require_one_region(mesh.face, file.name);
-  session.begin_phase("divide");
-  SeparatrixGraph graph = layout::layout_without_field(mesh, settings.options.layout, session.report());
+  SeparatrixGraph graph = layout_of_triangles(mesh, settings, session);
   graph.provenance = session.provenance(mesh.provenance, {file.digest("tri-mesh")});
   return graph;
 }
@@ -86,27 +114,22 @@ std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io:
 SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
                                   const Settings& settings, cli::Session& session) {
   const CadFace& face = fields.whole.mesh.face;
-  const CadFace with_cracks = couple::with_open_curves(face, settings.open, "--open");
-  const CadFace open_face =
-      couple::with_open_curves(face, couple::nonconforming_interfaces(settings.interfaces), "--interface");
+  const OpenCurves open(face, settings);
   std::vector<SeparatrixGraph> graphs = regions::map_regions<SeparatrixGraph>(
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*fields.evaluators[region], points[region], settings.options, report);
       });
   if (face.partners.empty() && face.periodic_pairs.empty()) return std::move(graphs.front());
   session.begin_phase("couple");
-  couple::RegionLayouts layouts{open_face, {}, {}, {}};
+  couple::RegionLayouts layouts{open.with_open_interfaces(), {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {
     layouts.layouts.push_back(graph::candidate_layout(std::move(graphs[r])));
     layouts.fields.push_back(fields.evaluators[r].get());
     layouts.first_curves.push_back(regions::curves_of(face, r).begin);
   }
-  SeparatrixGraph graph = couple::couple_layouts(std::move(layouts), settings.options, session.report());
-  graph.face = face;
-  // A crack is opened last, so that its sides have nodes in the same places.
-  std::vector<bool> is_crack;
-  for (int c = 0; c < face.num_curves(); ++c) is_crack.push_back(face.is_interface(c) && with_cracks.partners[c] < 0);
-  graph::open_interfaces(graph, is_crack);
+  SeparatrixGraph graph =
+      couple::couple_or_divide(std::move(layouts), fields.whole.mesh, settings.options, session.report());
+  open.open_cracks(graph);
   return graph;
 }
 
@@ -114,9 +137,7 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
   const Field field = io::read_field(field_file);
   check::require_valid(check::check_field(field, check::CheckDepth::quick), field_file.name);
   if (settings.options.layout == layout::LayoutChoice::midpoint) {  // needs no nodes
-    require_one_region(field.mesh.face, field_file.name);
-    session.begin_phase("divide");
-    SeparatrixGraph graph = layout::layout_without_field(field.mesh, settings.options.layout, session.report());
+    SeparatrixGraph graph = layout_of_triangles(field.mesh, settings, session);
     graph.provenance = session.provenance(field.provenance, {field_file.digest("field")});
     return graph;
   }
@@ -186,7 +207,8 @@ int main(int argc, char** argv) {
         "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses it "
         "(motorcycle graph), and an integer program decides how they continue; midpoint: no separatrices, "
         "but new triangles, each divided into three blocks; auto: quantized if traced fails or needs more blocks, "
-        "midpoint if both fail or there is no field; t-mesh: only the stopped separatrices, no layout");
+        "midpoint if both fail, if the layouts of regions cannot be joined or if there is no field; t-mesh: only the "
+        "stopped separatrices, no layout");
     o.integer(
         "--max-lines", options.max_lines, 1, 1000000,
         "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
@@ -210,7 +232,7 @@ int main(int argc, char** argv) {
     s.begin_phase("read");
     const io::InputFile file = io::read_input(settings.field);
     if (!settings.checked_points.empty()) return check_nodes(file, settings.checked_points);
-    const SeparatrixGraph graph = io::stage_format(file) == "tri-mesh" ? layout_of_triangles(file, settings, s)
+    const SeparatrixGraph graph = io::stage_format(file) == "tri-mesh" ? layout_of_triangle_file(file, settings, s)
                                                                        : layout_of_field(file, settings, s);
     s.begin_phase("write");
     io::write_separatrix_graph(settings.output, graph);

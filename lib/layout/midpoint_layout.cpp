@@ -17,17 +17,17 @@ graph::CandidateLayout midpoint_layout(const TriMesh& mesh, Report& report) {
   return layout;
 }
 
-SeparatrixGraph layout_without_field(const TriMesh& mesh, LayoutChoice choice, Report& report) {
-  if (choice != LayoutChoice::midpoint && choice != LayoutChoice::automatic)
-    throw UsageError("--layout " + std::string(enum_name(choice)) + " needs a field, not a triangle mesh");
-  graph::CandidateLayout layout = midpoint_layout(mesh, report);
-  if (choice == LayoutChoice::automatic) {
-    layout.certificate.reason = "there is no field that separatrices could follow";
-    report.warn(warning::midpoint_instead_of_separatrices, midpoint_warning(layout.certificate.reason));
-  }
+std::string reason_without_field(LayoutChoice choice) {
+  if (choice == LayoutChoice::midpoint) return "";
+  if (choice == LayoutChoice::automatic) return "there is no field that separatrices could follow";
+  throw UsageError("--layout " + std::string(enum_name(choice)) + " needs a field, not a triangle mesh");
+}
+
+void certify_midpoint(graph::CandidateLayout& layout, const std::string& reason, Report& report) {
+  layout.certificate.reason = reason;
+  if (!reason.empty()) report.warn(warning::midpoint_instead_of_separatrices, midpoint_warning(reason));
   certify(LayoutMethod::midpoint, layout, report);
   report.set("subdivision.built", layout.num_built);
-  return graph::separatrix_graph(std::move(layout));
 }
 
 }  // namespace quadrille::layout

@@ -1,6 +1,8 @@
 #pragma once
 // The layout that needs no field (midpoint/midpoint_graph.hpp).
 
+#include <string>
+
 #include "base/report.hpp"
 #include "graph/candidate_layout.hpp"
 #include "layout/layout_options.hpp"
@@ -11,8 +13,11 @@ namespace quadrille::layout {
 /// The layout without its certificate. Cannot fail for a mesh that keeps the rules of its format.
 graph::CandidateLayout midpoint_layout(const TriMesh& mesh, Report& report);
 
-/// The separatrix graph of a file that has triangles but no field, with its certificate. With "auto" there is a
-/// warning; throws UsageError for a layout that needs a field.
-SeparatrixGraph layout_without_field(const TriMesh& mesh, LayoutChoice choice, Report& report);
+/// The reason for a midpoint division of a file that has triangles but no field; empty if it was chosen. Throws
+/// UsageError for a layout that needs a field.
+std::string reason_without_field(LayoutChoice choice);
+
+/// Sets the certificate. If the reason is not empty, a warning states it.
+void certify_midpoint(graph::CandidateLayout& layout, const std::string& reason, Report& report);
 
 }  // namespace quadrille::layout

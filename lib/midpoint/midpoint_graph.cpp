@@ -30,19 +30,28 @@ triangulate::TriangulateOptions coarse_options(const CadFace& face) {
 
 std::vector<int> doubtful(const TriMesh& mesh) { return doubtful_triangles(mesh, divide_triangles(mesh)); }
 
+void report_triangles(const TriMesh& triangles, const char* origin, Report& report) {
+  report.set("midpoint.triangles", triangles.num_elems());
+  report.set("midpoint.origin", origin);
+}
+
 }  // namespace
 
-SeparatrixGraph midpoint_graph(const TriMesh& mesh, Report& report) {
+TriMesh coarse_triangles(const CadFace& face, Report& report) {
   Report unused(report.progress());  // the report of the triangle mesh is that of another mesh
-  const auto divide = [&](const TriMesh& triangles, const char* origin) {
-    report.set("midpoint.triangles", triangles.num_elems());
-    report.set("midpoint.origin", origin);
-    return std::move(divide_triangles(triangles).graph);
-  };
+  TriMesh triangles = triangulate::triangulate(face, coarse_options(face), unused, doubtful);
+  report_triangles(triangles, "coarse", report);
+  return triangles;
+}
+
+SeparatrixGraph divided(const TriMesh& triangles) { return std::move(divide_triangles(triangles).graph); }
+
+SeparatrixGraph midpoint_graph(const TriMesh& mesh, Report& report) {
   try {
-    return divide(triangulate::triangulate(mesh.face, coarse_options(mesh.face), unused, doubtful), "coarse");
+    return divided(coarse_triangles(mesh.face, report));
   } catch (const ComputeError&) {
-    return divide(mesh, "field");
+    report_triangles(mesh, "field", report);
+    return divided(mesh);
   }
 }
 

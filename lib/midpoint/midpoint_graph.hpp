@@ -13,4 +13,11 @@ namespace quadrille::midpoint {
 /// divided. Reports midpoint.*. The certificate is not filled in.
 SeparatrixGraph midpoint_graph(const TriMesh& mesh, Report& report);
 
+/// The coarse triangles of a face, also of several regions, whose triangles have the same edges on interfaces. Reports
+/// midpoint.*. Throws ComputeError if there are none.
+TriMesh coarse_triangles(const CadFace& face, Report& report);
+
+/// Three blocks for each triangle.
+SeparatrixGraph divided(const TriMesh& triangles);
+
 }  // namespace quadrille::midpoint

@@ -1,7 +1,7 @@
 #pragma once
 // The boundary of the domain without the corner fans: closed loops of segments. A segment is either a part of a curve,
-// bisected (by arc length) where needed, or a rim edge of a fan, which is never split. A slit has segments on its first
-// side alone.
+// bisected (by arc length) where needed, or a rim edge of a fan, which is never split. A slit, and an interface of two
+// regions, has segments on its first side alone.
 
 #include <string>
 #include <vector>
@@ -24,6 +24,10 @@ class BoundaryMesh {
   BoundaryMesh(const EdgeFit& fit, const std::vector<Fan>& fans, const EdgeLimits& limits, Draft& draft);
 
   const std::vector<Segment>& segments() const { return segments_; }
+  /// Whether the face is on both sides of the segment: a slit, or an interface of two regions.
+  bool is_inner(const Segment& segment) const {
+    return !segment.is_rim() && fit_->outline().face().is_interface(segment.curve);
+  }
   /// Origin of the face, added to positions in messages.
   Vec2 origin() const { return fit_->outline().face().origin; }
   /// Bisects segment i: i becomes the first half, the second half is appended. Returns the new vertex of the draft.

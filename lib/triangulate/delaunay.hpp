@@ -1,9 +1,9 @@
 #pragma once
 // An incremental constrained Delaunay triangulation. The only interface to CGAL; it contains no CGAL type.
 //
-// A triangle is inside if an odd number of constraints, on the path with the fewest, separates it from infinity:
-// constraints form closed, mutually disjoint loops (outline, holes) and slits, which have the inside on both sides.
-// Predicates are exact; coordinates are never changed.
+// A triangle is inside if an odd number of constraints separates it from infinity: constraints form closed, mutually
+// disjoint loops (outline, holes). Inner constraints, slits and interfaces of regions, have the inside on both sides
+// and are not counted. Predicates are exact; coordinates are never changed.
 
 #include <array>
 #include <memory>
@@ -28,7 +28,7 @@ class ConstrainedDelaunay {
   int insert(Vec2 position);
   /// Adds the segment between two vertices as a constraint. Returns false and changes nothing if it crosses another
   /// constraint or passes through a third vertex.
-  bool constrain(int a, int b);
+  bool constrain(int a, int b, bool is_inner = false);
   /// Removes a constraint; the edge may then be flipped.
   void release(int a, int b);
   /// The triangles inside, each starting with its lowest vertex, sorted: independent of the order of insertion.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <set>
+#include <utility>
 
 #include "base/error.hpp"
 #include "triangulate/delaunay.hpp"
@@ -23,8 +25,15 @@ using Face = Triangulation::Face_handle;
 
 constexpr int unknown = -1;
 
-/// Stores in the info of each face the number of constraints between the face and infinity.
-void mark_depth(const Triangulation& triangulation) {
+using Edges = std::set<std::pair<int, int>>;
+
+/// Edge k of a face, by its vertices.
+std::pair<int, int> key_of(Face face, int k) {
+  return std::minmax(face->vertex((k + 1) % 3)->info(), face->vertex((k + 2) % 3)->info());
+}
+
+/// Stores in the info of each face the number of constraints between the face and infinity, `inner` ones left out.
+void mark_depth(const Triangulation& triangulation, const Edges& inner) {
   for (const Face face : triangulation.all_face_handles()) face->info() = unknown;
   std::deque<Face> queue{triangulation.infinite_face()};
   queue.front()->info() = 0;
@@ -33,12 +42,11 @@ void mark_depth(const Triangulation& triangulation) {
     queue.pop_front();
     for (int k = 0; k < 3; ++k) {
       const Face next = face->neighbor(k);
-      const bool crosses = face->is_constrained(k);
+      const bool crosses = face->is_constrained(k) && !inner.contains(key_of(face, k));
       const int depth = face->info() + (crosses ? 1 : 0);
       if (next->info() != unknown && next->info() <= depth) continue;
       next->info() = depth;
-      // Faces at the same depth are visited first, so that the depth of a face is the least number of constraints on
-      // any path to infinity: a path around the tip of a slit crosses no constraint.
+      // Faces at the same depth are visited first, so that each face is visited once.
       if (crosses) {
         queue.push_back(next);
       } else {
@@ -74,13 +82,14 @@ struct ConstrainedDelaunay::Impl {
   Triangulation triangulation;
   std::vector<Triangulation::Vertex_handle> vertices;
   Face hint;
+  Edges inner;
 };
 
 ConstrainedDelaunay::ConstrainedDelaunay() : impl_(std::make_unique<Impl>()) {}
 ConstrainedDelaunay::~ConstrainedDelaunay() = default;
 
 int ConstrainedDelaunay::insert(Vec2 position) {
-  auto& [triangulation, vertices, hint] = *impl_;
+  auto& [triangulation, vertices, hint, inner] = *impl_;
   const std::size_t before = triangulation.number_of_vertices();
   const auto vertex = triangulation.insert(Kernel::Point_2(position.x, position.y), hint);
   hint = vertex->face();
@@ -90,8 +99,8 @@ int ConstrainedDelaunay::insert(Vec2 position) {
   return vertex->info();
 }
 
-bool ConstrainedDelaunay::constrain(int a, int b) {
-  auto& [triangulation, vertices, hint] = *impl_;
+bool ConstrainedDelaunay::constrain(int a, int b, bool is_inner) {
+  auto& [triangulation, vertices, hint, inner] = *impl_;
   try {
     triangulation.insert_constraint(vertices[a], vertices[b]);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
@@ -99,21 +108,24 @@ bool ConstrainedDelaunay::constrain(int a, int b) {
   }
   Face face;
   int k = 0;
-  return triangulation.is_edge(vertices[a], vertices[b], face, k) && face->is_constrained(k);
+  if (!triangulation.is_edge(vertices[a], vertices[b], face, k) || !face->is_constrained(k)) return false;
+  if (is_inner) inner.insert(std::minmax(a, b));
+  return true;
 }
 
 void ConstrainedDelaunay::release(int a, int b) {
-  auto& [triangulation, vertices, hint] = *impl_;
+  auto& [triangulation, vertices, hint, inner] = *impl_;
   Face face;
   int k = 0;
   if (!triangulation.is_edge(vertices[a], vertices[b], face, k)) throw Defect("a constraint is no edge");
   triangulation.remove_constrained_edge(face, k);
+  inner.erase(std::minmax(a, b));
   hint = vertices[a]->face();
 }
 
 std::vector<DelaunayTriangle> ConstrainedDelaunay::triangles() const {
   const Triangulation& triangulation = impl_->triangulation;
-  mark_depth(triangulation);
+  mark_depth(triangulation, impl_->inner);
   std::vector<Oriented> faces;
   for (const Face face : triangulation.finite_face_handles()) {
     if (is_inside(triangulation, face)) faces.push_back(oriented(face));

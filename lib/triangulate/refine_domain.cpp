@@ -70,7 +70,7 @@ int DomainRefiner::add_point(int draft_vertex) {
 }
 
 void DomainRefiner::constrain(const Segment& segment) {
-  if (delaunay_.constrain(vertex2point_[segment.from], vertex2point_[segment.to])) return;
+  if (delaunay_.constrain(vertex2point_[segment.from], vertex2point_[segment.to], boundary_->is_inner(segment))) return;
   const Vec2 x = segment.centre + boundary_->origin();
   throw ComputeError(
       fmt::format("the chords of two parts of the boundary cross near {}, one of them {:.2g} long: draw these "

@@ -15,6 +15,7 @@
 #include "triangulate/cut_slits.hpp"
 #include "triangulate/refine_domain.hpp"
 #include "triangulate/smooth.hpp"
+#include "triangulate/sort_by_region.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -77,8 +78,9 @@ Result complete_mesh(const Outline& outline, int order, Draft draft, const Domai
                            outline.partner_parameter(curve, segment.t1), outline.partner_parameter(curve, segment.t0)});
   }
   Result result;
-  result.draft_vertices = cut_slits(draft);
+  const std::vector<int> origins = cut_slits(draft);
   result.mesh = assemble(outline.face(), order, draft);
+  for (const int v : sort_by_region(result.mesh)) result.draft_vertices.push_back(origins[v]);
   return result;
 }
 

@@ -14,8 +14,9 @@ namespace quadrille::triangulate {
 using Doubts = std::function<std::vector<int>(const TriMesh&)>;
 
 /// Sizes by curvature and local feature size, Delaunay refinement, fans at singular joints, curved elements, each
-/// proved valid. Elements that `doubts` names are refined as well; some may remain. Throws ComputeError, with the
-/// position, if no valid mesh is found.
+/// proved valid. Elements that `doubts` names are refined as well; some may remain. On slits and on interfaces of
+/// regions the elements of both sides have the same edges. Throws ComputeError, with the position, if no valid mesh is
+/// found.
 TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report, const Doubts& doubts = {});
 
 }  // namespace quadrille::triangulate

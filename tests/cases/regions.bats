@@ -24,9 +24,9 @@ has() {
   stagecheck -q work/*.h5 work/*.json
 }
 
-# keeps ALL NAME: the layout has all symmetries of the shape.
+# keeps ALL NAME [OPTION ...]: the layout has all symmetries of the shape.
 keeps() {
-  run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" "work/$2.sep.json"
+  run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" "work/$2.sep.json" "${@:3}"
   assert_output "kept $1 of $1"
 }
 
@@ -56,7 +56,8 @@ keeps() {
   keeps 12 coated_gear
   has 12 0.7 coated_cam
   has 30 0.4 layered_beam
-  has 150 0.35 layered_cable
+  has 125 0.86 layered_cable
+  keeps 6 layered_cable --tolerance 1e-6
   has 80 0.3 layered_seal
   has 80 0.75 pins
   keeps 4 pins
@@ -67,6 +68,7 @@ keeps() {
   keeps 4 plate_circle
   has 20 0.58 plate_curve
   has 6 0.99 inner_curve
+  has 8 0.44 slit
   has 12 0.8 aerofoil_wake --geometry-tol 1e-9
 }
 
@@ -101,8 +103,31 @@ keeps() {
   assert_output --partial "there is no boundary \"nowhere\""
   run -2 separatrix --open curve_0 t_joint.field.h5 t_joint.crit.json -o no.sep.json
   assert_output --partial "is a boundary"
-  run -2 separatrix t_joint.tri.h5 -o no.sep.json
-  assert_output --partial "has 3 regions"
+}
+
+# Without has: many blocks, of no great quality.
+@test "midpoint division of several regions: blocks share the nodes of interfaces and slits" {
+  local shape
+  for shape in disc_in_square chequerboard_2_hole plate_crack; do
+    rm -rf work
+    mesh_of "$shape" --layout midpoint
+    run -0 jq -r '"\(.valid) \(.certificate.method) \(.certificate.t_junctions) \(.warnings | length)"' report.json
+    assert_output "true midpoint 0 0"
+    run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" "work/$shape.quad.h5"
+    refute_output --partial FAULT
+    stagecheck -q work/*.h5 work/*.json
+  done
+}
+
+@test "midpoint division is what auto takes for triangles of several regions, with a warning" {
+  cad2tri "$DATA/regions/t_joint.step" -q -o t.tri.h5
+  run -0 --separate-stderr separatrix t.tri.h5 -o t.sep.json --report report.json
+  run -0 jq -r '.warnings[].code' report.json
+  assert_output W-SEP-002
+  separatrix t.tri.h5 --interface base-left=nonconforming -q -o open.sep.json
+  stagecheck -q t.sep.json open.sep.json
+  run -2 separatrix --layout traced t.tri.h5 -o no.sep.json
+  assert_output --partial "needs a field"
 }
 
 @test "the same bytes with any number of threads" {

@@ -23,33 +23,33 @@ TEST(MidpointLayout, EveryFaceHasFourCorners) {
 }
 
 TEST(MidpointLayout, WithoutAFieldOnlyMidpointAndAutoArePossible) {
-  const TriMesh mesh = annulus();
-  for (const LayoutChoice choice : {LayoutChoice::traced, LayoutChoice::quantized, LayoutChoice::t_mesh}) {
-    Report report;
-    EXPECT_THROW(layout_without_field(mesh, choice, report), UsageError);
-  }
+  for (const LayoutChoice choice : {LayoutChoice::traced, LayoutChoice::quantized, LayoutChoice::t_mesh})
+    EXPECT_THROW(reason_without_field(choice), UsageError);
+  EXPECT_EQ(reason_without_field(LayoutChoice::midpoint), "");
+  EXPECT_NE(reason_without_field(LayoutChoice::automatic), "");
 }
 
-TEST(MidpointLayout, WhatAutoTakesInsteadOfSeparatricesIsAWarning) {
-  const TriMesh mesh = annulus();
-  Report asked, taken;
-  const SeparatrixGraph first = layout_without_field(mesh, LayoutChoice::midpoint, asked);
-  const SeparatrixGraph second = layout_without_field(mesh, LayoutChoice::automatic, taken);
-  EXPECT_TRUE(asked.warnings().empty());
-  EXPECT_EQ(first.certificate.reason, "");
-  ASSERT_EQ(taken.warnings().size(), 1u);
-  EXPECT_EQ(taken.warnings().front().code, "W-SEP-002");
-  EXPECT_NE(second.certificate.reason, "");
+TEST(MidpointLayout, AReasonIsAWarning) {
+  Report report;
+  graph::CandidateLayout layout = midpoint_layout(annulus(), report);
+  certify_midpoint(layout, "", report);
+  EXPECT_TRUE(report.warnings().empty());
+  EXPECT_EQ(layout.certificate.reason, "");
+  certify_midpoint(layout, "the lines spiral", report);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_EQ(report.warnings().front().code, "W-SEP-002");
+  EXPECT_EQ(layout.certificate.reason, "the lines spiral");
 }
 
 TEST(MidpointLayout, TheCertificateCountsBlocksAndIndices) {
   Report report;
-  const LayoutCertificate certificate = layout_without_field(annulus(), LayoutChoice::midpoint, report).certificate;
-  EXPECT_EQ(certificate.method, LayoutMethod::midpoint);
-  EXPECT_EQ(certificate.index_sum, 0);
-  ASSERT_EQ(certificate.face_valence_histogram.size(), 1u);
-  EXPECT_EQ(certificate.face_valence_histogram.front().corners, 4);
-  EXPECT_EQ(certificate.largest_deviation_degrees, 0);
+  graph::CandidateLayout layout = midpoint_layout(annulus(), report);
+  certify_midpoint(layout, "", report);
+  EXPECT_EQ(layout.certificate.method, LayoutMethod::midpoint);
+  EXPECT_EQ(layout.certificate.index_sum, 0);
+  ASSERT_EQ(layout.certificate.face_valence_histogram.size(), 1u);
+  EXPECT_EQ(layout.certificate.face_valence_histogram.front().corners, 4);
+  EXPECT_EQ(layout.certificate.largest_deviation_degrees, 0);
 }
 
 }  // namespace

@@ -85,6 +85,23 @@ TEST(Delaunay, AKnownPositionKeepsItsNumber) {
   EXPECT_EQ(delaunay.insert({1, 2}), 0);
 }
 
+TEST(Delaunay, AnInnerConstraintHasTheInsideOnBothSides) {
+  for (const bool is_inner : {false, true}) {
+    ConstrainedDelaunay delaunay;
+    add_loop(delaunay, outer_square);
+    std::vector<int> inner;
+    for (const Vec2 x : {Vec2{1, 1}, Vec2{3, 1}, Vec2{2, 3}}) inner.push_back(delaunay.insert(x));
+    for (int k = 0; k < 3; ++k) EXPECT_TRUE(delaunay.constrain(inner[k], inner[(k + 1) % 3], is_inner));
+    const auto triangles = delaunay.triangles();
+    const bool is_there = std::any_of(triangles.begin(), triangles.end(), [&](const DelaunayTriangle& t) {
+      return t.vertices == std::array{inner[0], inner[1], inner[2]};
+    });
+    EXPECT_EQ(is_there, is_inner);
+    for (const DelaunayTriangle& t : triangles)
+      if (t.vertices == std::array{inner[0], inner[1], inner[2]}) EXPECT_EQ(t.neighbors, (std::array{-1, -1, -1}));
+  }
+}
+
 TEST(Delaunay, CrossingConstraintsAreRefused) {
   ConstrainedDelaunay delaunay;
   for (const Vec2 x : outer_square) delaunay.insert(x);
