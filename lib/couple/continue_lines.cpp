@@ -1,31 +1,25 @@
 #include "couple/continue_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "couple/interface_chains.hpp"
+#include "couple/continuations.hpp"
 #include "couple/renew_lines.hpp"
-#include "curve/fit_line.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/crossings.hpp"
 #include "graph/divide_at_point.hpp"
 #include "graph/separatrix_lines.hpp"
-#include "trace/advance.hpp"
 
 namespace quadrille::couple {
 namespace {
 
 // All relative to the diameter of the region.
-constexpr double relative_same = 1e-8;        // a line nearer than this to a node ends there already
-constexpr double relative_tolerance = 1e-10;  // of a step
-constexpr double relative_step = 1.0 / 20;    // the greatest
-constexpr double relative_hit = 1e-5;         // a line that comes nearer to a node is not continued
-constexpr double relative_length = 4;         // the greatest of a line
-constexpr double relative_fit_tol = 2e-9;     // as for traced lines
-constexpr double relative_end = 1e-6;         // of a piece: crossings nearer to its ends are at a node
+constexpr double relative_same = 1e-8;  // a line nearer than this to a node ends there already
+constexpr double relative_end = 1e-6;   // of a piece: crossings nearer to its ends are at a node
 
 /// A point of an arc: `at.piece` counts the pieces of the half-edge.
 struct ArcPoint {
@@ -100,50 +94,6 @@ std::optional<ArcPoint> first_crossing(const ArcGraph& graph, const std::vector<
   return std::nullopt;
 }
 
-/// A line through one region.
-struct TracedLine {
-  Nurbs spline;
-  bool ends_on_boundary = false;
-  Place end;  ///< in the region
-};
-
-// The place of a region's boundary, circles about the centre, before or after a turn.
-Place turned(const CadFace& face, const curve::Turn& turn, const Place& place) {
-  if (turn.angle == 0) return place;
-  return place_on_loop(face, face.loop_of(place.curve), turn.of(curve::point(face.curves[place.curve], place.t)));
-}
-
-/// The field of a region, turned as its layout was.
-struct TurnedField {
-  const field::FieldEvaluator& field;
-  curve::Turn turn;
-};
-
-std::optional<TracedLine> traced_line(const graph::CandidateLayout& layout, const TurnedField& turned_field,
-                                      const Place& start) {
-  const auto& [field, turn] = turned_field;
-  const CadFace& face = layout.graph().face;
-  const double d = face.diameter;
-  std::vector<Vec2> nodes;
-  for (const GraphNode& node : layout.graph().nodes)
-    if (node.curve < 0) nodes.push_back(turn.inverse().of(node.position));
-  const Place before = turned(face, turn.inverse(), start);
-  const trace::Streamline line =
-      trace::advance(field, trace::launch_from_boundary(field, before.curve, before.t), PointGrid(std::move(nodes)),
-                     {relative_tolerance * d, relative_step * d, relative_length * d, relative_hit * d});
-  if (line.steps.empty()) return std::nullopt;
-  const auto point = [&field = field, &turn = turn, &line](double s, Vec2& direction) {
-    const Vec2 x = line.at(field, s, direction);
-    direction = turn.of_vector(direction);
-    return turn.of(x);
-  };
-  TracedLine traced;
-  traced.spline = curve::fit_line(point, line.length(), relative_fit_tol * d);
-  traced.ends_on_boundary = line.end == trace::Streamline::End::boundary;
-  if (traced.ends_on_boundary) traced.end = turned(face, turn, place_at(face, line.reached.curve, line.reached.t));
-  return traced;
-}
-
 /// Where a line leaves a face, with its parameter there.
 struct FaceExit {
   ArcPoint point;
@@ -182,22 +132,27 @@ std::vector<FaceExit> exits_of_line(const graph::Subdivision& subdivision, HalfE
   return exits;
 }
 
-// Divides the faces that the line enters, if it reaches the opposite sides.
-bool insert_line(graph::CandidateLayout& layout, const TurnedField& field, const Place& start, int first_new) {
-  graph::Subdivision& subdivision = layout.subdivision;
+// Where a line that starts on the boundary enters a face that it can divide.
+std::optional<ArcPoint> entry_at(const graph::Subdivision& subdivision, const Place& start) {
   const ArcGraph& graph = subdivision.graph();
   std::vector<HalfEdge> boundary;
   for (int a = 0; a < subdivision.arc_bound(); ++a)
     if (subdivision.has_arc(a) && graph.arcs[a].is_boundary) boundary.push_back({a});
   const std::optional<ArcPoint> entry = point_on_arcs(graph, boundary, start.curve, start.t);
-  if (!entry || entry->is_end || !entered_face(subdivision, entry->h)) return false;
-  std::optional<TracedLine> line = traced_line(layout, field, start);
-  if (!line) return false;
+  return entry && !entry->is_end && entered_face(subdivision, entry->h) ? entry : std::nullopt;
+}
+
+// Divides the faces that the line enters, if it reaches the opposite sides.
+bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Place& start, int first_new) {
+  graph::Subdivision& subdivision = layout.subdivision;
+  const ArcGraph& graph = subdivision.graph();
+  const std::optional<ArcPoint> entry = entry_at(subdivision, start);
+  if (!entry) return false;
   const std::vector<FaceExit> exits =
-      exits_of_line(subdivision, entry->h, *line, relative_same * graph.face.diameter, first_new);
+      exits_of_line(subdivision, entry->h, line, relative_same * graph.face.diameter, first_new);
   if (exits.empty()) return false;
   const auto begin = graph::divide_at_point(subdivision, entry->h, entry->at);
-  Nurbs& spline = line->spline;
+  Nurbs& spline = line.spline;
   spline.poles.front() = graph.nodes[begin.node].position;
   const ArcPoint& last = exits.back().point;
   if (exits.back().s == spline.end())
@@ -218,33 +173,19 @@ bool insert_line(graph::CandidateLayout& layout, const TurnedField& field, const
   return true;
 }
 
-bool has_station_at(const InterfaceChain& chain, int side, double position, double same) {
-  return std::any_of(chain.stations[side].begin(), chain.stations[side].end(), [&](const Station& s) {
-    const double d = std::abs(s.position - position);
-    return std::min(d, chain.is_closed ? chain.length() - d : d) <= same;
-  });
-}
-
 }  // namespace
 
 int continue_lines(RegionLayouts& regions, CutEnds cuts) {
-  const CadFace& face = regions.face;
-  const double same = relative_same * face.diameter;
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   std::vector<int> first_new;  // spline of each region
   for (const graph::CandidateLayout& layout : regions.layouts)
     first_new.push_back(static_cast<int>(layout.graph().splines.size()));
+  std::vector<Continuation> ways = continuations(
+      regions, cuts, [](const graph::Subdivision& s, const Place& start) { return entry_at(s, start).has_value(); });
   int num_lines = 0;
-  for (const InterfaceChain& chain : interface_chains(regions, cuts))
-    for (const int side : {0, 1})
-      for (const Station& station : chain.stations[side]) {
-        if (has_station_at(chain, 1 - side, station.position, same)) continue;
-        Place place = place_on_side(face, chain, 1 - side, regions.place_of(station.region, station.node));
-        const int region = regions.region_of_curve(place.curve);
-        place.curve -= regions.first_curves[region];
-        num_lines += insert_line(regions.layouts[region], {*regions.fields[region], regions.turn_of(region)}, place,
-                                 first_new[region]);
-      }
+  for (Continuation& way : ways)
+    if (way.line)
+      num_lines += insert_line(regions.layouts[way.region], std::move(*way.line), way.start, first_new[way.region]);
   renew_lines(regions, std::move(kinds), LineKind::traced);
   return num_lines;
 }

@@ -58,7 +58,7 @@ keeps() {
   has 30 0.4 layered_beam
   has 125 0.86 layered_cable
   keeps 6 layered_cable --tolerance 1e-6
-  has 80 0.3 layered_seal
+  has 57 0.83 layered_seal
   has 80 0.75 pins
   keeps 4 pins
 }

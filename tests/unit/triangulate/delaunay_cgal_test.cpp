@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "triangulate/delaunay.hpp"
 
 namespace quadrille::triangulate {
@@ -93,12 +96,13 @@ TEST(Delaunay, AnInnerConstraintHasTheInsideOnBothSides) {
     for (const Vec2 x : {Vec2{1, 1}, Vec2{3, 1}, Vec2{2, 3}}) inner.push_back(delaunay.insert(x));
     for (int k = 0; k < 3; ++k) EXPECT_TRUE(delaunay.constrain(inner[k], inner[(k + 1) % 3], is_inner));
     const auto triangles = delaunay.triangles();
-    const bool is_there = std::any_of(triangles.begin(), triangles.end(), [&](const DelaunayTriangle& t) {
+    const auto found = std::find_if(triangles.begin(), triangles.end(), [&](const DelaunayTriangle& t) {
       return t.vertices == std::array{inner[0], inner[1], inner[2]};
     });
-    EXPECT_EQ(is_there, is_inner);
-    for (const DelaunayTriangle& t : triangles)
-      if (t.vertices == std::array{inner[0], inner[1], inner[2]}) EXPECT_EQ(t.neighbors, (std::array{-1, -1, -1}));
+    ASSERT_EQ(found != triangles.end(), is_inner);
+    if (is_inner) {
+      EXPECT_EQ(found->neighbors, (std::array{-1, -1, -1}));
+    }
   }
 }
 
