@@ -2,43 +2,65 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "base/counted.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "curve/named_curves.hpp"
 #include "io/output_file.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
 #include "layers/wall_spec.hpp"
 #include "mesh/element_sizes.hpp"
+#include "model/length_scale.hpp"
 #include "outline/extent.hpp"
+#include "prescribe/flat_plate.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/make_size_field.hpp"
+#include "triangulate/size_triangles.hpp"
 
 using namespace quadrille;
 
 namespace {
 
+/// The walls and the flow along them in the form of the command line.
+struct WallArguments {
+  std::vector<std::string> walls;
+  double yplus = 0;
+  prescribe::PlateFlow flow;
+  std::string unit = "file";
+};
+
 /// The prescribed sizes in the form of the command line.
 struct SizeArguments {
   sizing::SizeOptions options;
-  std::vector<std::string> near, counts;
+  std::string per_curve = "auto";
+  std::vector<std::string> near, counts, gradings;
   std::string path;
   std::optional<io::InputFile> file;  ///< of `path`, once it is read
   sizing::SizeRule rule = sizing::SizeRule::nearest;
 };
 
 void declare(cli::Options& o, SizeArguments& sizes) {
-  o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
+  o.number("--size", sizes.options.size, 0, 1e300,
+           "length of the file; 0: diameter / 20, finer along short curves by --per-curve", "prescribed edge length");
+  o.text(
+      "--per-curve", sizes.per_curve, "N",
+      "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "
+      "grow from there to --size; 0: none; auto: 4 unless --size or a table of sizes is given");
   o.texts("--size-near", sizes.near, "NAME=H[:H2]",
           "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
           "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
-  o.input_file("--size-field", sizes.path, "FILE",
-               "points and boxes with prescribed edge lengths (JSON, formats/size-field.md)", false);
+  o.input_file(
+      "--size-field", sizes.path, "FILE",
+      "prescribed edge lengths: points and boxes (JSON), or a table of x, y and size between whose points they "
+      "are linear (CSV; quadrille.vtu_sizes in Python makes it of a VTU file) (formats/size-field.md)",
+      false);
   o.number("--curvature", sizes.options.curvature, 0, 1e6, "elements per full turn of the boundary",
            "edge lengths from the curvature of the boundary; 0: none");
   o.number("--growth", sizes.options.growth, 0, 100, "1",
@@ -46,16 +68,58 @@ void declare(cli::Options& o, SizeArguments& sizes) {
   o.choice("--size-rule", sizes.rule,
            "the number of elements of a chord whose arcs prescribe different ones: nearest deviates least from the "
            "prescribed lengths in the mean; at-most makes no edge longer than prescribed");
-  o.texts("--count", sizes.counts, "CHORD=N",
-          "N elements across a chord, instead of the number from the sizes; the pictures of stageview BLOCKS and "
-          "arc_chord in BLOCKS show the numbers of the chords");
+  o.texts("--count", sizes.counts, "CHORD=N|NAME=N",
+          "N elements across a chord, or along the boundary NAME (all its curves together), instead of the number from "
+          "the sizes; the pictures of stageview BLOCKS and arc_chord in BLOCKS show the numbers of the chords");
+  o.texts(
+      "--grading", sizes.gradings, "NAME=FIRST:LAST",
+      "lengths of the elements at both ends of the boundary NAME, in file units, in the direction in which the face "
+      "is on the left (one may be left out: NAME=FIRST:); towards its middle they grow by at most --growth to the "
+      "prescribed sizes, with --count as fast as the number requires");
+}
+
+void declare(cli::Options& o, WallArguments& walls) {
+  o.texts("--wall", walls.walls, "NAME:first=H,growth=R,layers=N",
+          "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
+          "of the first one in file units (or yplus=Y in its place), R the greatest "
+          "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
+          "law=uniform|geometric|tanh|gll (default: geometric)");
+  o.number("--yplus", walls.yplus, 0, 1e300, "1",
+           "y+ of the first layer's height for each --wall without first and yplus: y = y+ NU / u_tau, u_tau = U "
+           "sqrt(c_f / 2), with the skin friction of a turbulent flat plate c_f = (2 log10 Re - 0.65)^-2.3, Re = U L / "
+           "NU from 5e5 to 1e9 (H. Schlichting, Boundary-Layer Theory, 1979); 0: none");
+  o.number("--velocity", walls.flow.velocity, 0, 1e300, "--unit / s", "U, of the free stream, for y+; 0: not given");
+  o.number("--viscosity", walls.flow.viscosity, 0, 1e300, "--unit^2 / s", "NU, kinematic, for y+; 0: not given");
+  o.number("--length", walls.flow.length, 0, 1e300, "--unit",
+           "L, the distance from the leading edge at which y+ applies; 0: not given");
+  std::vector<std::string> units{"file"};
+  for (const LengthUnit& unit : length_units) units.emplace_back(unit.symbol);
+  o.choice("--unit", walls.unit, units,
+           "length unit of --velocity, --viscosity and --length, that in which quadexport --unit writes coordinates; "
+           "file: that of the CAD file");
+}
+
+void parse(const WallArguments& walls, refine::RefineOptions& options) {
+  for (const std::string& wall : walls.walls) options.walls.push_back(layers::parse_wall_spec(wall, walls.yplus));
+  const bool has_yplus = std::any_of(options.walls.begin(), options.walls.end(),
+                                     [](const layers::WallSpec& wall) { return wall.yplus > 0; });
+  if (walls.yplus > 0 && !has_yplus)
+    throw UsageError("--yplus is the height of wall layers: give --wall NAME:layers=N as well, without first");
+  walls.flow.validate(has_yplus);
+}
+
+/// The first heights that follow from y+, in the unit of the face.
+void set_first_heights(const WallArguments& walls, const CadFace& face, refine::RefineOptions& options) {
+  if (walls.flow.velocity > 0)
+    layers::set_first_heights(options.walls, walls.flow, 1 / length_scale(face, {walls.unit, 1, false}).factor);
 }
 
 /// The texts of the command line and the file of prescribed sizes, before the blocks are read.
-void parse(SizeArguments& sizes, const std::vector<std::string>& walls, refine::RefineOptions& options) {
+void parse(SizeArguments& sizes, refine::RefineOptions& options) {
+  sizes.options.per_curve = sizing::parse_per_curve(sizes.per_curve);
   for (const std::string& text : sizes.near) sizes.options.near.push_back(sizing::parse_near_size(text));
-  for (const std::string& text : sizes.counts) options.counts.push_back(sizing::parse_chord_count(text));
-  for (const std::string& wall : walls) options.walls.push_back(layers::parse_wall_spec(wall));
+  for (const std::string& text : sizes.counts) prescribe::parse_count(text, options.counts, options.boundary_counts);
+  for (const std::string& text : sizes.gradings) options.end_gradings.push_back(prescribe::parse_end_grading(text));
   options.validate();
   sizes.options.validate();
   if (sizes.path.empty()) return;
@@ -66,15 +130,19 @@ void parse(SizeArguments& sizes, const std::vector<std::string>& walls, refine::
 void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOptions& options) {
   sizing::SizeOptions prescribed = sizes.options;
   if (sizes.file) prescribed.sources = io::read_size_field(*sizes.file, face.origin);
+  if (prescribed.sources.is_table) triangulate::add_size_triangles(prescribed.sources);
   options.size_field = sizing::make_size_field(face, prescribed);
   options.size_rule = sizes.rule;
+  options.end_growth = sizing::growth(prescribed);
 }
 
 /// Whether the boundaries that the options name exist, and sizes are no mistake, before there are blocks.
 void check_shape(const SizeArguments& sizes, refine::RefineOptions& options, bool all_blocks, const CadFace& face) {
   set_sizes(sizes, face, options);
   layers::curve_walls(options.walls, face);
-  if (options.counts.empty() && all_blocks)
+  for (const auto& count : options.boundary_counts) curve::named_curves(face, count.boundary, "--count");
+  for (const auto& grading : options.end_gradings) curve::named_curves(face, grading.boundary, "--grading");
+  if (options.counts.empty() && options.boundary_counts.empty() && all_blocks)
     sizing::require_area_within(outline::area(face), options.size_field->greatest(),
                                 {options.max_elements, options.order});
 }
@@ -85,8 +153,8 @@ int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   refine::RefineOptions options;
   SizeArguments sizes;
+  WallArguments walls;
   std::string blocks, shape;
-  std::vector<std::string> walls;
   cli::Tool tool;
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
@@ -104,6 +172,9 @@ int main(int argc, char** argv) {
   tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
                    "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
                    "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
+                   "quadrefine --wall curve_0:yplus=1,layers=8 --velocity 30 --viscosity 1.5e-5 --length 1 "
+                   "half_disc.blocks.h5 -o yplus.quad.h5",
+                   "quadrefine --count curve_0=16 --refine 1 half_disc.blocks.h5 -o counted.quad.h5",
                    "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
   tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
@@ -114,16 +185,16 @@ int main(int argc, char** argv) {
         "--geometry-tol", options.geometry_tol, 0, 1, "diameters",
         "greatest distance between the boundary of the mesh and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
         "else 5e-7");
-    o.texts("--wall", walls, "NAME:first=H,growth=R,layers=N",
-            "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
-            "of the first one in file units, R the greatest "
-            "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
-            "law=uniform|geometric|tanh|gll (default: geometric)");
+    declare(o, walls);
     o.text("--blocks", blocks, "ID,...",
            "numbers or names of blocks: only the chords through them are refined, all others get as few elements as "
            "possible");
     o.integer("--relax", options.relax, 0, 1000,
               "relaxation sweeps, which move vertices to improve the shapes of elements");
+    o.integer(
+        "--refine", options.levels, 0, 10,
+        "nested refinement, for studies of convergence: at the end each element becomes 2^K x 2^K elements of its "
+        "own map, so that the geometry and all vertices stay as they are");
     o.number("--min-scaled-jacobian", options.min_scaled_jacobian, 0, 1, "1",
              "exit with 1 if an element has a lower scaled Jacobian; 0: no limit");
     o.number(
@@ -141,8 +212,13 @@ int main(int argc, char** argv) {
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
-    parse(sizes, walls, options);
-    if (!shape.empty()) return check_shape(sizes, options, blocks.empty(), io::read_face(io::read_input(shape)));
+    parse(sizes, options);
+    parse(walls, options);
+    if (!shape.empty()) {
+      const CadFace face = io::read_face(io::read_input(shape));
+      set_first_heights(walls, face, options);
+      return check_shape(sizes, options, blocks.empty(), face);
+    }
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_block_layout(file);
@@ -150,6 +226,8 @@ int main(int argc, char** argv) {
     std::vector<InputDigest> inputs{file.digest("block-layout")};
     if (sizes.file) inputs.push_back(sizes.file->digest("size-field"));
     set_sizes(sizes, layout.face, options);
+    set_first_heights(walls, layout.face, options);
+    if (walls.flow.velocity > 0) prescribe::report_flow(walls.flow, s.report());
     if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "io/header.hpp"
 #include "io/json_archive.hpp"
+#include "io/size_table_io.hpp"
 
 namespace quadrille::io {
 
@@ -58,6 +59,10 @@ void read_box(Archive& archive, SizeBox& box, Vec2 origin) {
 }  // namespace
 
 SizeSources read_size_field(const InputFile& file, Vec2 origin) {
+  if (is_size_table(file)) return read_size_table(file, origin);
+  if (file.bytes.find("<VTKFile") != std::string::npos)
+    throw FormatError(fmt::format(
+        "{0}: a VTU file: convert it first, by python3 -m quadrille.vtu_sizes {0} -o sizes.csv", file.name));
   JsonReader reader(file.bytes, file.name);
   Archive& root = reader.root();
   require_header(root, file.name);

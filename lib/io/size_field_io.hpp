@@ -1,5 +1,5 @@
 #pragma once
-// Points and boxes that prescribe a size of elements (formats/size-field.md).
+// Points and boxes, or a table of points, that prescribe a size of elements (formats/size-field.md).
 
 #include "io/input_file.hpp"
 #include "model/size_sources.hpp"

@@ -29,7 +29,7 @@ class Parser {
  public:
   explicit Parser(const std::string& text) : text_(text) {}
 
-  WallSpec parse() {
+  WallSpec parse(double yplus) {
     const std::size_t colon = text_.rfind(':');
     if (colon == std::string::npos || colon == 0) fail("expected NAME:first=H,layers=N");
     spec_.names = split(std::string_view(text_).substr(0, colon));
@@ -40,6 +40,7 @@ class Parser {
       if (!seen_.insert(key).second) fail(fmt::format("{} is given twice", key));
       set(key, pair.substr(equals + 1));
     }
+    if (!seen_.contains("first") && !seen_.contains("yplus")) spec_.yplus = yplus;
     require_complete();
     return spec_;
   }
@@ -48,6 +49,8 @@ class Parser {
   void set(const std::string& key, const std::string& value) {
     if (key == "first")
       spec_.first = number(key, value, 0, 1e300);
+    else if (key == "yplus")
+      spec_.yplus = number(key, value, 0, 1e300);
     else if (key == "thickness")
       spec_.thickness = number(key, value, 0, 1e300);
     else if (key == "growth")
@@ -57,7 +60,7 @@ class Parser {
     else if (key == "law")
       set_law(value);
     else
-      fail(fmt::format("unknown key '{}': expected first, growth, layers, thickness or law", key));
+      fail(fmt::format("unknown key '{}': expected first, yplus, growth, layers, thickness or law", key));
   }
 
   void set_layers(const std::string& value) {
@@ -91,7 +94,9 @@ class Parser {
   }
 
   void require_complete() const {
-    if (!(spec_.first > 0)) fail("first, the height of the first layer, must be given and positive");
+    if (seen_.contains("first") && seen_.contains("yplus")) fail("one of first and yplus must be given, not both");
+    if (!(spec_.first > 0 || spec_.yplus > 0))
+      fail("first, the height of the first layer, or yplus must be given and positive");
     if (seen_.count("layers") + seen_.count("thickness") != 1) fail("one of layers and thickness must be given");
     if (seen_.count("thickness") && !(spec_.thickness > 0)) fail("thickness must be positive");
   }
@@ -105,7 +110,12 @@ class Parser {
 
 }  // namespace
 
-WallSpec parse_wall_spec(const std::string& text) { return Parser(text).parse(); }
+WallSpec parse_wall_spec(const std::string& text, double yplus) { return Parser(text).parse(yplus); }
+
+void set_first_heights(std::vector<WallSpec>& specs, const prescribe::PlateFlow& flow, double unit) {
+  for (WallSpec& spec : specs)
+    if (spec.yplus > 0) spec.first = flow.height(spec.yplus) * unit;
+}
 
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face) {
   std::vector<int> walls(face.curves.size(), -1);

@@ -1,8 +1,9 @@
 #pragma once
-// Prescribed element sizes at points and in boxes (formats/size-field.md).
+// Prescribed element sizes at points, in boxes and triangles (formats/size-field.md).
 //
 // Positions are relative to face.origin, lengths in the unit of the file.
 
+#include <array>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -22,10 +23,18 @@ struct SizeBox {
   double size = 0;
 };
 
+/// Edges of a length that is linear between the sizes at the corners.
+struct SizeTriangle {
+  std::array<Vec2, 3> corners;
+  std::array<double, 3> sizes{};
+};
+
 struct SizeSources {
   std::vector<SizePoint> points;
   std::vector<SizeBox> boxes;
   double growth = 0;  ///< size ratio of adjacent elements, > 1; 0: not prescribed
+  std::vector<SizeTriangle> triangles = {};
+  bool is_table = false;  ///< scattered points, to be joined by triangles (triangulate/size_triangles)
 };
 
 }  // namespace quadrille

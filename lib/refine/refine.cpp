@@ -13,6 +13,7 @@
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
 #include "mesh/element_sizes.hpp"
+#include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
@@ -94,6 +95,7 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   std::vector<sizing::ChordCount> counts = options.counts;
   counts.insert(counts.end(), coarse.begin(), coarse.end());
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
+  prescribe::apply_end_gradings(measured, options.end_gradings, options.end_growth, plans);
   sizing::apply_length_limits(request.limits, plans);
   const sizing::ElementLimit limit{options.max_elements, options.order};
   sizing::require_planned_within(measured, plans, limit, *request.report);
@@ -251,6 +253,15 @@ void relax_and_report(QuadMesh& mesh, const RelaxOptions& options, Report& repor
   report.set("relax.largest_move", outcome.largest_move);
 }
 
+/// The parts of an element are the same map: the distance from the CAD curves does not change.
+void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report) {
+  if (options.levels == 0) return;
+  sizing::require_nested_within(mesh.num_elems(), options.levels, {options.max_elements, options.order});
+  mesh = mesh::nested_quads(mesh, options.levels);
+  measure_elements(mesh, report.progress());
+  mesh::measure_element_sizes(mesh);
+}
+
 void report_mesh(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
   report.set("quads", mesh.num_elems());
   report.set("nodes", mesh.nodes.size());
@@ -271,17 +282,20 @@ void RefineOptions::validate() const {
   if (!(target_edge_ratio == 0 || target_edge_ratio >= 1))
     throw UsageError("--target-edge-ratio must be 0 or at least 1");
   if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
+  if (levels < 0 || levels > 10) throw UsageError("--refine must lie in 0..10");
   if (max_elements < 1) throw UsageError("--max-elements must be at least 1");
   if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
 }
 
 double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ? 5e-4 : order == 3 ? 2e-5 : 5e-7; }
 
-QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report& report) {
-  options.validate();
+QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Report& report) {
+  prescribed.validate();
   require_periodic_arcs(layout, "make the blocks again (separatrix, blocksplit)");
   const sizing::MeasuredLayout measured(layout);
+  RefineOptions options = prescribed;
   const SplitRequest request = split_request(options, layout.face, report);
+  options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts);
   auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);
   if (options.relax > 0) {
     relax_and_report(split.mesh,
@@ -290,12 +304,15 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& options, Report&
     mesh::measure_element_sizes(split.mesh);
     distance = mesh::boundary_distance(split.mesh);
   }
+  refine_nested(split.mesh, options, report);
   report.set("count_doublings", split.doublings);
   report.set("shortened_chords", split.shortened_chords);
   report_mesh(split.mesh, measured.chords().size(), report);
   mesh::report_distance(distance, layout.face, request.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
+  prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, report);
+  prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
   require_quality(split.mesh, options.min_scaled_jacobian, options.max_edge_ratio);
   if (!split.mesh.is_valid) report.warn(warning::mesh_not_valid, check::validity_warning(split.mesh));

@@ -8,6 +8,7 @@
 //   4. Sample elements from the exact maps of the blocks (refine/split_isoparametric) and bound det J from below
 //      (refine/validity). The counts of chords outside chosen blocks are raised until all elements are proved valid.
 //   5. Move vertices so that elements have better shapes (refine/relax).
+//   6. Split every element into equal parts of its own map (mesh/nested_quads).
 
 #include <optional>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "layers/wall_spec.hpp"
 #include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
+#include "prescribe/boundary_counts.hpp"
+#include "prescribe/end_grading.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/size_field.hpp"
 
@@ -34,7 +37,10 @@ struct RefineOptions {
       {};  ///< prescribed edge lengths, in place of `size` (sizing/make_size_field)
   sizing::SizeRule size_rule = sizing::SizeRule::nearest;
   std::vector<sizing::ChordCount> counts = {};  ///< prescribed counts of single chords, in place of their sizes
-  std::vector<layers::WallSpec> walls = {};     ///< layers along boundaries (layers/wall_layers)
+  std::vector<prescribe::BoundaryCount> boundary_counts = {};  ///< and along boundaries (prescribe/boundary_counts)
+  std::vector<prescribe::EndGrading> end_gradings = {};  ///< lengths at the ends of boundaries (prescribe/end_grading)
+  double end_growth = 1.2;                               ///< and the greatest growth from there, > 1
+  std::vector<layers::WallSpec> walls = {};              ///< layers along boundaries (layers/wall_layers)
   std::vector<int> blocks = {};    ///< chords through these only are refined (refine/chosen_blocks); empty: all
   double min_scaled_jacobian = 0;  ///< a mesh with a lower one is an error, 0 to 1; 0: none is
   /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
@@ -43,6 +49,7 @@ struct RefineOptions {
   double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
   int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
   int relax = 0;               ///< sweeps of relaxation (refine/relax)
+  int levels = 0;              ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
   void validate() const;       ///< throws UsageError
 };
 

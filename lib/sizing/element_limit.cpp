@@ -52,6 +52,10 @@ void require_area_within(double area, double size, const ElementLimit& limit) {
   if (num > area_doubt * limit.max_elements) require_within(num, "some ", limit, "sizes", raised_size(num, limit));
 }
 
+void require_nested_within(int num_elems, int levels, const ElementLimit& limit) {
+  require_within(std::ldexp(num_elems, 2 * levels), "", limit, "parts of elements", "lower --refine");
+}
+
 void require_planned_within(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans,
                             const ElementLimit& limit, Report& report) {
   const auto plan = [&](int arc) -> const ChordPlan& { return plans[measured.chord_of(arc)]; };

@@ -29,6 +29,8 @@ void require_area_within(double area, double size, const ElementLimit& limit);
 /// It is written to the report, as estimated_quads, also when it is refused.
 void require_planned_within(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans,
                             const ElementLimit& limit, Report& report);
+/// For a mesh of `num_elems` of which each becomes 4^levels (mesh/nested_quads).
+void require_nested_within(int num_elems, int levels, const ElementLimit& limit);
 /// For the divisions of all arcs: the exact number. All throw TooManyElements.
 void require_divided_within(const BlockLayout& layout, const ArcDivisions& divisions, const ElementLimit& limit);
 

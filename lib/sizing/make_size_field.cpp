@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -10,11 +11,13 @@
 #include "base/error.hpp"
 #include "curve/named_curves.hpp"
 #include "sizing/boundary_sizes.hpp"
+#include "sizing/curve_sizes.hpp"
 
 namespace quadrille::sizing {
 namespace {
 
 constexpr double least_curvature_size = 1e-4;  // diameters
+constexpr int default_per_curve = 4;
 
 template <typename Number>
 std::optional<Number> number_of(const std::string& text) {
@@ -36,20 +39,37 @@ std::pair<std::string, std::string> halves(const std::string& text) {
                                  : std::pair{text.substr(0, at), text.substr(at + 1)};
 }
 
+int elements_per_curve(const SizeOptions& options) {
+  if (options.per_curve != SizeOptions::automatic) return options.per_curve;
+  return options.size > 0 || options.sources.is_table ? 0 : default_per_curve;
+}
+
+/// Without a prescribed one: a table covers the whole face, and so has it.
+double greatest_size(const CadFace& face, const SizeSources& sources) {
+  double greatest = sources.is_table ? 0 : face.diameter / 20;
+  if (sources.is_table)
+    for (const SizePoint& point : sources.points) greatest = std::max(greatest, point.size);
+  return greatest;
+}
+
 }  // namespace
 
 void SizeOptions::validate() const {
   if (size < 0) throw UsageError("--size must not be negative");
   if (growth != 0 && !(growth > 1)) throw UsageError("--growth must be greater than 1");
+  if (per_curve < automatic) throw UsageError("--per-curve must not be negative");
   if (curvature < 0) throw UsageError("--curvature must not be negative");
+}
+
+double growth(const SizeOptions& options) {
+  if (options.growth > 0) return options.growth;
+  return options.sources.growth > 0 ? options.sources.growth : SizeField::default_growth;
 }
 
 SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   options.validate();
-  const double greatest = options.size > 0 ? options.size : face.diameter / 20;
-  double growth = options.growth > 0 ? options.growth : options.sources.growth;
-  if (growth == 0) growth = SizeField::default_growth;
-  const double slope = std::log(growth);
+  const double greatest = options.size > 0 ? options.size : greatest_size(face, options.sources);
+  const double slope = std::log(growth(options));
   std::vector<SizeSegment> segments;
   const auto add = [&](const std::vector<SizeSegment>& more) {
     segments.insert(segments.end(), more.begin(), more.end());
@@ -65,10 +85,12 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
       add(own);
     }
   }
+  if (const int per_curve = elements_per_curve(options); per_curve > 0)
+    add(segments_by_curves(face, per_curve, greatest, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
-  return {greatest, options.sources, segments, growth};
+  return {greatest, options.sources, segments, growth(options)};
 }
 
 NearSize parse_near_size(const std::string& text) {
@@ -81,12 +103,12 @@ NearSize parse_near_size(const std::string& text) {
   return {name, *size, colon == std::string::npos ? 0 : *other};
 }
 
-ChordCount parse_chord_count(const std::string& text) {
-  const auto [name, value] = halves(text);
-  const std::optional<int> chord = number_of<int>(name), count = number_of<int>(value);
-  if (!chord || !count || *count < 1)
-    throw UsageError(fmt::format("--count: '{}' is not CHORD=N with whole numbers, N >= 1", text));
-  return {*chord, *count};
+int parse_per_curve(const std::string& text) {
+  if (text == "auto") return SizeOptions::automatic;
+  const std::optional<int> number = number_of<int>(text);
+  if (!number || *number < 0 || *number > 10000)
+    throw UsageError(fmt::format("--per-curve: '{}' is not auto or a whole number from 0 to 10000", text));
+  return *number;
 }
 
 }  // namespace quadrille::sizing

@@ -6,7 +6,6 @@
 
 #include "model/cad_face.hpp"
 #include "model/size_sources.hpp"
-#include "sizing/grade_chords.hpp"
 #include "sizing/size_field.hpp"
 
 namespace quadrille::sizing {
@@ -20,7 +19,12 @@ struct NearSize {
 };
 
 struct SizeOptions {
-  double size = 0;  ///< if no source prescribes less; 0: diameter / 20
+  static constexpr int automatic = -1;
+
+  double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
+  /// Least number of elements along each boundary curve (sizing/curve_sizes); 0: none; automatic: 4 without a size and
+  /// without a table, else 0.
+  int per_curve = automatic;
   std::vector<NearSize> near;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
@@ -28,11 +32,15 @@ struct SizeOptions {
   void validate() const;  ///< throws UsageError
 };
 
+/// The growth that applies: that of the options, of their sources, or the default.
+double growth(const SizeOptions& options);
+
 /// Sizes by curvature are at least 1e-4 diameters. Throws UsageError for names that no boundary has.
 SizeField make_size_field(const CadFace& face, const SizeOptions& options);
 
-/// "NAME=H" or "NAME=H:H2" (the last = counts), and "CHORD=N"; throw UsageError.
+/// "NAME=H" or "NAME=H:H2" (the last = counts); throws UsageError.
 NearSize parse_near_size(const std::string& text);
-ChordCount parse_chord_count(const std::string& text);
+/// "auto" or a whole number; throws UsageError.
+int parse_per_curve(const std::string& text);
 
 }  // namespace quadrille::sizing

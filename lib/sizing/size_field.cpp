@@ -35,34 +35,55 @@ Bounds bounds_of(Vec2 a, Vec2 b, double least, double radius = 0) {
           least};
 }
 
-enum class Kind { point, box, segment };
+enum class Kind { point, box, segment, triangle };
 
-/// One source of any kind: a point uses a, size_a and radius; a box bounds and size_a; a segment all except the radius.
+/// min over p on the segment of size(p) + slope |x - p|, the size linear: from the foot of x the least lies towards the
+/// smaller size.
+double along_segment(Vec2 x, Vec2 a, Vec2 b, double size_a, double size_b, double slope) {
+  const double length = distance(a, b);
+  if (!(length > 0)) return std::min(size_a, size_b) + slope * distance(x, a);
+  const Vec2 along = (b - a) / length;
+  const double rise = (size_b - size_a) / length, foot = dot(x - a, along), off = std::abs(cross(along, x - a));
+  const double shift = std::abs(rise) < slope ? off * rise / std::sqrt(slope * slope - rise * rise)
+                                              : std::copysign(length + std::abs(foot), rise);
+  const double at = std::clamp(foot - shift, 0.0, length);
+  return size_a + rise * at + slope * std::hypot(foot - at, off);
+}
+
+/// min over p in the triangle of size(p) + slope |x - p|: x itself, if it is inside and the size varies by less than
+/// the slope; else p is on a side, because a linear function and a distance have no other stationary points.
+double in_triangle(Vec2 x, const SizeTriangle& triangle, double slope) {
+  const auto& [a, b, c] = triangle.corners;
+  const auto& [size_a, size_b, size_c] = triangle.sizes;
+  const double area = cross(b - a, c - a);
+  const double beta = cross(x - a, c - a) / area, gamma = cross(b - a, x - a) / area;
+  if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) {
+    const double rise_b = size_b - size_a, rise_c = size_c - size_a;
+    const Vec2 gradient{(rise_b * (c.y - a.y) - rise_c * (b.y - a.y)) / area,
+                        (rise_c * (b.x - a.x) - rise_b * (c.x - a.x)) / area};
+    if (std::hypot(gradient.x, gradient.y) <= slope) return size_a + beta * rise_b + gamma * rise_c;
+  }
+  return std::min({along_segment(x, a, b, size_a, size_b, slope), along_segment(x, b, c, size_b, size_c, slope),
+                   along_segment(x, c, a, size_c, size_a, slope)});
+}
+
+/// One source of any kind: a point uses a, size_a and radius; a box bounds and size_a; a segment all of a and b; a
+/// triangle its own member.
 struct Source {
   Kind kind = Kind::point;
   Bounds bounds;
   Vec2 a, b;
   double size_a = 0, size_b = 0, radius = 0;
   int region = -1;
+  SizeTriangle triangle = {};
 
   bool acts_in(int other) const { return region < 0 || other < 0 || region == other; }
 
   double at(Vec2 x, double slope) const {
     if (kind == Kind::point) return size_a + slope * std::max(0.0, distance(x, a) - radius);
     if (kind == Kind::box) return size_a + slope * bounds.distance_to(x);
-    return along_segment(x, slope);
-  }
-
-  /// min over p in the segment of size(p) + slope |x - p|: from the foot of x the least lies towards the smaller size.
-  double along_segment(Vec2 x, double slope) const {
-    const double length = distance(a, b);
-    if (!(length > 0)) return std::min(size_a, size_b) + slope * distance(x, a);
-    const Vec2 along = (b - a) / length;
-    const double rise = (size_b - size_a) / length, foot = dot(x - a, along), off = std::abs(cross(along, x - a));
-    const double shift = std::abs(rise) < slope ? off * rise / std::sqrt(slope * slope - rise * rise)
-                                                : std::copysign(length + std::abs(foot), rise);
-    const double at = std::clamp(foot - shift, 0.0, length);
-    return size_a + rise * at + slope * std::hypot(foot - at, off);
+    if (kind == Kind::triangle) return in_triangle(x, triangle, slope);
+    return along_segment(x, a, b, size_a, size_b, slope);
   }
 };
 
@@ -145,6 +166,12 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
         "a point");
   for (const SizeBox& b : sources.boxes)
     add({Kind::box, bounds_of(b.low, b.high, b.size), b.low, b.high, b.size}, b.size, "a box");
+  for (const SizeTriangle& t : sources.triangles) {
+    const double least = *std::min_element(t.sizes.begin(), t.sizes.end());
+    Bounds bounds = bounds_of(t.corners[0], t.corners[1], least);
+    bounds.add(bounds_of(t.corners[2], t.corners[2], least));
+    add({Kind::triangle, bounds, {}, {}, 0, 0, 0, -1, t}, least, "a triangle");
+  }
   for (const SizeSegment& s : segments) {
     const double least = std::min(s.size_a, s.size_b);
     add({Kind::segment, bounds_of(s.a, s.b, least), s.a, s.b, s.size_a, s.size_b, 0, s.region}, least,

@@ -53,9 +53,10 @@ check_files() {
   if [ "$first_position" -eq 1 ]; then require_input "$shape"; fi
   size_file=$(chosen_value quadrefine --size-field)
   block_file=$(chosen_value blocksplit --block-names)
-  for json in "$names" "$block_file" "$size_file" "$given_nodes"; do
+  for json in "$names" "$block_file" "$given_nodes"; do
     case $json in '' | -) ;; *) require_input "$json" && require_json "$json" ;; esac
   done
+  case $size_file in '' | -) ;; *) require_input "$size_file" ;; esac # JSON or a table: quadrefine tells
   check_contents cad2tri --boundary-names "$names"
   check_contents blocksplit --block-names "$block_file"
   check_contents quadrefine --size-field "$size_file"

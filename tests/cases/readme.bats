@@ -79,11 +79,11 @@ load ../tools/common
 }
 
 @test "the commands for sizes and wall layers work" {
-  echo '{"curve_4": "hole"}' >names.json
+  echo '{"curve_4": "hole", "curve_3": "inlet"}' >names.json
   "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --boundary-names names.json --workdir . -o x.msh
   mv plate_hole.blocks.h5 x.blocks.h5
   sed -n '/^## Sizes and wall layers/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
-  assert [ "$(wc -l <commands)" -eq 3 ]
+  assert [ "$(wc -l <commands)" -eq 5 ]
   run -0 bash -euo pipefail commands
   assert_output ''
   run -0 stagecheck x.quad.h5

@@ -50,6 +50,14 @@ table() {
 2 | critpoints w/half_disc.field.h5 --report - | two outputs cannot both go to standard output
 2 | quadrefine --size-near hole w/half_disc.blocks.h5 | hole
 2 | quadrefine --count x w/half_disc.blocks.h5 | x
+2 | quadrefine --count hole=0 w/half_disc.blocks.h5 | --count: 'hole=0' is not CHORD=N or NAME=N
+2 | quadrefine --grading hole=0.1 w/half_disc.blocks.h5 | --grading: 'hole=0.1' is not NAME=FIRST:LAST
+2 | quadrefine --refine 11 w/half_disc.blocks.h5 | --refine: 11 is outside its interval
+2 | quadrefine --per-curve few w/half_disc.blocks.h5 | --per-curve: 'few' is not auto or a whole number
+2 | quadrefine --wall curve_0:yplus=1,layers=2 w/half_disc.blocks.h5 | y+ needs the flow as well: give --velocity, --viscosity, --length
+2 | quadrefine --wall curve_0:first=1,yplus=1,layers=2 w/half_disc.blocks.h5 | one of first and yplus must be given, not both
+2 | quadrefine --wall curve_0:first=1,layers=2 --velocity 30 w/half_disc.blocks.h5 | --velocity: used with --yplus or --wall NAME:yplus=Y only
+2 | quadrefine --yplus 1 --velocity 30 --viscosity 1e-5 --length 1 w/half_disc.blocks.h5 | --yplus is the height of wall layers: give --wall
 2 | quadrefine --target-edge-ratio 0.5 w/half_disc.blocks.h5 | --target-edge-ratio must be 0 or at least 1
 3 | quadrefine w/half_disc.quad.h5 | expected a block-layout file
 2 | quadexport --formt msh w/half_disc.quad.h5 | unknown option --formt: did you mean --format?
@@ -81,6 +89,9 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --feature-size big | --feature-size big: expected "auto" or a length
 2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
 2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | the page and the report are the same file
+2 | quadmesh half_disc.step -o out.msh --count roof=4 | there is no boundary "roof"
+2 | quadmesh half_disc.step -o out.msh --grading roof=0.1:0.2 | there is no boundary "roof"
+2 | quadmesh half_disc.step -o out.msh --wall curve_0:yplus=1,layers=2 --velocity 3 | y+ needs the flow as well: give --viscosity, --length
 2 | place half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
 3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
 3 | quadmesh half_disc.step -o out.msh --block-names wrong_names.json | wrong_names.json: "*": the new name must be a text

@@ -318,3 +318,83 @@ setup() {
   run -2 quadrefine --target-edge-ratio 0.5 "$blocks" -o c.quad.h5
   run -2 quadrefine --min-scaled-jacobian 1.5 "$blocks" -o c.quad.h5
 }
+
+@test "a first height from y+: that of the flat plate's formula, in the unit of the file or of the mesh" {
+  flow=(--velocity 30 --viscosity 1.5e-5 --length 1)
+  quadrefine --wall curve_0:yplus=100,layers=4 "${flow[@]}" "$blocks" -o a.quad.h5 --report a.json
+  run jq -c '[.walls["0"].first * 1e6, .flow.skin_friction * 1e6, .flow.reynolds_number] | map(round)' a.json
+  assert_output '[1226,3326,2000000]'
+  # The file is in millimetres: the same flow in metres has a height in metres.
+  quadrefine --wall curve_0:layers=4 --yplus 0.1 --unit m "${flow[@]}" "$blocks" -o b.quad.h5 --report b.json
+  run jq -n 'input.walls["0"].first / input.walls["0"].first * 1e6 | round / 1e6' a.json b.json
+  assert_output 1
+}
+
+@test "outside the interval of the formula for y+ there is a warning" {
+  run -0 quadrefine --wall curve_0:yplus=1,layers=2 --velocity 1 --viscosity 1e-4 --length 1 "$blocks" -o a.quad.h5
+  assert_output --partial "W-SIZ-001: the Reynolds number 1e+04 lies outside"
+}
+
+@test "a boundary has the prescribed number of elements, and what cannot be is refused with the nearest numbers" {
+  quadrefine --count curve_0=23 --count curve_1=31 "$blocks" -o a.quad.h5 --report a.json
+  run jq -c '[.counts[] | [.boundary, .prescribed, .achieved]]' a.json
+  assert_output '[["curve_0",23,23],["curve_1",31,31]]'
+  run -0 stagecheck a.quad.h5
+  run -2 quadrefine --count curve_0=1 "$blocks" -o b.quad.h5
+  assert_output --regexp "--count curve_0=1: the boundary 'curve_0' cannot have 1 elements.*possible is"
+  run -2 quadrefine --count hole=4 "$blocks" -o b.quad.h5
+  assert_output --partial 'there is no boundary "hole"'
+}
+
+@test "elements at the ends of a boundary have the prescribed lengths" {
+  quadrefine --size 0.2 --grading curve_0=0.01:0.03 "$blocks" -o a.quad.h5 --report a.json
+  run jq -c '.gradings["0"] | [.boundary, (.first * 1e3 | round), (.last * 1e3 | round)]' a.json
+  assert_output '["curve_0",10,30]'
+  run -0 stagecheck a.quad.h5
+  # One number of elements cannot suit everything: the warning says so.
+  run -0 quadrefine --size 0.2 --grading curve_0=0.001: --count 0=1 --count 1=1 --count 2=1 "$blocks" -o b.quad.h5
+  assert_output --partial "W-SIZ-002: --grading curve_0: an element at its end is"
+}
+
+@test "nested refinement: four times the elements, the vertices where they were, the same geometry" {
+  quadrefine --size 0.4 "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --size 0.4 --refine 1 "$blocks" -o b.quad.h5 --report b.json
+  run jq -n 'input as $a | input as $b | [$b.quads / $a.quads, $b.valid,
+    $a.boundary.mesh_to_cad.distance == $b.boundary.mesh_to_cad.distance]' a.json b.json --compact-output
+  assert_output '[4,true,true]'
+  run -0 stagecheck b.quad.h5
+  PYTHONPATH=$ROOT/pipelines/python run -0 /usr/bin/python3 -B -c '
+import quadrille
+a, b = (quadrille.read(name + ".quad.h5") for name in "ab")
+vertices = lambda mesh: {tuple(mesh.nodes[k]) for e in mesh.elem_nodes.reshape(-1, (mesh.order + 1) ** 2)
+                         for k in e[[0, mesh.order, -1, -1 - mesh.order]]}
+print(vertices(a) < vertices(b))'
+  assert_output True
+  run -1 quadrefine --size 0.4 --refine 10 "$blocks" -o c.quad.h5
+  assert_output --partial "lower --refine"
+}
+
+@test "a table of sizes is linear between its points, also where a VTU file made it" {
+  printf 'x,y,size\n-1,0,0.02\n1,0,0.2\n1,1,0.2\n-1,1,0.02\n' >sizes.csv
+  quadrefine --size-field sizes.csv --growth 1.5 "$blocks" -o a.quad.h5 --report a.json
+  run jq '.sizes.least_edge < 0.04 and .sizes.greatest_edge > 0.12 and .valid' a.json
+  assert_output true
+  # Coarser than a twentieth of the diameter too, and from a pipe as from a file.
+  printf '0 0 0.5\n1 1 0.5\n' | quadrefine --size-field - "$blocks" -o b.quad.h5 --report b.json
+  run jq -n 'input.quads < input.quads / 4' b.json a.json
+  assert_output true
+  printf '0,0,0.1\n0,1\n' >bad.csv
+  run -3 quadrefine --size-field bad.csv "$blocks" -o c.quad.h5
+  assert_output --partial "bad.csv:2: expected 3 numbers, found 2"
+}
+
+@test "without a size elements follow short curves; with one, or with --per-curve 0, they do not" {
+  stage_chain s_bend .
+  quadrefine s_bend.blocks.h5 -o a.quad.h5 --report a.json
+  quadrefine --per-curve 0 s_bend.blocks.h5 -o b.quad.h5 --report b.json
+  size=$(jq .sizes.prescribed b.json)
+  quadrefine --size "$size" s_bend.blocks.h5 -o c.quad.h5 --report c.json
+  quadrefine --size "$size" --per-curve 4 s_bend.blocks.h5 -o d.quad.h5 --report d.json
+  run jq -c -s 'map(.quads) | [.[0] > .[1], .[1] == .[2], .[3] == .[0]]' a.json b.json c.json d.json
+  assert_output '[true,true,true]'
+}

@@ -30,6 +30,20 @@ TEST(WallSpec, GrowsByAFifthGeometricallyUnlessTold) {
 
 TEST(WallSpec, TakesAsManyLayersAsFit) { EXPECT_TRUE(parse_wall_spec("a:first=1,layers=fit").as_many_as_fit); }
 
+TEST(WallSpec, HasAYPlusInPlaceOfTheFirstHeight) {
+  const WallSpec spec = parse_wall_spec("a:yplus=2,layers=3");
+  EXPECT_EQ(spec.yplus, 2);
+  EXPECT_EQ(spec.first, 0);
+  EXPECT_EQ(parse_wall_spec("a:layers=3", 5).yplus, 5) << "the y+ of all walls";
+  EXPECT_EQ(parse_wall_spec("a:yplus=2,layers=3", 5).yplus, 2);
+  EXPECT_EQ(parse_wall_spec("a:first=1,layers=3", 5).yplus, 0);
+  std::vector<WallSpec> specs{spec, parse_wall_spec("b:first=1,layers=3")};
+  const prescribe::PlateFlow flow{30, 1.5e-5, 1};
+  set_first_heights(specs, flow, 1000);
+  EXPECT_NEAR(specs[0].first, 2000 * flow.height(1), 1e-12) << "in thousandths of the flow's unit";
+  EXPECT_EQ(specs[1].first, 1);
+}
+
 TEST(WallSpec, KeepsColonsOfNames) {
   EXPECT_EQ(parse_wall_spec("wing:upper:first=1,layers=2").names, std::vector<std::string>{"wing:upper"});
 }
@@ -41,6 +55,8 @@ TEST(WallSpec, MistakesAreUsageErrorsThatQuoteTheText) {
                                  "a:layers=2",
                                  "a:first=1",
                                  "a:first=0,layers=2",
+                                 "a:yplus=0,layers=2",
+                                 "a:yplus=1,first=1,layers=2",
                                  "a:first=-1,layers=2",
                                  "a:first=nan,layers=2",
                                  "a:first=1x,layers=2",

@@ -68,10 +68,6 @@ TEST(MakeSizeField, ParsesWhatTheCommandLineHas) {
   EXPECT_EQ(parse_near_size("wall=2e-3").size, 2e-3);
   for (const char* text : {"wall", "wall=", "=1", "wall=x", "wall=0", "wall=-1", "wall=1x", "wall=inf"})
     EXPECT_THROW(parse_near_size(text), UsageError) << text;
-  EXPECT_EQ(parse_chord_count("3=17").chord, 3);
-  EXPECT_EQ(parse_chord_count("3=17").count, 17);
-  for (const char* text : {"3", "3=", "=4", "3=0", "3=1.5", "a=4", "3=-2"})
-    EXPECT_THROW(parse_chord_count(text), UsageError) << text;
 }
 
 }  // namespace

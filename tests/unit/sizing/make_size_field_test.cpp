@@ -12,7 +12,7 @@ namespace {
 
 CadFace square() { return hand_made::unit_square().face; }
 
-TEST(MakeSizeField, WithoutOptionsIsATwentiethOfTheDiameter) {
+TEST(MakeSizeField, WithoutOptionsIsATwentiethOfTheDiameterWhereNoCurveIsShort) {
   const SizeField sizes = make_size_field(square(), {});
   EXPECT_TRUE(sizes.is_uniform());
   EXPECT_NEAR(sizes.greatest(), std::sqrt(2.0) / 20, 1e-15);
@@ -27,6 +27,32 @@ TEST(MakeSizeField, SizesGrowAwayFromANamedBoundary) {
   EXPECT_NEAR(sizes.at({0.3, 0}), 0.01, 1e-12);
   EXPECT_NEAR(sizes.at({0.3, 0.1}), 0.01 + 0.1 * std::log(1.5), 1e-12);
   EXPECT_EQ(sizes.at({0.3, 1}), 0.2);
+}
+
+TEST(MakeSizeField, WithoutASizeShortCurvesAreFinerUnlessThatIsSwitchedOff) {
+  const CadFace face = hand_made::quarter_annulus(0.02, 2).face;  // an arc of 0.0314
+  SizeOptions options;
+  EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 4, 1e-7);
+  options.per_curve = 8;
+  EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 8, 1e-7);
+  options.size = 0.2;
+  EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 8, 1e-7) << "as prescribed";
+  options.per_curve = SizeOptions::automatic;
+  EXPECT_TRUE(make_size_field(face, options).is_uniform()) << "a given size is the size";
+  options.size = options.per_curve = 0;
+  EXPECT_TRUE(make_size_field(face, options).is_uniform());
+  EXPECT_EQ(parse_per_curve("auto"), SizeOptions::automatic);
+  EXPECT_EQ(parse_per_curve("7"), 7);
+  for (const char* wrong : {"", "-1", "x", "1.5", "10001"}) EXPECT_THROW(parse_per_curve(wrong), UsageError) << wrong;
+}
+
+TEST(MakeSizeField, ATableHasItsOwnGreatestSize) {
+  SizeOptions options;
+  options.sources.points = {{{0, 0}, 0.3, 0}, {{1, 0}, 0.6, 0}};
+  options.sources.is_table = true;
+  EXPECT_EQ(make_size_field(square(), options).greatest(), 0.6);
+  options.size = 0.4;
+  EXPECT_EQ(make_size_field(square(), options).greatest(), 0.4);
 }
 
 TEST(MakeSizeField, TheGrowthOfTheOptionGoesBeforeThatOfTheFile) {
@@ -92,13 +118,6 @@ TEST(MakeSizeField, SizesGrowFromTheLeftEndOfABoundaryToTheRightOne) {
   }
   options.near = {{"1", 0.01, 0.05}};  // upright: from the lower end
   EXPECT_NEAR(make_size_field(face, options).at({1, 0.5}), 0.03, 1e-6);
-}
-
-TEST(MakeSizeField, ParsesCountsOfChords) {
-  EXPECT_EQ(parse_chord_count("3=12").chord, 3);
-  EXPECT_EQ(parse_chord_count("3=12").count, 12);
-  for (const char* wrong : {"3", "=4", "3=", "3=0", "3=1.5", "x=1", "3=-2"})
-    EXPECT_THROW(parse_chord_count(wrong), UsageError) << wrong;
 }
 
 }  // namespace

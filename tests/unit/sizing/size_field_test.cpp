@@ -98,5 +98,35 @@ TEST(SizeField, ImpossibleSizesAreUsageErrors) {
   EXPECT_THROW(SizeField(1, {{{{0, 0}, 0.1, 0}}, {}, 0}, {}, 1), UsageError);
 }
 
+TEST(SizeField, IsLinearInATriangleAndGrowsOutsideOfIt) {
+  SizeSources sources;
+  sources.triangles = {{{Vec2{0, 0}, {1, 0}, {0, 1}}, {0.1, 0.2, 0.15}}};
+  const SizeField sizes(10, sources, {}, 1.2);
+  const double slope = std::log(1.2);
+  EXPECT_NEAR(sizes.at({0.25, 0.5}), 0.1 + 0.25 * 0.1 + 0.5 * 0.05, 1e-14);
+  EXPECT_NEAR(sizes.at({1, 0}), 0.2, 1e-14);
+  EXPECT_NEAR(sizes.at({0, -3}), 0.1 + 3 * slope, 0.05) << "near the finest corner";
+  EXPECT_LE(sizes.at({0, -3}), 0.1 + 3 * slope);
+  // The least over the triangle of size + slope * distance, by brute force.
+  for (const Vec2 x : {Vec2{1, 1}, {-0.3, 0.2}, {0.6, -0.1}, {0.1, 0.1}}) {
+    double least = 1e300;
+    for (int i = 0; i <= 400; ++i)
+      for (int j = 0; i + j <= 400; ++j) {
+        const Vec2 p{i / 400.0, j / 400.0};
+        least = std::min(least, 0.1 + 0.1 * p.x + 0.05 * p.y + slope * distance(x, p));
+      }
+    EXPECT_NEAR(sizes.at(x), least, 1e-3 * slope);
+    EXPECT_LE(sizes.at(x), least + 1e-12);
+  }
+}
+
+TEST(SizeField, ATriangleThatIsTooSteepIsLimited) {
+  SizeSources sources;
+  sources.triangles = {{{Vec2{0, 0}, {1, 0}, {0, 1}}, {0.1, 5, 5}}};
+  const SizeField sizes(10, sources, {}, 1.2);
+  EXPECT_NEAR(sizes.at({0.5, 0}), 0.1 + 0.5 * std::log(1.2), 1e-12);
+  EXPECT_NEAR(sizes.at({0.3, 0.4}), 0.1 + 0.5 * std::log(1.2), 1e-12);
+}
+
 }  // namespace
 }  // namespace quadrille::sizing

@@ -1,0 +1,166 @@
+#include "prescribe/boundary_counts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "prescribe/named_arcs.hpp"
+
+namespace quadrille::prescribe {
+namespace {
+
+/// A chord with a free count along a boundary.
+struct FreeChord {
+  int chord = 0;
+  int num_arcs = 1;   ///< m
+  double target = 1;  ///< t
+};
+
+/// A boundary that is to have `count` elements, `fixed` of them on chords with prescribed counts.
+struct Demand {
+  int count = 0, fixed = 0;
+  std::vector<FreeChord> free;
+  std::vector<std::string> prescribed;  ///< "chord 3 (12 elements)", for messages
+};
+
+using Sums = std::map<int, std::pair<double, int>>;  ///< by sum: least cost, and the last count that gives it
+
+Demand demand_of(const sizing::MeasuredLayout& measured, const BoundaryCount& boundary,
+                 const std::vector<sizing::ChordPlan>& plans) {
+  std::map<int, int> num_arcs;
+  for (const HalfEdge arc : named_arcs(measured, boundary.boundary, "--count")) ++num_arcs[measured.chord_of(arc.arc)];
+  Demand demand{boundary.count, 0, {}, {}};
+  for (const auto& [chord, num] : num_arcs) {
+    const sizing::ChordPlan& plan = plans[chord];
+    if (!plan.is_prescribed) {
+      demand.free.push_back({chord, num, plan.grading.count()});
+      continue;
+    }
+    demand.fixed += num * plan.count;
+    demand.prescribed.push_back(fmt::format("chord {} ({} elements)", chord, plan.count));
+  }
+  return demand;
+}
+
+/// The targets, times one factor so that they have the sum.
+void scale_targets(Demand& demand) {
+  double sum = 0;
+  for (const FreeChord& f : demand.free) sum += f.num_arcs * f.target;
+  for (FreeChord& f : demand.free) f.target *= std::max(1, demand.count - demand.fixed) / sum;
+}
+
+/// By number of chords: the sums that counts near the targets can have. A window as wide as the greatest number of arcs
+/// reaches every sum that their common divisor permits.
+std::vector<Sums> reachable_sums(const Demand& demand) {
+  int window = 2;
+  for (const FreeChord& f : demand.free) window = std::max(window, f.num_arcs + 1);
+  std::vector<Sums> sums{{{demand.fixed, {0.0, 0}}}};
+  for (const FreeChord& f : demand.free) {
+    Sums next;
+    const int middle = static_cast<int>(std::lround(f.target));
+    for (const auto& [sum, before] : sums.back())
+      for (int n = std::max(1, middle - window); n <= middle + window; ++n) {
+        const double cost = before.first + f.num_arcs * std::pow(std::log(n / f.target), 2);
+        const auto [known, is_new] = next.try_emplace(sum + f.num_arcs * n, cost, n);
+        if (!is_new && cost < known->second.first) known->second = {cost, n};
+      }
+    sums.push_back(std::move(next));
+  }
+  return sums;
+}
+
+[[noreturn]] void refuse(const BoundaryCount& boundary, const Demand& demand, const Sums& possible) {
+  std::vector<std::string> reasons = demand.prescribed;
+  for (const FreeChord& f : demand.free)
+    if (f.num_arcs > 1) reasons.push_back(fmt::format("chord {} (along it {} times)", f.chord, f.num_arcs));
+  const auto above = possible.upper_bound(demand.count);
+  std::vector<int> nearest;
+  if (above != possible.begin()) nearest.push_back(std::prev(above)->first);
+  if (above != possible.end()) nearest.push_back(above->first);
+  throw UsageError(fmt::format(
+      "--count {0}={1}: the boundary '{0}' cannot have {1} elements, because of {2}: possible {3} {4}",
+      boundary.boundary, boundary.count,
+      reasons.empty() ? std::string("the number of its chords") : fmt::format("{}", fmt::join(reasons, ", ")),
+      nearest.size() == 1 ? "is" : "are", fmt::join(nearest, " and ")));
+}
+
+/// Of the free chords.
+std::vector<sizing::ChordCount> counts_that_meet(const BoundaryCount& boundary, Demand demand) {
+  scale_targets(demand);
+  const std::vector<Sums> sums = reachable_sums(demand);
+  int sum = demand.count;
+  if (!sums.back().contains(sum)) refuse(boundary, demand, sums.back());
+  std::vector<sizing::ChordCount> counts;
+  for (std::size_t i = demand.free.size(); i > 0; --i) {
+    const int n = sums[i].at(sum).second;
+    counts.push_back({demand.free[i - 1].chord, n});
+    sum -= demand.free[i - 1].num_arcs * n;
+  }
+  return counts;
+}
+
+std::optional<int> whole_number(const std::string& text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional<int>(value) : std::nullopt;
+}
+
+}  // namespace
+
+void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chords,
+                 std::vector<BoundaryCount>& boundaries) {
+  const std::size_t equals = text.rfind('=');
+  const std::string name = text.substr(0, equals), value = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const std::optional<int> chord = whole_number(name), count = whole_number(value);
+  if (name.empty() || !count || *count < 1)
+    throw UsageError(fmt::format("--count: '{}' is not CHORD=N or NAME=N with a whole number N >= 1", text));
+  if (chord)
+    chords.push_back({*chord, *count});
+  else
+    boundaries.push_back({name, *count});
+}
+
+std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayout& measured,
+                                                     const sizing::SizeField& sizes,
+                                                     std::vector<sizing::ChordCount> counts,
+                                                     const std::vector<BoundaryCount>& boundaries) {
+  if (boundaries.empty()) return counts;
+  std::vector<BoundaryCount> open = boundaries;
+  std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, sizes, sizing::SizeRule::nearest, counts);
+  while (!open.empty()) {
+    std::vector<Demand> demands;
+    for (const BoundaryCount& boundary : open) demands.push_back(demand_of(measured, boundary, plans));
+    const auto next = std::min_element(demands.begin(), demands.end(),
+                                       [](const Demand& a, const Demand& b) { return a.free.size() < b.free.size(); });
+    const auto at = next - demands.begin();
+    for (const sizing::ChordCount& found : counts_that_meet(open[at], *next)) {
+      counts.push_back(found);
+      plans[found.chord].count = found.count;
+      plans[found.chord].is_prescribed = true;
+    }
+    open.erase(open.begin() + at);
+  }
+  return counts;
+}
+
+void report_boundary_counts(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
+                            const std::vector<BoundaryCount>& boundaries, Report& report) {
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    int achieved = 0;
+    for (const HalfEdge arc : named_arcs(measured, boundaries[i].boundary, "--count"))
+      achieved += divisions[arc.arc].num_intervals();
+    const std::string key = fmt::format("counts.{}.", i);
+    report.set(key + "boundary", boundaries[i].boundary);
+    report.set(key + "prescribed", boundaries[i].count);
+    report.set(key + "achieved", achieved);
+  }
+}
+
+}  // namespace quadrille::prescribe

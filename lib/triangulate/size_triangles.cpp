@@ -1,0 +1,56 @@
+#include "triangulate/size_triangles.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "triangulate/delaunay.hpp"
+
+namespace quadrille::triangulate {
+namespace {
+
+/// A frame so far away that the triangles at it leave out hardly anything of the convex hull.
+constexpr double frame_distance = 1e3;
+constexpr int frame_corners = 4;
+
+void insert_frame(const std::vector<SizePoint>& points, ConstrainedDelaunay& delaunay) {
+  Vec2 low = points[0].position, high = low;
+  for (const SizePoint& point : points) {
+    low = {std::min(low.x, point.position.x), std::min(low.y, point.position.y)};
+    high = {std::max(high.x, point.position.x), std::max(high.y, point.position.y)};
+  }
+  const double reach = frame_distance * std::max({high.x - low.x, high.y - low.y, 1e-300});
+  const std::array<Vec2, frame_corners> corners{Vec2{low.x - reach, low.y - reach},
+                                                {high.x + reach, low.y - reach},
+                                                {high.x + reach, high.y + reach},
+                                                {low.x - reach, high.y + reach}};
+  for (const Vec2 corner : corners) delaunay.insert(corner);
+  for (int k = 0; k < frame_corners; ++k) delaunay.constrain(k, (k + 1) % frame_corners);
+}
+
+}  // namespace
+
+void add_size_triangles(SizeSources& sources) {
+  if (sources.points.size() < 3) return;
+  ConstrainedDelaunay delaunay;
+  insert_frame(sources.points, delaunay);
+  std::vector<const SizePoint*> vertices(frame_corners, nullptr);
+  for (const SizePoint& point : sources.points) {
+    const auto vertex = static_cast<std::size_t>(delaunay.insert(point.position));
+    if (vertex == vertices.size())
+      vertices.push_back(&point);
+    else if (point.size < vertices[vertex]->size)
+      vertices[vertex] = &point;  // of two at one place the finer one
+  }
+  for (const DelaunayTriangle& triangle : delaunay.triangles()) {
+    SizeTriangle found;
+    bool is_inside = true;
+    for (int k = 0; k < 3; ++k) {
+      const SizePoint* point = vertices[triangle.vertices[k]];
+      is_inside = is_inside && point;
+      if (point) found.corners[k] = point->position, found.sizes[k] = point->size;
+    }
+    if (is_inside) sources.triangles.push_back(found);
+  }
+}
+
+}  // namespace quadrille::triangulate
