@@ -381,7 +381,7 @@ print(vertices(a) < vertices(b))'
   assert_output true
   # Coarser than a twentieth of the diameter too, and from a pipe as from a file.
   printf '0 0 0.5\n1 1 0.5\n' | quadrefine --size-field - "$blocks" -o b.quad.h5 --report b.json
-  run jq -n 'input.quads < input.quads / 4' b.json a.json
+  run jq -s '.[0].quads < .[1].quads / 4' b.json a.json
   assert_output true
   printf '0,0,0.1\n0,1\n' >bad.csv
   run -3 quadrefine --size-field bad.csv "$blocks" -o c.quad.h5
