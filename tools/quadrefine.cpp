@@ -39,7 +39,7 @@ struct WallArguments {
 /// The prescribed sizes in the form of the command line.
 struct SizeArguments {
   sizing::SizeOptions options;
-  std::string per_curve = "auto";
+  std::string per_curve = "0";
   std::vector<std::string> near, counts, gradings;
   std::string path;
   std::optional<io::InputFile> file;  ///< of `path`, once it is read
@@ -48,7 +48,7 @@ struct SizeArguments {
 
 void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300,
-           "length of the file; 0: diameter / 20, finer along short curves by --per-curve", "prescribed edge length");
+           "length of the file; 0: diameter / 20", "prescribed edge length");
   o.text(
       "--per-curve", sizes.per_curve, "N",
       "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "

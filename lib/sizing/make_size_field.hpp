@@ -24,7 +24,7 @@ struct SizeOptions {
   double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
   /// Least number of elements along each boundary curve (sizing/curve_sizes); 0: none; automatic: 4 without a size and
   /// without a table, else 0.
-  int per_curve = automatic;
+  int per_curve = 0;
   std::vector<NearSize> near;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
