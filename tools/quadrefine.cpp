@@ -47,8 +47,7 @@ struct SizeArguments {
 };
 
 void declare(cli::Options& o, SizeArguments& sizes) {
-  o.number("--size", sizes.options.size, 0, 1e300,
-           "length of the file; 0: diameter / 20", "prescribed edge length");
+  o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
   o.text(
       "--per-curve", sizes.per_curve, "N",
       "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "

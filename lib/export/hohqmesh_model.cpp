@@ -126,7 +126,8 @@ void join_periodic_edges(const QuadMesh& mesh, HohqmeshModel& model) {
   for (const PeriodicEdges& pair : periodic_edges(mesh)) {
     if (mesh.face.periodic_pairs[pair.pair].angle != 0) continue;
     const QuadBoundaryEdge &first = mesh.boundary_edges[pair.first], &second = mesh.boundary_edges[pair.second];
-    const auto [lower, higher] = std::minmax(edge_of.at({first.elem, first.side}), edge_of.at({second.elem, second.side}));
+    const auto [lower, higher] =
+        std::minmax(edge_of.at({first.elem, first.side}), edge_of.at({second.elem, second.side}));
     HohqmeshEdge &kept = model.edges[lower], &other = model.edges[higher];
     kept.other_elem = other.elem, kept.other_side = other.side;
     is_joined[higher] = true;
