@@ -156,10 +156,7 @@ double first_length(const sizing::MeasuredLayout& measured, const sizing::ArcDiv
   return fraction * measured.length(half.arc);
 }
 
-void report_end(const std::string& key, const std::string& boundary, double prescribed, double achieved,
-                Report& report) {
-  if (prescribed == 0) return;
-  report.set(key, achieved);
+void warn_if_missed(const std::string& boundary, double prescribed, double achieved, Report& report) {
   if (std::max(achieved / prescribed, prescribed / achieved) > missed)
     report.warn(warning::end_length_missed,
                 fmt::format("--grading {}: an element at its end is {:.3g} long, not {:.3g}: another boundary of its "
@@ -207,13 +204,18 @@ void report_end_gradings(const sizing::MeasuredLayout& measured, const sizing::A
                          const std::vector<EndGrading>& gradings, Report& report) {
   for (std::size_t i = 0; i < gradings.size(); ++i) {
     const EndGrading& grading = gradings[i];
-    const std::string key = fmt::format("gradings.{}.", i);
-    report.set(key + "boundary", grading.boundary);
+    report.set(fmt::format("gradings.{}.boundary", i), grading.boundary);
     for (const ArcChain& chain : chains_of(measured, grading.boundary)) {
-      report_end(key + "first", grading.boundary, grading.first, first_length(measured, divisions, chain.front()),
-                 report);
-      report_end(key + "last", grading.boundary, grading.last,
-                 first_length(measured, divisions, chain.back().reversed()), report);
+      const double first = first_length(measured, divisions, chain.front());
+      const double last = first_length(measured, divisions, chain.back().reversed());
+      if (grading.first > 0) {
+        report.set(fmt::format("gradings.{}.first", i), first);
+        warn_if_missed(grading.boundary, grading.first, first, report);
+      }
+      if (grading.last > 0) {
+        report.set(fmt::format("gradings.{}.last", i), last);
+        warn_if_missed(grading.boundary, grading.last, last, report);
+      }
     }
   }
 }
