@@ -39,7 +39,6 @@ struct WallArguments {
 /// The prescribed sizes in the form of the command line.
 struct SizeArguments {
   sizing::SizeOptions options;
-  std::string per_curve = "0";
   std::vector<std::string> near, counts, gradings;
   std::string path;
   std::optional<io::InputFile> file;  ///< of `path`, once it is read
@@ -48,10 +47,9 @@ struct SizeArguments {
 
 void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
-  o.text(
-      "--per-curve", sizes.per_curve, "N",
-      "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "
-      "grow from there to --size; 0: none; auto: 4 unless --size or a table of sizes is given");
+  o.integer("--per-curve", sizes.options.per_curve, 0, 10000,
+            "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; "
+            "sizes grow from there to --size; 0: no limit");
   o.texts("--size-near", sizes.near, "NAME=H[:H2]",
           "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
           "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
@@ -115,7 +113,6 @@ void set_first_heights(const WallArguments& walls, const CadFace& face, refine::
 
 /// The texts of the command line and the file of prescribed sizes, before the blocks are read.
 void parse(SizeArguments& sizes, refine::RefineOptions& options) {
-  sizes.options.per_curve = sizing::parse_per_curve(sizes.per_curve);
   for (const std::string& text : sizes.near) sizes.options.near.push_back(sizing::parse_near_size(text));
   for (const std::string& text : sizes.counts) prescribe::parse_count(text, options.counts, options.boundary_counts);
   for (const std::string& text : sizes.gradings) options.end_gradings.push_back(prescribe::parse_end_grading(text));

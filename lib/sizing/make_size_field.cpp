@@ -17,19 +17,14 @@ namespace quadrille::sizing {
 namespace {
 
 constexpr double least_curvature_size = 1e-4;  // diameters
-constexpr int default_per_curve = 4;
-
-template <typename Number>
-std::optional<Number> number_of(const std::string& text) {
-  Number value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional<Number>(value) : std::nullopt;
-}
 
 /// A finite number above 0.
 std::optional<double> length_of(const std::string& text) {
-  const std::optional<double> length = number_of<double>(text);
-  return length && *length > 0 && std::isfinite(*length) ? length : std::nullopt;
+  double length = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
+  const bool is_length =
+      error == std::errc() && end == text.data() + text.size() && length > 0 && std::isfinite(length);
+  return is_length ? std::optional<double>(length) : std::nullopt;
 }
 
 /// The parts of a text before and behind the last =.
@@ -37,11 +32,6 @@ std::pair<std::string, std::string> halves(const std::string& text) {
   const std::size_t at = text.rfind('=');
   return at == std::string::npos ? std::pair<std::string, std::string>{text, ""}
                                  : std::pair{text.substr(0, at), text.substr(at + 1)};
-}
-
-int elements_per_curve(const SizeOptions& options) {
-  if (options.per_curve != SizeOptions::automatic) return options.per_curve;
-  return options.size > 0 || options.sources.is_table ? 0 : default_per_curve;
 }
 
 /// Without a prescribed one: a table covers the whole face, and so has it.
@@ -57,7 +47,7 @@ double greatest_size(const CadFace& face, const SizeSources& sources) {
 void SizeOptions::validate() const {
   if (size < 0) throw UsageError("--size must not be negative");
   if (growth != 0 && !(growth > 1)) throw UsageError("--growth must be greater than 1");
-  if (per_curve < automatic) throw UsageError("--per-curve must not be negative");
+  if (per_curve < 0) throw UsageError("--per-curve must not be negative");
   if (curvature < 0) throw UsageError("--curvature must not be negative");
 }
 
@@ -85,8 +75,7 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
       add(own);
     }
   }
-  if (const int per_curve = elements_per_curve(options); per_curve > 0)
-    add(segments_by_curves(face, per_curve, greatest, slope));
+  if (options.per_curve > 0) add(segments_by_curves(face, options.per_curve, greatest, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
@@ -101,14 +90,6 @@ NearSize parse_near_size(const std::string& text) {
   if (name.empty() || !size || !other)
     throw UsageError(fmt::format("--size-near: '{}' is not NAME=H or NAME=H:H2 with lengths above 0", text));
   return {name, *size, colon == std::string::npos ? 0 : *other};
-}
-
-int parse_per_curve(const std::string& text) {
-  if (text == "auto") return SizeOptions::automatic;
-  const std::optional<int> number = number_of<int>(text);
-  if (!number || *number < 0 || *number > 10000)
-    throw UsageError(fmt::format("--per-curve: '{}' is not auto or a whole number from 0 to 10000", text));
-  return *number;
 }
 
 }  // namespace quadrille::sizing

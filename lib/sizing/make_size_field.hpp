@@ -19,12 +19,8 @@ struct NearSize {
 };
 
 struct SizeOptions {
-  static constexpr int automatic = -1;
-
-  double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
-  /// Least number of elements along each boundary curve (sizing/curve_sizes); 0: none; automatic: 4 without a size and
-  /// without a table, else 0.
-  int per_curve = 0;
+  double size = 0;    ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
+  int per_curve = 0;  ///< least number of elements along each boundary curve (sizing/curve_sizes); 0: none
   std::vector<NearSize> near;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
@@ -40,7 +36,5 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options);
 
 /// "NAME=H" or "NAME=H:H2" (the last = counts); throws UsageError.
 NearSize parse_near_size(const std::string& text);
-/// "auto" or a whole number; throws UsageError.
-int parse_per_curve(const std::string& text);
 
 }  // namespace quadrille::sizing

@@ -53,7 +53,7 @@ table() {
 2 | quadrefine --count hole=0 w/half_disc.blocks.h5 | --count: 'hole=0' is not CHORD=N or NAME=N
 2 | quadrefine --grading hole=0.1 w/half_disc.blocks.h5 | --grading: 'hole=0.1' is not NAME=FIRST:LAST
 2 | quadrefine --refine 11 w/half_disc.blocks.h5 | --refine: 11 is outside its interval
-2 | quadrefine --per-curve few w/half_disc.blocks.h5 | --per-curve: 'few' is not auto or a whole number
+2 | quadrefine --per-curve few w/half_disc.blocks.h5 | --per-curve: 'few' is not an integer
 2 | quadrefine --wall curve_0:yplus=1,layers=2 w/half_disc.blocks.h5 | y+ needs the flow as well: give --velocity, --viscosity, --length
 2 | quadrefine --wall curve_0:first=1,yplus=1,layers=2 w/half_disc.blocks.h5 | one of first and yplus must be given, not both
 2 | quadrefine --wall curve_0:first=1,layers=2 --velocity 30 w/half_disc.blocks.h5 | --velocity: used with --yplus or --wall NAME:yplus=Y only
@@ -89,8 +89,6 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --feature-size big | --feature-size big: expected "auto" or a length
 2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
 2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | the page and the report are the same file
-2 | quadmesh half_disc.step -o out.msh --count roof=4 | there is no boundary "roof"
-2 | quadmesh half_disc.step -o out.msh --grading roof=0.1:0.2 | there is no boundary "roof"
 2 | quadmesh half_disc.step -o out.msh --wall curve_0:yplus=1,layers=2 --velocity 3 | y+ needs the flow as well: give --viscosity, --length
 2 | place half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
 3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
@@ -114,7 +112,6 @@ table() {
 2 | quadmesh half_disc.step --report - | cannot both go to standard output
 2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | a file of the stages in --workdir w
 2 | quadmesh half_disc.step -o out.msh --report w/../w/half_disc.crit.json --workdir w | a file of the stages
-2 | quadmesh half_disc.step --topology o -o out.msh | a C-, O- or H-grid is made around a hole
 2 | quadmesh half_disc.step --farfield circle:5 --from separatrix --workdir w | --farfield makes a CAD file of points
 2 | quadmesh half_disc.step --nodes edited.json -o out.msh --report edited.json | the output edited.json is the input edited.json
 3 | quadmesh missing.step -o out.msh | missing.step: no such file
@@ -122,7 +119,7 @@ table() {
 3 | quadmesh w -o out.msh | w: is a directory
 3 | quadmesh half_disc.step -o out.msh --boundary-names missing.json | missing.json: no such file
 3 | quadmesh half_disc.step -o out.msh --block-names missing.json | missing.json: no such file
-3 | quadmesh half_disc.step -o out.msh --size-field half_disc.step | half_disc.step: is not JSON
+3 | quadmesh half_disc.step -o out.msh --size-field half_disc.step | half_disc.step:1: there is no column x
 3 | quadmesh half_disc.step -o out.msh --nodes missing.json | missing.json: no such file
 3 | quadmesh half_disc.step -o out.msh --nodes w/half_disc.sep.json | expected a critical-points file (x.crit.json), found format separatrix-graph
 3 | quadmesh half_disc.step -o out.msh --nodes unbalanced.json | unbalanced.json: CRT-R05: index_sum

@@ -33,17 +33,14 @@ TEST(MakeSizeField, ShortCurvesAreFinerWhereThatIsPrescribed) {
   const CadFace face = hand_made::quarter_annulus(0.02, 2).face;  // an arc of 0.0314
   SizeOptions options;
   EXPECT_TRUE(make_size_field(face, options).is_uniform());
-  options.per_curve = SizeOptions::automatic;
+  options.per_curve = 4;
   EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 4, 1e-7);
   options.per_curve = 8;
   EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 8, 1e-7);
   options.size = 0.2;
   EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 8, 1e-7) << "as prescribed";
-  options.per_curve = SizeOptions::automatic;
-  EXPECT_TRUE(make_size_field(face, options).is_uniform()) << "a given size is the size";
-  EXPECT_EQ(parse_per_curve("auto"), SizeOptions::automatic);
-  EXPECT_EQ(parse_per_curve("7"), 7);
-  for (const char* wrong : {"", "-1", "x", "1.5", "10001"}) EXPECT_THROW(parse_per_curve(wrong), UsageError) << wrong;
+  options.per_curve = -1;
+  EXPECT_THROW(options.validate(), UsageError);
 }
 
 TEST(MakeSizeField, ATableHasItsOwnGreatestSize) {

@@ -101,8 +101,7 @@ TEST(SizeField, ImpossibleSizesAreUsageErrors) {
 TEST(SizeField, IsLinearInATriangleAndGrowsOutsideOfIt) {
   SizeSources sources;
   sources.triangles = {{{Vec2{0, 0}, {1, 0}, {0, 1}}, {0.1, 0.2, 0.15}}};
-  const SizeField sizes(10, sources, {}, 1.2);
-  const double slope = std::log(1.2);
+  const SizeField sizes(10, sources, {}, growth);
   EXPECT_NEAR(sizes.at({0.25, 0.5}), 0.1 + 0.25 * 0.1 + 0.5 * 0.05, 1e-14);
   EXPECT_NEAR(sizes.at({1, 0}), 0.2, 1e-14);
   EXPECT_NEAR(sizes.at({0, -3}), 0.1 + 3 * slope, 0.05) << "near the finest corner";

@@ -24,8 +24,11 @@ TEST(SizeTriangles, CoverTheHullWithTheSizesOfThePoints) {
   EXPECT_NEAR(area(sources), 2, 1e-12);
   for (const SizeTriangle& t : sources.triangles)
     for (int k = 0; k < 3; ++k)
-      for (const SizePoint& point : sources.points)
-        if (point.position == t.corners[k]) EXPECT_EQ(point.size, t.sizes[k]);
+      for (const SizePoint& point : sources.points) {
+        if (point.position == t.corners[k]) {
+          EXPECT_EQ(point.size, t.sizes[k]);
+        }
+      }
 }
 
 TEST(SizeTriangles, OfTwoPointsInOnePlaceTheFinerOneCounts) {
