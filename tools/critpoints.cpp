@@ -171,7 +171,7 @@ int main(int argc, char** argv) {
   tool.examples = {"critpoints half_disc.field.h5 -o half_disc.crit.json",
                    "critpoints half_disc.field.h5 | jq '.critical_points[] | select(.valence == 3) | .position'",
                    "critpoints --place energy half_disc.field.h5 -o half_disc.placed.crit.json",
-                   "critpoints --nodes none plate_hole.field.h5 -o plate_hole.crit.json",
+                   "critpoints --nodes fewest half_disc.field.h5 -o half_disc.fewest.crit.json",
                    "critpoints --feature-size 0.1 half_disc.field.h5 | jq '.changes'"};
   tool.options = [&](cli::Options& o) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
