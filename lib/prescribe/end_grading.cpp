@@ -54,13 +54,13 @@ class GradedChord {
   sizing::ChordPlan plan(double slope) const {
     sizing::ChordPlan result = plan_;
     double low = plan_.is_prescribed ? -steepest : 1e-6, high = plan_.is_prescribed ? steepest : slope;
-    if (!plan_.is_prescribed)
-      result.count =
-          static_cast<int>(std::min(1e9, sizing::whole_count(grading(slope).count(), sizing::SizeRule::at_most)));
-    if (grading(low).count() < result.count) low = high;
+    const double at_low = grading(low).count(), at_high = grading(high).count();
+    const bool rises = at_low < at_high;  // with s: elements shrink away from the ends
+    if (!plan_.is_prescribed) result.count = whole_count(at_low, at_high);
+    if (!rises && at_low < result.count) low = high;
     for (int step = 0; step < 50 && low < high; ++step) {
       const double middle = (low + high) / 2;
-      (grading(middle).count() > result.count ? low : high) = middle;
+      ((grading(middle).count() > result.count) != rises ? low : high) = middle;
     }
     result.grading = grading(high);
     result.slope = std::max(plan_.slope, std::abs(high));
@@ -68,6 +68,13 @@ class GradedChord {
   }
 
  private:
+  /// A number of elements between those at the least and the greatest s, so that no s exceeds the greatest.
+  static int whole_count(double at_low, double at_high) {
+    const double count = at_low < at_high ? std::max(std::ceil(at_low), std::floor(at_high))
+                                          : sizing::whole_count(at_high, sizing::SizeRule::at_most);
+    return static_cast<int>(std::clamp(count, 1.0, 1e9));
+  }
+
   double distance(const EndLength& end, double u) const {
     const double fraction = measured_.arc_fraction(chord_, end.arc, u);
     return end.offset + measured_.length(chord_.arcs[end.arc]) * (end.is_from_end ? 1 - fraction : fraction);
