@@ -93,7 +93,7 @@ EXAMPLES
   quadmesh half_disc.step -o in_time.msh --max-seconds 60 --max-memory 2G
   quadmesh half_disc.step -o half_disc.xml --order 7
   quadmesh half_disc.step -o fewest.msh --nodes fewest
-  quadmesh naca0012.dat --farfield cgrid:20 -o naca0012.msh
+  quadmesh aerofoil.dat --farfield cgrid:20 -o aerofoil.msh
   quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
   quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10

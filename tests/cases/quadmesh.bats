@@ -457,7 +457,7 @@ sleeping() {
 }
 
 @test "--help shows examples that run" {
-  cp "$DATA/half_disc.step" .
+  cp "$DATA/half_disc.step" "$ROOT/pipelines/examples/aerofoil.dat" .
   "$quadmesh" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadmesh' >examples
   while read -r _ arguments; do
     # shellcheck disable=SC2086
