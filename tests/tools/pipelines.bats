@@ -19,7 +19,7 @@ passes() {
 }
 
 @test "outlines: splines, edges, STEP files, and all together" {
-  passes splines edges step_file build
+  passes splines edges wake step_file build
 }
 
 @test "limits of time and memory" {
@@ -27,7 +27,7 @@ passes() {
 }
 
 @test "search for node positions" {
-  passes boundary symmetries layouts compass_search
+  passes boundary symmetries layouts goals compass_search
 }
 
 @test "many shapes: jobs, results, tables" {
