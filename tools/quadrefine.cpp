@@ -165,13 +165,13 @@ int main(int argc, char** argv) {
       "chord. Each element is sampled from the exact map of its block and proved valid by a lower bound of det J; "
       "otherwise the exit code is 1 and the message names the position, unless --allow-invalid is given. --report and "
       "-v list the worst elements and their positions.";
-  tool.examples = {"quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
-                   "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
-                   "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
-                   "quadrefine --wall curve_0:yplus=1,layers=8 --velocity 30 --viscosity 1.5e-5 --length 1 "
-                   "half_disc.blocks.h5 -o yplus.quad.h5",
-                   "quadrefine --count curve_0=16 --refine 1 half_disc.blocks.h5 -o counted.quad.h5",
-                   "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
+  tool.examples = {
+      "quadrefine half_disc.blocks.h5 -o half_disc.quad.h5",
+      "quadrefine --size 0.2 --order 6 half_disc.blocks.h5 -o fine.quad.h5",
+      "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
+      "quadrefine --wall 0:yplus=1,layers=8 --velocity 30 --viscosity 1e-5 --length 1 half_disc.blocks.h5 >y.h5",
+      "quadrefine --count curve_0=16 --refine 1 half_disc.blocks.h5 -o counted.quad.h5",
+      "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
   tool.options = [&](cli::Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
     o.output(output, "quad mesh to write (x.quad.h5)");

@@ -30,6 +30,10 @@ passes() {
   passes samples
 }
 
+@test "tables of sizes from the points and cells of a VTU file" {
+  passes vtu_sizes
+}
+
 @test "fields, blocks and quads agree with what the tools wrote" {
   passes chain
 }
