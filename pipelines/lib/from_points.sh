@@ -5,7 +5,7 @@
 has_points() {
   [ "$first_position" -eq 1 ] || return 1
   case $separator$chosen in *"${separator}points2step "*) return 0 ;; esac
-  case $shape in *.dat | *.txt | *.xy) ;; *) return 1 ;; esac
+  case $shape in *.dat | *.xy) ;; *) return 1 ;; esac
 }
 
 # make_cad_file: sets $cad_file, the SHAPE or what points2step makes of it.

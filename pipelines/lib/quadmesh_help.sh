@@ -9,7 +9,7 @@ quadmesh meshes a planar CAD face, or the shape that points describe, with curve
 
 Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
-passed on to them. SHAPE.dat, SHAPE.txt and SHAPE.xy are points of an outline or an aerofoil, from which points2step
+passed on to them. SHAPE.dat and SHAPE.xy are points of an outline or an aerofoil, from which points2step
 makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with --farfield, --wake or --chord.
 Where a strip of blocks winds onto itself, so that separatrix can only divide triangles (W-SEP-002), critpoints runs
 again with other nodes on the strip, by up to seven options that separatrix proposes, one after another:

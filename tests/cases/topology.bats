@@ -62,9 +62,9 @@ setup() {
   run -2 "$quadmesh" sharp.dat --farfield oval:5 -o a.msh
   assert_line --index 0 "quadmesh: --farfield: 'oval:5' is not circle:R, box:R or cgrid:R"
   assert_line --index 1 "try 'quadmesh --help'"
-  printf 'points\n1 x\n' >bad.txt
-  run -3 "$quadmesh" bad.txt -o a.msh
-  assert_output --partial 'quadmesh: bad.txt: line 2: expected x and y'
+  printf 'points\n1 x\n' >bad.xy
+  run -3 "$quadmesh" bad.xy -o a.msh
+  assert_output --partial 'quadmesh: bad.xy: line 2: expected x and y'
   run -2 "$quadmesh" sharp.dat --farfield circle:5 --from separatrix --workdir stages -o a.msh
   assert_output --partial '--farfield makes a CAD file of points, which --from separatrix does not read'
   run -0 "$quadmesh" sharp.dat --farfield circle:5 --dry-run -o a.msh
