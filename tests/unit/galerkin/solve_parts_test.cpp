@@ -12,9 +12,12 @@ namespace {
 
 CadFace plate() { return polygon_face({{0, 0}, {4, 0}, {4, 2}, {3, 3}, {0, 3}}); }
 
+/// With enough rings about the corners for data that jump there by a lifting.
 Field solved_field(const CadFace& face) {
   Report report;
-  const TriMesh mesh = triangulate::triangulate(face, {}, report);
+  triangulate::TriangulateOptions options;
+  options.fan_layers = 5;
+  const TriMesh mesh = triangulate::triangulate(face, options, report);
   return solve_laplace(mesh, std::vector<int>(mesh.num_elems(), 8), report);
 }
 
