@@ -38,7 +38,7 @@ SeparatrixGraph trace_layout(const Field& field, const CriticalPoints& points, c
 BlockLayout make_blocks(const SeparatrixGraph& graph, std::vector<std::string>* warnings = nullptr);
 
 struct QuadSettings {
-  double size = 0;  ///< edge length; 0: diameter / 20, finer along short curves
+  double size = 0;  ///< edge length; 0: diameter / 20
   int order = 4;    ///< shape order, 1 to 20
 };
 

@@ -33,7 +33,7 @@ Identified identified(const QuadMesh& mesh, const EdgeNumbering& numbering, Moti
   return sets;
 }
 
-/// An edge that its ends do not tell from another one; -1: there is none.
+/// An edge whose two ends are also those of another edge, or one vertex; -1 if each edge is known by its ends.
 int ambiguous_edge(const EdgeNumbering& numbering, Identified& sets) {
   std::vector<std::array<int, 3>> edges;  // ends, number
   for (int e = 0; e < numbering.num_edges(); ++e) {

@@ -56,7 +56,7 @@ check_files() {
   for json in "$names" "$block_file" "$given_nodes"; do
     case $json in '' | -) ;; *) require_input "$json" && require_json "$json" ;; esac
   done
-  case $size_file in '' | -) ;; *) require_input "$size_file" ;; esac # JSON or a table: quadrefine tells
+  case $size_file in '' | -) ;; *) require_input "$size_file" ;; esac # JSON or a table, which quadrefine checks
   check_contents cad2tri --boundary-names "$names"
   check_contents blocksplit --block-names "$block_file"
   check_contents quadrefine --size-field "$size_file"
