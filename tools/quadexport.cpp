@@ -114,7 +114,9 @@ bool takes_one_file(const std::string& output) {
 }
 
 /// "metre" or, if that is not known, "an unknown unit"
-std::string unit_text(const LengthScale& length) { return length.unit == "unknown" ? "an unknown unit" : length.unit; }
+std::string unit_text(const LengthScale& length) {
+  return length.unit.empty() || length.unit == "unknown" ? "an unknown unit" : length.unit;
+}
 
 void report_length(const LengthScale& length, cli::Session& s) {
   s.report().set("unit", length.unit);
@@ -138,8 +140,8 @@ void write_step(const std::string& input, const std::string& output, const expor
   std::istringstream said(said_all.substr(last));
   std::size_t blocks = 0;
   LengthScale length;
-  std::getline(said >> blocks >> length.factor >> std::ws, length.unit);
-  if (!said) throw Defect("the STEP writer does not state what it wrote");
+  if (!(said >> blocks >> length.factor)) throw Defect("the STEP writer does not state what it wrote");
+  std::getline(said >> std::ws, length.unit);  // a damaged file may name none
   s.report().set("format", "step");
   s.report().set("blocks", blocks);
   report_length(length, s);
