@@ -13,6 +13,7 @@
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
 #include "field/error_estimate.hpp"
+#include "galerkin/phase_orders.hpp"
 #include "galerkin/phase_request.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "galerkin/solve_phase.hpp"
@@ -60,14 +61,14 @@ struct PrescribedNodes {
 };
 
 // `meshes`: of the regions; they must outlive the result.
-std::vector<SolvedRegion> solved(const TriMesh& mesh, const std::vector<TriMesh>& meshes,
-                                 const std::vector<int>& orders, const std::optional<PrescribedNodes>& prescribed,
+std::vector<SolvedRegion> solved(const TriMesh& mesh, const std::vector<TriMesh>& meshes, const io::OrderMap& orders,
+                                 const std::optional<PrescribedNodes>& prescribed,
                                  const galerkin::LaplaceOptions& options, Report& report) {
   const std::vector<CriticalPoints> nodes =
       prescribed ? regions::split(prescribed->points, mesh) : std::vector<CriticalPoints>(meshes.size());
   return regions::map_regions<SolvedRegion>(
       mesh.face, options.num_threads, report, [&](int region, int threads, Report& part_report) {
-        const std::vector<int> part_orders = regions::part_of(orders, regions::elems_of(mesh, region));
+        const std::vector<int> part_orders = regions::part_of(orders.elem_order, regions::elems_of(mesh, region));
         SolvedRegion result;
         if (!prescribed) {
           galerkin::LaplaceOptions part_options = options;
@@ -76,7 +77,9 @@ std::vector<SolvedRegion> solved(const TriMesh& mesh, const std::vector<TriMesh>
           return result;
         }
         const PhaseNodes phase_nodes = phase_nodes_of(nodes[region]);
-        result.phase = std::make_unique<galerkin::PhaseSolver>(meshes[region], part_orders, threads);
+        result.phase = std::make_unique<galerkin::PhaseSolver>(
+            meshes[region],
+            orders.of_harmonic_field ? galerkin::phase_orders(meshes[region], part_orders) : part_orders, threads);
         galerkin::require_possible(*result.phase, meshes[region].face, phase_nodes, prescribed->file);
         result.field = result.phase->solve(phase_nodes, {nodes[region].hole_winding_offsets}, part_report);
         return result;
@@ -143,8 +146,11 @@ int main(int argc, char** argv) {
     o.input("TRI", input, "triangle mesh (x.tri.h5)");
     o.output(output, "field to write (x.solve.h5)");
     o.integer("--field-order", order, 1, 20, "polynomial order of the field on every element (dg: at most 12)");
-    o.input_file("--orders", orders_path, "FILE",
-                 "the order of each element, from an order map (JSON) or a field; replaces --field-order", false);
+    o.input_file(
+        "--orders", orders_path, "FILE",
+        "the order of each element, from an order map (JSON) or a field; replaces --field-order; with --nodes, "
+        "orders of a harmonic field are lowered where the phase needs less",
+        false);
     o.input_file(
         "--nodes", nodes_path, "CRIT",
         "critical points (x.crit.json) that prescribe the irregular nodes and corner valences of the field; cg only",
@@ -162,7 +168,7 @@ int main(int argc, char** argv) {
     TriMesh mesh = io::read_tri_mesh(file);
     check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("tri-mesh")};
-    std::vector<int> orders(mesh.num_elems(), order);
+    io::OrderMap orders{std::vector<int>(mesh.num_elems(), order)};
     if (!orders_path.empty()) {
       const io::InputFile orders_file = io::read_input(orders_path);
       orders = io::read_order_map(orders_file, mesh.num_elems(), max_order);
@@ -187,7 +193,7 @@ int main(int argc, char** argv) {
     }
     s.end_phase();
     Field field = regions::join(mesh, std::move(parts));
-    const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
+    const auto [lowest, highest] = std::minmax_element(field.elem_order.begin(), field.elem_order.end());
     s.report().set("solve.field_order", *highest);
     s.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
     field.provenance = s.provenance(mesh.provenance, inputs);

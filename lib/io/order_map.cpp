@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/error.hpp"
 #include "io/hdf5_file.hpp"
@@ -55,8 +56,15 @@ std::string order_map_format(const InputFile& file) {
   return looks_like_hdf5(file.bytes) ? "field" : order_map_version.format;
 }
 
-std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order) {
-  std::vector<int> elem_order = order_map_format(file) == "field" ? read_field(file).elem_order : parsed(file);
+OrderMap read_order_map(const InputFile& file, int num_elems, int max_order) {
+  OrderMap map;
+  if (order_map_format(file) == "field") {
+    Field field = read_field(file);
+    map = {std::move(field.elem_order), field.kind == FieldKind::harmonic};
+  } else {
+    map.elem_order = parsed(file);
+  }
+  const std::vector<int>& elem_order = map.elem_order;
   if (static_cast<int>(elem_order.size()) != num_elems)
     throw FormatError(
         fmt::format("{}: {} orders, but the mesh has {} elements", file.name, elem_order.size(), num_elems), "ORD-R01");
@@ -66,7 +74,7 @@ std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_or
           fmt::format("{}: order {} of element {} is outside 1..{}", file.name, elem_order[e], e, max_order),
           "ORD-R02");
   }
-  return elem_order;
+  return map;
 }
 
 std::string order_map_text(const std::vector<int>& elem_order) {

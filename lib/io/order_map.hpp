@@ -12,9 +12,14 @@ namespace quadrille::io {
 /// "field" or "order-map": what the file is, if it is any of them.
 std::string order_map_format(const InputFile& file);
 
+struct OrderMap {
+  std::vector<int> elem_order;
+  bool of_harmonic_field = false;  ///< they are the orders of a field of kind "harmonic"
+};
+
 /// One order per element. Throws FormatError for anything that is neither an order map nor a field, for another number
 /// than `num_elems` and for an order outside [1, max_order].
-std::vector<int> read_order_map(const InputFile& file, int num_elems, int max_order);
+OrderMap read_order_map(const InputFile& file, int num_elems, int max_order);
 
 /// The map as JSON text.
 std::string order_map_text(const std::vector<int>& elem_order);

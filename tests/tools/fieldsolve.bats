@@ -168,6 +168,22 @@ nodes_of() {
   h5diff a.field.h5 b.phase.h5 /phase/s
 }
 
+@test "--nodes: orders of a harmonic field are lowered to what the phase needs" {
+  cad2tri "$DATA/annulus.step" -o r.tri.h5
+  fieldsolve r.tri.h5 | padapt -o r.field.h5
+  critpoints r.field.h5 | jq '.form = "phase"' > nodes.json
+  fieldsolve --nodes nodes.json --orders r.field.h5 r.tri.h5 -o r.solve.h5 --report lowered.json
+  padapt r.solve.h5 -o r.phase.h5 --report adapted.json
+  h5diff r.solve.h5 r.phase.h5 /elem_order # one solution was enough
+  n=$(jq .solve.num_elements lowered.json)
+  h5dump -d /elem_order -y -w 0 r.field.h5 | grep -Eo '[0-9 ,]{20,}' | tr -d '\n' > orders.txt
+  jq -n --argjson orders "[$(cat orders.txt)]" '{format: "order-map", version: [1, 0], elem_order: $orders}' > orders.json
+  assert_equal "$(jq '.elem_order | length' orders.json)" "$n"
+  fieldsolve --nodes nodes.json --orders orders.json r.tri.h5 -o s.solve.h5 --report whole.json
+  run -0 jq -n -e --slurpfile lowered lowered.json --slurpfile whole whole.json \
+    '$lowered[0].solve.num_unknowns < $whole[0].solve.num_unknowns and $lowered[0].solve.max_error < 1e-9'
+}
+
 @test "--nodes: winding and periods of holes are reported, offsets obeyed" {
   cad2tri "$DATA/annulus.step" -o r.tri.h5
   fieldsolve r.tri.h5 | padapt | critpoints - -o r.crit.json
