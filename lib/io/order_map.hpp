@@ -13,8 +13,8 @@ namespace quadrille::io {
 std::string order_map_format(const InputFile& file);
 
 struct OrderMap {
-  std::vector<int> elem_order;
-  bool of_harmonic_field = false;  ///< they are the orders of a field of kind "harmonic"
+  std::vector<int> elem_order;     ///< one for each element, in the order of the mesh
+  bool of_harmonic_field = false;  ///< read from a field of kind "harmonic"
 };
 
 /// One order per element. Throws FormatError for anything that is neither an order map nor a field, for another number

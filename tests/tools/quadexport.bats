@@ -193,6 +193,13 @@ PYTHON
   assert_output 1
 }
 
+@test "STEP of blocks whose unit is an empty text is in an unknown unit" {
+  jq '.face.length_unit = ""' "$BATS_FILE_TMPDIR/half_disc.sep.json" >x.sep.json
+  blocksplit x.sep.json -o x.blocks.h5
+  run -0 quadexport -v x.blocks.h5 -o x.step
+  assert_output --partial "coordinates in an unknown unit"
+}
+
 @test "the faces of a STEP model have the names of their regions" {
   # names FILE: how many faces have each name.
   names() { cad2tri --list "$1" --report list.json -o /dev/null && jq -r '.list.face[] | .name' list.json | sort | uniq -c | xargs; }
