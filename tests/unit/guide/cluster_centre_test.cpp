@@ -14,7 +14,9 @@ using Complex = std::complex<double>;
 TEST(MomentCentre, is_the_centroid_of_the_zeros_that_a_small_term_splits) {
   const Vec2 at{0.1, -0.2};
   const std::vector<std::pair<int, double>> cases{{2, 1e-6}, {3, 1e-8}, {4, 1e-10}, {-2, 1e-6}, {-3, 1e-8}};
-  for (const auto& [index, e] : cases) {
+  for (const auto& one : cases) {
+    const int index = one.first;
+    const double e = one.second;
     const Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 5, [&](Vec2 x) {
       const Complex z{x.x - at.x, x.y - at.y}, w = std::pow(z, std::abs(index)) * (1.0 + 0.3 * z) + e;
       return Vec2{w.real(), index > 0 ? w.imag() : -w.imag()};
