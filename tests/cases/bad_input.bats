@@ -149,7 +149,7 @@ ends_of_signal() {
   for seconds in 0.05 0.2 0.5; do
     env --default-signal setsid "$quadmesh" "$DATA/geometry_1.step" --size 0.006 -o out.msh 2>words 3>&- &
     group=$!
-    until kill -0 -- -$group 2>/dev/null; do sleep 0.01; done # setsid makes the group, at a busy machine later
+    until kill -0 -- -$group 2>/dev/null; do sleep 0.01; done # until setsid has made the group
     sleep $seconds
     kill -INT -- -$group
     code=0
