@@ -71,7 +71,7 @@ void limit_child(int cpu_seconds, pid_t parent) {
   const rlimit no_core{0, 0}, cpu{static_cast<rlim_t>(cpu_seconds), static_cast<rlim_t>(cpu_seconds) + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
-#ifndef __SANITIZE_ADDRESS__
+#ifndef QUADRILLE_SANITIZE
   // A count read from garbage must not exhaust the memory. (Not under a sanitizer, whose shadow memory would count.)
   const rlimit memory{most_memory, most_memory};
   setrlimit(RLIMIT_DATA, &memory);

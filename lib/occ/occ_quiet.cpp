@@ -3,7 +3,7 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef QUADRILLE_SANITIZE
 // The kernel keeps tables until the process ends; these leaks would hide leaks of the project.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libTK\n"; }
