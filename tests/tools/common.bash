@@ -50,6 +50,12 @@ stage_blocks() {
   done
 }
 
+# blocks_of_size SHAPE PARTS: SHAPE.blocks.h5 of tests/data/SHAPE.step, and $size, its diameter over PARTS.
+blocks_of_size() {
+  stage_blocks . "$1" &&
+    size=$(jq ".face.diameter / $2" "$1.sep.json")
+}
+
 # replace_tool TOOL LINE...: makes fake/, a folder of the tools in which TOOL is a script of these lines.
 replace_tool() {
   local tool
