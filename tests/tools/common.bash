@@ -52,7 +52,7 @@ stage_blocks() {
 
 # blocks_of_size SHAPE PARTS: SHAPE.blocks.h5 of tests/data/SHAPE.step, and $size, its diameter over PARTS.
 blocks_of_size() {
-  stage_blocks . "$1" &&
+  "$ROOT/pipelines/quadmesh" -q "$DATA/$1.step" --until blocksplit --workdir . &&
     size=$(jq ".face.diameter / $2" "$1.sep.json")
 }
 
