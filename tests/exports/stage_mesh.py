@@ -23,6 +23,7 @@ class Reader:
         self.texts = dict(zip(parts[1::2], parts[2::2]))
 
     def numbers(self, name, kind):
+        """The values of a dataset of NUMBERS, row by row; kind: int or float."""
         values = re.search(r"DATA \{([^}]*)\}", self.texts[name])[1]
         return [kind(word) for word in values.replace(",", " ").split()]
 

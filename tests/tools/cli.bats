@@ -279,7 +279,7 @@ writers() {
 }
 
 @test "tools load neither the shared C++ library nor the CAD kernel, which would take longer than their start" {
-  if nm "$BIN/stagecheck" | grep -q __asan_init; then skip "the sanitizers need shared libraries"; fi
+  if nm "$BIN/stagecheck" | grep -q __asan_init; then skip "built with sanitizers, with shared libraries"; fi
   for tool in $TOOLS; do
     run -0 ldd "$BIN/$tool"
     refute_output --regexp 'lib(stdc\+\+|fmt|TK[A-Za-z]+)\.so'

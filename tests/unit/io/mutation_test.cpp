@@ -98,7 +98,7 @@ TEST_F(Damaged, EveryFlippedBitOfAnHdf5FileIsSeen) {
 }
 
 #ifdef QUADRILLE_SANITIZE
-constexpr int num_unsealed = 40;  // each crash of libhdf5 takes some tenths of a second for its report
+constexpr int num_unsealed = 40;  // the copy of a process with sanitizers takes a quarter of a second
 #else
 constexpr int num_unsealed = 150;
 #endif
