@@ -197,6 +197,10 @@ int main(int argc, char** argv) {
         "--target-edge-ratio", options.target_edge_ratio, 0, 1e300, "1",
         "where blocks are so thin that the longest side of an element exceeds its shortest by more than this factor, "
         ">= 1, elements are shorter than prescribed; 0: nowhere");
+    o.number(
+        "--target-growth", options.target_growth, 0, 100, "1",
+        "with --wall, where adjacent edges along lines across blocks, from wall to wall, would differ by more than "
+        "this factor, > 1, ends of elements move and chords get more elements; 0: nowhere");
     o.number("--max-edge-ratio", options.max_edge_ratio, 0, 1e300, "1",
              "exit with 1 if the longest side of an element exceeds its shortest by more than this factor, >= 1; 0: no "
              "limit");

@@ -84,6 +84,50 @@ std::vector<double> free_intervals(const LineFamily& family, const NormalLine& l
   return tilted(intervals, weights, high - low);
 }
 
+/// The nodes of a line in the layers of both ends, the ends included.
+struct LayerNodes {
+  std::vector<double> low, high;
+};
+
+LayerNodes layer_nodes(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin) {
+  LayerNodes nodes{{0.0}, {1.0}};
+  if (family.low.wall) append(nodes.low, nodes_in_layers(line, family.low, family.low_heights, node, origin));
+  if (family.high.wall) {
+    const NormalLine reversed = [&line](double u) { return line(1 - u); };
+    for (const double u : nodes_in_layers(reversed, family.high, family.high_heights, node, origin))
+      nodes.high.push_back(1 - u);
+    std::reverse(nodes.high.begin(), nodes.high.end());
+  }
+  if (nodes.low.back() >= nodes.high.front()) refuse(line(nodes.low.back()) + origin);
+  return nodes;
+}
+
+double length_between(const NormalLine& line, double low, double high) {
+  constexpr int samples = 32;
+  double length = 0;
+  for (int k = 0; k < samples; ++k)
+    length += distance(line(low + (high - low) * k / samples), line(low + (high - low) * (k + 1) / samples));
+  return length;
+}
+
+/// Steps of the parameter whose lengths are as prescribed, up to a common factor: they follow the speed of the line at
+/// the middle of each.
+std::vector<double> parameter_steps(const NormalLine& line, double low, double high,
+                                    const std::vector<double>& lengths) {
+  constexpr int rounds = 3;
+  std::vector<double> steps = lengths;
+  for (int round = 0; round < rounds; ++round) {
+    double total = 0, at = low;
+    for (const double step : steps) total += step;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const double step = steps[k] * (high - low) / total;
+      steps[k] = lengths[k] / speed_at(line, at + step / 2);
+      at += step;
+    }
+  }
+  return steps;
+}
+
 }  // namespace
 
 LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vector<double> left,
@@ -94,20 +138,36 @@ LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vecto
   return family;
 }
 
-std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
-                                       Vec2 origin) {
-  std::vector<double> nodes{0.0};
-  if (family.low.wall) append(nodes, nodes_in_layers(line, family.low, family.low_heights, node, origin));
-  std::vector<double> top{1.0};
-  if (family.high.wall) {
-    const NormalLine reversed = [&line](double u) { return line(1 - u); };
-    for (const double u : nodes_in_layers(reversed, family.high, family.high_heights, node, origin))
-      top.push_back(1 - u);
-    std::reverse(top.begin(), top.end());
+BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend, Vec2 origin) {
+  const LayerNodes ends = layer_nodes(family, line, node, origin);
+  const std::size_t first = family.low.heights.size(), last = family.left.size() - family.high.heights.size();
+  const auto size = [&](std::size_t k) {
+    return std::pow(family.left[k], 1 - blend) * std::pow(family.right[k], blend);
+  };
+  const auto step = [&](const std::vector<double>& nodes, std::size_t k) {
+    return distance(line(nodes[k]), line(nodes[k + family.order]));
+  };
+  BlockLine result;
+  result.length = length_between(line, ends.low.back(), ends.high.front());
+  for (std::size_t k = first; k < last; ++k) result.sizes.push_back(size(k));
+  if (first > 0) {
+    result.before = step(ends.low, ends.low.size() - 1 - family.order);
+    result.before_size = size(first - 1);
   }
+  if (last < family.left.size()) {
+    result.after = step(ends.high, 0);
+    result.after_size = size(last);
+  }
+  return result;
+}
+
+std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
+                                       Vec2 origin, const std::vector<double>* lengths) {
+  auto [nodes, top] = layer_nodes(family, line, node, origin);
   const double low = nodes.back(), high = top.front();
-  if (low >= high) refuse(line(low) + origin);
-  const std::vector<double> fractions = node_fractions(free_intervals(family, line, low, high, blend), family.order);
+  const std::vector<double> intervals =
+      lengths ? parameter_steps(line, low, high, *lengths) : free_intervals(family, line, low, high, blend);
+  const std::vector<double> fractions = node_fractions(intervals, family.order);
   for (std::size_t k = 1; k < fractions.size(); ++k) nodes.push_back(low + fractions[k] * (high - low));
   append(nodes, {top.begin() + 1, top.end()});
   return nodes;

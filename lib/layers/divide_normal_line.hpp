@@ -32,10 +32,23 @@ struct LineFamily {
 LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vector<double> left,
                        std::vector<double> right, int order);
 
+/// One line of nodes across a block before its intervals above the layers are placed.
+struct BlockLine {
+  double length = 0;  ///< of the part above the layers
+  std::vector<double>
+      sizes;  ///< of its intervals, blended from the sides beside it; their sum may differ from the length
+  double before = 0, after = 0;            ///< lengths of the last layer at its beginning and end; 0: no layers
+  double before_size = 0, after_size = 0;  ///< the same, blended from the sides
+};
+
+/// Measures the line that starts at the given node of both sides. Throws as divide_normal_line.
+BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend, Vec2 origin);
+
 /// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `blend`: 0 at the left,
 /// 1 at the right. Throws ComputeError, with the position plus `origin`, if the line turns back before its layers end
-/// or the layers of both ends overlap.
+/// or the layers of both ends overlap. `lengths`: of the intervals between the layers, up to a common factor; nullptr:
+/// they are blended from the arcs.
 std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
-                                       Vec2 origin);
+                                       Vec2 origin, const std::vector<double>* lengths = nullptr);
 
 }  // namespace quadrille::layers

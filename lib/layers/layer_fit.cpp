@@ -143,8 +143,10 @@ FittedLayers fit_layers(const std::vector<WallSpec>& specs, const std::vector<No
 double growth_beyond(const WallSpec& spec) { return std::max(spec.growth, layer_constants.least_growth); }
 
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
-                                Vec2 origin) {
-  FittedLayers fitted = fit_layers(specs, lines, FitRule::even);
+                                Vec2 origin, bool may_crowd) {
+  // As many as fit are as many as leave room for intervals that grow evenly.
+  const bool any_fits = std::any_of(specs.begin(), specs.end(), [](const WallSpec& s) { return s.as_many_as_fit; });
+  FittedLayers fitted = fit_layers(specs, lines, may_crowd && !any_fits ? FitRule::clearance : FitRule::even);
   // If the width of a chord varies strongly, no number of layers prevents crowding at narrow positions.
   if (std::count(fitted.counts.begin(), fitted.counts.end(), 0) > 0)
     fitted = fit_layers(specs, lines, FitRule::clearance);

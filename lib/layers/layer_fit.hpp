@@ -16,8 +16,9 @@ namespace quadrille::layers {
 
 /// The number of layers of each spec. Throws ComputeError with the greatest number that fits, and the position where
 /// the prescribed ones do not. Positions in messages are in file coordinates: `origin` is added.
+/// `may_crowd`: crowding is ignored where all numbers are prescribed (rule 13): other intervals are made to suit.
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
-                                Vec2 origin);
+                                Vec2 origin, bool may_crowd = false);
 
 /// The greatest growth beyond the layers of a wall.
 double growth_beyond(const WallSpec& spec);

@@ -43,7 +43,8 @@
 //   11 layers=fit                                       the greatest number that fits; ComputeError if that is 0
 //   12 walls at both ends of a line, if not all fit     the number at both ends is reduced by one until they fit
 //   13 a number that crowds the narrow blocks of a      does not fit. If every number of layers of some wall crowds
-//      chord, because its wide blocks need the count    blocks, crowding is ignored for all walls
+//      chord, because its wide blocks need the count    blocks, or all numbers are prescribed and growth is limited
+//                                                       (growth/limit_growth), crowding is ignored for all walls
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
 //   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;
@@ -126,6 +127,10 @@ struct LayerConstants {
   double shrink = 0.8;
   /// Greatest number of such reductions: in all by 0.8^30, about 1/800.
   int max_tolerance_rounds = 30;
+
+  // Lines inside blocks (smooth_across).
+  /// The distance over which divisions of adjacent lines may change, over the length of the elements along them.
+  double reach_across = 2;
 
   // Geometry of walls (wall_line).
   /// The sine of the angle at which a joint of a wall is a bend. Well above the angles that CAD programs have between

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "layers/layer_rules.hpp"
+#include "mesh/smooth_across.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::layers {
@@ -39,6 +41,7 @@ struct BlockNodes {
   int order;
   Vec2 origin;
 
+  bool has_lines() const { return !block.lines[0].empty(); }
   bool has_wall(int side) const { return block.sides[side].wall != nullptr; }
   int width() const { return static_cast<int>(block.fractions[0].size()); }
   int height() const { return static_cast<int>(block.fractions[1].size()); }
@@ -75,21 +78,64 @@ void place_crossings(const BlockNodes& nodes, std::vector<Vec2>& positions) {
     }
 }
 
+LineFamily column_family(const BlockNodes& nodes) {
+  const LayeredBlock& block = nodes.block;
+  return line_family(block.sides[0], block.sides[2], nodes.lengths(3), nodes.lengths(1), nodes.order);
+}
+
+LineFamily row_family(const BlockNodes& nodes) {
+  const LayeredBlock& block = nodes.block;
+  return line_family(block.sides[3], block.sides[1], nodes.lengths(0), nodes.lengths(2), nodes.order);
+}
+
+/// The given lengths of the free intervals of a line; nullptr: none are given.
+const std::vector<double>* given_lengths(const BlockNodes& nodes, int direction, int line) {
+  const auto& lines = nodes.block.lines[direction];
+  return lines.empty() ? nullptr : &lines[line];
+}
+
+BlockNodes block_nodes(const LayeredBlock& block, int order, Vec2 origin) {
+  const std::array<SideTable, 4>& sides = block.tables;
+  return {block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, order, origin};
+}
+
+/// The nodes of all lines of a family, given the parameters of the inner ones. `first`, `last`: fractions of the nodes
+/// on the sides that are the first and the last line.
+void align_lines(const LineFamily& family, const std::vector<NormalLine>& lines, const std::vector<double>& first,
+                 const std::vector<double>& last, std::vector<std::vector<double>>& parameters) {
+  mesh::LineNodes all{static_cast<int>(lines.size()), static_cast<int>(first.size()), {}, {}};
+  parameters.front() = first, parameters.back() = last;
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    for (const double u : parameters[line]) {
+      all.parameters.push_back(u);
+      all.positions.push_back(lines[line](u));
+    }
+  const int low = 1 + static_cast<int>(family.low_heights.size());
+  const int high = all.num_nodes - 1 - static_cast<int>(family.high_heights.size());
+  mesh::smooth_across(all, low, high, family.order, layer_constants.reach_across);
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    for (int k = 0; k < all.num_nodes; ++k) parameters[line][k] = all.parameters[line * all.num_nodes + k];
+}
+
 /// Divides the rows between sides 3 and 1; returns s of every inner node.
 std::vector<double> place_rows(const BlockNodes& nodes, std::vector<Vec2>& positions) {
   const LayeredBlock& block = nodes.block;
-  const LineFamily family =
-      line_family(block.sides[3], block.sides[1], nodes.lengths(0), nodes.lengths(2), nodes.order);
-  std::vector<double> node_s(positions.size(), 0);
-  for (int j = 1; j + 1 < nodes.height(); ++j) {
-    const NormalLine row = [&](double s) { return nodes.position(s, nodes.row_t(j, s)); };
+  const LineFamily family = row_family(nodes);
+  std::vector<NormalLine> rows;
+  std::vector<std::vector<double>> row_s(nodes.height());
+  for (int j = 0; j < nodes.height(); ++j) {
+    rows.emplace_back([&nodes, j](double s) { return nodes.position(s, nodes.row_t(j, s)); });
+    if (j == 0 || j + 1 == nodes.height()) continue;
     const double blend = (block.fractions[3][j] + block.fractions[1][j]) / 2;
-    const std::vector<double> s = divide_normal_line(family, row, j, blend, nodes.origin);
-    for (int i = 1; i + 1 < nodes.width(); ++i) {
-      node_s[nodes.number(i, j)] = s[i];
-      positions[nodes.number(i, j)] = row(s[i]);
-    }
+    row_s[j] = divide_normal_line(family, rows[j], j, blend, nodes.origin, given_lengths(nodes, 1, j));
   }
+  if (nodes.has_lines()) align_lines(family, rows, block.fractions[0], block.fractions[2], row_s);
+  std::vector<double> node_s(positions.size(), 0);
+  for (int j = 1; j + 1 < nodes.height(); ++j)
+    for (int i = 1; i + 1 < nodes.width(); ++i) {
+      node_s[nodes.number(i, j)] = row_s[j][i];
+      positions[nodes.number(i, j)] = rows[j](row_s[j][i]);
+    }
   return node_s;
 }
 
@@ -108,24 +154,46 @@ PiecewisePolynomial row_crossings(const BlockNodes& nodes, const std::vector<dou
 /// empty: they are straight in (s, t).
 void place_columns(const BlockNodes& nodes, const std::vector<double>& node_s, std::vector<Vec2>& positions) {
   const LayeredBlock& block = nodes.block;
-  const LineFamily family =
-      line_family(block.sides[0], block.sides[2], nodes.lengths(3), nodes.lengths(1), nodes.order);
-  for (int i = 1; i + 1 < nodes.width(); ++i) {
+  const LineFamily family = column_family(nodes);
+  std::vector<NormalLine> columns;
+  std::vector<std::vector<double>> column_t(nodes.width());
+  for (int i = 0; i < nodes.width(); ++i) {
+    const bool is_side = i == 0 || i + 1 == nodes.width();
     const double s0 = block.fractions[0][i], s2 = block.fractions[2][i];
     std::function<double(double)> s = [s0, s2](double t) { return s0 + t * (s2 - s0); };
-    if (!node_s.empty()) s = row_crossings(nodes, node_s, i);
-    const NormalLine column = [&](double t) { return nodes.position(s(t), t); };
-    const std::vector<double> t = divide_normal_line(family, column, i, (s0 + s2) / 2, nodes.origin);
-    for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = column(t[j]);
+    if (!is_side && !node_s.empty()) s = row_crossings(nodes, node_s, i);
+    columns.emplace_back([&nodes, s](double t) { return nodes.position(s(t), t); });
+    if (is_side) continue;
+    column_t[i] = divide_normal_line(family, columns[i], i, (s0 + s2) / 2, nodes.origin, given_lengths(nodes, 0, i));
   }
+  if (nodes.has_lines()) align_lines(family, columns, block.fractions[3], block.fractions[1], column_t);
+  for (int i = 1; i + 1 < nodes.width(); ++i)
+    for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = columns[i](column_t[i][j]);
 }
 
 }  // namespace
 
+std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, Vec2 origin) {
+  const BlockNodes nodes = block_nodes(block, order, origin);
+  const LineFamily family = direction == 0 ? column_family(nodes) : row_family(nodes);
+  const int count = direction == 0 ? nodes.width() : nodes.height();
+  std::vector<BlockLine> lines(count);
+  for (int i = 1; i + 1 < count; ++i) {
+    const double low = block.fractions[direction == 0 ? 0 : 3][i], high = block.fractions[direction == 0 ? 2 : 1][i];
+    const NormalLine line = [&](double u) {
+      const double across = low + u * (high - low);
+      return direction == 0 ? nodes.position(across, u) : nodes.position(u, across);
+    };
+    lines[i] = measured_line(family, line, i, (low + high) / 2, origin);
+  }
+  return lines;
+}
+
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin) {
-  const std::array<SideTable, 4>& sides = block.tables;
-  const BlockNodes nodes{block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, order, origin};
-  const bool has_rows = nodes.has_wall(1) || nodes.has_wall(3), has_columns = nodes.has_wall(0) || nodes.has_wall(2);
+  const BlockNodes nodes = block_nodes(block, order, origin);
+  const bool has_lines = nodes.has_lines();
+  const bool has_rows = has_lines || nodes.has_wall(1) || nodes.has_wall(3);
+  const bool has_columns = has_lines || nodes.has_wall(0) || nodes.has_wall(2);
   std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
   std::vector<double> node_s;
   if (has_rows) node_s = place_rows(nodes, positions);

@@ -13,13 +13,21 @@
 
 namespace quadrille::layers {
 
+using BlockLineLengths = std::array<std::vector<std::vector<double>>, 2>;
+
 struct LayeredBlock {
   std::array<SideTable, 4> tables;  ///< of the sides, by rising s (sides 0, 2) or t (1, 3)
   std::array<SideLayers, 4> sides;
   /// Fractions of the nodes on each side, by rising s or t, and the sides' lengths.
   std::array<std::vector<double>, 4> fractions;
   std::array<double, 4> lengths{};
+  /// If given, the lengths of the intervals above the layers of every line of nodes: columns (0) by their number along
+  /// side 0, rows (1) by their number along side 1. Empty: they follow from the sides (divide_normal_line).
+  BlockLineLengths lines = {};
 };
+
+/// The inner columns (0) or rows (1), by their number along the side; the first and the last one are empty.
+std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, Vec2 origin);
 
 /// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Without a wall nodes lie where
 /// the straight lines between their ends cross in the block's (s, t): the blend of the ends themselves, which

@@ -15,7 +15,8 @@ struct WallInput {
   const std::vector<WallSpec>& specs;
   const sizing::SizeField& sizes;
   int order = 4;
-  double tolerance = 0;  ///< as in refine/DivideOptions
+  double tolerance = 0;    ///< as in refine/DivideOptions
+  bool may_crowd = false;  ///< intervals above the layers will be made to suit them (growth/limit_growth)
 
   const BlockLayout& blocks() const { return measured.blocks(); }
 };

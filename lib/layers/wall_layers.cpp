@@ -19,7 +19,7 @@ namespace {
 
 std::vector<std::vector<double>> fitted_heights(const WallInput& input, const std::vector<NormalLineSample>& lines) {
   std::vector<std::vector<double>> heights;
-  for (const int count : fitting_layers(input.specs, lines, input.blocks().face.origin))
+  for (const int count : fitting_layers(input.specs, lines, input.blocks().face.origin, input.may_crowd))
     heights.push_back(layer_heights(input.specs[heights.size()], count));
   return heights;
 }
@@ -60,12 +60,12 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   ArcSizes sizes = arc_sizes(input);
   const std::vector<NormalLineSample> lines = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
   plan.heights = fitted_heights(input, lines);
-  LayerRequests requests = request_layers(input, plan.walls, plan.heights);
+  plan.requests = request_layers(input, plan.walls, plan.heights);
   plan.chords = propagate_spacing(input, free_parts(lines, plan.heights, input.measured.chords().size()),
-                                  requests.spacings, sizes, divisions);
+                                  plan.requests.spacings, sizes, divisions);
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
     plan.is_graded.push_back(std::binary_search(plan.chords.begin(), plan.chords.end(), input.measured.chord_of(arc)));
-  plan.arc_nodes = layered_arc_nodes(requests, divisions, input.order);
+  plan.arc_nodes = layered_arc_nodes(plan.requests, divisions, input.order);
   plan.sharing_a_chord = specs_sharing_a_chord(input.measured.chords(), plan.walls);
   return plan;
 }

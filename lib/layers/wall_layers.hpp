@@ -12,6 +12,7 @@
 
 #include "base/report.hpp"
 #include "layers/layered_block.hpp"
+#include "layers/request_layers.hpp"
 #include "layers/wall_input.hpp"
 #include "layers/wall_sides.hpp"
 
@@ -20,6 +21,7 @@ namespace quadrille::layers {
 struct WallPlan {
   WallSides walls;
   std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
+  LayerRequests requests;                      ///< of the arcs that start at walls
   std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: they follow from its ends
   std::vector<int> chords;                     ///< those divided for layers, ascending
   std::vector<bool> is_graded;                 ///< by arc: its chord is among them
@@ -36,7 +38,8 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
                            std::array<std::vector<double>, 4> fractions);
 
-/// Keys walls.<number>.names, .layers, .first, .thickness; warnings W-WAL-001 and -002 if walls meet.
+/// Keys walls.<number>.names, .layers, .first, .thickness; warnings W-WAL-001 and
+/// -002 if walls meet.
 void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);
 
 }  // namespace quadrille::layers

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
+#include "growth/smooth_walls.hpp"
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
 #include "mesh/element_sizes.hpp"
@@ -48,6 +48,7 @@ struct SplitRequest {
   double tolerance;        ///< of the boundary, a length
   DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
   sizing::LengthLimits limits = {};
+  bool limits_growth = false;
   Report* report = nullptr;
   const Progress::Part* attempt = nullptr;
   const struct SplitMesh* last = nullptr;  ///< of the last attempt, from which is taken what has not changed
@@ -59,8 +60,8 @@ SplitRequest split_request(const RefineOptions& options, const CadFace& face, Re
       face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order));
   return {options,   options.size_field ? *options.size_field : sizing::SizeField(size),
           tolerance, {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)},
-          {},        &report,
-          nullptr};
+          {},        false,
+          &report,   nullptr};
 }
 
 /// A measured mesh and the plans from which it was made.
@@ -71,6 +72,8 @@ struct SplitMesh {
   bool has_equal_parameters = false;
   sizing::ArcDivisions divisions;
   std::optional<layers::WallPlan> walls;
+  std::optional<growth::GrowthOutcome> growth;
+  growth::BlockLines lines;
   int doublings = 0;         ///< of counts beyond the prescribed sizes, until the mesh was valid
   int shortened_chords = 0;  ///< chords with length limits
 };
@@ -86,6 +89,23 @@ KnownDivisions known_divisions(const SplitRequest& request, const SplitMesh& now
       last->has_equal_parameters != now.has_equal_parameters)
     return {};
   return {&last->plans, &last->divisions};
+}
+
+/// Layers along walls, and smooth divisions from wall to wall.
+void plan_walls(const sizing::MeasuredLayout& measured, const SplitRequest& request,
+                const std::vector<sizing::ChordCount>& counts, SplitMesh& result) {
+  const RefineOptions& options = request.options;
+  const layers::WallInput input{measured,
+                                options.walls,
+                                request.sizes,
+                                request.division.order,
+                                request.division.tolerance,
+                                request.limits_growth};
+  result.walls = layers::plan_walls(input, result.divisions);
+  if (!request.limits_growth) return;
+  result.growth =
+      growth::smooth_arcs(input, options.target_growth, growth::kept_chords(measured, counts, options.end_gradings),
+                          *result.walls, result.divisions);
 }
 
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
@@ -106,24 +126,42 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   result.divisions =
       divide_arcs(measured, plans, request.division, request.report->progress(), known_divisions(request, result));
   result.plans = std::move(plans);
-  if (!options.walls.empty())
-    result.walls = layers::plan_walls(
-        {measured, options.walls, request.sizes, request.division.order, request.division.tolerance}, result.divisions);
+  if (!options.walls.empty()) plan_walls(measured, request, counts, result);
   std::vector<std::vector<double>> no_layers;
   sizing::match_periodic(measured.periodic_arcs(), result.divisions,
                          result.walls ? result.walls->arc_nodes : no_layers);
   sizing::require_divided_within(measured.blocks(), result.divisions, limit);
-  result.mesh = split_isoparametric(measured, result.divisions, options.order, result.walls ? &*result.walls : nullptr);
-  measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);
+  const auto make_mesh = [&] {
+    result.mesh = split_isoparametric(measured, result.divisions, options.order,
+                                      result.walls ? &*result.walls : nullptr, result.lines);
+    measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);
+  };
+  make_mesh();
+  if (!result.growth) return result;
+  const std::vector<double> without_lines = growth::block_qualities(result.mesh);
+  result.lines = growth::line_intervals(measured, *result.walls, result.divisions, options.order);
+  do make_mesh();
+  while (growth::drop_worse(without_lines, result.mesh, result.lines));
   return result;
+}
+
+/// With a limit on the growth, if there are walls and it is prescribed, unless only the mesh without it is valid.
+SplitMesh split_smooth_or_not(const sizing::MeasuredLayout& measured, SplitRequest request,
+                              const std::vector<sizing::ChordCount>& coarse) {
+  request.limits_growth = !request.options.walls.empty() && request.options.target_growth > 0;
+  SplitMesh smooth = split(measured, request, coarse);
+  if (smooth.mesh.is_valid || !request.limits_growth) return smooth;
+  request.limits_growth = false;
+  SplitMesh plain = split(measured, request, coarse);
+  return plain.mesh.is_valid ? std::move(plain) : std::move(smooth);
 }
 
 /// On aligned parameters, or on equal ones if only these make a valid mesh.
 SplitMesh split_aligned_or_equal(const sizing::MeasuredLayout& aligned, const SplitRequest& request,
                                  const std::vector<sizing::ChordCount>& coarse) {
-  SplitMesh first = split(aligned, request, coarse);
+  SplitMesh first = split_smooth_or_not(aligned, request, coarse);
   if (first.mesh.is_valid || aligned.has_equal_parameters()) return first;
-  SplitMesh equal = split(aligned.with_equal_parameters(), request, coarse);
+  SplitMesh equal = split_smooth_or_not(aligned.with_equal_parameters(), request, coarse);
   return equal.mesh.is_valid ? std::move(equal) : std::move(first);
 }
 
@@ -235,24 +273,6 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
   return best;
 }
 
-double least_scaled_jacobian(const QuadMesh& mesh) {
-  return *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end());
-}
-
-double mean_scaled_jacobian(const QuadMesh& mesh) {
-  return std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems();
-}
-
-void relax_and_report(QuadMesh& mesh, const RelaxOptions& options, Report& report) {
-  report.set("relax.least_scaled_jacobian_before", least_scaled_jacobian(mesh));
-  report.set("relax.mean_scaled_jacobian_before", mean_scaled_jacobian(mesh));
-  const RelaxOutcome outcome = relax(mesh, options);
-  report.set("relax.sweeps", outcome.sweeps);
-  report.set("relax.energy_before", outcome.energy_before);
-  report.set("relax.energy_after", outcome.energy_after);
-  report.set("relax.largest_move", outcome.largest_move);
-}
-
 /// The parts of an element are the same map: the distance from the CAD curves does not change.
 void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report) {
   if (options.levels == 0) return;
@@ -281,6 +301,7 @@ void RefineOptions::validate() const {
     throw UsageError("--min-scaled-jacobian must lie in 0..1");
   if (!(target_edge_ratio == 0 || target_edge_ratio >= 1))
     throw UsageError("--target-edge-ratio must be 0 or at least 1");
+  if (!(target_growth == 0 || target_growth > 1)) throw UsageError("--target-growth must be 0 or greater than 1");
   if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
   if (levels < 0 || levels > 10) throw UsageError("--refine must lie in 0..10");
   if (max_elements < 1) throw UsageError("--max-elements must be at least 1");
@@ -310,6 +331,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   report_mesh(split.mesh, measured.chords().size(), report);
   mesh::report_distance(distance, layout.face, request.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
+  if (split.walls && options.target_growth > 0)
+    growth::report_growth(split.growth, split.lines, split.mesh, options.target_growth, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, report);
   prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, report);

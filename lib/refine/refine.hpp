@@ -46,6 +46,9 @@ struct RefineOptions {
   /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
   /// (sizing/length_limits); 0: none do, else at least 1.
   double target_edge_ratio = 100;
+  /// With walls, lines across blocks are smoothed, and counts raised, until adjacent edges along them differ by at most
+  /// this factor (growth/limit_growth); 0: they are not, else above 1.
+  double target_growth = 1.3;
   double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
   int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
   int relax = 0;               ///< sweeps of relaxation (refine/relax)

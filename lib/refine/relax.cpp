@@ -1,6 +1,7 @@
 #include "refine/relax.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "refine/conjugate_descent.hpp"
@@ -48,6 +49,14 @@ bool step(const RelaxProblem& problem, double tolerance, const VertexMoves& dire
   return false;
 }
 
+double least_scaled_jacobian(const QuadMesh& mesh) {
+  return *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end());
+}
+
+double mean_scaled_jacobian(const QuadMesh& mesh) {
+  return std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems();
+}
+
 }  // namespace
 
 RelaxOutcome relax(QuadMesh& mesh, const RelaxOptions& options) {
@@ -72,6 +81,16 @@ RelaxOutcome relax(QuadMesh& mesh, const RelaxOptions& options) {
   mesh = std::move(state.mesh);
   measure_elements(mesh);
   return outcome;
+}
+
+void relax_and_report(QuadMesh& mesh, const RelaxOptions& options, Report& report) {
+  report.set("relax.least_scaled_jacobian_before", least_scaled_jacobian(mesh));
+  report.set("relax.mean_scaled_jacobian_before", mean_scaled_jacobian(mesh));
+  const RelaxOutcome outcome = relax(mesh, options);
+  report.set("relax.sweeps", outcome.sweeps);
+  report.set("relax.energy_before", outcome.energy_before);
+  report.set("relax.energy_after", outcome.energy_after);
+  report.set("relax.largest_move", outcome.largest_move);
 }
 
 }  // namespace quadrille::refine

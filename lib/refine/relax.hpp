@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "base/report.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::refine {
@@ -30,5 +31,8 @@ struct RelaxOutcome {
 
 /// `mesh` must be measured (refine/validity) and is so again afterwards. A mesh that is not valid is not changed.
 RelaxOutcome relax(QuadMesh& mesh, const RelaxOptions& options);
+
+/// The same, with the keys relax.* of the report.
+void relax_and_report(QuadMesh& mesh, const RelaxOptions& options, Report& report);
 
 }  // namespace quadrille::refine

@@ -2,8 +2,8 @@
 // Measures the layers of a mesh along the boundaries of the given names, from its vertices and the CAD curves alone.
 // Prints JSON: the greatest deviation of the first heights from FIRST, as a share, at wall vertices farther than ten
 // first heights from boundary vertices without two elements; the greatest ratio of neighbouring steps among the first
-// STEPS of the columns of vertices that leave the wall there, and in the whole columns, with the place; the number of
-// wall vertices.
+// STEPS of the columns of vertices that leave the wall there, and in the whole columns, with the place; the same in all
+// whole columns, those near corners too; the number of wall vertices.
 
 #include <fmt/format.h>
 
@@ -30,6 +30,8 @@ struct Measured {
   int vertices = 0;
   double deviation = 0, growth = 1, growth_anywhere = 1;
   Vec2 worst_place;  ///< of growth anywhere
+  double growth_with_corners = 1;
+  Vec2 worst_with_corners;
 };
 
 class Walls {
@@ -54,11 +56,15 @@ class Walls {
       for (int end = 0; curves_.count(e.curve) && end < 2; ++end) {
         const std::vector<int> column = walk(e, end);
         const Vec2 foot = mesh_.nodes[column[0]];
+        add_growth(column, result.growth_with_corners, result.worst_with_corners);
         const auto is_near = [&](Vec2 c) { return distance(c, foot) <= 10 * first; };
         if (std::any_of(corners.begin(), corners.end(), is_near)) continue;
         ++result.vertices;
         result.deviation = std::max(result.deviation, std::abs(height(mesh_.nodes[column[1]]) / first - 1));
-        add_growth(column, steps, result);
+        add_growth(column, result.growth_anywhere, result.worst_place);
+        Vec2 ignored;
+        add_growth({column.begin(), column.begin() + std::min<std::ptrdiff_t>(steps + 1, std::ssize(column))},
+                   result.growth, ignored);
       }
     return result;
   }
@@ -89,14 +95,12 @@ class Walls {
     return column;
   }
 
-  void add_growth(const std::vector<int>& column, int steps, Measured& result) const {
+  void add_growth(const std::vector<int>& column, double& worst, Vec2& place) const {
     for (std::size_t k = 2; k < column.size(); ++k) {
       const double below = distance(mesh_.nodes[column[k - 2]], mesh_.nodes[column[k - 1]]);
       const double above = distance(mesh_.nodes[column[k - 1]], mesh_.nodes[column[k]]);
       const double ratio = std::max(above / below, below / above);
-      if (ratio > result.growth_anywhere)
-        result.growth_anywhere = ratio, result.worst_place = mesh_.nodes[column[k - 1]];
-      if (static_cast<int>(k) <= steps) result.growth = std::max(result.growth, ratio);
+      if (ratio > worst) worst = ratio, place = mesh_.nodes[column[k - 1]];
     }
   }
 
@@ -121,10 +125,12 @@ int main(int argc, char** argv) {
   }
   const QuadMesh mesh = io::read_quad_mesh(io::read_input(argv[1]));
   const Measured m = Walls(mesh, {argv + 4, argv + argc}).measure(std::atof(argv[2]), std::atoi(argv[3]));
-  const Vec2 worst = m.worst_place + mesh.face.origin;
+  const Vec2 worst = m.worst_place + mesh.face.origin, corner = m.worst_with_corners + mesh.face.origin;
   fmt::print(
       "{{\"wall_vertices\": {}, \"deviation\": {:.6g}, \"growth\": {:.6g}, \"growth_anywhere\": {:.6g}, "
-      "\"worst_growth_at\": [{:.6g}, {:.6g}]}}\n",
-      m.vertices, m.deviation, m.growth, m.growth_anywhere, worst.x, worst.y);
+      "\"worst_growth_at\": [{:.6g}, {:.6g}], \"growth_with_corners\": {:.6g}, \"worst_with_corners_at\": "
+      "[{:.6g}, {:.6g}]}}\n",
+      m.vertices, m.deviation, m.growth, m.growth_anywhere, worst.x, worst.y, m.growth_with_corners, corner.x,
+      corner.y);
   return m.vertices > 0 ? 0 : 1;
 }

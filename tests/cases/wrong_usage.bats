@@ -59,6 +59,7 @@ table() {
 2 | quadrefine --wall curve_0:first=1,layers=2 --velocity 30 w/half_disc.blocks.h5 | --velocity: used with --yplus or --wall NAME:yplus=Y only
 2 | quadrefine --yplus 1 --velocity 30 --viscosity 1e-5 --length 1 w/half_disc.blocks.h5 | --yplus is the height of wall layers: give --wall
 2 | quadrefine --target-edge-ratio 0.5 w/half_disc.blocks.h5 | --target-edge-ratio must be 0 or at least 1
+2 | quadrefine --target-growth 1 w/half_disc.blocks.h5 | --target-growth must be 0 or greater than 1
 3 | quadrefine w/half_disc.quad.h5 | expected a block-layout file
 2 | quadexport --formt msh w/half_disc.quad.h5 | unknown option --formt: did you mean --format?
 2 | quadexport w/half_disc.quad.h5 -o out.unknown | out.unknown does not determine the format: end it in one of

@@ -114,6 +114,18 @@ setup() {
   assert_failure 1
 }
 
+@test "--target-growth limits the ratio of adjacent edges from wall to wall" {
+  quadrefine --size 0.2 --wall curve_0,curve_1:first=1e-3,layers=8 --target-growth 0 "$blocks" -o a.quad.h5
+  quadrefine --size 0.2 --wall curve_0,curve_1:first=1e-3,layers=8 "$blocks" -o b.quad.h5 --report b.json
+  run jq '.growth.greatest <= 1.3001 and .growth.greatest < .growth.greatest_before and .valid' b.json
+  assert_output true
+  wall_heights a.quad.h5 1e-3 8 curve_0 curve_1 > a.heights.json
+  wall_heights b.quad.h5 1e-3 8 curve_0 curve_1 > b.heights.json
+  run jq -n 'input.growth_with_corners as $a | input.growth_with_corners as $b | $b < 1.4 and $b < $a' \
+    a.heights.json b.heights.json
+  assert_output true
+}
+
 @test "sizes near a boundary are met there and grow away from it" {
   quadrefine --size 0.3 "$blocks" -o a.quad.h5 --report a.json
   quadrefine --size 0.3 --size-near curve_0=0.03 "$blocks" -o b.quad.h5 --report b.json

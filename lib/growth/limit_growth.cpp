@@ -1,0 +1,112 @@
+#include "growth/limit_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "growth/recount.hpp"
+#include "growth/smooth_divisions.hpp"
+#include "model/interfaces.hpp"
+#include "sizing/interval_error.hpp"
+
+namespace quadrille::growth {
+namespace {
+
+double worst_ratio(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
+  double worst = 1;
+  for (const IntervalPair& pair : adjacent_intervals(input, divisions))
+    worst = std::max(worst, std::exp(std::abs(log_growth(input, divisions, pair))));
+  return worst;
+}
+
+double num_elements(const BlockLayout& layout, const sizing::ArcDivisions& divisions) {
+  double sum = 0;
+  for (const auto& sides : layout.block2arcs)
+    sum += 1.0 * divisions[sides[0].arc].num_intervals() * divisions[sides[1].arc].num_intervals();
+  return sum;
+}
+
+/// The chords of the intervals that are too long beside a neighbour and have no neighbour that is too long beside them:
+/// between a short and a long interval several may exceed the limit, and dividing the longest is the least change.
+std::set<int> coarse_chords(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
+  const double most = std::log(input.limit * (1 + growth_constants.equal_tol));
+  std::set<std::pair<int, int>> coarse, surpassed;  // arc, number
+  for (const IntervalPair& pair : adjacent_intervals(input, divisions)) {
+    const double growth = log_growth(input, divisions, pair);
+    if (std::abs(growth) <= most) continue;
+    const auto& [shorter, longer] = growth > 0 ? std::pair(pair.a, pair.b) : std::pair(pair.b, pair.a);
+    if (is_layer(input, divisions, longer) || !input.may_raise(input.measured.chord_of(longer.arc))) continue;
+    coarse.emplace(longer.arc, longer.k);
+    surpassed.emplace(shorter.arc, shorter.k);
+  }
+  std::set<int> chords;
+  for (const auto& interval : coarse)
+    if (!surpassed.contains(interval)) chords.insert(input.measured.chord_of(interval.first));
+  return chords;
+}
+
+bool misses_tolerance(const GrowthInput& input, int arc, const sizing::ArcDivision& division) {
+  const sizing::MeasuredLayout& measured = input.measured;
+  if (!is_on_cad_curve(measured.blocks(), measured.blocks().arcs[arc])) return false;
+  for (int k = 0; k < division.num_intervals(); ++k)
+    if (sizing::interval_error(measured.curves(), measured.chain(arc), division.low(k), division.high(k), input.order) >
+        input.tolerance)
+      return true;
+  return false;
+}
+
+std::set<int> inaccurate_chords(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
+  std::set<int> chords;
+  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
+    if (misses_tolerance(input, arc, divisions[arc])) chords.insert(input.measured.chord_of(arc));
+  return chords;
+}
+
+/// Returns whether any count rose.
+bool raise_counts(const GrowthInput& input, const std::set<int>& chords, sizing::ArcDivisions& shape,
+                  sizing::ArcDivisions& divisions, std::set<int>& raised) {
+  bool any = false;
+  for (const int chord : chords) {
+    if (!input.may_raise(chord)) continue;
+    const int before = divisions[input.measured.chords()[chord].arcs.front()].num_intervals();
+    const int count = before + std::max(1, static_cast<int>(std::ceil(growth_constants.raise * before)));
+    sizing::ArcDivisions anew = divisions;
+    const int reached = recount_chord(input, chord, count, anew);
+    divisions = anew;
+    recount_chord(input, chord, reached, shape);
+    raised.insert(chord);
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace
+
+GrowthOutcome limit_growth(const GrowthInput& input, sizing::ArcDivisions& divisions) {
+  GrowthOutcome outcome;
+  outcome.worst_before = worst_ratio(input, divisions);
+  const BlockLayout& blocks = input.measured.blocks();
+  const double most = growth_constants.most_refined * num_elements(blocks, divisions);
+  sizing::ArcDivisions shape = divisions, now = divisions;
+  std::set<int> raised;
+  double least = 1e300;
+  for (int round = 0; round < growth_constants.max_rounds; ++round) {
+    smooth_divisions(input, shape, now);
+    std::set<int> chords = coarse_chords(input, now);
+    const std::set<int> inaccurate = inaccurate_chords(input, now);
+    const double worst = worst_ratio(input, now);
+    if (inaccurate.empty() && worst < least * (1 - growth_constants.equal_tol)) {
+      least = outcome.worst = worst;
+      outcome.raised_chords = static_cast<int>(raised.size());
+      divisions = now;
+    }
+    chords.insert(inaccurate.begin(), inaccurate.end());
+    if (chords.empty() || !raise_counts(input, chords, shape, now, raised)) break;
+    if (num_elements(blocks, now) > most) break;
+  }
+  if (least == 1e300) outcome.worst = outcome.worst_before;
+  return outcome;
+}
+
+}  // namespace quadrille::growth

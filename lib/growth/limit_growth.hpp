@@ -1,0 +1,35 @@
+#pragma once
+// Limits the ratio of adjacent intervals along all lines of arcs: smooth divisions, with greater counts where these
+// alone do not suffice.
+//
+// In each round the ends are moved (growth/smooth_divisions); then chords get a tenth more intervals, at least one, if
+// one of their intervals misses the tolerance of the boundary, or is too long beside a neighbour while none is too long
+// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, or when the mesh would
+// have `GrowthConstants::most_refined` times the elements.
+
+#include "growth/interval_pairs.hpp"
+
+namespace quadrille::growth {
+
+struct GrowthConstants {
+  int max_rounds = 60;
+  double raise = 0.1;          ///< part of its count by which a chord is raised in each round
+  double most_refined = 4;     ///< elements, over those at first
+  double warned_excess = 0.5;  ///< of the limit: lines inside blocks are smoothed, not limited
+  double kept_quality = 0.8;   ///< least part of a block's scaled Jacobian that smooth lines may leave
+  double good_quality = 0.5;   ///< a block this good keeps smooth lines, whatever it was before
+  double equal_tol = 1e-6;     ///< ratios that exceed the limit by less, relatively, are within it
+};
+inline constexpr GrowthConstants growth_constants;
+
+struct GrowthOutcome {
+  double worst_before = 1;  ///< greatest ratio of adjacent intervals, longer over shorter, at first
+  double worst = 1;         ///< and now
+  int raised_chords = 0;    ///< chords whose count rose
+};
+
+/// Changes `divisions` to those of the round with the least worst ratio; among equal ones to the first. None if every
+/// round misses the tolerance of the boundary.
+GrowthOutcome limit_growth(const GrowthInput& input, sizing::ArcDivisions& divisions);
+
+}  // namespace quadrille::growth

@@ -1,0 +1,85 @@
+#include "growth/smooth_walls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
+#include "mesh/edge_growth.hpp"
+#include "prescribe/named_arcs.hpp"
+
+namespace quadrille::growth {
+
+KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordCount>& counts,
+                       const std::vector<prescribe::EndGrading>& gradings) {
+  const std::vector<bool> none(measured.chords().size(), false);
+  KeptChords kept{none, none};
+  for (const sizing::ChordCount& count : counts) kept.counts[count.chord] = true;
+  for (const prescribe::EndGrading& grading : gradings)
+    for (const HalfEdge& half : prescribe::named_arcs(measured, grading.boundary, "--grading"))
+      kept.divisions[measured.chord_of(half.arc)] = true;
+  return kept;
+}
+
+GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
+                          sizing::ArcDivisions& divisions) {
+  GrowthInput arcs{input.measured, limit, input.order, input.tolerance, {}, kept.counts};
+  for (int arc = 0; arc < input.measured.num_arcs(); ++arc) {
+    const layers::ArcSpacing& spacing = plan.requests.spacings[arc];
+    const int chord = input.measured.chord_of(arc);
+    const bool is_kept = kept.divisions[chord];
+    if (is_kept) arcs.keeps_count[chord] = true;
+    arcs.layers.push_back({is_kept ? divisions[arc].num_intervals() : spacing[0].layers(), spacing[1].layers()});
+  }
+  const GrowthOutcome outcome = limit_growth(arcs, divisions);
+  plan.arc_nodes = layers::layered_arc_nodes(plan.requests, divisions, input.order);
+  return outcome;
+}
+
+std::vector<double> block_qualities(const QuadMesh& mesh) {
+  std::vector<double> least(mesh.block_names.size(), 1);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const bool is_proved = mesh.elem_jacobian_bound[elem] > 0;
+    double& quality = least[mesh.elem_block[elem]];
+    quality = std::min(quality, is_proved ? mesh.elem_scaled_jacobian[elem] : 0);
+  }
+  return least;
+}
+
+bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, BlockLines& lines) {
+  const std::vector<double> with = block_qualities(mesh);
+  bool any = false;
+  for (std::size_t block = 0; block < lines.size(); ++block) {
+    const double least = std::min(growth_constants.good_quality, growth_constants.kept_quality * without[block]);
+    if (lines[block][0].empty() || (with[block] > 0 && with[block] >= least)) continue;
+    lines[block] = {};
+    any = true;
+  }
+  return any;
+}
+
+void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines& lines, const QuadMesh& mesh,
+                   double limit, Report& report) {
+  const auto lost = std::count_if(lines.begin(), lines.end(), [](const auto& own) { return own[0].empty(); });
+  const mesh::EdgeGrowth growth = mesh::edge_growth(mesh);
+  const Vec2 position = growth.position + mesh.face.origin;
+  if (outcome) {
+    report.set("growth.greatest_before", outcome->worst_before);
+    report.set("growth.raised_chords", outcome->raised_chords);
+  }
+  report.set("growth.greatest", growth.greatest);
+  report.set("growth.place", std::vector<double>{position.x, position.y});
+  report.set("growth.blocks_kept", outcome ? lost : static_cast<std::ptrdiff_t>(mesh.block_names.size()));
+  if (growth.greatest <= limit * (1 + growth_constants.warned_excess)) return;
+  const std::string why = !outcome   ? "; with smooth lines it would not be proved valid"
+                          : lost > 0 ? fmt::format("; {} blocks would be invalid or worse with smooth lines", lost)
+                                     : "";
+  report.warn(warning::target_growth_missed,
+              fmt::format("adjacent edges differ by a factor of {:.3g} near {}, more than --target-growth {:g}{}: use "
+                          "a smaller --size or thinner layers",
+                          growth.greatest, position_text(position), limit, why));
+}
+
+}  // namespace quadrille::growth

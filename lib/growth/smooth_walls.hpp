@@ -1,0 +1,45 @@
+#pragma once
+// A mesh with layers along walls from wall to wall: the divisions of its arcs, the lines inside its blocks, and what
+// came of it.
+
+#include <optional>
+#include <vector>
+
+#include "base/report.hpp"
+#include "growth/limit_growth.hpp"
+#include "growth/line_intervals.hpp"
+#include "layers/wall_layers.hpp"
+#include "model/quad_mesh.hpp"
+#include "prescribe/end_grading.hpp"
+#include "sizing/grade_chords.hpp"
+
+namespace quadrille::growth {
+
+/// What smoothing must not change, by chord.
+struct KeptChords {
+  std::vector<bool> counts;     ///< prescribed numbers of intervals
+  std::vector<bool> divisions;  ///< prescribed gradings
+};
+
+/// Those of prescribed counts, and those along boundaries with prescribed gradings. Throws as prescribe::named_arcs.
+KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordCount>& counts,
+                       const std::vector<prescribe::EndGrading>& gradings);
+
+/// Limits the growth of the intervals of all arcs (limit_growth), and gives the arcs of `plan` their nodes again.
+GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
+                          sizing::ArcDivisions& divisions);
+
+/// The least scaled Jacobian of the elements of each block; 0 if one is not proved valid.
+std::vector<double> block_qualities(const QuadMesh& mesh);
+
+/// Blocks whose elements corrected lines make invalid, or worse than GrowthConstants allow, lose these: their lines
+/// follow from the sides alone. `without`: the qualities of the same blocks without corrected lines; `mesh`: with
+/// `lines`. Returns whether any did.
+bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, BlockLines& lines);
+
+/// Keys growth.{greatest_before, greatest, place, raised_chords, blocks_kept}; warning W-QUA-004 if the mesh misses the
+/// limit by far. `outcome`: none if only the mesh without smoothing is proved valid.
+void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines& lines, const QuadMesh& mesh,
+                   double limit, Report& report);
+
+}  // namespace quadrille::growth

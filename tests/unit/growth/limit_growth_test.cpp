@@ -1,0 +1,109 @@
+// Divisions of rows of blocks, 1 high, whose bottoms and tops are lines of arcs.
+#include "growth/limit_growth.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../hand_made.hpp"
+#include "block/extract_blocks.hpp"
+#include "refine/divide_arcs.hpp"
+#include "sizing/grade_chords.hpp"
+
+namespace quadrille::growth {
+namespace {
+
+struct Divided {
+  Divided(const SeparatrixGraph& graph, double size, const std::vector<int>& counts = {})
+      : layout(block::extract_blocks(graph, report)), measured(layout) {
+    std::vector<sizing::ChordCount> prescribed;
+    for (std::size_t block = 0; block < counts.size(); ++block)
+      prescribed.push_back({measured.chord_of(layout.block2arcs[block][0].arc), counts[block]});
+    const auto plans = sizing::grade_chords(measured, sizing::SizeField(size), sizing::SizeRule::nearest, prescribed);
+    divisions = refine::divide_arcs(measured, plans, {4, 1e-3});
+  }
+  GrowthInput input(double limit = 1.3) const { return {measured, limit, 4, 1e-3}; }
+  int arc(int block, int side) const { return layout.block2arcs[block][side].arc; }
+  int count(int block) const { return divisions[arc(block, 0)].num_intervals(); }
+  double length(int block, int k) const {
+    const sizing::ArcDivision& bottom = divisions[arc(block, 0)];
+    return (bottom.high(k) - bottom.low(k)) * measured.length(arc(block, 0));
+  }
+
+  Report report;
+  BlockLayout layout;
+  sizing::MeasuredLayout measured;
+  sizing::ArcDivisions divisions;
+};
+
+void expect_within(const Divided& d, double limit) {
+  for (const IntervalPair& pair : adjacent_intervals(d.input(), d.divisions))
+    EXPECT_LE(std::abs(log_growth(d.input(), d.divisions, pair)), std::log(limit) * (1 + 1e-5));
+}
+
+TEST(LimitGrowth, DivisionsWithinTheLimitKeepTheirCounts) {
+  Divided d(hand_made::row({1, 1}), 0.1);
+  const sizing::ArcDivisions before = d.divisions;
+  const GrowthOutcome outcome = limit_growth(d.input(), d.divisions);
+  EXPECT_EQ(outcome.raised_chords, 0);
+  EXPECT_NEAR(outcome.worst, 1, 1e-9);
+  for (std::size_t arc = 0; arc < before.size(); ++arc)
+    for (std::size_t k = 0; k < before[arc].ends.size(); ++k)
+      EXPECT_NEAR(d.divisions[arc].ends[k], before[arc].ends[k], 1e-9);
+}
+
+TEST(LimitGrowth, EndsMoveSoThatIntervalsBecomeSimilarAcrossANode) {
+  Divided d(hand_made::row({1, 1}), 0.1, {20, 10});
+  const GrowthOutcome outcome = limit_growth(d.input(), d.divisions);
+  EXPECT_NEAR(outcome.worst_before, 2, 1e-9);
+  EXPECT_LE(outcome.worst, 1.3);
+  EXPECT_EQ(d.count(0), 20);
+  EXPECT_EQ(d.count(1), 10) << "moving the ends suffices";
+  expect_within(d, 1.3);
+}
+
+TEST(LimitGrowth, CountsRiseWhereMovingEndsDoesNotSuffice) {
+  Divided d(hand_made::row({1, 1}), 0.1, {30, 1});
+  const GrowthOutcome outcome = limit_growth(d.input(), d.divisions);
+  EXPECT_LE(outcome.worst, 1.3 * (1 + 1e-6));
+  EXPECT_EQ(d.count(0), 30);
+  EXPECT_GT(d.count(1), 1);
+  EXPECT_LT(d.count(1), 20);
+  EXPECT_EQ(outcome.raised_chords, 1);
+  expect_within(d, 1.3);
+}
+
+TEST(LimitGrowth, PrescribedCountsStay) {
+  Divided d(hand_made::row({1, 1}), 0.1, {30, 1});
+  GrowthInput input = d.input();
+  input.keeps_count.assign(d.measured.chords().size(), true);
+  const GrowthOutcome outcome = limit_growth(input, d.divisions);
+  EXPECT_EQ(d.count(1), 1);
+  EXPECT_GT(outcome.worst, 1.3);
+}
+
+TEST(LimitGrowth, LayersDoNotMoveAndIntervalsGrowFromThem) {
+  Divided d(hand_made::row({1, 1}), 0.1);
+  GrowthInput input = d.input();
+  input.layers.assign(d.measured.num_arcs(), {0, 0});
+  for (const int side : {0, 2}) {
+    const int arc = d.arc(0, side);
+    const bool from_left = d.layout.nodes[d.layout.arcs[arc].from].position.x < 0.5;
+    std::vector<double>& ends = d.divisions[arc].ends;
+    ends[from_left ? 1 : ends.size() - 2] = from_left ? 0.01 : 0.99;
+    input.layers[arc][from_left ? 0 : 1] = 1;
+  }
+  const GrowthOutcome outcome = limit_growth(input, d.divisions);
+  EXPECT_LE(outcome.worst, 1.3 * (1 + 1e-6));
+  EXPECT_NEAR(d.length(0, 0), 0.01, 1e-12);
+  EXPECT_LE(d.length(0, 1), 0.013 * (1 + 1e-6));
+}
+
+TEST(LimitGrowth, MirrorImagesAreDividedAlike) {
+  Divided d(hand_made::row({0.2, 1, 0.2}), 0.1, {12, 4, 12});
+  limit_growth(d.input(), d.divisions);
+  EXPECT_EQ(d.count(0), d.count(2));
+  for (int k = 0; k < d.count(0); ++k) EXPECT_NEAR(d.length(0, k), d.length(2, d.count(2) - 1 - k), 1e-7);
+  for (int k = 0; k < d.count(1); ++k) EXPECT_NEAR(d.length(1, k), d.length(1, d.count(1) - 1 - k), 1e-7);
+}
+
+}  // namespace
+}  // namespace quadrille::growth
