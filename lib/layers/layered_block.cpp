@@ -171,6 +171,26 @@ void place_columns(const BlockNodes& nodes, const std::vector<double>& node_s, s
     for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = columns[i](column_t[i][j]);
 }
 
+/// The block with s and t exchanged.
+LayeredBlock transposed(const LayeredBlock& block) {
+  LayeredBlock result = block;
+  std::reverse(result.tables.begin(), result.tables.end());
+  std::reverse(result.sides.begin(), result.sides.end());
+  std::reverse(result.fractions.begin(), result.fractions.end());
+  std::reverse(result.lengths.begin(), result.lengths.end());
+  std::swap(result.lines[0], result.lines[1]);
+  return result;
+}
+
+/// Positions in the order of `block`'s nodes, given those of the transposed block.
+std::vector<Vec2> transposed(const std::vector<Vec2>& positions, const LayeredBlock& block) {
+  const std::size_t width = block.fractions[0].size(), height = block.fractions[1].size();
+  std::vector<Vec2> result(positions.size());
+  for (std::size_t j = 0; j < height; ++j)
+    for (std::size_t i = 0; i < width; ++i) result[j * width + i] = positions[i * height + j];
+  return result;
+}
+
 }  // namespace
 
 std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, Vec2 origin) {
@@ -190,6 +210,9 @@ std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int
 }
 
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin) {
+  const bool has_low = block.sides[0].wall || block.sides[2].wall,
+             has_left = block.sides[1].wall || block.sides[3].wall;
+  if (has_left && !has_low) return transposed(layered_positions(transposed(block), order, origin), block);
   const BlockNodes nodes = block_nodes(block, order, origin);
   const bool has_lines = nodes.has_lines();
   const bool has_rows = has_lines || nodes.has_wall(1) || nodes.has_wall(3);

@@ -3,7 +3,8 @@
 //
 // Each line of nodes runs along the image of the straight line between its ends on both sides of the block and is
 // divided again (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
-// placed first, and the lines along the other's run along them (rule 8 of layer_rules).
+// placed first, and the lines along the other's run along them (rule 8 of layer_rules). Where lines in both directions
+// are given, those along a wall's normals come last: they have exactly the heights of its layers.
 
 #include <array>
 #include <vector>
