@@ -72,6 +72,14 @@ class Search {
                       ": let them cross at an angle, or remove one of them");
   }
 
+  /// Whether one curve begins or ends at x where the other one does: curves that follow each other smoothly.
+  bool is_common_end(Vec2 x) const {
+    for (const Vec2 end_of_a : {a_.poles.front(), a_.poles.back()})
+      for (const Vec2 end_of_b : {b_.poles.front(), b_.poles.back()})
+        if (distance(end_of_a, end_of_b) <= tol_ && distance(end_of_a, x) <= 2 * tol_) return true;
+    return false;
+  }
+
   // Newton's method from the crossing of the chords.
   void add(const Part& p, const Part& q) {
     const Vec2 d = p.b() - p.a(), e = q.b() - q.a();
@@ -92,6 +100,7 @@ class Search {
     x.position = curve::point(a_, x.t_a);
     if (!(distance(x.position, curve::point(b_, x.t_b)) <= tol_)) return;
     const Vec2 u = curve::tangent(a_, x.t_a), v = curve::tangent(b_, x.t_b);
+    if (std::abs(cross(u, v)) < least_sine && is_common_end(x.position)) return;
     if (std::abs(cross(u, v)) < least_sine) refuse(x.position);
     for (const CurveCrossing& known : found_)
       if (distance(known.position, x.position) <= tol_) return;

@@ -29,6 +29,12 @@ TEST(CurveCrossings, OfDistantOrParallelLinesAreNone) {
   EXPECT_TRUE(curve_crossings(curve::segment({0, 0}, {1, 0}), curve::segment({2, -1}, {2, 1}), 1e-6, "x").empty());
 }
 
+TEST(CurveCrossings, ACurveThatFollowsAnotherOneSmoothlyDoesNotCrossIt) {
+  const Nurbs arc = curve::circular_arc({0, 1}, 1, 0, 1.5 * pi), line = curve::segment({0, 0}, {2, 0});
+  EXPECT_TRUE(curve_crossings(arc, line, 1e-6, "x").empty());
+  EXPECT_THROW(curve_crossings(arc, curve::segment({-1, 0}, {1, 0}), 1e-6, "x"), FormatError) << "not at its end";
+}
+
 TEST(CurveCrossings, CurvesAlongEachOtherAreRefused) {
   const Nurbs circle = curve::circular_arc({0, 0}, 1, 0, 2 * pi), arc = curve::circular_arc({0, 0}, 1, 1, 2);
   EXPECT_THROW(curve_crossings(circle, arc, 1e-6, "edges 1 and 2"), FormatError);
