@@ -26,6 +26,7 @@
 #include "io/name_rules_io.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "offset/embed_offsets.hpp"
 #include "regions/join.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
@@ -105,7 +106,7 @@ std::string digest_format(cad::CadFormat format) {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-", names, healed, face_choice;
   bool is_listing = false;
-  std::vector<std::string> name_options, region_options, periodic_options;
+  std::vector<std::string> name_options, region_options, periodic_options, offset_options;
   double corner_angle = 1, heal_tolerance = -1, blunt = 0, fit_tolerance = 1e-8;
   triangulate::TriangulateOptions options;
 
@@ -186,12 +187,20 @@ int main(int argc, char** argv) {
         "are images under a translation or rotation, found from the curves or given as "
         "A=B:translate=DX,DY or A=B:rotate=DEGREES[,CX,CY], in file units; B is replaced by the exact image of A, "
         "from which it may differ by 1e-9 diameters; may be given several times");
+    o.texts(
+        "--offset", offset_options, "NAME=T",
+        "embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME): blocks end there, "
+        "so that layers of this thickness have blocks of their own; around corners, and along neighbours of NAME "
+        "that meet it at more than 135 degrees, up to the first that does not; nearer where a facing wall or a bend "
+        "leaves less room; the curve is called NAME_offset; may be given several times",
+        false);
     o.number("--fan-factor", options.fan_factor, 0.01, 0.9, "ratio",
              "ratio of the radii of successive layers of a fan");
   };
   tool.run = [&](cli::Session& s) {
     const std::vector<NameRule> chosen_names = cad::name_option_rules(name_options);
     const std::vector<NameRule> region_names = cad::name_option_rules(region_options, "--region-name");
+    const std::vector<offset::OffsetRequest> offsets = offset::offset_requests(offset_options);
     const std::vector<cad::PeriodicRequest> periodic = cad::periodic_options(periodic_options);
     if (is_listing && !face_choice.empty()) throw UsageError("--list and --face exclude each other");
     if (!healed.empty()) healed_format(healed);  // a wrong name is told before any work
@@ -211,6 +220,7 @@ int main(int argc, char** argv) {
     cad::rename_regions(face, region_names);
     cad::rename_curves(face, name_rules, chosen_names);
     cad::pair_periodic_sides(face, periodic);
+    face = offset::embed_offsets(face, offsets, radians(corner_angle), s.report());
     report_face(face, s.report());
     if (const std::string text = repairs_text(face, loaded.repairs); !text.empty()) s.info(text, 0);
     if (face.num_regions() > 1) s.info(regions_text(face));

@@ -14,6 +14,7 @@ inline constexpr const char* short_edge_ignored = "W-CAD-005";   ///< an edge sh
 inline constexpr const char* large_repair = "W-CAD-006";        ///< healing moved something by more than 1e-3 diameters
 inline constexpr const char* faces_not_built = "W-CAD-007";     ///< faces that --list cannot show
 inline constexpr const char* open_wire_embedded = "W-CAD-008";  ///< an inner wire that is not closed
+inline constexpr const char* offset_compressed = "W-CAD-009";   ///< a curve nearer to its wall than prescribed
 inline constexpr const char* curve_tolerance_missed = "W-TRI-001";
 
 // fieldsolve, padapt

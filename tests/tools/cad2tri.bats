@@ -27,6 +27,16 @@ shapes="half_disc square l_shape quarter_annulus annulus eccentric_annulus plate
   done
 }
 
+@test "--offset embeds a curve around a hole; other curves keep their names" {
+  cad2tri -q "$DATA/plate_hole.step" --offset curve_4=0.2 -o a.tri.h5 --report a.json
+  run -0 stagecheck a.tri.h5
+  run jq -c '[."regions.count" // .regions.count, .offsets["0"].least, .warnings]' a.json
+  assert_output '[2,0.2,[]]'
+  run cad2tri -q "$DATA/plate_hole.step" --offset curve_4=3 -o b.tri.h5
+  assert_success
+  assert_output --partial W-CAD-009
+}
+
 @test "the report counts, times and names no warning" {
   cad2tri "$DATA/plate_hole.step" -o a.tri.h5 --report a.json
   run jq -c '[.tool, .face.curves, .face.loops, .face.corners, .mesh.corner_fans, .warnings,

@@ -52,5 +52,13 @@ TEST(NamedCurves, ARegionPicksOneSideOfAnInterface) {
   EXPECT_EQ(named_curves(face, "wet@fluid", "--wall"), std::vector<int>{0}) << "a name may contain an @";
 }
 
+TEST(NamedCurves, ANumberIsThatOfTheNameMadeFromIt) {
+  CadFace face = hand_made::unit_square().face;
+  face.curve_names = {"curve_0", "curve_3_offset", "curve_3", "curve_1"};
+  face.unnamed_curves = {0, 1, 2, 3};
+  EXPECT_EQ(named_curves(face, "3", "--wall"), std::vector<int>{2});
+  EXPECT_EQ(named_curves(face, "2", "--wall"), std::vector<int>{2}) << "no curve has the name curve_2";
+}
+
 }  // namespace
 }  // namespace quadrille::curve

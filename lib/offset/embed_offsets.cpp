@@ -1,0 +1,182 @@
+#include "offset/embed_offsets.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
+#include "curve/nurbs.hpp"
+#include "heal/raw_face.hpp"
+#include "model/interfaces.hpp"
+#include "offset/offset_chain.hpp"
+#include "offset/offset_profile.hpp"
+#include "offset/offset_rules.hpp"
+#include "offset/wall_chains.hpp"
+#include "outline/outline_checks.hpp"
+#include "sew/embed_curves.hpp"
+#include "sew/face_of_regions.hpp"
+#include "sew/sew_regions.hpp"
+
+namespace quadrille::offset {
+namespace {
+
+/// A region in file coordinates.
+sew::Region region_of(const CadFace& face, int number) {
+  sew::Region region{face.region_names.empty() ? face.name : face.region_names[number], number, {}, {}, {0}};
+  for (int l = 0; l < face.num_loops(); ++l) {
+    if (face.region_of_loop(l) != number) continue;
+    for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c) {
+      region.curves.push_back({face.curves[c], face.curve_cad_edges[c], face.curve_names[c]});
+      for (Vec2& pole : region.curves.back().curve.poles) pole += face.origin;
+    }
+    region.loop_offsets.push_back(region.num_curves());
+  }
+  region.other_sides.assign(region.curves.size(), -1);
+  return region;
+}
+
+void refuse(const CadFace& face, const std::vector<OffsetRequest>& requests) {
+  const std::string& where = requests.front().where;
+  if (!face.periodic_pairs.empty())
+    throw UsageError(where + ": curves at a distance from walls are not supported in faces with periodic sides");
+  const std::vector<int> region = curve_regions(face);
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (face.is_interface(c) && region[c] == region[face.partners[c]])
+      throw UsageError(
+          fmt::format("{}: curves at a distance from walls are not supported in faces with embedded "
+                      "curves that end inside, such as {}",
+                      where, face.curve_names[c]));
+  for (const OffsetRequest& request : requests)
+    if (request.distance < offset_constants.least_distance * face.diameter)
+      throw UsageError(fmt::format("{}: the distance is less than {:g} diameters of the face ({:g})", request.where,
+                                   offset_constants.least_distance, face.diameter));
+}
+
+std::vector<double> wall_distances(const CadFace& face, const std::vector<WallChain>& chains) {
+  std::vector<double> distances(face.curves.size(), 0);
+  for (const WallChain& chain : chains)
+    for (std::size_t i = 0; i < chain.curves.size(); ++i) distances[chain.curves[i]] = chain.distances[i];
+  return distances;
+}
+
+void report_chains(const CadFace& face, const std::vector<OffsetRequest>& requests,
+                   const std::vector<WallChain>& chains, const std::vector<ChainProfile>& profiles, Report& report) {
+  std::vector<double> least(requests.size(), 1);
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    const OffsetRequest& request = requests[chains[i].requests.front()];
+    for (const int r : chains[i].requests) least[r] = std::min(least[r], profiles[i].least_ratio);
+    if (profiles[i].least_ratio > 1 - 1e-9) continue;
+    report.warn(
+        warning::offset_compressed,
+        fmt::format("{}: the distance is reduced to {:.4g} near {}, where the opposite boundary, or the bend of "
+                    "the wall, leaves less room",
+                    request.where, request.distance * profiles[i].least_ratio,
+                    position_text(profiles[i].narrowest + face.origin)));
+  }
+  for (std::size_t r = 0; r < requests.size(); ++r) {
+    const std::string key = fmt::format("offsets.{}.", r);
+    report.set(key + "names", fmt::format("{}", fmt::join(requests[r].names, ",")));
+    report.set(key + "distance", requests[r].distance);
+    report.set(key + "least", requests[r].distance * least[r]);
+  }
+}
+
+/// The curves as a loop for outline::find_contact: the ends of an open chain do not touch the boundary.
+std::vector<Nurbs> loop_of(const std::vector<heal::LoopCurve>& curves, bool is_closed) {
+  constexpr double end = 1e-3;
+  std::vector<Nurbs> loop;
+  for (const heal::LoopCurve& c : curves) loop.push_back(c.curve);
+  if (is_closed) return loop;
+  const auto inside = [](const Nurbs& c, double fraction) { return c.begin() + fraction * (c.end() - c.begin()); };
+  loop.front() = curve::trimmed(loop.front(), inside(loop.front(), end), loop.front().end());
+  loop.back() = curve::trimmed(loop.back(), loop.back().begin(), inside(loop.back(), 1 - end));
+  return loop;
+}
+
+/// Offset curves with their chains, in one region.
+struct RegionOffsets {
+  std::vector<heal::LoopCurve> curves;
+  std::vector<std::vector<Nurbs>> loops;
+  std::string where;
+};
+
+void require_no_contact(const CadFace& face, const sew::Region& region, const RegionOffsets& offsets) {
+  std::vector<std::vector<Nurbs>> loops = sew::loop_curves(region);
+  loops.insert(loops.end(), offsets.loops.begin(), offsets.loops.end());
+  if (const auto contact = outline::find_contact(loops, offset_constants.tolerance * face.diameter))
+    throw ComputeError(
+        fmt::format("{}: the curve at this distance touches another one, or the boundary, at {}: use a "
+                    "smaller distance",
+                    offsets.where, position_text(contact->position)));
+}
+
+std::vector<RegionOffsets> offsets_by_region(const CadFace& face, const std::vector<OffsetRequest>& requests,
+                                             const std::vector<WallChain>& chains,
+                                             const std::vector<ChainProfile>& profiles) {
+  const std::vector<int> curve_region = curve_regions(face);
+  std::vector<RegionOffsets> offsets(face.num_regions());
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    RegionOffsets& own = offsets[curve_region[chains[i].curves.front()]];
+    std::vector<heal::LoopCurve> curves = offset_chain(face, chains[i], profiles[i], requests);
+    for (heal::LoopCurve& c : curves)
+      for (Vec2& pole : c.curve.poles) pole += face.origin;
+    if (own.where.empty()) own.where = requests[chains[i].requests.front()].where;
+    own.loops.push_back(loop_of(curves, chains[i].is_closed));
+    own.curves.insert(own.curves.end(), curves.begin(), curves.end());
+  }
+  return offsets;
+}
+
+/// Names made from numbers remain such names.
+std::vector<int> unnamed_curves(const CadFace& before, const std::vector<RegionOffsets>& offsets, const CadFace& face) {
+  std::set<std::string> names;
+  for (const int c : before.unnamed_curves) names.insert(before.curve_names[c]);
+  for (const RegionOffsets& own : offsets)
+    for (const heal::LoopCurve& c : own.curves) names.insert(c.name);
+  std::vector<int> unnamed;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (names.contains(face.curve_names[c])) unnamed.push_back(c);
+  return unnamed;
+}
+
+heal::RawFace frame_of(const CadFace& face) {
+  heal::RawFace raw;
+  raw.length_unit = face.length_unit;
+  raw.metres_per_unit = face.metres_per_unit;
+  raw.plane_origin = face.plane_origin;
+  raw.plane_x = face.plane_x;
+  raw.plane_y = face.plane_y;
+  return raw;
+}
+
+}  // namespace
+
+CadFace embed_offsets(const CadFace& face, const std::vector<OffsetRequest>& requests, double corner_angle,
+                      Report& report) {
+  if (requests.empty()) return face;
+  refuse(face, requests);
+  const std::vector<WallChain> chains = wall_chains(face, requests);
+  const std::vector<double> distances = wall_distances(face, chains);
+  std::vector<ChainProfile> profiles;
+  for (const WallChain& chain : chains) profiles.push_back(chain_profile(face, chain, distances));
+  const std::vector<RegionOffsets> offsets = offsets_by_region(face, requests, chains, profiles);
+  const double tolerance = offset_constants.tolerance * face.diameter;
+  std::vector<sew::Region> regions;
+  for (int r = 0; r < face.num_regions(); ++r) {
+    const sew::Region region = region_of(face, r);
+    require_no_contact(face, region, offsets[r]);
+    for (sew::Region& piece : sew::embed_curves(region, offsets[r].curves, tolerance, "--offset"))
+      regions.push_back(std::move(piece));
+  }
+  CadFace result = sew::face_of_regions(sew::sew_regions(regions, tolerance), frame_of(face), corner_angle);
+  result.fit_distance = face.fit_distance;
+  result.unnamed_curves = unnamed_curves(face, offsets, result);
+  report_chains(face, requests, chains, profiles, report);
+  return result;
+}
+
+}  // namespace quadrille::offset

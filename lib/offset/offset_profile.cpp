@@ -1,0 +1,164 @@
+#include "offset/offset_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "model/interfaces.hpp"
+#include "offset/offset_rules.hpp"
+#include "offset/smoothed_ratio.hpp"
+
+namespace quadrille::offset {
+namespace {
+
+struct BoundarySample {
+  Vec2 position, normal;
+  int curve = -1;
+};
+
+/// Equally spaced by arc length, with both ends.
+std::vector<BoundarySample> samples_of(const CadFace& face, int curve, double distance) {
+  const Nurbs& nurbs = face.curves[curve];
+  const curve::ArcLength length(nurbs);
+  const double wanted = offset_constants.samples_per_distance * length.total() / distance;
+  const int count = static_cast<int>(
+      std::clamp(std::ceil(wanted), 1.0 * offset_constants.least_samples, 1.0 * offset_constants.most_samples));
+  std::vector<BoundarySample> samples;
+  for (int i = 0; i <= count; ++i) {
+    const double t = length.parameter(length.total() * i / count);
+    samples.push_back({curve::point(nurbs, t), left_of(curve::tangent(nurbs, t, i == count)), curve});
+  }
+  return samples;
+}
+
+bool is_convex_corner(const CadFace& face, int joint) {
+  return face.joints[joint].is_corner && face.joints[joint].interior_angle < pi;
+}
+
+/// Whether points of the curve `other` limit the distance from `wall`.
+bool faces(const CadFace& face, int wall, int other) {
+  if (other == wall) return true;
+  const int next = face.next_in_loop(wall);
+  return !(other == next && is_convex_corner(face, next)) &&
+         !(other == face.previous_in_loop(wall) && is_convex_corner(face, wall));
+}
+
+class Allowance {
+ public:
+  Allowance(const CadFace& face, int region, const std::vector<double>& wall_distance, double distance)
+      : face_(face), wall_distance_(wall_distance) {
+    const std::vector<int> curve_region = curve_regions(face);
+    for (int c = 0; c < face.num_curves(); ++c)
+      if (curve_region[c] == region)
+        for (const BoundarySample& sample : samples_of(face, c, distance)) boundary_.push_back(sample);
+  }
+
+  /// The distance at the sample of a wall, over the prescribed one; at most 1.
+  double ratio(const BoundarySample& sample) const { return ratio(sample, 1); }
+
+  /// The same at the corner above 180 degrees in which the curve starts.
+  double corner_ratio(const Joint& joint, int curve) const {
+    if (!joint.is_corner || joint.interior_angle < pi) return 1;
+    double least = 1;
+    for (int k = 0; k <= offset_constants.corner_directions; ++k) {
+      const double turn = (joint.interior_angle - pi) * k / offset_constants.corner_directions;
+      least = std::min(
+          least, ratio({joint.position, left_of(unit(joint.tangent_in - turn)), curve}, offset_constants.corner_reach));
+    }
+    return least;
+  }
+
+ private:
+  double ratio(const BoundarySample& sample, double reach) const {
+    const double distance = reach * wall_distance_[sample.curve];
+    double least = distance;
+    for (const BoundarySample& other : boundary_) {
+      const Vec2 d = other.position - sample.position;
+      const double height = dot(sample.normal, d), squared = norm2(d);
+      if (height <= 1e-10 * face_.diameter) continue;
+      if (!faces(face_, sample.curve, other.curve)) continue;
+      least =
+          std::min(least, share(wall_distance_[sample.curve], wall_distance_[other.curve]) * squared / (2 * height));
+    }
+    return least / distance;
+  }
+
+  static double share(double own, double other) {
+    return other > 0 ? offset_constants.share_of_facing_wall * 2 * own / (own + other)
+                     : offset_constants.share_of_boundary;
+  }
+
+  const CadFace& face_;
+  const std::vector<double>& wall_distance_;
+  std::vector<BoundarySample> boundary_;
+};
+
+/// Adds those of one curve, and those of its corners.
+void add_ratios(const CadFace& face, int curve, const Allowance& allowance, RatioSamples& samples) {
+  const std::vector<BoundarySample> own = samples_of(face, curve, samples.distance);
+  const double step = curve::ArcLength(face.curves[curve]).total() / (static_cast<double>(own.size()) - 1);
+  const double start = samples.lengths.empty() ? 0 : samples.lengths.back();
+  const bool is_first = samples.lengths.empty();
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    double ratio = allowance.ratio(own[k]);
+    if (k == 0) ratio = std::min(ratio, allowance.corner_ratio(face.joints[curve], curve));
+    if (k + 1 == own.size())
+      ratio = std::min(ratio, allowance.corner_ratio(face.joints[face.next_in_loop(curve)], curve));
+    if (k == 0 && !is_first) {
+      samples.ratios.back() = std::min(samples.ratios.back(), ratio);
+      continue;
+    }
+    samples.lengths.push_back(start + step * static_cast<double>(k));
+    samples.ratios.push_back(ratio);
+    samples.positions.push_back(own[k].position);
+  }
+  samples.first.push_back(static_cast<int>(samples.ratios.size()) - 1);
+}
+
+RatioSamples allowed_ratios(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance) {
+  const double least = *std::min_element(chain.distances.begin(), chain.distances.end());
+  const Allowance allowance(face, curve_regions(face)[chain.curves.front()], wall_distance, least);
+  RatioSamples samples{chain.is_closed, {}, {}, {}, {0}, least};
+  for (const int curve : chain.curves) add_ratios(face, curve, allowance, samples);
+  if (chain.is_closed)
+    samples.ratios.front() = samples.ratios.back() = std::min(samples.ratios.front(), samples.ratios.back());
+  return samples;
+}
+
+OffsetProfile profile_of(const SmoothRatios& smooth, const RatioSamples& samples, std::size_t i, double distance) {
+  OffsetProfile profile{distance, true, {}};
+  std::vector<double> lengths;
+  std::vector<Vec2> values;
+  const int first = samples.first[i], last = samples.first[i + 1];
+  for (int k = first; k <= last; ++k) {
+    lengths.push_back(samples.lengths[k] - samples.lengths[first]);
+    values.push_back({distance * smooth.ratios[k], 0});
+    profile.is_constant = profile.is_constant && smooth.ratios[k] > 1 - 1e-9;
+  }
+  if (!profile.is_constant)
+    profile.by_length =
+        curve::cubic_spline(lengths, values, {distance * smooth.slopes[first], 0}, {distance * smooth.slopes[last], 0});
+  return profile;
+}
+
+}  // namespace
+
+double OffsetProfile::at(double length) const { return is_constant ? distance : curve::point(by_length, length).x; }
+
+double OffsetProfile::slope(double length) const { return is_constant ? 0 : curve::derivative(by_length, length).x; }
+
+ChainProfile chain_profile(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance) {
+  const RatioSamples samples = allowed_ratios(face, chain, wall_distance);
+  const SmoothRatios smooth = smoothed_ratios(samples);
+  ChainProfile profile;
+  for (std::size_t i = 0; i < chain.curves.size(); ++i)
+    profile.curves.push_back(profile_of(smooth, samples, i, chain.distances[i]));
+  const auto least = std::min_element(smooth.ratios.begin(), smooth.ratios.end());
+  profile.least_ratio = *least;
+  profile.narrowest = samples.positions[least - smooth.ratios.begin()];
+  return profile;
+}
+
+}  // namespace quadrille::offset

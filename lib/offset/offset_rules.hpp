@@ -1,0 +1,43 @@
+#pragma once
+// The tuned constants of curves at a distance from walls.
+
+namespace quadrille::offset {
+
+struct OffsetConstants {
+  // Which boundaries a curve follows (offset_chain).
+  /// Radians. It ends on a boundary that meets the wall at an interior angle of at most this, and goes on along one
+  /// that meets it at more.
+  double greatest_end_angle = 2.356194490192345;
+  /// Radians. A wall's corner of more than this has two corners of the curve opposite to it, with a straight line
+  /// between them: the corner has four blocks around it, and an extended curve would run far away.
+  double least_capped_angle = 5.497787143782138;
+
+  // Where there is less room (offset_profile).
+  /// The distance, of the radius of the circle that touches the wall and the nearest other place of the boundary: 0.45
+  /// of the gap between parallel walls, so that a tenth of it stays between both curves.
+  double share_of_facing_wall = 0.9;
+  /// The same where the other place is no wall: 0.7 of the gap.
+  double share_of_boundary = 1.4;
+  /// At a corner above 180 degrees the curve is this many times as far away, in directions between both normals.
+  double corner_reach = 1.4142135623730951;
+  int corner_directions = 16;
+  /// Greatest change of the distance per length along the wall.
+  double greatest_slope = 0.15;
+  /// The least distance, of the prescribed one; with less the layers would have no height.
+  double least_ratio = 0.01;
+  /// Samples of each curve per distance, and the limits of their number.
+  double samples_per_distance = 4;
+  int least_samples = 64, most_samples = 1024;
+
+  // Curves.
+  /// Diameters. A fitted spline is nowhere further from the exact curve.
+  double fit_tolerance = 1e-7;
+  int first_fit_intervals = 64, most_fit_intervals = 2048;
+  /// Diameters. Points nearer to each other are one.
+  double tolerance = 1e-8;
+  /// Diameters. The least prescribed distance.
+  double least_distance = 1e-6;
+};
+inline constexpr OffsetConstants offset_constants;
+
+}  // namespace quadrille::offset

@@ -1,0 +1,102 @@
+#include "offset/embed_offsets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "curve/project.hpp"
+#include "faces.hpp"
+#include "offset/offset_rules.hpp"
+#include "outline/extent.hpp"
+
+namespace quadrille::offset {
+namespace {
+
+using namespace testing_faces;
+
+CadFace with_offsets(const CadFace& face, const std::vector<std::string>& options, Report& report) {
+  return embed_offsets(face, offset_requests(options), radians(1), report);
+}
+
+CadFace with_offsets(const CadFace& face, const std::vector<std::string>& options) {
+  Report report;
+  return with_offsets(face, options, report);
+}
+
+std::vector<int> curves_named(const CadFace& face, const std::string& name) {
+  std::vector<int> curves;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (face.curve_names[c] == name) curves.push_back(c);
+  return curves;
+}
+
+TEST(EmbedOffsets, AroundAHoleMakesARing) {
+  CadFace plate = plate_with_hole();
+  plate.unnamed_curves = {4};
+  const CadFace face = with_offsets(plate, {"side_4=0.2"});
+  EXPECT_EQ(face.num_regions(), 2);
+  EXPECT_NEAR(outline::area(face), 8 - pi * 0.09, 1e-12);
+  const std::vector<int> offsets = curves_named(face, "side_4_offset");
+  ASSERT_EQ(offsets.size(), 2U);
+  EXPECT_EQ(face.partners[offsets[0]], offsets[1]);
+  const std::vector<int> hole = curves_named(face, "side_4");
+  ASSERT_EQ(hole.size(), 1U) << "its name remains, its number does not";
+  EXPECT_FALSE(face.has_given_name(hole[0]));
+  EXPECT_TRUE(face.has_given_name(0));
+  EXPECT_NEAR(curve::project(face.curves[offsets[0]], {1, 3}).distance, 1.5, 1e-12);
+}
+
+TEST(EmbedOffsets, CornersAreCutAndExtended) {
+  const CadFace face = with_offsets(l_shape(), {"side_0,side_1,side_2,side_3,side_4,side_5=0.1"});
+  ASSERT_EQ(face.num_regions(), 2);
+  const auto has_joint = [&](Vec2 x) {
+    return std::any_of(face.joints.begin(), face.joints.end(),
+                       [&](const Joint& joint) { return distance(joint.position, x) < 1e-12; });
+  };
+  EXPECT_TRUE(has_joint({0.1, 0.1}));
+  EXPECT_TRUE(has_joint({0.9, 0.9})) << "opposite to the corner of 270 degrees";
+  EXPECT_EQ(face.num_curves(), 18);
+}
+
+TEST(EmbedOffsets, AnOpenWallEndsOnItsNeighbours) {
+  const CadFace face = with_offsets(plate(), {"side_0=0.5"});
+  EXPECT_EQ(face.num_regions(), 2);
+  EXPECT_EQ(curves_named(face, "side_1").size(), 2U);
+  EXPECT_EQ(curves_named(face, "side_3").size(), 2U);
+}
+
+TEST(EmbedOffsets, ASharpTailHasTwoCornersOppositeToIt) {
+  // A wedge of 14 degrees whose tip points to the right.
+  const CadFace face =
+      hand_made::face({rectangle({-2, -2}, {4, 2}), polygon({{2, 0}, {0, -0.25}, {0, 0.25}})}, std::sqrt(52));
+  const CadFace result = with_offsets(face, {"side_4,side_5,side_6=0.1"});
+  int num_ahead = 0;
+  for (const Joint& joint : result.joints) num_ahead += std::abs(joint.position.x - 2.1) < 1e-9;
+  EXPECT_EQ(num_ahead, 4) << "two, seen from both regions";
+}
+
+TEST(EmbedOffsets, FacingWallsShareTheirGap) {
+  const CadFace face = hand_made::face({rectangle({0, 0}, {10, 1})}, std::sqrt(101));
+  Report report;
+  const CadFace result = with_offsets(face, {"side_0,side_2=0.8"}, report);
+  EXPECT_EQ(result.num_regions(), 3);
+  ASSERT_EQ(report.warnings().size(), 2U);
+  EXPECT_EQ(report.warnings().front().code, "W-CAD-009");
+  for (const int c : curves_named(result, "side_0_offset"))
+    EXPECT_NEAR(curve::project(result.curves[c], {5, 0}).distance, 0.45, 1e-6);
+  const CadFace alone = with_offsets(face, {"side_0=0.8"});
+  for (const int c : curves_named(alone, "side_0_offset"))
+    EXPECT_NEAR(curve::project(alone.curves[c], {5, 0}).distance, 0.7, 1e-6) << "of a boundary that is no wall";
+}
+
+TEST(EmbedOffsets, MistakesAreRefused) {
+  EXPECT_THROW(with_offsets(plate(), {"side_0=1e-9"}), UsageError);
+  EXPECT_THROW(with_offsets(plate(), {"hole=0.1"}), UsageError);
+  CadFace periodic = plate();
+  periodic.periodic_pairs.push_back({{1, 3}, 0, {-4, 0}});
+  EXPECT_THROW(with_offsets(periodic, {"side_0=0.1"}), UsageError);
+}
+
+}  // namespace
+}  // namespace quadrille::offset
