@@ -70,8 +70,8 @@ void declare(cli::Options& o, NodeArguments& arguments) {
   o.choice("--nodes", options.nodes,
            "irregular nodes inside: those of the field; the fewest that the index sum requires for these corner "
            "valences, all of one sign; none: corner valences change too, to blocks of 40 to 140 degrees there, so that "
-           "no node is required, or as few as possible; auto: fewest if --topology makes a C-, O- or H-grid, else "
-           "field. The fewest nodes are placed at the least energy");
+           "no node is required, or as few as possible; auto: fewest if --topology makes a C-, O- or H-grid, and "
+           "between walls and curves of cad2tri --offset, else field. The fewest nodes are placed at the least energy");
   o.choice(
       "--topology", options.topology,
       "grid around the holes. c: blocks leave with the wake, corners of the outline that are not downstream have "

@@ -12,7 +12,8 @@
 #include "io/output_file.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
-#include "layers/wall_spec.hpp"
+#include "layers/layer_law.hpp"
+#include "layers/wall_layers.hpp"
 #include "mesh/element_sizes.hpp"
 #include "model/length_scale.hpp"
 #include "outline/extent.hpp"
@@ -80,7 +81,8 @@ void declare(cli::Options& o, WallArguments& walls) {
           "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
           "of the first one in file units (or yplus=Y in its place), R the greatest "
           "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
-          "law=uniform|geometric|tanh|gll (default: geometric)");
+          "law=uniform|geometric|tanh|gll (default: geometric); blocks=own: below a curve of cad2tri --offset, which "
+          "quadmesh makes, so that all layers fit");
   o.number("--yplus", walls.yplus, 0, 1e300, "1",
            "y+ of the first layer's height for each --wall without first and yplus: y = y+ NU / u_tau, u_tau = U "
            "sqrt(c_f / 2), with the skin friction of a turbulent flat plate c_f = (2 log10 Re - 0.65)^-2.3, Re = U L / "
@@ -132,10 +134,20 @@ void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOp
   options.end_growth = sizing::growth(prescribed);
 }
 
+/// For pipelines: "NAMES=T", one a line, for cad2tri --offset.
+std::string offsets_of_walls(const std::vector<layers::WallSpec>& walls) {
+  std::string text;
+  for (const layers::WallSpec& wall : walls)
+    if (wall.own_blocks)
+      text += fmt::format("{}={:.17g}\n", fmt::join(wall.names, ","), layers::own_block_height(wall));
+  return text;
+}
+
 /// Whether the boundaries that the options name exist, and sizes are no mistake, before there are blocks.
 void check_shape(const SizeArguments& sizes, refine::RefineOptions& options, bool all_blocks, const CadFace& face) {
   set_sizes(sizes, face, options);
   layers::curve_walls(options.walls, face);
+  layers::require_offsets(options.walls, face);
   for (const auto& count : options.boundary_counts) curve::named_curves(face, count.boundary, "--count");
   for (const auto& grading : options.end_gradings) curve::named_curves(face, grading.boundary, "--grading");
   if (options.counts.empty() && options.boundary_counts.empty() && all_blocks)
@@ -150,7 +162,7 @@ int main(int argc, char** argv) {
   refine::RefineOptions options;
   SizeArguments sizes;
   WallArguments walls;
-  std::string blocks, shape;
+  std::string blocks, shape, offsets;
   cli::Tool tool;
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
@@ -209,11 +221,13 @@ int main(int argc, char** argv) {
         "refuse sizes or counts that require more quads, with exit code 1 and an estimate of their number, before they "
         "take memory");
     o.hidden_text("--check-shape", shape);
+    o.hidden_text("--write-offsets", offsets);
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
     parse(sizes, options);
     parse(walls, options);
+    if (!offsets.empty()) return io::write_output(offsets, offsets_of_walls(options.walls), false);
     if (!shape.empty()) {
       const CadFace face = io::read_face(io::read_input(shape));
       set_first_heights(walls, face, options);
@@ -229,6 +243,7 @@ int main(int argc, char** argv) {
     set_first_heights(walls, layout.face, options);
     if (walls.flow.velocity > 0) prescribe::report_flow(walls.flow, s.report());
     if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);
+    layers::require_offsets(options.walls, layout.face);
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());
     mesh.provenance = s.provenance(layout.provenance, inputs);

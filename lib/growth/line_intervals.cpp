@@ -29,7 +29,9 @@ class Lines {
  public:
   Lines(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls, const sizing::ArcDivisions& divisions,
         int order)
-      : blocks_(measured.blocks()), arc_sides_(mesh::sides_of_arcs(blocks_)) {
+      : blocks_(measured.blocks()),
+        curve_region_(curve_regions(blocks_.face)),
+        arc_sides_(mesh::sides_of_arcs(blocks_)) {
     for (std::size_t arc = 0; arc < divisions.size(); ++arc)
       nodes_.push_back(walls.arc_nodes[arc].empty() ? all_nodes(divisions[arc].ends, order) : walls.arc_nodes[arc]);
     for (int block = 0; block < blocks_.num_blocks(); ++block) {
@@ -76,7 +78,7 @@ class Lines {
   PieceEnd beyond(const PieceEnd& at) const {
     const int side = side_of(at.piece.direction, at.end), arc = blocks_.block2arcs[at.piece.block][side].arc;
     const std::vector<mesh::BlockSide>& sides = arc_sides_[arc];
-    if (sides.size() != 2 || is_on_interface(blocks_, blocks_.arcs[arc])) return {};
+    if (sides.size() != 2 || separates_faces(blocks_, blocks_.arcs[arc], curve_region_)) return {};
     const bool is_first = sides[0].block == at.piece.block && sides[0].side == side;
     const mesh::BlockSide& other = sides[is_first ? 1 : 0];
     const int last = static_cast<int>(nodes_[arc].size()) - 1;
@@ -130,6 +132,7 @@ class Lines {
   }
 
   const BlockLayout& blocks_;
+  std::vector<int> curve_region_;
   mesh::ArcSides arc_sides_;
   std::vector<std::vector<double>> nodes_;  ///< by arc: fractions of all nodes
   /// By direction, block and node.

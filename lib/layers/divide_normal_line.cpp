@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "layers/layer_law.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {
@@ -59,8 +60,12 @@ std::vector<double> node_fractions(const std::vector<double>& lengths, int order
 }
 
 std::vector<double> nodes_in_layers(const NormalLine& line, const SideLayers& side, const std::vector<double>& heights,
-                                    std::size_t node, Vec2 origin) {
-  std::vector<double> u = parameters_at_heights(line, *side.wall, side.feet[node], heights);
+                                    std::size_t node, int order, Vec2 origin) {
+  const WallPoint foot = side.feet[node];
+  std::vector<double> u = parameters_at_heights(
+      line, *side.wall, foot,
+      side.own_blocks ? node_heights(squeezed_heights(side.heights, height_of_end(line, *side.wall, foot)), order)
+                      : heights);
   if (u.size() < heights.size()) refuse(line(0) + origin);
   return u;
 }
@@ -91,10 +96,11 @@ struct LayerNodes {
 
 LayerNodes layer_nodes(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin) {
   LayerNodes nodes{{0.0}, {1.0}};
-  if (family.low.wall) append(nodes.low, nodes_in_layers(line, family.low, family.low_heights, node, origin));
+  if (family.low.wall)
+    append(nodes.low, nodes_in_layers(line, family.low, family.low_heights, node, family.order, origin));
   if (family.high.wall) {
     const NormalLine reversed = [&line](double u) { return line(1 - u); };
-    for (const double u : nodes_in_layers(reversed, family.high, family.high_heights, node, origin))
+    for (const double u : nodes_in_layers(reversed, family.high, family.high_heights, node, family.order, origin))
       nodes.high.push_back(1 - u);
     std::reverse(nodes.high.begin(), nodes.high.end());
   }

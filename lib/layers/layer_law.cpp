@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -53,12 +54,47 @@ std::vector<double> layer_heights(const WallSpec& spec, int layers) {
   return spec.law == LayerLaw::tanh && grows ? tanh_heights(spec.first, geometric.back(), layers) : geometric;
 }
 
+double next_layer(const std::vector<double>& heights) {
+  const std::size_t count = heights.size();
+  const double last = count > 1 ? heights[count - 1] - heights[count - 2] : heights.back();
+  const double below = count > 2 ? heights[count - 2] - heights[count - 3] : count > 1 ? heights.front() : last;
+  return last * last / below;
+}
+
+std::vector<double> squeezed_heights(const std::vector<double>& heights, double room) {
+  const double next = next_layer(heights), first = heights.front(), count = static_cast<double>(heights.size());
+  if (room >= (heights.back() + next) * (1 - layer_constants.equal_tol)) return heights;
+  std::vector<double> ratios;  // of the layers and the first one
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    ratios.push_back((heights[k] - (k > 0 ? heights[k - 1] : 0)) / first);
+  ratios.push_back(next / first);
+  const double least = std::min(first, room / (count + 1));
+  const auto total = [&](double power) {
+    double sum = 0;
+    for (const double ratio : ratios) sum += least * std::pow(ratio, power);
+    return sum;
+  };
+  double low = 0, high = least < first ? 0 : 1;
+  for (int step = 0; step < 60; ++step) (total((low + high) / 2) < room ? low : high) = (low + high) / 2;
+  std::vector<double> squeezed;
+  double height = 0;
+  for (std::size_t k = 0; k < heights.size(); ++k) squeezed.push_back(height += least * std::pow(ratios[k], low));
+  return squeezed;
+}
+
 int requested_layers(const WallSpec& spec) {
   if (spec.layers > 0) return spec.layers;
   for (int layers = 1; layers <= layer_constants.max_layers; ++layers)
     if (layer_heights(spec, layers).back() >= (1 - 1e-6) * spec.thickness) return layers;
   throw UsageError(fmt::format("--wall {}: a thickness of {:g} needs more than {} layers: raise first or growth",
                                fmt::join(spec.names, ","), spec.thickness, layer_constants.max_layers));
+}
+
+double own_block_height(const WallSpec& spec) {
+  const std::string names = fmt::format("--wall {}", fmt::join(spec.names, ","));
+  if (!(spec.first > 0)) throw UsageError(names + ": blocks=own needs first, the height, in place of yplus");
+  const std::vector<double> heights = layer_heights(spec, requested_layers(spec));
+  return heights.back() + next_layer(heights);
 }
 
 }  // namespace quadrille::layers

@@ -15,8 +15,20 @@ namespace quadrille::layers {
 ///   gll        the lower half of the 2 m + 1 Gauss-Lobatto-Legendre points, scaled to the first height
 std::vector<double> layer_heights(const WallSpec& spec, int layers);
 
+/// The height of one more layer: as much greater than the last one as that than the one below it.
+double next_layer(const std::vector<double>& heights);
+
+/// The heights of as many layers if they and one more must fit below `room`: the first layer keeps its height, and the
+/// others grow less; with room for less than that all are equal.
+std::vector<double> squeezed_heights(const std::vector<double>& heights, double room);
+
 /// The number of layers: spec.layers, or the least number that reaches spec.thickness. Throws UsageError if that would
 /// be more than LayerConstants::max_layers.
 int requested_layers(const WallSpec& spec);
+
+/// The distance of the curve above layers in blocks of their own: their thickness and one more interval, which is as
+/// much longer than the last layer as that than the one below it. Throws UsageError unless first and the number of
+/// layers are known.
+double own_block_height(const WallSpec& spec);
 
 }  // namespace quadrille::layers

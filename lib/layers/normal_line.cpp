@@ -85,6 +85,13 @@ std::vector<double> node_heights(const std::vector<double>& layer_heights, int o
   return heights;
 }
 
+double height_of_end(const NormalLine& line, const WallLine& wall, WallPoint foot) {
+  constexpr int steps = 16;
+  double height = 0;
+  for (int k = 1; k <= steps; ++k) height = wall.distance(line(static_cast<double>(k) / steps), foot);
+  return height;
+}
+
 std::vector<double> parameters_at_heights(const NormalLine& line, const WallLine& wall, WallPoint foot,
                                           const std::vector<double>& heights) {
   HeightSearch search(line, wall, foot);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "layers/layer_law.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/block_sides.hpp"
 #include "mesh/transfinite.hpp"
@@ -80,9 +81,10 @@ std::vector<double> from_end(const std::vector<double>& lengths) {
 }
 
 /// Subtracts the layers of one end from the free part.
-void subtract_layers(const std::vector<double>& layers, const std::vector<double>& heights,
+void subtract_layers(const std::vector<double>& prescribed, bool own_blocks, const std::vector<double>& heights,
                      const std::vector<double>& lengths, FreePart& part, double& last_layer) {
-  if (layers.empty() || part.length < 0) return;
+  if (prescribed.empty() || part.length < 0) return;
+  const std::vector<double> layers = own_blocks ? squeezed_heights(prescribed, heights.back()) : prescribed;
   const double top = length_at(heights, lengths, layers.back());
   const double below = layers.size() > 1 ? length_at(heights, lengths, layers[layers.size() - 2]) : 0;
   part.layers += static_cast<int>(layers.size());
@@ -104,8 +106,15 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
     for (int k = 0; k < layer_constants.lines_per_block; ++k) {
       const double x = static_cast<double>(k) / (layer_constants.lines_per_block - 1);
       std::vector<Vec2> points = line_points(map, wall.side, x);
-      NormalLineSample line{
-          measured.chord_of(begin), wall.spec, far < 0 ? -1 : walls.sides[far].spec, 0, {}, {}, {}, {}};
+      NormalLineSample line{measured.chord_of(begin),
+                            wall.spec,
+                            far < 0 ? -1 : walls.sides[far].spec,
+                            0,
+                            {},
+                            {},
+                            {},
+                            {},
+                            {wall.own_blocks, far >= 0 && walls.sides[far].own_blocks}};
       line.size = (1 - x) * arc_sizes[begin] + x * arc_sizes[end];
       line.lengths = lengths_along(points);
       line.far_end = points.back();
@@ -121,9 +130,11 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
 FreePart part_between_layers(const NormalLineSample& line, const std::vector<std::vector<double>>& spec_heights) {
   FreePart part{{}, line.lengths.back(), line.size, 0};
   if (line.front >= 0)
-    subtract_layers(spec_heights[line.front], line.front_heights, line.lengths, part, part.ends.before);
+    subtract_layers(spec_heights[line.front], line.own_blocks[0], line.front_heights, line.lengths, part,
+                    part.ends.before);
   if (line.back >= 0)
-    subtract_layers(spec_heights[line.back], line.back_heights, from_end(line.lengths), part, part.ends.after);
+    subtract_layers(spec_heights[line.back], line.own_blocks[1], line.back_heights, from_end(line.lengths), part,
+                    part.ends.after);
   return part;
 }
 

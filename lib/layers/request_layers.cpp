@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "layers/layer_fit.hpp"
+#include "layers/layer_law.hpp"
 #include "layers/normal_line.hpp"
 #include "mesh/block_sides.hpp"
 #include "spectral/quadrature.hpp"
@@ -23,8 +24,10 @@ std::vector<double> nodes_in_layers(const WallInput& input, const WallSide& wall
                                     const mesh::ArcEnd& at) {
   const curve::Chain& chain = input.measured.chain(at.arc);
   const NormalLine line = [&chain, &at](double u) { return chain.at(at.end == 0 ? u : 1 - u).position; };
-  const std::vector<double> heights = node_heights(layers, input.order);
-  std::vector<double> nodes = parameters_at_heights(line, wall.line, start_on_wall(input.blocks(), wall, at), heights);
+  const WallPoint start = start_on_wall(input.blocks(), wall, at);
+  const std::vector<double> heights = node_heights(
+      wall.own_blocks ? squeezed_heights(layers, height_of_end(line, wall.line, start)) : layers, input.order);
+  std::vector<double> nodes = parameters_at_heights(line, wall.line, start, heights);
   if (nodes.size() == heights.size()) return nodes;
   throw ComputeError(
       fmt::format("--wall: the line between blocks that starts at the wall at {} turns back to it before "

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/error.hpp"
 #include "base/warning_codes.hpp"
+#include "curve/named_curves.hpp"
 #include "layers/arc_sizes.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
@@ -13,6 +15,7 @@
 #include "layers/propagate_spacing.hpp"
 #include "layers/request_layers.hpp"
 #include "mesh/block_sides.hpp"
+#include "model/offset_names.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -30,6 +33,22 @@ std::vector<std::vector<FreePart>> free_parts(const std::vector<NormalLineSample
   std::vector<std::vector<FreePart>> parts(num_chords);
   for (const NormalLineSample& line : lines) parts[line.chord].push_back(part_between_layers(line, heights));
   return parts;
+}
+
+/// By spec: the least thickness of its layers on the sampled lines.
+std::vector<double> least_thicknesses(const std::vector<NormalLineSample>& lines,
+                                      const std::vector<std::vector<double>>& heights) {
+  std::vector<double> least;
+  for (const std::vector<double>& own : heights) least.push_back(own.back());
+  const auto add = [&](int spec, bool own_blocks, const std::vector<double>& line_heights) {
+    if (spec < 0 || !own_blocks) return;
+    least[spec] = std::min(least[spec], squeezed_heights(heights[spec], line_heights.back()).back());
+  };
+  for (const NormalLineSample& line : lines) {
+    add(line.front, line.own_blocks[0], line.front_heights);
+    add(line.back, line.own_blocks[1], line.back_heights);
+  }
+  return least;
 }
 
 /// Pairs of specs with layers on one chord, at whichever ends of its arcs.
@@ -60,6 +79,7 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   ArcSizes sizes = arc_sizes(input);
   const std::vector<NormalLineSample> lines = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
   plan.heights = fitted_heights(input, lines);
+  plan.least_thickness = least_thicknesses(lines, plan.heights);
   plan.requests = request_layers(input, plan.walls, plan.heights);
   plan.chords = propagate_spacing(input, free_parts(lines, plan.heights, input.measured.chords().size()),
                                   plan.requests.spacings, sizes, divisions);
@@ -68,6 +88,16 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   plan.arc_nodes = layered_arc_nodes(plan.requests, divisions, input.order);
   plan.sharing_a_chord = specs_sharing_a_chord(input.measured.chords(), plan.walls);
   return plan;
+}
+
+void require_offsets(const std::vector<WallSpec>& specs, const CadFace& face) {
+  for (const WallSpec& spec : specs)
+    for (const std::string& name : spec.names)
+      for (const int curve : spec.own_blocks ? curve::named_curves(face, name, "--wall") : std::vector<int>())
+        if (!has_offset(face, face.curve_names[curve]))
+          throw UsageError(
+              fmt::format("--wall {}: blocks=own needs a curve {} in the face: give cad2tri --offset {}={:.17g}", name,
+                          offset_name(face.curve_names[curve]), fmt::join(spec.names, ","), own_block_height(spec)));
 }
 
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
@@ -85,6 +115,7 @@ LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& m
     const WallSide& wall = plan.walls.sides[number];
     result.sides[side].wall = &wall.line;
     result.sides[side].heights = plan.heights[wall.spec];
+    result.sides[side].own_blocks = wall.own_blocks;
     for (const double f : fractions[side])
       result.sides[side].feet.push_back(wall_point(wall, chain.at(against_arc ? 1 - f : f), backwards));
   }
@@ -100,6 +131,7 @@ void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Repo
     report.set(key + "layers", plan.heights[i].size());
     report.set(key + "first", plan.heights[i].front());
     report.set(key + "thickness", plan.heights[i].back());
+    if (specs[i].own_blocks) report.set(key + "least_thickness", plan.least_thickness[i]);
   }
   for (const auto& [a, b] : plan.sharing_a_chord)
     report.warn(warning::walls_share_a_chord,

@@ -21,6 +21,7 @@ namespace quadrille::layers {
 struct WallPlan {
   WallSides walls;
   std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
+  std::vector<double> least_thickness;         ///< by spec: less than the thickness where layers are squeezed
   LayerRequests requests;                      ///< of the arcs that start at walls
   std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: they follow from its ends
   std::vector<int> chords;                     ///< those divided for layers, ascending
@@ -34,11 +35,14 @@ struct WallPlan {
 /// names, and ComputeError if layers do not fit, with the greatest number that fits and the position.
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 
+/// Throws UsageError if a wall shall have blocks of its own and the face has no offset curve of it.
+void require_offsets(const std::vector<WallSpec>& specs, const CadFace& face);
+
 /// The input of layered_positions for a block; `fractions` of the nodes on its sides by rising s or t.
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,
                            std::array<std::vector<double>, 4> fractions);
 
-/// Keys walls.<number>.names, .layers, .first, .thickness; warnings W-WAL-001 and
+/// Keys walls.<number>.names, .layers, .first, .thickness, .least_thickness; warnings W-WAL-001 and
 /// -002 if walls meet.
 void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Report& report);
 

@@ -54,7 +54,7 @@ void append_pieces(const BlockLayout& layout, const mesh::BlockSide& side, std::
 
 WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& table, const mesh::ArcSides& arc_sides,
                         const mesh::BlockSide& side, int spec) {
-  WallSide wall{side.block, side.side, spec, {}, {}, {}};
+  WallSide wall{side.block, side.side, spec, {}, {}, {}, false};
   std::vector<ArcPiece> pieces;
   if (const mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1); before.block >= 0)
     append_pieces(layout, before, pieces);
@@ -124,6 +124,7 @@ WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& ta
       walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec));
     }
   unify_runs(runs(layout, arc_sides, walls), walls.sides, choice);
+  for (WallSide& wall : walls.sides) wall.own_blocks = specs[wall.spec].own_blocks;
   for (std::size_t i = 0; i < walls.sides.size(); ++i) mark_arcs(layout, static_cast<int>(i), walls);
   walls.overruled.assign(choice.overruled.begin(), choice.overruled.end());
   return walls;

@@ -59,8 +59,10 @@ class Parser {
       set_layers(value);
     else if (key == "law")
       set_law(value);
+    else if (key == "blocks")
+      set_blocks(value);
     else
-      fail(fmt::format("unknown key '{}': expected first, yplus, growth, layers, thickness or law", key));
+      fail(fmt::format("unknown key '{}': expected first, yplus, growth, layers, thickness, law or blocks", key));
   }
 
   void set_layers(const std::string& value) {
@@ -84,6 +86,11 @@ class Parser {
       fail(fmt::format("unknown law '{}': expected uniform, geometric, tanh or gll", value));
   }
 
+  void set_blocks(const std::string& value) {
+    if (value != "own" && value != "shared") fail(fmt::format("blocks={}: expected own or shared", value));
+    spec_.own_blocks = value == "own";
+  }
+
   double number(const std::string& key, const std::string& value, double low, double high) const {
     double result = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
@@ -99,6 +106,7 @@ class Parser {
       fail("first, the height of the first layer, or yplus must be given and positive");
     if (seen_.count("layers") + seen_.count("thickness") != 1) fail("one of layers and thickness must be given");
     if (seen_.count("thickness") && !(spec_.thickness > 0)) fail("thickness must be positive");
+    if (spec_.own_blocks && spec_.as_many_as_fit) fail("blocks=own needs a number of layers, or thickness");
   }
 
   [[noreturn]] void fail(const std::string& why) const { throw UsageError(fmt::format("--wall {}: {}", text_, why)); }

@@ -21,9 +21,11 @@ struct WallSpec {
   double thickness = 0;  ///< file units; used if layers == 0
   bool as_many_as_fit = false;  ///< layers=fit: the greatest number that fits into the first row of blocks
   LayerLaw law = LayerLaw::geometric;
+  bool own_blocks = false;  ///< blocks=own: a curve of the face at a distance from the wall has the layers below it
 };
 
-/// From "NAME[,NAME...]:key=value,..." with the keys first, yplus, growth, layers (a number or "fit"), thickness, law.
+/// From "NAME[,NAME...]:key=value,..." with the keys first, yplus, growth, layers (a number or "fit"), thickness, law,
+/// blocks ("own" or "shared").
 /// `yplus`: of walls that have neither first nor yplus; 0: they are mistakes. Throws UsageError with the text.
 WallSpec parse_wall_spec(const std::string& text, double yplus = 0);
 

@@ -14,7 +14,7 @@ struct ArcNeighbours {
 };
 
 /// Both ends of every arc between two blocks, ordered by arc. A block that meets itself has no neighbour there, and
-/// none has one across an interface: sizes may jump there.
+/// none has one across an interface of two faces: sizes may jump there.
 std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout);
 
 }  // namespace quadrille::mesh

@@ -33,6 +33,15 @@ inline bool is_on_interface(const ArcGraph& graph, const GraphArc& arc) {
   return !arc.is_boundary && is_on_cad_curve(graph, arc);
 }
 
+/// Whether sizes may jump across an arc: it lies between two faces of the CAD file, not on a curve inside one, which
+/// has the same region, or regions of one name, on both sides.
+inline bool separates_faces(const ArcGraph& graph, const GraphArc& arc, const std::vector<int>& curve_region) {
+  if (!is_on_interface(graph, arc)) return false;
+  const int curve = arc.pieces.front().curve;
+  const int left = curve_region[curve], right = curve_region[graph.face.partners[curve]];
+  return left != right && graph.face.region_names[left] != graph.face.region_names[right];
+}
+
 /// Whether an arc lies between two regions; the two sides of a slit are one region.
 inline bool separates_regions(const ArcGraph& graph, const GraphArc& arc, const std::vector<int>& curve_region) {
   if (!is_on_interface(graph, arc)) return false;

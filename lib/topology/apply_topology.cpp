@@ -1,6 +1,7 @@
 #include "topology/apply_topology.hpp"
 
 #include "guide/override_corners.hpp"
+#include "model/offset_names.hpp"
 #include "topology/corners_without_nodes.hpp"
 #include "topology/fewest_nodes.hpp"
 #include "topology/wake_nodes.hpp"
@@ -32,7 +33,8 @@ bool apply_topology(const CadFace& face, const TopologyOptions& options, Critica
   const GridKind grid = grid_of(face, options);
   guide::override_corners(face, grid_corners(face, grid, points), points, reason_of(grid));
   NodeRule nodes = options.nodes;
-  if (nodes == NodeRule::by_grid) nodes = grid == GridKind::none ? NodeRule::field : NodeRule::fewest;
+  if (nodes == NodeRule::by_grid)
+    nodes = grid == GridKind::none && !is_along_walls(face) ? NodeRule::field : NodeRule::fewest;
   if (nodes == NodeRule::field) return false;
   if (nodes == NodeRule::none)
     guide::override_corners(face, corners_without_nodes(face, points), points, "needs the fewest nodes");

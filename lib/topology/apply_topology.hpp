@@ -10,7 +10,8 @@ namespace quadrille::topology {
 
 /// Which irregular nodes a layout has inside. `field`: those of the field. `fewest`: none that the index sum does not
 /// require for these corner valences, so that all have the same sign. `none`: corner valences are changed too, so that
-/// no node is required, or as few as possible. `by_grid`: `fewest` if a kind of grid is chosen, else `field`.
+/// no node is required, or as few as possible. `by_grid`: `fewest` if a kind of grid is chosen, and
+/// between walls and their offset curves, where layers run; else `field`.
 enum class NodeRule { by_grid, none, fewest, field };
 constexpr auto enum_names(NodeRule) {
   return std::to_array<EnumName<NodeRule>>({{NodeRule::by_grid, "auto"},

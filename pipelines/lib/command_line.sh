@@ -5,7 +5,7 @@ shape='' out='' workdir='' report='' face='' names='' heal='' blunt='' healed=''
 fit='' html='' of_points='' max_seconds='' max_memory='' threads='' given_nodes='' first_stage='' last_stage='' dry_run=''
 own_flags='--help --verbose --quiet --version --dry-run'
 own_values='--output --workdir --html --report --max-seconds --max-memory --threads --face --boundary-names --name
-  --region-name --periodic --heal-tolerance --fit-tolerance --blunt --write-healed --nodes --from
+  --region-name --periodic --offset --heal-tolerance --fit-tolerance --blunt --write-healed --nodes --from
   --until --farfield --wake --chord'
 
 mistake() { printf '%s\n' "quadmesh: $1" "try 'quadmesh --help'" >&2; exit 2; }
@@ -77,7 +77,7 @@ take_value_of_cad2tri() {
   case $1 in
     --face) face=$2 ;;
     --boundary-names) names=$2 ;;
-    --name | --region-name | --periodic) takers=cad2tri && choose_option "$1" "$2" ;;
+    --name | --region-name | --periodic | --offset) takers=cad2tri && choose_option "$1" "$2" ;;
     --heal-tolerance) heal=$2 ;;
     --fit-tolerance) fit=$2 ;;
     --blunt) blunt=$2 ;;

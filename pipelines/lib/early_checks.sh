@@ -173,3 +173,17 @@ refuse_stage_file() {
     fi
   done
 }
+
+# choose_offsets: --wall NAME:...,blocks=own needs a curve that cad2tri makes.
+choose_offsets() {
+  case $chosen in *blocks=own*) ;; *) return 0 ;; esac
+  offsets=$(with_options quadrefine quadrefine --write-offsets - 2>&1 </dev/null) || {
+    printf '%s\n' "$offsets" | sed 's/^quadrefine: /quadmesh: /' >&2
+    exit 2
+  }
+  while read -r offset; do
+    [ -z "$offset" ] || { takers=cad2tri && choose_option --offset "$offset"; }
+  done <<END
+$offsets
+END
+}

@@ -40,6 +40,8 @@ OPTIONS
                             inside the region
   --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other; may be
                             given several times (see cad2tri --help)
+  --offset NAME=T           embed a curve at the distance T from the boundary NAME, which blocks end at; --wall
+                            NAME:...,blocks=own does so by itself; may be given several times (see cad2tri --help)
   --boundary-names FILE     new names of boundary curves, JSON (see formats/boundary-names.md)
   --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
   --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see

@@ -55,3 +55,35 @@ good_layers() {
   layers 3e-4 "$names"
   good_layers 3e-4 1.3 ${names//,/ }
 }
+
+# own SHAPE NAMES LAYERS: work/SHAPE.quad.h5 with layers in blocks of their own.
+own() {
+  step=$DATA/$1.step
+  [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
+  [[ -f $step ]] || skip "no $1.step here"
+  "$ROOT/pipelines/quadmesh" -q "$step" --wall "$2:$3,blocks=own" --workdir work -o x.vtu
+  quadrefine -q work/"$1.blocks.h5" --wall "$2:$3,blocks=own" -o x.quad.h5 --report x.json
+  run -0 stagecheck x.quad.h5
+  number=$(jq '.walls["0"].layers' x.json)
+}
+
+@test "40 layers in blocks of their own around a hole, no irregular node among them" {
+  own plate_hole curve_4 first=1e-4,growth=1.15,layers=40
+  assert_equal "$number" 40
+  good_layers 1e-4 1.31 curve_4
+  run jq '.critical_points | length' work/plate_hole.crit.json
+  assert_output 4
+}
+
+@test "layers in blocks of their own along walls with corners, up to inlet and outlet" {
+  own backward_step curve_0,curve_1,curve_2 first=1e-3,growth=1.2,layers=12
+  good_layers 1e-3 1.3 curve_0 curve_1 curve_2
+}
+
+@test "around a sharp aerofoil layers in blocks of their own go around the tail" {
+  own geometry_5 curve_4,curve_5 first=1e-4,growth=1.2,layers=25
+  run jq -c '[.valid, .least_scaled_jacobian > 0.5, .walls["0"].layers]' x.json
+  assert_output '[true,true,25]'
+  run jq '.critical_points | length' work/geometry_5.crit.json
+  assert_output 4
+}

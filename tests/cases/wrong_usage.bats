@@ -7,6 +7,9 @@ table() {
 2 | cad2tri --verbos half_disc.step | unknown option --verbos: did you mean --verbose?
 2 | cad2tri --face-name 3 half_disc.step | unknown option --face-name
 2 | cad2tri --heal-tol 1e-4 half_disc.step | unknown option --heal-tol: did you mean --heal-tolerance?
+2 | cad2tri --offset hole half_disc.step | --offset hole: expected NAME=T
+2 | cad2tri --offset 0=thin half_disc.step | --offset 0=thin: 'thin' is not a number
+2 | cad2tri --offset hole=0.1 half_disc.step -o out.tri.h5 | --offset hole=0.1: there is no boundary "hole"
 2 | cad2tri --region-name fluid half_disc.step | --region-name fluid: expected NAME=LIST
 2 | cad2tri -z half_disc.step | unknown option -z
 2 | cad2tri half_disc.step square.step | surplus argument 'square.step'
@@ -54,6 +57,7 @@ table() {
 2 | quadrefine --grading hole=0.1 w/half_disc.blocks.h5 | --grading: 'hole=0.1' is not NAME=FIRST:LAST
 2 | quadrefine --refine 11 w/half_disc.blocks.h5 | --refine: 11 is outside its interval
 2 | quadrefine --per-curve few w/half_disc.blocks.h5 | --per-curve: 'few' is not an integer
+2 | quadrefine --wall curve_0:first=1,layers=2,blocks=own w/half_disc.blocks.h5 | blocks=own needs a curve curve_0_offset in the face
 2 | quadrefine --wall curve_0:yplus=1,layers=2 w/half_disc.blocks.h5 | y+ needs the flow as well: give --velocity, --viscosity, --length
 2 | quadrefine --wall curve_0:first=1,yplus=1,layers=2 w/half_disc.blocks.h5 | one of first and yplus must be given, not both
 2 | quadrefine --wall curve_0:first=1,layers=2 --velocity 30 w/half_disc.blocks.h5 | --velocity: used with --yplus or --wall NAME:yplus=Y only
@@ -100,6 +104,7 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --heal-tolerance wide | --heal-tolerance: 'wide' is not a number
 2 | quadmesh half_disc.step -o out.msh --write-healed out.iges | out.iges: the file must end in .step, .stp or .brep
 2 | quadmesh half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
+2 | quadmesh half_disc.step -o out.msh --wall 0:first=1,layers=fit,blocks=own | blocks=own needs a number of layers
 2 | quadmesh half_disc.step -o out.msh --wall hole | expected NAME:first=H
 2 | quadmesh half_disc.step -o out.msh --size-near hole | hole
 2 | quadmesh half_disc.step -o out.msh --layout best | --layout: 'best' is not one of

@@ -59,5 +59,18 @@ TEST(LayerLaw, ThicknessAsksForTheLeastNumberThatReachesIt) {
   EXPECT_THROW(requested_layers(spec), UsageError);
 }
 
+TEST(LayerLaw, SqueezedLayersAndOneMoreFillTheRoom) {
+  const std::vector<double> heights{1, 3, 7};
+  EXPECT_EQ(next_layer(heights), 8);
+  EXPECT_EQ(squeezed_heights(heights, 15), heights);
+  const std::vector<double> squeezed = squeezed_heights(heights, 10);
+  EXPECT_NEAR(squeezed[0], 1, 1e-12);
+  const double growth = squeezed[1] - 1;
+  EXPECT_NEAR(squeezed[2] - squeezed[1], growth * growth, 1e-9);
+  EXPECT_NEAR(squeezed[2] + growth * growth * growth, 10, 1e-9);
+  const std::vector<double> equal = squeezed_heights(heights, 2);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(equal[k], 0.5 * (k + 1), 1e-12);
+}
+
 }  // namespace
 }  // namespace quadrille::layers

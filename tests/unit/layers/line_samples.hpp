@@ -11,7 +11,7 @@ namespace quadrille::wall_samples {
 
 /// A straight line at right angles to its walls.
 inline layers::NormalLineSample straight(int chord, double length, int front, int back = -1, double size = 0.1) {
-  layers::NormalLineSample line{chord, front, back, size, {}, {}, {}, {1, 2}};
+  layers::NormalLineSample line{chord, front, back, size, {}, {}, {}, {1, 2}, {}};
   for (int i = 0; i <= 64; ++i) line.lengths.push_back(length * i / 64);
   line.front_heights = line.lengths;
   if (back >= 0) line.back_heights = line.lengths;

@@ -44,7 +44,8 @@ TEST(NormalLineSamples, CrossABlockBetweenTwoWallsOnce) {
 }
 
 TEST(NormalLineSamples, WhatLiesBetweenLayers) {
-  NormalLineSample line{0, 0, 1, 0.1, {0, 1, 2, 3}, {0, 0.5, 1, 1.5}, {0, 1, 2, 3}, {}};  // the front wall is slanted
+  NormalLineSample line{0,  0, 1, 0.1, {0, 1, 2, 3}, {0, 0.5, 1, 1.5}, {0, 1, 2, 3},
+                        {}, {}};  // the front wall is slanted
   const FreePart part = part_between_layers(line, {{0.25, 0.5}, {0.6}});
   EXPECT_NEAR(part.length, 3 - 1 - 0.6, 1e-15);
   EXPECT_NEAR(part.ends.before, 0.5, 1e-15);

@@ -35,7 +35,7 @@ TEST(WallSides, ThatContinueEachOtherMarkTheirCommonArcOnce) {
 }
 
 TEST(WallSides, PointsOfASideThatIsWalkedAgainstItsArc) {
-  const WallSide wall{0, 0, 0, {}, {2, 0.0}, {4, 1.0}};  // pieces 2 to 4 of the line
+  const WallSide wall{0, 0, 0, {}, {2, 0.0}, {4, 1.0}, false};  // pieces 2 to 4 of the line
   curve::ChainPoint on_arc;
   on_arc.piece = 1, on_arc.t = 0.3;
   EXPECT_EQ(wall_point(wall, on_arc, false).piece, 3);

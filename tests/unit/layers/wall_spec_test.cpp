@@ -6,6 +6,8 @@
 
 #include "../hand_made.hpp"
 #include "base/error.hpp"
+#include "layers/layer_law.hpp"
+#include "layers/wall_layers.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -44,6 +46,19 @@ TEST(WallSpec, HasAYPlusInPlaceOfTheFirstHeight) {
   EXPECT_EQ(specs[1].first, 1);
 }
 
+TEST(WallSpec, MayHaveBlocksOfItsOwnAboveOneMoreLayer) {
+  EXPECT_FALSE(parse_wall_spec("a:first=1,layers=2,blocks=shared").own_blocks);
+  const WallSpec spec = parse_wall_spec("a:first=1,layers=3,growth=2,blocks=own");
+  EXPECT_TRUE(spec.own_blocks);
+  EXPECT_NEAR(own_block_height(spec), 15, 1e-12);
+  EXPECT_THROW(own_block_height(parse_wall_spec("a:yplus=1,layers=3,blocks=own")), UsageError);
+  EXPECT_THROW(parse_wall_spec("a:first=1,layers=fit,blocks=own"), UsageError);
+  CadFace face = hand_made::unit_square().face;
+  EXPECT_THROW(require_offsets({parse_wall_spec("0:first=1,layers=3,blocks=own")}, face), UsageError);
+  face.curve_names[2] = face.curve_names[0] + "_offset";
+  EXPECT_NO_THROW(require_offsets({parse_wall_spec("0:first=1,layers=3,blocks=own")}, face));
+}
+
 TEST(WallSpec, KeepsColonsOfNames) {
   EXPECT_EQ(parse_wall_spec("wing:upper:first=1,layers=2").names, std::vector<std::string>{"wing:upper"});
 }
@@ -70,6 +85,7 @@ TEST(WallSpec, MistakesAreUsageErrorsThatQuoteTheText) {
                                  "a:first=1,layers=2,law=cubic",
                                  "a:first=1,layers=2,first=1",
                                  "a:first=1,layers=2,last=1",
+                                 "a:first=1,layers=2,blocks=2",
                                  "a:first=1,layers"}) {
     try {
       parse_wall_spec(text);

@@ -30,6 +30,17 @@ TEST(Interfaces, ArcsBetweenRegionsAreNoBoundary) {
   EXPECT_EQ(num_on_slit, 2);
 }
 
+TEST(Interfaces, ACurveInsideAFaceSeparatesRegionsOfOneName) {
+  SeparatrixGraph squares = region_graphs::two_squares();
+  const std::vector<int> regions = curve_regions(squares.face);
+  squares.face.region_names = {"fluid", "solid"};
+  for (int a = 0; a < 7; ++a) EXPECT_EQ(separates_faces(squares, squares.arcs[a], regions), a == 1);
+  squares.face.region_names = {"fluid", "fluid"};
+  EXPECT_FALSE(separates_faces(squares, squares.arcs[1], regions));
+  const SeparatrixGraph plate = region_graphs::slit_plate(false);
+  for (const GraphArc& arc : plate.arcs) EXPECT_FALSE(separates_faces(plate, arc, curve_regions(plate.face)));
+}
+
 TEST(Interfaces, TheLeftSideIsThatOfTheCurveOrOfItsPartner) {
   SeparatrixGraph squares = region_graphs::two_squares();
   const std::vector<int> regions = curve_regions(squares.face);
