@@ -156,7 +156,9 @@ ChainProfile chain_profile(const CadFace& face, const WallChain& chain, const st
   for (std::size_t i = 0; i < chain.curves.size(); ++i)
     profile.curves.push_back(profile_of(smooth, samples, i, chain.distances[i]));
   const auto least = std::min_element(smooth.ratios.begin(), smooth.ratios.end());
-  profile.least_ratio = *least;
+  const bool is_constant =
+      std::all_of(profile.curves.begin(), profile.curves.end(), [](const OffsetProfile& p) { return p.is_constant; });
+  profile.least_ratio = is_constant ? 1 : *least;
   profile.narrowest = samples.positions[least - smooth.ratios.begin()];
   return profile;
 }

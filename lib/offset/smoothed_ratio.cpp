@@ -11,12 +11,12 @@ namespace {
 /// Half of the length over which ratios are averaged.
 double half_width(const RatioSamples& samples) { return std::min(samples.distance, samples.lengths.back() / 2) / 2; }
 
-/// The least ratio within twice that length and one interval, so that averages are not above the ratios.
+/// The least ratio within twice that length and two intervals, so that averages are not above the ratios.
 std::vector<double> least_around(const RatioSamples& samples) {
   const std::vector<double>& lengths = samples.lengths;
   double interval = 0;
   for (std::size_t k = 1; k < lengths.size(); ++k) interval = std::max(interval, lengths[k] - lengths[k - 1]);
-  const double reach = 2 * half_width(samples) + interval;
+  const double reach = 2 * (half_width(samples) + interval);
   std::vector<double> least;
   for (const double s : lengths) {
     double value = 1;

@@ -85,5 +85,5 @@ own() {
   run jq -c '[.valid, .least_scaled_jacobian > 0.5, .walls["0"].layers]' x.json
   assert_output '[true,true,25]'
   run jq '.critical_points | length' work/geometry_5.crit.json
-  assert_output 4
+  assert_output 2
 }

@@ -30,9 +30,9 @@ shapes="half_disc square l_shape quarter_annulus annulus eccentric_annulus plate
 @test "--offset embeds a curve around a hole; other curves keep their names" {
   cad2tri -q "$DATA/plate_hole.step" --offset curve_4=0.2 -o a.tri.h5 --report a.json
   run -0 stagecheck a.tri.h5
-  run jq -c '[."regions.count" // .regions.count, .offsets["0"].least, .warnings]' a.json
+  run jq -c '[.regions.count, .offsets["0"].least, .warnings]' a.json
   assert_output '[2,0.2,[]]'
-  run cad2tri -q "$DATA/plate_hole.step" --offset curve_4=3 -o b.tri.h5
+  run cad2tri "$DATA/plate_hole.step" --offset curve_4=3 -o b.tri.h5
   assert_success
   assert_output --partial W-CAD-009
 }

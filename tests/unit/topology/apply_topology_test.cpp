@@ -33,11 +33,11 @@ TEST(ApplyTopology, KeepsTheNodesOfTheFieldWithoutAFarField) {
 }
 
 TEST(ApplyTopology, BetweenAWallAndItsOffsetCurveThereAreTheFewestNodes) {
-  CadFace face = make_face({circle({0, 0}, 8), sharp_body()});
+  CadFace face = make_face({c_outline(), sharp_body()});
   const std::string wall = face.curve_names[face.num_curves() - 1];
   EXPECT_EQ(applied(face, {}, pair, false).critical_points.size(), 2U);
   face.curve_names[0] = wall + "_offset";
-  EXPECT_LT(applied(face, {}, pair, true).critical_points.size(), 2U);
+  EXPECT_TRUE(applied(face, {}, pair, true).critical_points.empty());
   EXPECT_EQ(applied(face, {NodeRule::field}, pair, false).critical_points.size(), 2U);
 }
 
