@@ -44,16 +44,16 @@ void require_equal_distances(const CadFace& face, int joint, int before, int aft
                                position_text(face.joints[joint].position + face.origin)));
 }
 
-WallChain chain_from(const CadFace& face, int first, const std::vector<int>& request_of,
+WallChain chain_from(const CadFace& face, int first, const std::vector<int>& curve_requests,
                      const std::vector<OffsetRequest>& requests) {
   WallChain chain;
   for (int c = first;;) {
     chain.curves.push_back(c);
-    chain.requests.push_back(request_of[c]);
-    chain.distances.push_back(requests[request_of[c]].distance);
+    chain.requests.push_back(curve_requests[c]);
+    chain.distances.push_back(requests[curve_requests[c]].distance);
     const int next = face.next_in_loop(c);
-    if (request_of[next] < 0) return chain;
-    require_equal_distances(face, next, request_of[c], request_of[next], requests);
+    if (curve_requests[next] < 0) return chain;
+    require_equal_distances(face, next, curve_requests[c], curve_requests[next], requests);
     if (next == first) {
       chain.is_closed = true;
       return chain;
