@@ -1,15 +1,12 @@
 #include "cli/tool_main.hpp"
 
 #include <fmt/format.h>
-#include <malloc.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <new>
@@ -19,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "cli/command_line.hpp"
+#include "cli/heap.hpp"
 #include "cli/signals.hpp"
 #include "cli/version.hpp"
 
@@ -120,30 +118,6 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   if (outcome.code == ExitCode::done) return reporting;
   if (reporting.code != ExitCode::done) print_error(tool, reporting);
   return outcome;
-}
-
-// The first address of a huge page at or above an address.
-char* next_huge_page(void* address) {
-  constexpr std::uintptr_t huge_page = 2 << 20;
-  return static_cast<char*>(address) + (huge_page - reinterpret_cast<std::uintptr_t>(address) % huge_page) % huge_page;
-}
-
-// Large matrices come and go. By default the C library returns their memory to the system each time, and the page
-// faults of taking it again cost up to a third of the CPU time. The first 64 MiB of the heap are taken in huge pages,
-// where the system has them: geometry_4 then costs padapt a fifth less. Beyond that the system spends more on making
-// room for huge pages than they save.
-void set_up_heap() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 512 << 20);
-  mallopt(M_TOP_PAD, 64 << 20);
-  void* const block = std::malloc(1 << 20);  // the heap grows by the padding too, in addresses only
-  char* const begin = next_huge_page(block);
-  char* const end = static_cast<char*>(sbrk(0));
-  if (block && begin < end) madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE);
-  std::free(block);
-  mallopt(M_TOP_PAD, 1 << 20);
-#endif
 }
 
 }  // namespace
