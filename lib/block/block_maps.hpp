@@ -1,6 +1,7 @@
 #pragma once
 // The exact maps of a layout's blocks.
 
+#include <optional>
 #include <vector>
 
 #include "curve/chain.hpp"
@@ -13,13 +14,14 @@ class BlockMaps {
  public:
   /// `layout` must outlive it, and its arcs and splines must not change.
   explicit BlockMaps(const BlockLayout& layout);
-  const curve::Chain& arc(int a) const { return chains_[a]; }
+  /// Constructed by the first call; not for several threads at once.
+  const curve::Chain& arc(int a) const;
   mesh::TransfiniteMap map(int block) const;
 
  private:
   const BlockLayout* layout_;
   curve::CurveTable table_;
-  std::vector<curve::Chain> chains_;
+  mutable std::vector<std::optional<curve::Chain>> chains_;
 };
 
 }  // namespace quadrille::block

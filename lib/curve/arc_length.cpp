@@ -24,9 +24,10 @@ ArcLength::Quadratic ArcLength::quadratic(const Nurbs& curve, bool is_polynomial
   }
   // Bernstein coefficients by blossoms, relative to the point in the middle: A(u) / w(u) with A(0) = 0.
   const int k = find_span(curve, m);
-  const LocalPoles poles = local_poles(curve, k);
+  constexpr std::integral_constant<int, 2> degree;
+  const LocalPoles poles = local_poles(curve, k, degree);
   const auto blossom = [&](double t1, double t2) {
-    return de_boor(curve, k, 2, poles, [=](int r) { return r == 1 ? t1 : t2; });
+    return de_boor(curve, k, degree, poles, [=](int r) { return r == 1 ? t1 : t2; });
   };
   std::array<Homogeneous, 3> c{blossom(a, a), blossom(a, b), blossom(b, b)};
   const Vec2 origin = point(curve, m);
@@ -77,8 +78,7 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
     // use.
     const bool is_rounding = error <= 1e-6 * scale && error > whole.error / 16;
     if (error <= 1e-14 * scale || is_rounding || whole.depth == 40) {
-      add(m, lengths_.back() + left, whole.span);
-      add(whole.b, lengths_.back() + right, whole.span);
+      add(whole.b, lengths_.back() + left + right, whole.span);
     } else {
       stack.push_back({m, whole.b, right, whole.depth + 1, error, whole.span});
       stack.push_back({whole.a, m, left, whole.depth + 1, error, whole.span});
@@ -104,7 +104,7 @@ double ArcLength::speed(size_t span, double t) const {
 }
 
 double ArcLength::gauss(size_t span, double a, double b) const {
-  return gauss_integral<16>([&](double t) { return speed(span, t); }, a, b);
+  return gauss_integral<8>([&](double t) { return speed(span, t); }, a, b);
 }
 
 double ArcLength::at(double t) const {
@@ -117,8 +117,7 @@ double ArcLength::at(double t) const {
 double ArcLength::inside(size_t i, double t) const {
   const double a = parameters_[i], b = parameters_[i + 1], whole = lengths_[i + 1] - lengths_[i];
   if (is_polyline_) return whole * ((t - a) / (b - a));
-  // Integrates from the nearer end: at most a quarter of an interval on which 16 points were enough, so 8 are. This
-  // also makes the middle of a symmetric curve exact to the last digit.
+  // Integrates from the nearer end, which also makes the middle of a symmetric curve exact to the last digit.
   const auto f = [&](double u) { return speed(spans_[i + 1], u); };
   if (t - a <= b - t) return t == a ? 0 : gauss_integral<8>(f, a, t);
   return t == b ? whole : whole - gauss_integral<8>(f, t, b);

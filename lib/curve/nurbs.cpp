@@ -13,7 +13,8 @@ namespace {
 Vec2 projected(Homogeneous h) { return {h.x / h.w, h.y / h.w}; }
 
 // Poles of the derivative of the polynomial piece on span k: The NURBS Book, eq. 3.8.
-void differentiate(const Nurbs& curve, int k, int degree, LocalPoles& d) {
+template <class Degree>
+void differentiate(const Nurbs& curve, int k, Degree degree, LocalPoles& d) {
   for (int i = 0; i < degree; ++i) {
     const double s = degree / (curve.knots[k + 1 + i] - curve.knots[k + 1 - degree + i]);
     d[i] = {s * (d[i + 1].x - d[i].x), s * (d[i + 1].y - d[i].y), s * (d[i + 1].w - d[i].w)};
@@ -29,15 +30,16 @@ struct LastSegment {
 };
 
 LastSegment last_segment(const Nurbs& curve, int k, double t) {
-  const int p = curve.degree;
-  LocalPoles d = local_poles(curve, k);
-  for (int r = 1; r < p; ++r)
-    for (int j = p; j >= r; --j) {
-      const double low = curve.knots[k - p + j], high = curve.knots[k + 1 + j - r];
-      const double u = (t - low) / (high - low), v = 1 - u;
-      d[j] = {v * d[j - 1].x + u * d[j].x, v * d[j - 1].y + u * d[j].y, v * d[j - 1].w + u * d[j].w};
-    }
-  return {d[p - 1], d[p], (t - curve.knots[k]) / (curve.knots[k + 1] - curve.knots[k])};
+  return with_degree(curve.degree, [&](auto p) -> LastSegment {
+    LocalPoles d = local_poles(curve, k, p);
+    for (int r = 1; r < p; ++r)
+      for (int j = p; j >= r; --j) {
+        const double low = curve.knots[k - p + j], high = curve.knots[k + 1 + j - r];
+        const double u = (t - low) / (high - low), v = 1 - u;
+        d[j] = {v * d[j - 1].x + u * d[j].x, v * d[j - 1].y + u * d[j].y, v * d[j - 1].w + u * d[j].w};
+      }
+    return {d[p - 1], d[p], (t - curve.knots[k]) / (curve.knots[k + 1] - curve.knots[k])};
+  });
 }
 
 Vec2 point_on(const LastSegment& s) {
@@ -49,6 +51,19 @@ Vec2 point_on(const LastSegment& s) {
 Vec2 derivative_on(const LastSegment& s, int degree, double span) {
   const double w = s.weight(), scale = degree / (span * w * w);
   return {scale * (s.a.w * s.b.x - s.b.w * s.a.x), scale * (s.a.w * s.b.y - s.b.w * s.a.y)};
+}
+
+// The piece on span k at t and its derivatives up to the third.
+std::array<Homogeneous, 4> homogeneous_derivatives(const Nurbs& curve, int k, double t) {
+  std::array<Homogeneous, 4> a{};
+  with_degree(curve.degree, [&](auto p) {
+    LocalPoles d = local_poles(curve, k, p);
+    for (int n = 0; n <= std::min<int>(3, p); ++n) {
+      if (n > 0) differentiate(curve, k, p - n + 1, d);
+      a[n] = de_boor(curve, k, p - n, d, [t](int) { return t; });
+    }
+  });
+  return a;
 }
 
 Vec2 vec(Homogeneous h) { return {h.x, h.y}; }
@@ -95,7 +110,9 @@ Vec2 point(const Nurbs& curve, double t) {
   if (t <= curve.begin()) return curve.poles.front();
   if (t >= curve.end()) return curve.poles.back();
   const int k = find_span(curve, t);
-  return projected(de_boor(curve, k, curve.degree, local_poles(curve, k), [t](int) { return t; }));
+  return with_degree(curve.degree, [&](auto p) {
+    return projected(de_boor(curve, k, p, local_poles(curve, k, p), [t](int) { return t; }));
+  });
 }
 
 Vec2 derivative(const Nurbs& curve, double t, bool from_left) {
@@ -114,13 +131,8 @@ PointAndDerivative point_and_derivative(const Nurbs& curve, double t) {
 
 std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left) {
   const double s = std::clamp(t, curve.begin(), curve.end());
-  const int k = find_span(curve, s, from_left), p = curve.degree;
-  std::array<Homogeneous, 4> a{};
-  LocalPoles d = local_poles(curve, k);
-  for (int n = 0; n <= std::min(3, p); ++n) {
-    if (n > 0) differentiate(curve, k, p - n + 1, d);
-    a[n] = de_boor(curve, k, p - n, d, [s](int) { return s; });
-  }
+  const int k = find_span(curve, s, from_left);
+  const std::array<Homogeneous, 4> a = homogeneous_derivatives(curve, k, s);
   const double w = a[0].w;
   std::array<Vec2, 4> c;
   c[0] = s == curve.begin() ? curve.poles.front() : s == curve.end() ? curve.poles.back() : projected(a[0]);
@@ -182,7 +194,7 @@ Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
   for (int i = 0; i < num_poles; ++i) {
     const int j = longest_span(part.knots, std::max(i, p), std::min(i + p, num_poles - 1));
     const int k = find_span(curve, (part.knots[j] + part.knots[j + 1]) / 2);
-    const Homogeneous h = de_boor(curve, k, p, local_poles(curve, k), [&](int r) { return part.knots[i + r]; });
+    const Homogeneous h = de_boor(curve, k, p, local_poles(curve, k, p), [&](int r) { return part.knots[i + r]; });
     part.poles.push_back(projected(h));
     part.weights.push_back(h.w);
   }
