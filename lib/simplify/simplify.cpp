@@ -17,8 +17,13 @@ namespace {
 using graph::ChordStrip;
 using graph::Subdivision;
 
-constexpr double relative_fit_tol = 2e-9;  // relative to the diameter, as for traced lines
-constexpr double slack = 1e-6;             // equal quality is accepted in spite of rounding
+struct Precision {
+  double fit_tol;  // of blends, relative to the diameter
+  double slack;    // angles (radians) and scaled Jacobians that are worse by less are accepted
+};
+
+constexpr Precision fine{2e-9, 1e-6};    // splines as accurate as traced lines; equal quality in spite of rounding
+constexpr Precision coarse{1e-6, 1e-2};  // shows at a fifth of the cost that most collapses are not acceptable
 
 // The key of a group of strips: the pieces of all its arcs.
 std::vector<double> key_of(const ArcGraph& graph, const std::vector<ChordStrip>& strips) {
@@ -52,7 +57,7 @@ bool take_thinnest(std::vector<Item> items, const Aspect& aspect, const Take& ta
 
 // Apart from validity. The loss of block quality must be justified by the number of blocks saved.
 bool is_acceptable(const SimplifyOptions& options, const BlockQuality& before, const BlockQuality& after,
-                   double fraction_left) {
+                   double fraction_left, double slack) {
   const double worth = options.limits_loss_by_saving ? fraction_left : 0;
   const double least = std::max(options.least_scaled_jacobian, worth * before.least_scaled_jacobian);
   return after.least_angle >= std::min(before.least_angle, options.least_angle) - slack &&
@@ -109,8 +114,9 @@ class Simplifier {
     std::vector<double> key = key_of(subdivision_.graph(), strips);
     if (refused_.contains(key)) return std::nullopt;
     tried_.advance();
-    const std::optional<std::vector<Blend>> blends = blends_of_group(fields_, subdivision_, strips, blend_options());
-    if (!blends || !improves(strips, *blends)) {
+    std::optional<std::vector<Blend>> blends = acceptable_blends(strips, coarse);
+    if (blends) blends = acceptable_blends(strips, fine);
+    if (!blends) {
       refused_.insert(std::move(key));
       return std::nullopt;
     }
@@ -119,14 +125,23 @@ class Simplifier {
     return collapse_group(subdivision_, strips, *blends);
   }
 
+  // std::nullopt if the strips cannot be collapsed or may not be.
+  std::optional<std::vector<Blend>> acceptable_blends(const std::vector<ChordStrip>& strips,
+                                                      const Precision& precision) {
+    std::optional<std::vector<Blend>> blends =
+        blends_of_group(fields_, subdivision_, strips, blend_options(precision.fit_tol));
+    if (blends && !improves(strips, *blends, precision.slack)) blends.reset();
+    return blends;
+  }
+
   bool try_shorten(const std::vector<SpiralShortcut>& shortcuts) {
     tried_.advance();
-    std::optional<Shortened> trial = shorten_group(fields_, subdivision_, shortcuts, blend_options());
+    std::optional<Shortened> trial = shorten_group(fields_, subdivision_, shortcuts, blend_options(fine.fit_tol));
     if (!trial) return false;
     BlockQuads quads;
     const BlockQuality after = worst_quality(trial->subdivision, all_faces(trial->subdivision), quads);
-    if (!is_acceptable(options_, qualities_.worst(subdivision_), after,
-                       fraction_left(subdivision_, trial->subdivision)) ||
+    if (!is_acceptable(options_, qualities_.worst(subdivision_), after, fraction_left(subdivision_, trial->subdivision),
+                       fine.slack) ||
         !are_valid(quads))
       return false;
     num_shortened_ += static_cast<int>(shortcuts.size());
@@ -137,7 +152,7 @@ class Simplifier {
 
   // Whether the strips can be collapsed and may be: by the blocks that a trial changes. Leaves the subdivision as it
   // is.
-  bool improves(const std::vector<ChordStrip>& strips, const std::vector<Blend>& blends) {
+  bool improves(const std::vector<ChordStrip>& strips, const std::vector<Blend>& blends, double slack) {
     const double num_before = subdivision_.num_faces();
     subdivision_.begin_trial();
     const std::optional<ArcChanges> changes = collapse_group(subdivision_, strips, blends);
@@ -148,11 +163,11 @@ class Simplifier {
     subdivision_.undo_trial();
     if (!changes) return false;
     const BlockQuality before = qualities_.worst(subdivision_, faces_beside(subdivision_, touched_by(*changes)));
-    return is_acceptable(options_, before, after, num_after / num_before) && are_valid(quads);
+    return is_acceptable(options_, before, after, num_after / num_before, slack) && are_valid(quads);
   }
 
-  BlendOptions blend_options() const {
-    return {options_.max_deviation, relative_fit_tol * subdivision_.graph().face.diameter};
+  BlendOptions blend_options(double fit_tol) const {
+    return {options_.max_deviation, fit_tol * subdivision_.graph().face.diameter};
   }
 
   const field::FieldsOfRegions& fields_;
