@@ -17,6 +17,12 @@ namespace quadrille::cli {
 
 namespace {
 
+#ifdef QUADRILLE_SANITIZE
+constexpr bool is_of_sanitizer = true;  // whose heap is another, and fills what it reserves
+#else
+constexpr bool is_of_sanitizer = false;
+#endif
+
 constexpr std::size_t huge_page = 2 << 20, small_page = 4 << 10;
 constexpr std::size_t least_reserve = 64 << 20, most_reserve = std::size_t{3} << 30;
 
@@ -59,7 +65,7 @@ std::size_t free_huge_page_bytes(std::string_view buddy_info) {
 }
 
 void set_up_heap() {
-#if defined(__GLIBC__) && !defined(QUADRILLE_SANITIZE)
+  if (is_of_sanitizer) return;
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   void* block = std::malloc(reserve_size());
@@ -69,7 +75,6 @@ void set_up_heap() {
   if (block && begin < end) madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE);
   std::free(block);
   mallopt(M_TOP_PAD, 1 << 20);
-#endif
 }
 
 }  // namespace quadrille::cli
