@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "base/position_text.hpp"
@@ -48,13 +49,40 @@ std::vector<double> block_qualities(const QuadMesh& mesh) {
   return least;
 }
 
-bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, BlockLines& lines) {
+namespace {
+
+double least_interval(const std::vector<std::vector<double>>& lines) {
+  double least = 1e300;
+  for (const std::vector<double>& line : lines)
+    for (const double length : line) least = std::min(least, length);
+  return least;
+}
+
+/// The directions of the lines that a block loses next: those along its walls; without walls, or with walls in both
+/// directions, those with the longer intervals. In a tie, and if it has lines in one direction only, all.
+std::array<bool, 2> lines_to_drop(const std::array<int, 4>& walls, const layers::BlockLineLengths& lines) {
+  if (lines[0].empty() || lines[1].empty()) return {true, true};
+  const bool has_columns = walls[0] >= 0 || walls[2] >= 0, has_rows = walls[1] >= 0 || walls[3] >= 0;
+  if (has_columns != has_rows) return {has_rows, has_columns};
+  const double ratio = least_interval(lines[0]) / least_interval(lines[1]), tol = growth_constants.equal_tol;
+  return {ratio > 1 - tol, ratio < 1 + tol};
+}
+
+bool is_dropped(const layers::BlockLineLengths& lines) { return lines[0].empty() || lines[1].empty(); }
+
+}  // namespace
+
+bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const layers::WallSides& walls,
+                BlockLines& lines) {
   const std::vector<double> with = block_qualities(mesh);
   bool any = false;
   for (std::size_t block = 0; block < lines.size(); ++block) {
     const double least = std::min(growth_constants.good_quality, growth_constants.kept_quality * without[block]);
-    if (lines[block][0].empty() || (with[block] > 0 && with[block] >= least)) continue;
-    lines[block] = {};
+    if (lines[block][0].empty() && lines[block][1].empty()) continue;
+    if (with[block] > 0 && with[block] >= least) continue;
+    const std::array<bool, 2> drop = lines_to_drop(walls.of_block[block], lines[block]);
+    for (const int direction : {0, 1})
+      if (drop[direction]) lines[block][direction].clear();
     any = true;
   }
   return any;
@@ -62,7 +90,7 @@ bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, BlockL
 
 void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines& lines, const QuadMesh& mesh,
                    double limit, Report& report) {
-  const auto lost = std::count_if(lines.begin(), lines.end(), [](const auto& own) { return own[0].empty(); });
+  const auto lost = std::count_if(lines.begin(), lines.end(), is_dropped);
   const mesh::EdgeGrowth growth = mesh::edge_growth(mesh);
   const Vec2 position = growth.position + mesh.face.origin;
   if (outcome) {

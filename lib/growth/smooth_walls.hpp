@@ -32,10 +32,12 @@ GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const Ke
 /// The least scaled Jacobian of the elements of each block; 0 if one is not proved valid.
 std::vector<double> block_qualities(const QuadMesh& mesh);
 
-/// Blocks whose elements corrected lines make invalid, or worse than GrowthConstants allow, lose these: their lines
-/// follow from the sides alone. `without`: the qualities of the same blocks without corrected lines; `mesh`: with
-/// `lines`. Returns whether any did.
-bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, BlockLines& lines);
+/// Blocks whose elements corrected lines make invalid, or worse than GrowthConstants allow, lose those along their
+/// walls (without walls: those with the longer intervals), and the next time all: these lines follow from the sides
+/// alone. `without`: the qualities of the same blocks without corrected lines; `mesh`: with `lines`. Returns whether
+/// any did.
+bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const layers::WallSides& walls,
+                BlockLines& lines);
 
 /// Keys growth.{greatest_before, greatest, place, raised_chords, blocks_kept}; warning W-QUA-004 if the mesh misses the
 /// limit by far. `outcome`: none if only the mesh without smoothing is proved valid.

@@ -134,6 +134,31 @@ std::vector<double> parameter_steps(const NormalLine& line, double low, double h
   return steps;
 }
 
+/// The middles of intervals of these lengths, as fractions of their sum.
+std::vector<double> middles(const std::vector<double>& lengths) {
+  double total = 0, low = 0;
+  for (const double length : lengths) total += length;
+  std::vector<double> fractions;
+  for (const double length : lengths) {
+    fractions.push_back((low + length / 2) / total);
+    low += length;
+  }
+  return fractions;
+}
+
+/// The intervals of the arcs beside a line, blended in proportion to its distances from both there. `blend`: at its
+/// ends.
+std::vector<double> blended_sizes(const LineFamily& family, const std::array<double, 2>& blend) {
+  const std::vector<double> left = middles(family.left), right = middles(family.right);
+  const double mean = (blend[0] + blend[1]) / 2;
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const double u = (1 - mean) * left[k] + mean * right[k], own = blend[0] + u * (blend[1] - blend[0]);
+    sizes.push_back(std::pow(family.left[k], 1 - own) * std::pow(family.right[k], own));
+  }
+  return sizes;
+}
+
 }  // namespace
 
 LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vector<double> left,
@@ -144,25 +169,24 @@ LineFamily line_family(const SideLayers& low, const SideLayers& high, std::vecto
   return family;
 }
 
-BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend, Vec2 origin) {
+BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node,
+                        const std::array<double, 2>& blend, Vec2 origin) {
   const LayerNodes ends = layer_nodes(family, line, node, origin);
   const std::size_t first = family.low.heights.size(), last = family.left.size() - family.high.heights.size();
-  const auto size = [&](std::size_t k) {
-    return std::pow(family.left[k], 1 - blend) * std::pow(family.right[k], blend);
-  };
+  const std::vector<double> sizes = blended_sizes(family, blend);
   const auto step = [&](const std::vector<double>& nodes, std::size_t k) {
     return distance(line(nodes[k]), line(nodes[k + family.order]));
   };
   BlockLine result;
   result.length = length_between(line, ends.low.back(), ends.high.front());
-  for (std::size_t k = first; k < last; ++k) result.sizes.push_back(size(k));
+  for (std::size_t k = first; k < last; ++k) result.sizes.push_back(sizes[k]);
   if (first > 0) {
     result.before = step(ends.low, ends.low.size() - 1 - family.order);
-    result.before_size = size(first - 1);
+    result.before_size = sizes[first - 1];
   }
   if (last < family.left.size()) {
     result.after = step(ends.high, 0);
-    result.after_size = size(last);
+    result.after_size = sizes[last];
   }
   return result;
 }

@@ -5,6 +5,7 @@
 // the intervals of the two arcs beside the line, times e^(c w_i): w_i rises with the distance from the layers, and c is
 // the one factor with which they fill the line.
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -42,8 +43,11 @@ struct BlockLine {
   double before_size = 0, after_size = 0;  ///< the same, blended from the sides
 };
 
-/// Measures the line that starts at the given node of both sides. Throws as divide_normal_line.
-BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend, Vec2 origin);
+/// Measures the line that starts at the given node of both sides. `blend`: at its beginning and its end, each 0 at the
+/// left and 1 at the right, so that the sizes of lines which continue each other in adjacent blocks do so too. Throws
+/// as divide_normal_line.
+BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node,
+                        const std::array<double, 2>& blend, Vec2 origin);
 
 /// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `blend`: 0 at the left,
 /// 1 at the right. Throws ComputeError, with the position plus `origin`, if the line turns back before its layers end

@@ -41,7 +41,7 @@ struct BlockNodes {
   int order;
   Vec2 origin;
 
-  bool has_lines() const { return !block.lines[0].empty(); }
+  bool has_lines(int direction) const { return !block.lines[direction].empty(); }
   bool has_wall(int side) const { return block.sides[side].wall != nullptr; }
   int width() const { return static_cast<int>(block.fractions[0].size()); }
   int height() const { return static_cast<int>(block.fractions[1].size()); }
@@ -100,21 +100,26 @@ BlockNodes block_nodes(const LayeredBlock& block, int order, Vec2 origin) {
 }
 
 /// The nodes of all lines of a family, given the parameters of the inner ones. `first`, `last`: fractions of the nodes
-/// on the sides that are the first and the last line.
+/// on the sides that are the first and the last line. Lines become alike in their parts above the layers, relative to
+/// these: layers keep their heights, which are at different parameters on lines of different lengths.
 void align_lines(const LineFamily& family, const std::vector<NormalLine>& lines, const std::vector<double>& first,
                  const std::vector<double>& last, std::vector<std::vector<double>>& parameters) {
   mesh::LineNodes all{static_cast<int>(lines.size()), static_cast<int>(first.size()), {}, {}};
   parameters.front() = first, parameters.back() = last;
+  const int low = static_cast<int>(family.low_heights.size());
+  const int high = all.num_nodes - 1 - static_cast<int>(family.high_heights.size());
   for (std::size_t line = 0; line < lines.size(); ++line)
     for (const double u : parameters[line]) {
-      all.parameters.push_back(u);
+      const double bottom = parameters[line][low], top = parameters[line][high];
+      all.parameters.push_back((u - bottom) / (top - bottom));
       all.positions.push_back(lines[line](u));
     }
-  const int low = 1 + static_cast<int>(family.low_heights.size());
-  const int high = all.num_nodes - 1 - static_cast<int>(family.high_heights.size());
-  mesh::smooth_across(all, low, high, family.order, layer_constants.reach_across);
-  for (std::size_t line = 0; line < lines.size(); ++line)
-    for (int k = 0; k < all.num_nodes; ++k) parameters[line][k] = all.parameters[line * all.num_nodes + k];
+  mesh::smooth_across(all, low + 1, high, family.order, layer_constants.reach_across);
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    const double bottom = parameters[line][low], top = parameters[line][high];
+    for (int k = low + 1; k < high; ++k)
+      parameters[line][k] = bottom + all.parameters[line * all.num_nodes + k] * (top - bottom);
+  }
 }
 
 /// Divides the rows between sides 3 and 1; returns s of every inner node.
@@ -129,7 +134,7 @@ std::vector<double> place_rows(const BlockNodes& nodes, std::vector<Vec2>& posit
     const double blend = (block.fractions[3][j] + block.fractions[1][j]) / 2;
     row_s[j] = divide_normal_line(family, rows[j], j, blend, nodes.origin, given_lengths(nodes, 1, j));
   }
-  if (nodes.has_lines()) align_lines(family, rows, block.fractions[0], block.fractions[2], row_s);
+  if (nodes.has_lines(1)) align_lines(family, rows, block.fractions[0], block.fractions[2], row_s);
   std::vector<double> node_s(positions.size(), 0);
   for (int j = 1; j + 1 < nodes.height(); ++j)
     for (int i = 1; i + 1 < nodes.width(); ++i) {
@@ -166,7 +171,7 @@ void place_columns(const BlockNodes& nodes, const std::vector<double>& node_s, s
     if (is_side) continue;
     column_t[i] = divide_normal_line(family, columns[i], i, (s0 + s2) / 2, nodes.origin, given_lengths(nodes, 0, i));
   }
-  if (nodes.has_lines()) align_lines(family, columns, block.fractions[3], block.fractions[1], column_t);
+  if (nodes.has_lines(0)) align_lines(family, columns, block.fractions[3], block.fractions[1], column_t);
   for (int i = 1; i + 1 < nodes.width(); ++i)
     for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = columns[i](column_t[i][j]);
 }
@@ -180,6 +185,21 @@ LayeredBlock transposed(const LayeredBlock& block) {
   std::reverse(result.lengths.begin(), result.lengths.end());
   std::swap(result.lines[0], result.lines[1]);
   return result;
+}
+
+/// Whether lines along rows have to be placed last: those along the normals of walls, so that they have exactly the
+/// heights of its layers, else those with the shortest interval on a side.
+bool has_finer_rows(const LayeredBlock& block) {
+  const bool has_columns = block.sides[0].wall || block.sides[2].wall;
+  const bool has_rows = block.sides[1].wall || block.sides[3].wall;
+  if (has_columns || has_rows) return !has_columns;
+  const auto least = [&](int side) {
+    const std::vector<double>& fractions = block.fractions[side];
+    double step = 1;
+    for (std::size_t k = 1; k < fractions.size(); ++k) step = std::min(step, fractions[k] - fractions[k - 1]);
+    return step * block.lengths[side];
+  };
+  return std::min(least(0), least(2)) < (1 - layer_constants.equal_tol) * std::min(least(1), least(3));
 }
 
 /// Positions in the order of `block`'s nodes, given those of the transposed block.
@@ -204,19 +224,16 @@ std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int
       const double across = low + u * (high - low);
       return direction == 0 ? nodes.position(across, u) : nodes.position(u, across);
     };
-    lines[i] = measured_line(family, line, i, (low + high) / 2, origin);
+    lines[i] = measured_line(family, line, i, {low, high}, origin);
   }
   return lines;
 }
 
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin) {
-  const bool has_low = block.sides[0].wall || block.sides[2].wall,
-             has_left = block.sides[1].wall || block.sides[3].wall;
-  if (has_left && !has_low) return transposed(layered_positions(transposed(block), order, origin), block);
+  if (has_finer_rows(block)) return transposed(layered_positions(transposed(block), order, origin), block);
   const BlockNodes nodes = block_nodes(block, order, origin);
-  const bool has_lines = nodes.has_lines();
-  const bool has_rows = has_lines || nodes.has_wall(1) || nodes.has_wall(3);
-  const bool has_columns = has_lines || nodes.has_wall(0) || nodes.has_wall(2);
+  const bool has_rows = nodes.has_lines(1) || nodes.has_wall(1) || nodes.has_wall(3);
+  const bool has_columns = nodes.has_lines(0) || nodes.has_wall(0) || nodes.has_wall(2);
   std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
   std::vector<double> node_s;
   if (has_rows) node_s = place_rows(nodes, positions);

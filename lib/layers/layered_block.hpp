@@ -4,7 +4,8 @@
 // Each line of nodes runs along the image of the straight line between its ends on both sides of the block and is
 // divided again (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
 // placed first, and the lines along the other's run along them (rule 8 of layer_rules). Where lines in both directions
-// are given, those along a wall's normals come last: they have exactly the heights of its layers.
+// are given, those along a wall's normals come last: they have exactly the heights of its layers. Without walls those
+// with the shortest interval do.
 
 #include <array>
 #include <vector>
@@ -23,7 +24,7 @@ struct LayeredBlock {
   std::array<std::vector<double>, 4> fractions;
   std::array<double, 4> lengths{};
   /// If given, the lengths of the intervals above the layers of every line of nodes: columns (0) by their number along
-  /// side 0, rows (1) by their number along side 1. Empty: they follow from the sides (divide_normal_line).
+  /// side 0, rows (1) by their number along side 1. An empty direction follows from the sides (divide_normal_line).
   BlockLineLengths lines = {};
 };
 

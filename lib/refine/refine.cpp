@@ -48,6 +48,7 @@ struct SplitRequest {
   double tolerance;        ///< of the boundary, a length
   DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
   sizing::LengthLimits limits = {};
+  int max_elements = 0;  ///< of divided arcs: more are refused
   bool limits_growth = false;
   Report* report = nullptr;
   const Progress::Part* attempt = nullptr;
@@ -60,8 +61,9 @@ SplitRequest split_request(const RefineOptions& options, const CadFace& face, Re
       face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order));
   return {options,   options.size_field ? *options.size_field : sizing::SizeField(size),
           tolerance, {options.order, std::max(tolerance - face.fit_distance, least_division * tolerance)},
-          {},        false,
-          &report,   nullptr};
+          {},        options.max_elements,
+          false,     &report,
+          nullptr};
 }
 
 /// A measured mesh and the plans from which it was made.
@@ -130,18 +132,19 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   std::vector<std::vector<double>> no_layers;
   sizing::match_periodic(measured.periodic_arcs(), result.divisions,
                          result.walls ? result.walls->arc_nodes : no_layers);
-  sizing::require_divided_within(measured.blocks(), result.divisions, limit);
-  const auto make_mesh = [&] {
-    result.mesh = split_isoparametric(measured, result.divisions, options.order,
-                                      result.walls ? &*result.walls : nullptr, result.lines);
-    measure_elements(result.mesh, request.report->progress(), request.last ? &request.last->mesh : nullptr);
+  sizing::require_divided_within(measured.blocks(), result.divisions, {request.max_elements, options.order});
+  const auto make_mesh = [&](const QuadMesh* known) {
+    QuadMesh mesh = split_isoparametric(measured, result.divisions, options.order,
+                                        result.walls ? &*result.walls : nullptr, result.lines);
+    measure_elements(mesh, request.report->progress(), known);
+    result.mesh = std::move(mesh);
   };
-  make_mesh();
+  make_mesh(request.last ? &request.last->mesh : nullptr);
   if (!result.growth) return result;
   const std::vector<double> without_lines = growth::block_qualities(result.mesh);
   result.lines = growth::line_intervals(measured, *result.walls, result.divisions, options.order);
-  do make_mesh();
-  while (growth::drop_worse(without_lines, result.mesh, result.lines));
+  do make_mesh(&result.mesh);
+  while (growth::drop_worse(without_lines, result.mesh, result.walls->walls, result.lines));
   return result;
 }
 
@@ -251,6 +254,7 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
   MeasuredSplit best = measured_split();
   std::optional<MeasuredSplit> worse;  // the last attempt, if it is not the best one
   const double most_elems = most_refined * best.split.mesh.num_elems();
+  request.max_elements = static_cast<int>(std::min<double>(request.max_elements, most_elems));
   for (int i = 0; target > 0 && i < max_shortenings; ++i) {
     const SplitMesh& last = worse ? worse->split : best.split;
     if (!sizing::add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,

@@ -51,7 +51,7 @@ QuadMesh mesh_without_elements(const BlockLayout& layout, int order) {
 std::vector<Vec2> layered_nodes(const SplitInput& in, int block, const std::array<ArcNodes, 4>& sides, int order) {
   const auto& arcs = in.layout().block2arcs[block];
   const auto is_graded = [&](int side) { return in.walls->is_graded[arcs[side].arc]; };
-  const bool has_lines = !in.lines.empty() && !in.lines[block][0].empty();
+  const bool has_lines = !in.lines.empty() && !(in.lines[block][0].empty() && in.lines[block][1].empty());
   if (!in.walls || !(has_lines || is_graded(0) || is_graded(1))) return {};
   std::array<std::vector<double>, 4> fractions;
   for (int k = 0; k < 4; ++k) fractions[k] = sides[k].fractions;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace quadrille::growth {
 namespace {
 
@@ -23,23 +25,50 @@ TEST(BlockQualities, AreThoseOfTheWorstElementAndZeroIfOneIsNotProved) {
   EXPECT_EQ(block_qualities(mesh), (std::vector<double>{0.8, 0.6, 0}));
 }
 
+/// The walls beside three blocks: their numbers by side.
+layers::WallSides walls_of(const std::array<std::array<int, 4>, 3>& of_block) {
+  layers::WallSides walls;
+  walls.of_block.assign(of_block.begin(), of_block.end());
+  return walls;
+}
+
+constexpr std::array<int, 4> no_wall{-1, -1, -1, -1};
+
 TEST(DropWorse, BlocksThatLoseQualityLoseTheirLines) {
   BlockLines lines = lines_of(3);
+  const layers::WallSides walls = walls_of({no_wall, no_wall, no_wall});
   // a: less than before, but good; b: bad, but nearly as before; c: bad, and worse than before.
-  EXPECT_TRUE(drop_worse({0.9, 0.2, 0.4}, mesh_of({0.9, 0.51, 0.19, 0.7, 0.3, 0.9}), lines));
+  const QuadMesh mesh = mesh_of({0.9, 0.51, 0.19, 0.7, 0.3, 0.9});
+  EXPECT_TRUE(drop_worse({0.9, 0.2, 0.4}, mesh, walls, lines));
   EXPECT_FALSE(lines[0][0].empty());
   EXPECT_FALSE(lines[1][0].empty());
-  EXPECT_TRUE(lines[2][0].empty());
-  EXPECT_FALSE(drop_worse({0.9, 0.2, 0.4}, mesh_of({0.9, 0.51, 0.19, 0.7, 0.3, 0.9}), lines)) << "nothing is left";
+  EXPECT_TRUE(lines[2][0].empty() && lines[2][1].empty()) << "neither direction has shorter intervals";
+  EXPECT_FALSE(drop_worse({0.9, 0.2, 0.4}, mesh, walls, lines)) << "nothing is left";
 }
 
 TEST(DropWorse, BlocksThatAreNotProvedLoseTheirLinesHoweverBadTheyWere) {
   BlockLines lines = lines_of(3);
   QuadMesh mesh = mesh_of({0.9, 0.9, 0.9, 0.9, 0.9, 0.9});
   mesh.elem_jacobian_bound[2] = -1;
-  EXPECT_TRUE(drop_worse({0.9, 0, 0.9}, mesh, lines));
+  EXPECT_TRUE(drop_worse({0.9, 0, 0.9}, mesh, walls_of({no_wall, no_wall, no_wall}), lines));
   EXPECT_FALSE(lines[0][0].empty());
   EXPECT_TRUE(lines[1][0].empty());
+}
+
+TEST(DropWorse, NormalsOfWallsAndLinesWithShorterIntervalsAreDroppedLast) {
+  BlockLines lines = lines_of(3);
+  lines[2] = {{{{0.1}}, {{0.2}}}};
+  // Walls below a, to the right of b, none at c, whose columns have the shorter intervals.
+  const layers::WallSides walls = walls_of({{{0, -1, -1, -1}, {-1, 1, -1, -1}, no_wall}});
+  const QuadMesh bad = mesh_of({0.1, 0.1, 0.1, 0.1, 0.1, 0.1});
+  EXPECT_TRUE(drop_worse({0.9, 0.9, 0.9}, bad, walls, lines));
+  for (const int block : {0, 1, 2}) {
+    const int kept = block == 1 ? 1 : 0;
+    EXPECT_FALSE(lines[block][kept].empty()) << block;
+    EXPECT_TRUE(lines[block][1 - kept].empty()) << block;
+  }
+  EXPECT_TRUE(drop_worse({0.9, 0.9, 0.9}, bad, walls, lines));
+  for (const int block : {0, 1, 2}) EXPECT_TRUE(lines[block][0].empty() && lines[block][1].empty()) << block;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "../hand_made.hpp"
@@ -19,6 +20,11 @@ class BetweenSides {
   std::vector<double> divide(const NormalLine& line, const std::vector<double>& left, const std::vector<double>& right,
                              double blend, int order = 1) const {
     return divide_normal_line(line_family(low, high, left, right, order), line, 0, blend, {100, 200});
+  }
+
+  BlockLine measure(const NormalLine& line, const std::vector<double>& left, const std::vector<double>& right,
+                    const std::array<double, 2>& blend) const {
+    return measured_line(line_family(low, high, left, right, 1), line, 0, blend, {});
   }
 
  private:
@@ -71,6 +77,20 @@ TEST(DivideNormalLine, PlacesGaussLobattoPointsOfEachElement) {
 }
 
 // Rule 9 of layer_rules.
+// One line crosses two blocks and is a quarter of the way from left to right where it enters the first, three quarters
+// where it leaves the second: its sizes do not jump between them, though the arcs beside it differ by a factor of 100.
+TEST(MeasuredLine, SizesOfALineThatCrossesTwoBlocksContinueEachOther) {
+  const BetweenSides free({}, {});
+  const std::vector<double> left(50, 0.02), right(50, 0.0002);
+  const BlockLine first = free.measure(upright, left, right, {0.25, 0.5});
+  const BlockLine second = free.measure(upright, left, right, {0.5, 0.75});
+  EXPECT_NEAR(first.sizes.front(), 0.02 * std::pow(0.01, 0.25), 1e-4);
+  EXPECT_NEAR(second.sizes.back(), 0.02 * std::pow(0.01, 0.75), 1e-4);
+  const double jump = first.sizes.back() / second.sizes.front();
+  EXPECT_NEAR(jump, first.sizes[48] / first.sizes[49], 1e-3);
+  EXPECT_LT(jump, 1.03);
+}
+
 TEST(DivideNormalLine, RefusesALineThatTurnsBackWithItsPlace) {
   const BetweenSides lower({0.1, 0.2}, {});
   const NormalLine arch = [](double u) { return Vec2{0.5, 0.6 * u * (1 - u)}; };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../hand_made.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -62,6 +64,63 @@ TEST(LayeredBlock, NodesOfEveryWallLieAtItsHeightsAlsoBesideOtherWalls) {
           }
         }
     }
+}
+
+/// Interior lines, each with the given lengths of its intervals.
+std::vector<std::vector<double>> equal_lines(std::size_t count, const std::vector<double>& lengths) {
+  std::vector<std::vector<double>> lines(count, lengths);
+  lines.front().clear(), lines.back().clear();
+  return lines;
+}
+
+// The layers are 0.1 high in a block that is from 0.5 to 1 wide: on every line at another part of it. The nodes above
+// are those prescribed for the line, although lines lie much closer together than their nodes.
+TEST(LayeredBlock, LinesCloseTogetherKeepTheirDivisionAboveLayersAtDifferentParts) {
+  std::vector<double> across;
+  for (int k = 0; k <= 40; ++k) across.push_back(k / 40.0);
+  Square square(across, {0, 0.1, 0.4, 0.7, 1});
+  const CadFace trapezium = hand_made::face({{curve::segment({0, 0}, {0.1, 0}), curve::segment({0.1, 0}, {0.1, 1}),
+                                              curve::segment({0.1, 1}, {0, 0.5}), curve::segment({0, 0.5}, {0, 0})}},
+                                            1);
+  const std::vector<Nurbs> none;
+  const curve::CurveTable table{trapezium, none};
+  for (int k = 0; k < 4; ++k) square.block.tables[k] = SideTable(curve::Chain(table, {{k, 0, 1}}), k >= 2);
+  square.block.lengths = {0.1, 1, std::hypot(0.1, 0.5), 0.5};
+  square.block.fractions[3] = {0, 0.2, 0.2 + 0.8 / 3, 0.2 + 1.6 / 3, 1};
+  square.lines[0] = WallLine(table, {{0, 0, 1}});
+  square.add_wall(0, {0.1});
+  square.block.lines[0] = equal_lines(41, {1, 1, 1});
+  const std::vector<Vec2> nodes = layered_positions(square.block, 1, {});
+  for (int i = 1; i < 40; ++i) {
+    const double top = 0.5 + i / 80.0, low = nodes[41 + i].y;
+    EXPECT_NEAR(low, 0.1, 1e-3);
+    for (const int j : {2, 3}) EXPECT_NEAR(nodes[j * 41 + i].y, low + (j - 1) * (top - low) / 3, 1e-6) << i;
+  }
+}
+
+// Rows and columns are given, and the sides of the block are divided otherwise.
+TEST(LayeredBlock, WithoutWallsRowsAndColumnsMayBeExchanged) {
+  const std::vector<double> fine{0, 0.02, 0.5, 1}, coarse{0, 0.3, 0.6, 1};
+  const std::vector<std::vector<double>> of_fine = equal_lines(4, {0.1, 0.4, 0.5}),
+                                         of_coarse = equal_lines(4, {0.5, 0.2, 0.3});
+  Square square(fine, coarse), exchanged(coarse, fine);
+  square.block.lines = {of_coarse, of_fine};
+  exchanged.block.lines = {of_fine, of_coarse};
+  const std::vector<Vec2> nodes = layered_positions(square.block, 1, {});
+  const std::vector<Vec2> others = layered_positions(exchanged.block, 1, {});
+  for (const int j : {1, 2})
+    for (const int i : {1, 2}) {
+      EXPECT_NEAR(nodes[j * 4 + i].x, others[i * 4 + j].y, 1e-12);
+      EXPECT_NEAR(nodes[j * 4 + i].y, others[i * 4 + j].x, 1e-12);
+    }
+}
+
+TEST(LayeredBlock, LinesMayBeGivenInOneDirectionAlone) {
+  Square square({0, 0.5, 1}, {0, 0.5, 1});
+  square.block.lines[1] = {{}, {1, 3}, {}};
+  const Vec2 node = layered_positions(square.block, 1, {})[4];
+  EXPECT_LT(node.x, 0.48);
+  EXPECT_NEAR(node.y, 0.5, 1e-12);
 }
 
 }  // namespace
