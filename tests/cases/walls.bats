@@ -33,14 +33,14 @@ good_layers() {
   blocks geometry_5
   layers 1e-4 curve_4,curve_5
   assert [ "$number" -ge 12 ]
-  good_layers 1e-4 1.75 curve_4 curve_5
+  good_layers 1e-4 1.4 curve_4 curve_5
 }
 
 @test "around four holes at once" {
   blocks plate_4_holes
   layers 1e-3 curve_4,curve_5,curve_6,curve_7
   assert [ "$number" -ge 12 ]
-  good_layers 1e-3 1.65 curve_4 curve_5 curve_6 curve_7
+  good_layers 1e-3 1.6 curve_4 curve_5 curve_6 curve_7
 }
 
 @test "along all walls of a channel with a step, through its corners" {
