@@ -19,7 +19,7 @@ endfunction()
 quadrille_component(files base spectral check io) # model has headers only
 quadrille_component(fields curve mesh field stiffness galerkin adapt)
 quadrille_component(layouts zeros placement guide ties features topology choice graph trace simplify quantize layout
-                    block sizing prescribe layers refine)
+                    block sizing prescribe layers growth refine)
 quadrille_component(triangles triangulate)
 set(components component_files component_fields component_layouts component_triangles PARENT_SCOPE)
 
