@@ -16,12 +16,15 @@ void solve_tridiagonal(std::vector<double> diagonal, const std::vector<double>& 
   for (std::size_t i = x.size() - 1; i-- > 0;) x[i] = (x[i] - below[i + 1] * x[i + 1]) / diagonal[i];
 }
 
+constexpr double least_step = 1e-3;  // of the distance of nodes
+
 class Across {
  public:
-  Across(LineNodes& nodes, int node, int order, double reach)
+  Across(const LineNodes& nodes, int node, int order, double reach)
       : nodes_(nodes), node_(node), order_(order), reach_(reach) {}
 
-  void smooth() {
+  /// The parameters of node `node` of all lines.
+  std::vector<double> smoothed() const {
     const int count = nodes_.num_lines;
     std::vector<double> diagonal(count, 1), below(count, 0), u(count);
     u.front() = own(0), u.back() = own(count - 1);
@@ -36,27 +39,36 @@ class Across {
     }
     below[count - 1] = 0;
     solve_tridiagonal(std::move(diagonal), below, u);
-    for (int line = 1; line + 1 < count; ++line) nodes_.parameters[index(line, node_)] = u[line];
+    return u;
   }
 
  private:
   int index(int line, int node) const { return line * nodes_.num_nodes + node; }
   double own(int line) const { return nodes_.parameters[index(line, node_)]; }
-  /// Length from the line before.
+  Vec2 position(int line, int node) const { return nodes_.positions[index(line, node)]; }
+  /// Of the line at a parameter near that of its node.
+  Vec2 position_at(int line, double u) const {
+    const int before = index(line, node_ - 1), after = index(line, node_ + 1);
+    const Vec2 slope =
+        (nodes_.positions[after] - nodes_.positions[before]) / (nodes_.parameters[after] - nodes_.parameters[before]);
+    return position(line, node_) + (u - own(line)) * slope;
+  }
+  /// Length from the line before, at one parameter: where their divisions differ, their nodes are further apart than
+  /// they are.
   double step(int line) const {
-    return distance(nodes_.positions[index(line, node_)], nodes_.positions[index(line - 1, node_)]);
+    const double u = (own(line - 1) + own(line)) / 2;
+    const double length = distance(position_at(line - 1, u), position_at(line, u));
+    return std::max(length, least_step * distance(position(line - 1, node_), position(line, node_)));
   }
   /// Of the line's element with the node; the mean of both if it is between two.
   double element_length(int line) const {
     const int low = (node_ - 1) / order_ * order_,
               high = std::min(node_ / order_ * order_, nodes_.num_nodes - 1 - order_);
-    const auto length = [&](int at) {
-      return distance(nodes_.positions[index(line, at)], nodes_.positions[index(line, at + order_)]);
-    };
+    const auto length = [&](int at) { return distance(position(line, at), position(line, at + order_)); };
     return (length(low) + length(high)) / 2;
   }
 
-  LineNodes& nodes_;
+  const LineNodes& nodes_;
   int node_, order_;
   double reach_;
 };
@@ -64,7 +76,11 @@ class Across {
 }  // namespace
 
 void smooth_across(LineNodes& nodes, int first, int last, int order, double reach) {
-  for (int node = first; node < last; ++node) Across(nodes, node, order, reach).smooth();
+  const LineNodes given = nodes;
+  for (int node = first; node < last; ++node) {
+    const std::vector<double> u = Across(given, node, order, reach).smoothed();
+    for (int line = 0; line < nodes.num_lines; ++line) nodes.parameters[line * nodes.num_nodes + node] = u[line];
+  }
 }
 
 }  // namespace quadrille::mesh

@@ -25,7 +25,7 @@ struct LineNodes {
 };
 
 /// Changes the parameters of nodes `first` to `last` - 1 of all inner lines. `order`: nodes of each element along a
-/// line, less one. `reach`: l over the length of the elements.
+/// line, less one. `reach`: l over the length of the elements. 0 < first, last < num_nodes.
 void smooth_across(LineNodes& nodes, int first, int last, int order, double reach);
 
 }  // namespace quadrille::mesh

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quadrille::mesh {
 namespace {
@@ -44,6 +45,17 @@ TEST(SmoothAcross, CloseLinesBecomeAlikeBetweenTheSides) {
   EXPECT_EQ(nodes.parameters[10], 0.4);
   for (const double u : middles(nodes)) EXPECT_NEAR(u, 0.4, 1e-4);
   EXPECT_EQ(nodes.parameters[3], 0) << "nor do nodes outside the range";
+}
+
+TEST(SmoothAcross, LinesBesideASideThatIsDividedDifferentlyDoNotJump) {
+  std::vector<double> middle(40, 0.5);
+  middle.front() = middle.back() = 0.4;
+  const double gap = 1e-3;
+  LineNodes nodes = lines(middle, gap);
+  smooth_across(nodes, 1, 2, 1, 2);
+  const std::vector<double> found = middles(nodes);
+  for (std::size_t line = 1; line < found.size(); ++line)
+    EXPECT_LT(std::abs(found[line] - found[line - 1]), 0.01 * gap);
 }
 
 TEST(SmoothAcross, NoParameterLeavesTheRangeOfItsNodeAndMirrorImagesAgree) {
