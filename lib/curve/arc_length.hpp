@@ -11,8 +11,8 @@ namespace quadrille::curve {
 
 class ArcLength {
  public:
-  /// Gauss-Legendre on sub-intervals, each halved until that changes its length by 1e-14 of the whole. Stores a pointer
-  /// to `curve`, which must outlive the object.
+  /// Gauss-Legendre on sub-intervals that are halved until two rules agree to 1e-14 of the length. Stores a pointer to
+  /// `curve`, which must outlive the object.
   explicit ArcLength(const Nurbs& curve);
 
   double total() const { return lengths_.back(); }
