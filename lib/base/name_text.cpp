@@ -74,6 +74,16 @@ std::size_t character_length(std::string_view text) { return static_cast<std::si
 
 }  // namespace
 
+std::vector<std::string> split_at_commas(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
 bool matches_wildcard(std::string_view text, std::string_view pattern) {
   std::size_t t = 0, p = 0;
   std::size_t star = std::string_view::npos, resume = 0;  // the last star, and the text behind what it has taken

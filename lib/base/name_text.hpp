@@ -19,6 +19,9 @@ std::string utf8_or_latin1(const std::string& text);
 /// Replaces control characters by blanks and bytes that are not UTF-8 by U+FFFD, and removes blanks at both ends.
 std::string clean_name(std::string_view text);
 
+/// The parts of `text` between its commas; one empty part if it is empty.
+std::vector<std::string> split_at_commas(std::string_view text);
+
 /// Whether the whole `text` fits `pattern`, both UTF-8: * is any text, also none, ? one character, all others are
 /// themselves. Upper and lower case differ. Cost: product of the lengths.
 bool matches_wildcard(std::string_view text, std::string_view pattern);

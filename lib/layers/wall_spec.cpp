@@ -8,22 +8,13 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "curve/named_curves.hpp"
 #include "layers/layer_rules.hpp"
 #include "sizing/boundary_sizes.hpp"
 
 namespace quadrille::layers {
 namespace {
-
-std::vector<std::string> split(std::string_view text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 class Parser {
  public:
@@ -32,8 +23,8 @@ class Parser {
   WallSpec parse(double yplus) {
     const std::size_t colon = text_.rfind(':');
     if (colon == std::string::npos || colon == 0) fail("expected NAME:first=H,layers=N");
-    spec_.names = split(std::string_view(text_).substr(0, colon));
-    for (const std::string& pair : split(std::string_view(text_).substr(colon + 1))) {
+    spec_.names = split_at_commas(std::string_view(text_).substr(0, colon));
+    for (const std::string& pair : split_at_commas(std::string_view(text_).substr(colon + 1))) {
       const std::size_t equals = pair.find('=');
       if (equals == std::string::npos) fail(fmt::format("'{}' is not key=value", pair));
       const std::string key = pair.substr(0, equals);

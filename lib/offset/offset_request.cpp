@@ -4,26 +4,17 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 
 namespace quadrille::offset {
 namespace {
-
-std::vector<std::string> names_of(const std::string& list) {
-  std::vector<std::string> names;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    names.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return names;
-}
 
 OffsetRequest request_of(const std::string& option) {
   const std::string where = "--offset " + option;
   const std::size_t equal = option.rfind('=');
   if (equal == std::string::npos || equal == 0)
     throw UsageError(where + ": expected NAME=T, with the distance T in file units");
-  OffsetRequest request{names_of(option.substr(0, equal)), 0, where};
+  OffsetRequest request{split_at_commas(option.substr(0, equal)), 0, where};
   const char *begin = option.data() + equal + 1, *end = option.data() + option.size();
   const auto [stop, error] = std::from_chars(begin, end, request.distance);
   if (error != std::errc() || stop != end || !std::isfinite(request.distance))
