@@ -61,7 +61,7 @@ double next_layer(const std::vector<double>& heights) {
   return last * last / below;
 }
 
-std::vector<double> squeezed_heights(const std::vector<double>& heights, double room) {
+std::vector<double> compressed_heights(const std::vector<double>& heights, double room) {
   const double next = next_layer(heights), first = heights.front(), count = static_cast<double>(heights.size());
   if (room >= (heights.back() + next) * (1 - layer_constants.equal_tol)) return heights;
   std::vector<double> ratios;  // of the layers and the first one
@@ -76,10 +76,10 @@ std::vector<double> squeezed_heights(const std::vector<double>& heights, double 
   };
   double low = 0, high = least < first ? 0 : 1;
   for (int step = 0; step < 60; ++step) (total((low + high) / 2) < room ? low : high) = (low + high) / 2;
-  std::vector<double> squeezed;
+  std::vector<double> compressed;
   double height = 0;
-  for (std::size_t k = 0; k < heights.size(); ++k) squeezed.push_back(height += least * std::pow(ratios[k], low));
-  return squeezed;
+  for (std::size_t k = 0; k < heights.size(); ++k) compressed.push_back(height += least * std::pow(ratios[k], low));
+  return compressed;
 }
 
 int requested_layers(const WallSpec& spec) {

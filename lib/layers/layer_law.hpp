@@ -20,7 +20,7 @@ double next_layer(const std::vector<double>& heights);
 
 /// The heights of as many layers if they and one more must fit below `room`: the first layer keeps its height, and the
 /// others grow less; with room for less than that all are equal.
-std::vector<double> squeezed_heights(const std::vector<double>& heights, double room);
+std::vector<double> compressed_heights(const std::vector<double>& heights, double room);
 
 /// The number of layers: spec.layers, or the least number that reaches spec.thickness. Throws UsageError if that would
 /// be more than LayerConstants::max_layers.

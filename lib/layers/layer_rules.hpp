@@ -8,7 +8,7 @@
 // Invariants, whatever the rules below decide:
 //   - all arcs of a chord have one number of intervals, and their divisions rise from 0 to 1;
 //   - a layer has one height on all normal lines of its wall, to round-off; except at an arc of the boundary on which a
-//     cut had to move onto a break of the curve (rule 17), and where layers with blocks of their own are squeezed;
+//     cut had to move onto a break of the curve (rule 17), and where layers with blocks of their own are compressed;
 //   - layers lie in the first row of blocks: at its far side lie irregular nodes, where cuts cannot follow the wall;
 //   - a face with a mirror symmetry gets a mesh with it.
 //
@@ -46,7 +46,7 @@
 //      chord, because its wide blocks need the count    blocks, or all numbers are prescribed and growth is limited
 //                                                       (growth/limit_growth), crowding is ignored for all walls
 //   a  blocks=own, on a line that ends below its layers  the first layer keeps its height, the others grow less; if not
-//      and one more                                     even that fits, all are equal (squeezed_heights)
+//      and one more                                     even that fits, all are equal (compressed_heights)
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
 //   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;

@@ -84,7 +84,7 @@ std::vector<double> from_end(const std::vector<double>& lengths) {
 void subtract_layers(const std::vector<double>& prescribed, bool own_blocks, const std::vector<double>& heights,
                      const std::vector<double>& lengths, FreePart& part, double& last_layer) {
   if (prescribed.empty() || part.length < 0) return;
-  const std::vector<double> layers = own_blocks ? squeezed_heights(prescribed, heights.back()) : prescribed;
+  const std::vector<double> layers = own_blocks ? compressed_heights(prescribed, heights.back()) : prescribed;
   const double top = length_at(heights, lengths, layers.back());
   const double below = layers.size() > 1 ? length_at(heights, lengths, layers[layers.size() - 2]) : 0;
   part.layers += static_cast<int>(layers.size());

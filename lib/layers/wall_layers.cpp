@@ -42,7 +42,7 @@ std::vector<double> least_thicknesses(const std::vector<NormalLineSample>& lines
   for (const std::vector<double>& own : heights) least.push_back(own.back());
   const auto add = [&](int spec, bool own_blocks, const std::vector<double>& line_heights) {
     if (spec < 0 || !own_blocks) return;
-    least[spec] = std::min(least[spec], squeezed_heights(heights[spec], line_heights.back()).back());
+    least[spec] = std::min(least[spec], compressed_heights(heights[spec], line_heights.back()).back());
   };
   for (const NormalLineSample& line : lines) {
     add(line.front, line.own_blocks[0], line.front_heights);

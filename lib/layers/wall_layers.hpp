@@ -21,7 +21,7 @@ namespace quadrille::layers {
 struct WallPlan {
   WallSides walls;
   std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
-  std::vector<double> least_thickness;         ///< by spec: less than the thickness where layers are squeezed
+  std::vector<double> least_thickness;         ///< by spec: less than the thickness where layers are compressed
   LayerRequests requests;                      ///< of the arcs that start at walls
   std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: they follow from its ends
   std::vector<int> chords;                     ///< those divided for layers, ascending

@@ -17,7 +17,7 @@ struct WallSide {
   WallLine line;    ///< the side between those that continue it along the boundary, in the direction of the side
   WallPoint begin;  ///< the side's first point on that line
   WallPoint end;    ///< its last
-  bool own_blocks = false;  ///< of the spec: layers are squeezed where the block is lower than they are
+  bool own_blocks = false;  ///< of the spec: layers are compressed where the block is lower than they are
 };
 
 struct WallSides {

@@ -59,16 +59,16 @@ TEST(LayerLaw, ThicknessAsksForTheLeastNumberThatReachesIt) {
   EXPECT_THROW(requested_layers(spec), UsageError);
 }
 
-TEST(LayerLaw, SqueezedLayersAndOneMoreFillTheRoom) {
+TEST(LayerLaw, CompressedLayersAndOneMoreFillTheRoom) {
   const std::vector<double> heights{1, 3, 7};
   EXPECT_EQ(next_layer(heights), 8);
-  EXPECT_EQ(squeezed_heights(heights, 15), heights);
-  const std::vector<double> squeezed = squeezed_heights(heights, 10);
-  EXPECT_NEAR(squeezed[0], 1, 1e-12);
-  const double growth = squeezed[1] - 1;
-  EXPECT_NEAR(squeezed[2] - squeezed[1], growth * growth, 1e-9);
-  EXPECT_NEAR(squeezed[2] + growth * growth * growth, 10, 1e-9);
-  const std::vector<double> equal = squeezed_heights(heights, 2);
+  EXPECT_EQ(compressed_heights(heights, 15), heights);
+  const std::vector<double> compressed = compressed_heights(heights, 10);
+  EXPECT_NEAR(compressed[0], 1, 1e-12);
+  const double growth = compressed[1] - 1;
+  EXPECT_NEAR(compressed[2] - compressed[1], growth * growth, 1e-9);
+  EXPECT_NEAR(compressed[2] + growth * growth * growth, 10, 1e-9);
+  const std::vector<double> equal = compressed_heights(heights, 2);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(equal[k], 0.5 * (k + 1), 1e-12);
 }
 
