@@ -45,7 +45,7 @@ Eigen::MatrixXd right_hand_side(const DofMap& map, const CondensedElements& elem
                   rhs = Eigen::MatrixXd::Zero(map.num_unknowns, given.cols());
   dofs.bottomRows(given.rows()) = -given;
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
-    if (has_given_dofs(map, e)) add_to_free(map, e, elements[e]->schur * element_dofs(map, e, dofs), rhs);
+    if (has_given_dofs(map, e)) add_to_free(map, e, elements[e]->schur.dense() * element_dofs(map, e, dofs), rhs);
   }
   return rhs;
 }
@@ -54,9 +54,10 @@ SparseData sparse_data(const DofMap& map, const CondensedElements& elements, con
   SparseData data{SparseColumns(map.num_unknowns, given.cols()), Eigen::MatrixXd::Zero(given.cols(), given.cols())};
   std::vector<Eigen::Triplet<double>> rhs;
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
-    const Eigen::MatrixXd& schur = elements[e]->schur;
-    const int offset = map.elem2offset[e];
     const std::vector<GivenMode> modes = given_modes(map, e, given);
+    if (modes.empty()) continue;
+    const Eigen::MatrixXd schur = elements[e]->schur.dense();
+    const int offset = map.elem2offset[e];
     for (const GivenMode& of : modes) {
       for (int i = 0; i < schur.rows(); ++i) {
         const int dof = map.elem2dofs[offset + i];
@@ -85,7 +86,7 @@ Eigen::MatrixXd reactions(const DofMap& map, const CondensedElements& elements, 
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(map.num_dofs - map.num_unknowns, dofs.cols());
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
     if (!has_given_dofs(map, e)) continue;
-    const Eigen::MatrixXd local = elements[e]->schur * element_dofs(map, e, dofs);
+    const Eigen::MatrixXd local = elements[e]->schur.dense() * element_dofs(map, e, dofs);
     const int offset = map.elem2offset[e];
     for (int i = 0; i < local.rows(); ++i) {
       const int given = map.elem2dofs[offset + i] - map.num_unknowns;
@@ -100,7 +101,7 @@ double relative_residual(const DofMap& map, const CondensedElements& elements, c
   // Applies the matrix to all dofs: the reactions of the given ones form the right-hand side.
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(map.num_unknowns, dofs.cols());
   for (int e = 0; e < static_cast<int>(elements.size()); ++e)
-    add_to_free(map, e, elements[e]->schur * element_dofs(map, e, dofs), residual);
+    add_to_free(map, e, elements[e]->schur.dense() * element_dofs(map, e, dofs), residual);
   const double scale = rhs.norm();
   return scale > 0 ? residual.norm() / scale : residual.norm();
 }

@@ -66,8 +66,8 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   watch.lap("residual");
   solution.elem_coefs.resize(elements_.size());
   parallel_for(static_cast<int>(elements_.size()), num_threads_, [&](int e) {
-    solution.elem_coefs[e] = spectral::modified_to_orthogonal(elem_order[e]).transpose() *
-                             elements_[e]->interior->of(element_dofs(map, e, dofs));
+    solution.elem_coefs[e] = spectral::modified_to_orthogonal(elem_order[e]).transpose() * *elements_[e]->interior *
+                             element_dofs(map, e, dofs);
   });
   watch.lap("coefficients");
   solution.laps = watch.laps();

@@ -114,7 +114,7 @@ void CondensedCholesky::add_elements(const CondensedElements& elements, int node
   for (int position = tree_->nodes[node].begin; position < tree_->nodes[node].end; ++position) {
     const int elem = tree_->elements[position], offset = map_->elem2offset[elem];
     const int n = map_->elem2offset[elem + 1] - offset;
-    const Eigen::MatrixXd& schur = elements[elem]->schur;
+    const Eigen::MatrixXd schur = elements[elem]->schur.dense();
     const double* signs = &map_->elem2signs[offset];
     positions.assign(n, -1);
     for (int i = 0; i < n; ++i) {

@@ -7,24 +7,17 @@
 #include <vector>
 
 #include "spectral/modified_basis.hpp"
+#include "stiffness/symmetric_matrix.hpp"
 
 namespace quadrille::stiffness {
 
-/// The interior modes i of an element, which its boundary modes b determine; K_ii = L L^T.
-struct InteriorModes {
-  Eigen::MatrixXd factor;    ///< L, in the lower triangle
-  Eigen::MatrixXd coupling;  ///< K_ib
-
-  /// -K_ii^-1 K_ib b: the interior coefficients of least energy for boundary coefficients b, one function a column.
-  Eigen::MatrixXd of(const Eigen::MatrixXd& boundary) const;
-};
-
-/// An element matrix over the boundary modes alone, and what determines the solution inside: one of two, or neither if
-/// it is not kept.
+/// An element matrix over its boundary modes b alone, and what determines the solution inside: one of two, or neither
+/// if it is not kept.
 struct CondensedElement {
-  Eigen::MatrixXd schur;                  ///< K_bb - K_bi K_ii^-1 K_ib, or its substitute of harmonic_element.hpp
-  std::optional<InteriorModes> interior;  ///< if interior modes were eliminated
-  Eigen::MatrixXd projection;             ///< onto harmonic polynomials, else empty (harmonic_element.hpp)
+  SymmetricMatrix schur;  ///< K_bb - K_bi K_ii^-1 K_ib, or its substitute of harmonic_element.hpp
+  /// If interior modes i were eliminated, -K_ii^-1 K_ib: their coefficients of least energy by boundary mode.
+  std::optional<Eigen::MatrixXd> interior;
+  Eigen::MatrixXd projection;  ///< onto harmonic polynomials, else empty (harmonic_element.hpp)
 
   bool has_interior() const { return interior || projection.size() > 0; }
 };

@@ -22,14 +22,13 @@ Eigen::MatrixXd element_coefs(const spectral::TriMap& map, int order, const Cond
                               const Eigen::MatrixXd& boundary) {
   if (!element.interior) return harmonic_coefs(map, order, element.projection, boundary);
   Eigen::MatrixXd modes(spectral::num_tri_modes(order), boundary.cols());
-  modes << boundary, element.interior->of(boundary);
+  modes << boundary, *element.interior * boundary;
   return spectral::modified_to_orthogonal(order).transpose() * modes;
 }
 
 std::size_t size_of_interior(const CondensedElement& element) {
   const auto size = [](const Eigen::MatrixXd& matrix) { return static_cast<std::size_t>(matrix.size()); };
-  return element.interior ? size(element.interior->factor) + size(element.interior->coupling)
-                          : size(element.projection);
+  return size(element.interior ? *element.interior : element.projection);
 }
 
 }  // namespace quadrille::stiffness

@@ -17,8 +17,8 @@ Equilateral make_equilateral(int order) {
   const CondensedElement element = condense(order, stiffness_matrix(map, order));
   const int nb = spectral::num_boundary_modes(order);
   Eigen::MatrixXd modes(spectral::num_tri_modes(order), nb);
-  modes << Eigen::MatrixXd::Identity(nb, nb), element.interior->of(Eigen::MatrixXd::Identity(nb, nb));
-  return {element.schur.diagonal().cwiseSqrt(), spectral::modified_to_orthogonal(order).transpose() * modes};
+  modes << Eigen::MatrixXd::Identity(nb, nb), *element.interior;
+  return {element.schur.dense().diagonal().cwiseSqrt(), spectral::modified_to_orthogonal(order).transpose() * modes};
 }
 
 }  // namespace

@@ -103,9 +103,9 @@ std::optional<HarmonicElement> harmonic_element(const spectral::TriMap& map, int
   rest.noalias() -= products.trace * element.projection;
   rest.topRows(3).rowwise() -= rest.topRows(3).colwise().mean().eval();  // constants have no energy
   rest = equilateral(order).root_diagonal.asDiagonal() * rest;
-  element.schur.setZero(nb, nb);
-  element.schur.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
-  element.schur.triangularView<Eigen::StrictlyUpper>() = element.schur.transpose();
+  Eigen::MatrixXd schur = Eigen::MatrixXd::Zero(nb, nb);
+  schur.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
+  element.schur = SymmetricMatrix(schur);
   return element;
 }
 

@@ -13,11 +13,12 @@
 #include <optional>
 
 #include "spectral/tri_map.hpp"
+#include "stiffness/symmetric_matrix.hpp"
 
 namespace quadrille::stiffness {
 
 struct HarmonicElement {
-  Eigen::MatrixXd schur;       ///< S, over the boundary modes: symmetric
+  SymmetricMatrix schur;       ///< S, over the boundary modes
   Eigen::MatrixXd projection;  ///< Pi, a column per boundary mode: coefficients of Re p_1, Im p_1, Re p_2, ...
 };
 

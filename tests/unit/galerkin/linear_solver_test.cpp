@@ -38,11 +38,12 @@ Eigen::MatrixXd dense_matrix(const Problem& p) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p.map.num_unknowns, p.map.num_unknowns);
   for (int e = 0; e < p.mesh.num_elems(); ++e) {
     const int offset = p.map.elem2offset[e], n = p.map.elem2offset[e + 1] - offset;
+    const Eigen::MatrixXd schur = p.elements[e]->schur.dense();
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
         const int a = p.map.elem2dofs[offset + i], b = p.map.elem2dofs[offset + j];
         if (a < 0 || b < 0 || a >= p.map.num_unknowns || b >= p.map.num_unknowns) continue;
-        sum(a, b) += p.map.elem2signs[offset + i] * p.map.elem2signs[offset + j] * p.elements[e]->schur(i, j);
+        sum(a, b) += p.map.elem2signs[offset + i] * p.map.elem2signs[offset + j] * schur(i, j);
       }
     }
   }
@@ -97,7 +98,7 @@ TEST(CondensedCholesky, RefusesAnIndefiniteMatrix) {
   Problem p(3, 3);
   for (auto& element : p.elements) {
     CondensedElement negative = *element;
-    negative.schur *= -1;
+    negative.schur = stiffness::SymmetricMatrix(-negative.schur.dense());
     element = std::make_shared<CondensedElement>(negative);
   }
   EXPECT_THROW(p.solve(sample_rhs(p.map.num_unknowns), 1), ComputeError);
