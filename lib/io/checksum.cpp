@@ -8,7 +8,6 @@ namespace quadrille::io {
 namespace {
 
 constexpr std::string_view mark = "QUADSUM1";
-constexpr std::size_t trailer_size = 16;
 
 /// FNV-1a over little-endian words of 8 bytes (the last one padded with zeros), then the length. Every step is a
 /// bijection of the state, so one damaged word is always detected.
@@ -42,8 +41,8 @@ void append_checksum(std::string& image) { image += trailer_of(image); }
 
 Checksum verify_checksum(const std::string& bytes, std::string_view& image) {
   image = bytes;
-  if (bytes.size() < trailer_size) return Checksum::missing;
-  const std::string_view sealed = image.substr(0, bytes.size() - trailer_size), trailer = image.substr(sealed.size());
+  if (bytes.size() < checksum_size) return Checksum::missing;
+  const std::string_view sealed = image.substr(0, bytes.size() - checksum_size), trailer = image.substr(sealed.size());
   const std::string expected = trailer_of(sealed);
   const bool has_mark = trailer.substr(0, mark.size()) == mark;
   const bool has_sum = trailer.substr(mark.size()) == std::string_view(expected).substr(mark.size());

@@ -3,10 +3,13 @@
 // cuts it off when another program edits the file: so a wrong checksum means damage, a missing one a foreign writer.
 // Private to io.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace quadrille::io {
+
+constexpr std::size_t checksum_size = 16;
 
 enum class Checksum { missing, right, wrong };
 

@@ -91,12 +91,14 @@ class Hdf5GroupReader {
   std::string file_, path_;
 };
 
+/// Reads from `bytes`, which must outlive it.
 class Hdf5Reader {
  public:
   Hdf5Reader(std::string_view bytes, const std::string& file_name);
   const Hdf5GroupReader& root() const { return *root_; }
 
  private:
+  std::unique_ptr<std::string_view> image_;  ///< what the library's callbacks refer to
   Hdf5Id file_;
   std::unique_ptr<Hdf5GroupReader> root_;
 };

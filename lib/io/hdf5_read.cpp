@@ -163,20 +163,40 @@ std::vector<int> Hdf5GroupReader::integer_attribute(const std::string& name) con
 
 bool looks_like_hdf5(const std::string& bytes) { return bytes.compare(0, 8, "\x89HDF\r\n\x1a\n") == 0; }
 
-Hdf5Reader::Hdf5Reader(std::string_view bytes, const std::string& file_name) {
+namespace {
+
+// The library makes a copy of an image for each of its own objects. These callbacks pass on the image itself, which a
+// file opened for reading does not change (HDF5 File Image Operations, sec. 4.3).
+H5FD_file_image_callbacks_t sharing(std::string_view& image) {
+  H5FD_file_image_callbacks_t callbacks{};
+  callbacks.udata = &image;
+  callbacks.udata_copy = [](void* udata) { return udata; };
+  callbacks.udata_free = [](void*) -> herr_t { return 0; };
+  callbacks.image_malloc = [](std::size_t size, H5FD_file_image_op_t, void* udata) -> void* {
+    const auto& shared = *static_cast<std::string_view*>(udata);
+    return size == shared.size() ? const_cast<char*>(shared.data()) : nullptr;
+  };
+  callbacks.image_memcpy = [](void* to, const void* from, std::size_t, H5FD_file_image_op_t, void*) -> void* {
+    return to == from ? to : nullptr;
+  };
+  callbacks.image_realloc = [](void*, std::size_t, H5FD_file_image_op_t, void*) -> void* { return nullptr; };
+  callbacks.image_free = [](void*, H5FD_file_image_op_t, void*) -> herr_t { return 0; };
+  return callbacks;
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(std::string_view bytes, const std::string& file_name)
+    : image_(std::make_unique<std::string_view>(bytes)) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Hdf5Id access = opened(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.get(), 1 << 18, false);
-  // The library copies the image: it never frees or changes the original.
+  H5FD_file_image_callbacks_t callbacks = sharing(*image_);
+  H5Pset_file_image_callbacks(access.get(), &callbacks);
   H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()), bytes.size());
   file_ = opened(H5Fopen("image", H5F_ACC_RDONLY, access.get()), H5Fclose);
   Hdf5Id root = opened(file_ ? H5Gopen2(file_.get(), "/", H5P_DEFAULT) : -1, H5Gclose);
-  if (!root) {
-    // The library does not report that there is no memory for its copies of the image: std::bad_alloc is thrown here
-    // then.
-    ::operator delete(::operator new(2 * bytes.size()));
-    throw FormatError(fmt::format("{}: truncated or damaged: HDF5 cannot open it", file_name));
-  }
+  if (!root) throw FormatError(fmt::format("{}: truncated or damaged: HDF5 cannot open it", file_name));
   root_ = std::make_unique<Hdf5GroupReader>(std::move(root), file_name, "");
 }
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "io/checksum.hpp"
 #include "io/hdf5_file.hpp"
 
 namespace quadrille::io {
@@ -133,7 +134,9 @@ std::string Hdf5Writer::image() {
   check_data(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL));
   const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
   if (size <= 0) throw OutputError("HDF5 cannot write a file image");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(size) + checksum_size);
+  bytes.resize(static_cast<std::size_t>(size));
   if (H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) != size)
     throw OutputError("HDF5 cannot write a file image");
   file_ = {};
