@@ -1,5 +1,6 @@
 #include "curve/arc_length.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -40,6 +41,25 @@ ArcLength::Quadratic ArcLength::quadratic(const Nurbs& curve, bool is_polynomial
   return {m, {w0 * a1, 2 * w0 * a2, w1 * a2 - w2 * a1}, {w0, w1, w2}};  // A' w - A w' over w^2
 }
 
+// The sums of gauss_integral() and speed() to the last digit, but of all points at once, in vector registers.
+template <int n>
+double ArcLength::gauss(size_t span, double a, double b) const {
+  if (quadratics_.empty()) return gauss_integral<n>([&](double t) { return norm(derivative(*curve_, t)); }, a, b);
+  using Points = Eigen::Array<double, n, 1>;
+  const GaussRule<n>& rule = gauss_rule<n>();
+  const Quadratic& q = quadratics_[span];
+  const double middle = (a + b) / 2, half = (b - a) / 2;
+  const Points u = middle + half * Eigen::Map<const Points>(rule.points.data()) - q.middle;
+  const Points x = q.d[0].x + u * (q.d[1].x + u * q.d[2].x), y = q.d[0].y + u * (q.d[1].y + u * q.d[2].y);
+  Points speeds = x * x + y * y;
+  for (double& speed : speeds) speed = std::sqrt(speed);  // that of Eigen is not rounded correctly
+  if (is_rational_) speeds /= (q.w[0] + u * (q.w[1] + u * q.w[2])).square();
+  speeds *= Eigen::Map<const Points>(rule.weights.data());
+  double sum = speeds[0];
+  for (int i = 1; i < n; ++i) sum += speeds[i];
+  return half * sum;
+}
+
 ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   const bool is_polynomial = has_equal_weights(curve);
   is_rational_ = !is_polynomial;
@@ -64,7 +84,7 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
     if (!(a < b)) continue;
     if (is_polynomial ? curve.degree <= 3 : curve.degree == 2)
       quadratics_.push_back(quadratic(curve, is_polynomial, a, b));
-    stack.push_back({a, b, gauss(stack.size(), a, b), 0, scale, stack.size()});
+    stack.push_back({a, b, gauss<16>(stack.size(), a, b), 0, scale, stack.size()});
   }
   speeds_.front() = speed(0, curve.begin());
   std::reverse(stack.begin(), stack.end());
@@ -72,7 +92,7 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
     const Interval whole = stack.back();
     stack.pop_back();
     const double m = (whole.a + whole.b) / 2;
-    const double left = gauss(whole.span, whole.a, m), right = gauss(whole.span, m, whole.b);
+    const double left = gauss<16>(whole.span, whole.a, m), right = gauss<16>(whole.span, m, whole.b);
     const double error = std::abs(left + right - whole.length);
     // The points of a curve that is tiny relative to its coordinates are known to rounding only: halving is then no
     // use.
@@ -104,10 +124,6 @@ double ArcLength::speed(size_t span, double t) const {
   return numerator / (w * w);
 }
 
-double ArcLength::gauss(size_t span, double a, double b) const {
-  return gauss_integral<16>([&](double t) { return speed(span, t); }, a, b);
-}
-
 double ArcLength::at(double t) const {
   if (t <= parameters_.front()) return 0;
   if (t >= parameters_.back()) return lengths_.back();
@@ -120,9 +136,8 @@ double ArcLength::inside(size_t i, double t) const {
   if (is_polyline_) return whole * ((t - a) / (b - a));
   // Integrates from the nearer end: at most a quarter of an interval on which 16 points were enough, so 8 are. This
   // also makes the middle of a symmetric curve exact to the last digit.
-  const auto f = [&](double u) { return speed(spans_[i + 1], u); };
-  if (t - a <= b - t) return t == a ? 0 : gauss_integral<8>(f, a, t);
-  return t == b ? whole : whole - gauss_integral<8>(f, t, b);
+  if (t - a <= b - t) return t == a ? 0 : gauss<8>(spans_[i + 1], a, t);
+  return t == b ? whole : whole - gauss<8>(spans_[i + 1], t, b);
 }
 
 double ArcLength::guess(size_t i, double length) const {

@@ -38,6 +38,8 @@ class ArcLength {
   void add(double parameter, double length, std::size_t span);
   /// `t` is a parameter in span number `span`; only spans that are not empty are counted.
   double speed(std::size_t span, double t) const;
+  /// The length from a to b in a span by n points.
+  template <int n>
   double gauss(std::size_t span, double a, double b) const;
   /// Length from parameters_[i] to t, which lies in interval i.
   double inside(std::size_t i, double t) const;
