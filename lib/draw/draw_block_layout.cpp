@@ -92,15 +92,22 @@ void legend_irregular_nodes(Picture& picture, const BlockLayout& layout) {
     picture.legend_mark(boundary_mark({0, 0}, v, 7), fmt::format("on the boundary, valence {}", v));
 }
 
-void draw_block(Picture& picture, const BlockLayout& layout, int block) {
+/// The fill of each block.
+std::vector<std::string> block_colours(const BlockLayout& layout) {
+  const std::vector<int> tints = region_tints(layout.face);
+  std::vector<std::string> colours;
+  for (int b = 0; b < layout.num_blocks(); ++b)
+    colours.push_back(layout.block_region.empty() ? quiet_colour(b) : region_colour(tints[layout.block_region[b]], b));
+  return colours;
+}
+
+void draw_block(Picture& picture, const BlockLayout& layout, int block, const std::string& colour) {
   const std::string name = block < static_cast<int>(layout.block_names.size()) ? layout.block_names[block] : "";
   std::string title = fmt::format("block {}", block);
   if (!name.empty() && name != title) title += ": " + name;
   picture.add(svg_element(
       "path",
-      {{"id", fmt::format("block-{}", block)},
-       {"fill", layout.block_region.empty() ? quiet_colour(block) : region_colour(layout.block_region[block], block)},
-       {"d", block_outline(picture, layout, block).str()}},
+      {{"id", fmt::format("block-{}", block)}, {"fill", colour}, {"d", block_outline(picture, layout, block).str()}},
       title));
   picture.text(picture.at(block_centre(layout, block)), "label", std::to_string(block));
 }
@@ -121,7 +128,8 @@ std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& opti
                                               : fmt::format(", worst scaled Jacobian {:.3f}",
                                                             *std::min_element(quality.begin(), quality.end()))));
   picture.open_group("blocks");
-  for (int b = 0; b < layout.num_blocks(); ++b) draw_block(picture, layout, b);
+  const std::vector<std::string> colours = block_colours(layout);
+  for (int b = 0; b < layout.num_blocks(); ++b) draw_block(picture, layout, b, colours[b]);
   picture.close_group();
   for (std::size_t a = 0; a < layout.arcs.size(); ++a) {
     if (is_on_cad_curve(layout, layout.arcs[a])) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/angle.hpp"
 #include "base/position_text.hpp"
@@ -66,13 +67,22 @@ std::string face_outline(const Picture& picture, const CadFace& face) {
   return d;
 }
 
+std::vector<int> region_tints(const CadFace& face) {
+  std::map<std::string, int> tints;
+  std::vector<int> region2tint;
+  for (const std::string& name : face.region_names)
+    region2tint.push_back(tints.try_emplace(name, static_cast<int>(tints.size())).first->second);
+  return region2tint;
+}
+
 void draw_face_area(Picture& picture, const CadFace& face) {
   if (face.num_regions() == 1)
     return picture.add(svg_element("path", {{"class", "face"}, {"d", face_outline(picture, face)}}));
+  const std::vector<int> tints = region_tints(face);
   for (int r = 0; r < face.num_regions(); ++r) {
     std::string d;
     for (int l = face.region_loops[r]; l < face.region_loops[r + 1]; ++l) d += closed_loop(picture, face, l).str();
-    picture.add(svg_element("path", {{"class", "face"}, {"style", "fill:" + region_colour(r)}, {"d", d}},
+    picture.add(svg_element("path", {{"class", "face"}, {"style", "fill:" + region_colour(tints[r])}, {"d", d}},
                             face.region_names[r]));
   }
 }
@@ -80,12 +90,17 @@ void draw_face_area(Picture& picture, const CadFace& face) {
 void legend_regions(Picture& picture, const CadFace& face) {
   constexpr int max_listed = 12;
   if (face.num_regions() == 1) return;
-  for (int r = 0; r < std::min(face.num_regions(), max_listed); ++r)
+  const std::vector<int> tints = region_tints(face);
+  int num_named = 0;
+  for (int r = 0; r < face.num_regions(); ++r) {
+    if (tints[r] < num_named) continue;
+    if (num_named++ >= max_listed) continue;
     picture.legend_mark(
-        svg_element("path", {{"fill", region_colour(r)}, {"stroke", "#44535f"}, {"d", "M-6,-5H6V5H-6Z"}}),
+        svg_element("path", {{"fill", region_colour(tints[r])}, {"stroke", "#44535f"}, {"d", "M-6,-5H6V5H-6Z"}}),
         face.region_names[r]);
-  if (face.num_regions() > max_listed)
-    picture.legend_mark("", fmt::format("and {}", counted(face.num_regions() - max_listed, "more region")));
+  }
+  if (num_named > max_listed)
+    picture.legend_mark("", fmt::format("and {}", counted(num_named - max_listed, "more region")));
 }
 
 namespace {

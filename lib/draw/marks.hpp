@@ -13,10 +13,14 @@ namespace quadrille::draw {
 /// Appends `curve` between two parameters; an empty path begins at its start.
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
 
+/// The number of the tint of each region (region_colour()): that of its name, because a face that embedded curves
+/// divide has several regions of one name.
+std::vector<int> region_tints(const CadFace& face);
+
 /// The face as an area (below everything), each region in its tint, and its boundary (above the rest). Every curve has
 /// its name as hover text.
 void draw_face_area(Picture& picture, const CadFace& face);
-/// The tints that regions have in the area of the face: an entry for each.
+/// The tints that regions have in the area of the face: an entry for each name.
 void legend_regions(Picture& picture, const CadFace& face);
 /// The data of a path around the face, for the fill rule evenodd.
 std::string face_outline(const Picture& picture, const CadFace& face);

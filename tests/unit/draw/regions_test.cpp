@@ -48,6 +48,16 @@ TEST(DrawRegions, RegionsHaveTints) {
   EXPECT_EQ(num_blocks, 9 + 2) << "and two marks of the legend";
 }
 
+TEST(DrawRegions, RegionsOfOneNameAreOneInTheLegend) {
+  SeparatrixGraph graph = disc();
+  graph.face.region_names = {"air", "air"};
+  DrawOptions options;
+  options.curve_labels = CurveLabels::none;
+  const std::string svg = draw_separatrix_graph(graph, options);
+  EXPECT_EQ(count(svg, ">air</text>"), 1);
+  EXPECT_EQ(count(svg, region_colour(0)), 3) << "both areas and the legend";
+}
+
 TEST(DrawRegions, TintsDiffer) {
   std::set<std::string> colours;
   for (int region = 0; region < 6; ++region)
