@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
@@ -72,6 +73,10 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   }
   double scale = 0;
   for (size_t i = 1; i < curve.poles.size(); ++i) scale += distance(curve.poles[i - 1], curve.poles[i]);
+  double rounding = 0;  // of a sum of speeds from coordinates
+  for (const Vec2 pole : curve.poles)
+    rounding = std::max(rounding, 16 * std::numeric_limits<double>::epsilon() * norm(pole));
+  constexpr int deepest_slow = 8;
   struct Interval {
     double a, b, length;
     int depth;
@@ -95,8 +100,9 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
     const double left = gauss<16>(whole.span, whole.a, m), right = gauss<16>(whole.span, m, whole.b);
     const double error = std::abs(left + right - whole.length);
     // The points of a curve that is tiny relative to its coordinates are known to rounding only: halving is then no
-    // use.
-    const bool is_rounding = error <= 1e-6 * scale && error > whole.error / 16;
+    // use. Nor is it a sign of rounding that the error of a long interval falls slowly: a thin ellipse begins so.
+    const bool is_rounding =
+        error > whole.error / 16 && (error <= rounding || (whole.depth >= deepest_slow && error <= 1e-6 * scale));
     if (error <= 1e-14 * scale || is_rounding || whole.depth == 40) {
       add(m, lengths_.back() + left, whole.span);
       add(whole.b, lengths_.back() + right, whole.span);

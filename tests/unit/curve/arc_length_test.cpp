@@ -110,10 +110,13 @@ TEST(ArcLength, of_a_parabola_of_many_spans_is_exact_to_round_off) {
 
 // The speed of a thin ellipse is that of a function with singularities next to the curve.
 TEST(ArcLength, of_a_thin_ellipse_is_its_elliptic_integral) {
-  for (const double b : {0.1, 0.05}) {
+  // E(1 - b^2) by the arithmetic-geometric mean with 40 digits; std::comp_ellint_2 is up to 3e-13 off.
+  constexpr std::pair<double, double> integrals[] = {
+      {0.1, 1.0159935450252239}, {0.05, 1.0048564047864904}, {0.01, 1.0002745824306630}, {0.001, 1.0000038970261721}};
+  for (const auto& [b, integral] : integrals) {
     const Nurbs quarter{2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, b}, {0, b}}, {1, std::sqrt(0.5), 1}};
     const ArcLength length(quarter);
-    EXPECT_NEAR(length.total(), std::comp_ellint_2(std::sqrt(1 - b * b)), 1e-13);
+    EXPECT_NEAR(length.total(), integral, 1e-13) << b;
     for (const double t : {0.02, 0.3, 0.5, 0.7, 0.98})
       EXPECT_NEAR(length.at(t), ArcLength(trimmed(quarter, 0, t)).total(), 1e-13) << b << " " << t;
   }
