@@ -131,11 +131,13 @@ FittedLayers fit_layers(const std::vector<WallSpec>& specs, const std::vector<No
 
 [[noreturn]] void refuse(const WallSpec& spec, int count, Vec2 position) {
   const std::string most =
-      count == 0 ? "not even one fits"
-                 : fmt::format("at most {} fit, with a thickness of {:.6g}", count, layer_heights(spec, count).back());
+      count == 0 ? "not even one fits: make the first one thinner"
+                 : fmt::format("at most {} fit, with a thickness of {:.6g}: ask for as many as fit (layers=fit)", count,
+                               layer_heights(spec, count).back());
   throw ComputeError(
-      fmt::format("--wall {}: the layers do not fit between the wall and the far side of its blocks at {}; {}",
-                  fmt::join(spec.names, ","), position_text(position), most));
+      fmt::format("--wall {}: the layers do not fit between the wall and the far side of its blocks at {}; {}{}",
+                  fmt::join(spec.names, ","), position_text(position), most,
+                  spec.own_blocks ? "" : ", or give them blocks of their own (blocks=own)"));
 }
 
 }  // namespace
