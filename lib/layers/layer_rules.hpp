@@ -30,7 +30,9 @@
 //   heights (wall_line, layered_block)
 //    6 the boundary from which heights are measured     the side and its neighbours along the boundary, walls or not,
 //                                                       up to the first node with V other than 2; beyond that node,
-//                                                       the distance from it
+//                                                       the distance from it, or, if it is a corner with V = 1 of at
+//                                                       most 150 degrees, from the wall's straight continuation:
+//                                                       lines that run along the other side cross the layers evenly
 //    7 a corner below 180 degrees in that boundary      distance from the nearer of both parts
 //    8 a block with walls on adjacent sides (V = 1)     the lines along one wall's normals are placed first, and those
 //                                                       of the other run along them. The layers of each wall divide the
@@ -138,6 +140,9 @@ struct LayerConstants {
   /// The sine of the angle at which a joint of a wall is a bend. Well above the angles that CAD programs have between
   /// tangent curves, well below any intended corner.
   double least_bend = 1e-3;
+  /// The least sine of the angle of a corner beyond which a wall is continued straight: less steep lines would cross
+  /// the layers far from it.
+  double least_corner_sine = 0.5;
 
   // Comparisons.
   /// Lengths and heights that differ by less, relative to themselves, are equal: mirror images must decide alike.

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int max_steps = 40;
 
+}  // namespace
+
 Vec2 direction(const curve::CurveTable& table, const ArcPiece& piece, bool at_end) {
   const bool forwards = piece.t0 <= piece.t1;
   const double t = at_end ? piece.t1 : piece.t0;
   const Vec2 along = curve::tangent(table.curve(piece.curve), t, forwards == at_end);
   return forwards ? along : -along;
 }
-
-}  // namespace
 
 WallLine::WallLine(const curve::CurveTable& table, std::vector<ArcPiece> pieces)
     : table_(&table), pieces_(std::move(pieces)) {
@@ -35,6 +35,12 @@ WallPoint WallLine::entry(const WallPoint& foot, int step) const {
 
 double WallLine::distance_at(Vec2 x, const WallPoint& foot) const {
   return quadrille::distance(x, curve::point(table_->curve(pieces_[foot.piece].curve), foot.t));
+}
+
+double WallLine::distance_beyond(Vec2 x, int step) const {
+  const ArcPiece& piece = step < 0 ? pieces_.front() : pieces_.back();
+  const Vec2 end = curve::point(table_->curve(piece.curve), step < 0 ? piece.t0 : piece.t1);
+  return std::abs(cross(direction(*table_, piece, step > 0), x - end));
 }
 
 int WallLine::move_foot(Vec2 x, WallPoint& foot) const {
@@ -63,7 +69,10 @@ double WallLine::follow_pieces(Vec2 x, WallPoint& foot) const {
   int beyond = move_foot(x, foot);
   double nearest = distance_at(x, foot);
   while (beyond != 0) {
-    if (!has_piece(foot.piece + beyond)) break;
+    if (!has_piece(foot.piece + beyond)) {
+      if (is_extended_[beyond < 0 ? 0 : 1]) nearest = distance_beyond(x, beyond);
+      break;
+    }
     WallPoint next = entry(foot, beyond);
     const int further = move_foot(x, next);
     const double d = distance_at(x, next);

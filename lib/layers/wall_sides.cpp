@@ -52,19 +52,38 @@ void append_pieces(const BlockLayout& layout, const mesh::BlockSide& side, std::
   pieces.insert(pieces.end(), own.begin(), own.end());
 }
 
+std::vector<ArcPiece> pieces_of(const BlockLayout& layout, const mesh::BlockSide& side) {
+  std::vector<ArcPiece> pieces;
+  append_pieces(layout, side, pieces);
+  return pieces;
+}
+
+/// Whether a side ends (step +1) or begins (-1) at a corner with V = 1 whose other side rises steeply enough from its
+/// straight continuation.
+bool extends_beyond(const BlockLayout& layout, const curve::CurveTable& table, const mesh::BlockSide& side, int step) {
+  const mesh::BlockSide beside{side.block, (side.side + 4 + step) % 4};
+  if (!layout.arcs[mesh::half_edge(layout, beside.block, beside.side).arc].is_boundary) return false;
+  const std::vector<ArcPiece> own = pieces_of(layout, side), other = pieces_of(layout, beside);
+  const bool at_end = step > 0;
+  return cross(direction(table, at_end ? own.back() : other.back(), true),
+               direction(table, at_end ? other.front() : own.front(), false)) >= layer_constants.least_corner_sine;
+}
+
 WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& table, const mesh::ArcSides& arc_sides,
                         const mesh::BlockSide& side, int spec) {
   WallSide wall{side.block, side.side, spec, {}, {}, {}, false};
   std::vector<ArcPiece> pieces;
-  if (const mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1); before.block >= 0)
-    append_pieces(layout, before, pieces);
+  const mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1),
+                        after = mesh::next_along_boundary(layout, arc_sides, side, 1);
+  if (before.block >= 0) append_pieces(layout, before, pieces);
   const int first = static_cast<int>(pieces.size());
   append_pieces(layout, side, pieces);
   wall.begin = {first, pieces[first].t0};
   wall.end = {static_cast<int>(pieces.size()) - 1, pieces.back().t1};
-  if (const mesh::BlockSide after = mesh::next_along_boundary(layout, arc_sides, side, 1); after.block >= 0)
-    append_pieces(layout, after, pieces);
+  if (after.block >= 0) append_pieces(layout, after, pieces);
   wall.line = WallLine(table, std::move(pieces));
+  if (extends_beyond(layout, table, before.block < 0 ? side : before, -1)) wall.line.extend(-1);
+  if (extends_beyond(layout, table, after.block < 0 ? side : after, 1)) wall.line.extend(1);
   return wall;
 }
 

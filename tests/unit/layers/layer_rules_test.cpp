@@ -142,6 +142,24 @@ TEST(LayerRules, R6_HeightsAreMeasuredFromTheContinuingBoundaryToo) {
   EXPECT_EQ(corner.plan.walls.sides[0].begin.piece, 0);
 }
 
+/// A quadrilateral with corners at (0, 0) and (1, 0), where the other side leads to (2, height).
+SeparatrixGraph quadrilateral(double height) {
+  return hand_made::one_block(hand_made::face({{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {2, height}),
+                                                curve::segment({2, height}, {0, 2}), curve::segment({0, 2}, {0, 0})}},
+                                              2),
+                              {{0}, {1}, {2}, {3}});
+}
+
+TEST(LayerRules, R6_BeyondAnObtuseCornerHeightsAreMeasuredFromTheStraightContinuation) {
+  const PlannedWalls obtuse(quadrilateral(1), 0.2, {"side_0:first=0.01,layers=3"});  // 135 degrees
+  EXPECT_NEAR(obtuse.first_step({1, 0}, {2, 1}), 0.01 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(obtuse.first_step({0, 0}, {0, 2}), 0.01, 1e-9);
+  const PlannedWalls other(quadrilateral(1), 0.2, {"side_1:first=0.01,layers=3"});
+  EXPECT_NEAR(other.first_step({1, 0}, {0, 0}), 0.01 * std::sqrt(2.0), 1e-9);
+  const PlannedWalls flat(quadrilateral(0.3), 0.2, {"side_0:first=0.01,layers=3"});  // 163 degrees
+  EXPECT_NEAR(flat.first_step({1, 0}, {2, 0.3}), 0.01, 1e-9) << "distances from the corner";
+}
+
 TEST(LayerRules, R8_EachWallOfACornerCarriesTheCutsOfTheOther) {
   const PlannedWalls p(hand_made::unit_square(), 0.2, {"side_0:first=0.01,layers=3", "side_1:first=0.02,layers=4"});
   EXPECT_NEAR(p.first_step({1, 0}, {1, 1}), 0.01, 1e-12);

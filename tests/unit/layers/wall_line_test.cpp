@@ -35,6 +35,19 @@ TEST(WallLine, InAConvexCornerTheNearerWallCounts) {
   EXPECT_NEAR(wall.distance({0.8, 0.1}, foot), 0.1, 1e-14);
 }
 
+TEST(WallLine, ContinuesStraightBeyondAnExtendedEnd) {
+  const CadFace face = hand_made::unit_square().face;
+  const std::vector<Nurbs> none;
+  const curve::CurveTable table(face, none);
+  for (const int step : {-1, 1}) {
+    WallLine wall(table, {{0, 0, 1}});  // (0,0) to (1,0)
+    wall.extend(step);
+    WallPoint begin{0, 0.1}, end{0, 0.9};
+    EXPECT_NEAR(wall.distance({-0.3, 0.4}, begin), step < 0 ? 0.4 : 0.5, 1e-14);
+    EXPECT_NEAR(wall.distance({1.3, 0.4}, end), step < 0 ? 0.5 : 0.4, 1e-14);
+  }
+}
+
 TEST(WallLine, WalksPiecesBackwards) {
   const CadFace face = hand_made::l_shape().face;
   const std::vector<Nurbs> none;
