@@ -63,6 +63,14 @@ std::set<int> inaccurate_chords(const GrowthInput& input, const sizing::ArcDivis
   return chords;
 }
 
+/// The intervals between the layers on the arc of a chord that has the fewest.
+int num_free(const GrowthInput& input, int chord, int count) {
+  int layers = 0;
+  for (const int arc : input.measured.chords()[chord].arcs)
+    layers = std::max(layers, input.num_layers(arc, 0) + input.num_layers(arc, 1));
+  return count - layers;
+}
+
 /// Returns whether any count rose.
 bool raise_counts(const GrowthInput& input, const std::set<int>& chords, sizing::ArcDivisions& shape,
                   sizing::ArcDivisions& divisions, std::set<int>& raised) {
@@ -70,7 +78,8 @@ bool raise_counts(const GrowthInput& input, const std::set<int>& chords, sizing:
   for (const int chord : chords) {
     if (!input.may_raise(chord)) continue;
     const int before = divisions[input.measured.chords()[chord].arcs.front()].num_intervals();
-    const int count = before + std::max(1, static_cast<int>(std::ceil(growth_constants.raise * before)));
+    const int count =
+        before + std::max(1, static_cast<int>(std::ceil(growth_constants.raise * num_free(input, chord, before))));
     sizing::ArcDivisions anew = divisions;
     const int reached = recount_chord(input, chord, count, anew);
     divisions = anew;

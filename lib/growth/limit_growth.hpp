@@ -2,10 +2,10 @@
 // Limits the ratio of adjacent intervals along all lines of arcs: smooth divisions, with greater counts where these
 // alone do not suffice.
 //
-// In each round the ends are moved (growth/smooth_divisions); then chords get a tenth more intervals, at least one, if
-// one of their intervals misses the tolerance of the boundary, or is too long beside a neighbour while none is too long
-// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, or when the mesh would
-// have `GrowthConstants::most_refined` times the elements.
+// In each round the ends are moved (growth/smooth_divisions); then chords get a tenth more free intervals, at least
+// one, if one of their intervals misses the tolerance of the boundary, or is too long beside a neighbour while none is
+// too long beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, or when the
+// mesh would have `GrowthConstants::most_refined` times the elements.
 
 #include "growth/interval_pairs.hpp"
 
@@ -13,7 +13,7 @@ namespace quadrille::growth {
 
 struct GrowthConstants {
   int max_rounds = 60;
-  double raise = 0.1;          ///< part of its count by which a chord is raised in each round
+  double raise = 0.1;          ///< part of its intervals between layers by which a chord is raised in each round
   double most_refined = 4;     ///< elements, over those at first
   double warned_excess = 0.5;  ///< of the limit: lines inside blocks are smoothed, not limited
   double kept_quality = 0.8;   ///< least part of a block's scaled Jacobian that smooth lines may leave
