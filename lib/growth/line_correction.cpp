@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <cmath>
+#include <tuple>
 
 namespace quadrille::growth {
 namespace {
@@ -11,73 +12,110 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double smallness = 0.02;  // corrections reach some seven intervals far; less lets them skew far blocks
-constexpr int max_corrections = 20;
+constexpr double weight_excess = 10;
+constexpr int max_corrections = 40;
+/// Later corrections move half as far, in case two alternate.
+constexpr int full_corrections = 10;
 constexpr double small_change = 1e-9;
 
-/// The matrix and the right side of the minimum without the constraints.
+/// Adjacent intervals of the line; -1: a layer.
+struct Adjacent {
+  int first = 0, second = 0;
+  double log_ratio = 0;  ///< of the second one's size to the first one's
+  double given = 0;      ///< correction of the layer
+};
+
+double correction(const VectorXd& c, int k, double given) { return k < 0 ? given : c[k]; }
+
+std::vector<Adjacent> adjacent_intervals(const std::vector<LinePiece>& pieces, bool is_closed) {
+  std::vector<Adjacent> pairs;
+  const LinePiece* last = is_closed && !pieces.back().after ? &pieces.back() : nullptr;
+  int first = 0, size = 0;
+  for (const LinePiece& piece : pieces) size += static_cast<int>(piece.sizes.size());
+  for (const LinePiece& piece : pieces) {
+    const int count = static_cast<int>(piece.sizes.size());
+    if (piece.before)
+      pairs.push_back({-1, first, std::log(piece.sizes.front() / piece.before->size), piece.before->correction});
+    else if (last && size > 1)
+      pairs.push_back({first > 0 ? first - 1 : size - 1, first, std::log(piece.sizes.front() / last->sizes.back()), 0});
+    for (int k = 0; k + 1 < count; ++k)
+      pairs.push_back({first + k, first + k + 1, std::log(piece.sizes[k + 1] / piece.sizes[k]), 0});
+    if (piece.after)
+      pairs.push_back(
+          {first + count - 1, -1, std::log(piece.after->size / piece.sizes.back()), piece.after->correction});
+    last = piece.after ? nullptr : &piece;
+    first += count;
+  }
+  return pairs;
+}
+
+/// The minimum without the constraints, linearised where pairs exceed the limit.
 struct Smoothness {
   Eigen::SparseMatrix<double> matrix;
   VectorXd right;
 };
 
-Smoothness smoothness(const std::vector<LinePiece>& pieces, int size, bool is_closed) {
+Smoothness smoothness(const std::vector<Adjacent>& pairs, const VectorXd& c, double log_limit) {
+  const int size = static_cast<int>(c.size());
   std::vector<Eigen::Triplet<double>> entries;
   Smoothness result{{size, size}, VectorXd::Zero(size)};
   for (int k = 0; k < size; ++k) entries.emplace_back(k, k, smallness);
-  const auto join = [&](int a, int b) {
-    for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}})
-      entries.emplace_back(i, i, 1), entries.emplace_back(i, j, -1);
-  };
-  const auto hold = [&](int k, double value) {
-    entries.emplace_back(k, k, 1);
-    result.right[k] += value;
-  };
-  int first = 0;
-  for (const LinePiece& piece : pieces) {
-    const int last = first + static_cast<int>(piece.sizes.size()) - 1;
-    for (int k = first; k < last; ++k) join(k, k + 1);
-    if (piece.before) hold(first, *piece.before);
-    if (piece.after)
-      hold(last, *piece.after);
-    else if (last + 1 < size)
-      join(last, last + 1);
-    else if (is_closed && size > 1)
-      join(last, 0);
-    first = last + 1;
+  for (const Adjacent& pair : pairs) {
+    const double change = correction(c, pair.second, pair.given) - correction(c, pair.first, pair.given);
+    const double growth = pair.log_ratio + change;
+    // weight (c' - c - target)^2 is (c' - c)^2 + weight_excess (ln b' / b + c' - c -+ log_limit)^2 up to a constant.
+    const double excess = std::abs(growth) > log_limit ? weight_excess : 0, weight = 1 + excess;
+    const double target = excess * (std::copysign(log_limit, growth) - pair.log_ratio) / weight;
+    for (const auto& [k, other, sign] : {std::tuple{pair.first, pair.second, -1}, {pair.second, pair.first, 1}}) {
+      if (k < 0) continue;
+      entries.emplace_back(k, k, weight);
+      if (other >= 0) entries.emplace_back(k, other, -weight);
+      result.right[k] += weight * (sign * target + (other < 0 ? pair.given : 0));
+    }
   }
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
 
+/// The linearised logarithms of the pieces' sums: their derivatives are the shares of the intervals.
+struct Constraints {
+  MatrixXd shares;
+  VectorXd target;
+};
+
+Constraints constraints(const std::vector<LinePiece>& pieces, const VectorXd& c) {
+  const int num_pieces = static_cast<int>(pieces.size());
+  Constraints result{MatrixXd::Zero(c.size(), num_pieces), VectorXd(num_pieces)};
+  int k = 0;
+  for (int p = 0; p < num_pieces; ++p) {
+    const int first = k;
+    double sum = 0;
+    for (const double b : pieces[p].sizes) sum += result.shares(k, p) = b * std::exp(c[k]), ++k;
+    result.shares.col(p) /= sum;
+    result.target[p] = std::log(pieces[p].length / sum) +
+                       result.shares.col(p).segment(first, k - first).dot(c.segment(first, k - first));
+  }
+  return result;
+}
+
 }  // namespace
 
-std::vector<std::vector<double>> corrected_lengths(const std::vector<LinePiece>& pieces, bool is_closed) {
+std::vector<std::vector<double>> corrected_lengths(const std::vector<LinePiece>& pieces, bool is_closed, double limit) {
   int size = 0;
   for (const LinePiece& piece : pieces) size += static_cast<int>(piece.sizes.size());
-  const int num_pieces = static_cast<int>(pieces.size());
-  const Smoothness smooth = smoothness(pieces, size, is_closed);
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(smooth.matrix);
-  const VectorXd free = solver.solve(smooth.right);
+  const std::vector<Adjacent> pairs = adjacent_intervals(pieces, is_closed);
   VectorXd c = VectorXd::Zero(size);
   for (int step = 0; step < max_corrections; ++step) {
-    // The logarithm of each sum is linearised: its derivatives are the shares of the intervals.
-    MatrixXd shares = MatrixXd::Zero(size, num_pieces);
-    VectorXd target(num_pieces);
-    int k = 0;
-    for (int p = 0; p < num_pieces; ++p) {
-      const int first = k;
-      double sum = 0;
-      for (const double b : pieces[p].sizes) sum += shares(k, p) = b * std::exp(c[k]), ++k;
-      shares.col(p) /= sum;
-      target[p] =
-          std::log(pieces[p].length / sum) + shares.col(p).segment(first, k - first).dot(c.segment(first, k - first));
-    }
+    const Smoothness smooth = smoothness(pairs, c, std::log(limit));
+    const auto [shares, target] = constraints(pieces, c);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(smooth.matrix);
+    const VectorXd free = solver.solve(smooth.right);
     const MatrixXd response = solver.solve(shares);
     const VectorXd forces =
         MatrixXd(shares.transpose() * response).ldlt().solve(target - VectorXd(shares.transpose() * free));
     const VectorXd next = free + response * forces;
     const double change = (next - c).cwiseAbs().maxCoeff();
-    c = next;
+    c += (step < full_corrections ? 1 : 0.5) * (next - c);
     if (change < small_change) break;
   }
   std::vector<std::vector<double>> lengths;

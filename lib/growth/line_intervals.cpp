@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "growth/limit_growth.hpp"
 #include "growth/line_correction.hpp"
 #include "mesh/block_sides.hpp"
 #include "model/interfaces.hpp"
@@ -28,8 +29,9 @@ int side_of(int direction, int end) { return direction == 0 ? 2 * end : 3 - 2 * 
 class Lines {
  public:
   Lines(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls, const sizing::ArcDivisions& divisions,
-        int order)
+        double limit, int order)
       : blocks_(measured.blocks()),
+        limit_(std::pow(limit, 1 - growth_constants.line_margin)),
         curve_region_(curve_regions(blocks_.face)),
         arc_sides_(mesh::sides_of_arcs(blocks_)) {
     for (std::size_t arc = 0; arc < divisions.size(); ++arc)
@@ -109,8 +111,8 @@ class Lines {
   LinePiece piece_of(const PieceEnd& at) const {
     const layers::BlockLine& line = pieces_[at.piece.direction][at.piece.block][at.piece.node];
     LinePiece piece{line.length, line.sizes, {}, {}};
-    if (line.before > 0) piece.before = std::log(line.before / line.before_size);
-    if (line.after > 0) piece.after = std::log(line.after / line.after_size);
+    if (line.before > 0) piece.before = {line.before_size, std::log(line.before / line.before_size)};
+    if (line.after > 0) piece.after = {line.after_size, std::log(line.after / line.after_size)};
     if (at.end == 1) {
       std::reverse(piece.sizes.begin(), piece.sizes.end());
       std::swap(piece.before, piece.after);
@@ -124,7 +126,7 @@ class Lines {
     std::vector<LinePiece> pieces;
     pieces.reserve(line.size());
     for (const PieceEnd& at : line) pieces.push_back(piece_of(at));
-    std::vector<std::vector<double>> lengths = corrected_lengths(pieces, is_closed);
+    std::vector<std::vector<double>> lengths = corrected_lengths(pieces, is_closed, limit_);
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (line[i].end == 1) std::reverse(lengths[i].begin(), lengths[i].end());
       result_[line[i].piece.block][line[i].piece.direction][line[i].piece.node] = std::move(lengths[i]);
@@ -132,6 +134,7 @@ class Lines {
   }
 
   const BlockLayout& blocks_;
+  double limit_;
   std::vector<int> curve_region_;
   mesh::ArcSides arc_sides_;
   std::vector<std::vector<double>> nodes_;  ///< by arc: fractions of all nodes
@@ -143,8 +146,8 @@ class Lines {
 }  // namespace
 
 BlockLines line_intervals(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls,
-                          const sizing::ArcDivisions& divisions, int order) {
-  return Lines(measured, walls, divisions, order).corrected();
+                          const sizing::ArcDivisions& divisions, double limit, int order) {
+  return Lines(measured, walls, divisions, limit, order).corrected();
 }
 
 }  // namespace quadrille::growth

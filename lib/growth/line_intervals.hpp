@@ -12,9 +12,9 @@ namespace quadrille::growth {
 /// By block: LayeredBlock::lines.
 using BlockLines = std::vector<layers::BlockLineLengths>;
 
-/// For all lines of the nodes of elements of this order. Cost: linear in the nodes, with some evaluations of each
-/// block's map for every line.
+/// For all lines of the nodes of elements of this order; `limit`: greatest ratio of adjacent intervals that is aimed
+/// at. Cost: linear in the nodes, with some evaluations of each block's map for every line.
 BlockLines line_intervals(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls,
-                          const sizing::ArcDivisions& divisions, int order);
+                          const sizing::ArcDivisions& divisions, double limit, int order);
 
 }  // namespace quadrille::growth

@@ -142,7 +142,8 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   make_mesh(request.last ? &request.last->mesh : nullptr);
   if (!result.growth) return result;
   const std::vector<double> without_lines = growth::block_qualities(result.mesh);
-  result.lines = growth::line_intervals(measured, *result.walls, result.divisions, options.order);
+  result.lines =
+      growth::line_intervals(measured, *result.walls, result.divisions, options.target_growth, options.order);
   do make_mesh(&result.mesh);
   while (growth::drop_worse(without_lines, result.mesh, result.walls->walls, result.lines));
   return result;
