@@ -115,20 +115,26 @@ std::optional<FaceExit> exit_of_face(const graph::Subdivision& subdivision, Half
   return FaceExit{*exit, s};
 }
 
-// The faces that the line divides: up to the first line that is there already, or to the end of one on the other side
-// of a line, across those of this round, from spline `first_new` on. Empty if it leaves a face by a side beside the one
-// that it enters.
+// The faces that the line divides: up to the first line that is not of this round, whose splines begin with
+// `first_new`, or to the end of one on the other side of a line; with Reach::region up to the last such line before the
+// line leaves a face by a side beside the one that it enters. Empty if there is none.
 std::vector<FaceExit> exits_of_line(const graph::Subdivision& subdivision, HalfEdge entry, const TracedLine& line,
-                                    double same, int first_new) {
+                                    double same, int first_new, Reach reach) {
+  const ArcGraph& graph = subdivision.graph();
   std::vector<FaceExit> exits;
-  for (bool is_new = true; is_new;) {
+  std::size_t num_certain = 0;
+  for (;;) {
     const std::optional<FaceExit> exit = exit_of_face(subdivision, entry, line, same);
-    if (!exit || (!exits.empty() && exit->s <= exits.back().s)) return {};
+    if (!exit || (!exits.empty() && exit->s <= exits.back().s)) break;
     exits.push_back(*exit);
     entry = exit->point.h.reversed();
-    const ArcGraph& graph = subdivision.graph();
-    is_new = !exit->point.is_end && graph.arcs[entry.arc].pieces.front().curve - graph.face.num_curves() >= first_new;
+    const bool is_new = graph.arcs[entry.arc].pieces.front().curve - graph.face.num_curves() >= first_new;
+    const bool may_end = exit->point.is_end || !is_new;
+    if (may_end) num_certain = exits.size();
+    const bool is_last = exit->point.is_end || graph.arcs[entry.arc].is_boundary;
+    if (is_last || (may_end && reach == Reach::first_line)) break;
   }
+  exits.resize(num_certain);
   return exits;
 }
 
@@ -143,13 +149,13 @@ std::optional<ArcPoint> entry_at(const graph::Subdivision& subdivision, const Pl
 }
 
 // Divides the faces that the line enters, if it reaches the opposite sides.
-bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Place& start, int first_new) {
+bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Place& start, int first_new, Reach reach) {
   graph::Subdivision& subdivision = layout.subdivision;
   const ArcGraph& graph = subdivision.graph();
   const std::optional<ArcPoint> entry = entry_at(subdivision, start);
   if (!entry) return false;
   const std::vector<FaceExit> exits =
-      exits_of_line(subdivision, entry->h, line, relative_same * graph.face.diameter, first_new);
+      exits_of_line(subdivision, entry->h, line, relative_same * graph.face.diameter, first_new, reach);
   if (exits.empty()) return false;
   const auto begin = graph::divide_at_point(subdivision, entry->h, entry->at);
   Nurbs& spline = line.spline;
@@ -175,7 +181,7 @@ bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Place& s
 
 }  // namespace
 
-int continue_lines(RegionLayouts& regions, CutEnds cuts) {
+int continue_lines(RegionLayouts& regions, CutEnds cuts, Reach reach) {
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   std::vector<int> first_new;  // spline of each region
   for (const graph::CandidateLayout& layout : regions.layouts)
@@ -185,7 +191,8 @@ int continue_lines(RegionLayouts& regions, CutEnds cuts) {
   int num_lines = 0;
   for (Continuation& way : ways)
     if (way.line)
-      num_lines += insert_line(regions.layouts[way.region], std::move(*way.line), way.start, first_new[way.region]);
+      num_lines +=
+          insert_line(regions.layouts[way.region], std::move(*way.line), way.start, first_new[way.region], reach);
   renew_lines(regions, std::move(kinds), LineKind::traced);
   return num_lines;
 }

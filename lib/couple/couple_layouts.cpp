@@ -14,6 +14,7 @@
 #include "curve/chain.hpp"
 #include "graph/face_corners.hpp"
 #include "layout/certificate.hpp"
+#include "layout/choose_layout.hpp"
 #include "model/periodic_arcs.hpp"
 #include "quantize/extend_lines.hpp"
 #include "quantize/quantize.hpp"
@@ -24,6 +25,12 @@ namespace quadrille::couple {
 namespace {
 
 constexpr double relative_unit = 0.1;  // an arc of this length, relative to the diameter, has integer length one
+
+// With blocks worse than the first, lines follow the field across whole regions if that makes better ones, and not
+// more; with blocks worse than the second also if it makes more.
+constexpr double good_scaled_jacobian = 0.7, acceptable_scaled_jacobian = 0.5;
+
+constexpr double equal_quality = 1e-6;
 
 constexpr int max_rounds = 8;  // of lines continued from one region into the next
 
@@ -53,15 +60,14 @@ void certify(const field::FieldsOfRegions& fields, graph::CandidateLayout& layou
   layout::certify(*layout.certificate.method, layout, report);
 }
 
-}  // namespace
-
-SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
+graph::CandidateLayout coupled(RegionLayouts regions, Reach reach, const layout::LayoutOptions& options,
+                               Report& report) {
   report.set("couple.turned_regions", turn_round_regions(regions));
   int num_met = 0, num_continued = 0;
   for (const CutEnds cuts : {CutEnds::ignored, CutEnds::included}) {
     num_met += meet_stations(regions, cuts);
     for (int round = 0; round < max_rounds; ++round) {
-      const int num = continue_lines(regions, cuts);
+      const int num = continue_lines(regions, cuts, reach);
       if (num == 0) break;
       num_continued += num;
       num_met += meet_stations(regions, cuts);
@@ -88,6 +94,33 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
   graph::require_drawn_in_order(layout.subdivision);
   require_periodic_arcs(layout.graph(), "leave out --simplify, or the pair (cad2tri --periodic)");
   certify(fields, layout, report);
+  return layout;
+}
+
+// Integer lengths move lines by up to the unit, far more than the distance of lines that run close to each other.
+void follow_field_if_better(RegionLayouts regions, const layout::LayoutOptions& options, graph::CandidateLayout& layout,
+                            Report& report) {
+  const layout::LayoutQuality before = layout::quality_of(layout.subdivision);
+  const double quality = before.is_valid ? before.least_scaled_jacobian : 0;
+  if (quality >= good_scaled_jacobian) return;
+  Report attempt_report(report.progress());
+  try {
+    graph::CandidateLayout attempt = coupled(std::move(regions), Reach::region, options, attempt_report);
+    const layout::LayoutQuality after = layout::quality_of(attempt.subdivision);
+    if (!after.is_valid || after.least_scaled_jacobian <= quality + equal_quality) return;
+    if (quality >= acceptable_scaled_jacobian && after.num_blocks > before.num_blocks) return;
+    layout = std::move(attempt);
+  } catch (const ComputeError&) {
+    return;
+  }
+  for (const auto& [key, value] : attempt_report.entries()) report.set(key, value);
+}
+
+}  // namespace
+
+SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
+  graph::CandidateLayout layout = coupled(regions, Reach::first_line, options, report);
+  follow_field_if_better(std::move(regions), options, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }
 
