@@ -64,8 +64,10 @@ std::vector<double> nodes_in_layers(const NormalLine& line, const SideLayers& si
   const WallPoint foot = side.feet[node];
   std::vector<double> u = parameters_at_heights(
       line, *side.wall, foot,
-      side.own_blocks ? node_heights(compressed_heights(side.heights, height_of_end(line, *side.wall, foot)), order)
-                      : heights);
+      side.own_intervals > 0
+          ? node_heights(compressed_heights(side.heights, height_of_end(line, *side.wall, foot), side.own_intervals),
+                         order)
+          : heights);
   if (u.size() < heights.size()) refuse(line(0) + origin);
   return u;
 }

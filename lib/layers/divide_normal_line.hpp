@@ -18,7 +18,7 @@ struct SideLayers {
   const WallLine* wall = nullptr;  ///< nullptr: no wall
   std::vector<double> heights;     ///< of the layers' upper ends
   std::vector<WallPoint> feet;     ///< on the wall: the side's nodes by rising s or t
-  bool own_blocks = false;         ///< the heights are compressed on lines that are lower (compressed_heights)
+  int own_intervals = 0;           ///< WallSide::own_intervals
 };
 
 /// All lines between two opposite sides of a block.

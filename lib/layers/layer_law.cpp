@@ -61,13 +61,13 @@ double next_layer(const std::vector<double>& heights) {
   return last * last / below;
 }
 
-std::vector<double> compressed_heights(const std::vector<double>& heights, double room) {
+std::vector<double> compressed_heights(const std::vector<double>& heights, double room, int above) {
   const double next = next_layer(heights), first = heights.front(), count = static_cast<double>(heights.size());
   if (room >= (heights.back() + next) * (1 - layer_constants.equal_tol)) return heights;
   std::vector<double> ratios;  // of the layers and the first one
   for (std::size_t k = 0; k < heights.size(); ++k)
     ratios.push_back((heights[k] - (k > 0 ? heights[k - 1] : 0)) / first);
-  ratios.push_back(next / first);
+  ratios.insert(ratios.end(), above, next / (above * first));
   const double least = std::min(first, room / (count + 1));
   const auto total = [&](double power) {
     double sum = 0;

@@ -18,9 +18,10 @@ std::vector<double> layer_heights(const WallSpec& spec, int layers);
 /// The height of one more layer: as much greater than the last one as that than the one below it.
 double next_layer(const std::vector<double>& heights);
 
-/// The heights of as many layers if they and one more must fit below `room`: the first layer keeps its height, and the
-/// others grow less; with room for less than that all are equal.
-std::vector<double> compressed_heights(const std::vector<double>& heights, double room);
+/// The heights of as many layers if they and `above` intervals, which where there is room are one more layer, must fit
+/// below `room`: the first layer keeps its height, and all others grow less; with room for less than one more interval
+/// of the first height all layers are equal.
+std::vector<double> compressed_heights(const std::vector<double>& heights, double room, int above = 1);
 
 /// The number of layers: spec.layers, or the least number that reaches spec.thickness. Throws UsageError if that would
 /// be more than LayerConstants::max_layers.

@@ -47,8 +47,9 @@
 //   13 a number that crowds the narrow blocks of a      does not fit. If every number of layers of some wall crowds
 //      chord, because its wide blocks need the count    blocks, or all numbers are prescribed and growth is limited
 //                                                       (growth/limit_growth), crowding is ignored for all walls
-//   a  blocks=own, on a line that ends below its layers  the first layer keeps its height, the others grow less; if not
-//      and one more                                     even that fits, all are equal (compressed_heights)
+//   a  blocks=own, on a line that ends below its layers  the first layer keeps its height; the others and all intervals
+//      and one more                                     above grow less; if not even that fits, all are equal
+//                                                       (compressed_heights)
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
 //   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;
@@ -65,6 +66,8 @@
 //   19 an arc beyond the block with layers whose first  its chord is divided again, starting with that last interval;
 //      interval is far longer than the last one of its  and so on from chord to chord
 //      neighbour
+//      its own chord may have still finer intervals     the finest that is prescribed on its chord is continued: else
+//      where it is narrow                               two narrow chords refine each other without end
 //   20 such an arc with layers of its own at this end   no change: neighbours never change layers
 //   21 an arc too short for such a first interval       the interval is limited (greatest_crowding), but not next to
 //                                                       layers

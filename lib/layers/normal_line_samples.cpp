@@ -81,10 +81,11 @@ std::vector<double> from_end(const std::vector<double>& lengths) {
 }
 
 /// Subtracts the layers of one end from the free part.
-void subtract_layers(const std::vector<double>& prescribed, bool own_blocks, const std::vector<double>& heights,
+void subtract_layers(const std::vector<double>& prescribed, int own_intervals, const std::vector<double>& heights,
                      const std::vector<double>& lengths, FreePart& part, double& last_layer) {
   if (prescribed.empty() || part.length < 0) return;
-  const std::vector<double> layers = own_blocks ? compressed_heights(prescribed, heights.back()) : prescribed;
+  const std::vector<double> layers =
+      own_intervals > 0 ? compressed_heights(prescribed, heights.back(), own_intervals) : prescribed;
   const double top = length_at(heights, lengths, layers.back());
   const double below = layers.size() > 1 ? length_at(heights, lengths, layers[layers.size() - 2]) : 0;
   part.layers += static_cast<int>(layers.size());
@@ -114,7 +115,7 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
                             {},
                             {},
                             {},
-                            {wall.own_blocks, far >= 0 && walls.sides[far].own_blocks}};
+                            {wall.own_intervals, far >= 0 ? walls.sides[far].own_intervals : 0}};
       line.size = (1 - x) * arc_sizes[begin] + x * arc_sizes[end];
       line.lengths = lengths_along(points);
       line.far_end = points.back();
@@ -130,10 +131,10 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
 FreePart part_between_layers(const NormalLineSample& line, const std::vector<std::vector<double>>& spec_heights) {
   FreePart part{{}, line.lengths.back(), line.size, 0};
   if (line.front >= 0)
-    subtract_layers(spec_heights[line.front], line.own_blocks[0], line.front_heights, line.lengths, part,
+    subtract_layers(spec_heights[line.front], line.own_intervals[0], line.front_heights, line.lengths, part,
                     part.ends.before);
   if (line.back >= 0)
-    subtract_layers(spec_heights[line.back], line.own_blocks[1], line.back_heights, from_end(line.lengths), part,
+    subtract_layers(spec_heights[line.back], line.own_intervals[1], line.back_heights, from_end(line.lengths), part,
                     part.ends.after);
   return part;
 }

@@ -19,7 +19,7 @@ struct NormalLineSample {
   std::vector<double> front_heights;  ///< by sample: distance from the front wall
   std::vector<double> back_heights;   ///< by sample, counted from the end: distance from the back wall
   Vec2 far_end;
-  std::array<bool, 2> own_blocks{};  ///< WallSide::own_blocks of the front and the back wall
+  std::array<int, 2> own_intervals{};  ///< WallSide::own_intervals of the front and the back wall
 };
 
 /// LayerConstants::lines_per_block lines across every block with walls, its sides among them; a block between two walls

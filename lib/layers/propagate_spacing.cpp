@@ -1,6 +1,7 @@
 #include "layers/propagate_spacing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "layers/divide_chord.hpp"
@@ -24,6 +25,15 @@ std::set<int> chords_with_spacing(const WallInput& input, const std::vector<ArcS
   return chords;
 }
 
+/// The least spacing that is prescribed on the chord. Its arcs are shorter elsewhere, with as many intervals.
+double least_spacing(const mesh::Chord& chord, const std::vector<ArcSpacing>& spacings) {
+  double least = INFINITY;
+  for (const int arc : chord.arcs)
+    for (const EndSpacing& end : spacings[arc])
+      if (!end.is_free()) least = std::min(least, end.before);
+  return least;
+}
+
 }  // namespace
 
 bool continue_spacing(double neighbour_interval, double own_interval, double growth, EndSpacing& to) {
@@ -43,8 +53,10 @@ std::vector<int> propagate_spacing(const WallInput& input, const std::vector<std
   const auto pass = [&](const mesh::ArcEnd& from, const mesh::ArcEnd& to) {
     const int chord = input.measured.chord_of(from.arc);
     if (!divided.count(chord)) return;
-    if (continue_spacing(end_interval(input, divisions, from), end_interval(input, divisions, to),
-                         least_growth(input.measured.chords()[chord], spacings), spacings[to.arc][to.end]))
+    const mesh::Chord& arcs = input.measured.chords()[chord];
+    const double interval = std::max(end_interval(input, divisions, from), least_spacing(arcs, spacings));
+    if (continue_spacing(interval, end_interval(input, divisions, to), least_growth(arcs, spacings),
+                         spacings[to.arc][to.end]))
       changed.insert(input.measured.chord_of(to.arc));
   };
   for (int sweep = 0; sweep < layer_constants.max_sweeps && !changed.empty(); ++sweep) {

@@ -26,7 +26,9 @@ std::vector<double> nodes_in_layers(const WallInput& input, const WallSide& wall
   const NormalLine line = [&chain, &at](double u) { return chain.at(at.end == 0 ? u : 1 - u).position; };
   const WallPoint start = start_on_wall(input.blocks(), wall, at);
   const std::vector<double> heights = node_heights(
-      wall.own_blocks ? compressed_heights(layers, height_of_end(line, wall.line, start)) : layers, input.order);
+      wall.own_intervals > 0 ? compressed_heights(layers, height_of_end(line, wall.line, start), wall.own_intervals)
+                             : layers,
+      input.order);
   std::vector<double> nodes = parameters_at_heights(line, wall.line, start, heights);
   if (nodes.size() == heights.size()) return nodes;
   throw ComputeError(

@@ -40,13 +40,13 @@ std::vector<double> least_thicknesses(const std::vector<NormalLineSample>& lines
                                       const std::vector<std::vector<double>>& heights) {
   std::vector<double> least;
   for (const std::vector<double>& own : heights) least.push_back(own.back());
-  const auto add = [&](int spec, bool own_blocks, const std::vector<double>& line_heights) {
-    if (spec < 0 || !own_blocks) return;
-    least[spec] = std::min(least[spec], compressed_heights(heights[spec], line_heights.back()).back());
+  const auto add = [&](int spec, int own_intervals, const std::vector<double>& line_heights) {
+    if (spec < 0 || own_intervals == 0) return;
+    least[spec] = std::min(least[spec], compressed_heights(heights[spec], line_heights.back(), own_intervals).back());
   };
   for (const NormalLineSample& line : lines) {
-    add(line.front, line.own_blocks[0], line.front_heights);
-    add(line.back, line.own_blocks[1], line.back_heights);
+    add(line.front, line.own_intervals[0], line.front_heights);
+    add(line.back, line.own_intervals[1], line.back_heights);
   }
   return least;
 }
@@ -65,6 +65,29 @@ std::vector<std::array<int, 2>> specs_sharing_a_chord(const std::vector<mesh::Ch
   return {pairs.begin(), pairs.end()};
 }
 
+/// Requests the layers and divides the chords that they and their continuations reach.
+void divide_with_layers(const WallInput& input, const std::vector<NormalLineSample>& lines, ArcSizes sizes,
+                        WallPlan& plan, sizing::ArcDivisions& divisions) {
+  plan.least_thickness = least_thicknesses(lines, plan.heights);
+  plan.requests = request_layers(input, plan.walls, plan.heights);
+  plan.chords = propagate_spacing(input, free_parts(lines, plan.heights, input.measured.chords().size()),
+                                  plan.requests.spacings, sizes, divisions);
+}
+
+/// Counts the intervals above layers in blocks of their own. Returns whether a number changed.
+bool count_own_intervals(const WallInput& input, const sizing::ArcDivisions& divisions, WallPlan& plan) {
+  bool changed = false;
+  for (WallSide& wall : plan.walls.sides) {
+    if (wall.own_intervals == 0) continue;
+    const int arc = mesh::half_edge(input.blocks(), wall.block, wall.side - 1).arc;
+    const int layers = static_cast<int>(plan.heights[wall.spec].size());
+    const int own = std::max(1, divisions[arc].num_intervals() - layers);
+    changed = changed || own != wall.own_intervals;
+    wall.own_intervals = own;
+  }
+  return changed;
+}
+
 }  // namespace
 
 bool WallPlan::has_wall(int block) const {
@@ -76,13 +99,16 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   WallPlan plan;
   const std::vector<int> curve_spec = curve_walls(input.specs, input.blocks().face);
   plan.walls = find_wall_sides(input.blocks(), input.measured.curves(), curve_spec, input.specs);
-  ArcSizes sizes = arc_sizes(input);
+  const ArcSizes sizes = arc_sizes(input);
   const std::vector<NormalLineSample> lines = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
   plan.heights = fitted_heights(input, lines);
-  plan.least_thickness = least_thicknesses(lines, plan.heights);
-  plan.requests = request_layers(input, plan.walls, plan.heights);
-  plan.chords = propagate_spacing(input, free_parts(lines, plan.heights, input.measured.chords().size()),
-                                  plan.requests.spacings, sizes, divisions);
+  const sizing::ArcDivisions without_layers = divisions;
+  divide_with_layers(input, lines, sizes, plan, divisions);
+  if (count_own_intervals(input, divisions, plan)) {
+    divisions = without_layers;
+    const std::vector<NormalLineSample> counted = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
+    divide_with_layers(input, counted, sizes, plan, divisions);
+  }
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
     plan.is_graded.push_back(std::binary_search(plan.chords.begin(), plan.chords.end(), input.measured.chord_of(arc)));
   plan.arc_nodes = layered_arc_nodes(plan.requests, divisions, input.order);
@@ -115,7 +141,7 @@ LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& m
     const WallSide& wall = plan.walls.sides[number];
     result.sides[side].wall = &wall.line;
     result.sides[side].heights = plan.heights[wall.spec];
-    result.sides[side].own_blocks = wall.own_blocks;
+    result.sides[side].own_intervals = wall.own_intervals;
     for (const double f : fractions[side])
       result.sides[side].feet.push_back(wall_point(wall, chain.at(against_arc ? 1 - f : f), backwards));
   }

@@ -143,7 +143,7 @@ WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& ta
       walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec));
     }
   unify_runs(runs(layout, arc_sides, walls), walls.sides, choice);
-  for (WallSide& wall : walls.sides) wall.own_blocks = specs[wall.spec].own_blocks;
+  for (WallSide& wall : walls.sides) wall.own_intervals = specs[wall.spec].own_blocks ? 1 : 0;
   for (std::size_t i = 0; i < walls.sides.size(); ++i) mark_arcs(layout, static_cast<int>(i), walls);
   walls.overruled.assign(choice.overruled.begin(), choice.overruled.end());
   return walls;

@@ -17,7 +17,9 @@ struct WallSide {
   WallLine line;    ///< the side between those that continue it along the boundary, in the direction of the side
   WallPoint begin;  ///< the side's first point on that line
   WallPoint end;    ///< its last
-  bool own_blocks = false;  ///< of the spec: layers are compressed where the block is lower than they are
+  /// The number of intervals above the layers in blocks of their own, where layers are compressed if the block is lower
+  /// than they are (compressed_heights); 0: the blocks are not.
+  int own_intervals = 0;
 };
 
 struct WallSides {

@@ -13,9 +13,10 @@ struct OffsetConstants {
   double least_capped_angle = 5.497787143782138;
 
   // Where there is less room (offset_profile).
-  /// The distance, of the radius of the circle that touches the wall and the nearest other place of the boundary: 0.45
-  /// of the gap between parallel walls, so that a tenth of it stays between both curves.
-  double share_of_facing_wall = 0.9;
+  /// The distance, of the radius of the circle that touches the wall and the nearest other place of the boundary: 0.35
+  /// of the gap between parallel walls. Between both curves a third of it stays for intervals about as long as the last
+  /// layers: there are as many as the blocks beyond the gap need to grow from the layers to the prescribed size.
+  double share_of_facing_wall = 0.7;
   /// The same where the other place is no wall: 0.7 of the gap.
   double share_of_boundary = 1.4;
   /// At a corner above 180 degrees the curve is this many times as far away, in directions between both normals.

@@ -72,5 +72,14 @@ TEST(LayerLaw, CompressedLayersAndOneMoreFillTheRoom) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(equal[k], 0.5 * (k + 1), 1e-12);
 }
 
+TEST(LayerLaw, MoreIntervalsAboveLeaveLessRoomForCompressedLayers) {
+  const std::vector<double> heights{1, 3, 7};
+  EXPECT_EQ(compressed_heights(heights, 15, 4), heights) << "four intervals of 2 above";
+  EXPECT_LT(compressed_heights(heights, 10, 4).back(), compressed_heights(heights, 10).back());
+  EXPECT_NEAR(compressed_heights(heights, 10, 4).front(), 1, 1e-12);
+  for (const double room : {7, 5})
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(compressed_heights(heights, room, 4)[k], k + 1, 1e-9) << room;
+}
+
 }  // namespace
 }  // namespace quadrille::layers

@@ -84,7 +84,7 @@ TEST(EmbedOffsets, FacingWallsShareTheirGap) {
   ASSERT_EQ(report.warnings().size(), 2U);
   EXPECT_EQ(report.warnings().front().code, "W-CAD-009");
   for (const int c : curves_named(result, "side_0_offset"))
-    EXPECT_NEAR(curve::project(result.curves[c], {5, 0}).distance, 0.45, 1e-6);
+    EXPECT_NEAR(curve::project(result.curves[c], {5, 0}).distance, 0.35, 1e-6);
   const CadFace alone = with_offsets(face, {"side_0=0.8"});
   for (const int c : curves_named(alone, "side_0_offset"))
     EXPECT_NEAR(curve::project(alone.curves[c], {5, 0}).distance, 0.7, 1e-6) << "of a boundary that is no wall";
