@@ -87,3 +87,11 @@ own() {
   run jq '.critical_points | length' work/geometry_5.crit.json
   assert_output 2
 }
+
+@test "two aerofoils share their gap, with layers of their own thicker than half of it" {
+  own two_elements main,flap first=1e-3,growth=1.2,layers=11
+  run jq -c '[.valid, .least_scaled_jacobian > 0.75, .walls["0"].layers, .quads < 40000]' x.json
+  assert_output '[true,true,11,true]'
+  run jq '.critical_points | length' work/two_elements.crit.json
+  assert_output 4
+}

@@ -30,6 +30,14 @@ def naca0012(sides=48):
     return [("spline", poles, knots)]
 
 
+def two_elements():
+    """The aerofoil of chord 1 with a flap of chord 0.3 at -20 degrees beneath its tail, 0.035 away."""
+    (_, poles, knots), = naca0012()
+    turn = 0.3 * cmath.exp(-1j * math.radians(20))
+    flap = [0.96 - 0.05j + turn * z for z in poles]
+    return [rectangle(-2 - 2j, 4 + 2j), [("spline", poles, knots, "main")], [("spline", flap, knots, "flap")]]
+
+
 def nautilus(sides=96):
     """The spiral r = 0.8 + 0.4 t / (2 pi), one turn, and the straight step back to its start."""
     parameters = [2 * math.pi * k / sides for k in range(sides + 1)]
@@ -44,6 +52,7 @@ def shapes():
     octagon = [cmath.exp(1j * math.pi * (2 * k + 1) / 8) for k in range(8)]
     return {
         "naca0012": [rectangle(-1.5 - 1.5j, 2.5 + 1.5j), naca0012()],
+        "two_elements": two_elements(),
         "geometry_2": [nautilus()],
         "octagon": [polygon(octagon)],
         "plate_chamfered_4": [polygon([0.5, 3.5, 4 + 0.5j, 4 + 2.5j, 3.5 + 3j, 0.5 + 3j, 2.5j, 0.5j])],
