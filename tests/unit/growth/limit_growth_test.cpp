@@ -97,6 +97,26 @@ TEST(LimitGrowth, LayersDoNotMoveAndIntervalsGrowFromThem) {
   EXPECT_LE(d.length(0, 1), 0.013 * (1 + 1e-6));
 }
 
+TEST(LimitGrowth, CountsRiseByATenthOfTheFreeIntervalsHoweverManyLayersThereAre) {
+  constexpr int layers = 100, count = 102;
+  Divided d(hand_made::row({1, 1}), 0.1, {count, 10});
+  GrowthInput input = d.input();
+  input.layers.assign(d.measured.num_arcs(), {0, 0});
+  for (const int side : {0, 2}) {
+    const int arc = d.arc(0, side);
+    const bool from_left = d.layout.nodes[d.layout.arcs[arc].from].position.x < 0.5;
+    std::vector<double>& ends = d.divisions[arc].ends;
+    for (int k = 0; k <= count; ++k) {
+      const double x = k <= layers ? 0.002 * k : 0.2 + 0.4 * (k - layers);
+      ends[from_left ? k : count - k] = from_left ? x : 1 - x;
+    }
+    input.layers[arc][from_left ? 0 : 1] = layers;
+  }
+  const GrowthOutcome outcome = limit_growth(input, d.divisions);
+  EXPECT_LE(outcome.worst, 1.3 * (1 + 1e-6));
+  EXPECT_LE(d.count(0), layers + 30) << "with tenths of all intervals 38 above the layers";
+}
+
 TEST(LimitGrowth, MirrorImagesAreDividedAlike) {
   Divided d(hand_made::row({0.2, 1, 0.2}), 0.1, {12, 4, 12});
   limit_growth(d.input(), d.divisions);
