@@ -66,8 +66,8 @@
 //   19 an arc beyond the block with layers whose first  its chord is divided again, starting with that last interval;
 //      interval is far longer than the last one of its  and so on from chord to chord
 //      neighbour
-//      its own chord may have still finer intervals     the finest that is prescribed on its chord is continued: else
-//      where it is narrow                               two narrow chords refine each other without end
+//      its own chord may have still finer intervals     half of the finest that is prescribed on its chord is
+//      where it is narrow                               continued: else two narrow chords refine each other without end
 //   20 such an arc with layers of its own at this end   no change: neighbours never change layers
 //   21 an arc too short for such a first interval       the interval is limited (greatest_crowding), but not next to
 //                                                       layers
@@ -125,6 +125,9 @@ struct LayerConstants {
   /// Neighbouring intervals across a node may differ by this factor, if the chord's growth is less: a little above the
   /// default growth, so that chords are not divided again for small differences.
   double greatest_jump = 1.3;
+  /// A chord hands on at least this part of the least spacing prescribed on it: less lets narrow chords refine each
+  /// other, more leaves jumps beside narrow blocks.
+  double finest_handed_on = 0.5;
   /// Number of passes over all chords. Every pass continues fine intervals by one block; they grow by the growth in
   /// each.
   int max_sweeps = 12;

@@ -79,14 +79,14 @@ TEST(PropagateSpacing, TheGrowthIsHandedOn) {
   }
 }
 
-TEST(PropagateSpacing, IntervalsFinerThanPrescribedAreNotHandedOn) {
+TEST(PropagateSpacing, IntervalsFarFinerThanPrescribedAreNotHandedOn) {
   // The first chord has many more intervals than its arc of 0.1 needs.
   Row r({0.1, 2});
   r.prescribe({0, 0}, {0.1, 0}, 0.01);
   r.lines[r.chord({0, 0}, {0.1, 0})] = {{{0.001, 0.001}, 1, 0.1, 0}};
   r.propagate();
-  EXPECT_LT(r.planned.first_step({0.1, 0}, {0, 0}), 0.005);
-  EXPECT_NEAR(r.planned.first_step({0.1, 0}, {2.1, 0}), 0.01, 0.002);
+  EXPECT_LT(r.planned.first_step({0.1, 0}, {0, 0}), 0.004);
+  EXPECT_NEAR(r.planned.first_step({0.1, 0}, {2.1, 0}), 0.005, 0.001);
 }
 
 TEST(PropagateSpacing, ASymmetricRowIsDividedSymmetrically) {
