@@ -36,8 +36,8 @@ constexpr auto enum_names(GridKind) {
 inline constexpr const char* far_field_name = "farfield";
 
 /// The grid that the outline of a face (of one region) with holes means, if all its curves are called `farfield`: O
-/// without corners, C with two, H with four, otherwise none. Where a slit (a wake) joins the body to the outline, both
-/// are one loop, of which only the curves of this name count.
+/// without corners around one body, C with two corners, H with four, otherwise none. Where a slit (a wake) joins the
+/// body to the outline, both are one loop, of which only the curves of this name count.
 GridKind kind_of_outline(const CadFace& face);
 
 /// Throws UsageError if a kind is chosen and the face has no hole.

@@ -19,6 +19,12 @@ TEST(GridKind, OfAFarFieldFollowsFromItsCorners) {
             GridKind::none);
 }
 
+TEST(GridKind, ACircleAroundTwoBodiesMeansNoOGrid) {
+  const auto second = polygon({{3, 3}, {3.5, 4}, {4, 3}});
+  EXPECT_EQ(kind_of_outline(in_far_field(make_face({circle({0, 0}, 8), sharp_body(), second}))), GridKind::none);
+  EXPECT_EQ(kind_of_outline(in_far_field(make_face({c_outline(), sharp_body(), second}))), GridKind::c);
+}
+
 TEST(GridKind, IsNoneWithoutAHoleOrWithAnotherName) {
   EXPECT_EQ(kind_of_outline(in_far_field(square())), GridKind::none);
   CadFace face = in_far_field(make_face({c_outline(), sharp_body()}));
