@@ -25,7 +25,7 @@ struct Row {
     spacings[arc][is_end ? 1 : 0] = {{}, before, growth};
   }
   std::vector<int> propagate() {
-    const std::vector<int> divided = propagate_spacing(planned.input, lines, spacings, sizes, divisions);
+    std::vector<int> divided = propagate_spacing(planned.input, lines, spacings, sizes, divisions);
     planned.divisions = divisions;
     return divided;
   }
