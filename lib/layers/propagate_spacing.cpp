@@ -25,12 +25,15 @@ std::set<int> chords_with_spacing(const WallInput& input, const std::vector<ArcS
   return chords;
 }
 
-/// The least spacing that is prescribed on the chord. Its arcs are shorter elsewhere, with as many intervals.
-double least_spacing(const mesh::Chord& chord, const std::vector<ArcSpacing>& spacings) {
+/// The least interval that is prescribed on the chord, layers included. Its arcs are shorter elsewhere, with as many
+/// intervals.
+double least_spacing(const WallInput& input, const mesh::Chord& chord, const std::vector<ArcSpacing>& spacings) {
   double least = INFINITY;
   for (const int arc : chord.arcs)
-    for (const EndSpacing& end : spacings[arc])
+    for (const EndSpacing& end : spacings[arc]) {
       if (!end.is_free()) least = std::min(least, end.before);
+      if (end.layers() > 0) least = std::min(least, end.layer_ends.front() * input.measured.length(arc));
+    }
   return least;
 }
 
@@ -55,7 +58,7 @@ std::vector<int> propagate_spacing(const WallInput& input, const std::vector<std
     if (!divided.count(chord)) return;
     const mesh::Chord& arcs = input.measured.chords()[chord];
     const double interval = std::max(end_interval(input, divisions, from),
-                                     layer_constants.finest_handed_on * least_spacing(arcs, spacings));
+                                     layer_constants.finest_handed_on * least_spacing(input, arcs, spacings));
     if (continue_spacing(interval, end_interval(input, divisions, to), least_growth(arcs, spacings),
                          spacings[to.arc][to.end]))
       changed.insert(input.measured.chord_of(to.arc));
