@@ -115,9 +115,10 @@ std::optional<FaceExit> exit_of_face(const graph::Subdivision& subdivision, Half
   return FaceExit{*exit, s};
 }
 
-// The faces that the line divides: up to the first line that is not of this round, whose splines begin with
-// `first_new`, or to the end of one on the other side of a line; with Reach::region up to the last such line before the
-// line leaves a face by a side beside the one that it enters. Empty if there is none.
+// The faces that the line divides, by the points where it leaves them. It may end on lines of earlier rounds (those of
+// this round have the splines from `first_new` on) and where another line ends on the far side. With Reach::first_line
+// it ends at the first such place, with Reach::region at the last one that it reaches through opposite sides of faces.
+// Empty if it reaches none.
 std::vector<FaceExit> exits_of_line(const graph::Subdivision& subdivision, HalfEdge entry, const TracedLine& line,
                                     double same, int first_new, Reach reach) {
   const ArcGraph& graph = subdivision.graph();

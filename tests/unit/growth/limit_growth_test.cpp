@@ -80,13 +80,15 @@ TEST(LimitGrowth, PrescribedCountsStay) {
   EXPECT_GT(outcome.worst, 1.3);
 }
 
+bool starts_at_left(const Divided& d, int arc) { return d.layout.nodes[d.layout.arcs[arc].from].position.x < 0.5; }
+
 TEST(LimitGrowth, LayersDoNotMoveAndIntervalsGrowFromThem) {
   Divided d(hand_made::row({1, 1}), 0.1);
   GrowthInput input = d.input();
   input.layers.assign(d.measured.num_arcs(), {0, 0});
   for (const int side : {0, 2}) {
     const int arc = d.arc(0, side);
-    const bool from_left = d.layout.nodes[d.layout.arcs[arc].from].position.x < 0.5;
+    const bool from_left = starts_at_left(d, arc);
     std::vector<double>& ends = d.divisions[arc].ends;
     ends[from_left ? 1 : ends.size() - 2] = from_left ? 0.01 : 0.99;
     input.layers[arc][from_left ? 0 : 1] = 1;
@@ -104,7 +106,7 @@ TEST(LimitGrowth, CountsRiseByATenthOfTheFreeIntervalsHoweverManyLayersThereAre)
   input.layers.assign(d.measured.num_arcs(), {0, 0});
   for (const int side : {0, 2}) {
     const int arc = d.arc(0, side);
-    const bool from_left = d.layout.nodes[d.layout.arcs[arc].from].position.x < 0.5;
+    const bool from_left = starts_at_left(d, arc);
     std::vector<double>& ends = d.divisions[arc].ends;
     for (int k = 0; k <= count; ++k) {
       const double x = k <= layers ? 0.002 * k : 0.2 + 0.4 * (k - layers);
