@@ -134,10 +134,12 @@ void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOp
   options.end_growth = sizing::growth(prescribed);
 }
 
-/// For pipelines: "NAMES=T", one a line, for cad2tri --offset.
-std::string offsets_of_walls(const std::vector<layers::WallSpec>& walls) {
+/// For pipelines: "NAMES=T", one a line, for cad2tri --offset. First heights that follow from y+ are known if the flow
+/// is given in units of the file.
+std::string offsets_of_walls(const WallArguments& walls, std::vector<layers::WallSpec> specs) {
+  if (walls.flow.velocity > 0 && walls.unit == "file") layers::set_first_heights(specs, walls.flow, 1);
   std::string text;
-  for (const layers::WallSpec& wall : walls)
+  for (const layers::WallSpec& wall : specs)
     if (wall.own_blocks)
       text += fmt::format("{}={:.17g}\n", fmt::join(wall.names, ","), layers::own_block_height(wall));
   return text;
@@ -227,7 +229,7 @@ int main(int argc, char** argv) {
   tool.run = [&](cli::Session& s) {
     parse(sizes, options);
     parse(walls, options);
-    if (!offsets.empty()) return io::write_output(offsets, offsets_of_walls(options.walls), false);
+    if (!offsets.empty()) return io::write_output(offsets, offsets_of_walls(walls, options.walls), false);
     if (!shape.empty()) {
       const CadFace face = io::read_face(io::read_input(shape));
       set_first_heights(walls, face, options);

@@ -92,7 +92,8 @@ int requested_layers(const WallSpec& spec) {
 
 double own_block_height(const WallSpec& spec) {
   const std::string names = fmt::format("--wall {}", fmt::join(spec.names, ","));
-  if (!(spec.first > 0)) throw UsageError(names + ": blocks=own needs first, the height, in place of yplus");
+  if (!(spec.first > 0))
+    throw UsageError(names + ": blocks=own with yplus needs the flow in units of the CAD file: leave --unit out");
   const std::vector<double> heights = layer_heights(spec, requested_layers(spec));
   return heights.back() + next_layer(heights);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/angle.hpp"
+#include "curve/nurbs.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/node_ring.hpp"
 #include "placement/clearance.hpp"
@@ -12,12 +13,17 @@
 namespace quadrille::topology {
 namespace {
 
-/// The greatest distance of a joint of the corner's loop from the corner.
+/// The greatest distance of the corner's loop from the corner, as far as points of its curves tell.
 double loop_size(const CadFace& face, int joint) {
+  constexpr int points = 8;  // of each curve: a loop may be one curve that begins and ends at the corner
   const int l = face.loop_of(joint);
   double size = 0;
-  for (int j = face.loop_offsets[l]; j < face.loop_offsets[l + 1]; ++j)
-    size = std::max(size, distance(face.joints[j].position, face.joints[joint].position));
+  for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c) {
+    const double first = face.curves[c].begin(), last = face.curves[c].end();
+    for (int k = 0; k < points; ++k)
+      size = std::max(size, distance(curve::point(face.curves[c], first + (last - first) * k / points),
+                                     face.joints[joint].position));
+  }
   return size;
 }
 

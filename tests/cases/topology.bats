@@ -50,6 +50,12 @@ setup() {
   grid blunt '.valid and .irregular_nodes == 0 and .blocks == 2' --farfield circle:20
 }
 
+@test "an O-grid in a rectangle has its node in the wake too, behind an outline of one curve" {
+  "$quadmesh" -q "$DATA/naca0012.step" --topology o --workdir stages -o a.msh --report a.json
+  jq -e '.valid and .irregular_nodes == 1' a.json
+  jq -e '.critical_points[0] | .valence == 3 and .position[0] > 1.2' stages/naca0012.crit.json
+}
+
 @test "blocks and sizes follow a wake" {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
     --size-near wake=0.1:1

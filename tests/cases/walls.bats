@@ -75,6 +75,19 @@ own() {
   assert_output 4
 }
 
+@test "layers in blocks of their own have the height that y+ requires" {
+  local flow=(--velocity 30 --viscosity 1e-5 --length 1)
+  "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --wall curve_4:yplus=200,layers=8,blocks=own "${flow[@]}" \
+    --workdir work -o x.vtu
+  quadrefine -q work/plate_hole.blocks.h5 --wall curve_4:yplus=200,layers=8,blocks=own "${flow[@]}" -o x.quad.h5 \
+    --report x.json
+  assert_equal "$(jq '.walls["0"].layers' x.json)" 8
+  good_layers "$(jq '.walls["0"].first' x.json)" 1.35 curve_4
+  run -2 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall curve_4:yplus=200,layers=8,blocks=own "${flow[@]}" \
+    --unit cm -o x.vtu
+  assert_output --partial 'blocks=own with yplus needs the flow in units of the CAD file: leave --unit out'
+}
+
 @test "layers in blocks of their own along walls with corners, up to inlet and outlet" {
   own backward_step curve_0,curve_1,curve_2 first=1e-3,growth=1.2,layers=12
   good_layers 1e-3 1.3 curve_0 curve_1 curve_2
