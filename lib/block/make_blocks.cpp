@@ -29,16 +29,20 @@ std::pair<int, int> faults(const std::vector<BlockMeasure>& measures) {
   return count;
 }
 
-/// One arc of every chord that runs across the long sides of a bad block.
-std::set<int> arcs_to_cut(const Blocks& blocks) {
+/// The sides of a block that are cut. The exact map of a strip folds unless its long sides are cut; that of a block
+/// around a nose, whose sides leave the nose at right angles, unless the cut begins there, whichever sides are longer.
+enum class CutSides { longer, shorter };
+
+/// One arc of every chord that runs across these sides of a bad block.
+std::set<int> arcs_to_cut(const Blocks& blocks, CutSides cut) {
   const BlockMaps maps(blocks.layout);
   std::set<int> chords, arcs;
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
     if (is_good(blocks.measures[b])) continue;
     const std::array<HalfEdge, 4>& sides = blocks.layout.block2arcs[b];
     const auto length = [&](int k) { return maps.arc(sides[k].arc).length(); };
-    const bool first = length(0) + length(2) >= (1 - 1e-6) * (length(1) + length(3));
-    const int arc = sides[first ? 0 : 1].arc;
+    const bool is_longer = length(0) + length(2) >= (1 - 1e-6) * (length(1) + length(3));
+    const int arc = sides[is_longer == (cut == CutSides::longer) ? 0 : 1].arc;
     if (chords.insert(blocks.layout.arc_chord[arc]).second) arcs.insert(arc);
   }
   return arcs;
@@ -46,30 +50,40 @@ std::set<int> arcs_to_cut(const Blocks& blocks) {
 
 /// The blocks of a subdivision, measured.
 struct Trial {
-  Trial(graph::Subdivision s, Progress* p) : subdivision(std::move(s)), progress(p) { measure(); }
+  graph::Subdivision subdivision;
+  Progress* progress = nullptr;
+  Blocks blocks = {};
+
   void measure() {
-    round.advance();
     blocks.layout = blocks_of(subdivision);
     blocks.measures = measure_blocks(blocks.layout, progress);
   }
-
-  graph::Subdivision subdivision;
-  Progress* progress;
-  Progress::Part round{progress, "round"};
-  Blocks blocks;
 };
 
 /// Cuts each of these chords once. Returns false if none can be cut.
-bool cut_once(Trial& trial) {
+bool cut_once(Trial& trial, CutSides cut) {
   std::vector<bool> sound;
   for (const BlockMeasure& m : trial.blocks.measures) sound.push_back(is_good(m));
   bool has_cut = false;
-  for (const int arc : arcs_to_cut(trial.blocks)) {
+  for (const int arc : arcs_to_cut(trial.blocks, cut)) {
     has_cut |= split_chord(trial.subdivision, arc, sound);
     sound.resize(trial.subdivision.face_bound(), false);
   }
   if (has_cut) trial.measure();
   return has_cut;
+}
+
+/// Cuts the chords of bad blocks again and again, as long as it helps; `best`: the blocks with the fewest faults.
+void cut_bad_blocks(Trial trial, CutSides cut, Blocks& best) {
+  const Progress::Part rounds(trial.progress, "round");
+  int in_vain = 0;
+  for (int round = 0; round < most_rounds && in_vain < 2; ++round) {
+    rounds.advance();
+    if (faults(trial.blocks.measures).second == 0 || !cut_once(trial, cut)) break;
+    const bool helps = faults(trial.blocks.measures) < faults(best.measures);
+    if (helps) best = trial.blocks;
+    in_vain = helps ? 0 : in_vain + 1;
+  }
 }
 
 void warn_of_invalid(const Blocks& blocks, Report& report) {
@@ -87,15 +101,11 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
 
 Blocks split_bad_chords(graph::Subdivision subdivision, Report& report) {
   const int blocks_before = subdivision.num_faces();
-  Trial trial(std::move(subdivision), report.progress());
-  Blocks best = trial.blocks;
-  int in_vain = 0;
-  for (int round = 0; round < most_rounds && in_vain < 2; ++round) {
-    if (faults(trial.blocks.measures).second == 0 || !cut_once(trial)) break;
-    const bool helps = faults(trial.blocks.measures) < faults(best.measures);
-    if (helps) best = trial.blocks;
-    in_vain = helps ? 0 : in_vain + 1;
-  }
+  Trial whole{std::move(subdivision), report.progress()};
+  whole.measure();
+  Blocks best = whole.blocks;
+  cut_bad_blocks(whole, CutSides::longer, best);
+  if (faults(best.measures).first > 0) cut_bad_blocks(std::move(whole), CutSides::shorter, best);
   store_measures(best.measures, best.layout);
   report.set("blocks_added_to_mend", best.layout.num_blocks() - blocks_before);
   warn_of_invalid(best, report);

@@ -99,10 +99,10 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   guide::override_corners(face, options.overrides, points);
   if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
   guide::report_sharp_corners(face, points, report);
+  const bool is_chosen = topology::apply_topology(face, {options.nodes, options.topology, options.max_valence}, points);
   const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
   features::resolve_features(face, feature_size, points, report.progress());
   report.set("feature_size", feature_size);
-  const bool is_chosen = topology::apply_topology(face, {options.nodes, options.topology, options.max_valence}, points);
   guide::require_index_sum(points);
   begin_part("place");
   place(field, options, is_chosen || options.place == placement::PlaceRule::energy, solver, points, report);

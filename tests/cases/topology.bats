@@ -56,6 +56,15 @@ setup() {
   jq -e '.critical_points[0] | .valence == 3 and .position[0] > 1.2' stages/naca0012.crit.json
 }
 
+@test "C- and O-grids in a box have no node at a nose that is smaller than the feature size" {
+  grid sharp '.valid and .irregular_nodes == 0 and .blocks < 8 and .least_scaled_jacobian > 0.6' \
+    --farfield box:5 --topology c
+  assert_equal "$(jq '.boundary_nodes' stages/sharp.crit.json)" '[]'
+  grid sharp '.valid and .irregular_nodes == 1 and .blocks < 12 and .least_scaled_jacobian > 0.6' \
+    --farfield box:5 --topology o
+  assert_equal "$(jq '.boundary_nodes' stages/sharp.crit.json)" '[]'
+}
+
 @test "blocks and sizes follow a wake" {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
     --size-near wake=0.1:1

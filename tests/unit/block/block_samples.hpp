@@ -23,6 +23,19 @@ inline SeparatrixGraph near_tangent_strip(bool is_mirrored = false, double gap =
   return hand_made::one_block(hand_made::face({is_mirrored ? lower : upper}, 1.1), {{0}, {1}, {2}, {3}});
 }
 
+/// Between a thin round nose and a straight side before it, the other sides leaving the flanks of the nose at right
+/// angles and longer: the exact map points into the nose.
+inline SeparatrixGraph nose() {
+  const Vec2 flank{0.3, 0.06}, far{-4, 4};
+  Nurbs ellipse = curve::circular_arc({0, 0}, 1, -half_pi, -3 * half_pi);
+  for (Vec2& pole : ellipse.poles) pole = {flank.x * (1 + pole.x), flank.y * pole.y};
+  const Nurbs upper = curve::cubic_spline({0, 6}, {flank, far}, {0, 1}, std::sqrt(0.5) * Vec2{-1, 1});
+  const Nurbs lower =
+      curve::cubic_spline({0, 6}, {{far.x, -far.y}, {flank.x, -flank.y}}, std::sqrt(0.5) * Vec2{1, 1}, {0, 1});
+  const std::vector<Nurbs> loop{curve::segment(far, {far.x, -far.y}), lower, ellipse, upper};
+  return hand_made::one_block(hand_made::face({loop}, 10), {{0}, {1}, {2}, {3}});
+}
+
 /// One side dented beyond the opposite corner: no cut makes it valid.
 inline SeparatrixGraph dart() {
   const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0.1, 0.1}),

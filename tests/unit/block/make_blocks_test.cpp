@@ -36,6 +36,17 @@ TEST(MakeBlocks, CutsAStripWhoseMapFolds) {
   EXPECT_TRUE(report.warnings().empty());
 }
 
+TEST(MakeBlocks, CutsABlockAroundANoseAtTheNose) {
+  ASSERT_EQ(measure_blocks(extract_blocks(block_samples::nose()))[0].divisions, 0);
+  Report report;
+  const Blocks mended = make_blocks(block_samples::nose(), report);
+  ASSERT_EQ(mended.layout.num_blocks(), 2);
+  for (const BlockMeasure& m : mended.measures) EXPECT_GT(m.divisions, 0);
+  const std::vector<GraphNode>& nodes = mended.layout.nodes;
+  EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [](const GraphNode& n) { return norm(n.position) < 1e-9; }));
+  EXPECT_TRUE(report.warnings().empty());
+}
+
 TEST(MakeBlocks, CutsAValidStripOfPoorShape) {
   const SeparatrixGraph graph = block_samples::near_tangent_strip(false, 0.003);
   const BlockMeasure before = measure_blocks(extract_blocks(graph))[0];
