@@ -24,9 +24,15 @@
 namespace quadrille::offset {
 namespace {
 
+/// The name of all parts of a region: a face without a name is called as in exports (export/groups).
+std::string name_of(const CadFace& face, int region) {
+  if (!face.region_names.empty()) return face.region_names[region];
+  return face.name.empty() ? "domain" : face.name;
+}
+
 /// A region in file coordinates.
 sew::Region region_of(const CadFace& face, int number) {
-  sew::Region region{face.region_names.empty() ? face.name : face.region_names[number], number, {}, {}, {0}};
+  sew::Region region{name_of(face, number), number, {}, {}, {0}};
   for (int l = 0; l < face.num_loops(); ++l) {
     if (face.region_of_loop(l) != number) continue;
     for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c) {

@@ -83,6 +83,8 @@ own() {
     --report x.json
   assert_equal "$(jq '.walls["0"].layers' x.json)" 8
   good_layers "$(jq '.walls["0"].first' x.json)" 1.35 curve_4
+  run -0 h5dump -d /face/region_names x.quad.h5
+  assert_output --partial '"domain", "domain"' # one region to a solver, as without blocks of their own
   run -2 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall curve_4:yplus=200,layers=8,blocks=own "${flow[@]}" \
     --unit cm -o x.vtu
   assert_output --partial 'blocks=own with yplus needs the flow in units of the CAD file: leave --unit out'
