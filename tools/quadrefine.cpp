@@ -41,6 +41,7 @@ struct WallArguments {
 struct SizeArguments {
   sizing::SizeOptions options;
   std::vector<std::string> near, counts, gradings;
+  std::string per_curve = "auto";
   std::string path;
   std::optional<io::InputFile> file;  ///< of `path`, once it is read
   sizing::SizeRule rule = sizing::SizeRule::nearest;
@@ -48,9 +49,11 @@ struct SizeArguments {
 
 void declare(cli::Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
-  o.integer("--per-curve", sizes.options.per_curve, 0, 10000,
-            "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; "
-            "sizes grow from there to --size; 0: no limit");
+  o.text(
+      "--per-curve", sizes.per_curve, "auto|N",
+      "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "
+      "grow from there to --size; 0: no limit; auto: 4 in a face with a far field (curves called farfield), if no "
+      "size is prescribed, else 0");
   o.texts("--size-near", sizes.near, "NAME=H[:H2]",
           "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
           "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
@@ -115,6 +118,7 @@ void set_first_heights(const WallArguments& walls, const CadFace& face, refine::
 
 /// The texts of the command line and the file of prescribed sizes, before the blocks are read.
 void parse(SizeArguments& sizes, refine::RefineOptions& options) {
+  sizes.options.per_curve = sizing::parse_per_curve(sizes.per_curve);
   for (const std::string& text : sizes.near) sizes.options.near.push_back(sizing::parse_near_size(text));
   for (const std::string& text : sizes.counts) prescribe::parse_count(text, options.counts, options.boundary_counts);
   for (const std::string& text : sizes.gradings) options.end_gradings.push_back(prescribe::parse_end_grading(text));

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "curve/named_curves.hpp"
+#include "model/far_field.hpp"
 #include "sizing/boundary_sizes.hpp"
 #include "sizing/curve_sizes.hpp"
 
@@ -29,9 +30,8 @@ std::optional<double> length_of(const std::string& text) {
 
 /// The parts of a text before and behind the last =.
 std::pair<std::string, std::string> halves(const std::string& text) {
-  const std::size_t at = text.rfind('=');
-  return at == std::string::npos ? std::pair<std::string, std::string>{text, ""}
-                                 : std::pair{text.substr(0, at), text.substr(at + 1)};
+  const std::size_t at = std::min(text.rfind('='), text.size());
+  return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
 }
 
 /// Without a prescribed one: a table covers the whole face, and so has it.
@@ -42,12 +42,17 @@ double greatest_size(const CadFace& face, const SizeSources& sources) {
   return greatest;
 }
 
+int per_curve(const CadFace& face, const SizeOptions& options) {
+  if (options.per_curve != SizeOptions::automatic) return options.per_curve;
+  return options.size > 0 || options.sources.is_table || !has_far_field(face) ? 0 : SizeField::default_per_curve;
+}
+
 }  // namespace
 
 void SizeOptions::validate() const {
   if (size < 0) throw UsageError("--size must not be negative");
   if (growth != 0 && !(growth > 1)) throw UsageError("--growth must be greater than 1");
-  if (per_curve < 0) throw UsageError("--per-curve must not be negative");
+  if (per_curve < 0 && per_curve != automatic) throw UsageError("--per-curve must not be negative");
   if (curvature < 0) throw UsageError("--curvature must not be negative");
 }
 
@@ -75,21 +80,31 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
       add(own);
     }
   }
-  if (options.per_curve > 0) add(segments_by_curves(face, options.per_curve, greatest, slope));
+  if (const int least = per_curve(face, options); least > 0) add(segments_by_curves(face, least, greatest, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
   return {greatest, options.sources, segments, growth(options)};
 }
 
+int parse_per_curve(const std::string& text) {
+  if (text == "auto") return SizeOptions::automatic;
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 0 || number > 10000)
+    throw UsageError(fmt::format("--per-curve: '{}' is not \"auto\" or an integer from 0 to 10000", text));
+  return number;
+}
+
 NearSize parse_near_size(const std::string& text) {
   const auto [name, value] = halves(text);
-  const std::size_t colon = value.find(':');
-  const std::optional<double> size = length_of(value.substr(0, colon));
-  const std::optional<double> other = colon == std::string::npos ? size : length_of(value.substr(colon + 1));
+  const auto colon = std::find(value.begin(), value.end(), ':');
+  const bool is_one = colon == value.end();
+  const std::optional<double> size = length_of({value.begin(), colon});
+  const std::optional<double> other = is_one ? size : length_of({colon + 1, value.end()});
   if (name.empty() || !size || !other)
     throw UsageError(fmt::format("--size-near: '{}' is not NAME=H or NAME=H:H2 with lengths above 0", text));
-  return {name, *size, colon == std::string::npos ? 0 : *other};
+  return {name, *size, is_one ? 0 : *other};
 }
 
 }  // namespace quadrille::sizing

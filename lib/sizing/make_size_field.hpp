@@ -19,8 +19,12 @@ struct NearSize {
 };
 
 struct SizeOptions {
-  double size = 0;    ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
-  int per_curve = 0;  ///< least number of elements along each boundary curve (sizing/curve_sizes); 0: none
+  double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
+  /// The least number of elements along each boundary curve (sizing/curve_sizes); 0: none; automatic: in a far field
+  /// (model/far_field), if no size is prescribed, SizeField::default_per_curve, so that elements grow away from the
+  /// body.
+  int per_curve = automatic;
+  static constexpr int automatic = -1;
   std::vector<NearSize> near;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
@@ -33,6 +37,9 @@ double growth(const SizeOptions& options);
 
 /// Sizes by curvature are at least 1e-4 diameters. Throws UsageError for names that no boundary has.
 SizeField make_size_field(const CadFace& face, const SizeOptions& options);
+
+/// "auto" or a number, 0 or above; throws UsageError.
+int parse_per_curve(const std::string& text);
 
 /// "NAME=H" or "NAME=H:H2" (the last = counts); throws UsageError.
 NearSize parse_near_size(const std::string& text);

@@ -24,6 +24,7 @@ struct SizeSegment {
 class SizeField {
  public:
   static constexpr double default_growth = 1.2;
+  static constexpr int default_per_curve = 4;  ///< elements along each boundary curve in a far field
 
   /// A constant size. `greatest` > 0.
   explicit SizeField(double greatest);

@@ -8,15 +8,12 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "guide/admissible_valence.hpp"
+#include "model/far_field.hpp"
 
 namespace quadrille::topology {
 namespace {
 
 constexpr double equal = 1e-6;  // radians, or relative to the diameter
-
-bool is_far_field(const CadFace& face, int curve) {
-  return face.has_given_name(curve) && face.curve_names[curve] == far_field_name;
-}
 
 /// Whether a slit joins a body to the outline.
 bool has_slit(const CadFace& face) {

@@ -32,9 +32,6 @@ constexpr auto enum_names(GridKind) {
                                             {GridKind::none, "none"}});
 }
 
-/// The name of the boundary curves by which an outline is recognised as a far field.
-inline constexpr const char* far_field_name = "farfield";
-
 /// The grid that the outline of a face (of one region) with holes means, if all its curves are called `farfield`: O
 /// without corners around one body, C with two corners, H with four, otherwise none. Where a slit (a wake) joins the
 /// body to the outline, both are one loop, of which only the curves of this name count.
