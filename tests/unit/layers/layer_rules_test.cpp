@@ -105,6 +105,12 @@ TEST(LayerRules, R4WithR19_BeyondAReflexCornerTheOtherSideContinuesTheLayers) {
   EXPECT_GT(p.first_step({1, 1}, {1, 2}), 0.0099);
 }
 
+TEST(LayerRules, R4WithR19_BeyondAReflexCornerTheFirstLayerIsContinuedNotTheLast) {
+  const PlannedWalls p(hand_made::l_shape(), 0.3, {"side_2:first=0.01,growth=1.3,layers=8"});
+  EXPECT_NEAR(p.first_step({1, 1}, {1, 0}), 0.01, 1e-12);
+  EXPECT_LT(p.first_step({1, 1}, {1, 2}), 0.015) << "the last layer is 0.063 high, half of it 0.031";
+}
+
 TEST(LayerRules, R5_ClosedWallsHaveLayersAllAround) {
   for (const int cuts : {1, 2, 4}) {
     const PlannedWalls p(hand_made::cut_annulus(cuts), 0.2, {"side_1:first=0.01,layers=5"});

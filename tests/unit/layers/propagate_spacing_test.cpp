@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "wall_samples.hpp"
 
 namespace quadrille::layers {
@@ -23,6 +25,15 @@ struct Row {
     const int arc = planned.arc_between(at, to);
     const bool is_end = distance(planned.layout.nodes[planned.layout.arcs[arc].from].position, at) > 1e-9;
     spacings[arc][is_end ? 1 : 0] = {{}, before, growth};
+  }
+  /// Layers from `at`, each 1.2 times as high as the one before it.
+  void prescribe_layers(Vec2 at, Vec2 to, double first, int count) {
+    prescribe(at, to, first * std::pow(1.2, count - 1));
+    const int arc = planned.arc_between(at, to);
+    EndSpacing& end = spacings[arc][spacings[arc][0].is_free() ? 1 : 0];
+    double sum = 0;
+    for (int k = 0; k < count; ++k)
+      end.layer_ends.push_back((sum += first * std::pow(1.2, k)) / planned.measured.length(arc));
   }
   std::vector<int> propagate() {
     std::vector<int> divided = propagate_spacing(planned.input, lines, spacings, sizes, divisions);
@@ -87,6 +98,27 @@ TEST(PropagateSpacing, IntervalsFarFinerThanPrescribedAreNotHandedOn) {
   r.propagate();
   EXPECT_LT(r.planned.first_step({0.1, 0}, {0, 0}), 0.004);
   EXPECT_NEAR(r.planned.first_step({0.1, 0}, {2.1, 0}), 0.005, 0.001);
+}
+
+TEST(PropagateSpacing, LayersAreContinuedFromTheFirstAtTheNodeWhereTheyBegin) {
+  // As beyond a concave corner: the last layer, 0.0089, is far from there.
+  Row r({1, 2});
+  r.prescribe_layers({1, 0}, {0, 0}, 0.001, 13);
+  r.prescribe_layers({1, 1}, {0, 1}, 0.001, 13);
+  r.propagate();
+  EXPECT_NEAR(r.planned.first_step({1, 0}, {0, 0}), 0.001, 1e-9);
+  EXPECT_LE(r.planned.first_step({1, 0}, {3, 0}), 0.001 * 1.2 * (1 + 1e-6));
+  EXPECT_GE(r.planned.first_step({1, 0}, {3, 0}), 0.001 * 0.8);
+}
+
+TEST(PropagateSpacing, HalfOfTheFirstLayerIsTheFinestThatIsHandedOn) {
+  // The first chord has many more intervals between its layers and its end than its arc of 0.1 needs.
+  Row r({0.1, 2});
+  r.prescribe_layers({0, 0}, {0.1, 0}, 0.004, 4);
+  r.lines[r.chord({0, 0}, {0.1, 0})] = {{{0.0007, 0.0007}, 1, 0.1, 0}};
+  r.propagate();
+  EXPECT_LT(r.planned.first_step({0.1, 0}, {0, 0}), 0.0019);
+  EXPECT_NEAR(r.planned.first_step({0.1, 0}, {2.1, 0}), 0.002, 0.0004) << "half of the last layer is 0.0035";
 }
 
 TEST(PropagateSpacing, ASymmetricRowIsDividedSymmetrically) {
