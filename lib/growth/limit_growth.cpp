@@ -20,6 +20,10 @@ double worst_ratio(const GrowthInput& input, const sizing::ArcDivisions& divisio
   return worst;
 }
 
+bool is_within_limit(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
+  return worst_ratio(input, divisions) <= input.limit * (1 + growth_constants.equal_tol);
+}
+
 double num_elements(const BlockLayout& layout, const sizing::ArcDivisions& divisions) {
   double sum = 0;
   for (const auto& sides : layout.block2arcs)
@@ -54,6 +58,17 @@ bool misses_tolerance(const GrowthInput& input, int arc, const sizing::ArcDivisi
         input.tolerance)
       return true;
   return false;
+}
+
+/// The excess over the limit has only as much weight as it takes: more skews the blocks.
+void smooth_within_limit(const GrowthInput& input, const sizing::ArcDivisions& shape, sizing::ArcDivisions& divisions) {
+  smooth_divisions(input, shape, 0, divisions);
+  sizing::ArcDivisions sharper = divisions;
+  for (const double weight : growth_constants.excess_weights) {
+    if (is_within_limit(input, divisions)) return;
+    smooth_divisions(input, shape, weight, sharper);
+    if (worst_ratio(input, sharper) < worst_ratio(input, divisions)) divisions = sharper;
+  }
 }
 
 std::set<int> inaccurate_chords(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
@@ -101,7 +116,7 @@ GrowthOutcome limit_growth(const GrowthInput& input, sizing::ArcDivisions& divis
   std::set<int> raised;
   double least = 1e300;
   for (int round = 0; round < growth_constants.max_rounds; ++round) {
-    smooth_divisions(input, shape, now);
+    smooth_within_limit(input, shape, now);
     std::set<int> chords = coarse_chords(input, now);
     const std::set<int> inaccurate = inaccurate_chords(input, now);
     const double worst = worst_ratio(input, now);

@@ -2,10 +2,13 @@
 // Limits the ratio of adjacent intervals along all lines of arcs: smooth divisions, with greater counts where these
 // alone do not suffice.
 //
-// In each round the ends are moved (growth/smooth_divisions); then chords get a tenth more free intervals, at least
-// one, if one of their intervals misses the tolerance of the boundary, or is too long beside a neighbour while none is
-// too long beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, or when the
-// mesh would have `GrowthConstants::most_refined` times the elements.
+// In each round the ends are moved (growth/smooth_divisions), where the limit is exceeded again with more and more
+// weight on the excess. Then chords get a tenth more free intervals, at least one, if one of their intervals misses the
+// tolerance of the boundary, or is still too long beside a neighbour while none is too long beside it. Prescribed
+// counts and layers stay. The rounds end when no ratio exceeds the limit, or when the mesh would have
+// `GrowthConstants::most_refined` times the elements.
+
+#include <array>
 
 #include "growth/interval_pairs.hpp"
 
@@ -13,7 +16,10 @@ namespace quadrille::growth {
 
 struct GrowthConstants {
   int max_rounds = 60;
-  double raise = 0.1;          ///< part of its intervals between layers by which a chord is raised in each round
+  double raise = 0.1;  ///< part of its intervals between layers by which a chord is raised in each round
+  /// Of the excess over the limit, one after the other until there is none; each starts where the last one ended, so
+  /// that it converges. Far greater weights skew blocks.
+  std::array<double, 3> excess_weights{10, 30, 90};
   double most_refined = 4;     ///< elements, over those at first
   double warned_excess = 0.5;  ///< of the limit: lines inside blocks are smoothed, not limited
   double line_margin = 0.1;  ///< part of the limit's logarithm by which lines inside blocks aim at less than the limit:

@@ -4,12 +4,14 @@
 // With d_k the lengths of intervals and g the logarithm of the limit, the ends minimise
 //
 //   sum over adjacent intervals  r^2 + r^4 / (2 g^2),                r = ln d' / d
+//   + weight_excess  sum over adjacent intervals max(0, |r| - 0.97 g)^2
 //   + weight_shape  sum over intervals (ln d / d_0)^2,               d_0 their lengths at first
 //   + weight_skew   sum over opposite ends (slope of the line between them)^2
 //
-// by Gauss-Newton steps with a sparse factorisation. The second term keeps gradings that are smooth already; the third
-// keeps lines across narrow blocks nearly normal to their long sides. The ends of arcs, layers and breaks of the
-// boundary at which intervals end do not move.
+// by Gauss-Newton steps with a sparse factorisation. The second term, whose weight may be 0, shares among many
+// intervals what a few exceed the limit by. The third keeps gradings that are smooth already; the fourth keeps lines
+// across narrow blocks nearly normal to their long sides. The ends of arcs, layers and breaks of the boundary at which
+// intervals end do not move.
 
 #include "growth/growth_input.hpp"
 
@@ -21,7 +23,8 @@ inline constexpr double same_fraction = 1e-9;
 /// Fractions of an arc at which intervals may have to end: breaks of CAD curves, and joints of given names.
 std::vector<double> fixed_fractions(const GrowthInput& input, int arc);
 
-/// Changes the ends in `divisions`, not their number. `shape`: the divisions that have d_0.
-void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, sizing::ArcDivisions& divisions);
+/// Changes the ends in `divisions`, not their number. `shape`: the divisions that have d_0; `weight_excess` >= 0.
+void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, double weight_excess,
+                      sizing::ArcDivisions& divisions);
 
 }  // namespace quadrille::growth

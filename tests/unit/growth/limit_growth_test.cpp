@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
+#include "growth/smooth_divisions.hpp"
 #include "refine/divide_arcs.hpp"
 #include "sizing/grade_chords.hpp"
 
@@ -39,6 +43,13 @@ void expect_within(const Divided& d, double limit) {
     EXPECT_LE(std::abs(log_growth(d.input(), d.divisions, pair)), std::log(limit) * (1 + 1e-5));
 }
 
+double greatest_ratio(const Divided& d, const sizing::ArcDivisions& divisions) {
+  double greatest = 1;
+  for (const IntervalPair& pair : adjacent_intervals(d.input(), divisions))
+    greatest = std::max(greatest, std::exp(std::abs(log_growth(d.input(), divisions, pair))));
+  return greatest;
+}
+
 TEST(LimitGrowth, DivisionsWithinTheLimitKeepTheirCounts) {
   Divided d(hand_made::row({1, 1}), 0.1);
   const sizing::ArcDivisions before = d.divisions;
@@ -69,6 +80,38 @@ TEST(LimitGrowth, CountsRiseWhereMovingEndsDoesNotSuffice) {
   EXPECT_LT(d.count(1), 20);
   EXPECT_EQ(outcome.raised_chords, 1);
   expect_within(d, 1.3);
+}
+
+TEST(LimitGrowth, CountsStayWhereMoreIntervalsCanShareTheGrowth) {
+  // With no weight on the excess, few intervals beside the node grow by more than the limit: by 1.38.
+  Divided d(hand_made::row({1, 1}), 0.1, {40, 4});
+  sizing::ArcDivisions evenly = d.divisions;
+  smooth_divisions(d.input(), d.divisions, 0, evenly);
+  EXPECT_GT(greatest_ratio(d, evenly), 1.35);
+  const GrowthOutcome outcome = limit_growth(d.input(), d.divisions);
+  EXPECT_LE(outcome.worst, 1.3);
+  EXPECT_EQ(outcome.raised_chords, 0);
+  EXPECT_EQ(d.count(0), 40);
+  EXPECT_EQ(d.count(1), 4);
+  expect_within(d, 1.3);
+}
+
+TEST(LimitGrowth, WeightOfTheExcessReducesTheGreatestRatioOnly) {
+  Divided d(hand_made::row({1, 1}), 0.1, {40, 4});
+  sizing::ArcDivisions now = d.divisions;
+  smooth_divisions(d.input(), d.divisions, 0, now);
+  double before = greatest_ratio(d, now);
+  for (const double weight : {10, 30, 90}) {
+    smooth_divisions(d.input(), d.divisions, weight, now);
+    EXPECT_LT(greatest_ratio(d, now), before) << weight;
+    before = greatest_ratio(d, now);
+  }
+  // Within the limit it changes nothing.
+  Divided even(hand_made::row({1, 1}), 0.1, {20, 16});
+  sizing::ArcDivisions free = even.divisions, weighted = even.divisions;
+  smooth_divisions(even.input(), even.divisions, 0, free);
+  smooth_divisions(even.input(), even.divisions, 90, weighted);
+  for (std::size_t arc = 0; arc < free.size(); ++arc) EXPECT_EQ(free[arc].ends, weighted[arc].ends);
 }
 
 TEST(LimitGrowth, PrescribedCountsStay) {
