@@ -138,14 +138,30 @@ void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOp
   options.end_growth = sizing::growth(prescribed);
 }
 
-/// For pipelines: "NAMES=T", one a line, for cad2tri --offset. First heights that follow from y+ are known if the flow
-/// is given in units of the file.
-std::string offsets_of_walls(const WallArguments& walls, std::vector<layers::WallSpec> specs) {
+/// The walls with the first heights that follow from y+, as far as these are known without the face: if the flow is
+/// given in units of the file.
+std::vector<layers::WallSpec> walls_of(const WallArguments& walls, std::vector<layers::WallSpec> specs) {
   if (walls.flow.velocity > 0 && walls.unit == "file") layers::set_first_heights(specs, walls.flow, 1);
+  return specs;
+}
+
+/// For pipelines: "NAMES=T", one a line, for cad2tri --offset.
+std::string offsets_of(const std::vector<layers::WallSpec>& walls) {
   std::string text;
-  for (const layers::WallSpec& wall : specs)
-    if (wall.own_blocks)
-      text += fmt::format("{}={:.17g}\n", fmt::join(wall.names, ","), layers::own_block_height(wall));
+  for (const layers::WallSpec& wall : walls)
+    if (wall.own_blocks) text += fmt::format("{}={:.17g}\n", fmt::join(wall.names, ","), layers::block_height(wall));
+  return text;
+}
+
+/// For pipelines: "NAME=T", one a line, for critpoints --clearance: the room that layers without blocks of their own
+/// need below the irregular nodes. Not of walls on one side of an interface, from which nodes keep away on both.
+std::string clearances_of(const std::vector<layers::WallSpec>& walls) {
+  std::string text;
+  for (const layers::WallSpec& wall : walls) {
+    if (wall.own_blocks || wall.as_many_as_fit || !(wall.first > 0)) continue;
+    for (const std::string& name : wall.names)
+      if (name.find('@') == std::string::npos) text += fmt::format("{}={:.17g}\n", name, layers::node_clearance(wall));
+  }
   return text;
 }
 
@@ -168,7 +184,7 @@ int main(int argc, char** argv) {
   refine::RefineOptions options;
   SizeArguments sizes;
   WallArguments walls;
-  std::string blocks, shape, offsets;
+  std::string blocks, shape, offsets, clearances;
   cli::Tool tool;
   tool.name = "quadrefine";
   tool.summary = "splits blocks into a curved quad mesh";
@@ -228,12 +244,14 @@ int main(int argc, char** argv) {
         "take memory");
     o.hidden_text("--check-shape", shape);
     o.hidden_text("--write-offsets", offsets);
+    o.hidden_text("--write-clearances", clearances);
     o.flag("--allow-invalid", options.allow_invalid, "also write a mesh that is not proved valid, marked as such");
   };
   tool.run = [&](cli::Session& s) {
     parse(sizes, options);
     parse(walls, options);
-    if (!offsets.empty()) return io::write_output(offsets, offsets_of_walls(walls, options.walls), false);
+    if (!offsets.empty()) return io::write_output(offsets, offsets_of(walls_of(walls, options.walls)), false);
+    if (!clearances.empty()) return io::write_output(clearances, clearances_of(walls_of(walls, options.walls)), false);
     if (!shape.empty()) {
       const CadFace face = io::read_face(io::read_input(shape));
       set_first_heights(walls, face, options);

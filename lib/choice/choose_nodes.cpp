@@ -64,6 +64,14 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
   return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
 }
 
+/// By curve: whether nodes keep a distance from it.
+std::vector<bool> curves_with_clearance(const CadFace& face, const std::vector<placement::WallClearance>& walls) {
+  std::vector<bool> have(face.curves.size(), false);
+  for (const placement::WallClearance& wall : walls)
+    for (const int curve : wall.curves) have[curve] = true;
+  return have;
+}
+
 /// Moves nodes that have no position of their own to the least energy, or with `moves_all` all.
 void place(const Field& field, const NodeOptions& options, bool moves_all, SharedSolver& solver, CriticalPoints& points,
            Report& report) {
@@ -101,7 +109,8 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   guide::report_sharp_corners(face, points, report);
   const bool is_chosen = topology::apply_topology(face, {options.nodes, options.topology, options.max_valence}, points);
   const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
-  features::resolve_features(face, feature_size, points, report.progress());
+  features::resolve_features(face, feature_size, curves_with_clearance(face, options.placement.walls), points,
+                             report.progress());
   report.set("feature_size", feature_size);
   guide::require_index_sum(points);
   begin_part("place");

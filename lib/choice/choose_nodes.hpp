@@ -7,8 +7,8 @@
 //   line_field_points           replaces all these if the zeros cannot be isolated
 //   override_corners            prescribed valences
 //   divide_degenerate_corners   corners that are too sharp for a block
-//   resolve_features            nodes of small fillets and holes
 //   apply_topology              the grid and the number of nodes that a user chooses
+//   resolve_features            nodes of small fillets and holes
 //   place_nodes                 positions of least energy
 //   complete_nodes              elements, order
 // Each change is recorded. A step whose result has a node that is no zero of the field sets the form `phase`.

@@ -35,8 +35,14 @@ FeatureState initial_state(const CadFace& face, double size, const CriticalPoint
   return state;
 }
 
+bool lies_on(const SmallFeature& feature, const std::vector<bool>& curves) {
+  const std::vector<CurveInterval>& intervals = feature.section.intervals();
+  return std::any_of(intervals.begin(), intervals.end(), [&](const CurveInterval& i) { return curves[i.curve]; });
+}
+
 /// Applies the rules own, boundary, corner, inward.
-void move_nodes_of_features(const CadFace& face, const BoundaryClearance& clearance, FeatureState& state) {
+void move_nodes_of_features(const CadFace& face, const BoundaryClearance& clearance,
+                            const std::vector<bool>& keeps_clear, FeatureState& state) {
   const std::vector<SmallFeature> features = small_features(face, state.size);
   const std::vector<std::vector<OwnedNode>> owned = nodes_of_features(face, state, features);
   std::vector<InwardMove> moves;
@@ -44,6 +50,7 @@ void move_nodes_of_features(const CadFace& face, const BoundaryClearance& cleara
   for (size_t f = 0; f < features.size(); ++f) {
     if (owned[f].empty()) continue;
     if (features[f].kind != FeatureKind::convex) {
+      if (lies_on(features[f], keeps_clear)) continue;
       const std::vector<int> taken = put_on_boundary(face, state, features[f], static_cast<int>(f), owned[f]);
       taken_by_corners.insert(taken_by_corners.end(), taken.begin(), taken.end());
       continue;
@@ -105,7 +112,12 @@ void write_back(const FeatureState& state, CriticalPoints& points) {
 
 }  // namespace
 
-void resolve_features(const CadFace& face, double size, CriticalPoints& points, Progress* progress) {
+void resolve_features(const CadFace& face, double size, CriticalPoints& points) {
+  resolve_features(face, size, std::vector<bool>(face.curves.size(), false), points);
+}
+
+void resolve_features(const CadFace& face, double size, const std::vector<bool>& keeps_clear, CriticalPoints& points,
+                      Progress* progress) {
   if (!(size >= 0) || std::isinf(size))
     throw UsageError(fmt::format("the feature size is {}, it must be a finite length, 0 or more", size));
   if (size == 0) return;
@@ -113,7 +125,7 @@ void resolve_features(const CadFace& face, double size, CriticalPoints& points, 
   FeatureState state = initial_state(face, size, points);
   const std::array<std::function<void()>, 5> rules{
       [&] { cancel_pairs(face, state, clearance, feature_constants.first_cancellation * size); },
-      [&] { move_nodes_of_features(face, clearance, state); },
+      [&] { move_nodes_of_features(face, clearance, keeps_clear, state); },
       [&] { cancel_pairs(face, state, clearance, feature_constants.second_cancellation * size); },
       [&] { merge_on_boundary(face, state); }, [&] { separate_nodes(state, clearance); }};
   const Progress::Part part(progress, "rules", std::ssize(rules));

@@ -18,8 +18,8 @@
 //             other, one of them inside (cancel_pairs)
 //   own       inner nodes of index 1 or -1 nearer than L to a small    the nearest feature of their sign owns them, up
 //             feature (feature_owners)                                 to its index capacity
-//   boundary  nodes of valence 5 of a reflex bend or hole              onto the boundary with valence 3
-//             (put_on_boundary)
+//   boundary  nodes of valence 5 of a reflex bend or hole              onto the boundary with valence 3, unless nodes
+//             (put_on_boundary)                                        keep a distance from it
 //   corner    such nodes whose point is a corner of the layout         the corner takes them: one more block there
 //   inward    nodes of valence 3 of a convex bend (move_inward)        away from the boundary, up to the distance L
 //   cancel    as above, nearer than L / 2; boundary nodes take part    as above
@@ -33,6 +33,8 @@
 // corner does not stop nodes that move inward. Cancelling again, because moves bring nodes together that were apart.
 // Merging before separating: boundary nodes cannot be pushed. All constants are in features/feature_constants.
 
+#include <vector>
+
 #include "base/progress.hpp"
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
@@ -40,8 +42,13 @@
 namespace quadrille::features {
 
 /// Applies the rules above with L = `size`, in the file's unit; 0: no change. The definition of a feature and the index
-/// that it forces: features/small_features. Nodes that were moved keep `elem` and `xi` of their old position. Throws
-/// UsageError if `size` is negative or not finite.
-void resolve_features(const CadFace& face, double size, CriticalPoints& points, Progress* progress = nullptr);
+/// that it forces: features/small_features. `keeps_clear`, one per curve: whether nodes keep a distance from the curve
+/// (placement/wall_clearance), so that layers along it run past the feature. Nodes that were moved keep `elem` and `xi`
+/// of their old position. Throws UsageError if `size` is negative or not finite.
+void resolve_features(const CadFace& face, double size, const std::vector<bool>& keeps_clear, CriticalPoints& points,
+                      Progress* progress = nullptr);
+
+/// Without such curves.
+void resolve_features(const CadFace& face, double size, CriticalPoints& points);
 
 }  // namespace quadrille::features

@@ -90,12 +90,14 @@ int requested_layers(const WallSpec& spec) {
                                fmt::join(spec.names, ","), spec.thickness, layer_constants.max_layers));
 }
 
-double own_block_height(const WallSpec& spec) {
+double block_height(const WallSpec& spec) {
   const std::string names = fmt::format("--wall {}", fmt::join(spec.names, ","));
   if (!(spec.first > 0))
     throw UsageError(names + ": blocks=own with yplus needs the flow in units of the CAD file: leave --unit out");
   const std::vector<double> heights = layer_heights(spec, requested_layers(spec));
   return heights.back() + next_layer(heights);
 }
+
+double node_clearance(const WallSpec& spec) { return layer_constants.node_distance * block_height(spec); }
 
 }  // namespace quadrille::layers

@@ -27,9 +27,14 @@ std::vector<double> compressed_heights(const std::vector<double>& heights, doubl
 /// be more than LayerConstants::max_layers.
 int requested_layers(const WallSpec& spec);
 
-/// The distance of the curve above layers in blocks of their own: their thickness and one more interval, which is as
-/// much longer than the last layer as that than the one below it. Throws UsageError unless first and the number of
-/// layers are known.
-double own_block_height(const WallSpec& spec);
+/// The least height of blocks with all layers: their thickness and one more interval, which is as much longer than the
+/// last layer as that than the one below it. This is the distance of the curve above layers in blocks of their own.
+/// Throws UsageError unless first and the number of layers are known.
+double block_height(const WallSpec& spec);
+
+/// The distance from the wall at which irregular nodes leave room for all layers: more than the height of the blocks,
+/// whose far sides lie nearer to a round wall than the nodes between which they run (LayerConstants::node_distance).
+/// Throws as block_height.
+double node_clearance(const WallSpec& spec);
 
 }  // namespace quadrille::layers

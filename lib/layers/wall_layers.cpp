@@ -123,7 +123,7 @@ void require_offsets(const std::vector<WallSpec>& specs, const CadFace& face) {
         if (!has_offset(face, face.curve_names[curve]))
           throw UsageError(
               fmt::format("--wall {}: blocks=own needs a curve {} in the face: give cad2tri --offset {}={:.17g}", name,
-                          offset_name(face.curve_names[curve]), fmt::join(spec.names, ","), own_block_height(spec)));
+                          offset_name(face.curve_names[curve]), fmt::join(spec.names, ","), block_height(spec)));
 }
 
 LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& measured, int block,

@@ -174,6 +174,19 @@ refuse_stage_file() {
   done
 }
 
+# choose_clearances: nodes keep the distance from walls that all layers need, unless --clearance says another.
+choose_clearances() {
+  [ "$first_position" -le 4 ] && [ "$final_position" -ge 4 ] && [ -z "$given_nodes" ] || return 0
+  case $layout:$separator$chosen in midpoint:*) return 0 ;; *"${separator}quadrefine --wall"*) ;; *) return 0 ;; esac
+  clearances=$(with_options quadrefine quadrefine --write-clearances - 2>/dev/null </dev/null)
+  while read -r clearance; do
+    case $separator$chosen in *"${separator}critpoints ${clearance%=*}="*) continue ;; esac
+    [ -z "$clearance" ] || { takers=critpoints && choose_option --clearance "$clearance"; }
+  done <<END
+$clearances
+END
+}
+
 # choose_offsets: --wall NAME:...,blocks=own needs a curve that cad2tri makes.
 choose_offsets() {
   case $chosen in *blocks=own*) ;; *) return 0 ;; esac

@@ -75,6 +75,23 @@ own() {
   assert_output 4
 }
 
+@test "quadmesh moves irregular nodes away from walls, so that all layers fit" {
+  local wall=curve_4:first=1e-4,growth=1.15,layers=40
+  "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --wall $wall --workdir work -o x.vtu --report x.json
+  run jq -c '[.valid, .least_scaled_jacobian > 0.9]' x.json
+  assert_output '[true,true]'
+  wall_heights work/plate_hole.quad.h5 1e-4 40 curve_4 >heights.json
+  run jq '.deviation < 0.01 and .growth < 1.2' heights.json
+  assert_output true
+  run -0 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall $wall --dry-run -o x.vtu
+  assert_output --regexp 'critpoints .* --clearance curve_4=0.3[0-9]* '
+  run -0 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall $wall --clearance curve_4=0.5 --dry-run -o x.vtu
+  assert_output --regexp 'critpoints .* --clearance curve_4=0.5 '
+  refute_output --partial 'curve_4=0.3'
+  run -0 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall curve_4:first=1e-4,layers=fit --dry-run -o x.vtu
+  refute_output --partial clearance
+}
+
 @test "layers in blocks of their own have the height that y+ requires" {
   local flow=(--velocity 30 --viscosity 1e-5 --length 1)
   "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --wall curve_4:yplus=200,layers=8,blocks=own "${flow[@]}" \

@@ -110,6 +110,14 @@ TEST(ResolveFeatures, PutsNodesOfReflexFilletsInTheMiddleOfTheirArcs) {
   EXPECT_EQ(points.critical_points[0].source, NodeSource::zero);  // radius 0.02 is not below the size
 }
 
+TEST(ResolveFeatures, LeavesNodesInsideThatKeepADistanceFromTheirFillets) {
+  CriticalPoints points = frame_points();
+  const CadFace face = filleted_frame();
+  resolve_features(face, 0.015, std::vector<bool>(face.curves.size(), true), points);
+  EXPECT_EQ(points.critical_points.size(), 8u);
+  EXPECT_TRUE(points.boundary_nodes.empty());
+}
+
 TEST(ResolveFeatures, MovesNodesOfConvexFilletsInwardToTheSize) {
   CriticalPoints points = frame_points();
   resolve_features(filleted_frame(), 0.1, points);

@@ -50,8 +50,9 @@ TEST(WallSpec, MayHaveBlocksOfItsOwnAboveOneMoreLayer) {
   EXPECT_FALSE(parse_wall_spec("a:first=1,layers=2,blocks=shared").own_blocks);
   const WallSpec spec = parse_wall_spec("a:first=1,layers=3,growth=2,blocks=own");
   EXPECT_TRUE(spec.own_blocks);
-  EXPECT_NEAR(own_block_height(spec), 15, 1e-12);
-  EXPECT_THROW(own_block_height(parse_wall_spec("a:yplus=1,layers=3,blocks=own")), UsageError);
+  EXPECT_NEAR(block_height(spec), 15, 1e-12);
+  EXPECT_NEAR(node_clearance(spec), 22.5, 1e-12);
+  EXPECT_THROW(block_height(parse_wall_spec("a:yplus=1,layers=3,blocks=own")), UsageError);
   EXPECT_THROW(parse_wall_spec("a:first=1,layers=fit,blocks=own"), UsageError);
   CadFace face = hand_made::unit_square().face;
   EXPECT_THROW(require_offsets({parse_wall_spec("0:first=1,layers=3,blocks=own")}, face), UsageError);
