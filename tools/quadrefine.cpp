@@ -84,8 +84,9 @@ void declare(cli::Options& o, WallArguments& walls) {
           "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
           "of the first one in file units (or yplus=Y in its place), R the greatest "
           "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
-          "law=uniform|geometric|tanh|gll (default: geometric); blocks=own: below a curve of cad2tri --offset, which "
-          "quadmesh makes, so that all layers fit");
+          "law=uniform|geometric|tanh|gll (default: geometric); blocks=own: below a curve of cad2tri --offset, so that "
+          "all layers fit. quadmesh makes that curve, or else moves irregular nodes away from the wall (critpoints "
+          "--clearance), unless N is fit");
   o.number("--yplus", walls.yplus, 0, 1e300, "1",
            "y+ of the first layer's height for each --wall without first and yplus: y = y+ NU / u_tau, u_tau = U "
            "sqrt(c_f / 2), with the skin friction of a turbulent flat plate c_f = (2 log10 Re - 0.65)^-2.3, Re = U L / "
