@@ -26,6 +26,7 @@ KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector
 
 GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
                           sizing::ArcDivisions& divisions) {
+  layers::release_compressed_layers(input, plan);
   GrowthInput arcs{input.measured, limit, input.order, input.tolerance, {}, kept.counts};
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc) {
     const layers::ArcSpacing& spacing = plan.requests.spacings[arc];
@@ -35,6 +36,7 @@ GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const Ke
     arcs.layers.push_back({is_kept ? divisions[arc].num_intervals() : spacing[0].layers(), spacing[1].layers()});
   }
   const GrowthOutcome outcome = limit_growth(arcs, divisions);
+  layers::measure_released_layers(input, divisions, plan);
   plan.arc_nodes = layers::layered_arc_nodes(plan.requests, divisions, input.order);
   return outcome;
 }

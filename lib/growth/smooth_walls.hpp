@@ -26,6 +26,7 @@ KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector
                        const std::vector<prescribe::EndGrading>& gradings);
 
 /// Limits the growth of the intervals of all arcs (limit_growth), and gives the arcs of `plan` their nodes again.
+/// Layers that are compressed somewhere are released (layers/wall_layers).
 GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
                           sizing::ArcDivisions& divisions);
 

@@ -50,6 +50,8 @@
 //   a  blocks=own, on a line that ends below its layers  the first layer keeps its height; the others and all intervals
 //      and one more                                     above grow less; if not even that fits, all are equal
 //                                                       (compressed_heights)
+//   b  a wall with such a line, if growth is limited    only the first layer keeps its height, as long as that fits on
+//      (growth/limit_growth)                            all lines; all intervals above it are free (wall_layers)
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
 //   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;

@@ -11,6 +11,7 @@
 #include "layers/arc_sizes.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/layer_law.hpp"
+#include "layers/layer_rules.hpp"
 #include "layers/normal_line_samples.hpp"
 #include "layers/propagate_spacing.hpp"
 #include "layers/request_layers.hpp"
@@ -102,6 +103,7 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   const ArcSizes sizes = arc_sizes(input);
   const std::vector<NormalLineSample> lines = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
   plan.heights = fitted_heights(input, lines);
+  for (const std::vector<double>& heights : plan.heights) plan.num_fixed.push_back(static_cast<int>(heights.size()));
   const sizing::ArcDivisions without_layers = divisions;
   divide_with_layers(input, lines, sizes, plan, divisions);
   if (count_own_intervals(input, divisions, plan)) {
@@ -114,6 +116,37 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   plan.arc_nodes = layered_arc_nodes(plan.requests, divisions, input.order);
   plan.sharing_a_chord = specs_sharing_a_chord(input.measured.chords(), plan.walls);
   return plan;
+}
+
+void release_compressed_layers(const WallInput& input, WallPlan& plan) {
+  constexpr double tol = layer_constants.equal_tol;
+  for (std::size_t spec = 0; spec < plan.heights.size(); ++spec) {
+    const std::vector<double>& heights = plan.heights[spec];
+    const double least = plan.least_thickness[spec], count = static_cast<double>(heights.size());
+    const bool is_compressed = least < heights.back() * (1 - tol);
+    if (is_compressed && least > count * heights.front() * (1 - tol)) plan.num_fixed[spec] = 1;
+  }
+  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
+    for (const int end : {0, 1}) {
+      const int wall = plan.walls.at_arc_end[arc][end];
+      if (wall < 0) continue;
+      const int fixed = plan.num_fixed[plan.walls.sides[wall].spec];
+      plan.requests.spacings[arc][end].layer_ends.resize(fixed);
+      plan.requests.nodes[arc][end].resize(static_cast<std::size_t>(fixed) * input.order);
+    }
+}
+
+void measure_released_layers(const WallInput& input, const sizing::ArcDivisions& divisions, WallPlan& plan) {
+  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
+    for (const int end : {0, 1}) {
+      const int wall = plan.walls.at_arc_end[arc][end];
+      if (wall < 0) continue;
+      const int spec = plan.walls.sides[wall].spec, count = static_cast<int>(plan.heights[spec].size());
+      if (plan.num_fixed[spec] == count) continue;
+      const std::vector<double>& ends = divisions[arc].ends;
+      const double top = end == 0 ? ends[count] : 1 - ends[ends.size() - 1 - count];
+      plan.least_thickness[spec] = std::min(plan.least_thickness[spec], top * input.measured.length(arc));
+    }
 }
 
 void require_offsets(const std::vector<WallSpec>& specs, const CadFace& face) {
@@ -141,6 +174,7 @@ LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& m
     const WallSide& wall = plan.walls.sides[number];
     result.sides[side].wall = &wall.line;
     result.sides[side].heights = plan.heights[wall.spec];
+    result.sides[side].heights.resize(plan.num_fixed[wall.spec]);
     result.sides[side].own_intervals = wall.own_intervals;
     for (const double f : fractions[side])
       result.sides[side].feet.push_back(wall_point(wall, chain.at(against_arc ? 1 - f : f), backwards));

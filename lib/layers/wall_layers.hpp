@@ -21,6 +21,7 @@ namespace quadrille::layers {
 struct WallPlan {
   WallSides walls;
   std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
+  std::vector<int> num_fixed;                  ///< by spec: layers that have their heights; all, or the first alone
   std::vector<double> least_thickness;         ///< by spec: less than the thickness where layers are compressed
   LayerRequests requests;                      ///< of the arcs that start at walls
   std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: they follow from its ends
@@ -34,6 +35,14 @@ struct WallPlan {
 /// Replaces the divisions of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
 /// names, and ComputeError if layers do not fit, with the greatest number that fits and the position.
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
+
+/// Gives up the heights of all layers but the first along walls whose layers are compressed somewhere, if first layers
+/// of the prescribed height fit everywhere: their intervals are then free in the gap that facing walls share and around
+/// it, so that blocks beside the gap, which have as many intervals as the gap, need not be as narrow.
+void release_compressed_layers(const WallInput& input, WallPlan& plan);
+
+/// Measures the thickness of released layers on the arcs that start at their walls.
+void measure_released_layers(const WallInput& input, const sizing::ArcDivisions& divisions, WallPlan& plan);
 
 /// Throws UsageError if a wall shall have blocks of its own and the face has no offset curve of it.
 void require_offsets(const std::vector<WallSpec>& specs, const CadFace& face);

@@ -272,6 +272,22 @@ TEST(LayerRules, R12WithR13_FacingWallsBothLoseLayersToTheirWideBlocks) {
 
 // ---- Divisions of chords
 
+TEST(LayerRules, Rb_OnlyTheFirstLayersOfWallsThatAreCompressedSomewhereKeepTheirHeights) {
+  // Eight layers from 0.05 are 1.2 high, and the blocks 1; six from 0.2 do not fit if all are as high as the first.
+  for (const auto& [wall, fixed] :
+       {std::pair{"0.05,growth=1.3,layers=8", 1}, {"0.05,growth=1.3,layers=4", 4}, {"0.2,growth=1.1,layers=6", 6}}) {
+    PlannedWalls p(row({1, 1}), 1, {std::string("side_0:blocks=own,first=") + wall});
+    release_compressed_layers(p.input, p.plan);
+    const int arc = p.arc_between({1, 0}, {1, 1});
+    EXPECT_EQ(p.plan.num_fixed[0], fixed);
+    EXPECT_EQ(p.plan.requests.spacings[arc][0].layers() + p.plan.requests.spacings[arc][1].layers(), fixed);
+    const double least = p.plan.least_thickness[0];
+    p.divisions[arc].ends.assign(p.divisions[arc].ends.size(), 0.5);
+    measure_released_layers(p.input, p.divisions, p.plan);
+    EXPECT_NEAR(p.plan.least_thickness[0], fixed == 1 ? 0.5 : least, 1e-12) << "of all layers, measured on the arcs";
+  }
+}
+
 TEST(LayerRules, R14_FacingWallsKeepTheirHeightsAndShareTheCount) {
   const PlannedWalls p(hand_made::unit_square(), 0.2, {"side_0:first=0.01,layers=3", "side_2:first=0.03,layers=2"});
   EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
