@@ -129,3 +129,33 @@ own() {
   run jq '.critical_points | length' work/two_elements.crit.json
   assert_output 4
 }
+
+# elements: points of the aerofoil of make_shapes.py and of its flap.
+elements() {
+  awk 'function half(x) { return 0.6 * (0.2969 * sqrt(x) - 0.1260 * x - 0.3516 * x^2 + 0.2843 * x^3 - 0.1036 * x^4) }
+    BEGIN {
+      pi = atan2(0, -1); n = 60
+      for (body = 0; body < 2; ++body) {
+        c = body ? 0.3 * cos(pi / 9) : 1; s = body ? -0.3 * sin(pi / 9) : 0
+        for (k = 0; k < 2 * n; ++k) {
+          x = (1 + cos(pi * k / n)) / 2; y = (k < n ? 1 : -1) * (k ? half(x) : 0)
+          printf "%.9f %.9f\n", (body ? 0.96 : 0) + c * x - s * y, (body ? -0.05 : 0) + s * x + c * y
+        }
+        print ""
+      }
+    }'
+}
+
+@test "two aerofoils in a far field: edges grow evenly in the gap and around both" {
+  elements > elements.txt
+  for far in cgrid:20,1.31 box:5,1.3; do
+    "$ROOT/pipelines/points2step" -q elements.txt --name main,flap --farfield "${far%,*}" -o far.step
+    "$ROOT/pipelines/quadmesh" -q far.step --wall main,flap:first=1e-3,growth=1.2,layers=11,blocks=own \
+      --workdir work --until quadrefine --report x.json
+    run jq -c '[.valid, .least_scaled_jacobian > 0.5]' x.json
+    assert_output '[true,true]'
+    wall_heights work/far.quad.h5 1e-3 11 main flap > heights.json
+    run jq ".deviation <= 0.01 and .growth_with_corners <= ${far#*,}" heights.json
+    assert_output true
+  done
+}
