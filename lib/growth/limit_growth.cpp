@@ -13,6 +13,9 @@
 namespace quadrille::growth {
 namespace {
 
+/// Part of the logarithm of what is aimed at from which on excess is weighted: against the other terms, some remains.
+constexpr double excess_aim = 0.97;
+
 double worst_ratio(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
   double worst = 1;
   for (const IntervalPair& pair : adjacent_intervals(input, divisions))
@@ -20,8 +23,9 @@ double worst_ratio(const GrowthInput& input, const sizing::ArcDivisions& divisio
   return worst;
 }
 
-bool is_within_limit(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
-  return worst_ratio(input, divisions) <= input.limit * (1 + growth_constants.equal_tol);
+/// Whether no ratio exceeds this power of the limit.
+bool is_within(const GrowthInput& input, double power, const sizing::ArcDivisions& divisions) {
+  return worst_ratio(input, divisions) <= std::pow(input.limit, power) * (1 + growth_constants.equal_tol);
 }
 
 double num_elements(const BlockLayout& layout, const sizing::ArcDivisions& divisions) {
@@ -62,13 +66,16 @@ bool misses_tolerance(const GrowthInput& input, int arc, const sizing::ArcDivisi
 
 /// The excess over the limit has only as much weight as it takes: more skews the blocks.
 void smooth_within_limit(const GrowthInput& input, const sizing::ArcDivisions& shape, sizing::ArcDivisions& divisions) {
-  smooth_divisions(input, shape, 0, divisions);
+  const double well_within = 1 - growth_constants.margin;
+  smooth_divisions(input, shape, {}, divisions);
   sizing::ArcDivisions sharper = divisions;
-  for (const double weight : growth_constants.excess_weights) {
-    if (is_within_limit(input, divisions)) return;
-    smooth_divisions(input, shape, weight, sharper);
+  const auto sharpen = [&](double weight, double power) {
+    if (is_within(input, power, divisions)) return;
+    smooth_divisions(input, shape, {weight, excess_aim * power}, sharper);
     if (worst_ratio(input, sharper) < worst_ratio(input, divisions)) divisions = sharper;
-  }
+  };
+  sharpen(growth_constants.excess_weights.front(), well_within);
+  for (const double weight : growth_constants.excess_weights) sharpen(weight, 1);
 }
 
 std::set<int> inaccurate_chords(const GrowthInput& input, const sizing::ArcDivisions& divisions) {

@@ -22,8 +22,9 @@ struct GrowthConstants {
   std::array<double, 3> excess_weights{10, 30, 90};
   double most_refined = 4;     ///< elements, over those at first
   double warned_excess = 0.5;  ///< of the limit: lines inside blocks are smoothed, not limited
-  double line_margin = 0.1;  ///< part of the limit's logarithm by which lines inside blocks aim at less than the limit:
-                             ///< afterwards they are tied to their neighbours (mesh/smooth_across)
+  double margin = 0.1;  ///< part of the limit's logarithm by which the first weight and lines inside blocks aim at less
+                        ///< than the limit: lines are not as smooth as the arcs between which they run, and are tied
+                        ///< to their neighbours afterwards (mesh/smooth_across)
   double kept_quality = 0.8;  ///< least part of a block's scaled Jacobian that smooth lines may leave
   double good_quality = 0.5;  ///< a block this good keeps smooth lines, whatever it was before
   double equal_tol = 1e-6;    ///< ratios that exceed the limit by less, relatively, are within it

@@ -12,7 +12,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double smallness = 0.02;  // corrections reach some seven intervals far; less lets them skew far blocks
-constexpr double weight_excess = 10;
+constexpr double weight_of_excess = 10;
 constexpr int max_corrections = 40;
 /// Later corrections move half as far, in case two alternate.
 constexpr int full_corrections = 10;
@@ -63,8 +63,8 @@ Smoothness smoothness(const std::vector<Adjacent>& pairs, const VectorXd& c, dou
   for (const Adjacent& pair : pairs) {
     const double change = correction(c, pair.second, pair.given) - correction(c, pair.first, pair.given);
     const double growth = pair.log_ratio + change;
-    // weight (c' - c - target)^2 is (c' - c)^2 + weight_excess (ln b' / b + c' - c -+ log_limit)^2 up to a constant.
-    const double excess = std::abs(growth) > log_limit ? weight_excess : 0, weight = 1 + excess;
+    // weight (c' - c - target)^2 is (c' - c)^2 + weight_of_excess (ln b' / b + c' - c -+ log_limit)^2 up to a constant.
+    const double excess = std::abs(growth) > log_limit ? weight_of_excess : 0, weight = 1 + excess;
     const double target = excess * (std::copysign(log_limit, growth) - pair.log_ratio) / weight;
     for (const auto& [k, other, sign] : {std::tuple{pair.first, pair.second, -1}, {pair.second, pair.first, 1}}) {
       if (k < 0) continue;

@@ -31,7 +31,7 @@ class Lines {
   Lines(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls, const sizing::ArcDivisions& divisions,
         double limit, int order)
       : blocks_(measured.blocks()),
-        limit_(std::pow(limit, 1 - growth_constants.line_margin)),
+        limit_(std::pow(limit, 1 - growth_constants.margin)),
         curve_region_(curve_regions(blocks_.face)),
         arc_sides_(mesh::sides_of_arcs(blocks_)) {
     for (std::size_t arc = 0; arc < divisions.size(); ++arc)

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double weight_shape = 0.02;
 constexpr double weight_skew = 0.3;
-/// Part of the limit's logarithm from which on excess is weighted: against the other terms, some of it remains.
-constexpr double aim_of_excess = 0.97;
 constexpr int max_steps = 6;
 /// An interval keeps at least this part of its length in one step.
 constexpr double least_part = 0.4;
@@ -83,17 +81,17 @@ void append_log(const sizing::ArcDivisions& divisions, const Variables& variable
 }
 
 void add_growth(const GrowthInput& input, const sizing::ArcDivisions& divisions, const Variables& variables,
-                double weight_excess, NormalEquations& equations) {
-  const double limit = std::log(input.limit), aim = aim_of_excess * limit;
+                const Excess& excess, NormalEquations& equations) {
+  const double limit = std::log(input.limit), aim = excess.aim * limit;
   for (const IntervalPair& pair : adjacent_intervals(input, divisions)) {
     std::vector<NormalEquations::Term> terms;
     append_log(divisions, variables, pair.b, 1, terms);
     append_log(divisions, variables, pair.a, -1, terms);
-    const double r = log_growth(input, divisions, pair), excess = r * r / (limit * limit);
-    // The derivatives of r^2 + r^4 / (2 limit^2) by r are 2 r (1 + excess) and 2 (1 + 3 excess).
-    equations.add(1 + 3 * excess, r * (1 + excess) / (1 + 3 * excess), terms);
-    if (weight_excess > 0 && std::abs(r) > aim)
-      equations.add(weight_excess, std::copysign(std::abs(r) - aim, r), terms);
+    const double r = log_growth(input, divisions, pair), part = r * r / (limit * limit);
+    // The derivatives of r^2 + r^4 / (2 limit^2) by r are 2 r (1 + part) and 2 (1 + 3 part).
+    equations.add(1 + 3 * part, r * (1 + part) / (1 + 3 * part), terms);
+    if (excess.weight > 0 && std::abs(r) > aim)
+      equations.add(excess.weight, std::copysign(std::abs(r) - aim, r), terms);
   }
 }
 
@@ -144,14 +142,14 @@ std::vector<double> fixed_fractions(const GrowthInput& input, int arc) {
   return fractions;
 }
 
-void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, double weight_excess,
+void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, const Excess& excess,
                       sizing::ArcDivisions& divisions) {
   const Variables variables(input, divisions);
   if (variables.size() == 0) return;
   const std::vector<OppositeSides> opposite = opposite_arcs(input, divisions);
   for (int i = 0; i < max_steps; ++i) {
     NormalEquations equations(variables.size());
-    add_growth(input, divisions, variables, weight_excess, equations);
+    add_growth(input, divisions, variables, excess, equations);
     add_shape(input, shape, divisions, variables, equations);
     add_skew(opposite, divisions, variables, equations);
     const Eigen::VectorXd step = equations.solution();

@@ -4,7 +4,7 @@
 // With d_k the lengths of intervals and g the logarithm of the limit, the ends minimise
 //
 //   sum over adjacent intervals  r^2 + r^4 / (2 g^2),                r = ln d' / d
-//   + weight_excess  sum over adjacent intervals max(0, |r| - 0.97 g)^2
+//   + excess.weight  sum over adjacent intervals max(0, |r| - excess.aim g)^2
 //   + weight_shape  sum over intervals (ln d / d_0)^2,               d_0 their lengths at first
 //   + weight_skew   sum over opposite ends (slope of the line between them)^2
 //
@@ -23,8 +23,14 @@ inline constexpr double same_fraction = 1e-9;
 /// Fractions of an arc at which intervals may have to end: breaks of CAD curves, and joints of given names.
 std::vector<double> fixed_fractions(const GrowthInput& input, int arc);
 
-/// Changes the ends in `divisions`, not their number. `shape`: the divisions that have d_0; `weight_excess` >= 0.
-void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, double weight_excess,
+/// The weight of ratios whose logarithm exceeds `aim` times that of the limit; 0: none.
+struct Excess {
+  double weight = 0;
+  double aim = 1;
+};
+
+/// Changes the ends in `divisions`, not their number. `shape`: the divisions that have d_0.
+void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, const Excess& excess,
                       sizing::ArcDivisions& divisions);
 
 }  // namespace quadrille::growth

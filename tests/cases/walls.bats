@@ -148,7 +148,7 @@ elements() {
 
 @test "two aerofoils in a far field: edges grow evenly in the gap and around both" {
   elements > elements.txt
-  for far in cgrid:20,1.31 box:5,1.3; do
+  for far in cgrid:20,1.3 box:5,1.3; do
     "$ROOT/pipelines/points2step" -q elements.txt --name main,flap --farfield "${far%,*}" -o far.step
     "$ROOT/pipelines/quadmesh" -q far.step --wall main,flap:first=1e-3,growth=1.2,layers=11,blocks=own \
       --workdir work --until quadrefine --report x.json
