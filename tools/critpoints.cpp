@@ -65,8 +65,8 @@ void declare(cli::Options& o, NodeArguments& arguments) {
            "there is no layout");
   o.text("--feature-size", arguments.feature_size, "auto|L",
          "nodes forced by fillets and holes smaller than this length move onto the boundary or away from it, or "
-         "cancel; auto: diameter / 500, or half the mean width of the face if that is less; 0: they stay (unit: file "
-         "units; default: auto)");
+         "cancel; auto: diameter / 500 (in a far field, of the box around the bodies), or half the mean width of the "
+         "face if that is less; 0: they stay (unit: file units; default: auto)");
   o.choice("--nodes", options.nodes,
            "irregular nodes inside: those of the field; the fewest that the index sum requires for these corner "
            "valences, all of one sign; none: corner valences change too, to blocks of 40 to 140 degrees there, so that "

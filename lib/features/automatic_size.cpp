@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "base/error.hpp"
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
+#include "model/far_field.hpp"
+#include "model/offset_names.hpp"
 
 namespace quadrille::features {
 namespace {
@@ -32,11 +36,24 @@ Extent extent(const CadFace& face) {
   return sum;
 }
 
+/// The diameter of the face; in a far field, that of the box around the bodies, which a far field may exceed at will.
+/// Around layers with blocks of their own it is that of the face: the curves above layers are smooth, and between two
+/// of them fewer nodes are better (two elements of an aerofoil in a box: 56 blocks in place of 64).
+double reference_length(const CadFace& face) {
+  if (!has_far_field(face)) return face.diameter;
+  std::vector<Nurbs> bodies;
+  for (int curve = 0; curve < face.num_curves(); ++curve) {
+    if (is_offset_name(face.curve_names[curve])) return face.diameter;
+    if (!is_far_field(face, curve) && !face.is_interface(curve)) bodies.push_back(face.curves[curve]);
+  }
+  return bodies.empty() ? face.diameter : std::min(face.diameter, curve::pole_box(bodies).diagonal());
+}
+
 }  // namespace
 
 double automatic_feature_size(const CadFace& face) {
   const Extent whole = extent(face);
-  return std::min(of_diameter * face.diameter, whole.area / whole.perimeter);
+  return std::min(of_diameter * reference_length(face), whole.area / whole.perimeter);
 }
 
 std::optional<double> parse_feature_size(const std::string& text) {

@@ -11,6 +11,9 @@ namespace quadrille {
 /// The name of the curve at a distance from the wall of this name.
 inline std::string offset_name(const std::string& wall) { return wall + "_offset"; }
 
+/// Whether the name is that of a curve at a distance from a wall.
+inline bool is_offset_name(const std::string& name) { return name.ends_with(offset_name("")); }
+
 /// Whether a curve of this name has an offset curve in the face.
 inline bool has_offset(const CadFace& face, const std::string& wall) {
   return std::find(face.curve_names.begin(), face.curve_names.end(), offset_name(wall)) != face.curve_names.end();

@@ -65,6 +65,11 @@ setup() {
   assert_equal "$(jq '.boundary_nodes' stages/sharp.crit.json)" '[]'
 }
 
+@test "a box has an H-grid with its nodes before the nose" {
+  grid sharp '.valid and .irregular_nodes == 2 and .least_scaled_jacobian > 0.8' --farfield box:5
+  assert_equal "$(jq '.boundary_nodes' stages/sharp.crit.json)" '[]'
+}
+
 @test "blocks and sizes follow a wake" {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
     --size-near wake=0.1:1

@@ -29,6 +29,19 @@ TEST(AutomaticSize, HolesMakeAFaceNarrow) {
   EXPECT_NEAR(automatic_feature_size(ring), 0.0005, 1e-10);
 }
 
+TEST(AutomaticSize, DoesNotDependOnHowFarAFarFieldReaches) {
+  for (const double reach : {10.0, 100.0}) {
+    CadFace face = hand_made::face(
+        {{curve::circular_arc({0, 0}, reach, 0, 2 * pi)}, {curve::circular_arc({0, 0}, 1, 2 * pi, 0)}}, 2 * reach);
+    face.curve_names = {"farfield", "body"};
+    EXPECT_NEAR(automatic_feature_size(face), std::hypot(2, 2) / 500, 1e-12);
+    face.curve_names[1] = "body_offset";
+    EXPECT_NEAR(automatic_feature_size(face), 2 * reach / 500, 1e-12);
+    face.curve_names = {"outline", "body"};
+    EXPECT_NEAR(automatic_feature_size(face), 2 * reach / 500, 1e-12);
+  }
+}
+
 TEST(AutomaticSize, TextsAreAutoOrALength) {
   const CadFace face = rectangle(30, 40);
   EXPECT_EQ(parse_feature_size("auto"), std::nullopt);
