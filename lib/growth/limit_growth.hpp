@@ -2,11 +2,11 @@
 // Limits the ratio of adjacent intervals along all lines of arcs: smooth divisions, with greater counts where these
 // alone do not suffice.
 //
-// In each round the ends are moved (growth/smooth_divisions), where the limit is exceeded again with more and more
-// weight on the excess. Then chords get a tenth more free intervals, at least one, if one of their intervals misses the
-// tolerance of the boundary, or is still too long beside a neighbour while none is too long beside it. Prescribed
-// counts and layers stay. The rounds end when no ratio exceeds the limit, or when the mesh would have
-// `GrowthConstants::most_refined` times the elements.
+// In each round the ends are moved (growth/smooth_divisions); where the limit is nearly reached or exceeded, again,
+// with more and more weight on what exceeds it. Then chords get a tenth more free intervals, at least one, if one of
+// their intervals misses the tolerance of the boundary, or is still too long beside a neighbour while none is too long
+// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, or when the mesh would
+// have `GrowthConstants::most_refined` times the elements.
 
 #include <array>
 
@@ -17,14 +17,14 @@ namespace quadrille::growth {
 struct GrowthConstants {
   int max_rounds = 60;
   double raise = 0.1;  ///< part of its intervals between layers by which a chord is raised in each round
-  /// Of the excess over the limit, one after the other until there is none; each starts where the last one ended, so
-  /// that it converges. Far greater weights skew blocks.
+  /// Weights of ratios that exceed the limit, tried in this order until none does. Each minimisation starts from the
+  /// result of the one before, so that it converges. Much greater weights skew blocks.
   std::array<double, 3> excess_weights{10, 30, 90};
   double most_refined = 4;     ///< elements, over those at first
   double warned_excess = 0.5;  ///< of the limit: lines inside blocks are smoothed, not limited
-  double margin = 0.1;  ///< part of the limit's logarithm by which the first weight and lines inside blocks aim at less
-                        ///< than the limit: lines are not as smooth as the arcs between which they run, and are tied
-                        ///< to their neighbours afterwards (mesh/smooth_across)
+  double margin = 0.1;  ///< part of the limit's logarithm by which arcs, with the first weight, and lines inside blocks
+                        ///< aim at less than the limit: lines are not as smooth as the arcs between which they run, and
+                        ///< are tied to their neighbours afterwards (mesh/smooth_across)
   double kept_quality = 0.8;  ///< least part of a block's scaled Jacobian that smooth lines may leave
   double good_quality = 0.5;  ///< a block this good keeps smooth lines, whatever it was before
   double equal_tol = 1e-6;    ///< ratios that exceed the limit by less, relatively, are within it

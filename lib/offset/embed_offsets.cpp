@@ -24,7 +24,7 @@
 namespace quadrille::offset {
 namespace {
 
-/// The name of all parts of a region: a face without a name is called as in exports (export/groups).
+/// The name of all parts of a region: a face without one gets the name that it has in exports (export/groups).
 std::string name_of(const CadFace& face, int region) {
   if (!face.region_names.empty()) return face.region_names[region];
   return face.name.empty() ? "domain" : face.name;

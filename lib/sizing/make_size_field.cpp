@@ -42,6 +42,7 @@ double greatest_size(const CadFace& face, const SizeSources& sources) {
   return greatest;
 }
 
+/// The least number of elements along each boundary curve.
 int per_curve(const CadFace& face, const SizeOptions& options) {
   if (options.per_curve != SizeOptions::automatic) return options.per_curve;
   return options.size > 0 || options.sources.is_table || !has_far_field(face) ? 0 : SizeField::default_per_curve;
