@@ -9,7 +9,7 @@
 namespace quadrille::heal {
 namespace {
 
-bool is_line(const JointSide& side) { return side.carrier.kind == CurveKind::line; }
+bool is_line(const JointSide& side) { return side.carrier.kind == curve::CurveKind::line; }
 
 bool is_multiple_of_kept_angle(double angle) {
   return std::abs(std::remainder(angle, heal_rules.kept_angle)) <= heal_rules.same_angle;
@@ -35,35 +35,36 @@ bool have_intersection_only(const JointSide& a, const JointSide& b) {
 
 // The rule for lines and arcs; std::nullopt if it gives no point.
 std::optional<Vec2> by_carriers(const JointSide& a, const JointSide& b, Vec2 middle) {
-  if (!meet_tangentially(a, b)) return intersection(a.carrier, b.carrier, middle);
+  if (!meet_tangentially(a, b)) return curve::intersection(a.carrier, b.carrier, middle);
   const JointSide &line = is_line(a) ? a : b, &other = is_line(a) ? b : a;
-  if (is_line(line) && other.carrier.kind == CurveKind::arc) return nearest_on(line.carrier, other.carrier.point);
+  if (is_line(line) && other.carrier.kind == curve::CurveKind::arc)
+    return curve::nearest_on(line.carrier, other.carrier.point);
   return std::nullopt;
 }
 
 bool may_move(const JointSide& side, Vec2 x) {
   const double far = distance(x, side.end);
   if (far <= side.most * (1 + 1e-6)) return true;
-  const bool slides = is_line(side) && distance(nearest_on(side.carrier, x), x) <= heal_rules.same_angle * far;
+  const bool slides = is_line(side) && distance(curve::nearest_on(side.carrier, x), x) <= heal_rules.same_angle * far;
   return slides && far <= side.most_sliding * (1 + 1e-6);
 }
 
 Vec2 by_rank(const JointSide& a, const JointSide& b, Vec2 middle) {
   if (a.rank == b.rank) return middle;
   const JointSide& kept = a.rank > b.rank ? a : b;
-  return nearest_on(kept.carrier, middle);
+  return curve::nearest_on(kept.carrier, middle);
 }
 
 }  // namespace
 
-std::vector<Rank> ranks_of(const std::vector<Carrier>& carriers) {
+std::vector<Rank> ranks_of(const std::vector<curve::Carrier>& carriers) {
   std::vector<Rank> ranks;
   std::vector<std::pair<double, size_t>> angles;
-  for (const Carrier& c : carriers) {
+  for (const curve::Carrier& c : carriers) {
     const double angle = wrap_two_pi(2 * angle_of(c.direction)) / 2;
-    const bool line = c.kind == CurveKind::line;
+    const bool line = c.kind == curve::CurveKind::line;
     if (line) angles.emplace_back(angle, ranks.size());
-    ranks.push_back(!line                              ? c.kind == CurveKind::arc ? Rank::arc : Rank::spline
+    ranks.push_back(!line                              ? c.kind == curve::CurveKind::arc ? Rank::arc : Rank::spline
                     : is_multiple_of_kept_angle(angle) ? Rank::kept_line
                                                        : Rank::line);
   }

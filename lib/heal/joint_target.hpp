@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "heal/carrier.hpp"
+#include "curve/carrier.hpp"
 
 namespace quadrille::heal {
 
@@ -12,11 +12,11 @@ namespace quadrille::heal {
 enum class Rank { spline, arc, line, kept_line };
 
 /// The ranks of all curves of a face. A line is kept if it lies at a multiple of 15 degrees, or is parallel to another.
-std::vector<Rank> ranks_of(const std::vector<Carrier>& carriers);
+std::vector<Rank> ranks_of(const std::vector<curve::Carrier>& carriers);
 
 /// The end of a curve at a joint.
 struct JointSide {
-  Carrier carrier;
+  curve::Carrier carrier;
   Rank rank = Rank::spline;
   Vec2 end;
   Vec2 tangent;             ///< unit, in either direction

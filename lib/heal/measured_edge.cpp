@@ -7,11 +7,11 @@ namespace quadrille::heal {
 
 std::vector<std::vector<MeasuredEdge>> measured(const std::vector<std::vector<RawEdge>>& wires) {
   std::vector<std::vector<MeasuredEdge>> result;
-  std::vector<Carrier> carriers;
+  std::vector<curve::Carrier> carriers;
   for (const auto& wire : wires) {
     result.emplace_back();
     for (const RawEdge& edge : wire) {
-      carriers.push_back(carrier_of(edge.curve));
+      carriers.push_back(curve::carrier_of(edge.curve));
       result.back().push_back({&edge, carriers.back(), {}, curve::ArcLength(edge.curve).total()});
     }
   }

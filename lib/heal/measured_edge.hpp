@@ -10,7 +10,7 @@ namespace quadrille::heal {
 
 struct MeasuredEdge {
   const RawEdge* raw = nullptr;
-  Carrier carrier;
+  curve::Carrier carrier;
   Rank rank = Rank::spline;
   double length = 0;
 };

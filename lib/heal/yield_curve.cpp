@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "curve/carrier.hpp"
 #include "curve/nurbs.hpp"
-#include "heal/carrier.hpp"
 #include "heal/heal_rules.hpp"
 
 namespace quadrille::heal {
 namespace {
 
 // The part of the arc's circle from the point nearest to `start` to the one nearest to `end`, in the sense of the arc.
-Nurbs arc_between(const Carrier& circle, const Nurbs& arc, Vec2 start, Vec2 end) {
+Nurbs arc_between(const curve::Carrier& circle, const Nurbs& arc, Vec2 start, Vec2 end) {
   const Vec2 from = arc.poles.front() - circle.point, to = arc.poles.back() - circle.point;
   const auto shift = [&](Vec2 radial, Vec2 x) {
     const Vec2 d = x - circle.point;
@@ -71,10 +71,10 @@ void add_moved(const Nurbs& curve, Vec2 start, Vec2 end, int cuts, std::vector<N
 }  // namespace
 
 std::vector<Nurbs> moved_curve(const Nurbs& curve, Vec2 start, Vec2 end) {
-  const Carrier carrier = carrier_of(curve);
-  if (carrier.kind == CurveKind::line) return {curve::segment(start, end)};
+  const curve::Carrier carrier = curve::carrier_of(curve);
+  if (carrier.kind == curve::CurveKind::line) return {curve::segment(start, end)};
   std::vector<Nurbs> pieces;
-  const bool is_arc = carrier.kind == CurveKind::arc;
+  const bool is_arc = carrier.kind == curve::CurveKind::arc;
   add_moved(is_arc ? arc_between(carrier, curve, start, end) : curve, start, end, heal_rules.most_cuts, pieces);
   return pieces;
 }

@@ -7,9 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "curve/carrier.hpp"
 #include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
-#include "heal/carrier.hpp"
 #include "model/offset_names.hpp"
 #include "offset/extended_curve.hpp"
 #include "offset/offset_curve.hpp"
@@ -144,7 +144,7 @@ class ChainMaker {
     };
     if (!(part.begin < std::min(part.end, curve.end())) || !(part.end > curve.begin()))
       fail(i, part.from, "leaves nothing between the corners of the wall");
-    if (heal::carrier_of(curve).kind == heal::CurveKind::line) {
+    if (curve::carrier_of(curve).kind == curve::CurveKind::line) {
       add(curve::segment(part.from, part.to));
     } else {
       const double begin = std::max(part.begin, curve.begin()), end = std::min(part.end, curve.end());

@@ -8,9 +8,9 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/arc_length.hpp"
+#include "curve/carrier.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/simplify_spline.hpp"
-#include "heal/carrier.hpp"
 #include "offset/offset_rules.hpp"
 
 namespace quadrille::offset {
@@ -99,9 +99,9 @@ Nurbs offset_curve(const Nurbs& curve, const OffsetProfile& profile, double tole
                    Vec2 origin) {
   const OffsetPoints points(curve, profile);
   require_no_fold(curve, points, where, origin);
-  const heal::Carrier carrier = heal::carrier_of(curve);
-  if (!profile.is_constant || carrier.kind == heal::CurveKind::spline) return fitted(curve, points, tolerance);
-  if (carrier.kind == heal::CurveKind::line) {
+  const curve::Carrier carrier = curve::carrier_of(curve);
+  if (!profile.is_constant || carrier.kind == curve::CurveKind::spline) return fitted(curve, points, tolerance);
+  if (carrier.kind == curve::CurveKind::line) {
     const Vec2 shift = profile.distance * left_of(carrier.direction);
     return curve::segment(curve.poles.front() + shift, curve.poles.back() + shift);
   }

@@ -7,7 +7,7 @@
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "heal/carrier.hpp"
+#include "curve/carrier.hpp"
 #include "raw_samples.hpp"
 
 namespace quadrille::heal {
@@ -84,7 +84,7 @@ TEST(HealFace, ASlotKeepsItsLinesItsArcsAndItsSymmetry) {
     ASSERT_EQ(wire.size(), 4U);
     EXPECT_NEAR(distance(wire[0].curve.poles[0], {0, -1}), 0, 1e-15);
     EXPECT_NEAR(distance(wire[0].curve.poles[1], {5, -1}), 0, 1e-15);
-    for (const int arc : {1, 3}) EXPECT_EQ(carrier_of(wire[arc].curve).kind, CurveKind::arc);
+    for (const int arc : {1, 3}) EXPECT_EQ(curve::carrier_of(wire[arc].curve).kind, curve::CurveKind::arc);
     for (size_t i = 0; i < wire[1].curve.poles.size(); ++i) {
       const Vec2 p = wire[1].curve.poles[i], q = wire[3].curve.poles[i];
       EXPECT_NEAR(distance(p, Vec2{5, 0} - q), 0, 1e-14);

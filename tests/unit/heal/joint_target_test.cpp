@@ -68,8 +68,8 @@ TEST(JointTarget, ASplineYieldsToALineAndToAnArc) {
 }
 
 TEST(JointTarget, AShortLineMaySlideFurtherThanItMayTurn) {
-  JointSide a{carrier_of(flat), Rank::line, {10, 0}, {1, 0}, 0.01, 0.03};
-  JointSide b{carrier_of(curve::segment({10.02, 0}, {10.02, 1})), Rank::line, {10.02, 0}, {0, 1}, 0.01, 0.03};
+  JointSide a{curve::carrier_of(flat), Rank::line, {10, 0}, {1, 0}, 0.01, 0.03};
+  JointSide b{curve::carrier_of(curve::segment({10.02, 0}, {10.02, 1})), Rank::line, {10.02, 0}, {0, 1}, 0.01, 0.03};
   expect_at(joint_target(a, b), {10.02, 0});
   a.most_sliding = 0.015;
   expect_at(joint_target(a, b), {10.01, 0});
@@ -78,10 +78,10 @@ TEST(JointTarget, AShortLineMaySlideFurtherThanItMayTurn) {
 }
 
 TEST(JointTarget, TheToleranceThatIsNeededLetsKeptLinesSlideToTheirIntersection) {
-  JointSide a{carrier_of(flat), Rank::kept_line, {10, 0}, {1, 0}, 0, 0};
-  JointSide b{carrier_of(curve::segment({10, 0.01}, {20, 10.01})), Rank::kept_line, {10, 0.01}, {1, 1}, 0, 0};
+  JointSide a{curve::carrier_of(flat), Rank::kept_line, {10, 0}, {1, 0}, 0, 0};
+  JointSide b{curve::carrier_of(curve::segment({10, 0.01}, {20, 10.01})), Rank::kept_line, {10, 0.01}, {1, 1}, 0, 0};
   EXPECT_DOUBLE_EQ(needed_tolerance(a, b), 0.01) << "they meet at (9.99, 0)";
-  b.carrier = carrier_of(curve::segment({10, 0.01}, {20, 1.01}));  // at (9.9, 0)
+  b.carrier = curve::carrier_of(curve::segment({10, 0.01}, {20, 1.01}));  // at (9.9, 0)
   EXPECT_NEAR(needed_tolerance(a, b), std::hypot(0.1, 0.01) / 4, 1e-12);
   b.rank = Rank::line;
   EXPECT_DOUBLE_EQ(needed_tolerance(a, b), 0.01) << "it turns instead";
@@ -108,10 +108,10 @@ TEST(JointTarget, TheCurveThatMayNotMoveKeepsItsEnd) {
 }
 
 TEST(JointTarget, KeepsLinesAtMultiplesOf15DegreesAndParallels) {
-  std::vector<Carrier> lines;
+  std::vector<curve::Carrier> lines;
   for (const double degrees_of : {45.0, 17.0, 80.0, 17.0 + 180, 90.0, 165.0})
-    lines.push_back(carrier_of(curve::segment({0, 0}, unit(radians(degrees_of)))));
-  lines.push_back(carrier_of(bow));
+    lines.push_back(curve::carrier_of(curve::segment({0, 0}, unit(radians(degrees_of)))));
+  lines.push_back(curve::carrier_of(bow));
   using enum Rank;
   EXPECT_EQ(ranks_of(lines), (std::vector<Rank>{kept_line, kept_line, line, kept_line, kept_line, kept_line, spline}));
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "curve/carrier.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
-#include "heal/carrier.hpp"
 
 namespace quadrille::heal {
 namespace {
@@ -24,7 +24,7 @@ TEST(YieldCurve, AnArcGrowsOnItsCircle) {
   const auto pieces = moved_curve(arc, arc.poles.front(), end);
   ASSERT_EQ(pieces.size(), 1U);
   EXPECT_EQ(pieces[0].poles.back(), end);
-  const Carrier circle = carrier_of(pieces[0]);
+  const curve::Carrier circle = curve::carrier_of(pieces[0]);
   EXPECT_NEAR(distance(circle.point, {1, 2}), 0, 1e-12);
   EXPECT_NEAR(circle.radius, 3, 1e-12);
 }
@@ -43,7 +43,7 @@ TEST(YieldCurve, AnArcOffItsNewEndStaysAnArc) {
   const auto pieces = moved_curve(arc, arc.poles.front(), end);
   ASSERT_EQ(pieces.size(), 1U);
   EXPECT_EQ(pieces[0].poles.back(), end);
-  EXPECT_EQ(carrier_of(pieces[0]).kind, CurveKind::arc);
+  EXPECT_EQ(curve::carrier_of(pieces[0]).kind, curve::CurveKind::arc);
   // The turn is at most the gap over the chord.
   const Vec2 before = curve::tangent(arc, arc.begin()), after = curve::tangent(pieces[0], pieces[0].begin());
   EXPECT_LE(std::abs(cross(before, after)), 1e-3 / distance(arc.poles.front(), arc.poles.back()));

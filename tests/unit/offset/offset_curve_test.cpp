@@ -4,9 +4,9 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "curve/carrier.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
-#include "heal/carrier.hpp"
 
 namespace quadrille::offset {
 namespace {
@@ -23,8 +23,8 @@ TEST(OffsetCurve, OfALineIsALine) {
 TEST(OffsetCurve, OfAnArcIsAnArcOnBothSides) {
   for (const bool turns_left : {true, false}) {
     const Nurbs arc = curve::circular_arc({1, 2}, 2, turns_left ? 0 : 2, turns_left ? 2 : 0);
-    const heal::Carrier carrier = heal::carrier_of(offset_curve(arc, constant(0.5), 1e-9, "x", {}));
-    EXPECT_EQ(carrier.kind, heal::CurveKind::arc);
+    const curve::Carrier carrier = curve::carrier_of(offset_curve(arc, constant(0.5), 1e-9, "x", {}));
+    EXPECT_EQ(carrier.kind, curve::CurveKind::arc);
     EXPECT_NEAR(carrier.radius, turns_left ? 1.5 : 2.5, 1e-12);
     EXPECT_NEAR(distance(carrier.point, {1, 2}), 0, 1e-12);
   }

@@ -1,4 +1,4 @@
-#include "heal/carrier.hpp"
+#include "curve/carrier.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "curve/nurbs.hpp"
 
-namespace quadrille::heal {
+namespace quadrille::curve {
 namespace {
 
 // Points at the quarters of the spans of a curve: three points of a span lie on a circle in any case.
@@ -15,7 +15,7 @@ std::vector<Vec2> samples(const Nurbs& curve) {
   for (size_t k = 1; k < curve.knots.size(); ++k) {
     const double a = curve.knots[k - 1], b = curve.knots[k];
     if (!(a < b)) continue;
-    for (int quarter = 1; quarter <= 4; ++quarter) points.push_back(curve::point(curve, a + (b - a) * quarter / 4));
+    for (int quarter = 1; quarter <= 4; ++quarter) points.push_back(point(curve, a + (b - a) * quarter / 4));
   }
   return points;
 }
@@ -81,4 +81,4 @@ std::optional<Vec2> intersection(const Carrier& a, const Carrier& b, Vec2 x) {
   return a.point + cross(b.point - a.point, b.direction) / sine * a.direction;
 }
 
-}  // namespace quadrille::heal
+}  // namespace quadrille::curve

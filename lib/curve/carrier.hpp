@@ -5,7 +5,7 @@
 
 #include "model/cad_face.hpp"
 
-namespace quadrille::heal {
+namespace quadrille::curve {
 
 enum class CurveKind { spline, arc, line };
 
@@ -27,4 +27,4 @@ Vec2 nearest_on(const Carrier& carrier, Vec2 x);
 /// them is a spline.
 std::optional<Vec2> intersection(const Carrier& a, const Carrier& b, Vec2 x);
 
-}  // namespace quadrille::heal
+}  // namespace quadrille::curve
