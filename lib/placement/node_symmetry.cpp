@@ -17,19 +17,22 @@ Mat2 linear_part(const curve::Isometry& isometry) {
   return isometry.is_mirrored ? Mat2{u.x, u.y, u.y, -u.x} : Mat2{u.x, -u.y, u.y, u.x};
 }
 
-// For each point the index of the point of the same kind at its image; empty unless this map is one to one.
+// For each point the index of a point of the same kind at its image; empty unless this map is one to one. Corners on
+// both sides of a slit may be in one place.
 template <class Point, class IsSame>
 std::vector<int> images(const std::vector<Point>& points, const curve::Isometry& isometry, double tol, IsSame is_same) {
-  std::vector<int> image, taken(points.size(), 0);
+  std::vector<int> image;
+  std::vector<bool> is_taken(points.size(), false);
   for (const Point& from : points) {
     const Vec2 x = isometry(from.position);
     int nearest = -1;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const bool is_candidate = distance(points[i].position, x) <= tol && is_same(from, points[i]);
+      const bool is_candidate = !is_taken[i] && distance(points[i].position, x) <= tol && is_same(from, points[i]);
       if (is_candidate && (nearest < 0 || distance(points[i].position, x) < distance(points[nearest].position, x)))
         nearest = static_cast<int>(i);
     }
-    if (nearest < 0 || taken[nearest]++) return {};
+    if (nearest < 0) return {};
+    is_taken[nearest] = true;
     image.push_back(nearest);
   }
   return image;

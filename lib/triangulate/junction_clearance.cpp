@@ -70,13 +70,19 @@ bool Clearance::ends_in(int piece, int place) const {
   return junctions[piece].place == place || junctions[outline_->pieces()[piece].next].place == place;
 }
 
+bool Clearance::is_closed(int piece) const {
+  const auto& junctions = outline_->junctions();
+  return junctions[piece].place == junctions[outline_->pieces()[piece].next].place;
+}
+
 double Clearance::at_junction(int j) const {
   const int in = outline_->pieces()[j].previous;
   const Vec2 apex = outline_->junctions()[j].position;
   auto arriving = polylines_[in];
   std::reverse(arriving.begin(), arriving.end());
   double least = std::numeric_limits<double>::infinity();
-  if (in != j) least = std::min(return_distance(polylines_[j]), return_distance(arriving));
+  if (!is_closed(j)) least = return_distance(polylines_[j]);
+  if (!is_closed(in)) least = std::min(least, return_distance(arriving));
   for (int p = 0; p < static_cast<int>(polylines_.size()); ++p)
     if (!ends_in(p, outline_->junctions()[j].place)) least = std::min(least, distance_from(polylines_[p], 0, apex));
   return least;

@@ -47,6 +47,16 @@ TEST(NodeSymmetries, keep_valences_and_freedom_and_the_boundary) {
   EXPECT_EQ(num_symmetries(points), 1u);
 }
 
+TEST(NodeSymmetries, corners_on_both_sides_of_a_slit_are_in_one_place) {
+  CriticalPoints points = points_at({{1, 0.5}, {1, -0.5}});
+  for (int k = 0; k < 2; ++k) {
+    points.corners.emplace_back();
+    points.corners.back().position = {2, 0};
+    points.corners.back().valence = 1;
+  }
+  EXPECT_EQ(num_symmetries(points), 2u);
+}
+
 TEST(NodeSymmetries, can_be_made_exact) {
   CriticalPoints points = points_at({{1 + 1e-7, 0.5}, {-1, 0.5 + 2e-7}, {-1 - 1e-7, -0.5}, {1, -0.5}});
   const std::vector<bool> is_free(4, true);

@@ -37,5 +37,14 @@ TEST(CutCurve, TheSeamOfAClosedCurveIsNoEnd) {
   }
 }
 
+TEST(CutCurve, ACutBesideAKnotIsAtTheKnot) {
+  const Nurbs curve{2, {0, 0, 0, 1, 2, 2, 2}, {{0, 0}, {1, 1}, {2, 1}, {3, 0}}, {1, 1, 1, 1}};
+  for (const double t : {1 - 1e-13, 1 + 1e-13}) {
+    const std::vector<CutPiece> pieces = cut_curve(curve, {{t, 1}}, 0);
+    ASSERT_EQ(pieces.size(), 2U);
+    for (const CutPiece& piece : pieces) EXPECT_EQ(piece.curve.poles.size(), 3U) << "a piece of one span";
+  }
+}
+
 }  // namespace
 }  // namespace quadrille::sew

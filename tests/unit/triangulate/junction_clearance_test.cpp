@@ -32,5 +32,12 @@ TEST(Clearance, SeesTheSameCurveComeBack) {
   EXPECT_NEAR(Clearance(outline).at_junction(0), 2 * std::sin(gap), 1e-9);
 }
 
+TEST(Clearance, ACurveThatClosesAtTheJunctionIsNoObstacle) {
+  // A slit joins two whole circles of radii 1 and 0.5.
+  const CadFace face = cut_annulus();
+  const Outline outline(face, 1e-13);
+  for (int j = 0; j < 4; ++j) EXPECT_NEAR(Clearance(outline).at_junction(j), 0.5, 1e-3) << j;
+}
+
 }  // namespace
 }  // namespace quadrille::triangulate
