@@ -1,6 +1,7 @@
 // Traces the separatrices of a guiding field and writes the planar graph of separatrices and boundary.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <string>
@@ -21,6 +22,7 @@
 #include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
+#include "topology/grid_kind.hpp"
 
 using namespace quadrille;
 
@@ -133,6 +135,15 @@ SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<
   return graph;
 }
 
+/// Around bodies in a far field other grids may give a layout.
+void propose_other_grids(const CadFace& face, const SeparatrixGraph& graph, Report& report) {
+  if (graph.certificate.method != LayoutMethod::midpoint) return;
+  std::vector<std::string> options;
+  for (const topology::GridKind grid : topology::other_grids(face))
+    options.push_back(fmt::format("--topology {}", enum_name(grid)));
+  if (!options.empty()) report.set("other_grids", fmt::format("{}", fmt::join(options, ", ")));
+}
+
 SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings& settings, cli::Session& session) {
   const Field field = io::read_field(field_file);
   check::require_valid(check::check_field(field, check::CheckDepth::quick), field_file.name);
@@ -146,6 +157,7 @@ SeparatrixGraph layout_of_field(const io::InputFile& field_file, const Settings&
   const std::vector<CriticalPoints> points = read_points_of(fields, field_file, points_file);
   session.begin_phase("trace");
   SeparatrixGraph graph = layout_of_regions(fields, points, settings, session);
+  propose_other_grids(field.mesh.face, graph, session.report());
   graph.provenance =
       session.provenance(field.provenance, {field_file.digest("field"), points_file.digest("critical-points")});
   return graph;

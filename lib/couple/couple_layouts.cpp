@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -41,15 +42,22 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
   return lengths;
 }
 
+[[noreturn]] void fail_to_continue(const CadFace& face) {
+  if (face.num_regions() > 1)
+    throw ComputeError(
+        "the lines of the regions cannot be continued across their interfaces: a strip of blocks winds onto itself; "
+        "mesh the regions alone (cad2tri --face)");
+  throw ComputeError(
+      "the lines on both sides of an embedded curve or of periodic sides cannot be continued across: a strip of blocks "
+      "winds onto itself; choose other nodes (critpoints --nodes, --topology), or leave the curve out");
+}
+
 graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
   const ArcGraph& graph = t_mesh.graph();
   const std::vector<quantize::TFace> faces = quantize::t_mesh_faces(t_mesh.subdivision);
   const quantize::Quantization found =
       quantize::quantize_or_explain(faces, arc_lengths(graph), relative_unit * graph.face.diameter);
-  if (found.lengths.empty())
-    throw ComputeError(
-        "the lines of the regions cannot be continued across their interfaces: a strip of blocks winds onto itself; "
-        "mesh the regions alone (cad2tri --face)");
+  if (found.lengths.empty()) fail_to_continue(graph.face);
   return quantize::extend_lines(t_mesh, faces, found.lengths);
 }
 

@@ -92,6 +92,15 @@ GridKind kind_of_outline(const CadFace& face) {
   return corners == 0 ? GridKind::o : corners == 2 ? GridKind::c : corners == 4 ? GridKind::h : GridKind::none;
 }
 
+std::vector<GridKind> other_grids(const CadFace& face) {
+  std::vector<GridKind> grids;
+  const GridKind own = kind_of_outline(face);
+  if (own == GridKind::none) return grids;
+  for (const GridKind grid : {GridKind::h, GridKind::c, GridKind::o})
+    if (grid != own) grids.push_back(grid);
+  return grids;
+}
+
 void require_holes(const CadFace& face, GridKind kind) {
   const bool has_hole = face.num_loops() > face.num_regions() || !face.partners.empty();
   if (!has_hole && kind != GridKind::by_outline && kind != GridKind::none)

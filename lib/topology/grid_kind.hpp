@@ -37,6 +37,9 @@ constexpr auto enum_names(GridKind) {
 /// body to the outline, both are one loop, of which only the curves of this name count.
 GridKind kind_of_outline(const CadFace& face);
 
+/// C, O and H without that of a far field: what to try where its nodes give no layout. Empty without a far field.
+std::vector<GridKind> other_grids(const CadFace& face);
+
 /// Throws UsageError if a kind is chosen and the face has no hole.
 void require_holes(const CadFace& face, GridKind kind);
 

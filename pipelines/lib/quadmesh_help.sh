@@ -11,9 +11,10 @@ Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
 passed on to them. SHAPE.dat and SHAPE.xy are points of an outline or an aerofoil, from which points2step
 makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with --farfield, --wake or --chord.
-Where a strip of blocks winds onto itself, so that separatrix can only divide triangles (W-SEP-002), critpoints runs
-again with other nodes on the strip, by up to seven options that separatrix proposes, one after another:
---corner-absorb 0, --ties field, --place energy, --corner-valence A:B=V. The first that gives a layout is kept.
+Where separatrix can only divide triangles (W-SEP-002), critpoints runs again with other nodes, by options that
+separatrix proposes, one after another: if a strip of blocks winds onto itself, up to seven that change nodes on it
+(--corner-absorb 0, --ties field, --place energy, --corner-valence A:B=V), in a far field other grids (--topology).
+The first that gives a layout is kept.
 Where the field gives no valid mesh, the face is meshed without it, by triangles divided into quads, with a
 warning (--layout midpoint; with --layout traced or quantized the exit code is 1 instead).
 

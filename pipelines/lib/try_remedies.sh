@@ -1,8 +1,8 @@
 # shellcheck shell=sh
-# Where separatrix found a strip of blocks that contains itself, and could only divide triangles, other nodes may give a
-# layout: its report has the options of critpoints that change those on the strip (quantize.remedies). The first that
-# gives a layout replaces nodes, field and graph; if none does, or a stage is stopped (limit_stages.sh), they stay.
-# Options that the user chose are not replaced, nor nodes that a user gave or edited (choose_nodes.sh).
+# Where separatrix could only divide triangles, other nodes may give a layout: its report has options of critpoints that
+# change those on a strip of blocks that contains itself (quantize.remedies), or the grid around a body (other_grids).
+# The first that gives a layout replaces nodes, field and graph; if none does, or a stage is stopped (limit_stages.sh),
+# they stay. Options that the user chose are not replaced, nor nodes that a user gave or edited (choose_nodes.sh).
 
 # try_remedies: after separatrix. Sets $remedy, and moves the files of the graph that is taken to the usual names.
 try_remedies() {
@@ -21,12 +21,12 @@ try_remedies() {
 
 # list_remedies REPORT: one a line, if no layout was found without them.
 list_remedies() {
-  jq -r 'select(.certificate.method == "midpoint") | .quantize.remedies // "" | split(", ")[]' "$1"
+  jq -r 'select(.certificate.method == "midpoint") | .quantize.remedies, .other_grids | values | split(", ")[]' "$1"
 }
 
 # try_remedy OPTION VALUE: reports of stages that are not used are called NUMBER.failed_STAGE.json.
 try_remedy() {
-  [ -n "$quiet" ] || echo "${0##*/}: a strip of blocks contains itself: trying critpoints $1 $2" >&2
+  [ -n "$quiet" ] || echo "${0##*/}: no layout with these nodes: trying critpoints $1 $2" >&2
   before=$number stem=$usual.remedy prefix=failed_
   graph_of_nodes "$usual" "$@" && [ "$(jq -r .certificate.method "$scratch/$number.failed_separatrix.json")" != midpoint ]
   code=$?

@@ -288,7 +288,7 @@ snail() {
 @test "where a strip of blocks contains itself, a corner on it emits a node" {
   snail
   run -0 --separate-stderr here "$quadmesh" snail.step -o out.msh --report report.json --workdir stages
-  run -0 --separate-stderr grep -c '^quadmesh: a strip of blocks contains itself: trying critpoints --corner-valence' - <<<"$stderr"
+  run -0 --separate-stderr grep -c '^quadmesh: no layout with these nodes: trying critpoints --corner-valence' - <<<"$stderr"
   assert_output 2
   run -0 jq -c '[.certificate.method, .remedy, .blocks, .irregular_nodes, .given_up, .form]' report.json
   assert_output '["traced","critpoints --corner-valence 1:0=2",3,1,null,"phase"]'

@@ -17,9 +17,9 @@ naca0012() {
     }'
 }
 
-# grid NAME 'FORMULA' OPTION...: meshes NAME.dat; the formula of jq must hold for the report of the run.
+# grid NAME 'FORMULA' OPTION...: meshes NAME.dat or NAME.xy; the formula of jq must hold for the report of the run.
 grid() {
-  "$quadmesh" -q "$1.dat" "${@:3}" --workdir stages -o a.msh --report a.json
+  "$quadmesh" -q "$1".[dx]* "${@:3}" --workdir stages -o a.msh --report a.json
   jq -e "$2" a.json >verdict || fail "$(jq -c '[.blocks, .irregular_nodes, .least_scaled_jacobian, .valid]' a.json)"
 }
 
@@ -74,6 +74,31 @@ setup() {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
     --size-near wake=0.1:1
   h5dump -A 0 -d /face/curve_names stages/sharp.quad.h5 | grep -q wake
+}
+
+@test "lines follow the wake of a round body, which begins anywhere on its closed curve" {
+  local far_field
+  awk 'BEGIN { for (k = 0; k < 60; ++k) { a = (k + 30) * atan2(0, -1) / 30; print cos(a), sin(a) } }' >round.xy
+  for far_field in box:10=4 cgrid:10=2 circle:10=0; do
+    grid round ".valid and .irregular_nodes == ${far_field#*=} and .blocks <= 14 and .least_scaled_jacobian > 0.8" \
+      --farfield "${far_field%=*}" --wake auto --size-near wake=0.3:1
+  done
+}
+
+@test "a given wake ends where it leaves the far field; where no lines cross it, another grid is tried" {
+  awk 'BEGIN { for (k = 0; k < 60; ++k) { a = (k + 30) * atan2(0, -1) / 30; print cos(a), sin(a) } }' >round.xy
+  printf '1 0\n2 0.3\n5 2\n20 8\n' >wake.xy
+  "$ROOT/pipelines/points2step" round.xy --farfield circle:10 --wake wake.xy | cad2tri -q -o round.tri.h5
+  h5dump -y -w 1 -d /face/joints/position round.tri.h5 | awk '
+    /^ *-?[0-9.]+,?$/ { x[n++] = $1 }
+    END { exit !(n > 1 && (d = x[0] * x[0] + x[1] * x[1]) > 399.99 && d < 400.01) }'
+  run --separate-stderr "$quadmesh" round.xy --farfield box:10 --wake wake.xy -o a.msh --report a.json
+  assert_success
+  grep -q '^quadmesh: no layout with these nodes: trying critpoints --topology c$' - <<<"$stderr"
+  jq -e '.valid and .certificate.method != "midpoint" and .irregular_nodes <= 2' a.json
+  printf '30 0\n40 0\n' >wake.xy
+  run -3 "$ROOT/pipelines/points2step" round.xy --farfield circle:10 --wake wake.xy
+  assert_output --partial 'wake.xy: line 1: the wake does not begin at the body, inside the far field'
 }
 
 @test "points need no other command, and what is wrong with them is told" {

@@ -96,11 +96,11 @@ def wake_edges(settings, extent, factor):
         return []
     if settings.far_field is None:
         raise mistake("--wake needs --farfield, in which it ends")
-    if settings.wake != "auto":
-        return wake.given(settings.wake, factor)
     shape, reach = settings.far_field
-    chord = factor * extent.chord
-    return [wake.computed(shape, reach * chord, chord, factor * extent.middle, factor * extent.tail, extent.direction)]
+    chord, middle, tail = (factor * length for length in (extent.chord, extent.middle, extent.tail))
+    if settings.wake != "auto":
+        return wake.given(settings.wake, factor, lambda z: wake.is_inside(shape, reach * chord, middle, tail, z))
+    return [wake.computed(shape, reach * chord, chord, middle, tail, extent.direction)]
 
 
 def build_outline(file, settings):

@@ -34,8 +34,28 @@ def computed(shape, reach, chord, middle, tail, direction):
     return Spline(poles, [0.0, 1.0], NAME)
 
 
-def given(path, factor):
-    """The smooth edges through the points of a file, which are scaled by the factor."""
+def is_inside(shape, reach, middle, tail, z):
+    """Whether z lies in the far field, or on its outline."""
+    way = z - (tail if shape == "cgrid" else middle)
+    is_round = shape == "circle" or shape == "cgrid" and way.real < 0
+    return (abs(way) if is_round else max(abs(way.real), abs(way.imag))) <= reach
+
+
+def cut_at_outline(points, inside):
+    """The points up to the outline of the far field, if they leave it."""
+    outside = next((i for i, z in enumerate(points) if not inside(z)), None)
+    if not outside:
+        return points
+    near, far = points[outside - 1], points[outside]
+    while (middle := (near + far) / 2) not in (near, far):
+        near, far = (middle, far) if inside(middle) else (near, middle)
+    last = outside if abs(near - points[outside - 1]) > 1e-9 * abs(points[outside] - points[outside - 1]) else outside - 1
+    return points[:last] + [near]
+
+
+def given(path, factor, inside):
+    """The smooth edges through the points of a file, which are scaled by the factor, up to the outline of the far
+    field."""
     file = point_files.read_point_file(path)
     found = point_files.point_loops(file)
     if len(found) != 1 or len(found[0].points) < 2:
@@ -44,4 +64,7 @@ def given(path, factor):
     for i, line in enumerate(found[0].lines[1:]):
         if points[i] == points[i + 1]:
             raise file.fault(line, "repeats the point before")
+    points = cut_at_outline(points, inside)
+    if len(points) < 2 or not inside(points[0]):
+        raise file.fault(found[0].lines[0], "the wake does not begin at the body, inside the far field")
     return edges.smooth_edges(points, [NAME] * len(points), [], is_periodic=False)

@@ -19,6 +19,13 @@ TEST(GridKind, OfAFarFieldFollowsFromItsCorners) {
             GridKind::none);
 }
 
+TEST(GridKind, OtherGridsAreThoseThatTheOutlineDoesNotMean) {
+  using Kinds = std::vector<GridKind>;
+  EXPECT_EQ(other_grids(in_far_field(make_face({box(), sharp_body()}))), (Kinds{GridKind::c, GridKind::o}));
+  EXPECT_EQ(other_grids(in_far_field(make_face({c_outline(), sharp_body()}))), (Kinds{GridKind::h, GridKind::o}));
+  EXPECT_TRUE(other_grids(make_face({box(), sharp_body()})).empty()) << "no far field";
+}
+
 TEST(GridKind, ACircleAroundTwoBodiesMeansNoOGrid) {
   const auto second = polygon({{3, 3}, {3.5, 4}, {4, 3}});
   EXPECT_EQ(kind_of_outline(in_far_field(make_face({circle({0, 0}, 8), sharp_body(), second}))), GridKind::none);
