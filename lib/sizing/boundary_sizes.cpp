@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "base/angle.hpp"
+#include "curve/carrier.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::sizing {
@@ -68,9 +70,26 @@ std::vector<SizeSegment> segments_of(const Nurbs& curve, const SizeAt& size, dou
 
 bool is_straight(const Nurbs& curve) { return curve.degree == 1; }
 
+/// The halves of the spans, each less than a right angle. `size`: all along.
+std::vector<SizeSegment> arcs_of(const Nurbs& curve, const curve::Carrier& circle, double size) {
+  std::vector<SizeSegment> arcs;
+  for (std::size_t i = 1; i < curve.knots.size(); ++i) {
+    const double low = curve.knots[i - 1], high = curve.knots[i], middle = (low + high) / 2;
+    if (!(low < high)) continue;
+    for (const auto& [from, to] : {std::pair(low, middle), std::pair(middle, high)}) {
+      Vec2 a = curve::point(curve, from), b = curve::point(curve, to);
+      if (cross(a - circle.point, b - circle.point) < 0) std::swap(a, b);
+      arcs.push_back({a, b, size, size, -1, circle.radius, circle.point});
+    }
+  }
+  return arcs;
+}
+
 }  // namespace
 
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope) {
+  if (const curve::Carrier carrier = curve::carrier_of(curve); carrier.kind == curve::CurveKind::arc)
+    return arcs_of(curve, carrier, size);
   if (!is_straight(curve))
     return segments_of(
         curve, [size](double, bool) { return size; }, slope);

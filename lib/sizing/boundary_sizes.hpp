@@ -1,9 +1,9 @@
 #pragma once
 // Boundary curves as sources of sizes: the same size all along, or one that follows the curvature.
 //
-// Curves are cut into segments so short that neither their distance from the curve nor linear interpolation between
-// their ends changes the size by a relative amount above 1e-5: sizes of mirror images agree although the starts of
-// their curves differ.
+// A constant size acts from the exact circular arc. Other curves are cut into segments so short that neither their
+// distance from the curve nor linear interpolation between their ends changes the size by a relative amount above 1e-5:
+// sizes of mirror images agree although the starts of their curves differ.
 
 #include <string>
 #include <vector>

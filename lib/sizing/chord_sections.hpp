@@ -13,6 +13,7 @@
 // uniform it has no effect.
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "sizing/measured_layout.hpp"
@@ -58,11 +59,20 @@ class ChordSections {
   };
   const curve::Chain& chain(int arc) const { return measured_.chain(chord_.arcs[arc]); }
   int region_of(std::size_t arc) const { return measured_.region_of(chord_.arcs[arc]); }
-  void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends, int region);
+  /// Points of one arc, at equal distances in u, and the least size there.
+  struct ArcTrial {
+    std::vector<ArcPoint> points;
+    double least = std::numeric_limits<double>::infinity();
+  };
+  std::vector<ArcTrial> arc_trials() const;
+  void add_block(const std::array<HalfEdge, 4>& sides, const std::array<int, 2>& ends, int region,
+                 const std::vector<ArcTrial>& trials);
   void add_lines(Block& block, const std::array<HalfEdge, 4>& sides, int lines) const;
-  double least_size(const Block& block) const;
+  /// As many as the variation of the size across the block needs. May add lines on trial.
+  int num_lines(Block& block, const std::array<HalfEdge, 4>& sides, const std::vector<ArcTrial>& trials) const;
+  double least_on_lines(const Block& block, const std::vector<ArcTrial>& trials) const;
   std::vector<ArcPoint> arc_points(double u) const;
-  Vec2 position(const Block& block, const std::vector<ArcPoint>& points, std::size_t line) const;
+  Vec2 position(const Block& block, const ArcPoint& a, const ArcPoint& b, std::size_t line) const;
 
   const MeasuredLayout& measured_;
   const mesh::Chord& chord_;

@@ -12,6 +12,8 @@ namespace quadrille::sizing {
 namespace {
 
 constexpr int leaf_size = 4;
+/// More than the levels of a tree that halves up to 2^31 sources.
+constexpr int max_depth = 40;
 
 /// A rectangle, and the least size in it.
 struct Bounds {
@@ -23,8 +25,8 @@ struct Bounds {
     high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
     least = std::min(least, other.least);
   }
-  double distance_to(Vec2 x) const {
-    return std::hypot(std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}));
+  double distance2_to(Vec2 x) const {
+    return norm2({std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y})});
   }
   Vec2 centre() const { return (low + high) / 2; }
 };
@@ -35,7 +37,18 @@ Bounds bounds_of(Vec2 a, Vec2 b, double least, double radius = 0) {
           least};
 }
 
-enum class Kind { point, box, segment, triangle };
+/// With the points of the arc that have the greatest and the least x and y.
+Bounds bounds_of_arc(const SizeSegment& arc, double least) {
+  Bounds bounds = bounds_of(arc.a, arc.b, least);
+  for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+    const Vec2 end = arc.centre + arc.radius * direction;
+    if (cross(arc.a - arc.centre, direction) > 0 && cross(direction, arc.b - arc.centre) > 0)
+      bounds.add(bounds_of(end, end, least));
+  }
+  return bounds;
+}
+
+enum class Kind { point, box, segment, arc, triangle };
 
 /// min over p on the segment of size(p) + slope |x - p|, the size linear: from the foot of x the least lies towards the
 /// smaller size.
@@ -47,7 +60,13 @@ double along_segment(Vec2 x, Vec2 a, Vec2 b, double size_a, double size_b, doubl
   const double shift = std::abs(rise) < slope ? off * rise / std::sqrt(slope * slope - rise * rise)
                                               : std::copysign(length + std::abs(foot), rise);
   const double at = std::clamp(foot - shift, 0.0, length);
-  return size_a + rise * at + slope * std::hypot(foot - at, off);
+  return size_a + rise * at + slope * norm({foot - at, off});
+}
+
+/// The distance from the arc of at most half a turn, counter-clockwise from a to b.
+double distance_to_arc(Vec2 x, Vec2 a, Vec2 b, Vec2 centre, double radius) {
+  const bool is_beside = cross(a - centre, x - centre) >= 0 && cross(x - centre, b - centre) >= 0;
+  return is_beside ? std::abs(distance(x, centre) - radius) : std::min(distance(x, a), distance(x, b));
 }
 
 /// min over p in the triangle of size(p) + slope |x - p|: x itself, if it is inside and the size varies by less than
@@ -61,27 +80,29 @@ double in_triangle(Vec2 x, const SizeTriangle& triangle, double slope) {
     const double rise_b = size_b - size_a, rise_c = size_c - size_a;
     const Vec2 gradient{(rise_b * (c.y - a.y) - rise_c * (b.y - a.y)) / area,
                         (rise_c * (b.x - a.x) - rise_b * (c.x - a.x)) / area};
-    if (std::hypot(gradient.x, gradient.y) <= slope) return size_a + beta * rise_b + gamma * rise_c;
+    if (norm(gradient) <= slope) return size_a + beta * rise_b + gamma * rise_c;
   }
   return std::min({along_segment(x, a, b, size_a, size_b, slope), along_segment(x, b, c, size_b, size_c, slope),
                    along_segment(x, c, a, size_c, size_a, slope)});
 }
 
-/// One source of any kind: a point uses a, size_a and radius; a box bounds and size_a; a segment all of a and b; a
-/// triangle its own member.
+/// One source of any kind: a point uses a, size_a and radius; a box bounds and size_a; a segment all of a and b; an
+/// arc a, b, size_a, centre and radius; a triangle its own member.
 struct Source {
   Kind kind = Kind::point;
   Bounds bounds;
   Vec2 a, b;
   double size_a = 0, size_b = 0, radius = 0;
   int region = -1;
+  Vec2 centre = {};
   SizeTriangle triangle = {};
 
   bool acts_in(int other) const { return region < 0 || other < 0 || region == other; }
 
   double at(Vec2 x, double slope) const {
     if (kind == Kind::point) return size_a + slope * std::max(0.0, distance(x, a) - radius);
-    if (kind == Kind::box) return size_a + slope * bounds.distance_to(x);
+    if (kind == Kind::box) return size_a + slope * std::sqrt(bounds.distance2_to(x));
+    if (kind == Kind::arc) return size_a + slope * distance_to_arc(x, a, b, centre, radius);
     if (kind == Kind::triangle) return in_triangle(x, triangle, slope);
     return along_segment(x, a, b, size_a, size_b, slope);
   }
@@ -108,27 +129,29 @@ struct SizeField::Sources {
 
   double at(Vec2 x, int region, double greatest, double slope) const {
     double best = greatest;
-    std::vector<int> open{0};
-    while (!open.empty()) {
-      const Node& node = nodes[open.back()];
-      open.pop_back();
-      if (lower_bound(node, x, slope) >= best) continue;
+    struct Open {
+      int node;
+      double distance2;
+    };
+    std::array<Open, max_depth> open{{{0, nodes[0].bounds.distance2_to(x)}}};
+    for (int num_open = 1; num_open > 0;) {
+      const auto [n, distance2] = open[--num_open];
+      const Node& node = nodes[n];
+      const double excess = best - node.bounds.least;
+      if (excess <= 0 || slope * slope * distance2 >= excess * excess) continue;
       for (int k = 0; k < node.count; ++k)
         if (items[node.first + k].acts_in(region)) best = std::min(best, items[node.first + k].at(x, slope));
       if (node.count > 0) continue;
-      std::array<int, 2> children{node.first, node.first + 1};
-      if (lower_bound(nodes[children[0]], x, slope) < lower_bound(nodes[children[1]], x, slope))
-        std::swap(children[0], children[1]);
-      open.insert(open.end(), children.begin(), children.end());
+      // The nearer child is next.
+      Open near{node.first, nodes[node.first].bounds.distance2_to(x)};
+      Open far{node.first + 1, nodes[node.first + 1].bounds.distance2_to(x)};
+      if (far.distance2 < near.distance2) std::swap(near, far);
+      open[num_open++] = far, open[num_open++] = near;
     }
     return best;
   }
 
  private:
-  static double lower_bound(const Node& node, Vec2 x, double slope) {
-    return node.bounds.least + slope * node.bounds.distance_to(x);
-  }
-
   void divide(int node, int begin, int end) {
     Bounds bounds;
     for (int i = begin; i < end; ++i) bounds.add(items[i].bounds);
@@ -170,12 +193,14 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
     const double least = *std::min_element(t.sizes.begin(), t.sizes.end());
     Bounds bounds = bounds_of(t.corners[0], t.corners[1], least);
     bounds.add(bounds_of(t.corners[2], t.corners[2], least));
-    add({Kind::triangle, bounds, {}, {}, 0, 0, 0, -1, t}, least, "a triangle");
+    add({Kind::triangle, bounds, {}, {}, 0, 0, 0, -1, {}, t}, least, "a triangle");
   }
   for (const SizeSegment& s : segments) {
     const double least = std::min(s.size_a, s.size_b);
-    add({Kind::segment, bounds_of(s.a, s.b, least), s.a, s.b, s.size_a, s.size_b, 0, s.region}, least,
-        "a piece of the boundary");
+    const bool is_arc = s.radius > 0;
+    add({is_arc ? Kind::arc : Kind::segment, is_arc ? bounds_of_arc(s, least) : bounds_of(s.a, s.b, least), s.a, s.b,
+         s.size_a, s.size_b, s.radius, s.region, s.centre},
+        least, "a piece of the boundary");
   }
   if (tree->items.empty()) return;
   tree->build();

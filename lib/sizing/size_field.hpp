@@ -14,11 +14,15 @@
 
 namespace quadrille::sizing {
 
-/// A source along a straight segment, its size linear from end to end: a piece of a boundary curve.
+/// A source along a straight segment, its size linear from end to end, or along a circular arc: a piece of a boundary
+/// curve.
 struct SizeSegment {
   Vec2 a, b;
   double size_a = 0, size_b = 0;
   int region = -1;  ///< acts in this region alone; -1: everywhere
+  /// > 0: an arc about `centre` of at most half a turn, counter-clockwise from a to b, of the size `size_a` = `size_b`.
+  double radius = 0;
+  Vec2 centre = {};
 };
 
 class SizeField {

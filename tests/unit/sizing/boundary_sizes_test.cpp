@@ -15,12 +15,28 @@ namespace {
 
 const double slope = std::log(1.2);
 
-TEST(BoundarySizes, SegmentsStayNearACircle) {
-  const Nurbs circle = curve::circular_arc({1, 2}, 3, 0.1, 0.1 + 2 * pi);
-  const SizeField sizes(10, {}, segments_near(circle, 0.01, slope), 1.2);
-  for (const double angle : {0.0, 0.7, 2.9, 4.4})
-    for (const double away : {-2.0, -0.1, 0.0, 0.3, 5.0})
-      EXPECT_NEAR(sizes.at(Vec2{1, 2} + (3 + away) * unit(angle)), 0.01 + slope * std::abs(away), 1e-7);
+TEST(BoundarySizes, SizesGrowFromTheExactCircle) {
+  for (const double sense : {1.0, -1.0}) {
+    const Nurbs circle = curve::circular_arc({1, 2}, 3, 0.1, 0.1 + sense * 2 * pi);
+    const SizeField sizes(10, {}, segments_near(circle, 0.01, slope), 1.2);
+    for (const double angle : {0.0, 0.7, 2.9, 4.4})
+      for (const double away : {-2.0, -0.1, 0.0, 0.3, 5.0})
+        EXPECT_NEAR(sizes.at(Vec2{1, 2} + (3 + away) * unit(angle)), 0.01 + slope * std::abs(away), 1e-14);
+  }
+}
+
+TEST(BoundarySizes, BesideAnArcItsEndsCount) {
+  const Vec2 centre{1, 2}, end{1, 5};
+  const SizeField sizes(10, {}, segments_near(curve::circular_arc(centre, 3, 0, half_pi), 0.01, slope), 1.2);
+  for (const Vec2 x : {Vec2{0, 4}, Vec2{-2, 3}, Vec2{0.5, 6}})
+    EXPECT_NEAR(sizes.at(x), 0.01 + slope * distance(x, end), 1e-14);
+}
+
+TEST(BoundarySizes, SegmentsStayNearASpline) {
+  const Nurbs parabola{2, {-1, -1, -1, 1, 1, 1}, {{-1, 1}, {0, -1}, {1, 1}}, {1, 1, 1}};
+  const SizeField sizes(10, {}, segments_near(parabola, 0.01, slope), 1.2);
+  for (const double x : {-0.9, -0.31, 0.0, 0.77}) EXPECT_NEAR(sizes.at({x, x * x}), 0.01, 1e-7) << x;
+  EXPECT_NEAR(sizes.at({0, -2}), 0.01 + slope * 2, 1e-7);
 }
 
 TEST(BoundarySizes, StraightCurvesAreTheirPolesAndHaveNoCurvature) {
