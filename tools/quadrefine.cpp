@@ -21,6 +21,7 @@
 #include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
+#include "sizing/automatic_sizes.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/make_size_field.hpp"
 #include "triangulate/size_triangles.hpp"
@@ -52,8 +53,8 @@ void declare(cli::Options& o, SizeArguments& sizes) {
   o.text(
       "--per-curve", sizes.per_curve, "auto|N",
       "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "
-      "grow from there to --size; 0: no limit; auto: 4 in a face with a far field (curves called farfield), if no "
-      "size is prescribed, else 0");
+      "grow from there to --size; 0: no limit; auto: 0 if a size is prescribed, else 4, as far as that makes at most "
+      "twice as many elements (with a far field, curves called farfield, however many)");
   o.texts("--size-near", sizes.near, "NAME=H[:H2]",
           "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
           "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
@@ -120,6 +121,7 @@ void set_first_heights(const WallArguments& walls, const CadFace& face, refine::
 /// The texts of the command line and the file of prescribed sizes, before the blocks are read.
 void parse(SizeArguments& sizes, refine::RefineOptions& options) {
   sizes.options.per_curve = sizing::parse_per_curve(sizes.per_curve);
+  options.size_rule = sizes.rule;
   for (const std::string& text : sizes.near) sizes.options.near.push_back(sizing::parse_near_size(text));
   for (const std::string& text : sizes.counts) prescribe::parse_count(text, options.counts, options.boundary_counts);
   for (const std::string& text : sizes.gradings) options.end_gradings.push_back(prescribe::parse_end_grading(text));
@@ -130,12 +132,16 @@ void parse(SizeArguments& sizes, refine::RefineOptions& options) {
   io::read_size_field(*sizes.file, {});
 }
 
-void set_sizes(const SizeArguments& sizes, const CadFace& face, refine::RefineOptions& options) {
+/// With the sources of the file.
+sizing::SizeOptions prescribed_sizes(const SizeArguments& sizes, const CadFace& face) {
   sizing::SizeOptions prescribed = sizes.options;
   if (sizes.file) prescribed.sources = io::read_size_field(*sizes.file, face.origin);
   if (prescribed.sources.is_table) triangulate::add_size_triangles(prescribed.sources);
+  return prescribed;
+}
+
+void set_sizes(const sizing::SizeOptions& prescribed, const CadFace& face, refine::RefineOptions& options) {
   options.size_field = sizing::make_size_field(face, prescribed);
-  options.size_rule = sizes.rule;
   options.end_growth = sizing::growth(prescribed);
 }
 
@@ -168,7 +174,7 @@ std::string clearances_of(const std::vector<layers::WallSpec>& walls) {
 
 /// Whether the boundaries that the options name exist, and sizes are no mistake, before there are blocks.
 void check_shape(const SizeArguments& sizes, refine::RefineOptions& options, bool all_blocks, const CadFace& face) {
-  set_sizes(sizes, face, options);
+  set_sizes(prescribed_sizes(sizes, face), face, options);
   layers::curve_walls(options.walls, face);
   layers::require_offsets(options.walls, face);
   for (const auto& count : options.boundary_counts) curve::named_curves(face, count.boundary, "--count");
@@ -264,7 +270,11 @@ int main(int argc, char** argv) {
     check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
     std::vector<InputDigest> inputs{file.digest("block-layout")};
     if (sizes.file) inputs.push_back(sizes.file->digest("size-field"));
-    set_sizes(sizes, layout.face, options);
+    const sizing::SizeOptions chosen = sizing::with_curve_sizes(
+        sizing::MeasuredLayout(layout), prescribed_sizes(sizes, layout.face), options.size_rule);
+    set_sizes(chosen, layout.face, options);
+    s.report().set("sizes.per_curve", chosen.per_curve);
+    s.report().set("sizes.least_along_curves", chosen.least_along_curves);
     set_first_heights(walls, layout.face, options);
     if (walls.flow.velocity > 0) prescribe::report_flow(walls.flow, s.report());
     if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);

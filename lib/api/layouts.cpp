@@ -12,6 +12,7 @@
 #include "layout/quantized_layout.hpp"
 #include "layout/trace_separatrices.hpp"
 #include "refine/refine.hpp"
+#include "sizing/automatic_sizes.hpp"
 #include "sizing/make_size_field.hpp"
 
 namespace quadrille::api {
@@ -93,6 +94,7 @@ QuadMesh make_quads(const BlockLayout& layout, const QuadSettings& settings, std
   options.order = settings.order;
   sizing::SizeOptions sizes;
   sizes.size = settings.size;
+  sizes = sizing::with_curve_sizes(sizing::MeasuredLayout(layout), sizes, options.size_rule);
   options.size_field = sizing::make_size_field(layout.face, sizes);
   QuadMesh mesh = refine::refine(layout, options, report);
   mesh.provenance = layout.provenance;

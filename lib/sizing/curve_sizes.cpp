@@ -9,7 +9,6 @@ namespace quadrille::sizing {
 namespace {
 
 constexpr int closed_factor = 3;
-constexpr double least_size = 1e-3;  ///< diameters
 
 struct Run {
   std::vector<int> curves;
@@ -41,12 +40,13 @@ std::vector<Run> runs_of_loop(const CadFace& face, int loop) {
 
 }  // namespace
 
-std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, double greatest, double slope) {
+std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, double least, double greatest,
+                                            double slope) {
   std::vector<SizeSegment> segments;
   for (int loop = 0; loop < face.num_loops(); ++loop)
     for (const Run& run : runs_of_loop(face, loop)) {
-      const double size =
-          std::max(run.length / (run.is_closed ? closed_factor * per_curve : per_curve), least_size * face.diameter);
+      const int number = run.is_closed ? closed_factor * per_curve : per_curve;
+      const double size = std::max({run.length / number, least, least_curve_size * face.diameter});
       if (size >= greatest) continue;
       for (const int curve : run.curves) {
         const std::vector<SizeSegment> own = segments_near(face.curves[curve], size, slope);

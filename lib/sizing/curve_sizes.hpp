@@ -13,7 +13,12 @@
 
 namespace quadrille::sizing {
 
-/// The sources of sizes below `greatest`. `per_curve`: n > 0; `slope` > 0: growth of sizes per distance.
-std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, double greatest, double slope);
+/// The least size along a curve, in diameters.
+inline constexpr double least_curve_size = 1e-3;
+
+/// The sources of sizes below `greatest`, none below `least`. `per_curve`: n > 0; `slope` > 0: growth of sizes per
+/// distance.
+std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, double least, double greatest,
+                                            double slope);
 
 }  // namespace quadrille::sizing

@@ -47,6 +47,11 @@ std::string raised_size(double num, const ElementLimit& limit) {
 
 }  // namespace
 
+double num_planned(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans) {
+  return num_elements(measured.blocks(),
+                      [&](int arc) { return static_cast<double>(plans[measured.chord_of(arc)].count); });
+}
+
 void require_area_within(double area, double size, const ElementLimit& limit) {
   const double num = area / (size * size);
   if (num > area_doubt * limit.max_elements) require_within(num, "some ", limit, "sizes", raised_size(num, limit));
@@ -59,7 +64,7 @@ void require_nested_within(int num_elems, int levels, const ElementLimit& limit)
 void require_planned_within(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans,
                             const ElementLimit& limit, Report& report) {
   const auto plan = [&](int arc) -> const ChordPlan& { return plans[measured.chord_of(arc)]; };
-  const double num = num_elements(measured.blocks(), [&](int arc) { return static_cast<double>(plan(arc).count); });
+  const double num = num_planned(measured, plans);
   report.set("estimated_quads", static_cast<long long>(std::min(num, most_reported)));
   const double num_by_sizes = num_elements(
       measured.blocks(), [&](int arc) { return plan(arc).is_prescribed ? 1.0 : static_cast<double>(plan(arc).count); });

@@ -22,6 +22,9 @@ struct TooManyElements : ComputeError {
   using ComputeError::ComputeError;
 };
 
+/// The number of elements of a mesh with the planned counts.
+double num_planned(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans);
+
 /// For a face of that area, before there are blocks: only the order of magnitude, so that no more than four times the
 /// limit is refused. `size` is the greatest prescribed edge length; nothing else may determine the counts.
 void require_area_within(double area, double size, const ElementLimit& limit);

@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "curve/named_curves.hpp"
-#include "model/far_field.hpp"
 #include "sizing/boundary_sizes.hpp"
 #include "sizing/curve_sizes.hpp"
 
@@ -40,12 +39,6 @@ double greatest_size(const CadFace& face, const SizeSources& sources) {
   if (sources.is_table)
     for (const SizePoint& point : sources.points) greatest = std::max(greatest, point.size);
   return greatest;
-}
-
-/// The least number of elements along each boundary curve.
-int per_curve(const CadFace& face, const SizeOptions& options) {
-  if (options.per_curve != SizeOptions::automatic) return options.per_curve;
-  return options.size > 0 || options.sources.is_table || !has_far_field(face) ? 0 : SizeField::default_per_curve;
 }
 
 }  // namespace
@@ -81,7 +74,8 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
       add(own);
     }
   }
-  if (const int least = per_curve(face, options); least > 0) add(segments_by_curves(face, least, greatest, slope));
+  if (options.per_curve > 0)
+    add(segments_by_curves(face, options.per_curve, options.least_along_curves, greatest, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));

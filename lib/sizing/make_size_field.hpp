@@ -20,11 +20,11 @@ struct NearSize {
 
 struct SizeOptions {
   double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
-  /// The least number of elements along each boundary curve (sizing/curve_sizes); 0: none; automatic: in a far field
-  /// (model/far_field), if no size is prescribed, SizeField::default_per_curve, so that elements grow away from the
-  /// body.
+  /// The least number of elements along each boundary curve (sizing/curve_sizes); 0: none; automatic: 0, unless
+  /// sizing/automatic_sizes has determined it.
   int per_curve = automatic;
   static constexpr int automatic = -1;
+  double least_along_curves = 0;  ///< no element along a curve must be shorter for `per_curve`
   std::vector<NearSize> near;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth

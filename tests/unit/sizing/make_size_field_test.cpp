@@ -38,23 +38,13 @@ TEST(MakeSizeField, ShortCurvesAreFinerWhereThatIsPrescribed) {
   EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 4, 1e-7);
   options.per_curve = 8;
   EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 8, 1e-7);
+  options.least_along_curves = 0.01;
+  EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01, 1e-7);
+  options.least_along_curves = 0;
   options.size = 0.2;
   EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 8, 1e-7) << "as prescribed";
   options.per_curve = -2;
   EXPECT_THROW(options.validate(), UsageError);
-}
-
-TEST(MakeSizeField, InAFarFieldElementsAreFinerAtShortCurvesUnlessASizeIsPrescribed) {
-  CadFace face = hand_made::quarter_annulus(0.02, 2).face;
-  std::fill(face.curve_names.begin(), face.curve_names.end(), "farfield");
-  face.unnamed_curves.clear();
-  SizeOptions options;
-  EXPECT_NEAR(make_size_field(face, options).at(0.02 * unit(0.5)), 0.01 * pi / 4, 1e-7);
-  options.per_curve = 0;
-  EXPECT_TRUE(make_size_field(face, options).is_uniform());
-  options.per_curve = SizeOptions::automatic;
-  options.size = 0.2;
-  EXPECT_TRUE(make_size_field(face, options).is_uniform());
 }
 
 TEST(MakeSizeField, ANumberOfElementsPerCurveIsRead) {

@@ -1,0 +1,71 @@
+#include "sizing/automatic_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "model/far_field.hpp"
+#include "sizing/curve_sizes.hpp"
+#include "sizing/element_limit.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+/// Times as many elements as without sizes along curves.
+constexpr double most_refined = 2;
+/// From one trial of s to the next finer one, and the halvings of that factor's logarithm.
+constexpr double coarsening = 4;
+constexpr int num_bisections = 3;
+
+/// Infinite if there are none.
+double least_size(const std::vector<SizeSegment>& segments) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SizeSegment& segment : segments) least = std::min({least, segment.size_a, segment.size_b});
+  return least;
+}
+
+}  // namespace
+
+SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& options, SizeRule rule) {
+  if (options.per_curve != SizeOptions::automatic) return options;
+  SizeOptions none = options;
+  none.per_curve = 0;
+  if (options.size > 0 || options.sources.is_table) return none;
+  const CadFace& face = measured.blocks().face;
+  const auto with_least = [&](double least) {
+    SizeOptions finer = options;
+    finer.per_curve = SizeField::default_per_curve;
+    finer.least_along_curves = least;
+    return finer;
+  };
+  if (has_far_field(face)) return with_least(0);
+
+  const auto num_elements = [&](const SizeOptions& sizes) {
+    return num_planned(measured, grade_chords(measured, make_size_field(face, sizes), rule, {}));
+  };
+  const double greatest = make_size_field(face, none).greatest();
+  const double shortest = least_size(segments_by_curves(face, SizeField::default_per_curve, 0, greatest, 1));
+  if (shortest >= greatest) return none;
+  const double most = most_refined * num_elements(none);
+  const auto are_few = [&](const SizeOptions& sizes) { return num_elements(sizes) <= most; };
+  // Coarse sizes, whose chords need few samples, come first.
+  const double least = std::max(shortest, least_curve_size * face.diameter);
+  SizeOptions best = none;
+  double fine = greatest, coarse = greatest;
+  while (fine > least) {
+    fine = std::max(least, fine / coarsening);
+    if (!are_few(with_least(fine))) break;
+    best = with_least(fine), coarse = fine;
+  }
+  for (int k = 0; k < num_bisections && fine < coarse; ++k) {
+    const double middle = std::sqrt(fine * coarse);
+    if (are_few(with_least(middle)))
+      best = with_least(middle), coarse = middle;
+    else
+      fine = middle;
+  }
+  return best;
+}
+
+}  // namespace quadrille::sizing

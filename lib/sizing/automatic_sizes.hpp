@@ -1,0 +1,20 @@
+#pragma once
+// Sizes along boundary curves where none are prescribed: elements follow the features of a face.
+//
+// Elements along a curve are max(L / n, s) long, L the length of the curve (sizing/curve_sizes), n =
+// SizeField::default_per_curve. A chord has one count in all of its blocks, so that one short curve can make the mesh
+// of the whole face many times as large. s is therefore the least for which the counts of chords make at most twice as
+// many elements as without this rule. In a far field (model/far_field) s = 0: the size away from the curves is that of
+// the far field, and no measure of the body.
+
+#include "sizing/grade_chords.hpp"
+#include "sizing/make_size_field.hpp"
+#include "sizing/measured_layout.hpp"
+
+namespace quadrille::sizing {
+
+/// The options with numbers in place of an automatic `per_curve`: n and s by this rule, s to 19 %, or 0 if none is
+/// small enough, if a size or a table is prescribed, or if no curve is short. Throws UsageError.
+SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& options, SizeRule rule);
+
+}  // namespace quadrille::sizing
