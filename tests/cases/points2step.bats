@@ -146,6 +146,8 @@ names() { jq -c .names fit.json; }
   assert_equal "$(jq '.face.diameter * 1e6 | round' circle.json)" 10000000
   "$points2step" a.dat --farfield box:2 --face-name air -o air.step
   grep -q "ADVANCED_FACE('air'" air.step
+  circle 12 | "$points2step" - --farfield box:2 | grep -q "EDGE_CURVE('body'"
+  circle 12 | "$points2step" - --farfield box:2 --name tube | grep -q "EDGE_CURVE('tube'"
 }
 
 @test "--chord scales, --unit says what 1 is, -v tells what was found" {

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from command_frame import mistake
 from outline import corners, edges, loops, point_files, polygons, wake
 
+BODY = "body"  # loops without a name in a far field
 SAME = 1e-9  # points nearer to each other than this are one; in units of the largest distance of two points
 
 
@@ -106,9 +107,11 @@ def wake_edges(settings, extent, factor):
 def build_outline(file, settings):
     """The edges of the face that the points of the file describe."""
     kind, found, title, nose = read_loops(file, settings.format)
-    if kind == "points" and settings.name is not None:
-        name_loops(found, settings.name)
     is_points = kind == "points"
+    if is_points and settings.name is not None:
+        name_loops(found, settings.name)
+    elif is_points and settings.far_field is not None:
+        name_loops(found, ",".join([BODY] * len(found)))
     extent = extent_of_points(found) if is_points else extent_of_aerofoil(file, found[0], nose, settings.name)
     factor = 1.0 if settings.chord is None else settings.chord / extent.chord
     angle = settings.corner_angle if settings.corner_angle is not None else 30.0 if is_points else 180.0
