@@ -84,8 +84,8 @@ void declare(cli::Options& o, NodeArguments& arguments) {
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
   o.texts(
       "--clearance", arguments.clearances, "NAME=L",
-      "nodes nearer to the boundary NAME than L (file units) move to a distance of at least L, so that layers along "
-      "it fit below them");
+      "nodes nearer to the boundary NAME than L (file units) move the shortest way to the distance L, so that layers "
+      "along it fit below them; where there is no room, as far as there is");
 }
 
 // What the face alone decides.
@@ -138,7 +138,7 @@ CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, cl
         if (part.elem_error.empty()) part.elem_error = field::error_estimate(part);
         choice::NodeOptions part_options = options;
         part_options.overrides = overrides_in(options.overrides, regions::curves_of(face, region));
-        part_options.placement.walls = walls_in(options.placement.walls, regions::curves_of(face, region));
+        part_options.walls = walls_in(options.walls, regions::curves_of(face, region));
         return choice::choose_nodes(part, part_options, threads, report, begin_phase);
       });
   return regions::join(field.mesh, std::move(parts));
@@ -189,7 +189,7 @@ int main(int argc, char** argv) {
     if (field.kind != FieldKind::harmonic)
       throw FormatError(file.name +
                         ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
-    options.placement.walls = placement::wall_clearances(field.mesh.face, clearances);
+    options.walls = placement::wall_clearances(field.mesh.face, clearances);
     CriticalPoints points = chosen(field, options, s);
     s.begin_phase("write");
     s.report().set("critical_points", points.critical_points.size());

@@ -16,6 +16,7 @@
 #include "guide/line_field.hpp"
 #include "guide/override_corners.hpp"
 #include "guide/resolve_clusters.hpp"
+#include "placement/keep_clearance.hpp"
 
 namespace quadrille::choice {
 namespace {
@@ -79,9 +80,6 @@ void place(const Field& field, const NodeOptions& options, bool moves_all, Share
   if (moves_all)
     for (std::size_t i = 0; i < is_free.size(); ++i)
       is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
-  const std::vector<bool> is_near = placement::nodes_near_walls(field.mesh.face, options.placement.walls, points);
-  for (std::size_t i = 0; i < is_free.size(); ++i)
-    if (is_near[i] && points.critical_points[i].source != NodeSource::divide) is_free[i] = true;
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
   const auto energy = galerkin::phase_energy_function(solver.get(), {points.hole_winding_offsets});
   const auto of_points = [&](const CriticalPoints& at) {
@@ -89,6 +87,13 @@ void place(const Field& field, const NodeOptions& options, bool moves_all, Share
     return placement::NodeEnergy{e.value, std::move(e.gradient)};
   };
   placement::place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);
+}
+
+/// Moves nodes away from walls with layers, but those of divided corners, which belong near them.
+void keep_clearance(const Field& field, const NodeOptions& options, CriticalPoints& points, Report& report) {
+  std::vector<bool> may_move;
+  for (const CriticalPoint& node : points.critical_points) may_move.push_back(node.source != NodeSource::divide);
+  placement::keep_clearance(field.mesh.face, options.walls, may_move, points, report);
 }
 
 }  // namespace
@@ -109,12 +114,12 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   guide::report_sharp_corners(face, points, report);
   const bool is_chosen = topology::apply_topology(face, {options.nodes, options.topology, options.max_valence}, points);
   const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
-  features::resolve_features(face, feature_size, curves_with_clearance(face, options.placement.walls), points,
-                             report.progress());
+  features::resolve_features(face, feature_size, curves_with_clearance(face, options.walls), points, report.progress());
   report.set("feature_size", feature_size);
   guide::require_index_sum(points);
   begin_part("place");
   place(field, options, is_chosen || options.place == placement::PlaceRule::energy, solver, points, report);
+  keep_clearance(field, options, points, report);
   guide::complete_nodes(evaluator, points);
   points.face = face;
   return points;

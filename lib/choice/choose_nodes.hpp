@@ -10,6 +10,7 @@
 //   apply_topology              the grid and the number of nodes that a user chooses
 //   resolve_features            nodes of small fillets and holes
 //   place_nodes                 positions of least energy
+//   keep_clearance              nodes too near to walls with layers
 //   complete_nodes              elements, order
 // Each change is recorded. A step whose result has a node that is no zero of the field sets the form `phase`.
 
@@ -24,6 +25,7 @@
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
 #include "placement/place_nodes.hpp"
+#include "placement/wall_clearance.hpp"
 #include "ties/choose_at_ties.hpp"
 #include "topology/apply_topology.hpp"
 
@@ -41,6 +43,7 @@ struct NodeOptions {
   topology::GridKind topology = topology::GridKind::by_outline;
   placement::PlaceRule place = placement::PlaceRule::keep;
   placement::PlacementOptions placement;
+  std::vector<placement::WallClearance> walls;  ///< from which nodes keep a distance
 };
 
 /// Called with the name of each part of the work as it begins: search, resolve, place.

@@ -91,9 +91,7 @@ std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoi
        has_winding_offsets(points) ? std::vector{curve::Isometry{}} : curve::symmetries(face)) {
     const std::vector<int> image = images(nodes, isometry, tol, is_same);
     if (image.size() != nodes.size() || !keeps_boundary(points, isometry, tol)) continue;
-    NodeSymmetry symmetry{linear_part(isometry), {}, image};
-    for (const FreeNode& node : nodes) symmetry.moved.push_back(isometry(node.position));
-    group.push_back(symmetry);
+    group.push_back({isometry, linear_part(isometry), image});
   }
   if (!is_closed(group)) group.resize(1);
   return group;
@@ -102,7 +100,7 @@ std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoi
 void symmetrise(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free, CriticalPoints& points) {
   std::vector<Vec2> sum(is_free.size());
   for (const NodeSymmetry& g : group)
-    for (std::size_t k = 0; k < g.image.size(); ++k) sum[g.image[k]] += g.moved[k];
+    for (std::size_t k = 0; k < g.image.size(); ++k) sum[g.image[k]] += g.isometry(points.critical_points[k].position);
   for (std::size_t k = 0; k < is_free.size(); ++k)
     if (is_free[k]) points.critical_points[k].position = sum[k] / static_cast<double>(group.size());
 }

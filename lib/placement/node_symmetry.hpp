@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "curve/symmetry.hpp"
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 
@@ -11,8 +12,8 @@ namespace quadrille::placement {
 
 /// An isometry that maps node k onto node image[k].
 struct NodeSymmetry {
-  Mat2 linear;              ///< its rotation or reflection
-  std::vector<Vec2> moved;  ///< the image of node k, to round-off
+  curve::Isometry isometry;
+  Mat2 linear;  ///< its rotation or reflection
   std::vector<int> image;
 };
 

@@ -11,6 +11,7 @@
 #include "base/warning_codes.hpp"
 #include "placement/minimise.hpp"
 #include "placement/node_symmetry.hpp"
+#include "placement/record_moves.hpp"
 #include "placement/reduced_coordinates.hpp"
 
 namespace quadrille::placement {
@@ -19,15 +20,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double moved_tol = 1e-9;             // relative to the diameter: nodes that move less count as not moved
 constexpr double visible_step = 1e-8;          // relative to the diameter: no warning if the last step was shorter
-constexpr double clearance_tol = 1e-6;         // relative: nodes that miss a clearance by less keep it
 constexpr int iterations_between_scales = 30;  // then the length scales of the nodes are recomputed
-
-/// The strength of the terms of walls is that of a pair of nodes at first, and four times as great in each next round.
-constexpr double first_wall_strength = 2 * pi;
-constexpr double stronger = 4;
-constexpr int max_strengthenings = 8;
 
 struct Problem {
   const CadFace& face;
@@ -48,7 +42,7 @@ Problem problem_of(const CadFace& face, const EnergyFunction& energy, const Smoo
                    const std::vector<bool>& is_free, const PlacementOptions& options, const CriticalPoints& points) {
   const std::vector<int> free = indices_of(is_free);
   Problem problem{face,
-                  {energy, boundary, options.weight, free, {}, &face, options.walls, first_wall_strength},
+                  {energy, boundary, options.weight, free, {}},
                   node_symmetries(face, points, is_free),
                   {free, {}, {}},
                   points};
@@ -71,13 +65,6 @@ std::optional<Minimand::Sample> sample(const Problem& problem, const VectorXd& y
   const VectorXd gradient = problem.coordinates.gradient(sum.gradient);
   if (!std::isfinite(sum.value) || !gradient.allFinite()) return std::nullopt;
   return Minimand::Sample{sum.value, gradient};
-}
-
-/// Whether a placed node is nearer to a wall than its clearance.
-bool has_crowded_node(const Problem& problem) {
-  const std::vector<bool> is_near = nodes_near_walls(problem.face, problem.objective.walls, problem.points);
-  return std::any_of(problem.coordinates.free.begin(), problem.coordinates.free.end(),
-                     [&](int k) { return is_near[k]; });
 }
 
 Minimand minimand_of(const Problem& problem, const Progress::Part& evaluations) {
@@ -119,19 +106,6 @@ Minimum find_minimum(Problem& problem, const PlacementOptions& options, Progress
   return result;
 }
 
-/// As find_minimum, with walls so strong that all nodes keep their clearance, if they can.
-Minimum find_minimum_clear_of_walls(Problem& problem, const PlacementOptions& options, Progress* progress) {
-  Minimum result = find_minimum(problem, options, progress);
-  for (int i = 0; i < max_strengthenings && has_crowded_node(problem); ++i) {
-    problem.objective.wall_strength *= stronger;
-    const Minimum next = find_minimum(problem, options, progress);
-    const int iterations = result.iterations + next.iterations, evaluations = result.evaluations + next.evaluations;
-    result = next;
-    result.iterations = iterations, result.evaluations = evaluations;
-  }
-  return result;
-}
-
 std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
 
 void report_minimum(const Minimum& minimum, Report& report) {
@@ -165,37 +139,6 @@ void warn_of_close_pairs(const Problem& problem, Report& report) {
   }
 }
 
-void warn_of_crowded_nodes(const Problem& problem, Report& report) {
-  for (const int k : problem.coordinates.free)
-    for (const WallClearance& wall : problem.objective.walls) {
-      const CriticalPoint& node = problem.points.critical_points[k];
-      Vec2 away;
-      const double r = distance_to_wall(problem.face, wall, node.position, away);
-      if (r >= wall.clearance * (1 - clearance_tol)) continue;
-      report.warn(warning::clearance_missed,
-                  fmt::format("the node of valence {} at {} is {:.3g} from a wall, less than its --clearance {:g}, and "
-                              "has no more room: use a smaller clearance and thinner layers",
-                              node.valence, position_text(problem.face, node.position), r, wall.clearance));
-    }
-}
-
-void move_node(const CadFace& face, const PlacementOptions& options, Vec2 to, CriticalPoints& points, std::size_t k) {
-  CriticalPoint& node = points.critical_points[k];
-  const double way = distance(node.position, to);
-  NodeChange change;
-  change.kind = ChangeKind::place;
-  change.reason = fmt::format("moved by {:.3g} to the least energy (weight of the boundary term {:g}{})", way,
-                              options.weight, options.walls.empty() ? "" : ", with clearance for layers");
-  change.before = {{node.position, node.valence, NodeLocation::inside}};
-  change.after = {{to, node.valence, NodeLocation::inside}};
-  node.position = to;
-  if (way <= moved_tol * face.diameter) return;
-  node.jacobian = {};
-  node.error = 0;
-  node.source = NodeSource::place;
-  points.changes.push_back(change);
-}
-
 }  // namespace
 
 void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,
@@ -204,22 +147,18 @@ void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::v
   const SmoothBoundaryDistance boundary(face);
   Problem problem = problem_of(face, energy, boundary, is_free, options, points);
   report.set("placement.energy_before", problem.objective.at(problem.points).value);
-  const Minimum minimum = find_minimum_clear_of_walls(problem, options, report.progress());
+  const Minimum minimum = find_minimum(problem, options, report.progress());
   report_minimum(minimum, report);
   report.set("placement.symmetries", problem.group.size());
   warn_if_not_converged(minimum, report);
   warn_of_close_pairs(problem, report);
-  warn_of_crowded_nodes(problem, report);
-
-  const CriticalPoints before = points;
-  for (std::size_t k = 0; k < is_free.size(); ++k)
-    if (is_free[k]) move_node(face, options, problem.points.critical_points[k].position, points, k);
-  if (points.changes.size() == before.changes.size()) {
-    points = before;
-    return;
-  }
-  if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = before.critical_points;
-  points.form = NodeForm::phase;
+  record_moves(
+      face, problem.points,
+      [&](double way) {
+        return fmt::format("moved by {:.3g} to the least energy (weight of the boundary term {:g})", way,
+                           options.weight);
+      },
+      points);
 }
 
 }  // namespace quadrille::placement

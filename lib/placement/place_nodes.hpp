@@ -15,8 +15,7 @@
 // blocks: therefore the zeros are moved only with --place energy.
 //
 // Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
-// pairs are kept apart (placement/repulsion_terms) and reported. So are nodes that lie nearer to a wall than the
-// clearance prescribed for its layers (placement/wall_clearance).
+// pairs are kept apart (placement/repulsion_terms) and reported.
 
 #include <vector>
 
@@ -35,21 +34,17 @@ constexpr auto enum_names(PlaceRule) {
 }
 
 struct PlacementOptions {
-  double weight = 2;                      ///< w >= 0; 0: the pure energy
-  double tolerance = 1e-10;               ///< of the nodes' positions, relative to the diameter
-  int max_iterations = 200;               ///< each takes a few evaluations of the energy at most
-  double pair_reach = 0.02;               ///< greatest reach of a repulsion term, relative to the diameter
-  std::vector<WallClearance> walls = {};  ///< from which the nodes that are placed keep a distance
+  double weight = 2;         ///< w >= 0; 0: the pure energy
+  double tolerance = 1e-10;  ///< of the nodes' positions, relative to the diameter
+  int max_iterations = 200;  ///< each takes a few evaluations of the energy at most
+  double pair_reach = 0.02;  ///< greatest reach of a repulsion term, relative to the diameter
 };
 
 /// Moves the nodes with is_free[k] to a minimum of F near their positions; the others stay. Nodes that are invariant
-/// under symmetries of the face remain so (and are a minimum among such sets). Adds a change of the kind `place` for
-/// each node that moved by more than 1e-9 diameters; such nodes get the source `place`, no Jacobian and no error bar,
-/// and keep `elem` and `xi` of their old position, because only the caller has the mesh. The form is then `phase`; if
-/// the form was `harmonic` and `zeros` empty, `zeros` receives the old nodes. Report: placement.{energy_before,
-/// energy_after, iterations, evaluations, last_step, symmetries, least_curvature}. Warnings: W-PLACE-001 not converged,
-/// W-PLACE-002 a pair that would meet, W-PLACE-003 a node nearer to a wall than its clearance. Throws the errors of the
-/// energy at the start.
+/// under symmetries of the face remain so (and are a minimum among such sets). Records the moves
+/// (placement/record_moves). Report: placement.{energy_before, energy_after, iterations, evaluations, last_step,
+/// symmetries, least_curvature}. Warnings: W-PLACE-001 not converged, W-PLACE-002 a pair that would meet. Throws the
+/// errors of the energy at the start.
 void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,
                  const PlacementOptions& options, CriticalPoints& points, Report& report);
 

@@ -11,9 +11,6 @@ NodeEnergy PlacementObjective::at(const CriticalPoints& points) const {
     Vec2 slope;
     sum.value -= factor * boundary.log_smooth(points.critical_points[k].position, slope);
     sum.gradient[k] -= factor * slope;
-    for (const WallClearance& wall : walls)
-      sum.value +=
-          clearance_energy(*face, wall, wall_strength * d * d, points.critical_points[k].position, sum.gradient[k]);
   }
   for (const RepulsionTerm& term : repulsion) sum.value += repulsion_energy(term, points, sum.gradient);
   return sum;

@@ -9,7 +9,6 @@
 #include "model/critical_points.hpp"
 #include "placement/repulsion_terms.hpp"
 #include "placement/smooth_boundary_distance.hpp"
-#include "placement/wall_clearance.hpp"
 
 namespace quadrille::placement {
 
@@ -27,9 +26,6 @@ struct PlacementObjective {
   double weight = 0;      ///< of the boundary term
   std::vector<int> free;  ///< nodes that have a boundary term
   std::vector<RepulsionTerm> repulsion;
-  const CadFace* face = nullptr;          ///< of the walls
-  std::vector<WallClearance> walls = {};  ///< from which free nodes keep a distance
-  double wall_strength = 0;               ///< of their terms, over d^2
 
   /// The value and its gradient for each node. Throws the errors of the energy.
   NodeEnergy at(const CriticalPoints& points) const;

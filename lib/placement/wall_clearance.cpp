@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "curve/named_curves.hpp"
-#include "curve/project.hpp"
 
 namespace quadrille::placement {
-namespace {
-
-constexpr double equal_tol = 1e-6;
-constexpr double reach_factor = 1.5;  ///< reach of the term over the clearance
-
-}  // namespace
-
 NamedClearance parse_clearance(const std::string& text) {
   const std::size_t equals = text.rfind('=');
   NamedClearance result;
@@ -39,36 +32,11 @@ std::vector<WallClearance> wall_clearances(const CadFace& face, const std::vecto
   return walls;
 }
 
-double distance_to_wall(const CadFace& face, const WallClearance& wall, Vec2 x, Vec2& gradient) {
-  curve::Projection nearest;
-  nearest.distance = HUGE_VAL;
-  for (const int c : wall.curves)
-    if (const curve::Projection foot = curve::project(face.curves[c], x); foot.distance < nearest.distance)
-      nearest = foot;
-  gradient = (x - nearest.position) / nearest.distance;
-  return nearest.distance;
-}
-
-std::vector<bool> nodes_near_walls(const CadFace& face, const std::vector<WallClearance>& walls,
-                                   const CriticalPoints& points) {
-  std::vector<bool> is_near;
-  for (const CriticalPoint& node : points.critical_points) {
-    is_near.push_back(false);
-    Vec2 gradient;
-    for (const WallClearance& wall : walls)
-      if (distance_to_wall(face, wall, node.position, gradient) < wall.clearance * (1 - equal_tol))
-        is_near.back() = true;
-  }
-  return is_near;
-}
-
-double clearance_energy(const CadFace& face, const WallClearance& wall, double strength, Vec2 x, Vec2& gradient) {
-  Vec2 away;
-  const double r = distance_to_wall(face, wall, x, away), reach = reach_factor * wall.clearance;
-  if (r >= reach) return 0;
-  const double excess = reach / r - 1;
-  gradient += -3 * strength * excess * excess * reach / (r * r) * away;
-  return strength * excess * excess * excess;
+std::vector<double> clearance_of_curves(const CadFace& face, const std::vector<WallClearance>& walls) {
+  std::vector<double> clearance(face.curves.size(), 0.0);
+  for (const WallClearance& wall : walls)
+    for (const int curve : wall.curves) clearance[curve] = std::max(clearance[curve], wall.clearance);
+  return clearance;
 }
 
 }  // namespace quadrille::placement

@@ -61,7 +61,7 @@ compare='
   run -0 jq -c '[.form, (.changes | map(.kind)), (.critical_points | map(.source))]' a.crit.json
   assert_output '["phase",["place","place"],["place","place"]]'
   run -0 jq -r '.changes[0].reason' a.crit.json
-  assert_output --partial 'with clearance for layers'
+  assert_output --partial 'the shortest way to its clearance for layers'
   run -0 jq '[.critical_points[].position[1]] | min >= 0.5399' a.crit.json
   assert_output true
   critpoints --clearance curve_0=0.5 "$field" -o b.crit.json

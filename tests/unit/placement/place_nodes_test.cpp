@@ -244,28 +244,6 @@ TEST(PlaceNodes, of_opposite_index_are_kept_apart_and_named) {
   EXPECT_NE(placed.report.warnings()[0].message.find("the node of valence"), std::string::npos);
 }
 
-TEST(PlaceNodes, keep_the_clearance_of_a_wall_as_far_as_there_is_room) {
-  for (const double clearance : {0.09, 0.3, 0.5, 1.5}) {
-    CriticalPoints points = points_at({{0.8, 0}, {0, 0.8}, {-0.8, 0}, {0, -0.8}});
-    PlacementOptions options;
-    options.weight = 0;
-    options.walls = {{{0}, clearance}};
-    Report report;
-    place_nodes(disc(), Motion()(in_disc), std::vector<bool>(4, true), options, points, report);
-    const double radius = norm(points.critical_points[0].position);
-    for (const CriticalPoint& node : points.critical_points) EXPECT_NEAR(norm(node.position), radius, 1e-7);
-    if (clearance == 0.09) {
-      EXPECT_NEAR(radius, disc_radius, 1e-9) << "the wall does not reach them";
-    }
-    if (clearance < 1) {
-      EXPECT_LE(radius, 1 - clearance + 1e-7);
-    }
-    int missed = 0;
-    for (const auto& warning : report.warnings()) missed += warning.code == "W-PLACE-003";
-    EXPECT_EQ(missed, clearance < 1 ? 0 : 4);
-  }
-}
-
 TEST(PlaceNodes, too_few_steps_are_confessed) {
   CriticalPoints points = points_at({{0.2, 0.05}, {-0.1, 0.7}});
   PlacementOptions options;

@@ -24,32 +24,10 @@ TEST(WallClearance, UnknownNamesAreRefused) {
   EXPECT_EQ(wall_clearances(disc, {{"0", 0.25}}).at(0).curves, std::vector<int>{0});
 }
 
-TEST(WallClearance, TheTermEndsAtItsReachAndHasItsGradient) {
-  const CadFace disc = make_face({circle({0, 0}, 1)});
-  const WallClearance wall{{0}, 0.2};
-  Vec2 gradient;
-  EXPECT_EQ(clearance_energy(disc, wall, 1, {0.69, 0}, gradient), 0);
-  EXPECT_EQ(gradient, Vec2{});
-  constexpr double h = 1e-6;
-  Vec2 ignored;
-  const double low = clearance_energy(disc, wall, 2, {0.8 - h, 0}, ignored);
-  const double high = clearance_energy(disc, wall, 2, {0.8 + h, 0}, ignored);
-  clearance_energy(disc, wall, 2, {0.8, 0}, gradient);
-  EXPECT_NEAR(gradient.x, (high - low) / (2 * h), 1e-4);
-  EXPECT_GT(gradient.x, 0) << "it falls away from the wall";
-  EXPECT_NEAR(gradient.y, 0, 1e-9);
-}
-
-TEST(WallClearance, NodesNearerThanTheClearanceAreNear) {
-  const CadFace disc = make_face({circle({0, 0}, 1)});
-  CriticalPoints points;
-  for (const double x : {0.85, 0.75, 0.5}) {
-    points.critical_points.emplace_back();
-    points.critical_points.back().position = {x, 0};
-  }
-  EXPECT_EQ(nodes_near_walls(disc, {{{0}, 0.2}}, points), (std::vector<bool>{true, false, false}));
-  EXPECT_EQ(nodes_near_walls(disc, {{{0}, 0.3}}, points), (std::vector<bool>{true, true, false}));
-  EXPECT_EQ(nodes_near_walls(disc, {}, points), (std::vector<bool>{false, false, false}));
+TEST(WallClearance, CurvesOfSeveralWallsHaveTheGreatestClearance) {
+  const CadFace face = make_face({circle({0, 0}, 2), hole({0, 0}, 1)});
+  EXPECT_EQ(clearance_of_curves(face, {{{0}, 0.2}, {{0, 1}, 0.1}}), (std::vector<double>{0.2, 0.1}));
+  EXPECT_EQ(clearance_of_curves(face, {{{1}, 0.3}}), (std::vector<double>{0, 0.3}));
 }
 
 }  // namespace

@@ -1,0 +1,130 @@
+#include "placement/keep_clearance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../triangulate/faces.hpp"
+#include "node_samples.hpp"
+
+namespace quadrille::placement {
+namespace {
+
+using namespace testing_faces;
+
+/// The nodes after their move away from curves with this clearance.
+struct Kept {
+  Kept(const CadFace& face, CriticalPoints start, const std::vector<WallClearance>& walls,
+       std::vector<bool> may_move = {})
+      : points(std::move(start)) {
+    may_move.resize(points.critical_points.size(), may_move.empty());
+    keep_clearance(face, walls, may_move, points, report);
+  }
+  Vec2 operator[](int k) const { return points.critical_points[k].position; }
+
+  CriticalPoints points;
+  Report report;
+};
+
+CadFace disc() { return make_face({circle({0, 0}, 1)}); }
+
+/// A box of 8 x 4 with two holes of radius 1 whose centres are 2.5 apart.
+CadFace two_holes() {
+  return make_face({polygon({{-4, -2}, {4, -2}, {4, 2}, {-4, 2}}), hole({-1.25, 0}, 1), hole({1.25, 0}, 1)});
+}
+constexpr int first_hole = 4, second_hole = 5;
+
+TEST(KeepClearance, MovesTheShortestWayOut) {
+  const Kept kept(disc(), points_at({0.9 * unit(0.3), 0.5 * unit(2)}), {{{0}, 0.25}});
+  EXPECT_NEAR(distance(kept[0], 0.75 * unit(0.3)), 0, 1e-7);
+  EXPECT_EQ(kept[1], 0.5 * unit(2)) << "it has its clearance";
+  ASSERT_EQ(kept.points.changes.size(), 1u);
+  EXPECT_EQ(kept.points.changes[0].kind, ChangeKind::place);
+  EXPECT_EQ(kept.points.critical_points[0].source, NodeSource::place);
+  EXPECT_EQ(kept.points.form, NodeForm::phase);
+  EXPECT_EQ(kept.points.zeros.size(), 2u);
+  EXPECT_TRUE(kept.report.warnings().empty());
+}
+
+TEST(KeepClearance, ChangesNothingWhereNoNodeIsTooNear) {
+  for (const std::vector<WallClearance>& walls :
+       {std::vector<WallClearance>{}, std::vector<WallClearance>{{{0}, 0.05}}}) {
+    const Kept kept(disc(), points_at({0.9 * unit(0.3)}), walls);
+    EXPECT_TRUE(kept.points.changes.empty());
+    EXPECT_EQ(kept.points.form, NodeForm::harmonic);
+  }
+}
+
+TEST(KeepClearance, NodesThatMayNotMoveStay) {
+  const Kept kept(disc(), points_at({0.9 * unit(0.3), 0.9 * unit(2)}), {{{0}, 0.25}}, {false, true});
+  EXPECT_EQ(kept[0], 0.9 * unit(0.3));
+  EXPECT_NEAR(norm(kept[1]), 0.75, 1e-7);
+}
+
+TEST(KeepClearance, OfTwoWallsAreMissedByTheSameAmount) {
+  const Vec2 start{0.05, 1.2};
+  const Kept kept(two_holes(), points_at({start}, 5), {{{first_hole}, 0.85}, {{second_hole}, 0.8}});
+  const double first = 1.85 - distance(kept[0], {-1.25, 0}), second = 1.8 - distance(kept[0], {1.25, 0});
+  EXPECT_NEAR(first, second, 1e-6);
+  EXPECT_GT(first, 0.01) << "the way out between them is longer than what the node misses";
+  EXPECT_LT(first, 0.05);
+  EXPECT_NEAR(distance(kept[0], start), 1.8 - distance(start, {1.25, 0}), 1e-6);
+  EXPECT_TRUE(kept.report.warnings().empty()) << "less than a tenth";
+}
+
+TEST(KeepClearance, OfTheNearerWallIsKeptBesideAnother) {
+  const Kept kept(two_holes(), points_at({{-2.4, 0.1}}, 5), {{{first_hole, second_hole}, 0.9}});
+  EXPECT_NEAR(distance(kept[0], {-1.25, 0}), 1.9, 1e-6);
+}
+
+TEST(KeepClearance, BetweenWallsWithoutRoomTheNodeIsInTheMiddle) {
+  const Kept kept(two_holes(), points_at({{0.1, 0}}, 5), {{{first_hole, second_hole}, 0.5}});
+  EXPECT_NEAR(kept[0].x, 0, 1e-6);
+  ASSERT_EQ(kept.report.warnings().size(), 1u);
+  EXPECT_EQ(kept.report.warnings()[0].code, "W-PLACE-003");
+  EXPECT_NE(kept.report.warnings()[0].message.find("is 0.25 from"), std::string::npos);
+}
+
+TEST(KeepClearance, OneWarningNamesTheMostCrowdedNode) {
+  const Kept kept(two_holes(), points_at({{0.1, 0}, {0, 0.4}}, 5), {{{first_hole, second_hole}, 0.6}});
+  ASSERT_EQ(kept.report.warnings().size(), 1u);
+  EXPECT_EQ(kept.report.warnings()[0].message.find("2 irregular nodes"), 0u);
+}
+
+TEST(KeepClearance, NodesThatMoveTowardsEachOtherKeepHalfOfTheirDistance) {
+  const CadFace channel = make_face({polygon({{0, 0}, {4, 0}, {4, 1}, {0, 1}})});
+  const Kept kept(channel, points_at({{2, 0.3}, {2, 0.7}}), {{{0}, 0.45}});
+  EXPECT_NEAR(distance(kept[0], {2, 0.45}), 0, 1e-6);
+  const Kept both(channel, points_at({{2, 0.3}, {2.1, 0.7}}), {{{0}, 0.7}, {{2}, 0.7}});
+  EXPECT_NEAR(distance(both[0], both[1]), distance(Vec2{2, 0.3}, Vec2{2.1, 0.7}) / 2, 1e-6);
+}
+
+TEST(KeepClearance, BoundariesWithoutLayersKeepHalfOfTheirDistance) {
+  const Kept kept(two_holes(), points_at({{-1.25, 1.2}}, 5), {{{first_hole}, 0.9}});
+  EXPECT_NEAR(kept[0].y, 1.6, 1e-6) << "0.4 below the upper side";
+  EXPECT_EQ(kept.report.warnings().size(), 1u);
+}
+
+TEST(KeepClearance, AMoveIsNotLongerThanWhatTheNodeMisses) {
+  const CadFace face = make_face({polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}})});
+  const Kept kept(face, points_at({{0.5, 0.5}}), {{{0, 3}, 1}});
+  EXPECT_NEAR(distance(kept[0], {0.5, 0.5}), 0.5, 1e-6);
+  EXPECT_NEAR(kept[0].x, kept[0].y, 1e-6);
+}
+
+TEST(KeepClearance, SymmetricNodesMoveSymmetrically) {
+  const Kept kept(two_holes(), points_at({{-0.3, 1.1}, {0.3, 1.1}, {-0.3, -1.1}, {0.3, -1.1}, {0, 0.3}, {0, -0.3}}, 5),
+                  {{{first_hole, second_hole}, 1}});
+  for (int k = 1; k < 4; ++k) {
+    EXPECT_NEAR(std::abs(kept[k].x), std::abs(kept[0].x), 1e-13);
+    EXPECT_NEAR(std::abs(kept[k].y), std::abs(kept[0].y), 1e-13);
+  }
+  for (int k = 4; k < 6; ++k) EXPECT_NEAR(kept[k].x, 0, 1e-13);
+}
+
+TEST(KeepClearance, AWallAllAroundIsMissedFromAllSides) {
+  const Kept kept(disc(), points_at({{0.1, 0.05}}), {{{0}, 1.5}});
+  EXPECT_LE(norm(kept[0]), 0.12);
+  EXPECT_EQ(kept.report.warnings().size(), 1u);
+}
+
+}  // namespace
+}  // namespace quadrille::placement
