@@ -32,9 +32,9 @@ int requested_layers(const WallSpec& spec);
 /// Throws UsageError unless first and the number of layers are known.
 double block_height(const WallSpec& spec);
 
-/// The distance from the wall at which irregular nodes leave room for all layers: more than the height of the blocks,
-/// whose far sides lie nearer to a round wall than the nodes between which they run (LayerConstants::node_distance).
-/// Throws as block_height.
+/// The distance from the wall at which irregular nodes leave room for all layers and for edges that grow above: more
+/// than the height of the blocks, whose far sides lie nearer to a round wall than the nodes between which they run
+/// (LayerConstants::node_distance). Throws as block_height.
 double node_clearance(const WallSpec& spec);
 
 }  // namespace quadrille::layers

@@ -51,7 +51,7 @@ TEST(WallSpec, MayHaveBlocksOfItsOwnAboveOneMoreLayer) {
   const WallSpec spec = parse_wall_spec("a:first=1,layers=3,growth=2,blocks=own");
   EXPECT_TRUE(spec.own_blocks);
   EXPECT_NEAR(block_height(spec), 15, 1e-12);
-  EXPECT_NEAR(node_clearance(spec), 22.5, 1e-12);
+  EXPECT_NEAR(node_clearance(spec), 30, 1e-12);
   EXPECT_THROW(block_height(parse_wall_spec("a:yplus=1,layers=3,blocks=own")), UsageError);
   EXPECT_THROW(parse_wall_spec("a:first=1,layers=fit,blocks=own"), UsageError);
   CadFace face = hand_made::unit_square().face;
