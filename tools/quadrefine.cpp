@@ -54,7 +54,9 @@ void declare(cli::Options& o, SizeArguments& sizes) {
       "--per-curve", sizes.per_curve, "auto|N",
       "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "
       "grow from there to --size; 0: no limit; auto: 0 if a size is prescribed, else 4, as far as that makes at most "
-      "twice as many elements (with a far field, curves called farfield, however many)");
+      "twice as many elements; with a far field (curves called farfield) however many, and elements grow by 5 % from "
+      "one "
+      "to the next along curves called wake");
   o.texts("--size-near", sizes.near, "NAME=H[:H2]",
           "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
           "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/far_field.hpp"
+#include "sizing/boundary_sizes.hpp"
 #include "sizing/curve_sizes.hpp"
 #include "sizing/element_limit.hpp"
 
@@ -17,6 +18,21 @@ constexpr double most_refined = 2;
 /// From one trial of s to the next finer one, and the halvings of that factor's logarithm.
 constexpr double coarsening = 4;
 constexpr int num_bisections = 3;
+constexpr double wake_growth = 1.05;
+
+/// Whether a boundary with sizes of its own is the wake, in any region.
+bool is_wake(const NearSize& near) { return near.boundary.substr(0, near.boundary.find('@')) == wake_name; }
+
+SizeOptions with_wake(const CadFace& face, SizeOptions options) {
+  const std::vector<int> curves = wake_curves(face);
+  if (curves.empty() || std::ranges::any_of(options.near, is_wake)) return options;
+  const SizeField sizes = make_size_field(face, options);
+  const GrowingSize ends = growing_size(face, curves, 0, 0);
+  const double left = sizes.at(ends.end), right = sizes.at(ends.other_end), least = std::min(left, right);
+  const double most = least + std::log(wake_growth) * distance(ends.end, ends.other_end);
+  options.near.push_back(left <= right ? NearSize{wake_name, least, most} : NearSize{wake_name, most, least});
+  return options;
+}
 
 /// Infinite if there are none.
 double least_size(const std::vector<SizeSegment>& segments) {
@@ -39,7 +55,7 @@ SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& 
     finer.least_along_curves = least;
     return finer;
   };
-  if (has_far_field(face)) return with_least(0);
+  if (has_far_field(face)) return with_wake(face, with_least(0));
 
   const auto num_elements = [&](const SizeOptions& sizes) {
     return num_planned(measured, grade_chords(measured, make_size_field(face, sizes), rule, {}));

@@ -76,6 +76,21 @@ setup() {
   h5dump -A 0 -d /face/curve_names stages/sharp.quad.h5 | grep -q wake
 }
 
+@test "elements stay small along a wake by default" {
+  local along
+  for along in auto 0; do
+    grid sharp .valid --farfield cgrid:10 --wake auto --per-curve $along --order 1 --format msh22
+    # Half way downstream, at (6, 0): the longest edge with an end within a chord.
+    awk '
+      $1 == "$Nodes" { part = 1; next } $1 == "$Elements" { part = 2; next }
+      part == 1 && NF == 4 { x[$1] = $2; y[$1] = $3 }
+      part == 2 && $2 == 3 { n = split($0, v); for (k = 0; k < 4; ++k) { a = v[n - k]; b = v[n - (k + 1) % 4]
+        if ((x[a] - 6)^2 + y[a]^2 < 1) { d = sqrt((x[a] - x[b])^2 + (y[a] - y[b])^2); if (d > most) most = d } } }
+      END { print most + 0 }' a.msh >longest.$along
+  done
+  awk '{ v[NR] = $1 } END { exit !(v[1] > 0 && v[1] < 0.75 * v[2]) }' longest.auto longest.0 || fail "$(cat longest.*)"
+}
+
 @test "lines follow the wake of a round body, which begins anywhere on its closed curve" {
   local far_field
   awk 'BEGIN { for (k = 0; k < 60; ++k) { a = (k + 30) * atan2(0, -1) / 30; print cos(a), sin(a) } }' >round.xy

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
@@ -84,6 +85,21 @@ TEST(AutomaticSizes, InAFarFieldElementsMayBeMany) {
   const SizeOptions sizes = automatic(layout);
   EXPECT_EQ(sizes.per_curve, 4);
   EXPECT_EQ(sizes.least_along_curves, 0);
+}
+
+TEST(AutomaticSizes, ElementsGrowSlowlyAlongAWake) {
+  // The upper side is the wake: 0.3 at both ends but for the short sides, which have elements of 0.125.
+  BlockLayout layout = layout_of(rectangle(6, 0.5));
+  layout.face.curve_names = {"farfield", "farfield", "wake", "body"};
+  layout.face.unnamed_curves.clear();
+  const SizeOptions sizes = automatic(layout);
+  ASSERT_EQ(sizes.near.size(), 1u);
+  EXPECT_EQ(sizes.near[0].boundary, "wake");
+  EXPECT_NEAR(sizes.near[0].size, 0.125, 1e-9);
+  EXPECT_NEAR(sizes.near[0].other_size, 0.125 + 6 * std::log(1.05), 1e-9);
+  SizeOptions own;
+  own.near = {{"wake@fluid", 0.2, 0.4}};
+  EXPECT_EQ(automatic(layout, own).near.size(), 1u) << "the prescribed one";
 }
 
 }  // namespace
