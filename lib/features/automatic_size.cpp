@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "curve/gauss.hpp"
-#include "curve/nurbs.hpp"
+#include "curve/mean_width.hpp"
 #include "curve/pole_box.hpp"
 #include "model/far_field.hpp"
 #include "model/offset_names.hpp"
@@ -18,23 +17,6 @@ namespace quadrille::features {
 namespace {
 
 constexpr double of_diameter = 1.0 / 500;
-
-struct Extent {
-  double area = 0, perimeter = 0;
-};
-
-Extent extent(const CadFace& face) {
-  Extent sum;
-  for (const Nurbs& curve : face.curves)
-    for (std::size_t k = curve.degree; k < curve.poles.size(); ++k) {
-      const double a = curve.knots[k], b = curve.knots[k + 1];
-      if (!(a < b)) continue;
-      const auto twice_area = [&](double t) { return cross(curve::point(curve, t), curve::derivative(curve, t)); };
-      sum.area += curve::gauss_integral<8>(twice_area, a, b) / 2;
-      sum.perimeter += curve::gauss_integral<8>([&](double t) { return norm(curve::derivative(curve, t)); }, a, b);
-    }
-  return sum;
-}
 
 /// The diameter of the face; in a far field, that of the box around the bodies, which a far field may exceed at will.
 /// Around layers with blocks of their own it is that of the face: the curves above layers are smooth, and between two
@@ -52,8 +34,7 @@ double reference_length(const CadFace& face) {
 }  // namespace
 
 double automatic_feature_size(const CadFace& face) {
-  const Extent whole = extent(face);
-  return std::min(of_diameter * reference_length(face), whole.area / whole.perimeter);
+  return std::min(of_diameter * reference_length(face), curve::mean_width(face) / 2);
 }
 
 std::optional<double> parse_feature_size(const std::string& text) {

@@ -15,21 +15,23 @@ double greatest_length(const std::vector<HalfPlane>& planes, Vec2 target) {
   return length;
 }
 
-/// The target, the points of the lines nearest to it, and the crossings of the lines: one of them is the nearest common
-/// point, if there is one.
-std::vector<Vec2> candidates(const std::vector<HalfPlane>& planes, Vec2 target) {
-  std::vector<Vec2> points{target};
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const HalfPlane& p = planes[i];
-    points.push_back(target + (p.bound - dot(p.normal, target)) * p.normal);
-    for (std::size_t j = 0; j < i; ++j) {
-      const HalfPlane& q = planes[j];
-      const double sine = cross(p.normal, q.normal);
-      if (std::abs(sine) > parallel)
-        points.push_back((q.bound * left_of(p.normal) - p.bound * left_of(q.normal)) / sine);
+/// The point of the line of planes[i] nearest to the target among those of all earlier planes.
+std::optional<Vec2> nearest_on_line(const std::vector<HalfPlane>& planes, std::size_t i, Vec2 target, double tol) {
+  const HalfPlane& line = planes[i];
+  const Vec2 foot = target + (line.bound - dot(line.normal, target)) * line.normal, along = left_of(line.normal);
+  double low = -HUGE_VAL, high = HUGE_VAL;
+  for (std::size_t j = 0; j < i; ++j) {
+    const double slope = dot(planes[j].normal, along), rest = planes[j].bound - dot(planes[j].normal, foot);
+    if (std::abs(slope) <= parallel) {
+      if (rest > tol) return std::nullopt;
+    } else if (slope > 0) {
+      low = std::max(low, rest / slope);
+    } else {
+      high = std::min(high, rest / slope);
     }
   }
-  return points;
+  if (low > high + tol) return std::nullopt;
+  return foot + std::min(std::max(0.0, low), high) * along;
 }
 
 std::vector<HalfPlane> lowered(std::vector<HalfPlane> planes, double shortfall) {
@@ -42,17 +44,15 @@ std::vector<HalfPlane> lowered(std::vector<HalfPlane> planes, double shortfall) 
 
 std::optional<Vec2> nearest_common_point(const std::vector<HalfPlane>& planes, Vec2 target, double reach) {
   const double tol = on_line * greatest_length(planes, target);
-  std::optional<Vec2> best;
-  double least = reach + tol;
-  for (const Vec2 point : candidates(planes, target)) {
-    const double way = distance(point, target);
-    if (way > least) continue;
-    const bool is_common = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& plane) {
-      return dot(plane.normal, point) >= plane.bound - tol;
-    });
-    if (is_common) best = point, least = way;
+  // If the nearest point of the planes so far is outside the next one, the new one is on its line.
+  Vec2 nearest = target;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (dot(planes[i].normal, nearest) >= planes[i].bound - tol) continue;
+    const std::optional<Vec2> moved = nearest_on_line(planes, i, target, tol);
+    if (!moved || distance(*moved, target) > reach + tol) return std::nullopt;
+    nearest = *moved;
   }
-  return best;
+  return nearest;
 }
 
 Vec2 nearest_point_with_least_shortfall(const std::vector<HalfPlane>& planes, Vec2 target, double reach,

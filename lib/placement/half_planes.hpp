@@ -15,8 +15,8 @@ struct HalfPlane {
   bool may_miss = false;  ///< whether the bound is lowered where there is no room
 };
 
-/// The common point of all half planes that is nearest to `target`, if one is at most `reach` from it. Cubic in the
-/// number of half planes.
+/// The common point of all half planes that is nearest to `target`, if one is at most `reach` from it. Cost: the
+/// number of half planes times that of those that stop it.
 std::optional<Vec2> nearest_common_point(const std::vector<HalfPlane>& planes, Vec2 target, double reach);
 
 /// As nearest_common_point; where there is no such point, all bounds that may be missed are lowered by the least equal

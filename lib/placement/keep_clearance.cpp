@@ -16,7 +16,6 @@ namespace {
 
 constexpr double shortfall_tol = 1e-7;  // of the clearance: of the least shortfall where there is no room
 constexpr double still = 1e-8;          // of the clearance: the rounds end when no node moves more
-constexpr double greatest_step = 0.5;   // of the distance to the boundary, in one round
 constexpr int max_rounds = 60;
 constexpr double crowded = 0.1;  // nodes that miss more than this part of a clearance are reported
 
@@ -25,8 +24,7 @@ Vec2 next_step(const WallSurroundings& around, const MovingNode& moving, const C
   const NodeRoom room = around.room(moving, points);
   const Vec2 step =
       nearest_point_with_least_shortfall(room.planes, moving.start - x, moving.reach, shortfall_tol * moving.clearance);
-  const double longest = greatest_step * room.nearest;
-  return norm(step) > longest ? longest * normalized(step) : step;
+  return norm(step) > room.longest_step ? room.longest_step * normalized(step) : step;
 }
 
 /// One round; whether no node moved.

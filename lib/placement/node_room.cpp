@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "curve/mean_width.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::placement {
 namespace {
 
 constexpr double missed_tol = 1e-6;    // of the clearance: a node that misses it by less keeps it
+constexpr double greatest_step = 0.5;  // of the distance to the nearest obstacle
 constexpr double kept_fraction = 0.5;  // of distances to other nodes and to boundaries without layers
 
 /// The nodes to which each of the moving nodes may come too near.
@@ -27,7 +29,10 @@ void find_neighbours(const CriticalPoints& points, std::vector<MovingNode>& movi
 }  // namespace
 
 WallSurroundings::WallSurroundings(const CadFace& face, const std::vector<WallClearance>& walls)
-    : face_(face), boxes_(curve::pole_boxes(face.curves)), clearance_(clearance_of_curves(face, walls)) {}
+    : face_(face),
+      boxes_(curve::pole_boxes(face.curves)),
+      clearance_(clearance_of_curves(face, walls)),
+      mean_width_(curve::mean_width(face)) {}
 
 MissedClearance WallSurroundings::missed(Vec2 x) const {
   MissedClearance result;
@@ -49,7 +54,7 @@ std::vector<MovingNode> WallSurroundings::moving_nodes(const std::vector<bool>& 
     const Vec2 start = points.critical_points[k].position;
     const MissedClearance missed = may_move[k] ? this->missed(start) : MissedClearance();
     if (missed.curve < 0) continue;
-    moving.push_back({static_cast<int>(k), start, missed.greatest, missed.shortfall, {}, {}});
+    moving.push_back({static_cast<int>(k), start, missed.greatest, std::min(missed.shortfall, mean_width_), {}, {}});
     moving.back().obstacles = obstacles(moving.back());
   }
   find_neighbours(points, moving);
@@ -59,7 +64,7 @@ std::vector<MovingNode> WallSurroundings::moving_nodes(const std::vector<bool>& 
 std::vector<Obstacle> WallSurroundings::obstacles(const MovingNode& moving) const {
   std::vector<Obstacle> found;
   for (int c = 0; c < face_.num_curves(); ++c) {
-    const double least = std::max(clearance_[c], moving.reach);
+    const double least = std::max(std::min(clearance_[c], mean_width_), moving.reach);
     if (boxes_[c].distance_from(moving.start) < least + moving.reach) add_parts(c, moving, found);
   }
   return found;
@@ -72,23 +77,27 @@ void WallSurroundings::add_parts(int curve, const MovingNode& moving, std::vecto
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i - 1] >= knots[i]) continue;
     const double r = curve::project(face_.curves[curve], moving.start, knots[i - 1], knots[i]).distance;
-    const double least = is_wall ? clearance_[curve] : kept_fraction * r;
+    const double least = is_wall ? std::min(clearance_[curve], mean_width_) : kept_fraction * r;
     if (r < least + moving.reach) found.push_back({curve, knots[i - 1], knots[i], least, is_wall});
   }
 }
 
+/// Without those that no point within the reach misses.
 NodeRoom WallSurroundings::room(const MovingNode& moving, const CriticalPoints& points) const {
   const Vec2 x = points.critical_points[moving.node].position;
+  const double farthest = moving.reach + distance(moving.start, x);
   NodeRoom room;
   for (const Obstacle& o : moving.obstacles) {
+    if (boxes_[o.curve].distance_from(x) > o.least + farthest) continue;
     const curve::Projection foot = curve::project(face_.curves[o.curve], x, o.t0, o.t1);
-    room.nearest = std::min(room.nearest, foot.distance);
-    room.planes.push_back({(x - foot.position) / foot.distance, o.least - foot.distance, o.is_wall});
+    room.longest_step = std::min(room.longest_step, greatest_step * foot.distance);
+    if (foot.distance <= o.least + farthest)
+      room.planes.push_back({(x - foot.position) / foot.distance, o.least - foot.distance, o.is_wall});
   }
   for (const Neighbour& other : moving.neighbours) {
     const Vec2 between = x - points.critical_points[other.node].position;
-    const double d = norm(between);
-    room.planes.push_back({between / d, (other.least - d) * (other.moves ? 0.5 : 1), false});
+    const double d = norm(between), bound = (other.least - d) * (other.moves ? 0.5 : 1);
+    if (bound >= -farthest) room.planes.push_back({between / d, bound, false});
   }
   return room;
 }

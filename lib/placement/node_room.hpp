@@ -47,10 +47,11 @@ struct MovingNode {
 /// The half planes of the steps with which a node keeps its distances, to first order.
 struct NodeRoom {
   std::vector<HalfPlane> planes;
-  double nearest = HUGE_VAL;  ///< distance to the nearest obstacle
+  double longest_step = HUGE_VAL;  ///< half of the distance to the nearest obstacle
 };
 
-/// Stores a reference to the face. Positions are relative to face.origin, lengths in the file's unit.
+/// Clearances above the mean width of the face count as that much. Stores a reference to the face. Positions are
+/// relative to face.origin, lengths in the file's unit.
 class WallSurroundings {
  public:
   WallSurroundings(const CadFace& face, const std::vector<WallClearance>& walls);
@@ -69,6 +70,7 @@ class WallSurroundings {
   const CadFace& face_;
   std::vector<curve::PoleBox> boxes_;
   std::vector<double> clearance_;  ///< by curve; 0: no wall
+  double mean_width_;
 };
 
 }  // namespace quadrille::placement
