@@ -1,20 +1,33 @@
 #pragma once
 // The intervals of the lines of nodes inside blocks, from wall to wall: the arcs beside a line determine how they grow,
-// and a correction along the whole line (growth/line_correction) makes them fill every block that it crosses.
+// and a correction along the whole line (growth/line_correction) makes them fill every block that it crosses. Adjacent
+// lines are then tied to each other (layers/layered_block); where this exceeds the limit, a second correction follows,
+// from the intervals that the mesh has.
 
 #include <vector>
 
 #include "layers/wall_layers.hpp"
+#include "model/quad_mesh.hpp"
 #include "sizing/arc_division.hpp"
 
 namespace quadrille::growth {
 
-/// By block: LayeredBlock::lines.
+/// By block: LayeredBlock::lines, or its factors.
 using BlockLines = std::vector<layers::BlockLineLengths>;
 
-/// For all lines of the nodes of elements of this order; `limit`: greatest ratio of adjacent intervals that is aimed
-/// at. Cost: linear in the nodes, with some evaluations of each block's map for every line.
+struct LinePlan {
+  BlockLines lengths;  ///< of the intervals of all lines, before they are tied to each other
+  BlockLines factors;  ///< of the intervals that are tied to each other; empty: none
+};
+
+/// The lengths for all lines of the nodes of elements of this order; `limit`: greatest ratio of adjacent intervals that
+/// is aimed at. Cost: linear in the nodes, with some evaluations of each block's map for every line.
 BlockLines line_intervals(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls,
                           const sizing::ArcDivisions& divisions, double limit, int order);
+
+/// Multiplies the factors of all lines that have lengths so that the intervals of `mesh`, which was made with `lines`,
+/// exceed the limit less. Cost: linear in the nodes.
+void correct_factors(const sizing::MeasuredLayout& measured, const layers::WallPlan& walls,
+                     const sizing::ArcDivisions& divisions, const QuadMesh& mesh, double limit, LinePlan& lines);
 
 }  // namespace quadrille::growth

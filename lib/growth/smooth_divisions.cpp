@@ -13,7 +13,7 @@ namespace quadrille::growth {
 namespace {
 
 constexpr double weight_shape = 0.02;
-constexpr double weight_skew = 0.3;
+constexpr double weight_skew = 1;
 constexpr int max_steps = 6;
 /// An interval keeps at least this part of its length in one step.
 constexpr double least_part = 0.4;

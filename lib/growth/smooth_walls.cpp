@@ -27,6 +27,7 @@ KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector
 GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
                           sizing::ArcDivisions& divisions) {
   layers::release_compressed_layers(input, plan);
+  layers::release_bent_layers(input, plan);
   GrowthInput arcs{input.measured, limit, input.order, input.tolerance, {}, kept.counts};
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc) {
     const layers::ArcSpacing& spacing = plan.requests.spacings[arc];
@@ -79,8 +80,8 @@ bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const 
   const std::vector<double> with = block_qualities(mesh);
   bool any = false;
   for (std::size_t block = 0; block < lines.size(); ++block) {
-    const double least = std::min(growth_constants.good_quality, growth_constants.kept_quality * without[block]);
     if (lines[block][0].empty() && lines[block][1].empty()) continue;
+    const double least = std::min(growth_constants.good_quality, growth_constants.kept_quality * without[block]);
     if (with[block] > 0 && with[block] >= least) continue;
     const std::array<bool, 2> drop = lines_to_drop(walls.of_block[block], lines[block]);
     for (const int direction : {0, 1})
@@ -88,6 +89,15 @@ bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const 
     any = true;
   }
   return any;
+}
+
+bool keeps_qualities(const std::vector<double>& before, const QuadMesh& mesh) {
+  const std::vector<double> now = block_qualities(mesh);
+  for (std::size_t block = 0; block < now.size(); ++block) {
+    const double least = std::min(growth_constants.good_quality, before[block] * (1 - growth_constants.equal_tol));
+    if (now[block] <= 0 || now[block] < least) return false;
+  }
+  return true;
 }
 
 void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines& lines, const QuadMesh& mesh,

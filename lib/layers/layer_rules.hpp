@@ -52,6 +52,9 @@
 //                                                       (compressed_heights)
 //   b  a wall with such a line, if growth is limited    only the first layer keeps its height, as long as that fits on
 //      (growth/limit_growth)                            all lines; all intervals above it are free (wall_layers)
+//   c  layers higher than greatest_bend_height radii    arcs keep their heights; inside the block they are free: lines
+//      of a wall that bends towards them, if growth is  towards the centre of the bend, and the layers' offset curves,
+//      limited                                          end there (wall_layers)
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
 //   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;
@@ -146,6 +149,10 @@ struct LayerConstants {
   // Lines inside blocks (smooth_across).
   /// The distance over which divisions of adjacent lines may change, over the length of the elements along them.
   double reach_across = 2;
+
+  /// Height of a layer times the curvature of a wall that bends towards it, up to which the layer keeps its height
+  /// inside the block if growth is limited: there the wall's offset curve is half as long as the wall.
+  double greatest_bend_height = 0.5;
 
   // Geometry of walls (wall_line).
   /// The sine of the angle at which a joint of a wall is a bend. Well above the angles that CAD programs have between

@@ -99,27 +99,84 @@ BlockNodes block_nodes(const LayeredBlock& block, int order, Vec2 origin) {
   return {block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, order, origin};
 }
 
-/// The nodes of all lines of a family, given the parameters of the inner ones. `first`, `last`: fractions of the nodes
-/// on the sides that are the first and the last line. Lines become alike in their parts above the layers, relative to
-/// these: layers keep their heights, which are at different parameters on lines of different lengths.
-void align_lines(const LineFamily& family, const std::vector<NormalLine>& lines, const std::vector<double>& first,
-                 const std::vector<double>& last, std::vector<std::vector<double>>& parameters) {
-  mesh::LineNodes all{static_cast<int>(lines.size()), static_cast<int>(first.size()), {}, {}};
-  parameters.front() = first, parameters.back() = last;
-  const int low = static_cast<int>(family.low_heights.size());
-  const int high = all.num_nodes - 1 - static_cast<int>(family.high_heights.size());
-  for (std::size_t line = 0; line < lines.size(); ++line)
-    for (const double u : parameters[line]) {
-      const double bottom = parameters[line][low], top = parameters[line][high];
-      all.parameters.push_back((u - bottom) / (top - bottom));
-      all.positions.push_back(lines[line](u));
-    }
-  mesh::smooth_across(all, low + 1, high, family.order, layer_constants.reach_across);
-  for (std::size_t line = 0; line < lines.size(); ++line) {
-    const double bottom = parameters[line][low], top = parameters[line][high];
-    for (int k = low + 1; k < high; ++k)
-      parameters[line][k] = bottom + all.parameters[line * all.num_nodes + k] * (top - bottom);
+/// The lines of a family, to be tied to each other. `first`, `last`: fractions of the nodes on the sides that are the
+/// first and the last line. Lines become alike in their parts above the layers, relative to these: layers keep their
+/// heights, which are at different parameters on lines of different lengths.
+class TiedLines {
+ public:
+  TiedLines(const LineFamily& family, const std::vector<NormalLine>& lines, const std::vector<double>& first,
+            const std::vector<double>& last, std::vector<std::vector<double>>& parameters)
+      : family_(family), lines_(lines), parameters_(parameters), num_nodes_(static_cast<int>(first.size())) {
+    parameters.front() = first, parameters.back() = last;
+    low_ = static_cast<int>(family.low_heights.size());
+    high_ = num_nodes_ - 1 - static_cast<int>(family.high_heights.size());
   }
+
+  /// Ties the lines themselves.
+  void tie() {
+    mesh::LineNodes all = nodes();
+    mesh::smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across);
+    set(all.parameters);
+  }
+
+  /// Multiplies the intervals of each line between its layers by its factors, up to a common factor; the changes are
+  /// tied to each other. Nodes keep their relative positions in their intervals.
+  void scale(const std::vector<std::vector<double>>& factors) {
+    const mesh::LineNodes all = nodes();
+    std::vector<double> scaled = all.parameters;
+    for (std::size_t line = 0; line < factors.size(); ++line)
+      if (!factors[line].empty()) scale_line(factors[line], &scaled[line * num_nodes_ + low_]);
+    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] -= all.parameters[i];
+    mesh::smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across, scaled);
+    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] += all.parameters[i];
+    set(scaled);
+  }
+
+ private:
+  mesh::LineNodes nodes() const {
+    mesh::LineNodes all{static_cast<int>(lines_.size()), num_nodes_, {}, {}};
+    for (std::size_t line = 0; line < lines_.size(); ++line)
+      for (const double u : parameters_[line]) {
+        const double bottom = parameters_[line][low_], top = parameters_[line][high_];
+        all.parameters.push_back((u - bottom) / (top - bottom));
+        all.positions.push_back(lines_[line](u));
+      }
+    return all;
+  }
+
+  void set(const std::vector<double>& relative) {
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      const double bottom = parameters_[line][low_], top = parameters_[line][high_];
+      for (int k = low_ + 1; k < high_; ++k)
+        parameters_[line][k] = bottom + relative[line * num_nodes_ + k] * (top - bottom);
+    }
+  }
+
+  /// `nodes`: from the end of the layers, relative.
+  void scale_line(const std::vector<double>& factors, double* nodes) const {
+    const int order = family_.order, count = static_cast<int>(factors.size());
+    const std::vector<double> given(nodes, nodes + count * order + 1);
+    double total = 0;
+    for (int k = 0; k < count; ++k) total += factors[k] * (given[(k + 1) * order] - given[k * order]);
+    for (int k = 0; k < count; ++k)
+      for (int i = 1; i <= order; ++i)
+        nodes[k * order + i] = nodes[k * order] + factors[k] / total * (given[k * order + i] - given[k * order]);
+  }
+
+  const LineFamily& family_;
+  const std::vector<NormalLine>& lines_;
+  std::vector<std::vector<double>>& parameters_;
+  int num_nodes_, low_ = 0, high_ = 0;
+};
+
+/// Ties the lines of a family to each other, and applies the factors that are given.
+void tie_lines(const BlockNodes& nodes, int direction, const LineFamily& family, const std::vector<NormalLine>& lines,
+               std::vector<std::vector<double>>& parameters) {
+  if (!nodes.has_lines(direction)) return;
+  const std::array<std::vector<double>, 4>& fractions = nodes.block.fractions;
+  TiedLines tied(family, lines, fractions[direction == 0 ? 3 : 0], fractions[direction == 0 ? 1 : 2], parameters);
+  tied.tie();
+  if (!nodes.block.factors[direction].empty()) tied.scale(nodes.block.factors[direction]);
 }
 
 /// Divides the rows between sides 3 and 1; returns s of every inner node.
@@ -134,7 +191,7 @@ std::vector<double> place_rows(const BlockNodes& nodes, std::vector<Vec2>& posit
     const double blend = (block.fractions[3][j] + block.fractions[1][j]) / 2;
     row_s[j] = divide_normal_line(family, rows[j], j, blend, nodes.origin, given_lengths(nodes, 1, j));
   }
-  if (nodes.has_lines(1)) align_lines(family, rows, block.fractions[0], block.fractions[2], row_s);
+  tie_lines(nodes, 1, family, rows, row_s);
   std::vector<double> node_s(positions.size(), 0);
   for (int j = 1; j + 1 < nodes.height(); ++j)
     for (int i = 1; i + 1 < nodes.width(); ++i) {
@@ -171,7 +228,7 @@ void place_columns(const BlockNodes& nodes, const std::vector<double>& node_s, s
     if (is_side) continue;
     column_t[i] = divide_normal_line(family, columns[i], i, (s0 + s2) / 2, nodes.origin, given_lengths(nodes, 0, i));
   }
-  if (nodes.has_lines(0)) align_lines(family, columns, block.fractions[3], block.fractions[1], column_t);
+  tie_lines(nodes, 0, family, columns, column_t);
   for (int i = 1; i + 1 < nodes.width(); ++i)
     for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = columns[i](column_t[i][j]);
 }
@@ -184,6 +241,7 @@ LayeredBlock transposed(const LayeredBlock& block) {
   std::reverse(result.fractions.begin(), result.fractions.end());
   std::reverse(result.lengths.begin(), result.lengths.end());
   std::swap(result.lines[0], result.lines[1]);
+  std::swap(result.factors[0], result.factors[1]);
   return result;
 }
 

@@ -26,6 +26,8 @@ struct LayeredBlock {
   /// If given, the lengths of the intervals above the layers of every line of nodes: columns (0) by their number along
   /// side 0, rows (1) by their number along side 1. An empty direction follows from the sides (divide_normal_line).
   BlockLineLengths lines = {};
+  /// If given for a direction that has lines, factors of these intervals once adjacent lines are tied to each other.
+  BlockLineLengths factors = {};
 };
 
 /// The inner columns (0) or rows (1), by their number along the side; the first and the last one are empty.

@@ -96,6 +96,13 @@ bool WallPlan::has_wall(int block) const {
   return std::any_of(sides.begin(), sides.end(), [](int wall) { return wall >= 0; });
 }
 
+int WallPlan::num_fixed_on(int block, int side) const {
+  const int wall = walls.of_block[block][side];
+  if (wall < 0) return 0;
+  const int fixed = num_fixed[walls.sides[wall].spec];
+  return num_fixed_inside.empty() ? fixed : std::min(fixed, num_fixed_inside[wall]);
+}
+
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   WallPlan plan;
   const std::vector<int> curve_spec = curve_walls(input.specs, input.blocks().face);
@@ -136,6 +143,16 @@ void release_compressed_layers(const WallInput& input, WallPlan& plan) {
     }
 }
 
+void release_bent_layers(const WallInput& input, WallPlan& plan) {
+  for (const WallSide& wall : plan.walls.sides) {
+    const std::vector<double>& heights = plan.heights[wall.spec];
+    const double bend = greatest_bend(input.measured.curves(), wall);
+    int count = static_cast<int>(heights.size());
+    while (count > 1 && heights[count - 1] * bend > layer_constants.greatest_bend_height) --count;
+    plan.num_fixed_inside.push_back(count);
+  }
+}
+
 void measure_released_layers(const WallInput& input, const sizing::ArcDivisions& divisions, WallPlan& plan) {
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
     for (const int end : {0, 1}) {
@@ -174,7 +191,7 @@ LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& m
     const WallSide& wall = plan.walls.sides[number];
     result.sides[side].wall = &wall.line;
     result.sides[side].heights = plan.heights[wall.spec];
-    result.sides[side].heights.resize(plan.num_fixed[wall.spec]);
+    result.sides[side].heights.resize(plan.num_fixed_on(block, side));
     result.sides[side].own_intervals = wall.own_intervals;
     for (const double f : fractions[side])
       result.sides[side].feet.push_back(wall_point(wall, chain.at(against_arc ? 1 - f : f), backwards));

@@ -22,6 +22,7 @@ struct WallPlan {
   WallSides walls;
   std::vector<std::vector<double>> heights;    ///< by spec: upper ends of its layers
   std::vector<int> num_fixed;                  ///< by spec: layers that have their heights; all, or the first alone
+  std::vector<int> num_fixed_inside;           ///< by wall side: the same inside its block, at most; empty: no limit
   std::vector<double> least_thickness;         ///< by spec: less than the thickness where layers are compressed
   LayerRequests requests;                      ///< of the arcs that start at walls
   std::vector<std::vector<double>> arc_nodes;  ///< by arc: fractions of all its nodes; empty: they follow from its ends
@@ -30,6 +31,8 @@ struct WallPlan {
   std::vector<std::array<int, 2>> sharing_a_chord;  ///< ascending pairs of specs with layers on one chord
 
   bool has_wall(int block) const;
+  /// Layers of fixed height along a side of a block; 0 without a wall.
+  int num_fixed_on(int block, int side) const;
 };
 
 /// Replaces the divisions of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
@@ -40,6 +43,10 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 /// of the prescribed height fit everywhere: their intervals are then free in the gap that facing walls share and around
 /// it, so that blocks beside the gap, which have as many intervals as the gap, need not be as narrow.
 void release_compressed_layers(const WallInput& input, WallPlan& plan);
+
+/// Gives up the heights, inside blocks, of layers above LayerConstants::greatest_bend_height: lines towards the centre
+/// of the wall's curvature would meet.
+void release_bent_layers(const WallInput& input, WallPlan& plan);
 
 /// Measures the thickness of released layers on the arcs that start at their walls.
 void measure_released_layers(const WallInput& input, const sizing::ArcDivisions& divisions, WallPlan& plan);

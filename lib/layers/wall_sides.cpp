@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/disjoint_sets.hpp"
+#include "curve/nurbs.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/block_sides.hpp"
 #include "model/interfaces.hpp"
@@ -147,6 +148,20 @@ WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& ta
   for (std::size_t i = 0; i < walls.sides.size(); ++i) mark_arcs(layout, static_cast<int>(i), walls);
   walls.overruled.assign(choice.overruled.begin(), choice.overruled.end());
   return walls;
+}
+
+double greatest_bend(const curve::CurveTable& table, const WallSide& wall) {
+  constexpr int samples = 16;  // of each piece, at middles of equal parts
+  double greatest = 0;
+  for (int p = wall.begin.piece; p <= wall.end.piece; ++p) {
+    const ArcPiece& piece = wall.line.pieces()[p];
+    for (int k = 0; k < samples; ++k) {
+      const double t = piece.t0 + (piece.t1 - piece.t0) * (k + 0.5) / samples;
+      const double bend = curve::curvature(table.curve(piece.curve), t);
+      greatest = std::max(greatest, piece.t0 < piece.t1 ? bend : -bend);
+    }
+  }
+  return greatest;
 }
 
 WallPoint wall_point(const WallSide& wall, const curve::ChainPoint& on_arc, bool backwards) {

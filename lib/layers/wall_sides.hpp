@@ -34,6 +34,9 @@ struct WallSides {
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
                           const std::vector<WallSpec>& specs);
 
+/// The greatest curvature (1 / length) with which the side bends towards its block; 0: it bends nowhere towards it.
+double greatest_bend(const curve::CurveTable& table, const WallSide& wall);
+
 /// The point of the wall line at a point of the side's arc; `backwards`: the side is directed against its arc.
 WallPoint wall_point(const WallSide& wall, const curve::ChainPoint& on_arc, bool backwards);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -35,7 +36,7 @@ std::array<Beside, 2> beside_side(const QuadMesh& mesh, int elem, int k) {
 
 }  // namespace
 
-EdgeGrowth edge_growth(const QuadMesh& mesh) {
+EdgeGrowth edge_growth(const QuadMesh& mesh, double limit) {
   EdgeGrowth growth;
   std::map<std::pair<int, int>, std::array<Beside, 2>> open;  // sides met once
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
@@ -45,7 +46,10 @@ EdgeGrowth edge_growth(const QuadMesh& mesh) {
       if (is_new) continue;
       for (const int end : {0, 1}) {
         const double a = own[end].length, b = it->second[end].length, ratio = std::max(a / b, b / a);
-        if (ratio > growth.greatest * (1 + equal_tol)) growth = {ratio, mesh.nodes[own[end].vertex]};
+        if (ratio > limit) growth.excess += std::pow(std::log(ratio / limit), 2);
+        if (ratio <= growth.greatest * (1 + equal_tol)) continue;
+        growth.greatest = ratio;
+        growth.position = mesh.nodes[own[end].vertex];
       }
       open.erase(it);
     }

@@ -1,6 +1,7 @@
 #include "mesh/smooth_across.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace quadrille::mesh {
 namespace {
@@ -20,21 +21,21 @@ constexpr double least_step = 1e-3;  // of the distance of nodes
 
 class Across {
  public:
-  Across(const LineNodes& nodes, int node, int order, double reach)
-      : nodes_(nodes), node_(node), order_(order), reach_(reach) {}
+  Across(const LineNodes& nodes, const std::vector<double>& values, int node, int order, double reach)
+      : nodes_(nodes), values_(values), node_(node), order_(order), reach_(reach) {}
 
-  /// The parameters of node `node` of all lines.
+  /// The values at node `node` of all lines.
   std::vector<double> smoothed() const {
     const int count = nodes_.num_lines;
     std::vector<double> diagonal(count, 1), below(count, 0), u(count);
-    u.front() = own(0), u.back() = own(count - 1);
+    u.front() = value(0), u.back() = value(count - 1);
     for (int line = 1; line + 1 < count; ++line) {
       const double before = 1 / step(line), after = 1 / step(line + 1), length = reach_ * element_length(line);
       const double hold = (step(line) + step(line + 1)) / (2 * length * length);
       diagonal[line] = before + after + hold;
-      u[line] = hold * own(line);
-      if (line == 1) u[line] += before * own(0);
-      if (line + 2 == count) u[line] += after * own(count - 1);
+      u[line] = hold * value(line);
+      if (line == 1) u[line] += before * value(0);
+      if (line + 2 == count) u[line] += after * value(count - 1);
       below[line] = line == 1 ? 0 : -before;
     }
     below[count - 1] = 0;
@@ -44,6 +45,7 @@ class Across {
 
  private:
   int index(int line, int node) const { return line * nodes_.num_nodes + node; }
+  double value(int line) const { return values_[index(line, node_)]; }
   double own(int line) const { return nodes_.parameters[index(line, node_)]; }
   Vec2 position(int line, int node) const { return nodes_.positions[index(line, node)]; }
   /// Of the line at a parameter near that of its node.
@@ -69,18 +71,24 @@ class Across {
   }
 
   const LineNodes& nodes_;
+  const std::vector<double>& values_;
   int node_, order_;
   double reach_;
 };
 
 }  // namespace
 
-void smooth_across(LineNodes& nodes, int first, int last, int order, double reach) {
-  const LineNodes given = nodes;
+void smooth_across(const LineNodes& nodes, int first, int last, int order, double reach, std::vector<double>& values) {
   for (int node = first; node < last; ++node) {
-    const std::vector<double> u = Across(given, node, order, reach).smoothed();
-    for (int line = 0; line < nodes.num_lines; ++line) nodes.parameters[line * nodes.num_nodes + node] = u[line];
+    const std::vector<double> u = Across(nodes, values, node, order, reach).smoothed();
+    for (int line = 0; line < nodes.num_lines; ++line) values[line * nodes.num_nodes + node] = u[line];
   }
+}
+
+void smooth_across(LineNodes& nodes, int first, int last, int order, double reach) {
+  std::vector<double> parameters = nodes.parameters;
+  smooth_across(nodes, first, last, order, reach, parameters);
+  nodes.parameters = std::move(parameters);
 }
 
 }  // namespace quadrille::mesh

@@ -28,4 +28,7 @@ struct LineNodes {
 /// line, less one. `reach`: l over the length of the elements. 0 < first, last < num_nodes.
 void smooth_across(LineNodes& nodes, int first, int last, int order, double reach);
 
+/// The same for other values of these nodes, in the order of their parameters.
+void smooth_across(const LineNodes& nodes, int first, int last, int order, double reach, std::vector<double>& values);
+
 }  // namespace quadrille::mesh

@@ -12,6 +12,7 @@
 #include "growth/smooth_walls.hpp"
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
+#include "mesh/edge_growth.hpp"
 #include "mesh/element_sizes.hpp"
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
@@ -40,6 +41,10 @@ constexpr double stricter = 0.8;
 /// Elongated elements are measured anew after they were made shorter.
 constexpr int max_shortenings = 6;
 constexpr double most_refined = 10;  ///< elements, over those without that
+/// Corrections of lines from the intervals of a mesh. The last one is that which leaves more than this part of the
+/// excess over the limit.
+constexpr int max_line_corrections = 3;
+constexpr double most_excess_left = 0.9;
 
 /// The data that every attempt at a valid mesh has in common.
 struct SplitRequest {
@@ -75,7 +80,7 @@ struct SplitMesh {
   sizing::ArcDivisions divisions;
   std::optional<layers::WallPlan> walls;
   std::optional<growth::GrowthOutcome> growth;
-  growth::BlockLines lines;
+  growth::LinePlan lines;
   int doublings = 0;         ///< of counts beyond the prescribed sizes, until the mesh was valid
   int shortened_chords = 0;  ///< chords with length limits
 };
@@ -110,6 +115,28 @@ void plan_walls(const sizing::MeasuredLayout& measured, const SplitRequest& requ
                           *result.walls, result.divisions);
 }
 
+/// Corrects the lines inside blocks again, from the intervals that the mesh has, as long as that reduces the excess
+/// over the limit and keeps the shapes of the elements.
+template <typename MakeMesh>
+void correct_lines(const sizing::MeasuredLayout& measured, const RefineOptions& options, const MakeMesh& make_mesh,
+                   SplitMesh& result) {
+  const double limit = options.target_growth;
+  double before = 0, excess = mesh::edge_growth(result.mesh, limit).excess;
+  for (int i = 0; i < max_line_corrections && excess > 0 && (i == 0 || excess < most_excess_left * before); ++i) {
+    const growth::LinePlan last_lines = result.lines;
+    const QuadMesh last = std::move(result.mesh);
+    growth::correct_factors(measured, *result.walls, result.divisions, last, limit, result.lines);
+    make_mesh(&last);
+    before = excess;
+    excess = mesh::edge_growth(result.mesh, limit).excess;
+    if (excess < before && result.mesh.is_valid && growth::keeps_qualities(growth::block_qualities(last), result.mesh))
+      continue;
+    result.mesh = last;
+    result.lines = last_lines;
+    return;
+  }
+}
+
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
                 const std::vector<sizing::ChordCount>& coarse) {
   request.attempt->advance();
@@ -142,10 +169,11 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   make_mesh(request.last ? &request.last->mesh : nullptr);
   if (!result.growth) return result;
   const std::vector<double> without_lines = growth::block_qualities(result.mesh);
-  result.lines =
+  result.lines.lengths =
       growth::line_intervals(measured, *result.walls, result.divisions, options.target_growth, options.order);
   do make_mesh(&result.mesh);
-  while (growth::drop_worse(without_lines, result.mesh, result.walls->walls, result.lines));
+  while (growth::drop_worse(without_lines, result.mesh, result.walls->walls, result.lines.lengths));
+  correct_lines(measured, options, make_mesh, result);
   return result;
 }
 
@@ -337,7 +365,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   mesh::report_distance(distance, layout.face, request.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   if (split.walls && options.target_growth > 0)
-    growth::report_growth(split.growth, split.lines, split.mesh, options.target_growth, report);
+    growth::report_growth(split.growth, split.lines.lengths, split.mesh, options.target_growth, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
   prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, report);
   prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, report);

@@ -16,7 +16,7 @@ struct SplitInput {
   const sizing::MeasuredLayout& measured;
   const sizing::ArcDivisions& divisions;
   const layers::WallPlan* walls;
-  const growth::BlockLines& lines;
+  const growth::LinePlan& lines;
 
   const BlockLayout& layout() const { return measured.blocks(); }
 };
@@ -51,12 +51,14 @@ QuadMesh mesh_without_elements(const BlockLayout& layout, int order) {
 std::vector<Vec2> layered_nodes(const SplitInput& in, int block, const std::array<ArcNodes, 4>& sides, int order) {
   const auto& arcs = in.layout().block2arcs[block];
   const auto is_graded = [&](int side) { return in.walls->is_graded[arcs[side].arc]; };
-  const bool has_lines = !in.lines.empty() && !(in.lines[block][0].empty() && in.lines[block][1].empty());
+  const growth::BlockLines& lengths = in.lines.lengths;
+  const bool has_lines = !lengths.empty() && !(lengths[block][0].empty() && lengths[block][1].empty());
   if (!in.walls || !(has_lines || is_graded(0) || is_graded(1))) return {};
   std::array<std::vector<double>, 4> fractions;
   for (int k = 0; k < 4; ++k) fractions[k] = sides[k].fractions;
   layers::LayeredBlock layered = layers::layered_block(*in.walls, in.measured, block, std::move(fractions));
-  if (has_lines) layered.lines = in.lines[block];
+  if (has_lines) layered.lines = lengths[block];
+  if (has_lines && !in.lines.factors.empty()) layered.factors = in.lines.factors[block];
   return layers::layered_positions(layered, order, in.layout().face.origin);
 }
 
@@ -143,7 +145,7 @@ std::vector<QuadBoundaryEdge> sorted_along_curves(std::vector<PlacedEdge> edges)
 }  // namespace
 
 QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
-                             const layers::WallPlan* walls, const growth::BlockLines& lines) {
+                             const layers::WallPlan* walls, const growth::LinePlan& lines) {
   const SplitInput in{measured, divisions, walls, lines};
   QuadMesh mesh = mesh_without_elements(in.layout(), order);
   std::vector<ArcNodes> arc_nodes;

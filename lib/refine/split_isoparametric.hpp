@@ -15,6 +15,6 @@ namespace quadrille::refine {
 /// qualities are not filled in. With `walls`, nodes of the blocks along them lie in layers (layers/layered_block); with
 /// `lines`, which need `walls`, lines inside all blocks are divided accordingly.
 QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
-                             const layers::WallPlan* walls = nullptr, const growth::BlockLines& lines = {});
+                             const layers::WallPlan* walls = nullptr, const growth::LinePlan& lines = {});
 
 }  // namespace quadrille::refine

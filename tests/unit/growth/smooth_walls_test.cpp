@@ -71,5 +71,15 @@ TEST(DropWorse, NormalsOfWallsAndLinesWithShorterIntervalsAreDroppedLast) {
   for (const int block : {0, 1, 2}) EXPECT_TRUE(lines[block][0].empty() && lines[block][1].empty()) << block;
 }
 
+TEST(KeepsQualities, OfBlocksThatAreGoodOrAsGoodAsBefore) {
+  const std::vector<double> before{0.9, 0.45, 0.9};
+  EXPECT_TRUE(keeps_qualities(before, mesh_of({0.9, 0.51, 0.45, 0.7, 0.9, 0.9})));
+  EXPECT_FALSE(keeps_qualities(before, mesh_of({0.9, 0.49, 0.45, 0.7, 0.9, 0.9}))) << "a is not good any more";
+  EXPECT_FALSE(keeps_qualities(before, mesh_of({0.9, 0.51, 0.44, 0.7, 0.9, 0.9}))) << "b is worse";
+  QuadMesh mesh = mesh_of({0.9, 0.9, 0.9, 0.9, 0.9, 0.9});
+  mesh.elem_jacobian_bound[5] = 0;
+  EXPECT_FALSE(keeps_qualities({0, 0, 0}, mesh)) << "c is not proved";
+}
+
 }  // namespace
 }  // namespace quadrille::growth

@@ -478,6 +478,20 @@ TEST(LayerRules, R19WithR20_WhenAnEndContinuesItsNeighbour) {
   }
 }
 
+TEST(LayerRules, Rc_LayersHigherThanHalfARadiusAreFreeInsideBlocksWhereTheWallBendsTowardsThem) {
+  const PlannedWalls p(wall_samples::annulus_of_half_circles(), 0.3, {"side_0,side_1,side_2:first=0.01,layers=2"});
+  WallPlan plan = p.plan;
+  plan.heights = {{0.2, 0.49, 0.51}}, plan.num_fixed = {3};  // the outer radius is 1
+  release_bent_layers(p.input, plan);
+  for (const WallSide& wall : plan.walls.sides) {
+    const bool is_outside = wall.line.pieces()[wall.begin.piece].curve == 0;
+    EXPECT_EQ(plan.num_fixed_on(wall.block, wall.side), is_outside ? 2 : 3);
+    EXPECT_EQ(plan.num_fixed_on(wall.block, (wall.side + 1) % 4), 0) << "no wall";
+  }
+  plan.num_fixed = {1};
+  EXPECT_EQ(plan.num_fixed_on(plan.walls.sides[0].block, plan.walls.sides[0].side), 1) << "rule b";
+}
+
 TEST(LayerRules, R21_FirstIntervalsOfCrowdedArcsAreLimitedButNotNextToLayers) {
   // Ten intervals on a length of 1: the first is at most 2.5 times their mean.
   EXPECT_EQ(spaced_ends({{{{}, 0.9, 1.2}, {}}}, 1, 0.1, 10), spaced_ends({{{{}, 0.25, 1.2}, {}}}, 1, 0.1, 10));

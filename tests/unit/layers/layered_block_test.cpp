@@ -123,5 +123,22 @@ TEST(LayeredBlock, LinesMayBeGivenInOneDirectionAlone) {
   EXPECT_NEAR(node.y, 0.5, 1e-12);
 }
 
+// Lines far apart, compared to their nodes, are not tied to each other.
+TEST(LayeredBlock, FactorsScaleTheIntervalsOfALineUpToACommonFactor) {
+  Square square({0, 0.5, 1}, {0, 0.01, 0.02, 0.03, 1});
+  square.block.lines[0] = {{}, {0.01, 0.01, 0.01, 0.97}, {}};
+  square.block.factors[0] = {{}, {1, 3, 1, 1}, {}};
+  const std::vector<Vec2> nodes = layered_positions(square.block, 1, {});
+  EXPECT_NEAR(nodes[4].y, 0.01 / 1.02, 1e-4);
+  EXPECT_NEAR(nodes[7].y, 0.04 / 1.02, 1e-4);
+}
+
+TEST(LayeredBlock, FactorsOfALineBesideAnotherAreTiedToIt) {
+  Square square({0, 1e-6, 1}, {0, 0.5, 1});
+  square.block.lines[0] = {{}, {1, 1}, {}};
+  square.block.factors[0] = {{}, {3, 1}, {}};
+  EXPECT_NEAR(layered_positions(square.block, 1, {})[4].y, 0.5, 1e-4);
+}
+
 }  // namespace
 }  // namespace quadrille::layers

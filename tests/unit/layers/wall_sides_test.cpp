@@ -34,6 +34,17 @@ TEST(WallSides, ThatContinueEachOtherMarkTheirCommonArcOnce) {
   EXPECT_TRUE(p.plan.walls.overruled.empty()) << "one spec for both";
 }
 
+TEST(WallSides, BendTowardsTheirBlocksOnTheInsideOfACircle) {
+  const PlannedWalls p(wall_samples::annulus_of_half_circles(), 0.3, {"side_0,side_1,side_2:first=0.01,layers=2"});
+  int inside = 0;
+  for (const WallSide& wall : p.plan.walls.sides) {
+    const bool is_inside = wall.line.pieces()[wall.begin.piece].curve == 0;
+    EXPECT_NEAR(greatest_bend(p.measured.curves(), wall), is_inside ? 1 : 0, 1e-9);
+    inside += is_inside;
+  }
+  EXPECT_EQ(inside, 2);
+}
+
 TEST(WallSides, PointsOfASideThatIsWalkedAgainstItsArc) {
   const WallSide wall{0, 0, 0, {}, {2, 0.0}, {4, 1.0}, false};  // pieces 2 to 4 of the line
   curve::ChainPoint on_arc;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace quadrille::mesh {
@@ -32,6 +33,13 @@ TEST(EdgeGrowth, IsTheGreatestRatioOfConsecutiveEdgesWithItsPlace) {
   const EdgeGrowth along_y = edge_growth(grid({0, 1, 2}, {0, 0.1, 0.5, 1.1}));
   EXPECT_NEAR(along_y.greatest, 4, 1e-14);
   EXPECT_NEAR(along_y.position.y, 0.1, 1e-15);
+}
+
+TEST(EdgeGrowth, ExcessIsSummedOverAllLinesThatExceedTheLimit) {
+  const QuadMesh mesh =
+      grid({0, 1, 1.25, 2}, {0, 1, 2});  // ratios 4 and 3 on three lines, that in the middle beside two rows
+  EXPECT_NEAR(edge_growth(mesh, 3.5).excess, 4 * std::pow(std::log(4 / 3.5), 2), 1e-13);
+  EXPECT_EQ(edge_growth(mesh, 4.1).excess, 0);
 }
 
 TEST(EdgeGrowth, SidesOfOneElementAreNotCompared) {

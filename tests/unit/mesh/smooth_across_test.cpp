@@ -31,6 +31,17 @@ TEST(SmoothAcross, EqualLinesStay) {
   for (const double u : middles(nodes)) EXPECT_NEAR(u, 0.4, 1e-14);
 }
 
+TEST(SmoothAcross, OtherValuesOfTheNodesAreSmoothedAsParametersAre) {
+  const LineNodes given = lines({0.4, 0.5, 0.45, 0.4}, 0.2);
+  LineNodes smoothed = given;
+  smooth_across(smoothed, 1, 2, 1, 2);
+  std::vector<double> doubled;
+  for (const double u : given.parameters) doubled.push_back(2 * u);
+  smooth_across(given, 1, 2, 1, 2, doubled);
+  for (std::size_t i = 0; i < doubled.size(); ++i) EXPECT_NEAR(doubled[i], 2 * smoothed.parameters[i], 1e-14);
+  EXPECT_GT(std::abs(smoothed.parameters[4] - 0.5), 1e-3) << "they change";
+}
+
 TEST(SmoothAcross, LinesFarFromEachOtherStay) {
   LineNodes nodes = lines({0.4, 0.7, 0.4, 0.6}, 1e4);
   smooth_across(nodes, 1, 2, 1, 2);
