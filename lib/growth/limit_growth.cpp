@@ -67,11 +67,12 @@ bool misses_tolerance(const GrowthInput& input, int arc, const sizing::ArcDivisi
 /// The excess over the limit has only as much weight as it takes: more skews the blocks.
 void smooth_within_limit(const GrowthInput& input, const sizing::ArcDivisions& shape, sizing::ArcDivisions& divisions) {
   const double well_within = 1 - growth_constants.margin;
-  smooth_divisions(input, shape, {}, divisions);
+  DivisionSmoother smoother(input, shape);
+  smoother.smooth({}, divisions);
   sizing::ArcDivisions sharper = divisions;
   const auto sharpen = [&](double weight, double power) {
     if (is_within(input, power, divisions)) return;
-    smooth_divisions(input, shape, {weight, excess_aim * power}, sharper);
+    smoother.smooth({weight, excess_aim * power}, sharper);
     if (worst_ratio(input, sharper) < worst_ratio(input, divisions)) divisions = sharper;
   };
   sharpen(growth_constants.excess_weights.front(), well_within);
@@ -122,13 +123,15 @@ GrowthOutcome limit_growth(const GrowthInput& input, sizing::ArcDivisions& divis
   sizing::ArcDivisions shape = divisions, now = divisions;
   std::set<int> raised;
   double least = 1e300;
-  for (int round = 0; round < growth_constants.max_rounds; ++round) {
+  int best_round = 0;
+  for (int round = 0; round < growth_constants.max_rounds && round <= best_round + growth_constants.patience; ++round) {
     smooth_within_limit(input, shape, now);
     std::set<int> chords = coarse_chords(input, now);
     const std::set<int> inaccurate = inaccurate_chords(input, now);
     const double worst = worst_ratio(input, now);
     if (inaccurate.empty() && worst < least * (1 - growth_constants.equal_tol)) {
       least = outcome.worst = worst;
+      best_round = round;
       outcome.raised_chords = static_cast<int>(raised.size());
       divisions = now;
     }

@@ -5,8 +5,8 @@
 // In each round the ends are moved (growth/smooth_divisions); where the limit is nearly reached or exceeded, again,
 // with more and more weight on what exceeds it. Then chords get a tenth more free intervals, at least one, if one of
 // their intervals misses the tolerance of the boundary, or is still too long beside a neighbour while none is too long
-// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, or when the mesh would
-// have `GrowthConstants::most_refined` times the elements.
+// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, when the mesh would have
+// `GrowthConstants::most_refined` times the elements, or after `patience` rounds without a better result.
 
 #include <array>
 
@@ -16,6 +16,7 @@ namespace quadrille::growth {
 
 struct GrowthConstants {
   int max_rounds = 60;
+  int patience = 8;    ///< rounds without a better result before the last
   double raise = 0.1;  ///< part of its intervals between layers by which a chord is raised in each round
   /// Weights of ratios that exceed the limit, tried in this order until none does. Each minimisation starts from the
   /// result of the one before, so that it converges. Much greater weights skew blocks.

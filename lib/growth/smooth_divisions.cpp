@@ -60,11 +60,12 @@ class NormalEquations {
         if (b.variable >= 0) entries_.emplace_back(a.variable, b.variable, weight * a.slope * b.slope);
     }
   }
-  Eigen::VectorXd solution() const {
+  Eigen::SparseMatrix<double> matrix() const {
     Eigen::SparseMatrix<double> matrix(right_.size(), right_.size());
     matrix.setFromTriplets(entries_.begin(), entries_.end());
-    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right_);
+    return matrix;
   }
+  const Eigen::VectorXd& right() const { return right_; }
 
  private:
   std::vector<Eigen::Triplet<double>> entries_;
@@ -142,19 +143,41 @@ std::vector<double> fixed_fractions(const GrowthInput& input, int arc) {
   return fractions;
 }
 
-void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, const Excess& excess,
-                      sizing::ArcDivisions& divisions) {
-  const Variables variables(input, divisions);
-  if (variables.size() == 0) return;
-  const std::vector<OppositeSides> opposite = opposite_arcs(input, divisions);
-  for (int i = 0; i < max_steps; ++i) {
+struct DivisionSmoother::State {
+  GrowthInput input;
+  sizing::ArcDivisions shape;
+  Variables variables;
+  std::vector<OppositeSides> opposite;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+  bool is_analysed = false;
+
+  /// The step of Gauss and Newton. All steps have entries in the same places.
+  Eigen::VectorXd step(const Excess& excess, const sizing::ArcDivisions& divisions) {
     NormalEquations equations(variables.size());
     add_growth(input, divisions, variables, excess, equations);
     add_shape(input, shape, divisions, variables, equations);
     add_skew(opposite, divisions, variables, equations);
-    const Eigen::VectorXd step = equations.solution();
+    const Eigen::SparseMatrix<double> matrix = equations.matrix();
+    if (!is_analysed) solver.analyzePattern(matrix);
+    is_analysed = true;
+    solver.factorize(matrix);
+    return solver.solve(equations.right());
+  }
+};
+
+DivisionSmoother::DivisionSmoother(const GrowthInput& input, const sizing::ArcDivisions& shape)
+    : state_(new State{input, shape, Variables(input, shape), opposite_arcs(input, shape), {}, false}) {}
+
+DivisionSmoother::~DivisionSmoother() = default;
+
+void DivisionSmoother::smooth(const Excess& excess, sizing::ArcDivisions& divisions) {
+  const Variables& variables = state_->variables;
+  if (variables.size() == 0) return;
+  for (int i = 0; i < max_steps; ++i) {
+    const Eigen::VectorXd step = state_->step(excess, divisions);
+    if (!step.allFinite()) return;  // intervals so different that the equations have no solution in these numbers
     const double part = allowed_part(divisions, variables, step);
-    for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
+    for (int arc = 0; arc < static_cast<int>(divisions.size()); ++arc)
       for (int end = 1; end < divisions[arc].num_intervals(); ++end)
         if (variables(arc, end) >= 0) divisions[arc].ends[end] += part * step[variables(arc, end)];
     if (part == 1 && step.cwiseAbs().maxCoeff() < small_step) return;

@@ -8,10 +8,12 @@
 //   + weight_shape  sum over intervals (ln d / d_0)^2,               d_0 their lengths at first
 //   + weight_skew   sum over opposite ends (slope of the line between them)^2
 //
-// by Gauss-Newton steps with a sparse factorisation. The second term, whose weight may be 0, shares among many
-// intervals what a few exceed the limit by. The third keeps gradings that are smooth already; the fourth keeps lines
-// across narrow blocks nearly normal to their long sides. The ends of arcs, layers and breaks of the boundary at which
-// intervals end do not move.
+// by Gauss-Newton steps with a sparse factorisation, as far as numbers are finite. The second term, whose weight may be
+// 0, shares among many intervals what a few exceed the limit by. The third keeps gradings that are smooth already; the
+// fourth keeps lines across narrow blocks nearly normal to their long sides. The ends of arcs, layers and breaks of the
+// boundary at which intervals end do not move.
+
+#include <memory>
 
 #include "growth/growth_input.hpp"
 
@@ -29,8 +31,19 @@ struct Excess {
   double aim = 1;
 };
 
-/// Changes the ends in `divisions`, not their number. `shape`: the divisions that have d_0.
-void smooth_divisions(const GrowthInput& input, const sizing::ArcDivisions& shape, const Excess& excess,
-                      sizing::ArcDivisions& divisions);
+/// The problem for divisions with the counts of `shape`, which have d_0: its matrix is analysed once.
+class DivisionSmoother {
+ public:
+  /// What `input` refers to must outlive the smoother.
+  DivisionSmoother(const GrowthInput& input, const sizing::ArcDivisions& shape);
+  ~DivisionSmoother();
+
+  /// Changes the ends in `divisions`, not their number.
+  void smooth(const Excess& excess, sizing::ArcDivisions& divisions);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace quadrille::growth

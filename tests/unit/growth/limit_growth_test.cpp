@@ -86,7 +86,7 @@ TEST(LimitGrowth, CountsStayWhereMoreIntervalsCanShareTheGrowth) {
   // With no weight on the excess, few intervals beside the node grow by more than the limit: by 1.38.
   Divided d(hand_made::row({1, 1}), 0.1, {40, 4});
   sizing::ArcDivisions evenly = d.divisions;
-  smooth_divisions(d.input(), d.divisions, {}, evenly);
+  DivisionSmoother(d.input(), d.divisions).smooth({}, evenly);
   EXPECT_GT(greatest_ratio(d, evenly), 1.35);
   const GrowthOutcome outcome = limit_growth(d.input(), d.divisions);
   EXPECT_LE(outcome.worst, 1.3);
@@ -99,18 +99,18 @@ TEST(LimitGrowth, CountsStayWhereMoreIntervalsCanShareTheGrowth) {
 TEST(LimitGrowth, WeightOfTheExcessReducesTheGreatestRatioOnly) {
   Divided d(hand_made::row({1, 1}), 0.1, {40, 4});
   sizing::ArcDivisions now = d.divisions;
-  smooth_divisions(d.input(), d.divisions, {}, now);
+  DivisionSmoother(d.input(), d.divisions).smooth({}, now);
   double before = greatest_ratio(d, now);
   for (const double weight : {10, 30, 90}) {
-    smooth_divisions(d.input(), d.divisions, {weight, 0.97}, now);
+    DivisionSmoother(d.input(), d.divisions).smooth({weight, 0.97}, now);
     EXPECT_LT(greatest_ratio(d, now), before) << weight;
     before = greatest_ratio(d, now);
   }
   // Within the limit it changes nothing.
   Divided even(hand_made::row({1, 1}), 0.1, {20, 16});
   sizing::ArcDivisions free = even.divisions, weighted = even.divisions;
-  smooth_divisions(even.input(), even.divisions, {}, free);
-  smooth_divisions(even.input(), even.divisions, {90, 0.97}, weighted);
+  DivisionSmoother(even.input(), even.divisions).smooth({}, free);
+  DivisionSmoother(even.input(), even.divisions).smooth({90, 0.97}, weighted);
   for (std::size_t arc = 0; arc < free.size(); ++arc) EXPECT_EQ(free[arc].ends, weighted[arc].ends);
 }
 
