@@ -115,26 +115,13 @@ void plan_walls(const sizing::MeasuredLayout& measured, const SplitRequest& requ
                           *result.walls, result.divisions);
 }
 
-/// Corrects the lines inside blocks again, from the intervals that the mesh has, as long as that reduces the excess
-/// over the limit and keeps the shapes of the elements.
-template <typename MakeMesh>
-void correct_lines(const sizing::MeasuredLayout& measured, const RefineOptions& options, const MakeMesh& make_mesh,
-                   SplitMesh& result) {
-  const double limit = options.target_growth;
-  double before = 0, excess = mesh::edge_growth(result.mesh, limit).excess;
-  for (int i = 0; i < max_line_corrections && excess > 0 && (i == 0 || excess < most_excess_left * before); ++i) {
-    const growth::LinePlan last_lines = result.lines;
-    const QuadMesh last = std::move(result.mesh);
-    growth::correct_factors(measured, *result.walls, result.divisions, last, limit, result.lines);
-    make_mesh(&last);
-    before = excess;
-    excess = mesh::edge_growth(result.mesh, limit).excess;
-    if (excess < before && result.mesh.is_valid && growth::keeps_qualities(growth::block_qualities(last), result.mesh))
-      continue;
-    result.mesh = last;
-    result.lines = last_lines;
-    return;
-  }
+/// The mesh of the result's divisions, layers and lines. `known`: elements that are the same keep their measures.
+QuadMesh measured_mesh(const sizing::MeasuredLayout& measured, const SplitRequest& request, const SplitMesh& result,
+                       const QuadMesh* known) {
+  QuadMesh mesh = split_isoparametric(measured, result.divisions, request.options.order,
+                                      result.walls ? &*result.walls : nullptr, result.lines);
+  measure_elements(mesh, request.report->progress(), known);
+  return mesh;
 }
 
 SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
@@ -160,20 +147,13 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   sizing::match_periodic(measured.periodic_arcs(), result.divisions,
                          result.walls ? result.walls->arc_nodes : no_layers);
   sizing::require_divided_within(measured.blocks(), result.divisions, {request.max_elements, options.order});
-  const auto make_mesh = [&](const QuadMesh* known) {
-    QuadMesh mesh = split_isoparametric(measured, result.divisions, options.order,
-                                        result.walls ? &*result.walls : nullptr, result.lines);
-    measure_elements(mesh, request.report->progress(), known);
-    result.mesh = std::move(mesh);
-  };
-  make_mesh(request.last ? &request.last->mesh : nullptr);
+  result.mesh = measured_mesh(measured, request, result, request.last ? &request.last->mesh : nullptr);
   if (!result.growth) return result;
   const std::vector<double> without_lines = growth::block_qualities(result.mesh);
   result.lines.lengths =
       growth::line_intervals(measured, *result.walls, result.divisions, options.target_growth, options.order);
-  do make_mesh(&result.mesh);
+  do result.mesh = measured_mesh(measured, request, result, &result.mesh);
   while (growth::drop_worse(without_lines, result.mesh, result.walls->walls, result.lines.lengths));
-  correct_lines(measured, options, make_mesh, result);
   return result;
 }
 
@@ -306,6 +286,27 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
   return best;
 }
 
+/// Corrects the lines inside blocks again, from the intervals that the mesh has, as long as that reduces the excess
+/// over the limit and keeps the shapes of the elements. `aligned`: from which the attempts were made.
+void correct_lines(const sizing::MeasuredLayout& aligned, const SplitRequest& request, SplitMesh& result) {
+  if (!result.growth) return;
+  const sizing::MeasuredLayout measured = result.has_equal_parameters ? aligned.with_equal_parameters() : aligned;
+  const double limit = request.options.target_growth;
+  double before = 0, excess = mesh::edge_growth(result.mesh, limit).excess;
+  for (int i = 0; i < max_line_corrections && excess > 0 && (i == 0 || excess < most_excess_left * before); ++i) {
+    SplitMesh next = result;
+    growth::correct_factors(measured, *next.walls, next.divisions, result.mesh, limit, next.lines);
+    next.mesh = measured_mesh(measured, request, next, &result.mesh);
+    before = excess;
+    excess = mesh::edge_growth(next.mesh, limit).excess;
+    if (excess >= before || !next.mesh.is_valid ||
+        !growth::keeps_qualities(growth::block_qualities(result.mesh), next.mesh))
+      break;
+    result = std::move(next);
+  }
+  mesh::measure_element_sizes(result.mesh);
+}
+
 /// The parts of an element are the same map: the distance from the CAD curves does not change.
 void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report) {
   if (options.levels == 0) return;
@@ -350,7 +351,9 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   RefineOptions options = prescribed;
   const SplitRequest request = split_request(options, layout.face, report);
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts);
-  auto [split, distance] = split_without_elongation(measured.with_parameters(align_chords(measured)), request);
+  const sizing::MeasuredLayout aligned = measured.with_parameters(align_chords(measured));
+  auto [split, distance] = split_without_elongation(aligned, request);
+  correct_lines(aligned, request, split);
   if (options.relax > 0) {
     relax_and_report(split.mesh,
                      {options.relax, request.division.tolerance, elements_in_layered_blocks(split), report.progress()},
