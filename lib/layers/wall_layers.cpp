@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/named_curves.hpp"
 #include "layers/arc_sizes.hpp"
@@ -89,6 +90,19 @@ bool count_own_intervals(const WallInput& input, const sizing::ArcDivisions& div
   return changed;
 }
 
+/// In blocks that fold, or nearly, layers may have no room along an arc.
+void require_room(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions) {
+  for (int arc = 0; arc < measured.num_arcs(); ++arc) {
+    const std::vector<double>& ends = divisions[arc].ends;
+    const auto at = std::ranges::adjacent_find(ends, [](double a, double b) { return !(a < b); });
+    if (at == ends.end()) continue;
+    const Vec2 position = measured.chain(arc).position(std::clamp(*at, 0.0, 1.0)) + measured.blocks().face.origin;
+    throw ComputeError(
+        fmt::format("--wall: the layers do not fit along the sides of blocks at {}: give fewer or thinner layers",
+                    position_text(position)));
+  }
+}
+
 }  // namespace
 
 bool WallPlan::has_wall(int block) const {
@@ -118,6 +132,7 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
     const std::vector<NormalLineSample> counted = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
     divide_with_layers(input, counted, sizes, plan, divisions);
   }
+  require_room(input.measured, divisions);
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
     plan.is_graded.push_back(std::binary_search(plan.chords.begin(), plan.chords.end(), input.measured.chord_of(arc)));
   plan.arc_nodes = layered_arc_nodes(plan.requests, divisions, input.order);
