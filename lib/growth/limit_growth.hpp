@@ -5,8 +5,8 @@
 // In each round the ends are moved (growth/smooth_divisions); where the limit is nearly reached or exceeded, again,
 // with more and more weight on what exceeds it. Then chords get a tenth more free intervals, at least one, if one of
 // their intervals misses the tolerance of the boundary, or is still too long beside a neighbour while none is too long
-// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, when the mesh would have
-// `GrowthConstants::most_refined` times the elements, or after `patience` rounds without a better result.
+// beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, when the mesh would
+// have `GrowthConstants::most_refined` times the elements, or after `patience` rounds without a better result.
 
 #include <array>
 

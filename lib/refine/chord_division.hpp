@@ -9,12 +9,17 @@
 #include <vector>
 
 #include "refine/anchored_segments.hpp"
-#include "refine/divide_options.hpp"
 #include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
+
+/// The requirements on the divisions of arcs.
+struct DivideOptions {
+  int order = 4;         ///< N, of the elements
+  double tolerance = 0;  ///< greatest distance between an interval's polynomial and its curve, > 0, a length
+};
 
 /// More intervals than this are an error.
 constexpr int max_intervals = 10000;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -85,10 +86,6 @@ struct SplitMesh {
   int shortened_chords = 0;  ///< chords with length limits
 };
 
-int num_limited(const sizing::LengthLimits& limits) {
-  return static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const auto& own) { return !own.empty(); }));
-}
-
 /// The divisions of the last attempt, if they were made for the same parameters and tolerance. Walls change divisions.
 KnownDivisions known_divisions(const SplitRequest& request, const SplitMesh& now) {
   const SplitMesh* last = request.last;
@@ -136,7 +133,8 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   const sizing::ElementLimit limit{options.max_elements, options.order};
   sizing::require_planned_within(measured, plans, limit, *request.report);
   SplitMesh result;
-  result.shortened_chords = num_limited(request.limits);
+  result.shortened_chords =
+      static_cast<int>(std::ranges::count_if(request.limits, std::not_fn(&sizing::LengthLimits::value_type::empty)));
   result.tolerance = request.division.tolerance;
   result.has_equal_parameters = measured.has_equal_parameters();
   result.divisions =
@@ -240,16 +238,6 @@ double worst_edge_ratio(const SplitMesh& split) {
   return worst;
 }
 
-/// No value if shorter elements would be too many.
-template <typename MakeSplit>
-std::optional<MeasuredSplit> split_unless_too_many(const MakeSplit& make) {
-  try {
-    return make();
-  } catch (const sizing::TooManyElements&) {
-    return std::nullopt;
-  }
-}
-
 /// With shorter elements where blocks are thin: the best of several attempts, each of which corrects the last.
 MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, SplitRequest request) {
   const Progress::Part part(request.report->progress(), "attempt");
@@ -270,7 +258,7 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
                                    elements_in_layered_blocks(last), request.limits))
       break;
     request.last = &last;
-    std::optional<MeasuredSplit> next = split_unless_too_many(measured_split);
+    std::optional<MeasuredSplit> next = sizing::unless_too_many(measured_split);
     if (!next) break;
     const QuadMesh& mesh = next->split.mesh;
     if (mesh.is_valid < best.split.mesh.is_valid || mesh.num_elems() > most_elems) break;
@@ -316,33 +304,7 @@ void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report)
   mesh::measure_element_sizes(mesh);
 }
 
-void report_mesh(const QuadMesh& mesh, std::size_t num_chords, Report& report) {
-  report.set("quads", mesh.num_elems());
-  report.set("nodes", mesh.nodes.size());
-  report.set("blocks", mesh.block_names.size());
-  report.set("chords", num_chords);
-  report.set("irregular_nodes", mesh.num_irregular);
-  report_validity(mesh, report);
-  mesh::report_element_sizes(mesh, report);
-}
-
 }  // namespace
-
-void RefineOptions::validate() const {
-  if (size < 0) throw UsageError("--size must not be negative");
-  if (order < 1 || order > 20) throw UsageError("--order must lie in 1..20");
-  if (!(min_scaled_jacobian >= 0 && min_scaled_jacobian <= 1))
-    throw UsageError("--min-scaled-jacobian must lie in 0..1");
-  if (!(target_edge_ratio == 0 || target_edge_ratio >= 1))
-    throw UsageError("--target-edge-ratio must be 0 or at least 1");
-  if (!(target_growth == 0 || target_growth > 1)) throw UsageError("--target-growth must be 0 or greater than 1");
-  if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
-  if (levels < 0 || levels > 10) throw UsageError("--refine must lie in 0..10");
-  if (max_elements < 1) throw UsageError("--max-elements must be at least 1");
-  if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
-}
-
-double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ? 5e-4 : order == 3 ? 2e-5 : 5e-7; }
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Report& report) {
   prescribed.validate();
@@ -364,7 +326,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   refine_nested(split.mesh, options, report);
   report.set("count_doublings", split.doublings);
   report.set("shortened_chords", split.shortened_chords);
-  report_mesh(split.mesh, measured.chords().size(), report);
+  report.set("chords", measured.chords().size());
+  report_mesh(split.mesh, report);
   mesh::report_distance(distance, layout.face, request.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   if (split.walls && options.target_growth > 0)

@@ -182,4 +182,13 @@ void report_validity(const QuadMesh& mesh, Report& report) {
   }
 }
 
+void report_mesh(const QuadMesh& mesh, Report& report) {
+  report.set("quads", mesh.num_elems());
+  report.set("nodes", mesh.nodes.size());
+  report.set("blocks", mesh.block_names.size());
+  report.set("irregular_nodes", mesh.num_irregular);
+  report_validity(mesh, report);
+  mesh::report_element_sizes(mesh, report);
+}
+
 }  // namespace quadrille::refine

@@ -44,6 +44,10 @@ void require_valid_elements(const QuadMesh& mesh);
 /// `min_scaled_jacobian`, or a larger ratio of its sides than `max_edge_ratio` (mesh/element_sizes); 0: no limit.
 void require_quality(const QuadMesh& mesh, double min_scaled_jacobian, double max_edge_ratio);
 
+/// Reports the numbers of elements, nodes, blocks and irregular nodes, the sizes of elements and what report_validity
+/// does.
+void report_mesh(const QuadMesh& mesh, Report& report);
+
 /// Reports the least bound, scaled Jacobian and ratio, the number of elements not proved valid, and the worst elements
 /// (worst.1.*, ...).
 void report_validity(const QuadMesh& mesh, Report& report);

@@ -1,6 +1,7 @@
 #pragma once
 // The greatest number of elements, so that a mistyped size is refused before it exhausts the memory.
 
+#include <optional>
 #include <vector>
 
 #include "base/error.hpp"
@@ -21,6 +22,16 @@ struct ElementLimit {
 struct TooManyElements : ComputeError {
   using ComputeError::ComputeError;
 };
+
+/// What `make` returns; no value if it throws TooManyElements.
+template <typename Make>
+auto unless_too_many(const Make& make) -> std::optional<decltype(make())> {
+  try {
+    return make();
+  } catch (const TooManyElements&) {
+    return std::nullopt;
+  }
+}
 
 /// The number of elements of a mesh with the planned counts.
 double num_planned(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans);

@@ -403,9 +403,11 @@ print(vertices(a) < vertices(b))'
 @test "--per-curve makes elements follow short curves, with and without a size" {
   stage_chain s_bend .
   quadrefine --per-curve 4 s_bend.blocks.h5 -o a.quad.h5 --report a.json
-  quadrefine s_bend.blocks.h5 -o b.quad.h5 --report b.json
+  quadrefine --per-curve 0 s_bend.blocks.h5 -o b.quad.h5 --report b.json
+  quadrefine s_bend.blocks.h5 -o d.quad.h5 --report d.json
   size=$(jq .sizes.prescribed b.json)
   quadrefine --size "$size" --per-curve 4 s_bend.blocks.h5 -o c.quad.h5 --report c.json
-  run jq -c -s 'map(.quads) | [.[0] > .[1], .[2] == .[0]]' a.json b.json c.json
-  assert_output '[true,true]'
+  run jq -c -s 'map(.quads) | [.[0] > .[1], .[2] == .[0], .[3] > .[1], .[3] <= 2 * .[1], .[3] < .[0]]' \
+    a.json b.json c.json d.json
+  assert_output '[true,true,true,true,true]'
 }

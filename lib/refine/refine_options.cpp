@@ -1,0 +1,22 @@
+#include "base/error.hpp"
+#include "refine/refine.hpp"
+
+namespace quadrille::refine {
+
+void RefineOptions::validate() const {
+  if (size < 0) throw UsageError("--size must not be negative");
+  if (order < 1 || order > 20) throw UsageError("--order must lie in 1..20");
+  if (!(min_scaled_jacobian >= 0 && min_scaled_jacobian <= 1))
+    throw UsageError("--min-scaled-jacobian must lie in 0..1");
+  if (!(target_edge_ratio == 0 || target_edge_ratio >= 1))
+    throw UsageError("--target-edge-ratio must be 0 or at least 1");
+  if (!(target_growth == 0 || target_growth > 1)) throw UsageError("--target-growth must be 0 or greater than 1");
+  if (!(max_edge_ratio == 0 || max_edge_ratio >= 1)) throw UsageError("--max-edge-ratio must be 0 or at least 1");
+  if (levels < 0 || levels > 10) throw UsageError("--refine must lie in 0..10");
+  if (max_elements < 1) throw UsageError("--max-elements must be at least 1");
+  if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
+}
+
+double default_geometry_tol(int order) { return order == 1 ? 5e-3 : order == 2 ? 5e-4 : order == 3 ? 2e-5 : 5e-7; }
+
+}  // namespace quadrille::refine
