@@ -50,8 +50,8 @@
 //   a  blocks=own, on a line that ends below its layers  the first layer keeps its height; the others and all intervals
 //      and one more                                     above grow less; if not even that fits, all are equal
 //                                                       (compressed_heights)
-//   b  a wall with such a line, if growth is limited    only the first layer keeps its height, as long as that fits on
-//      (growth/limit_growth)                            all lines; all intervals above it are free (wall_layers)
+//   b  a wall with such a line, if growth is limited    only the first layer keeps its height (by rule a); all intervals
+//      (growth/limit_growth)                            above it are free (wall_layers)
 //   c  layers higher than greatest_bend_height radii    arcs keep their heights; inside the block they are free: lines
 //      of a wall that bends towards them, if growth is  towards the centre of the bend, and the layers' offset curves,
 //      limited                                          end there (wall_layers)

@@ -144,9 +144,8 @@ void release_compressed_layers(const WallInput& input, WallPlan& plan) {
   constexpr double tol = layer_constants.equal_tol;
   for (std::size_t spec = 0; spec < plan.heights.size(); ++spec) {
     const std::vector<double>& heights = plan.heights[spec];
-    const double least = plan.least_thickness[spec], count = static_cast<double>(heights.size());
-    const bool is_compressed = least < heights.back() * (1 - tol);
-    if (is_compressed && least > count * heights.front() * (1 - tol)) plan.num_fixed[spec] = 1;
+    const bool is_compressed = plan.least_thickness[spec] < heights.back() * (1 - tol);
+    if (is_compressed) plan.num_fixed[spec] = 1;
   }
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
     for (const int end : {0, 1}) {

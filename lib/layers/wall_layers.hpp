@@ -39,9 +39,9 @@ struct WallPlan {
 /// names, and ComputeError if layers do not fit, with the greatest number that fits and the position.
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions);
 
-/// Gives up the heights of all layers but the first along walls whose layers are compressed somewhere, if first layers
-/// of the prescribed height fit everywhere: their intervals are then free in the gap that facing walls share and around
-/// it, so that blocks beside the gap, which have as many intervals as the gap, need not be as narrow.
+/// Gives up the heights of all layers but the first along walls whose layers are compressed somewhere: their intervals
+/// are then free in the gap that facing walls share and around it, so that blocks beside the gap, which have as many
+/// intervals as the gap, need not be as narrow.
 void release_compressed_layers(const WallInput& input, WallPlan& plan);
 
 /// Gives up the heights, inside blocks, of layers above LayerConstants::greatest_bend_height: lines towards the centre

@@ -273,9 +273,10 @@ TEST(LayerRules, R12WithR13_FacingWallsBothLoseLayersToTheirWideBlocks) {
 // ---- Divisions of chords
 
 TEST(LayerRules, Rb_OnlyTheFirstLayersOfWallsThatAreCompressedSomewhereKeepTheirHeights) {
-  // Eight layers from 0.05 are 1.2 high, and the blocks 1; six from 0.2 do not fit if all are as high as the first.
+  // Eight layers from 0.05 are 1.2 high, and the blocks 1; six from 0.2 do not fit even if all are as high as the
+  // first.
   for (const auto& [wall, fixed] :
-       {std::pair{"0.05,growth=1.3,layers=8", 1}, {"0.05,growth=1.3,layers=4", 4}, {"0.2,growth=1.1,layers=6", 6}}) {
+       {std::pair{"0.05,growth=1.3,layers=8", 1}, {"0.05,growth=1.3,layers=4", 4}, {"0.2,growth=1.1,layers=6", 1}}) {
     PlannedWalls p(row({1, 1}), 1, {std::string("side_0:blocks=own,first=") + wall});
     release_compressed_layers(p.input, p.plan);
     const int arc = p.arc_between({1, 0}, {1, 1});
