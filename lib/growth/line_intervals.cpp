@@ -7,7 +7,7 @@
 #include "growth/limit_growth.hpp"
 #include "growth/line_correction.hpp"
 #include "growth/line_paths.hpp"
-#include "spectral/quadrature.hpp"
+#include "layers/request_layers.hpp"
 
 namespace quadrille::growth {
 namespace {
@@ -25,21 +25,13 @@ BlockLines empty_lines(const AllPieces& pieces) {
   return lines;
 }
 
-std::vector<double> all_nodes(const std::vector<double>& ends, int order) {
-  const std::vector<double>& gll = spectral::gll_points(order);
-  std::vector<double> nodes{ends.front()};
-  for (std::size_t k = 1; k < ends.size(); ++k)
-    for (int i = 1; i <= order; ++i)
-      nodes.push_back(i == order ? ends[k] : ends[k - 1] * (1 - gll[i]) / 2 + ends[k] * (1 + gll[i]) / 2);
-  return nodes;
-}
-
 /// By arc: fractions of all nodes.
 std::vector<std::vector<double>> arc_fractions(const layers::WallPlan& walls, const sizing::ArcDivisions& divisions,
                                                int order) {
   std::vector<std::vector<double>> nodes;
   for (std::size_t arc = 0; arc < divisions.size(); ++arc)
-    nodes.push_back(walls.arc_nodes[arc].empty() ? all_nodes(divisions[arc].ends, order) : walls.arc_nodes[arc]);
+    nodes.push_back(walls.arc_nodes[arc].empty() ? layers::interval_nodes(divisions[arc].ends, order)
+                                                 : walls.arc_nodes[arc]);
   return nodes;
 }
 

@@ -47,16 +47,6 @@ EndSpacing layer_spacing(const std::vector<double>& nodes, int order, double len
   return spacing;
 }
 
-/// Gauss-Lobatto-Legendre points of every interval, ends shared.
-std::vector<double> interval_nodes(const std::vector<double>& ends, int order) {
-  const std::vector<double>& gll = spectral::gll_points(order);
-  std::vector<double> nodes{ends.front()};
-  for (std::size_t k = 1; k < ends.size(); ++k)
-    for (int i = 1; i <= order; ++i)
-      nodes.push_back(i == order ? ends[k] : ends[k - 1] * (1 - gll[i]) / 2 + ends[k] * (1 + gll[i]) / 2);
-  return nodes;
-}
-
 /// False if the end of a layer had to move onto a break.
 bool keeps_layers(const ArcSpacing& spacing, const std::vector<double>& ends) {
   const std::vector<double>&low = spacing[0].layer_ends, &high = spacing[1].layer_ends;
@@ -85,6 +75,15 @@ LayerRequests request_layers(const WallInput& input, const WallSides& walls,
                                                   growth_beyond(input.specs[wall.spec]));
     }
   return requests;
+}
+
+std::vector<double> interval_nodes(const std::vector<double>& ends, int order) {
+  const std::vector<double>& gll = spectral::gll_points(order);
+  std::vector<double> nodes{ends.front()};
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    for (int i = 1; i <= order; ++i)
+      nodes.push_back(i == order ? ends[k] : ends[k - 1] * (1 - gll[i]) / 2 + ends[k] * (1 + gll[i]) / 2);
+  return nodes;
 }
 
 std::vector<std::vector<double>> layered_arc_nodes(const LayerRequests& requests, const sizing::ArcDivisions& divisions,

@@ -21,6 +21,9 @@ struct LayerRequests {
 LayerRequests request_layers(const WallInput& input, const WallSides& walls,
                              const std::vector<std::vector<double>>& spec_heights);
 
+/// The Gauss-Lobatto-Legendre points of every interval, ends shared: of n intervals n `order` + 1.
+std::vector<double> interval_nodes(const std::vector<double>& ends, int order);
+
 /// The fractions of all nodes of the arcs that start at walls: in the layers at their heights, elsewhere
 /// Gauss-Lobatto-Legendre points of each interval. Empty for other arcs, and for those on which the end of a layer
 /// moved onto a break (rule 17): all their nodes follow from the intervals.
