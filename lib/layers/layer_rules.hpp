@@ -8,7 +8,8 @@
 // Invariants, whatever the rules below decide:
 //   - all arcs of a chord have one number of intervals, and their divisions rise from 0 to 1;
 //   - a layer has one height on all normal lines of its wall, to round-off; except at an arc of the boundary on which a
-//     cut had to move onto a break of the curve (rule 17), and where layers with blocks of their own are compressed;
+//     cut had to move onto a break of the curve (rule 17), and where layers with blocks of their own are compressed
+//     (rule a) or turn around a corner (rule d);
 //   - layers lie in the first row of blocks: at its far side lie irregular nodes, where cuts cannot follow the wall;
 //   - a face with a mirror symmetry gets a mesh with it.
 //
@@ -50,11 +51,17 @@
 //   a  blocks=own, on a line that ends below its layers  the first layer keeps its height; the others and all intervals
 //      and one more                                     above grow less; if not even that fits, all are equal
 //                                                       (compressed_heights)
-//   b  a wall with such a line, if growth is limited    only the first layer keeps its height (by rule a); all intervals
-//      (growth/limit_growth)                            above it are free (wall_layers)
+//   b  a wall with such a line, or whose chord has so   only the first layer keeps its height (by rule a); all intervals
+//      many intervals that those above the layers are   above it are free (wall_layers)
+//      shorter than the last layer by more than
+//      greatest_jump, if growth is limited
+//      (growth/limit_growth)
 //   c  layers higher than greatest_bend_height radii    arcs keep their heights; inside the block they are free: lines
 //      of a wall that bends towards them, if growth is  towards the centre of the bend, and the layers' offset curves,
 //      limited                                          end there (wall_layers)
+//   d  blocks=own, a corner of more than 180 degrees    the boundary from which heights are measured (rule 6) ends
+//      with V = 2                                       there, and is continued straight: layers run parallel to both
+//                                                       sides, as their offset curve does, up to its corner
 //
 //   divisions of chords (end_spacing, layered_divisions, align_divisions, divide_chord)
 //   14 walls with different specifications on one       each keeps its heights at its end; both have the same count;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "layers/layer_fit.hpp"
@@ -37,12 +39,14 @@ std::vector<double> nodes_in_layers(const WallInput& input, const WallSide& wall
                   position_text(line(0) + input.blocks().face.origin)));
 }
 
-EndSpacing layer_spacing(const std::vector<double>& nodes, int order, double length, double growth) {
+/// `above`: the number of intervals in which the rest of the arc is divided in any case; 0: any.
+EndSpacing layer_spacing(const std::vector<double>& nodes, int order, double length, double growth, int above) {
   EndSpacing spacing;
   for (std::size_t k = order - 1; k < nodes.size(); k += order) spacing.layer_ends.push_back(nodes[k]);
   const std::size_t count = spacing.layer_ends.size();
   const double below = count > 1 ? spacing.layer_ends[count - 2] : 0;
   spacing.before = (spacing.layer_ends.back() - below) * length;
+  if (above > 0) spacing.before = std::min(spacing.before, (1 - spacing.layer_ends.back()) * length / above);
   spacing.growth = growth;
   return spacing;
 }
@@ -72,7 +76,7 @@ LayerRequests request_layers(const WallInput& input, const WallSides& walls,
       const WallSide& wall = walls.sides[number];
       requests.nodes[arc][end] = nodes_in_layers(input, wall, spec_heights[wall.spec], {arc, end});
       requests.spacings[arc][end] = layer_spacing(requests.nodes[arc][end], input.order, input.measured.length(arc),
-                                                  growth_beyond(input.specs[wall.spec]));
+                                                  growth_beyond(input.specs[wall.spec]), wall.own_intervals);
     }
   return requests;
 }

@@ -140,12 +140,33 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   return plan;
 }
 
+namespace {
+
+/// By spec: whether the intervals above the layers of some arc are far shorter than its last layer.
+std::vector<bool> crowded_specs(const WallInput& input, const WallPlan& plan) {
+  std::vector<bool> crowded(plan.heights.size(), false);
+  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
+    for (const int end : {0, 1}) {
+      const int wall = plan.walls.at_arc_end[arc][end];
+      if (wall < 0) continue;
+      const EndSpacing& spacing = plan.requests.spacings[arc][end];
+      const std::size_t count = spacing.layer_ends.size();
+      const double below = count > 1 ? spacing.layer_ends[count - 2] : 0;
+      const double last = (spacing.layer_ends.back() - below) * input.measured.length(arc);
+      if (spacing.before * layer_constants.greatest_jump < last) crowded[plan.walls.sides[wall].spec] = true;
+    }
+  return crowded;
+}
+
+}  // namespace
+
 void release_compressed_layers(const WallInput& input, WallPlan& plan) {
   constexpr double tol = layer_constants.equal_tol;
+  const std::vector<bool> is_crowded = crowded_specs(input, plan);
   for (std::size_t spec = 0; spec < plan.heights.size(); ++spec) {
     const std::vector<double>& heights = plan.heights[spec];
     const bool is_compressed = plan.least_thickness[spec] < heights.back() * (1 - tol);
-    if (is_compressed) plan.num_fixed[spec] = 1;
+    if (is_compressed || is_crowded[spec]) plan.num_fixed[spec] = 1;
   }
   for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
     for (const int end : {0, 1}) {

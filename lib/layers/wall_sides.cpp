@@ -70,12 +70,26 @@ bool extends_beyond(const BlockLayout& layout, const curve::CurveTable& table, c
                direction(table, at_end ? other.front() : own.front(), false)) >= layer_constants.least_corner_sine;
 }
 
+/// Whether the wall turns away from the blocks between a side and the one that continues it (step as above).
+bool turns_away(const BlockLayout& layout, const curve::CurveTable& table, const mesh::BlockSide& side,
+                const mesh::BlockSide& next, int step) {
+  if (next.block < 0) return false;
+  const mesh::BlockSide &first = step > 0 ? side : next, &second = step > 0 ? next : side;
+  return cross(direction(table, pieces_of(layout, first).back(), true),
+               direction(table, pieces_of(layout, second).front(), false)) < -layer_constants.least_bend;
+}
+
+/// `is_own`: blocks of the layers' own.
 WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& table, const mesh::ArcSides& arc_sides,
-                        const mesh::BlockSide& side, int spec) {
-  WallSide wall{side.block, side.side, spec, {}, {}, {}, false};
+                        const mesh::BlockSide& side, int spec, bool is_own) {
+  WallSide wall{side.block, side.side, spec, {}, {}, {}, 0};
   std::vector<ArcPiece> pieces;
-  const mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1),
-                        after = mesh::next_along_boundary(layout, arc_sides, side, 1);
+  mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1),
+                  after = mesh::next_along_boundary(layout, arc_sides, side, 1);
+  const bool ends_before = is_own && turns_away(layout, table, side, before, -1),
+             ends_after = is_own && turns_away(layout, table, side, after, 1);
+  if (ends_before) before = {};
+  if (ends_after) after = {};
   if (before.block >= 0) append_pieces(layout, before, pieces);
   const int first = static_cast<int>(pieces.size());
   append_pieces(layout, side, pieces);
@@ -83,8 +97,8 @@ WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& tabl
   wall.end = {static_cast<int>(pieces.size()) - 1, pieces.back().t1};
   if (after.block >= 0) append_pieces(layout, after, pieces);
   wall.line = WallLine(table, std::move(pieces));
-  if (extends_beyond(layout, table, before.block < 0 ? side : before, -1)) wall.line.extend(-1);
-  if (extends_beyond(layout, table, after.block < 0 ? side : after, 1)) wall.line.extend(1);
+  if (ends_before || extends_beyond(layout, table, before.block < 0 ? side : before, -1)) wall.line.extend(-1);
+  if (ends_after || extends_beyond(layout, table, after.block < 0 ? side : after, 1)) wall.line.extend(1);
   return wall;
 }
 
@@ -141,7 +155,7 @@ WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& ta
       const int spec = spec_of_side(layout, curve_spec, mesh::half_edge(layout, block, side), choice);
       if (spec < 0) continue;
       walls.of_block[block][side] = static_cast<int>(walls.sides.size());
-      walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec));
+      walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec, specs[spec].own_blocks));
     }
   unify_runs(runs(layout, arc_sides, walls), walls.sides, choice);
   for (WallSide& wall : walls.sides) wall.own_intervals = specs[wall.spec].own_blocks ? 1 : 0;

@@ -1,9 +1,9 @@
 // wall_heights MESH.quad.h5 FIRST STEPS NAME...
 // Measures the layers of a mesh along the boundaries of the given names, from its vertices and the CAD curves alone.
 // Prints JSON: the greatest deviation of the first heights from FIRST, as a share, at wall vertices farther than ten
-// first heights from boundary vertices without two elements; the greatest ratio of neighbouring steps among the first
-// STEPS of the columns of vertices that leave the wall there, and in the whole columns, with the place; the same in all
-// whole columns, those near corners too; the number of wall vertices.
+// first heights from boundary vertices without two elements and from corners above 180 degrees; the greatest ratio of
+// neighbouring steps among the first STEPS of the columns of vertices that leave the wall there, and in the whole
+// columns, with the place; the same in all whole columns, those near corners too; the number of wall vertices.
 
 #include <fmt/format.h>
 
@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "curve/project.hpp"
 #include "io/stage_files.hpp"
 
@@ -51,6 +52,9 @@ class Walls {
     for (const QuadBoundaryEdge& e : mesh_.boundary_edges)
       for (const int v : {vertex(e.elem, e.side), vertex(e.elem, e.side + 1)})
         if (num_elems_at_.at(v) != 2) corners.push_back(mesh_.nodes[v]);
+    for (const int c : curves_)  // layers with blocks of their own turn around these in parallel to both sides
+      if (mesh_.face.joints[c].is_corner && mesh_.face.joints[c].interior_angle > pi)
+        corners.push_back(mesh_.face.joints[c].position);
     Measured result;
     for (const QuadBoundaryEdge& e : mesh_.boundary_edges)
       for (int end = 0; curves_.count(e.curve) && end < 2; ++end) {

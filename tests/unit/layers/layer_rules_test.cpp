@@ -289,6 +289,44 @@ TEST(LayerRules, Rb_OnlyTheFirstLayersOfWallsThatAreCompressedSomewhereKeepTheir
   }
 }
 
+TEST(LayerRules, Rb_AlsoWhereManyIntervalsAboveTheLayersAreFarShorterThanTheLast) {
+  for (const auto& [size, fixed] : {std::pair{1.0, 4}, {0.05, 1}}) {  // the layers are 0.309 high, and the block 1
+    PlannedWalls p(row({1, 1}), size, {"side_0:blocks=own,first=0.05,growth=1.3,layers=4"});
+    release_compressed_layers(p.input, p.plan);
+    EXPECT_EQ(p.plan.num_fixed[0], fixed) << size;
+  }
+}
+
+TEST(LayerRules, Rb_ManyIntervalsAboveTheLayersShareTheirRoom) {
+  const PlannedWalls p(row({1, 1}), 0.05, {"side_0:blocks=own,first=0.05,growth=1.3,layers=4"});  // 0.309 high
+  const std::vector<double> ends = p.steps({0, 0}, {0, 1});
+  const double above = (1 - ends[3]) / static_cast<double>(ends.size() - 4);
+  ASSERT_GT(ends.size(), 10u);
+  for (std::size_t k = 4; k < ends.size(); ++k) EXPECT_NEAR(ends[k] - ends[k - 1], above, 0.1 * above);
+}
+
+/// Two blocks with one line at the corner of 270 degrees at (1, 1), from which the curve at the distance 1 has its own.
+SeparatrixGraph around_a_corner() {
+  SeparatrixGraph g;
+  const std::vector<Vec2> corners{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  std::vector<Nurbs> loop;
+  for (std::size_t i = 0; i < corners.size(); ++i) loop.push_back(curve::segment(corners[i], corners[(i + 1) % 6]));
+  g.face = hand_made::face({loop}, std::sqrt(8.0));
+  for (int i = 0; i < 6; ++i) hand_made::add_joint_node(g, i, i == 3 || i == 0 ? 2 : 1);
+  for (int i = 0; i < 6; ++i) hand_made::add_arc(g, i, (i + 1) % 6, true, {hand_made::whole(g, i)});
+  hand_made::add_cut(g, 0, 3);
+  return g;
+}
+
+TEST(LayerRules, Rd_AroundACornerLayersWithBlocksOfTheirOwnRunParallelToBothSides) {
+  for (const auto& [own, height] : {std::pair{",blocks=own", 0.05 * std::sqrt(2.0)}, {"", 0.05}}) {
+    const PlannedWalls p(around_a_corner(), 0.3, {std::string("side_2,side_3:first=0.05,layers=4") + own});
+    EXPECT_NEAR(p.first_step({1, 1}, {0, 0}), height, 1e-9);
+    EXPECT_NEAR(p.first_step({2, 1}, {2, 0}), 0.05, 1e-9);
+    EXPECT_NEAR(p.first_step({1, 2}, {0, 2}), 0.05, 1e-9);
+  }
+}
+
 TEST(LayerRules, R14_FacingWallsKeepTheirHeightsAndShareTheCount) {
   const PlannedWalls p(hand_made::unit_square(), 0.2, {"side_0:first=0.01,layers=3", "side_2:first=0.03,layers=2"});
   EXPECT_NEAR(p.first_step({0, 0}, {0, 1}), 0.01, 1e-12);
