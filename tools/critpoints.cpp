@@ -77,6 +77,11 @@ void declare(cli::Options& o, NodeArguments& arguments) {
            "two blocks; o: blocks close around the holes, all corners of the outline have two blocks; h: blocks pass; "
            "auto: by a far field, an outline whose curves are all called farfield, o if it has no corner and one "
            "body inside, c with two corners, h with four; none: as in any face");
+  o.choice(
+      "--layer-corners", options.layer_corners,
+      "layers between a body and its curve of cad2tri --offset. pass: blocks go on beyond the corners of the body, "
+      "with right angles; close: one line at each corner, and blocks close around the body; auto: close around "
+      "several bodies, where blocks that pass one would run into another");
   o.choice("--place", options.place,
            "keep nodes at the zeros of the field, or move them to the least energy; nodes of split clusters and those "
            "of --nodes fewest and none are always moved, those of divided corners never");
@@ -127,6 +132,7 @@ CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, cl
   const CadFace& face = field.mesh.face;
   if (face.num_regions() > 1) guide::require_corners(face, options.overrides);
   topology::require_holes(face, options.topology);
+  const topology::LayerCorners layer_corners = topology::layer_corners(face, options.layer_corners);
   std::vector<Field> fields = regions::split(field);
   const auto begin_phase = [&](const char* part) {
     if (fields.size() == 1) s.begin_phase(part);
@@ -138,6 +144,7 @@ CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, cl
         if (part.elem_error.empty()) part.elem_error = field::error_estimate(part);
         choice::NodeOptions part_options = options;
         part_options.overrides = overrides_in(options.overrides, regions::curves_of(face, region));
+        part_options.layer_corners = layer_corners;
         part_options.walls = walls_in(options.walls, regions::curves_of(face, region));
         return choice::choose_nodes(part, part_options, threads, report, begin_phase);
       });

@@ -112,7 +112,9 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   guide::override_corners(face, options.overrides, points);
   if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
   guide::report_sharp_corners(face, points, report);
-  const bool is_chosen = topology::apply_topology(face, {options.nodes, options.topology, options.max_valence}, points);
+  const topology::LayerCorners layer_corners = topology::layer_corners(face, options.layer_corners);
+  const bool is_chosen =
+      topology::apply_topology(face, {options.nodes, options.topology, options.max_valence, layer_corners}, points);
   const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
   features::resolve_features(face, feature_size, curves_with_clearance(face, options.walls), points, report.progress());
   report.set("feature_size", feature_size);

@@ -41,6 +41,7 @@ struct NodeOptions {
   std::optional<double> feature_size;  ///< length, 0: fillets and holes keep their nodes; none: features/automatic_size
   topology::NodeRule nodes = topology::NodeRule::by_grid;
   topology::GridKind topology = topology::GridKind::by_outline;
+  topology::LayerCorners layer_corners = topology::LayerCorners::by_bodies;
   placement::PlaceRule place = placement::PlaceRule::keep;
   placement::PlacementOptions placement;
   std::vector<placement::WallClearance> walls;  ///< from which nodes keep a distance

@@ -11,7 +11,7 @@ namespace {
 
 /// The kind of grid of this face: none without a hole, or a slit that joins one to the outline.
 GridKind grid_of(const CadFace& face, const TopologyOptions& options) {
-  if (face.num_loops() < 2 && face.partners.empty()) return GridKind::none;
+  if ((face.num_loops() < 2 && face.partners.empty()) || is_along_walls(face)) return GridKind::none;
   if (options.grid != GridKind::by_outline) return options.grid;
   return options.nodes == NodeRule::field ? GridKind::none : kind_of_outline(face);
 }
@@ -31,6 +31,9 @@ const char* reason_of(GridKind grid) {
 
 bool apply_topology(const CadFace& face, const TopologyOptions& options, CriticalPoints& points) {
   const GridKind grid = grid_of(face, options);
+  const bool closes_layers = options.grid == GridKind::o || options.layer_corners == LayerCorners::close;
+  if (is_along_walls(face) && closes_layers)
+    guide::override_corners(face, closed_layer_corners(face, points), points, "closes layers around a body");
   guide::override_corners(face, grid_corners(face, grid, points), points, reason_of(grid));
   NodeRule nodes = options.nodes;
   if (nodes == NodeRule::by_grid)

@@ -28,21 +28,6 @@ bool is_outline(const CadFace& face, int joint) {
   return !has_slit(face) || (is_far_field(face, joint) && is_far_field(face, face.previous_in_loop(joint)));
 }
 
-/// The holes that are bodies: not those that other regions fill, nor slits.
-int num_bodies(const CadFace& face) {
-  int bodies = 0;
-  for (int loop = 0; loop < face.num_loops(); ++loop) {
-    const int region = face.region_of_loop(loop);
-    if (loop == (face.region_loops.empty() ? 0 : face.region_loops[region])) continue;
-    for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
-      if (face.is_interface(c)) continue;
-      ++bodies;
-      break;
-    }
-  }
-  return bodies;
-}
-
 /// The direction in which the body points at this joint of a hole: away from the body, along the bisector.
 Vec2 direction_of(const Joint& joint) { return unit(joint.tangent_out + joint.interior_angle / 2); }
 
@@ -90,6 +75,20 @@ GridKind kind_of_outline(const CadFace& face) {
   if (named == 0 || (named < face.loop_offsets[1] && !has_slit(face))) return GridKind::none;
   if (corners == 0 && num_bodies(face) > 1) return GridKind::none;  // lines that go around one body meet the other
   return corners == 0 ? GridKind::o : corners == 2 ? GridKind::c : corners == 4 ? GridKind::h : GridKind::none;
+}
+
+int num_bodies(const CadFace& face) {
+  int bodies = 0;
+  for (int loop = 0; loop < face.num_loops(); ++loop) {
+    const int region = face.region_of_loop(loop);
+    if (loop == (face.region_loops.empty() ? 0 : face.region_loops[region])) continue;
+    for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+      if (face.is_interface(c)) continue;
+      ++bodies;
+      break;
+    }
+  }
+  return bodies;
 }
 
 std::vector<GridKind> other_grids(const CadFace& face) {

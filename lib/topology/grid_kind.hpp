@@ -37,6 +37,9 @@ constexpr auto enum_names(GridKind) {
 /// body to the outline, both are one loop, of which only the curves of this name count.
 GridKind kind_of_outline(const CadFace& face);
 
+/// The holes that are bodies: not those that other regions fill, nor slits.
+int num_bodies(const CadFace& face);
+
 /// C, O and H without that of a far field: what to try where its nodes give no layout. Empty without a far field.
 std::vector<GridKind> other_grids(const CadFace& face);
 

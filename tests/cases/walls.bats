@@ -159,3 +159,27 @@ elements() {
     assert_output true
   done
 }
+
+# close_layers FARFIELD BLOCKS QUADS: layers with blocks of their own around the bodies of bodies.xy; at most that many.
+close_layers() {
+  "$ROOT/pipelines/quadmesh" -q bodies.xy --farfield "$1" --wall body:first=1e-3,growth=1.2,layers=12,blocks=own \
+    --workdir work --until quadrefine --report x.json
+  run jq -c "[.valid, .least_scaled_jacobian > 0.4, .blocks <= $2, .quads <= $3]" x.json
+  assert_output '[true,true,true,true]'
+  wall_heights work/bodies.quad.h5 1e-3 12 body >heights.json
+  run jq '.deviation < 1e-6 and .growth_with_corners <= 1.32' heights.json
+  assert_output true
+}
+
+@test "around several bodies layers in blocks of their own close at the corners" {
+  printf '%s\n' '0 0' '1 0' '1 1' '0 1' '' '2.5 0.2' '3.5 0.2' '3.5 1.2' '2.5 1.2' '' '5 -1' '6 -1' '5.5 0' >bodies.xy
+  close_layers box:6 36 40000
+  close_layers circle:6 64 120000
+}
+
+@test "layers that close around two equal squares are symmetric" {
+  printf '%s\n' '0 0' '1 0' '1 1' '0 1' '' '2.5 0' '3.5 0' '3.5 1' '2.5 1' >bodies.xy
+  close_layers box:6 21 24000
+  run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" --tolerance 1e-6 work/bodies.sep.json
+  assert_output --regexp '^kept ([0-9]+) of \1'
+}
