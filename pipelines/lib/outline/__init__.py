@@ -6,6 +6,8 @@
   corners       where curves end: corners of a loop, nose and trailing edge of an aerofoil
   splines       C2 cubics through points
   edges         edges of a loop, and of a far field around it
+  near_polygon  edges along an open polygon of few points
+  wake          a curve from a body to the far field
   step_file     writes edges as a planar face
 
 Points are complex numbers, x + iy.

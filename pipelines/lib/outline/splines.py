@@ -78,3 +78,10 @@ def poles(t, z, derivatives):
         first, second = z[j - 1] + step / 3 * derivatives[j - 1], z[j] - step / 3 * derivatives[j]
         result.append(first + (t[j + 1] - t[j - 1]) / step * (second - first))
     return result + [z[-1] - (t[-1] - t[-2]) / 3 * derivatives[-1], z[-1]]
+
+
+def cubic(poles, u):
+    """The point of the cubic with four Bezier poles at the parameter u between 0 and 1 (de Casteljau)."""
+    while len(poles) > 1:
+        poles = [(1 - u) * a + u * b for a, b in zip(poles, poles[1:])]
+    return poles[0]

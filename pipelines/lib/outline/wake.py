@@ -2,7 +2,7 @@
 import math
 
 from command_frame import mistake
-from outline import edges, point_files
+from outline import near_polygon, point_files
 from outline.edges import Spline
 
 NAME = "wake"
@@ -67,4 +67,4 @@ def given(path, factor, inside):
     points = cut_at_outline(points, inside)
     if len(points) < 2 or not inside(points[0]):
         raise file.fault(found[0].lines[0], "the wake does not begin at the body, inside the far field")
-    return edges.smooth_edges(points, [NAME] * len(points), [], is_periodic=False)
+    return near_polygon.smooth_edges(points, NAME)
