@@ -17,10 +17,19 @@ make_cad_file() {
     with_options points2step print_command points2step "$shape" -o "$cad_file"
     return
   fi
-  message=$(with_options points2step "$here/points2step" "$shape" -o "$cad_file" -q 2>&1) && return
+  message=$(with_options points2step "$here/points2step" "$shape" -o "$cad_file" 2>&1) &&
+    { warn_of_points && return; }
   code=$?
   printf '%s\n' "$message" | sed 's/^points2step: /quadmesh: /; s/points2step --help/quadmesh --help/' >&2
   message=${message#points2step: }
   fail "$code" points2step "${message%%
 *}"
+}
+
+# warn_of_points: prints the warnings in $message, and writes them as the report of a stage without times.
+warn_of_points() {
+  [ -n "$message" ] || return 0
+  printf '%s\n' "$message" | jq -R -n '{tool: "points2step",
+    warnings: [inputs | capture("^points2step: warning (?<code>W-[A-Z]+-[0-9]+): (?<message>.*)$")]}' \
+    >"$scratch/$number.points2step.json" && print_warnings "$scratch/$number.points2step.json"
 }

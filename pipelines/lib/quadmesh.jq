@@ -27,7 +27,7 @@ def report($start; $nodes; $remedy; $version):
     scale: $of.quadexport.scale,
     cpu_seconds: ($all | map(.timings.total.cpu_seconds) | add // 0),
     wall_seconds: (now - $start),
-    stages: (reduce $all[] as $run ({}; .[$run.stage] as $before |
+    stages: (reduce ($all[] | select(.timings)) as $run ({}; .[$run.stage] as $before |
       .[$run.stage] = (($run.timings.total // {}) | with_entries(.value += ($before[.key] // 0))))),
     warnings: [$all[] | select((.stage | startswith("failed_") | not) or .warnings[0].tool == "quadmesh") |
       {tool} + .warnings[]?] };

@@ -116,6 +116,23 @@ setup() {
   assert_output --partial 'wake.xy: line 1: the wake does not begin at the body, inside the far field'
 }
 
+@test "a given wake that falls short is continued, with a warning; one through the body is refused" {
+  printf '1 0\n5 0\n' >wake.xy
+  run -0 --separate-stderr "$quadmesh" sharp.dat --farfield cgrid:10 --wake wake.xy -o a.msh --report a.json
+  assert_equal "${stderr_lines[0]}" "points2step: warning W-PTS-001: wake.xy: the wake ends at (5, 0), 6 before the far field: it is continued straight to (11, 0)"
+  jq -e '.blocks == 3 and .irregular_nodes == 0 and .warnings[0].code == "W-PTS-001" and (.stages | has("points2step") | not)' \
+    a.json
+  # From inside the body, and with gaps of 1 percent at both ends.
+  for points in '0.5 0\n5 0\n11 0' '1.01 0\n5 0\n10.99 0'; do
+    printf '%b\n' "$points" >wake.xy
+    grid sharp '.valid and .blocks == 3 and (.warnings | map(select(.tool == "points2step" or .tool == "cad2tri")) == [])' \
+      --farfield cgrid:10 --wake wake.xy
+  done
+  printf '0.3 0.5\n0.4 -0.5\n11 0\n' >wake.xy
+  run -3 "$quadmesh" sharp.dat --farfield cgrid:10 --wake wake.xy -o a.msh
+  assert_output --partial 'quadmesh: wake.xy: the wake crosses the body from (0.3'
+}
+
 @test "points need no other command, and what is wrong with them is told" {
   grid sharp '.valid' --farfield circle:5 --size 1
   assert_file_exists stages/sharp.outline.step

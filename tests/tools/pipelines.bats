@@ -19,7 +19,7 @@ passes() {
 }
 
 @test "outlines: splines, edges, STEP files, and all together" {
-  passes splines edges near_polygon wake step_file build
+  passes splines edges near_polygon fine_loops wake wake_ends step_file build
 }
 
 @test "limits of time and memory" {

@@ -7,7 +7,9 @@
   splines       C2 cubics through points
   edges         edges of a loop, and of a far field around it
   near_polygon  edges along an open polygon of few points
+  fine_loops    loops of edges as fine polygons
   wake          a curve from a body to the far field
+  wake_ends     where it begins and ends
   step_file     writes edges as a planar face
 
 Points are complex numbers, x + iy.

@@ -1,8 +1,8 @@
 """From a file of points to the edges of a face."""
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from command_frame import mistake
-from outline import corners, edges, loops, point_files, polygons, wake
+from outline import corners, edges, fine_loops, loops, point_files, polygons, wake
 
 BODY = "body"  # loops without a name in a far field
 SAME = 1e-9  # points nearer to each other than this are one; in units of the largest distance of two points
@@ -30,6 +30,7 @@ class Outline:
     size: float  # the chord, or the radius of the far field
     edges: list  # of each loop, the outline first
     embedded: list  # edges inside the face
+    warnings: list = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -91,17 +92,18 @@ def extent_of_aerofoil(file, loop, nose, name):
     return Extent(abs(tail - front), (front + tail) / 2, tail, direction)
 
 
-def wake_edges(settings, extent, factor):
-    """The wake as edges inside the face."""
+def wake_edges(settings, extent, factor, bodies):
+    """(edges, warnings): the wake as edges inside the face, in which the bodies are loops of edges."""
     if settings.wake is None:
-        return []
+        return [], []
     if settings.far_field is None:
         raise mistake("--wake needs --farfield, in which it ends")
     shape, reach = settings.far_field
     chord, middle, tail = (factor * length for length in (extent.chord, extent.middle, extent.tail))
     if settings.wake != "auto":
-        return wake.given(settings.wake, factor, lambda z: wake.is_inside(shape, reach * chord, middle, tail, z))
-    return [wake.computed(shape, reach * chord, chord, middle, tail, extent.direction)]
+        return wake.given(settings.wake, factor, lambda z: wake.is_inside(shape, reach * chord, middle, tail, z),
+                          reach * chord, chord, [fine_loops.fine_loop(body) for body in bodies])
+    return [wake.computed(shape, reach * chord, chord, middle, tail, extent.direction)], []
 
 
 def build_outline(file, settings):
@@ -120,10 +122,11 @@ def build_outline(file, settings):
         loop.points = [factor * z for z in loop.points]
     found = loops.arrange(file, found, settings.far_field is not None)
     all_edges = [edges.straight_edges(loop) if settings.is_straight else edges.loop_edges(loop) for loop in found]
+    embedded, warnings = wake_edges(settings, extent, factor, all_edges)
     chord = size = factor * extent.chord
     if settings.far_field is not None:
         shape, reach = settings.far_field
         size = reach * chord
         all_edges.insert(0, edges.far_field_edges(shape, size, factor * extent.middle, factor * extent.tail))
-    return Outline(kind, title, sum(len(loop.points) for loop in found), chord, size, all_edges,
-                   wake_edges(settings, extent, factor))
+    return Outline(kind, title, sum(len(loop.points) for loop in found), chord, size, all_edges, embedded,
+                   warnings)

@@ -55,24 +55,35 @@ class Segment:
         return polygons.segments_meet(self.a, self.b, other.a, other.b, tolerance)
 
 
-def refuse_reversals(file, loop, tolerance):
-    """Refuses a loop with a segment that turns back onto the one before."""
+def refuse_reversals(file, loop, tolerance, is_closed=True):
+    """Refuses a loop, or an open line, with a segment that turns back onto the one before."""
     count = len(loop.points)
-    for i in range(count):
+    for i in range(count if is_closed else count - 2):
         a, b, c = (loop.points[(i + k) % count] for k in range(3))
         if min(polygons.distance_to_segment(c, a, b), polygons.distance_to_segment(a, b, c)) <= tolerance:
-            raise file.fault(loop.lines[(i + 1) % count], "the loop turns back on itself")
+            raise file.fault(loop.lines[(i + 1) % count], f"the {'loop' if is_closed else 'line'} turns back on itself")
+
+
+def segments(loop, is_closed=True):
+    return [Segment(loop, i) for i in range(len(loop.points) - (not is_closed))]
 
 
 def refuse_crossings(file, loops, tolerance):
-    """Refuses polygons that cross or touch themselves or each other: a sweep from left to right."""
-    segments = sorted((Segment(loop, i) for loop in loops for i in range(len(loop.points))), key=lambda s: s.left)
-    for m, segment in enumerate(segments):
-        for other in segments[m + 1 :]:
+    """Refuses polygons that cross or touch themselves or each other."""
+    refuse_meetings(file, [segment for loop in loops for segment in segments(loop)], tolerance,
+                    "the loop crosses or touches itself")
+
+
+def refuse_meetings(file, found, tolerance, of_one_loop):
+    """Refuses segments that meet although they are not neighbours: a sweep from left to right. `of_one_loop`: what that
+    means if they belong to one loop."""
+    found = sorted(found, key=lambda segment: segment.left)
+    for m, segment in enumerate(found):
+        for other in found[m + 1 :]:
             if other.left > segment.right + tolerance:
                 break
             if segment.meets(other, tolerance):
-                what = "the loop crosses or touches itself" if segment.loop is other.loop else "two loops cross or touch"
+                what = of_one_loop if segment.loop is other.loop else "two loops cross or touch"
                 first, second = sorted((segment.loop.lines[segment.i], other.loop.lines[other.i]))
                 raise file.fault(second, f"{what}: the segment from here meets the segment from line {first}")
 

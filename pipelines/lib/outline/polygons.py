@@ -31,9 +31,14 @@ def largest_distance(points):
     return max((abs(a - b) for a in hull for b in hull), default=0.0)
 
 
-def distance_to_segment(p, a, b):
+def nearest_on_segment(p, a, b):
+    """The point of the segment from a to b that is nearest to p."""
     fraction = ((p - a) * (b - a).conjugate()).real / abs(b - a) ** 2
-    return abs(p - a - (b - a) * min(max(fraction, 0.0), 1.0))
+    return a + (b - a) * min(max(fraction, 0.0), 1.0)
+
+
+def distance_to_segment(p, a, b):
+    return abs(p - nearest_on_segment(p, a, b))
 
 
 def segments_meet(a, b, c, d, tolerance):

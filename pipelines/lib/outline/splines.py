@@ -85,3 +85,18 @@ def cubic(poles, u):
     while len(poles) > 1:
         poles = [(1 - u) * a + u * b for a, b in zip(poles, poles[1:])]
     return poles[0]
+
+
+def bezier_poles(poles, knots):
+    """The four Bezier poles of each cubic of a clamped spline with simple inner knots: its blossom, once more."""
+    t = knots[:1] + knots + knots[-1:]
+    inner = []  # the two inner poles of each cubic
+    for i in range(len(knots) - 1):
+        before, first, last, behind = t[i : i + 4]
+        step = (poles[i + 2] - poles[i + 1]) / (behind - before)
+        inner.append([poles[i + 1] + (first - before) * step, poles[i + 1] + (last - before) * step])
+    joints = [poles[0]]
+    for i, (one, two) in enumerate(zip(inner, inner[1:])):
+        joints.append(one[1] + (two[0] - one[1]) * (t[i + 2] - t[i + 1]) / (t[i + 3] - t[i + 1]))
+    joints.append(poles[-1])
+    return [[a] + between + [b] for a, between, b in zip(joints, inner, joints[1:])]

@@ -2,7 +2,7 @@
 import math
 
 from command_frame import mistake
-from outline import near_polygon, point_files
+from outline import fine_loops, loops, near_polygon, point_files, polygons, wake_ends
 from outline.edges import Spline
 
 NAME = "wake"
@@ -41,30 +41,42 @@ def is_inside(shape, reach, middle, tail, z):
     return (abs(way) if is_round else max(abs(way.real), abs(way.imag))) <= reach
 
 
-def cut_at_outline(points, inside):
-    """The points up to the outline of the far field, if they leave it."""
-    outside = next((i for i, z in enumerate(points) if not inside(z)), None)
-    if not outside:
-        return points
-    near, far = points[outside - 1], points[outside]
-    while (middle := (near + far) / 2) not in (near, far):
-        near, far = (middle, far) if inside(middle) else (near, middle)
-    last = outside if abs(near - points[outside - 1]) > 1e-9 * abs(points[outside] - points[outside - 1]) else outside - 1
-    return points[:last] + [near]
-
-
-def given(path, factor, inside):
-    """The smooth edges through the points of a file, which are scaled by the factor, up to the outline of the far
-    field."""
+def read_points(path, factor):
+    """(file, lines of the points, points of the wake, scaled): they do not repeat, cross or turn back."""
     file = point_files.read_point_file(path)
     found = point_files.point_loops(file)
     if len(found) != 1 or len(found[0].points) < 2:
         raise file.fault(0, "expected the points of one line, at least two")
-    points = [factor * z for z in found[0].points]
-    for i, line in enumerate(found[0].lines[1:]):
+    points, lines = found[0].points, found[0].lines
+    for i, line in enumerate(lines[1:]):
         if points[i] == points[i + 1]:
             raise file.fault(line, "repeats the point before")
-    points = cut_at_outline(points, inside)
-    if len(points) < 2 or not inside(points[0]):
-        raise file.fault(found[0].lines[0], "the wake does not begin at the body, inside the far field")
-    return near_polygon.smooth_edges(points, NAME)
+    tolerance = 1e-9 * polygons.largest_distance(points)
+    loops.refuse_reversals(file, found[0], tolerance, is_closed=False)
+    loops.refuse_meetings(file, loops.segments(found[0], is_closed=False), tolerance, "the wake crosses or touches itself")
+    return file, lines, [factor * z for z in points]
+
+
+def given(path, factor, inside, size, chord, bodies):
+    """(edges, warnings): smooth edges through the points of a file, which are scaled by the factor, from the body to the
+    outline of the far field, which has this size and encloses the `bodies` (FineLoop)."""
+    file, lines, points = read_points(path, factor)
+    if not inside(points[0]):
+        raise file.fault(lines[0], "the wake does not begin at the body, inside the far field")
+    points, begun = wake_ends.begin_at_body(points, bodies, chord)
+    if not points:
+        raise file.fault(lines[-1], "the wake ends inside the body, where it begins")
+    points, ended = wake_ends.end_at_far_field(points, inside, size, chord)
+    refuse_body(file, "the wake crosses the body", points, bodies, chord)
+    smooth = near_polygon.smooth_edges(points, NAME)
+    curve = [points[0]] + [z for edge in smooth for z in fine_loops.fine_edge(edge)[1:]]
+    refuse_body(file, "the smooth curve through the points of the wake crosses the body", curve, bodies, chord)
+    return smooth, [f"{file.name}: {warning}" for warning in (begun, ended) if warning]
+
+
+def refuse_body(file, what, points, bodies, chord):
+    """Refuses a polygon that has a part inside a body."""
+    for first, last in wake_ends.parts_inside(points, bodies, wake_ends.SMALL * chord):
+        along = wake_ends.Along(points)
+        ends = " to ".join(wake_ends.place(along.point(length)) for length in (first, last))
+        raise file.fault(0, f"{what} from {ends}: begin it where it leaves the body, and lead it around others")
