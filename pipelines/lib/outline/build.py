@@ -39,7 +39,7 @@ class Extent:
 
     chord: float
     middle: complex
-    tail: complex  # the trailing edge, or the rightmost point
+    tail: complex  # the trailing edge, or the rightmost point, or the middle of a flat back
     direction: complex = 1 + 0j  # of the wake at the tail
 
 
@@ -79,10 +79,26 @@ def name_loops(found, words):
 
 
 def extent_of_points(found):
+    """The corners of the loops are known."""
     points = [z for loop in found for z in loop.points]
     across, up = [z.real for z in points], [z.imag for z in points]
     middle = complex(min(across) + max(across), min(up) + max(up)) / 2
-    return Extent(polygons.largest_distance(points), middle, max(points, key=lambda z: (z.real, z.imag)))
+    size = polygons.largest_distance(points)
+    return Extent(size, middle, tail_of_points(found, SAME * size))
+
+
+def tail_of_points(found, tolerance):
+    """The rightmost point, or the middle of a flat back there, or of a smooth curve between two points as far right."""
+    loop, i = max(((loop, i) for loop in found for i in range(len(loop.points))),
+                  key=lambda place: (place[0].points[place[1]].real, place[0].points[place[1]].imag))
+    tail = loop.points[i]
+    if i in loop.corners:
+        back = corners.back_middle(loop, i, tolerance)
+        return tail if back is None else back
+    for beside in (loop.points[i - 1], loop.points[(i + 1) % len(loop.points)]):
+        if tail.real - beside.real <= tolerance:
+            return max(fine_loops.fine_loop(edges.loop_edges(loop)).points, key=lambda z: z.real)
+    return tail
 
 
 def extent_of_aerofoil(file, loop, nose, name):
@@ -114,11 +130,13 @@ def build_outline(file, settings):
         name_loops(found, settings.name)
     elif is_points and settings.far_field is not None:
         name_loops(found, ",".join([BODY] * len(found)))
-    extent = extent_of_points(found) if is_points else extent_of_aerofoil(file, found[0], nose, settings.name)
-    factor = 1.0 if settings.chord is None else settings.chord / extent.chord
     angle = settings.corner_angle if settings.corner_angle is not None else 30.0 if is_points else 180.0
+    extent_of_wing = None if is_points else extent_of_aerofoil(file, found[0], nose, settings.name)
     for loop in found:
-        corners.mark_corners(loop, angle)
+        corners.mark_corners(loop, 0.0 if settings.is_straight else angle)
+    extent = extent_of_wing or extent_of_points(found)
+    factor = 1.0 if settings.chord is None else settings.chord / extent.chord
+    for loop in found:
         loop.points = [factor * z for z in loop.points]
     found = loops.arrange(file, found, settings.far_field is not None)
     all_edges = [edges.straight_edges(loop) if settings.is_straight else edges.loop_edges(loop) for loop in found]

@@ -44,6 +44,21 @@ class WakeTest(unittest.TestCase):
         (edge,) = wake_of("3 1\n2 2\n1 1\n2 0\n", ("cgrid", 5.0))
         self.assertEqual(edge.start, 3 + 1j)
 
+    def test_it_begins_in_the_middle_of_a_flat_back(self):
+        def start(text, **settings):
+            (edge,) = wake_of(text, ("cgrid", 5.0), **settings)
+            return edge.start
+
+        self.assertEqual(start("0 -1\n2 -1\n2 1\n0 1\n"), 2)
+        self.assertEqual(start("0 1\n2 1\n2 0.7\n2 -1\n0 -1\n"), 2)  # clockwise, with a point on the back
+        self.assertEqual(start("0 -1\n2 -1\n2.2 1\n0 1\n"), 2.1)  # not quite vertical
+        self.assertEqual(start("0 -1\n2 -1\n3 1\n0 1\n"), 3 + 1j)  # far from it
+        self.assertEqual(start("0 -2\n2 -1\n2 1\n0 2\n-3 0\n", corner_angle=20), 2)
+        round_back = start("2 1\n1 2\n-1 2\n-2 1\n-2 -1\n-1 -2\n1 -2\n2 -1\n", corner_angle=90)
+        self.assertAlmostEqual(round_back.imag, 0)
+        self.assertTrue(2.1 < round_back.real < 2.3)
+        self.assertEqual(start("2 1\n1 2\n-1 2\n-2 0\n-1 -2\n1 -2\n2 -1\n", corner_angle=90, is_straight=True), 2)
+
     def test_it_runs_through_given_points(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "wake.txt"
