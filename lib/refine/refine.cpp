@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -16,16 +15,14 @@
 #include "mesh/edge_growth.hpp"
 #include "mesh/element_sizes.hpp"
 #include "mesh/nested_quads.hpp"
+#include "prescribe/chosen_blocks.hpp"
 #include "refine/align_chords.hpp"
-#include "refine/chosen_blocks.hpp"
-#include "refine/divide_arcs.hpp"
 #include "refine/relax.hpp"
-#include "refine/split_isoparametric.hpp"
+#include "refine/split_mesh.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/length_limits.hpp"
-#include "sizing/match_periodic.hpp"
 #include "sizing/measured_layout.hpp"
 #include "sizing/report_sizes.hpp"
 
@@ -47,20 +44,6 @@ constexpr double most_refined = 10;  ///< elements, over those without that
 constexpr int max_line_corrections = 3;
 constexpr double most_excess_left = 0.9;
 
-/// The data that every attempt at a valid mesh has in common.
-struct SplitRequest {
-  const RefineOptions& options;
-  sizing::SizeField sizes;
-  double tolerance;        ///< of the boundary, a length
-  DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
-  sizing::LengthLimits limits = {};
-  int max_elements = 0;  ///< of divided arcs: more are refused
-  bool limits_growth = false;
-  Report* report = nullptr;
-  const Progress::Part* attempt = nullptr;
-  const struct SplitMesh* last = nullptr;  ///< of the last attempt, from which is taken what has not changed
-};
-
 SplitRequest split_request(const RefineOptions& options, const CadFace& face, Report& report) {
   const double size = options.size > 0 ? options.size : face.diameter * default_size;
   const double tolerance =
@@ -70,89 +53,6 @@ SplitRequest split_request(const RefineOptions& options, const CadFace& face, Re
           {},        options.max_elements,
           false,     &report,
           nullptr};
-}
-
-/// A measured mesh and the plans from which it was made.
-struct SplitMesh {
-  QuadMesh mesh;
-  std::vector<sizing::ChordPlan> plans;
-  double tolerance = 0;  ///< with which arcs were divided
-  bool has_equal_parameters = false;
-  sizing::ArcDivisions divisions;
-  std::optional<layers::WallPlan> walls;
-  std::optional<growth::GrowthOutcome> growth;
-  growth::LinePlan lines;
-  int doublings = 0;         ///< of counts beyond the prescribed sizes, until the mesh was valid
-  int shortened_chords = 0;  ///< chords with length limits
-};
-
-/// The divisions of the last attempt, if they were made for the same parameters and tolerance. Walls change divisions.
-KnownDivisions known_divisions(const SplitRequest& request, const SplitMesh& now) {
-  const SplitMesh* last = request.last;
-  if (!last || last->walls || last->tolerance != now.tolerance ||
-      last->has_equal_parameters != now.has_equal_parameters)
-    return {};
-  return {&last->plans, &last->divisions};
-}
-
-/// Layers along walls, and smooth divisions from wall to wall.
-void plan_walls(const sizing::MeasuredLayout& measured, const SplitRequest& request,
-                const std::vector<sizing::ChordCount>& counts, SplitMesh& result) {
-  const RefineOptions& options = request.options;
-  const layers::WallInput input{measured,
-                                options.walls,
-                                request.sizes,
-                                request.division.order,
-                                request.division.tolerance,
-                                request.limits_growth};
-  result.walls = layers::plan_walls(input, result.divisions);
-  if (!request.limits_growth) return;
-  result.growth =
-      growth::smooth_arcs(input, options.target_growth, growth::kept_chords(measured, counts, options.end_gradings),
-                          *result.walls, result.divisions);
-}
-
-/// The mesh of the result's divisions, layers and lines. `known`: elements that are the same keep their measures.
-QuadMesh measured_mesh(const sizing::MeasuredLayout& measured, const SplitRequest& request, const SplitMesh& result,
-                       const QuadMesh* known) {
-  QuadMesh mesh = split_isoparametric(measured, result.divisions, request.options.order,
-                                      result.walls ? &*result.walls : nullptr, result.lines);
-  measure_elements(mesh, request.report->progress(), known);
-  return mesh;
-}
-
-SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
-                const std::vector<sizing::ChordCount>& coarse) {
-  request.attempt->advance();
-  const RefineOptions& options = request.options;
-  std::vector<sizing::ChordCount> counts = options.counts;
-  counts.insert(counts.end(), coarse.begin(), coarse.end());
-  std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
-  prescribe::apply_end_gradings(measured, options.end_gradings, options.end_growth, plans);
-  sizing::apply_length_limits(request.limits, plans);
-  const sizing::ElementLimit limit{options.max_elements, options.order};
-  sizing::require_planned_within(measured, plans, limit, *request.report);
-  SplitMesh result;
-  result.shortened_chords =
-      static_cast<int>(std::ranges::count_if(request.limits, std::not_fn(&sizing::LengthLimits::value_type::empty)));
-  result.tolerance = request.division.tolerance;
-  result.has_equal_parameters = measured.has_equal_parameters();
-  result.divisions =
-      divide_arcs(measured, plans, request.division, request.report->progress(), known_divisions(request, result));
-  result.plans = std::move(plans);
-  if (!options.walls.empty()) plan_walls(measured, request, counts, result);
-  std::vector<std::vector<double>> no_layers;
-  sizing::match_periodic(measured.periodic_arcs(), result.divisions,
-                         result.walls ? result.walls->arc_nodes : no_layers);
-  sizing::require_divided_within(measured.blocks(), result.divisions, {request.max_elements, options.order});
-  result.mesh = measured_mesh(measured, request, result, request.last ? &request.last->mesh : nullptr);
-  if (!result.growth) return result;
-  const std::vector<double> without_lines = growth::block_qualities(result.mesh);
-  result.lines.lengths =
-      growth::line_intervals(measured, *result.walls, result.divisions, options.target_growth, options.order);
-  do result.mesh = measured_mesh(measured, request, result, &result.mesh);
-  while (growth::drop_worse(without_lines, result.mesh, result.walls->walls, result.lines.lengths));
-  return result;
 }
 
 /// With a limit on the growth, if there are walls and it is prescribed, unless only the mesh without it is valid.
@@ -180,7 +80,7 @@ SplitMesh split_aligned_or_equal(const sizing::MeasuredLayout& aligned, const Sp
 void double_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request,
                         std::vector<sizing::ChordCount> counts, SplitMesh& result) {
   for (int doublings = 1; !result.mesh.is_valid && doublings <= max_doublings; ++doublings) {
-    if (!double_counts(aligned, result.mesh, result.divisions, request.options.counts, counts)) return;
+    if (!prescribe::double_counts(aligned, result.mesh, result.divisions, request.options.counts, counts)) return;
     result = split_aligned_or_equal(aligned, request, counts);
     result.doublings = doublings;
   }
@@ -190,9 +90,9 @@ void double_until_valid(const sizing::MeasuredLayout& aligned, const SplitReques
 SplitMesh split_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request) {
   const RefineOptions& options = request.options;
   std::vector<sizing::ChordCount> coarse;
-  if (!options.blocks.empty()) coarse = coarse_counts(aligned, options.blocks, options.counts);
+  if (!options.blocks.empty()) coarse = prescribe::coarse_counts(aligned, options.blocks, options.counts);
   SplitMesh result = split_aligned_or_equal(aligned, request, coarse);
-  while (!result.mesh.is_valid && raise_counts(aligned, result.mesh, coarse))
+  while (!result.mesh.is_valid && prescribe::raise_counts(aligned, result.mesh, coarse))
     result = split_aligned_or_equal(aligned, request, coarse);
   if (!options.allow_invalid) double_until_valid(aligned, request, coarse, result);
   return result;
