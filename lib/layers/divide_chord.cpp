@@ -48,22 +48,30 @@ bool fit_to_boundary(const WallInput& input, int arc, std::vector<double>& ends)
   return meets_tolerance(input, arc, ends);
 }
 
+/// So that few rounds suffice for great counts, and small ones exceed the prescribed count by no more than necessary.
+int raised_by(int count) { return 1 + count / layer_constants.count_steps; }
+
 }  // namespace
 
 void divide_chord(const WallInput& input, int chord, const std::vector<ArcSpacing>& spacings,
                   const std::vector<FreePart>& lines, ArcSizes& sizes, sizing::ArcDivisions& divisions) {
   const std::vector<int>& arcs = input.measured.chords()[chord].arcs;
+  // Without layers the chord may already have needed more than the prescribed count.
+  int prescribed = input.prescribed_count(chord);
+  if (prescribed > 0) prescribed = std::max(prescribed, divisions[arcs.front()].num_intervals());
   bool meets = false;
   for (int round = 0; round < layer_constants.max_tolerance_rounds && !meets; ++round) {
     std::vector<sizing::ArcDivision> divided =
-        layered_divisions(LayeredChord(input, chord, spacings, sizes), lines, layer_constants.least_count);
+        layered_divisions(LayeredChord(input, chord, spacings, sizes), lines, layer_constants.least_count, prescribed);
     meets = true;
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       divisions[arcs[i]] = std::move(divided[i]);
       if (fit_to_boundary(input, arcs[i], divisions[arcs[i]].ends)) continue;
-      sizes.scale[arcs[i]] *= layer_constants.shrink;
+      if (prescribed == 0) sizes.scale[arcs[i]] *= layer_constants.shrink;
       meets = false;
     }
+    if (prescribed > 0 && !meets)
+      prescribed = std::max(prescribed, divisions[arcs.front()].num_intervals()) + raised_by(prescribed);
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The division of a chord with prescribed ends, within the geometric tolerance of the boundary (rules 17 and 18 of
+// The division of a chord with prescribed ends, within the geometric tolerance of the boundary (rules 17, 18 and 23 of
 // layer_rules).
 
 #include <vector>
@@ -12,8 +12,9 @@ namespace quadrille::layers {
 
 /// Replaces the divisions of all arcs of the chord in `divisions` by layered_divisions. If a boundary arc misses the
 /// tolerance, ends of intervals move onto its breaks, then its scale in `sizes` is reduced until it meets the
-/// tolerance; at most LayerConstants::max_tolerance_rounds times. `spacings`: by arc; `lines`: more lines that the
-/// count must suit.
+/// tolerance; at most LayerConstants::max_tolerance_rounds times. If the count is prescribed (WallInput::counts), it
+/// rises in place of that, from the count that the arcs have without layers. `spacings`: by arc; `lines`: more lines
+/// that the count must suit.
 void divide_chord(const WallInput& input, int chord, const std::vector<ArcSpacing>& spacings,
                   const std::vector<FreePart>& lines, ArcSizes& sizes, sizing::ArcDivisions& divisions);
 

@@ -1,6 +1,7 @@
 #include "layers/end_spacing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "layers/layer_rules.hpp"
 
@@ -46,6 +47,23 @@ std::vector<double> spaced_ends(const ArcSpacing& spacing, double length, double
   for (int k = spacing[1].layers(); k-- > 0;) ends.push_back(1 - spacing[1].layer_ends[k]);
   ends.push_back(1);
   return ends;
+}
+
+double even_size(const ArcSpacing& spacing, double length, double size, double growth, int count) {
+  constexpr double unlimited = 1e3;  // lengths of the arc: what grows towards it is a geometric series
+  FreePart part = free_part(spacing, length, size);
+  relax_crowding(spacing, count, part);
+  const auto is_even = [&](double cap) {
+    const std::vector<double> intervals = sizing::graded_intervals(part.ends, count - part.layers, part.length, cap);
+    return sizing::worst_growth(part.ends, intervals) <= growth * (1 + layer_constants.equal_tol);
+  };
+  if (part.ends.are_free() || is_even(size)) return size;
+  double low = std::log(size), high = std::log(std::max(size, unlimited * length));
+  for (int step = 0; step < 40; ++step) {
+    const double middle = (low + high) / 2;
+    (is_even(std::exp(middle)) ? high : low) = middle;
+  }
+  return std::exp(high);
 }
 
 }  // namespace quadrille::layers

@@ -40,4 +40,8 @@ double least_growth(const mesh::Chord& chord, const std::vector<ArcSpacing>& spa
 /// that grow from both ends towards `size` (sizing/graded_intervals).
 std::vector<double> spaced_ends(const ArcSpacing& spacing, double length, double size, int count);
 
+/// The least size, at least `size`, towards which so many intervals grow by at most `growth`; if there is none, a size
+/// so great that they grow by one ratio, the least that fills the arc.
+double even_size(const ArcSpacing& spacing, double length, double size, double growth, int count);
+
 }  // namespace quadrille::layers

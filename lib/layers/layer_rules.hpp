@@ -84,6 +84,12 @@
 //   21 an arc too short for such a first interval       the interval is limited (greatest_crowding), but not next to
 //                                                       layers
 //   22 a block that is adjacent to itself               is no neighbour of itself
+//
+//   prescribed counts (layered_divisions, divide_chord)
+//   23 a chord with a prescribed count                  has it, layers included: the intervals between the layers fill
+//                                                       the length, whatever size and growth that gives them. More only
+//                                                       if no interval would be left between the layers of some arc,
+//                                                       and for the tolerance
 // clang-format on
 
 namespace quadrille::layers {
@@ -152,6 +158,8 @@ struct LayerConstants {
   double shrink = 0.8;
   /// Greatest number of such reductions: in all by 0.8^30, about 1/800.
   int max_tolerance_rounds = 30;
+  /// A prescribed count with which an arc misses the tolerance rises by one and this part of itself.
+  int count_steps = 16;
 
   // Lines inside blocks (smooth_across).
   /// The distance over which divisions of adjacent lines may change, over the length of the elements along them.

@@ -39,6 +39,14 @@ int least_suitable_count(const LayeredChord& chord, const std::vector<FreePart>&
   return std::min(count, layer_constants.max_intervals);
 }
 
+/// The layers at both ends of the arc that has the most of them.
+int most_layers(const LayeredChord& chord) {
+  int most = 0;
+  for (int i = 0; i < chord.num_arcs(); ++i)
+    most = std::max(most, chord.spacing(i)[0].layers() + chord.spacing(i)[1].layers());
+  return most;
+}
+
 /// The interval that would lie before the first one of an arc which begins like arc i.
 double start_size(const LayeredChord& chord, int i, int chord_end) {
   const EndSpacing& end = chord.at_end(i, chord_end);
@@ -79,7 +87,7 @@ std::vector<Source> nearest_sources(const LayeredChord& chord, int chord_end) {
 /// Rule 16: the arc's own division, moved towards the one that starts like the layers by the amount that the slope
 /// requires.
 std::vector<double> ends_of_arc(const LayeredChord& chord, const std::array<std::vector<Source>, 2>& sources, int i,
-                                int count) {
+                                int count, bool is_prescribed) {
   ArcSpacing like_source = chord.spacing(i);
   double distance = infinity;
   for (const int chord_end : {0, 1}) {
@@ -91,10 +99,15 @@ std::vector<double> ends_of_arc(const LayeredChord& chord, const std::array<std:
     own.growth = chord.growth();
     distance = std::min(distance, source.distance);
   }
-  const double length = chord.length(i), size = chord.size(i);
-  std::vector<double> ends = spaced_ends(chord.spacing(i), length, size, count);
+  const double length = chord.length(i);
+  const auto spaced = [&](const ArcSpacing& spacing) {
+    const double size = chord.size(i);
+    return spaced_ends(spacing, length, is_prescribed ? even_size(spacing, length, size, chord.growth(), count) : size,
+                       count);
+  };
+  std::vector<double> ends = spaced(chord.spacing(i));
   if (!std::isfinite(distance)) return ends;
-  const std::vector<double> kept = spaced_ends(like_source, length, size, count);
+  const std::vector<double> kept = spaced(like_source);
   double shift = 0;
   for (std::size_t k = 0; k < ends.size(); ++k) shift = std::max(shift, std::abs(ends[k] - kept[k]) * length);
   const double weight = shift > 0 ? std::min(1.0, layer_constants.greatest_slope * distance / shift) : 1;
@@ -105,12 +118,14 @@ std::vector<double> ends_of_arc(const LayeredChord& chord, const std::array<std:
 }  // namespace
 
 std::vector<sizing::ArcDivision> layered_divisions(const LayeredChord& chord, const std::vector<FreePart>& lines,
-                                                   int least_count) {
+                                                   int least_count, int prescribed_count) {
   const std::array<std::vector<Source>, 2> sources{nearest_sources(chord, 0), nearest_sources(chord, 1)};
-  const int count = least_suitable_count(chord, lines, least_count);
+  const int count = prescribed_count > 0 ? std::max(prescribed_count, most_layers(chord) + 1)
+                                         : least_suitable_count(chord, lines, least_count);
   std::vector<sizing::ArcDivision> divisions;
   divisions.reserve(chord.num_arcs());
-  for (int i = 0; i < chord.num_arcs(); ++i) divisions.push_back({ends_of_arc(chord, sources, i, count)});
+  for (int i = 0; i < chord.num_arcs(); ++i)
+    divisions.push_back({ends_of_arc(chord, sources, i, count, prescribed_count > 0)});
   align_divisions(chord, divisions);
   return divisions;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The ends of the intervals on the arcs of one chord that has layers at its ends, or that continues intervals finer
-// than the prescribed size (rules 14 to 16 of layer_rules).
+// than the prescribed size (rules 14 to 16 and 23 of layer_rules).
 //
 // All arcs have one count. An arc that starts at a wall has the layers at that end, then intervals that grow by at most
 // the chord's growth up to the prescribed size (end_spacing). An arc beyond the end of the wall starts with the same
@@ -15,7 +15,8 @@
 namespace quadrille::layers {
 
 /// One division for each arc of the chord, by position. `lines`: more lines that the count must suit.
+/// `prescribed_count`: the count whatever arcs and lines need, if no arc has as many layers; 0: none.
 std::vector<sizing::ArcDivision> layered_divisions(const LayeredChord& chord, const std::vector<FreePart>& lines,
-                                                   int least_count);
+                                                   int least_count, int prescribed_count = 0);
 
 }  // namespace quadrille::layers

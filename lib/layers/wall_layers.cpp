@@ -103,6 +103,22 @@ void require_room(const sizing::MeasuredLayout& measured, const sizing::ArcDivis
   }
 }
 
+/// Divisions by the plans alone, whatever the tolerance of the boundary requires.
+sizing::ArcDivisions planned_divisions(const sizing::MeasuredLayout& measured,
+                                       const std::vector<sizing::ChordPlan>& plans) {
+  sizing::ArcDivisions divisions(measured.num_arcs());
+  for (std::size_t c = 0; c < plans.size(); ++c) {
+    const mesh::Chord& chord = measured.chords()[c];
+    for (std::size_t i = 0; i < chord.arcs.size(); ++i) {
+      std::vector<double>& ends = divisions[chord.arcs[i]].ends;
+      for (int k = 1; k < plans[c].count; ++k)
+        ends.push_back(measured.arc_fraction(chord, i, plans[c].grading.parameter(1.0 * k / plans[c].count)));
+      std::ranges::sort(ends);
+    }
+  }
+  return divisions;
+}
+
 }  // namespace
 
 bool WallPlan::has_wall(int block) const {
@@ -138,6 +154,20 @@ WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   plan.arc_nodes = layered_arc_nodes(plan.requests, divisions, input.order);
   plan.sharing_a_chord = specs_sharing_a_chord(input.measured.chords(), plan.walls);
   return plan;
+}
+
+std::vector<prescribe::LayeredCount> layered_counts(const WallInput& input,
+                                                    const std::vector<sizing::ChordPlan>& plans) {
+  sizing::ArcDivisions divisions = planned_divisions(input.measured, plans);
+  const LayerRequests requests = plan_walls(input, divisions).requests;
+  std::vector<prescribe::LayeredCount> counts;
+  for (const mesh::Chord& chord : input.measured.chords()) {
+    prescribe::LayeredCount count{divisions[chord.arcs.front()].num_intervals(), 0};
+    for (const int arc : chord.arcs)
+      count.layers = std::max(count.layers, requests.spacings[arc][0].layers() + requests.spacings[arc][1].layers());
+    counts.push_back(count);
+  }
+  return counts;
 }
 
 namespace {

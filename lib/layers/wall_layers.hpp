@@ -15,6 +15,7 @@
 #include "layers/request_layers.hpp"
 #include "layers/wall_input.hpp"
 #include "layers/wall_sides.hpp"
+#include "prescribe/boundary_counts.hpp"
 
 namespace quadrille::layers {
 
@@ -34,6 +35,11 @@ struct WallPlan {
   /// Layers of fixed height along a side of a block; 0 without a wall.
   int num_fixed_on(int block, int side) const;
 };
+
+/// The counts that the chords have with the layers of `input` and with no prescribed counts but those of `input`, from
+/// plans without layers. Throws as plan_walls.
+std::vector<prescribe::LayeredCount> layered_counts(const WallInput& input,
+                                                    const std::vector<sizing::ChordPlan>& plans);
 
 /// Replaces the divisions of the chords concerned in `divisions` (refine/divide_arcs). Throws UsageError for unknown
 /// names, and ComputeError if layers do not fit, with the greatest number that fits and the position.

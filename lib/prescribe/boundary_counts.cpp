@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "prescribe/named_arcs.hpp"
 
 namespace quadrille::prescribe {
@@ -21,26 +22,48 @@ struct FreeChord {
   int chord = 0;
   int num_arcs = 1;   ///< m
   double target = 1;  ///< t
+  int layers = 0;     ///< besides
 };
 
 /// A boundary that is to have `count` elements, `fixed` of them on chords with prescribed counts.
 struct Demand {
   int count = 0, fixed = 0;
+  int least = 0;  ///< that the layers of all chords leave; 0 without layers
   std::vector<FreeChord> free;
   std::vector<std::string> prescribed;  ///< "chord 3 (12 elements)", for messages
 };
 
 using Sums = std::map<int, std::pair<double, int>>;  ///< by sum: least cost, and the last count that gives it
 
-Demand demand_of(const sizing::MeasuredLayout& measured, const BoundaryCount& boundary,
-                 const std::vector<sizing::ChordPlan>& plans) {
+/// The arcs of a boundary by their chord.
+std::map<int, int> arcs_by_chord(const sizing::MeasuredLayout& measured, const std::string& boundary) {
   std::map<int, int> num_arcs;
-  for (const HalfEdge arc : named_arcs(measured, boundary.boundary, "--count")) ++num_arcs[measured.chord_of(arc.arc)];
-  Demand demand{boundary.count, 0, {}, {}};
+  for (const HalfEdge arc : named_arcs(measured, boundary, "--count")) ++num_arcs[measured.chord_of(arc.arc)];
+  return num_arcs;
+}
+
+/// 0 unless a chord along the boundary has layers.
+int least_with_layers(const std::map<int, int>& num_arcs, const std::vector<LayeredCount>& layered) {
+  int least = 0;
+  bool any = false;
+  for (const auto& [chord, num] : num_arcs) {
+    const int layers = layered.empty() ? 0 : layered[chord].layers;
+    any = any || layers > 0;
+    least += num * (layers + 1);
+  }
+  return any ? least : 0;
+}
+
+Demand demand_of(const sizing::MeasuredLayout& measured, const BoundaryCount& boundary,
+                 const std::vector<sizing::ChordPlan>& plans, const std::vector<LayeredCount>& layered) {
+  const std::map<int, int> num_arcs = arcs_by_chord(measured, boundary.boundary);
+  Demand demand{boundary.count, 0, least_with_layers(num_arcs, layered), {}, {}};
   for (const auto& [chord, num] : num_arcs) {
     const sizing::ChordPlan& plan = plans[chord];
     if (!plan.is_prescribed) {
-      demand.free.push_back({chord, num, plan.grading.count()});
+      const int layers = layered.empty() ? 0 : layered[chord].layers;
+      const double target = layered.empty() ? plan.grading.count() : layered[chord].count - layers;
+      demand.free.push_back({chord, num, target, layers});
       continue;
     }
     demand.fixed += num * plan.count;
@@ -52,8 +75,12 @@ Demand demand_of(const sizing::MeasuredLayout& measured, const BoundaryCount& bo
 /// The targets, times one factor so that they have the sum.
 void scale_targets(Demand& demand) {
   double sum = 0;
-  for (const FreeChord& f : demand.free) sum += f.num_arcs * f.target;
-  for (FreeChord& f : demand.free) f.target *= std::max(1, demand.count - demand.fixed) / sum;
+  int layers = 0;
+  for (const FreeChord& f : demand.free) {
+    sum += f.num_arcs * f.target;
+    layers += f.num_arcs * f.layers;
+  }
+  for (FreeChord& f : demand.free) f.target *= std::max(1, demand.count - demand.fixed - layers) / sum;
 }
 
 /// By number of chords: the sums that counts near the targets can have. A window as wide as the greatest number of arcs
@@ -68,8 +95,9 @@ std::vector<Sums> reachable_sums(const Demand& demand) {
     for (const auto& [sum, before] : sums.back())
       for (int n = std::max(1, middle - window); n <= middle + window; ++n) {
         const double cost = before.first + f.num_arcs * std::pow(std::log(n / f.target), 2);
-        const auto [known, is_new] = next.try_emplace(sum + f.num_arcs * n, cost, n);
-        if (!is_new && cost < known->second.first) known->second = {cost, n};
+        const int count = f.layers + n;
+        const auto [known, is_new] = next.try_emplace(sum + f.num_arcs * count, cost, count);
+        if (!is_new && cost < known->second.first) known->second = {cost, count};
       }
     sums.push_back(std::move(next));
   }
@@ -93,6 +121,11 @@ std::vector<Sums> reachable_sums(const Demand& demand) {
 
 /// Of the free chords.
 std::vector<sizing::ChordCount> counts_that_meet(const BoundaryCount& boundary, Demand demand) {
+  if (demand.count < demand.least) {
+    std::vector<sizing::ChordCount> least;
+    for (const FreeChord& f : demand.free) least.push_back({f.chord, f.layers + 1});
+    return least;
+  }
   scale_targets(demand);
   const std::vector<Sums> sums = reachable_sums(demand);
   int sum = demand.count;
@@ -104,6 +137,18 @@ std::vector<sizing::ChordCount> counts_that_meet(const BoundaryCount& boundary, 
     sum -= demand.free[i - 1].num_arcs * n;
   }
   return counts;
+}
+
+/// `least`: least_with_layers.
+void warn_if_count_missed(const BoundaryCount& boundary, int achieved, int least, Report& report) {
+  if (achieved == boundary.count) return;
+  const std::string why =
+      boundary.count < least
+          ? fmt::format("its wall layers and one element between or above them need at least {}", least)
+          : "the geometric tolerance or two elements that would share two edges require more";
+  report.warn(warning::chord_count_missed,
+              fmt::format("--count {0}={1}: the boundary '{0}' has {2} elements, not {1}: {3}", boundary.boundary,
+                          boundary.count, achieved, why));
 }
 
 std::optional<int> whole_number(const std::string& text) {
@@ -130,13 +175,16 @@ void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chord
 std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayout& measured,
                                                      const sizing::SizeField& sizes,
                                                      std::vector<sizing::ChordCount> counts,
-                                                     const std::vector<BoundaryCount>& boundaries) {
+                                                     const std::vector<BoundaryCount>& boundaries,
+                                                     const std::vector<LayeredCount>& layered) {
   if (boundaries.empty()) return counts;
   std::vector<BoundaryCount> open = boundaries;
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, sizes, sizing::SizeRule::nearest, counts);
+  for (std::size_t c = 0; c < layered.size(); ++c)
+    if (plans[c].is_prescribed) plans[c].count = std::max(plans[c].count, layered[c].layers + 1);
   while (!open.empty()) {
     std::vector<Demand> demands;
-    for (const BoundaryCount& boundary : open) demands.push_back(demand_of(measured, boundary, plans));
+    for (const BoundaryCount& boundary : open) demands.push_back(demand_of(measured, boundary, plans, layered));
     const auto next = std::min_element(demands.begin(), demands.end(),
                                        [](const Demand& a, const Demand& b) { return a.free.size() < b.free.size(); });
     const auto at = next - demands.begin();
@@ -151,11 +199,14 @@ std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayou
 }
 
 void report_boundary_counts(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                            const std::vector<BoundaryCount>& boundaries, Report& report) {
+                            const std::vector<BoundaryCount>& boundaries, const std::vector<LayeredCount>& layered,
+                            Report& report) {
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const std::map<int, int> num_arcs = arcs_by_chord(measured, boundaries[i].boundary);
     int achieved = 0;
-    for (const HalfEdge arc : named_arcs(measured, boundaries[i].boundary, "--count"))
-      achieved += divisions[arc.arc].num_intervals();
+    for (const auto& [chord, num] : num_arcs)
+      achieved += num * divisions[measured.chords()[chord].arcs.front()].num_intervals();
+    warn_if_count_missed(boundaries[i], achieved, least_with_layers(num_arcs, layered), report);
     const std::string key = fmt::format("counts.{}.", i);
     report.set(key + "boundary", boundaries[i].boundary);
     report.set(key + "prescribed", boundaries[i].count);

@@ -6,7 +6,8 @@
 //
 //   sum m (ln n - ln t)^2   with   sum m n = N - (elements of chords with prescribed counts),
 //
-// m the number of the boundary's arcs in a chord, t its count by the prescribed sizes, times one factor for all.
+// m the number of the boundary's arcs in a chord, t its count by the prescribed sizes, times one factor for all. Where
+// chords have wall layers, n and t are their intervals between the layers, at least one, and N is less by the layers.
 
 #include <string>
 #include <vector>
@@ -25,6 +26,12 @@ struct BoundaryCount {
   int count = 1;
 };
 
+/// A chord with the layers along walls, before boundaries prescribe counts.
+struct LayeredCount {
+  int count = 1;   ///< layers included
+  int layers = 0;  ///< at both ends of its arc that has the most of them
+};
+
 /// Adds the count that "NAME=N" (the last = counts) prescribes: if NAME is a number, that of this chord, else that of
 /// the boundary. Throws UsageError.
 void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chords,
@@ -32,14 +39,17 @@ void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chord
 
 /// `counts`, and those of all chords along the boundaries. Boundaries with the fewest chords that are still free come
 /// first; equal ones as given. Throws UsageError if a boundary cannot have its number, with those nearest to it that it
-/// can have.
+/// can have. `layered`: by chord, with `counts`; empty: there are no walls. A boundary whose number its layers exceed
+/// has the least number that leaves one interval between or above them.
 std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayout& measured,
                                                      const sizing::SizeField& sizes,
                                                      std::vector<sizing::ChordCount> counts,
-                                                     const std::vector<BoundaryCount>& boundaries);
+                                                     const std::vector<BoundaryCount>& boundaries,
+                                                     const std::vector<LayeredCount>& layered = {});
 
-/// Sets counts.<n>.boundary, .prescribed and .achieved.
+/// Sets counts.<n>.boundary, .prescribed and .achieved; warning W-QUA-002 where they differ.
 void report_boundary_counts(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                            const std::vector<BoundaryCount>& boundaries, Report& report);
+                            const std::vector<BoundaryCount>& boundaries, const std::vector<LayeredCount>& layered,
+                            Report& report);
 
 }  // namespace quadrille::prescribe

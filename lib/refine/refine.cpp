@@ -204,6 +204,17 @@ void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report)
   mesh::measure_element_sizes(mesh);
 }
 
+/// Of the chords with the layers along walls, if boundaries share out their numbers.
+std::vector<prescribe::LayeredCount> layered_counts(const sizing::MeasuredLayout& measured, const SplitRequest& request,
+                                                    const RefineOptions& options) {
+  if (options.walls.empty() || options.boundary_counts.empty()) return {};
+  const bool limits_growth = options.target_growth > 0;
+  const auto [order, tolerance] = request.division;
+  return layers::layered_counts(
+      {measured, options.walls, request.sizes, order, tolerance, limits_growth, options.counts},
+      sizing::grade_chords(measured, request.sizes, options.size_rule, options.counts));
+}
+
 }  // namespace
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Report& report) {
@@ -212,7 +223,9 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const sizing::MeasuredLayout measured(layout);
   RefineOptions options = prescribed;
   const SplitRequest request = split_request(options, layout.face, report);
-  options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts);
+  const std::vector<prescribe::LayeredCount> layered = layered_counts(measured, request, options);
+  options.counts =
+      prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts, layered);
   const sizing::MeasuredLayout aligned = measured.with_parameters(align_chords(measured));
   auto [split, distance] = split_without_elongation(aligned, request);
   correct_lines(aligned, request, split);
@@ -232,8 +245,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   if (split.walls && options.target_growth > 0)
     growth::report_growth(split.growth, split.lines.lengths, split.mesh, options.target_growth, report);
-  sizing::report_sizes(measured, split.divisions, request.sizes, options.counts, report);
-  prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, report);
+  sizing::report_sizes(measured, split.divisions, request.sizes, prescribed.counts, report);
+  prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, layered, report);
   prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
   require_quality(split.mesh, options.min_scaled_jacobian, options.max_edge_ratio);

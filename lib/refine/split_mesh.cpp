@@ -29,7 +29,8 @@ void plan_walls(const sizing::MeasuredLayout& measured, const SplitRequest& requ
                                 request.sizes,
                                 request.division.order,
                                 request.division.tolerance,
-                                request.limits_growth};
+                                request.limits_growth,
+                                options.counts};
   result.walls = layers::plan_walls(input, result.divisions);
   if (!request.limits_growth) return;
   result.growth =

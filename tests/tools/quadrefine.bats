@@ -358,6 +358,23 @@ setup() {
   assert_output --partial 'there is no boundary "hole"'
 }
 
+@test "a boundary that wall layers divide has the prescribed number of elements, layers included" {
+  wall=curve_0:first=0.002,growth=1.2,layers=4
+  for count in 60 131; do
+    run quadrefine --size 0.2 --wall $wall --count curve_1=$count "$blocks" -o a.quad.h5 --report a.json
+    assert_success
+    refute_output --partial W-QUA-002
+    run jq -c '[.counts["0"].achieved, .walls["0"].layers, .valid]' a.json
+    assert_output "[$count,4,true]"
+  done
+  run -0 quadrefine --geometry-tol 0.1 --wall $wall --count curve_1=3 "$blocks" -o a.quad.h5 --report a.json
+  least=$(jq '.counts["0"].achieved' a.json)
+  assert_output --partial "--count curve_1=3: the boundary 'curve_1' has $least elements, not 3: its wall layers"
+  assert_output --partial "need at least $least"
+  run quadrefine --geometry-tol 0.1 --wall $wall --count curve_1="$least" "$blocks" -o a.quad.h5
+  refute_output --partial W-QUA-002
+}
+
 @test "elements at the ends of a boundary have the prescribed lengths" {
   quadrefine --size 0.2 --grading curve_0=0.02:0.02 "$blocks" -o a.quad.h5 --report a.json
   run jq -c '.gradings["0"] | [.boundary, (.first * 1e3 | round), (.last * 1e3 | round)]' a.json

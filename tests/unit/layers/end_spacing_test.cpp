@@ -44,5 +44,23 @@ TEST(EndSpacing, IntervalsGrowFromThePrescribedOne) {
   }
 }
 
+TEST(EndSpacing, TheEvenSizeIsThePrescribedOneOrTheLeastWithWhichIntervalsGrowEvenly) {
+  const ArcSpacing spacing{{{{0.01}, 0.01, 1.2}, {}}};
+  const auto greatest_growth = [&](double size, int count) {
+    const std::vector<double> ends = spaced_ends(spacing, 1, size, count);
+    double greatest = 1;
+    for (std::size_t k = 2; k < ends.size(); ++k)
+      greatest = std::max(greatest, (ends[k] - ends[k - 1]) / (ends[k - 1] - ends[k - 2]));
+    return greatest;
+  };
+  EXPECT_EQ(even_size(spacing, 1, 0.1, 1.2, 40), 0.1) << "many intervals";
+  const double some = even_size(spacing, 1, 0.1, 1.2, 18);
+  EXPECT_GT(some, 0.1);
+  EXPECT_NEAR(greatest_growth(some, 18), 1.2, 1e-3);
+  const double few = even_size(spacing, 1, 0.1, 1.2, 9);
+  EXPECT_NEAR(greatest_growth(few, 9), 1.5702, 1e-3) << "1 + q + ... + q^8 = 100";
+  EXPECT_EQ(even_size({}, 1, 0.1, 1.2, 3), 0.1) << "without prescribed ends";
+}
+
 }  // namespace
 }  // namespace quadrille::layers

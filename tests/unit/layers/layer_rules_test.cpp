@@ -567,5 +567,66 @@ TEST(LayerRules, R22WithR5_ARingOfOneBlockDoesNotContinueItsOwnLayers) {
   EXPECT_NEAR(p.first_step({0.5, 0}, {1, 0}), 0.01, 1e-9);
 }
 
+/// Plans the walls again, from arcs of one interval, with a prescribed count of the chord of an arc.
+void plan_with_count(PlannedWalls& p, int arc, int count) {
+  p.input.counts = {{p.measured.chord_of(arc), count}};
+  p.divisions.assign(p.divisions.size(), {});
+  plan_walls(p.input, p.divisions);
+}
+
+/// The ends of the intervals above a wall with five layers, by distance from it, on the chord across a row of blocks
+/// with the prescribed count.
+std::vector<double> steps_with_count(int count, double x) {
+  PlannedWalls p(row({1, 2}), 0.2, {"side_0,side_1:first=0.01,growth=1.2,layers=5"});
+  plan_with_count(p, p.arc_between({0, 0}, {0, 1}), count);
+  return p.steps({x, 0}, {x, 1});
+}
+
+TEST(LayerRules, R23_APrescribedCountIncludesTheLayers) {
+  for (const int count : {6, 9, 14, 40})
+    for (const double x : {0.0, 1.0, 3.0}) {
+      const std::vector<double> steps = steps_with_count(count, x);
+      ASSERT_EQ(steps.size(), static_cast<std::size_t>(count));
+      const std::vector<double> heights = layer_heights(parse({"0:first=0.01,growth=1.2,layers=5"})[0], 5);
+      for (std::size_t k = 0; k < heights.size(); ++k) EXPECT_NEAR(steps[k], heights[k], 1e-9);
+      EXPECT_NEAR(steps.back(), 1, 1e-12);
+    }
+}
+
+TEST(LayerRules, R23_TheIntervalsAboveTheLayersFillTheLengthEvenly) {
+  const auto ratios = [](int count) {
+    const std::vector<double> steps = steps_with_count(count, 1);
+    std::vector<double> ratios;
+    for (std::size_t k = 5; k < steps.size(); ++k)
+      ratios.push_back((steps[k] - steps[k - 1]) / (steps[k - 1] - steps[k - 2]));
+    return ratios;
+  };
+  for (const double ratio : ratios(9)) EXPECT_GT(ratio, 1.2) << "few intervals grow faster than the wall's layers";
+  const std::vector<double> many = ratios(40);
+  for (const double ratio : many) {
+    EXPECT_LT(ratio, 1.2);
+    EXPECT_GT(ratio, 0.95) << "with many there is no interval of the prescribed size";
+  }
+}
+
+TEST(LayerRules, R23_FewerThanTheLayersLeaveOneIntervalAboveThem) {
+  EXPECT_EQ(steps_with_count(2, 0).size(), 6u);
+  PlannedWalls both(row({1}), 0.2, {"side_0:first=0.01,layers=3", "side_2:first=0.01,layers=4"});
+  plan_with_count(both, both.arc_between({0, 0}, {0, 1}), 4);
+  EXPECT_EQ(both.steps({0, 0}, {0, 1}).size(), 8u) << "layers of both ends";
+}
+
+TEST(LayerRules, R23WithR17_APrescribedCountRisesForTheTolerance) {
+  PlannedWalls p(hand_made::quarter_annulus(), 1, {"side_0:first=0.01,layers=3"}, 2, 1e-4);
+  const int arc = p.arc_between({2, 0}, {0, 2});
+  const auto count = [&](int prescribed) {
+    plan_with_count(p, arc, prescribed);
+    return p.divisions[arc].num_intervals();
+  };
+  EXPECT_EQ(count(40), 40);
+  EXPECT_GT(count(4), 4);
+  EXPECT_LT(count(4), 20) << "by no more than necessary";
+}
+
 }  // namespace
 }  // namespace quadrille::layers

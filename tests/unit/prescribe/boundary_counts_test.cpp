@@ -21,10 +21,11 @@ BlockLayout blocks(const SeparatrixGraph& graph) {
 
 /// The count of each chord that has a prescribed one.
 std::map<int, int> counts(const BlockLayout& layout, const std::vector<BoundaryCount>& boundaries,
-                          const std::vector<sizing::ChordCount>& chords = {}) {
+                          const std::vector<sizing::ChordCount>& chords = {},
+                          const std::vector<LayeredCount>& layered = {}) {
   std::map<int, int> found;
   for (const sizing::ChordCount& c :
-       with_boundary_counts(sizing::MeasuredLayout(layout), sizing::SizeField(0.1), chords, boundaries))
+       with_boundary_counts(sizing::MeasuredLayout(layout), sizing::SizeField(0.1), chords, boundaries, layered))
     found[c.chord] = c.count;
   return found;
 }
@@ -48,6 +49,41 @@ TEST(BoundaryCounts, BoundariesThatShareChordsAgree) {
   // side_1 is the bottom of the middle block: its chord is free of choice, that of the top follows.
   EXPECT_EQ(counts(three_blocks(), {{"side_4", 40}, {"side_1", 16}}), (std::map<int, int>{{0, 12}, {1, 16}, {2, 12}}));
   EXPECT_EQ(counts(three_blocks(), {{"side_3", 7}, {"side_5", 7}}), (std::map<int, int>{{3, 7}}));
+}
+
+/// The outer chords have five layers, the middle one none.
+const std::vector<LayeredCount> outer_layers{{15, 5}, {20, 0}, {15, 5}, {10, 0}};
+
+TEST(BoundaryCounts, TheIntervalsBetweenLayersAreSharedOut) {
+  const auto shares = [](int count) { return counts(three_blocks(), {{"side_4", count}}, {}, outer_layers); };
+  EXPECT_EQ(shares(50), (std::map<int, int>{{0, 15}, {1, 20}, {2, 15}}));
+  EXPECT_EQ(shares(90), (std::map<int, int>{{0, 25}, {1, 40}, {2, 25}}));
+  EXPECT_EQ(shares(14), (std::map<int, int>{{0, 6}, {1, 2}, {2, 6}}));
+}
+
+TEST(BoundaryCounts, LayersThatExceedTheNumberLeaveOneIntervalEach) {
+  const auto shares = [](int count, const std::vector<sizing::ChordCount>& chords) {
+    return counts(three_blocks(), {{"side_4", count}}, chords, outer_layers);
+  };
+  for (const int count : {3, 12}) EXPECT_EQ(shares(count, {}), (std::map<int, int>{{0, 6}, {1, 1}, {2, 6}}));
+  EXPECT_EQ(shares(13, {}), (std::map<int, int>{{0, 6}, {1, 1}, {2, 6}}));
+  EXPECT_EQ(shares(20, {{0, 3}}).at(2) + shares(20, {{0, 3}}).at(1), 14) << "chord 0 has six, not three";
+}
+
+TEST(BoundaryCounts, AMissedNumberIsReportedInTheWordsOfTheUser) {
+  const BlockLayout layout = three_blocks();
+  const sizing::MeasuredLayout measured(layout);
+  sizing::ArcDivisions divisions(measured.num_arcs());
+  const auto messages = [&](int count, const std::vector<LayeredCount>& layered) {
+    Report report;
+    report_boundary_counts(measured, divisions, {{"side_4", count}}, layered, report);
+    std::string all;
+    for (const auto& warning : report.warnings()) all += warning.message;
+    return all;
+  };
+  EXPECT_EQ(messages(3, {}), "");
+  expect_contains(messages(2, {}), "--count side_4=2: the boundary 'side_4' has 3 elements, not 2: the geometric");
+  expect_contains(messages(2, outer_layers), "its wall layers and one element between or above them need at least 13");
 }
 
 std::string refusal(const BlockLayout& layout, const std::vector<BoundaryCount>& boundaries,
