@@ -20,6 +20,7 @@ constexpr double jump_tol = 1e-10;
 struct Ray {
   Vec2 start, direction;
   double shortest = 0;  // nearer hits are the start of the ray itself
+  double aside = 0;     // a ray that passes a curve by less hits it, as rays do that should run through a corner
 };
 
 // Extent of a curve's poles along and across the ray. Weights are positive: the curve lies within their hull.
@@ -39,12 +40,12 @@ Extent extent(const Nurbs& curve, const Ray& ray) {
   return e;
 }
 
-bool misses(const Extent& e) { return e.across_min > 0 || e.across_max < 0; }
+bool misses(const Extent& e, const Ray& ray) { return e.across_min > ray.aside || e.across_max < -ray.aside; }
 
 // The distance at which the ray first meets the hull of a short piece of the curve, if that is less than `nearest`.
 double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
   const Extent e = extent(curve, ray);
-  if (misses(e) || e.along_max <= ray.shortest || e.along_min >= nearest) return nearest;
+  if (misses(e, ray) || e.along_max <= ray.shortest || e.along_min >= nearest) return nearest;
   const double size = std::max(e.along_max - e.along_min, e.across_max - e.across_min);
   if (size <= ray.shortest) return std::max(e.along_min, ray.shortest);
   const double middle = (curve.begin() + curve.end()) / 2;
@@ -58,12 +59,12 @@ double first_hit(const Nurbs& curve, const Ray& ray, double nearest) {
 }  // namespace
 
 Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction) {
-  const Ray ray{start, direction, 1e-6 * face.diameter};
+  const Ray ray{start, direction, 1e-6 * face.diameter, 1e-9 * face.diameter};
   // Curves that may be hit early come first: a near hit excludes the curves beyond it.
   std::vector<std::pair<double, int>> order;
   for (int c = 0; c < face.num_curves(); ++c) {
     const Extent e = extent(face.curves[c], ray);
-    if (!misses(e)) order.emplace_back(e.along_min, c);
+    if (!misses(e, ray)) order.emplace_back(e.along_min, c);
   }
   std::sort(order.begin(), order.end());
   double reach = 2 * face.diameter;

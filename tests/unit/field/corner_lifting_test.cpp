@@ -56,6 +56,14 @@ TEST(CornerLifting, LeavesContinuousDataAtEveryJoint) {
   }
 }
 
+TEST(CornerLifting, ARayThatTouchesACornerEndsThere) {
+  // Half of the way to the opposite corner (0, 2) would be the corner at (1, 1).
+  const CadFace face = polygon_face(
+      {{{-3, -3}, {5, -3}, {5, 5}, {-3, 5}}, {{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}}, 8 * std::sqrt(2.0));
+  for (const double off : {-1e-13, 0.0, 1e-13})
+    EXPECT_NEAR(distance(half_way(face, {2, 0}, unit(3 * half_pi / 2 + off)), {1.5, 0.5}), 0, 1e-5) << off;
+}
+
 TEST(CornerLifting, JumpsByTheInteriorAngleAtItsApex) {
   const CadFace face = polygon_face({rhombus, triangular_hole}, 3.4);
   for (const Lifting& lifting : corner_liftings(face)) {
