@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "refine/chord_division.hpp"
+#include "refine/place_intervals.hpp"
 
 namespace quadrille::refine {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "refine/chord_division.hpp"
+#include "refine/place_intervals.hpp"
 #include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/measured_layout.hpp"

@@ -1,5 +1,6 @@
+#include "refine/refine_options.hpp"
+
 #include "base/error.hpp"
-#include "refine/refine.hpp"
 
 namespace quadrille::refine {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The number of elements of a chord: the least count that suits all of its arcs.
 
-#include "refine/chord_division.hpp"
+#include "refine/place_intervals.hpp"
 
 namespace quadrille::refine {
 

@@ -10,7 +10,7 @@
 #include "layers/wall_layers.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/divide_arcs.hpp"
-#include "refine/refine.hpp"
+#include "refine/refine_options.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/length_limits.hpp"
 #include "sizing/measured_layout.hpp"

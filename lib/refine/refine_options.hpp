@@ -1,0 +1,47 @@
+#pragma once
+// What users prescribe for the mesh of a layout (refine/refine).
+
+#include <optional>
+#include <vector>
+
+#include "layers/wall_spec.hpp"
+#include "prescribe/boundary_counts.hpp"
+#include "prescribe/end_grading.hpp"
+#include "sizing/grade_chords.hpp"
+#include "sizing/size_field.hpp"
+
+namespace quadrille::refine {
+
+/// The tolerance that elements of this order meet at the usual sizes without being divided much further, in diameters:
+/// 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, then 5e-7.
+double default_geometry_tol(int order);
+
+struct RefineOptions {
+  double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
+  int order = 4;               ///< shape order N, 1..20
+  double geometry_tol = 0;     ///< greatest distance of mesh boundary and CAD curve, in diameters; 0: by the order
+  bool allow_invalid = false;  ///< return the mesh, marked as not valid, also if elements are not proved
+  std::optional<sizing::SizeField> size_field =
+      {};  ///< prescribed edge lengths, in place of `size` (sizing/make_size_field)
+  sizing::SizeRule size_rule = sizing::SizeRule::nearest;
+  std::vector<sizing::ChordCount> counts = {};  ///< prescribed counts of single chords, in place of their sizes
+  std::vector<prescribe::BoundaryCount> boundary_counts = {};  ///< and along boundaries (prescribe/boundary_counts)
+  std::vector<prescribe::EndGrading> end_gradings = {};  ///< lengths at the ends of boundaries (prescribe/end_grading)
+  double end_growth = 1.2;                               ///< and the greatest growth from there, > 1
+  std::vector<layers::WallSpec> walls = {};              ///< layers along boundaries (layers/wall_layers)
+  std::vector<int> blocks = {};    ///< chords through these only are refined (prescribe/chosen_blocks); empty: all
+  double min_scaled_jacobian = 0;  ///< a mesh with a lower one is an error, 0 to 1; 0: none is
+  /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
+  /// (sizing/length_limits); 0: none do, else at least 1.
+  double target_edge_ratio = 100;
+  /// With walls, lines across blocks are smoothed, and counts raised, until adjacent edges along them differ by at most
+  /// this factor (growth/limit_growth); 0: they are not, else above 1.
+  double target_growth = 1.3;
+  double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
+  int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
+  int relax = 0;               ///< sweeps of relaxation (refine/relax)
+  int levels = 0;              ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
+  void validate() const;       ///< throws UsageError
+};
+
+}  // namespace quadrille::refine
