@@ -72,11 +72,13 @@ void declare(cli::Options& o, NodeArguments& arguments) {
            "valences, all of one sign; none: corner valences change too, to blocks of 40 to 140 degrees there, so that "
            "no node is required, or as few as possible; auto: fewest if --topology makes a C-, O- or H-grid, and "
            "between walls and curves of cad2tri --offset, else field. The fewest nodes are placed at the least energy");
-  o.choice("--topology", options.topology,
-           "grid around the holes. c: blocks leave with the wake, corners of the outline that are not downstream have "
-           "two blocks; o: blocks close around the holes, all corners of the outline have two blocks; h: blocks pass; "
-           "auto: by a far field, an outline whose curves are all called farfield, o if it has no corner and one "
-           "body inside, c with two corners, h with four; none: as in any face");
+  o.choice(
+      "--topology", options.topology,
+      "grid around the holes. c: blocks leave with the wake, of more than two corners of the outline those that are "
+      "not downstream of its centre have two blocks; o: blocks close around the holes, all corners of the outline have "
+      "two blocks; h: blocks pass; "
+      "auto: by a far field, an outline whose curves are all called farfield, o if it has no corner and one "
+      "body inside, c with two corners, h with four; none: as in any face");
   o.choice(
       "--layer-corners", options.layer_corners,
       "layers between a body and its curve of cad2tri --offset. pass: blocks go on beyond the corners of the body, "

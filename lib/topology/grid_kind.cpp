@@ -31,25 +31,22 @@ bool is_outline(const CadFace& face, int joint) {
 /// The direction in which the body points at this joint of a hole: away from the body, along the bisector.
 Vec2 direction_of(const Joint& joint) { return unit(joint.tangent_out + joint.interior_angle / 2); }
 
-/// The corners of holes with the greatest angle, if that is more than 180 degrees.
-std::vector<int> sharpest_joints(const CadFace& face) {
-  double greatest = pi + equal;
-  std::vector<int> joints;
-  for (int j = face.loop_offsets[1]; j < face.num_curves(); ++j) {
-    const double angle = face.joints[j].interior_angle;
-    if (!face.joints[j].is_corner || angle < greatest - equal) continue;
-    if (angle > greatest + equal) joints.clear();
-    greatest = std::max(greatest, angle);
-    joints.push_back(j);
-  }
-  return joints;
+std::vector<Vec2> outline_corners(const CadFace& face) {
+  std::vector<Vec2> corners;
+  for (int j = 0; j < face.loop_offsets[1]; ++j)
+    if (face.joints[j].is_corner && is_outline(face, j)) corners.push_back(face.joints[j].position);
+  return corners;
 }
 
+/// Whether a corner of the outline belongs to its outflow. Two corners have it between them; of more, those downstream
+/// of their centre do: seen from there, not from a body that may be near the outflow, they are farthest from being
+/// beside it.
 bool is_downstream(const CadFace& face, Vec2 position) {
-  Vec2 from;
-  const std::vector<int> joints = sharpest_joints(face);
-  for (const int j : joints) from += face.joints[j].position / static_cast<double>(joints.size());
-  return dot(position - from, downstream(face)) > equal * face.diameter;
+  const std::vector<Vec2> corners = outline_corners(face);
+  if (corners.size() <= 2) return true;
+  Vec2 centre;
+  for (const Vec2 corner : corners) centre += corner / static_cast<double>(corners.size());
+  return dot(position - centre, downstream(face)) > equal * face.diameter;
 }
 
 /// The least valence with blocks below the greatest admissible angle.
@@ -67,11 +64,10 @@ int valence_of(const CadFace& face, GridKind kind, const Corner& c) {
 
 GridKind kind_of_outline(const CadFace& face) {
   if (face.num_loops() < 2 && !has_slit(face)) return GridKind::none;
-  int corners = 0, named = 0;
-  for (int j = 0; j < face.loop_offsets[1]; ++j) {
+  int named = 0;
+  for (int j = 0; j < face.loop_offsets[1]; ++j)
     if (is_far_field(face, j)) ++named;
-    if (face.joints[j].is_corner && is_outline(face, j)) ++corners;
-  }
+  const std::size_t corners = outline_corners(face).size();
   if (named == 0 || (named < face.loop_offsets[1] && !has_slit(face))) return GridKind::none;
   if (corners == 0 && num_bodies(face) > 1) return GridKind::none;  // lines that go around one body meet the other
   return corners == 0 ? GridKind::o : corners == 2 ? GridKind::c : corners == 4 ? GridKind::h : GridKind::none;
@@ -111,8 +107,14 @@ void require_holes(const CadFace& face, GridKind kind) {
 
 Vec2 downstream(const CadFace& face) {
   Vec2 sum;
-  for (const int j : sharpest_joints(face)) sum += direction_of(face.joints[j]);
-  return norm(sum) > equal ? sum / norm(sum) : Vec2{1, 0};
+  double weights = 0;
+  for (int j = face.loop_offsets[1]; j < face.num_curves(); ++j) {
+    const double turn = face.joints[j].interior_angle - pi;
+    if (!face.joints[j].is_corner || turn < equal) continue;
+    sum += turn * turn * direction_of(face.joints[j]);
+    weights += turn * turn;
+  }
+  return norm(sum) > 0.1 * weights ? sum / norm(sum) : Vec2{1, 0};
 }
 
 std::vector<guide::CornerOverride> grid_corners(const CadFace& face, GridKind kind, const CriticalPoints& points) {

@@ -1,9 +1,9 @@
 #pragma once
 // The kind of grid around a body: C, O or H. It states the valence of each corner of a face with holes.
 //
-//   C-grid   blocks wrap around the front of the body and leave with its wake: outline corners downstream of the body
-//            and corners of holes keep the valence that they have in any face, other outline corners have two
-//            blocks.
+//   C-grid   blocks wrap around the front of the body and leave with its wake: outline corners at the outflow and
+//            corners of holes keep the valence that they have in any face, other outline corners have two blocks. At
+//            the outflow are both corners if there are two, else those downstream of the centre of all.
 //   O-grid   blocks close around the body: outline corners have two blocks; reflex corners of holes have the least
 //            valence that keeps blocks below 165 degrees: a blunt trailing edge has two corners of valence 2, a sharp
 //            one has valence 3, so that a node of valence 3 is left in its wake.
@@ -46,8 +46,10 @@ std::vector<GridKind> other_grids(const CadFace& face);
 /// Throws UsageError if a kind is chosen and the face has no hole.
 void require_holes(const CadFace& face, GridKind kind);
 
-/// The direction in which the wake leaves the bodies: the mean of the directions in which the corners of holes with the
-/// greatest angle point, within 1e-6 radians; (1, 0) if there is no reflex corner or the mean is 0. A unit vector.
+/// The direction in which the wake leaves the bodies, a unit vector: the mean of the directions in which the reflex
+/// corners of holes point, weighted by the squares of their angles beyond 180 degrees, so that a sharp tail counts more
+/// than other corners, and both corners of a blunt tail about the same. (1, 0) if there is no reflex corner, or if
+/// their directions cancel: the mean is shorter than 0.1.
 Vec2 downstream(const CadFace& face);
 
 /// The corners whose valences the grid changes. Corners that a user prescribed (source `corner`) are not among them.

@@ -36,6 +36,16 @@ setup() {
   assert_equal "$(jq -c '.corners | map(.valence)' stages/blunt.crit.json)" '[1,1,3,3]'
 }
 
+@test "a C-grid does not depend on the incidence, nor on digits of a blunt trailing edge" {
+  local angle
+  for angle in -0.1 0.15; do
+    awk -v a=$angle 'NR == 1 { print; next } { printf "%.4f %.4f\n", cos(a) * $1 - sin(a) * $2, sin(a) * $1 + cos(a) * $2 }' \
+      blunt.dat >turned.dat
+    grid turned '.valid and .blocks == 4 and .irregular_nodes == 0' --farfield cgrid:20
+    assert_equal "$(jq -c '.corners | map(.valence)' stages/turned.crit.json)" '[1,1,3,3]'
+  done
+}
+
 @test "--nodes field and --topology none keep the nodes of the field in the same far field" {
   for rule in '--nodes field' '--topology none'; do
     # shellcheck disable=SC2086 # words

@@ -63,6 +63,38 @@ TEST(GridKind, ACGridTurnsTheUpstreamCornersOfABox) {
   EXPECT_EQ(changed(make_face({c_outline(), sharp_body()}), GridKind::c), (std::vector<int>{0, 0, 0, 0, 0, 0, 0}));
 }
 
+/// A blunt body with a round front, turned by an angle around the front; the tail is cut obliquely.
+Loop turned_body(double angle, double skew) {
+  std::vector<Vec2> points;
+  for (const Vec2 p : {Vec2{1 + skew, 0.01}, Vec2{1 - skew, -0.01}, Vec2{0, -0.2}, Vec2{0, 0.2}})
+    points.push_back(p.x * unit(angle) + p.y * unit(angle + half_pi));
+  Loop body = polygon(points);
+  body[2] = curve::circular_arc({0, 0}, 0.2, angle - half_pi, angle - 3 * half_pi);
+  return body;
+}
+
+TEST(GridKind, BothOutflowCornersOfACGridKeepTheirBlocksBehindABodyAtIncidence) {
+  // Corners of an oblique tail differ; the sharper of them points past a corner of the outline.
+  for (const double angle : {-0.26, 0.0, 0.26})
+    for (const double skew : {-0.001, 0.001}) {
+      const Loop body = turned_body(angle, skew);
+      EXPECT_EQ(changed(make_face({c_outline(), body}), GridKind::c), std::vector<int>(8, 0)) << angle << " " << skew;
+      EXPECT_EQ(changed(make_face({box(), body}), GridKind::c), (std::vector<int>{2, 0, 0, 2, 0, 0, 0, 0}))
+          << angle << " " << skew;
+    }
+}
+
+TEST(GridKind, TheOutflowIsSeenFromTheCentreOfTheOutline) {
+  // A body at an incidence of 11 degrees, 1 before the outflow.
+  const Loop body = polygon({{7, -0.2}, {6, -0.1}, {6, 0.1}});
+  EXPECT_EQ(changed(make_face({box(), body}), GridKind::c), (std::vector<int>{2, 0, 0, 2, 0, 0, 0}));
+}
+
+TEST(GridKind, ASquareBodyHasItsWakeInTheDirectionOfX) {
+  const Loop body = polygon({{1, -1}, {-1, -1}, {-1, 1.001}, {1, 1}});
+  EXPECT_NEAR(distance(downstream(make_face({box(), body})), {1, 0}), 0, 1e-12);
+}
+
 TEST(GridKind, AnOGridTurnsAllCornersAndNeedsTheFewestBlocksAtTheBody) {
   // The front corners of 281 degrees have 2 blocks, the tail of 338 degrees has 3.
   EXPECT_EQ(changed(make_face({box(), wedge()}), GridKind::o), (std::vector<int>{2, 2, 2, 2, 3, 2, 2}));
