@@ -29,6 +29,18 @@ bool is_sharp(const Junction& junction) {
   return junction.interior_angle < acute_angle || junction.interior_angle > 2 * pi - acute_angle;
 }
 
+/// The same for the curves of a body that slits meet at one place, as wakes do: the junctions between body and slits
+/// have the angles of the face together.
+bool is_sharp_outside(const Outline& outline, std::span<const Fan> fans) {
+  double inside = 0;
+  bool has_body = false;
+  for (const Fan& fan : fans) {
+    inside += outline.junctions()[fan.junction].interior_angle;
+    has_body = has_body || !outline.face().is_interface(outline.pieces()[fan.junction].curve);
+  }
+  return has_body && inside > 2 * pi - acute_angle;
+}
+
 /// The parameter at which the piece, followed from its start (`from_start`) or its end, leaves the circle of this
 /// radius around the apex.
 double parameter_at_radius(const Outline& outline, const SmoothPiece& piece, bool from_start, double radius) {
@@ -109,7 +121,7 @@ bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const Edg
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
     int layers = 0;
-    bool is_needed = false;
+    bool is_needed = is_sharp_outside(outline, fans);
     for (const Fan& fan : fans) {
       const Junction& junction = outline.junctions()[fan.junction];
       layers = std::max(layers, fan_layers(junction_singularity(junction, radius), options.fan_factor));

@@ -5,7 +5,8 @@
 //        rim ______      Sectors of at most 60 degrees. Side vertices lie ON the two curves at the ring's distance from
 //           /\  /\       the apex. The rim is a fixed constraint of the triangulation around it. A corner below 75 or
 //          /__\/__\      above 285 degrees gets a single ring in any case: it keeps the refinement away from the small
-//    curve   apex  curve angle between its curves. Along a fan the curves turn by at most the corner's angle together.
+//    curve   apex  curve angle between its curves; so do the corners at the tip of a body that slits (wakes) meet.
+//    Along a fan the curves turn by at most the corner's angle together.
 
 #include <span>
 #include <vector>

@@ -143,6 +143,10 @@ setup() {
   assert_output --partial 'quadmesh: wake.xy: the wake crosses the body from (0.3'
 }
 
+@test "behind a sharp trailing edge with a wake, quads without a field are found" {
+  grid sharp '.valid and .certificate.method == "midpoint"' --farfield cgrid:10 --wake auto --layout midpoint
+}
+
 @test "points need no other command, and what is wrong with them is told" {
   grid sharp '.valid' --farfield circle:5 --size 1
   assert_file_exists stages/sharp.outline.step

@@ -92,6 +92,28 @@ TEST(CornerFans, ASharpCornerIsProtectedByASingleRing) {
   EXPECT_EQ(thin.fans[0].radii.size(), 1u);
 }
 
+TEST(CornerFans, TheTipOfABodyIsProtectedWhereASlitMeetsIt) {
+  // A wedge of 23 degrees, or of 90, with a wake to the right side of a box: two corners of the face at its tip.
+  TriangulateOptions options;
+  options.fan_layers = 0;
+  const auto with_wake = [&](double half_width) {
+    CadFace face = make_face({polygon(
+        {{0, -2}, {4, -2}, {4, 0}, {2, 0}, {1, -half_width}, {1, half_width}, {2, 0}, {4, 0}, {4, 2}, {0, 2}})});
+    pair_sides(face, 2, 6);
+    return Planned(face, options);
+  };
+  const auto junctions = [](const Planned& planned) {
+    std::vector<int> numbers;
+    for (const Fan& fan : planned.fans) numbers.push_back(fan.junction);
+    return numbers;
+  };
+  const Planned thin = with_wake(0.2);
+  ASSERT_EQ(junctions(thin), (std::vector<int>{3, 6}));
+  EXPECT_EQ(thin.fans[0].radii.size(), 1u);
+  EXPECT_EQ(thin.fans[0].radii, thin.fans[1].radii);
+  EXPECT_EQ(junctions(with_wake(1)), (std::vector<int>{4, 5})) << "its front corners of 45 degrees";
+}
+
 TEST(CornerFans, RadiiKeepAwayFromOtherParts) {
   const Planned l(make_face({polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), hole({0.8, 0.8}, 0.1)}));
   ASSERT_EQ(l.fans.size(), 1u);
