@@ -46,6 +46,7 @@ inline constexpr const char* walls_share_a_chord = "W-WAL-001";  ///< each presc
 inline constexpr const char* walls_disagree = "W-WAL-002";       ///< wall layers that continue each other
 inline constexpr const char* reynolds_number_outside = "W-SIZ-001";
 inline constexpr const char* end_length_missed = "W-SIZ-002";
+inline constexpr const char* end_growth_missed = "W-SIZ-003";
 
 // quadexport
 inline constexpr const char* format_loss = "W-EXP-001";

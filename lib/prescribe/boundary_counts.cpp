@@ -176,10 +176,12 @@ std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayou
                                                      const sizing::SizeField& sizes,
                                                      std::vector<sizing::ChordCount> counts,
                                                      const std::vector<BoundaryCount>& boundaries,
-                                                     const std::vector<LayeredCount>& layered) {
+                                                     const std::vector<LayeredCount>& layered,
+                                                     const std::vector<EndGrading>& gradings, double growth) {
   if (boundaries.empty()) return counts;
   std::vector<BoundaryCount> open = boundaries;
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, sizes, sizing::SizeRule::nearest, counts);
+  apply_end_gradings(measured, gradings, growth, plans);
   for (std::size_t c = 0; c < layered.size(); ++c)
     if (plans[c].is_prescribed) plans[c].count = std::max(plans[c].count, layered[c].layers + 1);
   while (!open.empty()) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/report.hpp"
+#include "prescribe/end_grading.hpp"
 #include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
 #include "sizing/measured_layout.hpp"
@@ -40,12 +41,14 @@ void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chord
 /// `counts`, and those of all chords along the boundaries. Boundaries with the fewest chords that are still free come
 /// first; equal ones as given. Throws UsageError if a boundary cannot have its number, with those nearest to it that it
 /// can have. `layered`: by chord, with `counts`; empty: there are no walls. A boundary whose number its layers exceed
-/// has the least number that leaves one interval between or above them.
+/// has the least number that leaves one interval between or above them. `gradings` with their greatest `growth`
+/// (prescribe/end_grading): without walls, chords along these boundaries have more.
 std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayout& measured,
                                                      const sizing::SizeField& sizes,
                                                      std::vector<sizing::ChordCount> counts,
                                                      const std::vector<BoundaryCount>& boundaries,
-                                                     const std::vector<LayeredCount>& layered = {});
+                                                     const std::vector<LayeredCount>& layered = {},
+                                                     const std::vector<EndGrading>& gradings = {}, double growth = 1.2);
 
 /// Sets counts.<n>.boundary, .prescribed and .achieved; warning W-QUA-002 where they differ.
 void report_boundary_counts(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/chords.hpp"
+#include "prescribe/log_spacing.hpp"
 #include "prescribe/named_arcs.hpp"
 
 namespace quadrille::prescribe {
@@ -19,10 +21,9 @@ namespace {
 
 constexpr int uniform_samples = 96;
 constexpr double least_sample = 1e-7;  ///< samples near both ends double from here
-constexpr double steepest = 3;         ///< |s|, if the count is prescribed
-constexpr double least_length = 1e-3;  ///< of the prescribed one, where elements shrink away from the end
 constexpr double derivative_step = 1e-5;
 constexpr double missed = 1.2;  ///< factor of an achieved length that is reported
+constexpr double missed_growth = 1.1;
 
 using ArcChain = std::vector<HalfEdge>;
 
@@ -34,9 +35,16 @@ struct EndLength {
   double length = 0;         ///< prescribed
 };
 
+/// A boundary from end to end, with the lengths there.
+struct GradedChain {
+  ArcChain arcs;
+  double first = 0, last = 0;
+};
+
 /// l_0 of the header.
 double start_length(double length, double s) { return std::abs(s) < 1e-9 ? length : length * s / std::expm1(s); }
 
+/// The chord's grading from sizes, from both ends on with growing elements.
 class GradedChord {
  public:
   GradedChord(const sizing::MeasuredLayout& measured, int chord, const std::vector<EndLength>& ends,
@@ -53,17 +61,17 @@ class GradedChord {
   /// The plan with the ratio exp(s) that gives a whole number of elements.
   sizing::ChordPlan plan(double slope) const {
     sizing::ChordPlan result = plan_;
-    double low = plan_.is_prescribed ? -steepest : 1e-6, high = plan_.is_prescribed ? steepest : slope;
+    double low = 1e-6, high = slope;
     const double at_low = grading(low).count(), at_high = grading(high).count();
     const bool rises = at_low < at_high;  // with s: elements shrink away from the ends
-    if (!plan_.is_prescribed) result.count = whole_count(at_low, at_high);
+    result.count = whole_count(at_low, at_high);
     if (!rises && at_low < result.count) low = high;
     for (int step = 0; step < 50 && low < high; ++step) {
       const double middle = (low + high) / 2;
       ((grading(middle).count() > result.count) != rises ? low : high) = middle;
     }
     result.grading = grading(high);
-    result.slope = std::max(plan_.slope, std::abs(high));
+    result.slope = std::max(plan_.slope, high);
     return result;
   }
 
@@ -87,16 +95,12 @@ class GradedChord {
   }
 
   double element_length(double u, double s) const {
-    const bool is_free = plan_.is_prescribed;  // of sizes: the count alone is prescribed
     double most = std::numeric_limits<double>::infinity(), least = 0;
     for (const EndLength& end : ends_) {
       const double x = distance(end, u);
-      const double growing = std::max(start_length(end.length, s) + s * x, least_length * end.length);
-      const double shrinking = start_length(end.length, -std::abs(s)) - std::abs(s) * x;
-      most = std::min(most, in_parameter(end, u, growing));
-      least = std::max(least, in_parameter(end, u, is_free ? growing : std::max(shrinking, 0.0)));
+      most = std::min(most, in_parameter(end, u, start_length(end.length, s) + s * x));
+      least = std::max(least, in_parameter(end, u, std::max(start_length(end.length, -s) - s * x, 0.0)));
     }
-    if (is_free) return s > 0 ? most : least;
     return std::min(most, std::max(least, plan_.grading.element_length(u)));
   }
 
@@ -112,6 +116,36 @@ class GradedChord {
   const sizing::ChordPlan& plan_;
   std::vector<double> u_;
 };
+
+/// The lengths in u at both ends of a chord with a prescribed count; 0: free. Of several the least. `slope`: ln of the
+/// growth with which elements reach a chord that begins at a distance from the end of its chain.
+std::array<double, 2> end_parameters(const sizing::MeasuredLayout& measured, int number,
+                                     const std::vector<EndLength>& ends, const sizing::ChordPlan& plan, double slope) {
+  const mesh::Chord& chord = measured.chords()[number];
+  std::array<double, 2> lengths{};
+  for (const EndLength& end : ends) {
+    const int side = end.is_from_end == chord.backwards[end.arc] ? 0 : 1;
+    const double length = end.offset > 0 ? start_length(end.length, slope) + slope * end.offset : end.length;
+    const double fraction = std::min(1.0, length / measured.length(chord.arcs[end.arc]));
+    const double u = measured.chord_parameter(chord, end.arc, end.is_from_end ? 1 - fraction : fraction);
+    double own = side == 0 ? u : 1 - u;
+    if (end.offset > 0) own = std::min(own, plan.grading.element_length(side));
+    lengths[side] = lengths[side] > 0 ? std::min(lengths[side], own) : own;
+  }
+  return lengths;
+}
+
+/// Changes the grading, not the count.
+void grade_counted(const std::array<double, 2>& ends, sizing::ChordPlan& plan) {
+  const LogSpacing spacing(plan.count, 1, ends[0], ends[1]);
+  const std::vector<double>& u = spacing.positions();
+  std::vector<double> eta = spacing.element_lengths();
+  const double factor = sizing::Grading(u, eta).count() / plan.count;
+  for (double& length : eta) length *= factor;
+  plan.grading = sizing::Grading(u, eta);
+  for (std::size_t j = 1; j < u.size(); ++j)
+    plan.slope = std::max(plan.slope, std::abs(eta[j] - eta[j - 1]) / (u[j] - u[j - 1]));
+}
 
 /// The arcs of a boundary as chains from end to end.
 std::vector<ArcChain> chains_of(const sizing::MeasuredLayout& measured, const std::string& name) {
@@ -157,6 +191,53 @@ void add_end(const sizing::MeasuredLayout& measured, const ArcChain& chain, doub
   }
 }
 
+/// The lengths at all nodes of a chain whose counts are all prescribed, as those of one spacing along it.
+void add_counted_chain(const sizing::MeasuredLayout& measured, const GradedChain& chain,
+                       const std::vector<sizing::ChordPlan>& plans, std::vector<std::vector<EndLength>>& by_chord) {
+  int count = 0;
+  double length = 0, x = 0;
+  for (const HalfEdge half : chain.arcs) {
+    count += plans[measured.chord_of(half.arc)].count;
+    length += measured.length(half.arc);
+  }
+  const LogSpacing spacing(count, length, chain.first, chain.last);
+  for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
+    const HalfEdge half = chain.arcs[i];
+    const bool is_first = i == 0, is_last = i + 1 == chain.arcs.size();
+    const double end = x + measured.length(half.arc);
+    const double before = is_first ? chain.first : spacing.element_length(x);
+    const double after = is_last ? chain.last : spacing.element_length(end);
+    if (before > 0) add_end(measured, {half}, before, by_chord);
+    if (after > 0) add_end(measured, {half.reversed()}, after, by_chord);
+    x = end;
+  }
+}
+
+void add_chain(const sizing::MeasuredLayout& measured, const GradedChain& chain,
+               const std::vector<sizing::ChordPlan>& plans, std::vector<std::vector<EndLength>>& by_chord) {
+  const auto is_counted = [&](HalfEdge half) { return plans[measured.chord_of(half.arc)].is_prescribed; };
+  if (std::ranges::all_of(chain.arcs, is_counted)) return add_counted_chain(measured, chain, plans, by_chord);
+  if (chain.first > 0) add_end(measured, chain.arcs, chain.first, by_chord);
+  if (chain.last > 0) add_end(measured, reversed(chain.arcs), chain.last, by_chord);
+}
+
+/// The greatest ratio of adjacent elements along a chain.
+double greatest_ratio_along(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
+                            const ArcChain& chain) {
+  double greatest = 1, last = 0;
+  for (const HalfEdge half : chain) {
+    const sizing::ArcDivision& division = divisions[half.arc];
+    const int count = division.num_intervals();
+    for (int k = 0; k < count; ++k) {
+      const int own = half.is_backwards ? count - 1 - k : k;
+      const double length = (division.high(own) - division.low(own)) * measured.length(half.arc);
+      if (last > 0) greatest = std::max({greatest, length / last, last / length});
+      last = length;
+    }
+  }
+  return greatest;
+}
+
 double first_length(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, HalfEdge half) {
   const std::vector<double>& ends = divisions[half.arc].ends;
   const double fraction = half.is_backwards ? 1 - ends[ends.size() - 2] : ends[1];
@@ -169,6 +250,14 @@ void warn_if_missed(const std::string& boundary, double prescribed, double achie
                 fmt::format("--grading {}: an element at its end is {:.3g} long, not {:.3g}: another boundary of its "
                             "chord, wall layers or the number of elements require it",
                             boundary, achieved, prescribed));
+}
+
+void warn_if_steep(const std::string& boundary, double ratio, double growth, Report& report) {
+  if (ratio > missed_growth * growth)
+    report.warn(warning::end_growth_missed,
+                fmt::format("--grading {}: adjacent elements along it differ by a factor of {:.3g}, more than --growth "
+                            "{:g}: its end lengths with the number of elements in --count require it",
+                            boundary, ratio, growth));
 }
 
 std::optional<double> length_of(const std::string& text) {
@@ -198,17 +287,25 @@ void apply_end_gradings(const sizing::MeasuredLayout& measured, const std::vecto
                         std::vector<sizing::ChordPlan>& plans) {
   std::vector<std::vector<EndLength>> by_chord(plans.size());
   for (const EndGrading& grading : gradings)
-    for (const ArcChain& chain : chains_of(measured, grading.boundary)) {
-      if (grading.first > 0) add_end(measured, chain, grading.first, by_chord);
-      if (grading.last > 0) add_end(measured, reversed(chain), grading.last, by_chord);
-    }
-  for (std::size_t c = 0; c < plans.size(); ++c)
-    if (!by_chord[c].empty())
-      plans[c] = GradedChord(measured, static_cast<int>(c), by_chord[c], plans[c]).plan(std::log(growth));
+    for (const ArcChain& chain : chains_of(measured, grading.boundary))
+      add_chain(measured, {chain, grading.first, grading.last}, plans, by_chord);
+  const double slope = std::log(growth);
+  for (std::size_t c = 0; c < plans.size(); ++c) {
+    const int chord = static_cast<int>(c);
+    if (by_chord[c].empty()) continue;
+    if (plans[c].is_prescribed)
+      grade_counted(end_parameters(measured, chord, by_chord[c], plans[c], slope), plans[c]);
+    else
+      plans[c] = GradedChord(measured, chord, by_chord[c], plans[c]).plan(slope);
+  }
 }
 
 void report_end_gradings(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                         const std::vector<EndGrading>& gradings, Report& report) {
+                         const std::vector<EndGrading>& gradings, double growth,
+                         const std::vector<sizing::ChordCount>& counts, Report& report) {
+  std::set<int> counted;
+  for (const sizing::ChordCount& count : counts) counted.insert(count.chord);
+  const auto is_counted = [&](HalfEdge half) { return counted.contains(measured.chord_of(half.arc)); };
   for (std::size_t i = 0; i < gradings.size(); ++i) {
     const EndGrading& grading = gradings[i];
     report.set(fmt::format("gradings.{}.boundary", i), grading.boundary);
@@ -223,6 +320,9 @@ void report_end_gradings(const sizing::MeasuredLayout& measured, const sizing::A
         report.set(fmt::format("gradings.{}.last", i), last);
         warn_if_missed(grading.boundary, grading.last, last, report);
       }
+      const double ratio = greatest_ratio_along(measured, divisions, chain);
+      report.set(fmt::format("gradings.{}.growth", i), ratio);
+      if (std::ranges::any_of(chain, is_counted)) warn_if_steep(grading.boundary, ratio, growth, report);
     }
   }
 }

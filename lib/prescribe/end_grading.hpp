@@ -7,8 +7,10 @@
 //   l(x) = l_0 + s x,  l_0 = FIRST s / (exp(s) - 1),
 //
 // so that the first element ends at x = FIRST. Where the boundary has more arcs, theirs continue l. s is at most
-// ln(growth); for a chord it follows from its whole number of elements: the next above the number at the greatest s, or
-// the prescribed one, for which s may be any.
+// ln(growth); for a chord it follows from its whole number of elements, the next above the number at the greatest s.
+//
+// Where the number of elements is prescribed, every number has both lengths: the logarithm of the elements' lengths is
+// a quadratic function of their number (prescribe/log_spacing), along the whole boundary if all its chords have one.
 
 #include <string>
 #include <vector>
@@ -35,9 +37,11 @@ EndGrading parse_end_grading(const std::string& text);
 void apply_end_gradings(const sizing::MeasuredLayout& measured, const std::vector<EndGrading>& gradings, double growth,
                         std::vector<sizing::ChordPlan>& plans);
 
-/// Sets gradings.<n>.boundary, .first and .last, the achieved lengths, and warns where they deviate by more than a
-/// fifth from the prescribed ones.
+/// Sets gradings.<n>.boundary, .first and .last, the achieved lengths, and .growth, the greatest ratio of adjacent
+/// elements along it. Warns where lengths deviate by more than a fifth from the prescribed ones, and where prescribed
+/// `counts` make that ratio exceed the growth by more than a tenth.
 void report_end_gradings(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                         const std::vector<EndGrading>& gradings, Report& report);
+                         const std::vector<EndGrading>& gradings, double growth,
+                         const std::vector<sizing::ChordCount>& counts, Report& report);
 
 }  // namespace quadrille::prescribe

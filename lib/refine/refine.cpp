@@ -224,8 +224,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   RefineOptions options = prescribed;
   const SplitRequest request = split_request(options, layout.face, report);
   const std::vector<prescribe::LayeredCount> layered = layered_counts(measured, request, options);
-  options.counts =
-      prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts, layered);
+  options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,
+                                                   layered, options.end_gradings, options.end_growth);
   const sizing::MeasuredLayout aligned = measured.with_parameters(align_chords(measured));
   auto [split, distance] = split_without_elongation(aligned, request);
   correct_lines(aligned, request, split);
@@ -247,7 +247,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
     growth::report_growth(split.growth, split.lines.lengths, split.mesh, options.target_growth, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, prescribed.counts, report);
   prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, layered, report);
-  prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, report);
+  prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, options.end_growth, options.counts,
+                                 report);
   if (!options.allow_invalid) require_valid_elements(split.mesh);
   require_quality(split.mesh, options.min_scaled_jacobian, options.max_edge_ratio);
   if (!split.mesh.is_valid) report.warn(warning::mesh_not_valid, check::validity_warning(split.mesh));

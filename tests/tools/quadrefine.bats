@@ -385,6 +385,18 @@ setup() {
   assert_output --partial "W-SIZ-002: --grading curve_0: an element at its end is"
 }
 
+@test "every number of elements has the lengths at both ends, and one that makes them grow fast is reported" {
+  for count in 30 37 44; do
+    run quadrefine --count curve_1=$count --grading curve_1=0.03:0.03 "$blocks" -o a.quad.h5 --report a.json
+    assert_success
+    refute_output --partial W-SIZ-002
+    run jq -c '.gradings["0"] | [(.first * 1e3 | round), (.last * 1e3 | round)]' a.json
+    assert_output "[30,30]"
+  done
+  run -0 quadrefine --count curve_1=24 --grading curve_1=0.6:0.6 "$blocks" -o a.quad.h5
+  assert_output --partial "W-SIZ-003: --grading curve_1: adjacent elements along it differ by a factor of"
+}
+
 @test "nested refinement: four times the elements, the vertices where they were, the same geometry" {
   quadrefine --size 0.4 "$blocks" -o a.quad.h5 --report a.json
   quadrefine --size 0.4 --refine 1 "$blocks" -o b.quad.h5 --report b.json

@@ -70,6 +70,16 @@ TEST(BoundaryCounts, LayersThatExceedTheNumberLeaveOneIntervalEach) {
   EXPECT_EQ(shares(20, {{0, 3}}).at(2) + shares(20, {{0, 3}}).at(1), 14) << "chord 0 has six, not three";
 }
 
+TEST(BoundaryCounts, ChordsAtAFineEndHaveMoreOfTheElements) {
+  const BlockLayout layout = three_blocks();
+  const std::vector<sizing::ChordCount> shares = with_boundary_counts(
+      sizing::MeasuredLayout(layout), sizing::SizeField(0.1), {}, {{"side_4", 60}}, {}, {{"side_4", 0.01, 0}});
+  std::map<int, int> found;
+  for (const sizing::ChordCount& c : shares) found[c.chord] = c.count;
+  EXPECT_EQ(found[0] + found[1] + found[2], 60);
+  EXPECT_GT(found[2], found[0] + 5) << "the top runs from the right";
+}
+
 TEST(BoundaryCounts, AMissedNumberIsReportedInTheWordsOfTheUser) {
   const BlockLayout layout = three_blocks();
   const sizing::MeasuredLayout measured(layout);

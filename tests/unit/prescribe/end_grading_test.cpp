@@ -75,6 +75,51 @@ TEST(EndGrading, APrescribedNumberOfElementsDeterminesTheGrowth) {
   }
 }
 
+TEST(EndGrading, EveryPrescribedNumberOfElementsHasBothLengthsAndElementsThatRiseAndFallOnce) {
+  for (int count = 16; count <= 60; ++count) {
+    const sizing::ChordPlan plan = graded(square(), {{"side_0", 0.01, 0.05}}, 0.1, {{0, count}})[0];
+    const std::vector<double> l = lengths(plan);
+    EXPECT_NEAR(l.front(), 0.01, 1e-4) << count;
+    EXPECT_NEAR(l.back(), 0.05, 5e-4) << count;
+    EXPECT_LT(worst_ratio(l), 1.6) << count;
+    int turns = 0;
+    for (int k = 2; k < count; ++k) turns += (l[k] > l[k - 1]) != (l[k - 1] > l[k - 2]);
+    EXPECT_LE(turns, 1) << count;
+  }
+}
+
+TEST(EndGrading, ChordsWithPrescribedNumbersContinueEachOtherAlongABoundary) {
+  // The top of blocks 1 and 2 wide runs from the right: 3 = 0.02 (1 + q + ... + q^39).
+  const BlockLayout row = blocks(hand_made::row({1, 2}));
+  const std::vector<sizing::ChordPlan> plans = graded(row, {{"side_3", 0, 0.02}}, 0.2, {{0, 22}, {1, 18}});
+  std::vector<double> all;
+  for (int c = 0; c < 2; ++c)
+    for (const double l : lengths(plans[c])) all.push_back(l * (c + 1));
+  ASSERT_EQ(all.size(), 40u);
+  EXPECT_NEAR(all.front(), 0.02, 2e-4);
+  EXPECT_LT(worst_ratio(all), 1.1);
+}
+
+TEST(EndGrading, TheReportHasTheGrowthAndAWarningWhereTheNumberRequiresMore) {
+  const sizing::MeasuredLayout measured(square());
+  const auto warnings = [&](int count, double end, const std::vector<sizing::ChordCount>& counts) {
+    const sizing::ChordPlan plan = graded(square(), {{"side_0", end, end}}, 0.1, {{0, count}})[0];
+    sizing::ArcDivisions divisions(measured.num_arcs());
+    for (const int arc : measured.chords()[0].arcs) {
+      divisions[arc].ends.clear();
+      for (int k = 0; k <= count; ++k) divisions[arc].ends.push_back(plan.grading.parameter(1.0 * k / count));
+    }
+    Report report;
+    report_end_gradings(measured, divisions, {{"side_0", end, end}}, 1.2, counts, report);
+    std::vector<std::string> codes;
+    for (const auto& warning : report.warnings()) codes.push_back(warning.code);
+    return codes;
+  };
+  EXPECT_EQ(warnings(24, 0.3, {{0, 24}}), std::vector<std::string>{"W-SIZ-003"});
+  EXPECT_EQ(warnings(24, 0.3, {}), std::vector<std::string>{});
+  EXPECT_EQ(warnings(3, 0.32, {{0, 3}}), std::vector<std::string>{}) << "0.32, 0.36 and 0.32";
+}
+
 TEST(EndGrading, EndsThatAreCoarserThanTheSizesShrinkTowardsThem) {
   const std::vector<double> l = lengths(graded(square(), {{"side_0", 0.1, 0}}, 0.02)[0]);
   EXPECT_NEAR(l.front(), 0.1, 4e-3);
