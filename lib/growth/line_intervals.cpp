@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "growth/block_vertices.hpp"
 #include "growth/limit_growth.hpp"
 #include "growth/line_correction.hpp"
 #include "growth/line_paths.hpp"
@@ -111,31 +112,6 @@ std::vector<int> sizes_of(const std::vector<std::vector<double>>& lists) {
   for (const std::vector<double>& list : lists) sizes.push_back(static_cast<int>(list.size()));
   return sizes;
 }
-
-/// The vertices along the lines of a block.
-class BlockVertices {
- public:
-  /// `first`: its first element.
-  BlockVertices(const QuadMesh& mesh, std::size_t first, int columns) : mesh_(mesh), first_(first), columns_(columns) {}
-
-  /// Vertex k of column (direction 0) or row `node`.
-  Vec2 at(int direction, int node, int k) const {
-    return direction == 0 ? position(node, k * mesh_.order) : position(k * mesh_.order, node);
-  }
-
- private:
-  /// Node number i along side 0, j along side 1.
-  Vec2 position(int i, int j) const {
-    const int order = mesh_.order, width = order + 1;
-    const int column = std::min(i / order, columns_ - 1), row = std::max(0, (j - 1) / order);
-    const std::size_t elem = first_ + static_cast<std::size_t>(row) * columns_ + column;
-    return mesh_.nodes[mesh_.elem_nodes[elem * width * width + (j - row * order) * width + i - column * order]];
-  }
-
-  const QuadMesh& mesh_;
-  std::size_t first_;
-  int columns_;
-};
 
 /// As measured_line, from the positions of vertices. `layers`: their numbers at the beginning and the end.
 layers::BlockLine line_of_vertices(const BlockVertices& vertices, int direction, int node, int count,

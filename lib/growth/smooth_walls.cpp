@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
 
 #include "base/position_text.hpp"
@@ -100,9 +101,9 @@ bool keeps_qualities(const std::vector<double>& before, const QuadMesh& mesh) {
   return true;
 }
 
-void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines& lines, const QuadMesh& mesh,
+void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& lines, const QuadMesh& mesh,
                    double limit, Report& report) {
-  const auto lost = std::count_if(lines.begin(), lines.end(), is_dropped);
+  const auto lost = std::ranges::count_if(lines.lengths, is_dropped);
   const mesh::EdgeGrowth growth = mesh::edge_growth(mesh);
   const Vec2 position = growth.position + mesh.face.origin;
   if (outcome) {
@@ -111,6 +112,7 @@ void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines
   }
   report.set("growth.greatest", growth.greatest);
   report.set("growth.place", std::vector<double>{position.x, position.y});
+  report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&mesh::RowShifts::empty)));
   report.set("growth.blocks_kept", outcome ? lost : static_cast<std::ptrdiff_t>(mesh.block_names.size()));
   if (growth.greatest <= limit * (1 + growth_constants.warned_excess)) return;
   const std::string why = !outcome   ? "; with smooth lines it would not be proved valid"

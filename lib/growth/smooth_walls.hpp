@@ -43,9 +43,9 @@ bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const 
 /// Whether every block is proved valid and has at least GrowthConstants::good_quality, or its quality `before`.
 bool keeps_qualities(const std::vector<double>& before, const QuadMesh& mesh);
 
-/// Keys growth.{greatest_before, greatest, place, raised_chords, blocks_kept}; warning W-QUA-004 if the mesh misses the
-/// limit by far. `outcome`: none if only the mesh without smoothing is proved valid.
-void report_growth(const std::optional<GrowthOutcome>& outcome, const BlockLines& lines, const QuadMesh& mesh,
+/// Keys growth.{greatest_before, greatest, place, raised_chords, blocks_kept, blocks_straightened}; warning W-QUA-004
+/// if the mesh misses the limit by far. `outcome`: none if only the mesh without smoothing is proved valid.
+void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& lines, const QuadMesh& mesh,
                    double limit, Report& report);
 
 }  // namespace quadrille::growth

@@ -179,8 +179,19 @@ void tie_lines(const BlockNodes& nodes, int direction, const LineFamily& family,
   if (!nodes.block.factors[direction].empty()) tied.scale(nodes.block.factors[direction]);
 }
 
-/// Divides the rows between sides 3 and 1; returns s of every inner node.
-std::vector<double> place_rows(const BlockNodes& nodes, std::vector<Vec2>& positions) {
+/// (s, t) of all nodes of a block, along side 0 fastest; those inside are not filled in.
+std::vector<Vec2> side_parameters(const BlockNodes& nodes) {
+  const std::array<std::vector<double>, 4>& f = nodes.block.fractions;
+  std::vector<Vec2> st(f[0].size() * f[1].size());
+  for (int i = 0; i < nodes.width(); ++i)
+    st[nodes.number(i, 0)] = {f[0][i], 0}, st[nodes.number(i, nodes.height() - 1)] = {f[2][i], 1};
+  for (int j = 0; j < nodes.height(); ++j)
+    st[nodes.number(0, j)] = {0, f[3][j]}, st[nodes.number(nodes.width() - 1, j)] = {1, f[1][j]};
+  return st;
+}
+
+/// Divides the rows between sides 3 and 1; returns (s, t) of every node.
+std::vector<Vec2> place_rows(const BlockNodes& nodes, std::vector<Vec2>& positions) {
   const LayeredBlock& block = nodes.block;
   const LineFamily family = row_family(nodes);
   std::vector<NormalLine> rows;
@@ -192,45 +203,72 @@ std::vector<double> place_rows(const BlockNodes& nodes, std::vector<Vec2>& posit
     row_s[j] = divide_normal_line(family, rows[j], j, blend, nodes.origin, given_lengths(nodes, 1, j));
   }
   tie_lines(nodes, 1, family, rows, row_s);
-  std::vector<double> node_s(positions.size(), 0);
+  std::vector<Vec2> st = side_parameters(nodes);
   for (int j = 1; j + 1 < nodes.height(); ++j)
     for (int i = 1; i + 1 < nodes.width(); ++i) {
-      node_s[nodes.number(i, j)] = row_s[j][i];
+      st[nodes.number(i, j)] = {row_s[j][i], nodes.row_t(j, row_s[j][i])};
       positions[nodes.number(i, j)] = rows[j](row_s[j][i]);
     }
-  return node_s;
+  return st;
 }
 
-/// s by t where column i crosses the rows.
-PiecewisePolynomial row_crossings(const BlockNodes& nodes, const std::vector<double>& node_s, int i) {
-  std::vector<double> s{nodes.block.fractions[0][i]}, t{0.0};
-  for (int j = 1; j + 1 < nodes.height(); ++j) {
-    s.push_back(node_s[nodes.number(i, j)]);
-    t.push_back(nodes.row_t(j, s.back()));
+/// A column through the given (s, t) of its nodes: s by t.
+PiecewisePolynomial column_through(const BlockNodes& nodes, const std::vector<Vec2>& st, int i) {
+  std::vector<double> s, t;
+  for (int j = 0; j < nodes.height(); ++j) {
+    s.push_back(st[nodes.number(i, j)].x);
+    t.push_back(st[nodes.number(i, j)].y);
   }
-  s.push_back(nodes.block.fractions[2][i]), t.push_back(1);
   return {std::move(t), std::move(s), nodes.order};
 }
 
-/// Divides the columns between sides 0 and 2. `node_s`: as from place_rows, where columns run along the rows' nodes;
-/// empty: they are straight in (s, t).
-void place_columns(const BlockNodes& nodes, const std::vector<double>& node_s, std::vector<Vec2>& positions) {
+/// Divides the columns between sides 0 and 2; returns (s, t) of every node. `through`: (s, t) of nodes through which
+/// they run; empty: they are straight in (s, t).
+std::vector<Vec2> place_columns(const BlockNodes& nodes, const std::vector<Vec2>& through,
+                                std::vector<Vec2>& positions) {
   const LayeredBlock& block = nodes.block;
   const LineFamily family = column_family(nodes);
+  std::vector<std::function<double(double)>> column_s;
+  column_s.reserve(nodes.width());
   std::vector<NormalLine> columns;
   std::vector<std::vector<double>> column_t(nodes.width());
   for (int i = 0; i < nodes.width(); ++i) {
     const bool is_side = i == 0 || i + 1 == nodes.width();
     const double s0 = block.fractions[0][i], s2 = block.fractions[2][i];
-    std::function<double(double)> s = [s0, s2](double t) { return s0 + t * (s2 - s0); };
-    if (!is_side && !node_s.empty()) s = row_crossings(nodes, node_s, i);
-    columns.emplace_back([&nodes, s](double t) { return nodes.position(s(t), t); });
+    column_s.emplace_back([s0, s2](double t) { return s0 + t * (s2 - s0); });
+    if (!is_side && !through.empty()) column_s.back() = column_through(nodes, through, i);
+    columns.emplace_back([&nodes, &s = column_s.back()](double t) { return nodes.position(s(t), t); });
     if (is_side) continue;
     column_t[i] = divide_normal_line(family, columns[i], i, (s0 + s2) / 2, nodes.origin, given_lengths(nodes, 0, i));
   }
   tie_lines(nodes, 0, family, columns, column_t);
+  std::vector<Vec2> st = side_parameters(nodes);
   for (int i = 1; i + 1 < nodes.width(); ++i)
-    for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = columns[i](column_t[i][j]);
+    for (int j = 1; j + 1 < nodes.height(); ++j) {
+      st[nodes.number(i, j)] = {column_s[i](column_t[i][j]), column_t[i][j]};
+      positions[nodes.number(i, j)] = columns[i](column_t[i][j]);
+    }
+  return st;
+}
+
+/// Moves the nodes inside along the rows by the block's shifts. `st`: as from place_columns. In layers nodes keep their
+/// heights, above them their t, but for what the end of the layers changes.
+void shift_columns(const BlockNodes& nodes, const std::vector<Vec2>& st, std::vector<Vec2>& positions) {
+  const std::array<std::vector<double>, 4>& fractions = nodes.block.fractions;
+  const std::vector<Vec2> shifted = mesh::shifted_along_rows(st, nodes.width(), nodes.order, nodes.block.shifts);
+  const LineFamily family = column_family(nodes);
+  const int low = static_cast<int>(family.low_heights.size());
+  const int high = nodes.height() - 1 - static_cast<int>(family.high_heights.size());
+  for (int i = 1; i + 1 < nodes.width(); ++i) {
+    const PiecewisePolynomial s = column_through(nodes, shifted, i);
+    const NormalLine column = [&](double t) { return nodes.position(s(t), t); };
+    const double blend = (fractions[0][i] + fractions[2][i]) / 2;
+    std::vector<double> t = divide_normal_line(family, column, i, blend, nodes.origin, given_lengths(nodes, 0, i));
+    const double first = shifted[nodes.number(i, low)].y, last = shifted[nodes.number(i, high)].y;
+    for (int j = low + 1; j < high; ++j)
+      t[j] = t[low] + (shifted[nodes.number(i, j)].y - first) / (last - first) * (t[high] - t[low]);
+    for (int j = 1; j + 1 < nodes.height(); ++j) positions[nodes.number(i, j)] = column(t[j]);
+  }
 }
 
 /// The block with s and t exchanged.
@@ -293,9 +331,10 @@ std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 o
   const bool has_rows = nodes.has_lines(1) || nodes.has_wall(1) || nodes.has_wall(3);
   const bool has_columns = nodes.has_lines(0) || nodes.has_wall(0) || nodes.has_wall(2);
   std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
-  std::vector<double> node_s;
-  if (has_rows) node_s = place_rows(nodes, positions);
-  if (has_columns) place_columns(nodes, node_s, positions);
+  std::vector<Vec2> st;
+  if (has_rows) st = place_rows(nodes, positions);
+  if (has_columns) st = place_columns(nodes, st, positions);
+  if (has_columns && !block.shifts.empty()) shift_columns(nodes, st, positions);
   if (!has_rows && !has_columns) place_crossings(nodes, positions);
   return positions;
 }

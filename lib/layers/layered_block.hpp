@@ -5,13 +5,15 @@
 // divided again (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
 // placed first, and the lines along the other's run along them (rule 8 of layer_rules). Where lines in both directions
 // are given, those along a wall's normals come last: they have exactly the heights of its layers. Without walls those
-// with the shortest interval do.
+// with the shortest interval do. Where shifts along the layers are given, these lines run through the shifted places of
+// their nodes, and are divided once more.
 
 #include <array>
 #include <vector>
 
 #include "layers/divide_normal_line.hpp"
 #include "layers/side_table.hpp"
+#include "mesh/shift_along_rows.hpp"
 
 namespace quadrille::layers {
 
@@ -28,6 +30,9 @@ struct LayeredBlock {
   BlockLineLengths lines = {};
   /// If given for a direction that has lines, factors of these intervals once adjacent lines are tied to each other.
   BlockLineLengths factors = {};
+  /// If given, how far the vertices of lines along a wall's normals move along the layers: rows are those of the
+  /// block with these lines as columns.
+  mesh::RowShifts shifts = {};
 };
 
 /// The inner columns (0) or rows (1), by their number along the side; the first and the last one are empty.

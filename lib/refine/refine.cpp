@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
+#include "growth/block_shifts.hpp"
 #include "growth/smooth_walls.hpp"
 #include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
@@ -175,10 +176,8 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
 }
 
 /// Corrects the lines inside blocks again, from the intervals that the mesh has, as long as that reduces the excess
-/// over the limit and keeps the shapes of the elements. `aligned`: from which the attempts were made.
-void correct_lines(const sizing::MeasuredLayout& aligned, const SplitRequest& request, SplitMesh& result) {
-  if (!result.growth) return;
-  const sizing::MeasuredLayout measured = result.has_equal_parameters ? aligned.with_equal_parameters() : aligned;
+/// over the limit and keeps the shapes of the elements.
+void correct_lines(const sizing::MeasuredLayout& measured, const SplitRequest& request, SplitMesh& result) {
   const double limit = request.options.target_growth;
   double before = 0, excess = mesh::edge_growth(result.mesh, limit).excess;
   for (int i = 0; i < max_line_corrections && excess > 0 && (i == 0 || excess < most_excess_left * before); ++i) {
@@ -192,6 +191,33 @@ void correct_lines(const sizing::MeasuredLayout& aligned, const SplitRequest& re
       break;
     result = std::move(next);
   }
+}
+
+/// With lines along the normals of walls that are less oblique to the layers, in blocks that gain by it.
+std::optional<SplitMesh> straightened(const sizing::MeasuredLayout& measured, const SplitRequest& request,
+                                      const SplitMesh& split) {
+  SplitMesh result = split;
+  std::vector<mesh::RowShifts>& shifts = result.lines.shifts;
+  shifts =
+      growth::block_shifts(measured.blocks(), *split.walls, split.divisions, split.mesh, request.options.target_growth);
+  if (shifts.empty()) return {};
+  do result.mesh = measured_mesh(measured, request, result, &split.mesh);
+  while (growth::drop_useless(split.mesh, result.mesh, shifts));
+  if (std::ranges::all_of(shifts, &mesh::RowShifts::empty)) return {};
+  return result;
+}
+
+/// Improves the lines inside blocks of a mesh with layers. `aligned`: from which the attempts were made.
+void finish_lines(const sizing::MeasuredLayout& aligned, const SplitRequest& request, SplitMesh& result) {
+  if (!result.growth) return;
+  const sizing::MeasuredLayout measured = result.has_equal_parameters ? aligned.with_equal_parameters() : aligned;
+  std::optional<SplitMesh> straight = straightened(measured, request, result);
+  if (straight) correct_lines(measured, request, *straight);
+  const auto is_straight_better = [&] {
+    return straight && growth::is_better(straight->mesh, result.mesh, request.options.target_growth);
+  };
+  if (!is_straight_better()) correct_lines(measured, request, result);
+  if (is_straight_better()) result = std::move(*straight);
   mesh::measure_element_sizes(result.mesh);
 }
 
@@ -228,7 +254,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
                                                    layered, options.end_gradings, options.end_growth);
   const sizing::MeasuredLayout aligned = measured.with_parameters(align_chords(measured));
   auto [split, distance] = split_without_elongation(aligned, request);
-  correct_lines(aligned, request, split);
+  finish_lines(aligned, request, split);
   if (options.relax > 0) {
     relax_and_report(split.mesh,
                      {options.relax, request.division.tolerance, elements_in_layered_blocks(split), report.progress()},
@@ -244,7 +270,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   mesh::report_distance(distance, layout.face, request.tolerance, report);
   if (split.walls) layers::report_walls(*split.walls, options.walls, report);
   if (split.walls && options.target_growth > 0)
-    growth::report_growth(split.growth, split.lines.lengths, split.mesh, options.target_growth, report);
+    growth::report_growth(split.growth, split.lines, split.mesh, options.target_growth, report);
   sizing::report_sizes(measured, split.divisions, request.sizes, prescribed.counts, report);
   prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, layered, report);
   prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, options.end_growth, options.counts,

@@ -59,6 +59,7 @@ std::vector<Vec2> layered_nodes(const SplitInput& in, int block, const std::arra
   layers::LayeredBlock layered = layers::layered_block(*in.walls, in.measured, block, std::move(fractions));
   if (has_lines) layered.lines = lengths[block];
   if (has_lines && !in.lines.factors.empty()) layered.factors = in.lines.factors[block];
+  if (!in.lines.shifts.empty()) layered.shifts = in.lines.shifts[block];
   return layers::layered_positions(layered, order, in.layout().face.origin);
 }
 

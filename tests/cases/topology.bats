@@ -46,6 +46,13 @@ setup() {
   done
 }
 
+@test "lines around the nose are nearly normal to the layers" {
+  for far in cgrid:20,0.68 circle:20,0.75 box:20,0.55; do
+    grid sharp ".valid and .least_scaled_jacobian > ${far#*,}" --farfield "${far%,*}" \
+      --wall upper,lower:first=1e-4,growth=1.2,layers=20
+  done
+}
+
 @test "--nodes field and --topology none keep the nodes of the field in the same far field" {
   for rule in '--nodes field' '--topology none'; do
     # shellcheck disable=SC2086 # words

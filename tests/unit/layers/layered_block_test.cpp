@@ -123,6 +123,24 @@ TEST(LayeredBlock, LinesMayBeGivenInOneDirectionAlone) {
   EXPECT_NEAR(node.y, 0.5, 1e-12);
 }
 
+// The shifts are given for the block with the lines along the wall's normals as columns.
+TEST(LayeredBlock, ShiftedLinesKeepTheHeightsOfLayers) {
+  const std::vector<double> divided{0, 0.1, 0.25, 0.5, 0.75, 0.9, 1}, heights{0.1, 0.25};
+  for (const int wall : {0, 1, 2, 3}) {
+    Square square(divided, divided);
+    square.add_wall(wall, heights);
+    square.block.shifts.assign(7, std::vector<double>(7, 0));
+    for (int row = 1; row < 6; ++row) square.block.shifts[row][3] = 0.4;
+    const std::vector<Vec2> nodes = layered_positions(square.block, 1, {});
+    for (int k = 1; k < 6; ++k) {
+      const bool is_column = wall % 2 == 0;
+      const Vec2 x = nodes[is_column ? k * 7 + 3 : 3 * 7 + k];
+      EXPECT_NEAR(is_column ? x.y : x.x, divided[k], 1e-9) << wall << " " << k;
+      EXPECT_GT(is_column ? x.x : x.y, 0.59) << wall << " " << k;
+    }
+  }
+}
+
 // Lines far apart, compared to their nodes, are not tied to each other.
 TEST(LayeredBlock, FactorsScaleTheIntervalsOfALineUpToACommonFactor) {
   Square square({0, 0.5, 1}, {0, 0.01, 0.02, 0.03, 1});
