@@ -109,7 +109,7 @@ sizing::ArcDivisions planned_divisions(const sizing::MeasuredLayout& measured,
   sizing::ArcDivisions divisions(measured.num_arcs());
   for (std::size_t c = 0; c < plans.size(); ++c) {
     const mesh::Chord& chord = measured.chords()[c];
-    for (std::size_t i = 0; i < chord.arcs.size(); ++i) {
+    for (int i = 0; i < static_cast<int>(chord.arcs.size()); ++i) {
       std::vector<double>& ends = divisions[chord.arcs[i]].ends;
       for (int k = 1; k < plans[c].count; ++k)
         ends.push_back(measured.arc_fraction(chord, i, plans[c].grading.parameter(1.0 * k / plans[c].count)));

@@ -596,10 +596,10 @@ TEST(LayerRules, R23_APrescribedCountIncludesTheLayers) {
 TEST(LayerRules, R23_TheIntervalsAboveTheLayersFillTheLengthEvenly) {
   const auto ratios = [](int count) {
     const std::vector<double> steps = steps_with_count(count, 1);
-    std::vector<double> ratios;
+    std::vector<double> result;
     for (std::size_t k = 5; k < steps.size(); ++k)
-      ratios.push_back((steps[k] - steps[k - 1]) / (steps[k - 1] - steps[k - 2]));
-    return ratios;
+      result.push_back((steps[k] - steps[k - 1]) / (steps[k - 1] - steps[k - 2]));
+    return result;
   };
   for (const double ratio : ratios(9)) EXPECT_GT(ratio, 1.2) << "few intervals grow faster than the wall's layers";
   const std::vector<double> many = ratios(40);
