@@ -1,12 +1,17 @@
 #include "couple/couple_layouts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 #include "couple/continue_lines.hpp"
+#include "couple/interface_corner.hpp"
 #include "couple/join_layouts.hpp"
 #include "couple/meet_stations.hpp"
 #include "couple/periodic_layout.hpp"
@@ -47,9 +52,15 @@ std::vector<double> arc_lengths(const ArcGraph& graph) {
     throw ComputeError(
         "the lines of the regions cannot be continued across their interfaces: a strip of blocks winds onto itself; "
         "mesh the regions alone (cad2tri --face)");
+  std::string remedy;
+  if (const auto corner = sharpest_interface_corner(face))
+    remedy =
+        fmt::format(", round the corner of the curve at {}, where it turns by {:.0f} degrees",
+                    rounded_position_text(face.joints[corner->joint].position + face.origin), degrees(corner->turn));
   throw ComputeError(
       "the lines on both sides of an embedded curve or of periodic sides cannot be continued across: a strip of blocks "
-      "winds onto itself; choose other nodes (critpoints --nodes, --topology), or leave the curve out");
+      "winds onto itself; choose other nodes (critpoints --nodes, --topology)" +
+      remedy + ", or leave the curve out");
 }
 
 graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
