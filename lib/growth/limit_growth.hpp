@@ -22,7 +22,7 @@ struct GrowthConstants {
   /// result of the one before, so that it converges. Much greater weights skew blocks.
   std::array<double, 3> excess_weights{10, 30, 90};
   double most_refined = 4;     ///< elements, over those at first
-  double warned_excess = 0.5;  ///< of the limit: lines inside blocks are smoothed, not limited
+  double warned_excess = 0.1;  ///< of the limit: lines inside blocks are smoothed, not limited
   double margin = 0.1;  ///< part of the limit's logarithm by which arcs, with the first weight, and lines inside blocks
                         ///< aim at less than the limit: lines are not as smooth as the arcs between which they run, and
                         ///< are tied to their neighbours afterwards (mesh/smooth_across)
@@ -36,6 +36,7 @@ struct GrowthOutcome {
   double worst_before = 1;  ///< greatest ratio of adjacent intervals, longer over shorter, at first
   double worst = 1;         ///< and now
   int raised_chords = 0;    ///< chords whose count rose
+  int num_kept = 0;         ///< chords whose count may not rise (smooth_arcs)
 };
 
 /// Changes `divisions` to those of the round with the least worst ratio; among equal ones to the first. None if every

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "base/counted.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/edge_growth.hpp"
@@ -37,7 +38,8 @@ GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const Ke
     if (is_kept) arcs.keeps_count[chord] = true;
     arcs.layers.push_back({is_kept ? divisions[arc].num_intervals() : spacing[0].layers(), spacing[1].layers()});
   }
-  const GrowthOutcome outcome = limit_growth(arcs, divisions);
+  GrowthOutcome outcome = limit_growth(arcs, divisions);
+  outcome.num_kept = static_cast<int>(std::ranges::count(arcs.keeps_count, true));
   layers::measure_released_layers(input, divisions, plan);
   plan.arc_nodes = layers::layered_arc_nodes(plan.requests, divisions, input.order);
   return outcome;
@@ -70,6 +72,22 @@ std::array<bool, 2> lines_to_drop(const std::array<int, 4>& walls, const layers:
   if (has_columns != has_rows) return {has_rows, has_columns};
   const double ratio = least_interval(lines[0]) / least_interval(lines[1]), tol = growth_constants.equal_tol;
   return {ratio > 1 - tol, ratio < 1 + tol};
+}
+
+/// Whether arcs themselves miss the limit, not only lines inside blocks.
+bool arcs_miss(const GrowthOutcome& outcome, double limit) {
+  return outcome.worst > limit * (1 + growth_constants.warned_excess);
+}
+
+/// `lost`: blocks without smooth lines.
+std::string cause_and_remedy(const std::optional<GrowthOutcome>& outcome, std::ptrdiff_t lost, double limit) {
+  const std::string usual = ": use a smaller --size or thinner layers";
+  if (!outcome) return "; with smooth lines the mesh would not be proved valid" + usual;
+  if (arcs_miss(*outcome, limit) && outcome->num_kept > 0)
+    return "; chords with prescribed numbers of elements (--count, --grading, --blocks) got no more: raise them";
+  if (arcs_miss(*outcome, limit)) return "; no greater numbers of elements suffice" + usual;
+  if (lost > 0) return "; " + counted(lost, "block") + " would be invalid or worse with smooth lines" + usual;
+  return " on lines inside blocks; along their sides it is kept" + usual;
 }
 
 bool is_dropped(const layers::BlockLineLengths& lines) { return lines[0].empty() || lines[1].empty(); }
@@ -115,13 +133,9 @@ void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& 
   report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&mesh::RowShifts::empty)));
   report.set("growth.blocks_kept", outcome ? lost : static_cast<std::ptrdiff_t>(mesh.block_names.size()));
   if (growth.greatest <= limit * (1 + growth_constants.warned_excess)) return;
-  const std::string why = !outcome   ? "; with smooth lines it would not be proved valid"
-                          : lost > 0 ? fmt::format("; {} blocks would be invalid or worse with smooth lines", lost)
-                                     : "";
   report.warn(warning::target_growth_missed,
-              fmt::format("adjacent edges differ by a factor of {:.3g} near {}, more than --target-growth {:g}{}: use "
-                          "a smaller --size or thinner layers",
-                          growth.greatest, position_text(position), limit, why));
+              fmt::format("adjacent edges differ by a factor of {:.3g} near {}, more than --target-growth {:g}{}",
+                          growth.greatest, position_text(position), limit, cause_and_remedy(outcome, lost, limit)));
 }
 
 }  // namespace quadrille::growth

@@ -44,7 +44,8 @@ bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const 
 bool keeps_qualities(const std::vector<double>& before, const QuadMesh& mesh);
 
 /// Keys growth.{greatest_before, greatest, place, raised_chords, blocks_kept, blocks_straightened}; warning W-QUA-004
-/// if the mesh misses the limit by far. `outcome`: none if only the mesh without smoothing is proved valid.
+/// if the mesh misses the limit by more than a tenth. `outcome`: none if only the mesh without smoothing is proved
+/// valid.
 void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& lines, const QuadMesh& mesh,
                    double limit, Report& report);
 

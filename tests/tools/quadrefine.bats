@@ -385,6 +385,17 @@ setup() {
   assert_output --partial "W-SIZ-002: --grading curve_0: an element at its end is"
 }
 
+@test "adjacent edges that differ by a tenth more than the target are reported with the cause" {
+  wall=curve_0:first=0.002,growth=1.2,layers=4
+  run -0 quadrefine --size 0.2 --wall $wall --count curve_1=36 "$blocks" -o a.quad.h5 --report a.json
+  assert_output --partial "W-QUA-004: adjacent edges differ by a factor of"
+  assert_output --partial "chords with prescribed numbers of elements (--count, --grading, --blocks) got no more"
+  run jq '.growth.greatest > 1.1 * 1.3 and .growth.greatest < 1.5 * 1.3' a.json
+  assert_output true
+  run -0 quadrefine --size 0.2 --wall $wall "$blocks" -o a.quad.h5
+  assert_output ""
+}
+
 @test "every number of elements has the lengths at both ends, and one that makes them grow fast is reported" {
   for count in 30 37 44; do
     run quadrefine --count curve_1=$count --grading curve_1=0.03:0.03 "$blocks" -o a.quad.h5 --report a.json
