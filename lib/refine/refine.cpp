@@ -130,9 +130,21 @@ std::vector<bool> elements_in_layered_blocks(const SplitMesh& split) {
   return is_layered;
 }
 
-/// Of the elements that do not lie in layered blocks.
-double worst_edge_ratio(const SplitMesh& split) {
-  const std::vector<bool> is_layered = elements_in_layered_blocks(split);
+/// By element: whether a chord that layers divide passes it. Such elements are thin on purpose, also in the blocks
+/// behind the layers, through which the chord runs on.
+std::vector<bool> elements_on_layered_chords(const BlockLayout& blocks, const SplitMesh& split) {
+  std::vector<bool> is_layered;
+  if (!split.walls) return is_layered;
+  for (const int block : split.mesh.elem_block) {
+    const auto& arcs = blocks.block2arcs[block];
+    is_layered.push_back(split.walls->is_graded[arcs[0].arc] || split.walls->is_graded[arcs[1].arc]);
+  }
+  return is_layered;
+}
+
+/// Of the elements that are not thin because of layers.
+double worst_edge_ratio(const BlockLayout& blocks, const SplitMesh& split) {
+  const std::vector<bool> is_layered = elements_on_layered_chords(blocks, split);
   double worst = 1;
   for (int e = 0; e < split.mesh.num_elems(); ++e)
     if (is_layered.empty() || !is_layered[e]) worst = std::max(worst, split.mesh.elem_edge_ratio[e]);
@@ -148,6 +160,7 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
     mesh::measure_element_sizes(result.split.mesh);
     return result;
   };
+  const auto edge_ratio = [&](const SplitMesh& split) { return worst_edge_ratio(aligned.blocks(), split); };
   const double target = request.options.target_edge_ratio;
   MeasuredSplit best = measured_split();
   std::optional<MeasuredSplit> worse;  // the last attempt, if it is not the best one
@@ -156,7 +169,7 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
   for (int i = 0; target > 0 && i < max_shortenings; ++i) {
     const SplitMesh& last = worse ? worse->split : best.split;
     if (!sizing::add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,
-                                   elements_in_layered_blocks(last), request.limits))
+                                   elements_on_layered_chords(aligned.blocks(), last), request.limits))
       break;
     request.last = &last;
     std::optional<MeasuredSplit> next = sizing::unless_too_many(measured_split);
@@ -164,8 +177,8 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
     const QuadMesh& mesh = next->split.mesh;
     if (mesh.is_valid < best.split.mesh.is_valid || mesh.num_elems() > most_elems) break;
     // Prescribed counts, for instance, leave nothing to change.
-    if (mesh.num_elems() == last.mesh.num_elems() && worst_edge_ratio(next->split) == worst_edge_ratio(last)) break;
-    if (worst_edge_ratio(next->split) < worst_edge_ratio(best.split)) {
+    if (mesh.num_elems() == last.mesh.num_elems() && edge_ratio(next->split) == edge_ratio(last)) break;
+    if (edge_ratio(next->split) < edge_ratio(best.split)) {
       best = std::move(*next);
       worse.reset();
     } else {

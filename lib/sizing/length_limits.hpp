@@ -8,8 +8,8 @@
 //                        (sizing/shortest_kept_edge),
 //
 // its chord gets shorter elements there, down to a hundredth of the prescribed size. Away from there lengths grow back
-// by the growth of the size field, or by the default growth where the size is uniform. Layers along walls are thin on
-// purpose: they are left out, and so are chords with a prescribed count.
+// by the growth of the size field, or by the default growth where the size is uniform. Chords that layers divide are
+// thin on purpose: they are left out, and so are chords with a prescribed count.
 
 #include <vector>
 

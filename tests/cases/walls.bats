@@ -152,8 +152,9 @@ elements() {
     "$ROOT/pipelines/points2step" -q elements.txt --name main,flap --farfield "${far%,*}" -o far.step
     "$ROOT/pipelines/quadmesh" -q far.step --wall main,flap:first=1e-3,growth=1.2,layers=11,blocks=own \
       --workdir work --until quadrefine --report x.json
-    run jq -c '[.valid, .least_scaled_jacobian > 0.5]' x.json
-    assert_output '[true,true]'
+    # Chords that carry the layers into the far field are thin on purpose, and not divided for their side ratios.
+    run jq -c '[.valid, .least_scaled_jacobian > 0.5, .quads < 80000]' x.json
+    assert_output '[true,true,true]'
     wall_heights work/far.quad.h5 1e-3 11 main flap > heights.json
     run jq ".deviation <= 0.01 and .growth_with_corners <= ${far#*,}" heights.json
     assert_output true
