@@ -4,35 +4,12 @@
 #include <functional>
 
 #include "layers/layer_rules.hpp"
+#include "mesh/piecewise_polynomial.hpp"
 #include "mesh/smooth_across.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::layers {
 namespace {
-
-/// Interpolation of y over rising x by the polynomial of each element's nodes.
-class PiecewisePolynomial {
- public:
-  PiecewisePolynomial(std::vector<double> x, std::vector<double> y, int order)
-      : x_(std::move(x)), y_(std::move(y)), order_(order) {}
-
-  double operator()(double x) const {
-    const std::size_t node = std::lower_bound(x_.begin(), x_.end(), x) - x_.begin();
-    const std::size_t first = std::min((std::max<std::size_t>(node, 1) - 1) / order_ * order_, x_.size() - 1 - order_);
-    double result = 0;
-    for (int i = 0; i <= order_; ++i) {
-      double basis = 1;
-      for (int k = 0; k <= order_; ++k)
-        if (k != i) basis *= (x - x_[first + k]) / (x_[first + i] - x_[first + k]);
-      result += basis * y_[first + i];
-    }
-    return result;
-  }
-
- private:
-  std::vector<double> x_, y_;
-  int order_;
-};
 
 /// A block whose nodes are being placed. Rows run along s, columns along t.
 struct BlockNodes {
@@ -213,7 +190,7 @@ std::vector<Vec2> place_rows(const BlockNodes& nodes, std::vector<Vec2>& positio
 }
 
 /// A column through the given (s, t) of its nodes: s by t.
-PiecewisePolynomial column_through(const BlockNodes& nodes, const std::vector<Vec2>& st, int i) {
+mesh::PiecewisePolynomial column_through(const BlockNodes& nodes, const std::vector<Vec2>& st, int i) {
   std::vector<double> s, t;
   for (int j = 0; j < nodes.height(); ++j) {
     s.push_back(st[nodes.number(i, j)].x);
@@ -260,7 +237,7 @@ void shift_columns(const BlockNodes& nodes, const std::vector<Vec2>& st, std::ve
   const int low = static_cast<int>(family.low_heights.size());
   const int high = nodes.height() - 1 - static_cast<int>(family.high_heights.size());
   for (int i = 1; i + 1 < nodes.width(); ++i) {
-    const PiecewisePolynomial s = column_through(nodes, shifted, i);
+    const mesh::PiecewisePolynomial s = column_through(nodes, shifted, i);
     const NormalLine column = [&](double t) { return nodes.position(s(t), t); };
     const double blend = (fractions[0][i] + fractions[2][i]) / 2;
     std::vector<double> t = divide_normal_line(family, column, i, blend, nodes.origin, given_lengths(nodes, 0, i));
@@ -283,19 +260,22 @@ LayeredBlock transposed(const LayeredBlock& block) {
   return result;
 }
 
-/// Whether lines along rows have to be placed last: those along the normals of walls, so that they have exactly the
-/// heights of its layers, else those with the shortest interval on a side.
-bool has_finer_rows(const LayeredBlock& block) {
+enum class Last { columns, rows, either };
+
+/// The lines that have to be placed last: those along the normals of walls, so that they have exactly the heights of
+/// its layers, else those with the shortest interval on a side.
+Last placed_last(const LayeredBlock& block) {
   const bool has_columns = block.sides[0].wall || block.sides[2].wall;
   const bool has_rows = block.sides[1].wall || block.sides[3].wall;
-  if (has_columns || has_rows) return !has_columns;
+  if (has_columns || has_rows) return has_columns ? Last::columns : Last::rows;
   const auto least = [&](int side) {
     const std::vector<double>& fractions = block.fractions[side];
     double step = 1;
     for (std::size_t k = 1; k < fractions.size(); ++k) step = std::min(step, fractions[k] - fractions[k - 1]);
     return step * block.lengths[side];
   };
-  return std::min(least(0), least(2)) < (1 - layer_constants.equal_tol) * std::min(least(1), least(3));
+  const double ratio = std::min(least(0), least(2)) / std::min(least(1), least(3)), tol = layer_constants.equal_tol;
+  return ratio < 1 - tol ? Last::rows : ratio > 1 + tol ? Last::columns : Last::either;
 }
 
 /// Positions in the order of `block`'s nodes, given those of the transposed block.
@@ -305,6 +285,20 @@ std::vector<Vec2> transposed(const std::vector<Vec2>& positions, const LayeredBl
   for (std::size_t j = 0; j < height; ++j)
     for (std::size_t i = 0; i < width; ++i) result[j * width + i] = positions[i * height + j];
   return result;
+}
+
+/// Positions of all nodes, with the columns placed last.
+std::vector<Vec2> columns_last(const LayeredBlock& block, int order, Vec2 origin) {
+  const BlockNodes nodes = block_nodes(block, order, origin);
+  const bool has_rows = nodes.has_lines(1) || nodes.has_wall(1) || nodes.has_wall(3);
+  const bool has_columns = nodes.has_lines(0) || nodes.has_wall(0) || nodes.has_wall(2);
+  std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
+  std::vector<Vec2> st;
+  if (has_rows) st = place_rows(nodes, positions);
+  if (has_columns) st = place_columns(nodes, st, positions);
+  if (has_columns && !block.shifts.empty()) shift_columns(nodes, st, positions);
+  if (!has_rows && !has_columns) place_crossings(nodes, positions);
+  return positions;
 }
 
 }  // namespace
@@ -326,16 +320,14 @@ std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int
 }
 
 std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin) {
-  if (has_finer_rows(block)) return transposed(layered_positions(transposed(block), order, origin), block);
-  const BlockNodes nodes = block_nodes(block, order, origin);
-  const bool has_rows = nodes.has_lines(1) || nodes.has_wall(1) || nodes.has_wall(3);
-  const bool has_columns = nodes.has_lines(0) || nodes.has_wall(0) || nodes.has_wall(2);
-  std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
-  std::vector<Vec2> st;
-  if (has_rows) st = place_rows(nodes, positions);
-  if (has_columns) st = place_columns(nodes, st, positions);
-  if (has_columns && !block.shifts.empty()) shift_columns(nodes, st, positions);
-  if (!has_rows && !has_columns) place_crossings(nodes, positions);
+  const Last last = placed_last(block);
+  const auto exchanged = [&] { return transposed(columns_last(transposed(block), order, origin), block); };
+  if (last == Last::rows) return exchanged();
+  std::vector<Vec2> positions = columns_last(block, order, origin);
+  if (last == Last::columns || block.lines[0].empty() || block.lines[1].empty()) return positions;
+  // The mean of both does not depend on the order of the block's sides.
+  const std::vector<Vec2> others = exchanged();
+  for (std::size_t k = 0; k < positions.size(); ++k) positions[k] = (positions[k] + others[k]) / 2;
   return positions;
 }
 

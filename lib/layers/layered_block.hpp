@@ -5,8 +5,8 @@
 // divided again (divide_normal_line). Where walls meet in a corner of the block, the lines along one wall's normals are
 // placed first, and the lines along the other's run along them (rule 8 of layer_rules). Where lines in both directions
 // are given, those along a wall's normals come last: they have exactly the heights of its layers. Without walls those
-// with the shortest interval do. Where shifts along the layers are given, these lines run through the shifted places of
-// their nodes, and are divided once more.
+// with the shortest interval do, and where no interval is shorter, nodes lie at the mean of both. Where shifts along
+// the layers are given, these lines run through the shifted places of their nodes, and are divided once more.
 
 #include <array>
 #include <vector>

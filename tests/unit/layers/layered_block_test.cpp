@@ -115,6 +115,20 @@ TEST(LayeredBlock, WithoutWallsRowsAndColumnsMayBeExchanged) {
     }
 }
 
+// The two opposite sides of each direction are divided otherwise, in the same way in both directions.
+TEST(LayeredBlock, WithoutWallsEquallyDividedSidesGiveNodesThatAreTheirMirrorImages) {
+  const std::vector<double> near{0, 0.1, 0.4, 1}, far{0, 0.3, 0.7, 1};
+  Square square(near, near);
+  square.block.fractions[1] = square.block.fractions[2] = far;
+  square.block.lines[0] = square.block.lines[1] = equal_lines(4, {0.2, 0.3, 0.5});
+  const std::vector<Vec2> nodes = layered_positions(square.block, 1, {});
+  for (const int j : {1, 2})
+    for (const int i : {1, 2}) {
+      EXPECT_NEAR(nodes[j * 4 + i].x, nodes[i * 4 + j].y, 1e-12);
+      EXPECT_NEAR(nodes[j * 4 + i].y, nodes[i * 4 + j].x, 1e-12);
+    }
+}
+
 TEST(LayeredBlock, LinesMayBeGivenInOneDirectionAlone) {
   Square square({0, 0.5, 1}, {0, 0.5, 1});
   square.block.lines[1] = {{}, {1, 3}, {}};
