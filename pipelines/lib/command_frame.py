@@ -71,8 +71,15 @@ def number(option, text, low, high, kind=float, is_open=False):
     except ValueError:
         raise mistake(f"{option}: '{text}' is not {'an integer' if kind is int else 'a number'}") from None
     if not (low < value if is_open else low <= value) or not value <= high:
-        raise mistake(f"{option}: {text} is outside its interval, see --help")
+        raise mistake(f"{option}: {text} is outside its interval ({_interval(low, high, is_open)})")
     return value
+
+
+def _interval(low, high, is_open):
+    """In words, as the tools write it."""
+    if high < sys.float_info.max:
+        return f"above {low:g}, at most {high:g}" if is_open else f"{low:g} to {high:g}"
+    return f"above {low:g}" if is_open else f"at least {low:g}"
 
 
 def add_tools_to_path(script):

@@ -51,6 +51,10 @@ check_given_nodes_option() {
 check_files() {
   require_files
   if [ "$first_position" -eq 1 ]; then require_input "$shape"; fi
+  case $given_nodes in
+    '' | -) ;;
+    *) [ -e "$given_nodes" ] || refuse 3 "--nodes $given_nodes: no such file; the rules are none, fewest, field and auto" ;;
+  esac
   size_file=$(chosen_value quadrefine --size-field)
   block_file=$(chosen_value blocksplit --block-names)
   for json in "$names" "$block_file" "$given_nodes"; do

@@ -22,6 +22,8 @@ def report($start; $nodes; $remedy; $version):
     greatest_edge_ratio: $of.quadrefine.greatest_edge_ratio,
     greatest_area_jump: $of.quadrefine.greatest_area_jump,
     least_node_distance: $of.quadrefine.least_node_distance,
+    walls: $of.quadrefine.walls,
+    growth: $of.quadrefine.growth,
     boundary: $of.quadrefine.boundary,
     unit: $of.quadexport.unit,
     scale: $of.quadexport.scale,

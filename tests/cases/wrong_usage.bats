@@ -101,6 +101,7 @@ table() {
 3 | quadmesh half_disc.step -o out.msh --boundary-names wrong_names.json | wrong_names.json: "*": the new name must be a text
 4 | quadmesh half_disc.step -o out.msh --html nowhere/x.html | nowhere/x.html: cannot be written: there is no folder nowhere
 2 | quadmesh half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval (1 to 20)
+3 | quadmesh half_disc.step -o out.msh --nodes few | --nodes few: no such file; the rules are none, fewest, field and auto
 2 | quadmesh half_disc.step -o out.msh --heal-tolerance wide | --heal-tolerance: 'wide' is not a number
 2 | quadmesh half_disc.step -o out.msh --write-healed out.iges | out.iges: the file must end in .step, .stp or .brep
 2 | quadmesh half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
@@ -160,6 +161,7 @@ table() {
 2 | points2step --unitt mm points.dat | unknown option --unitt: did you mean --unit?
 2 | points2step points.dat -o points.dat | the output points.dat is an input
 4 | points2step points.dat -o nowhere/out.step | there is no folder nowhere
+2 | points2step --farfield cgrid:0.5 points.dat -o out.step | --farfield: 0.5 is outside its interval (above 1, at most 1e+06)
 END
 }
 
