@@ -10,7 +10,8 @@
 // ln(growth); for a chord it follows from its whole number of elements, the next above the number at the greatest s.
 //
 // Where the number of elements is prescribed, every number has both lengths: the logarithm of the elements' lengths is
-// a quadratic function of their number (prescribe/log_spacing), along the whole boundary if all its chords have one.
+// a function of their number that rises to the middle and falls from there (prescribe/log_spacing), along the whole
+// boundary if all its chords have one.
 
 #include <string>
 #include <vector>

@@ -9,9 +9,10 @@ namespace {
 constexpr int least_samples = 256;
 constexpr double most_of_length = 0.9;  ///< that the two end elements may have together
 constexpr int bisections = 60;
-constexpr int end_rounds = 8;           ///< a few suffice: the first element depends little on the last
-constexpr double greatest_bulge = 200;  ///< |k|
-constexpr double greatest_ratio = 60;   ///< |b - a|, with one end free
+constexpr int end_rounds = 8;          ///< a few suffice: the first element depends little on the last
+constexpr double rounding = 0.1;       ///< r
+constexpr double greatest_bulge = 80;  ///< |k|: with more, the last element is lost to rounding
+constexpr double greatest_ratio = 60;  ///< |b - a|, with one end free
 
 }  // namespace
 
@@ -45,7 +46,8 @@ LogSpacing::LogSpacing(int count, double length, double first, double last)
 /// Simpson's rule on each step.
 void LogSpacing::sample(const Ends& ends, double bulge) {
   const int num = count_ * steps_;
-  const auto local = [&](double v) { return std::exp((1 - v) * ends.a + v * ends.b + bulge * v * (1 - v)); };
+  const auto rise = [](double v) { return std::hypot(rounding, 0.5) - std::hypot(rounding, v - 0.5); };
+  const auto local = [&](double v) { return std::exp((1 - v) * ends.a + v * ends.b + bulge * rise(v)); };
   positions_.assign(1, 0.0);
   element_lengths_.assign(1, local(0));
   for (int j = 0; j < num; ++j) {

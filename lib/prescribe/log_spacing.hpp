@@ -3,8 +3,10 @@
 //
 // At the fraction v of the elements the local length of an element is
 //
-//   l(v) = exp((1 - v) a + v b + k v (1 - v)),
+//   l(v) = exp((1 - v) a + v b + k h(v)),    h(v) = sqrt(r^2 + 1/4) - sqrt(r^2 + (v - 1/2)^2),
 //
+// where h rises to the middle and falls from there nearly evenly, so that the ratio of adjacent elements is nearly the
+// same everywhere (a parabola would have twice the logarithm at the ends),
 // and x(v) = n * integral of l from 0 to v. a and b follow from the lengths of the first and the last of the n
 // elements, k from the whole length. Mirrored ends give mirrored elements. With one end free k is 0: one ratio from
 // element to element.
