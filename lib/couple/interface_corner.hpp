@@ -12,9 +12,8 @@ struct InterfaceCorner {
   double turn = 0;  ///< of the tangent there, radians, 0 to pi
 };
 
-/// The joint inside a face at which an embedded curve (a slit with both sides there) turns the most, if that is more
-/// than 45 degrees: two blocks on each side then do not suit it. std::nullopt if there is none. Of equal ones the
-/// first.
+/// The joint at which a curve with the face on both sides turns the most, the first of equal ones, if it turns by more
+/// than 45 degrees: the nearest numbers of blocks on its two sides then differ. Else std::nullopt.
 std::optional<InterfaceCorner> sharpest_interface_corner(const CadFace& face);
 
 }  // namespace quadrille::couple

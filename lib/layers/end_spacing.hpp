@@ -40,8 +40,8 @@ double least_growth(const mesh::Chord& chord, const std::vector<ArcSpacing>& spa
 /// that grow from both ends towards `size` (sizing/graded_intervals).
 std::vector<double> spaced_ends(const ArcSpacing& spacing, double length, double size, int count);
 
-/// The least size, at least `size`, towards which so many intervals grow by at most `growth`; if there is none, a size
-/// so great that they grow by one ratio, the least that fills the arc.
+/// The least size, no less than `size`, with which spaced_ends fills the arc by `count` intervals that grow by at most
+/// `growth`. If every size needs more growth, one so great that all free intervals grow by one ratio.
 double even_size(const ArcSpacing& spacing, double length, double size, double growth, int count);
 
 }  // namespace quadrille::layers

@@ -3,13 +3,12 @@
 //
 // At the fraction v of the elements the local length of an element is
 //
-//   l(v) = exp((1 - v) a + v b + k h(v)),    h(v) = sqrt(r^2 + 1/4) - sqrt(r^2 + (v - 1/2)^2),
+//   l(v) = exp((1 - v) a + v b + k h(v)),    h(v) = sqrt(r^2 + 1/4) - sqrt(r^2 + (v - 1/2)^2),    r = 0.1,
 //
-// where h rises to the middle and falls from there nearly evenly, so that the ratio of adjacent elements is nearly the
-// same everywhere (a parabola would have twice the logarithm at the ends),
-// and x(v) = n * integral of l from 0 to v. a and b follow from the lengths of the first and the last of the n
-// elements, k from the whole length. Mirrored ends give mirrored elements. With one end free k is 0: one ratio from
-// element to element.
+// and x(v) = n * integral of l from 0 to v. h rises nearly evenly to the middle and falls likewise, so that the ratio
+// of adjacent elements is nearly the same on each half; with a parabola its logarithm at the ends would be almost twice
+// as great. a and b follow from the lengths of the first and the last of the n elements, k from the whole length.
+// Mirrored ends give mirrored elements. With one end free k is 0: one ratio from element to element.
 
 #include <vector>
 

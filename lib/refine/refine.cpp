@@ -213,11 +213,11 @@ std::optional<SplitMesh> straightened(const sizing::MeasuredLayout& measured, co
   std::vector<mesh::RowShifts>& shifts = result.lines.shifts;
   shifts =
       growth::block_shifts(measured.blocks(), *split.walls, split.divisions, split.mesh, request.options.target_growth);
-  if (shifts.empty()) return {};
-  do result.mesh = measured_mesh(measured, request, result, &split.mesh);
-  while (growth::drop_useless(split.mesh, result.mesh, shifts));
-  if (std::ranges::all_of(shifts, &mesh::RowShifts::empty)) return {};
-  return result;
+  while (!std::ranges::all_of(shifts, &mesh::RowShifts::empty)) {
+    result.mesh = measured_mesh(measured, request, result, &split.mesh);
+    if (!growth::drop_useless(split.mesh, result.mesh, shifts)) return result;
+  }
+  return {};
 }
 
 /// Improves the lines inside blocks of a mesh with layers. `aligned`: from which the attempts were made.

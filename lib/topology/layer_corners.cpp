@@ -31,7 +31,7 @@ bool is_offset_corner(const CadFace& face, const Corner& c) {
          is_offset_name(face.curve_names[c.curves[1]]);
 }
 
-/// The nearest of the corners of a kind; nullptr if there is none.
+/// The corner nearest to the position of those for which `is_one` holds; nullptr if it holds for none.
 template <typename IsOne>
 const Corner* nearest(const std::vector<Corner>& corners, Vec2 position, const IsOne& is_one) {
   const Corner* best = nullptr;
@@ -40,7 +40,8 @@ const Corner* nearest(const std::vector<Corner>& corners, Vec2 position, const I
   return best;
 }
 
-/// The corner of the offset curve opposite to that of a wall, each the nearest to the other; nullptr if there is none.
+/// The corner of the offset curve that lies opposite to the wall's corner: each is the nearest of its kind to the
+/// other, and their angles add up to 360 degrees. nullptr if there is no such corner.
 const Corner* opposite_corner(const CadFace& face, const CriticalPoints& points, const Corner& wall) {
   const Corner* offset =
       nearest(points.corners, wall.position, [&](const Corner& c) { return is_offset_corner(face, c); });

@@ -94,7 +94,7 @@ def tail_of_points(found, tolerance):
     tail = loop.points[i]
     if i in loop.corners:
         back = corners.back_middle(loop, i, tolerance)
-        return tail if back is None else back
+        return back if back is not None else tail
     for beside in (loop.points[i - 1], loop.points[(i + 1) % len(loop.points)]):
         if tail.real - beside.real <= tolerance:
             return max(fine_loops.fine_loop(edges.loop_edges(loop)).points, key=lambda z: z.real)
