@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   tool.examples = {"blocksplit half_disc.sep.json -o half_disc.blocks.h5",
                    "separatrix half_disc.field.h5 half_disc.crit.json | blocksplit -o half_disc.blocks.h5",
                    "echo '{\"*\": \"fluid\"}' | blocksplit half_disc.sep.json --block-names - -o half_disc.blocks.h5"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.input("SEP", input, "separatrix graph (x.sep.json)");
     o.output(output, "block layout to write (x.blocks.h5)");
     o.input_file("--block-names", names, "FILE",

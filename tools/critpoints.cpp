@@ -45,7 +45,7 @@ struct NodeArguments {
   }
 };
 
-void declare(cli::Options& o, NodeArguments& arguments) {
+void declare(Options& o, NodeArguments& arguments) {
   choice::NodeOptions& options = arguments.options;
   o.number("--cluster-distance", options.search.cluster_distance, 0, 0.1, "diameters",
            "zeros nearer to each other than this form one cluster, which is replaced by one node or a symmetric set of "
@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
                    "critpoints --place energy half_disc.field.h5 -o half_disc.placed.crit.json",
                    "critpoints --nodes fewest half_disc.field.h5 -o half_disc.fewest.crit.json",
                    "critpoints --feature-size 0.1 half_disc.field.h5 | jq '.changes'"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
     o.output(output, "file of the nodes and corners; - is standard output");
     declare(o, arguments);

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   tool.name = "quadexport";
   tool.summary = "writes the blocks of a block layout as a STEP model of connected faces";
   tool.description = "Run by quadexport, which has the user's options; not meant to be called by hand.";
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5), - for standard input");
     o.output(output, "STEP file");
     o.text("--unit", request.unit, "UNIT", "length unit of the model, as quadexport has checked it");

@@ -237,7 +237,7 @@ int main(int argc, char** argv) {
                    "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
                    "quadexport --unit m half_disc.quad.h5 -o half_disc.xml",
                    "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
     o.output(output, "file to write");
     o.choice("--format", format, formats, "auto: from the ending of the output");

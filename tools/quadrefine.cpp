@@ -48,7 +48,7 @@ struct SizeArguments {
   sizing::SizeRule rule = sizing::SizeRule::nearest;
 };
 
-void declare(cli::Options& o, SizeArguments& sizes) {
+void declare(Options& o, SizeArguments& sizes) {
   o.number("--size", sizes.options.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
   o.text(
       "--per-curve", sizes.per_curve, "auto|N",
@@ -82,7 +82,7 @@ void declare(cli::Options& o, SizeArguments& sizes) {
       "prescribed sizes, with --count as fast as the number requires");
 }
 
-void declare(cli::Options& o, WallArguments& walls) {
+void declare(Options& o, WallArguments& walls) {
   o.texts("--wall", walls.walls, "NAME:first=H,growth=R,layers=N",
           "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
           "of the first one in file units (or yplus=Y in its place), R the greatest "
@@ -215,7 +215,7 @@ int main(int argc, char** argv) {
       "quadrefine --wall 0:yplus=1,layers=8 --velocity 30 --viscosity 1e-5 --length 1 half_disc.blocks.h5 >y.h5",
       "quadrefine --count curve_0=16 --refine 1 half_disc.blocks.h5 -o counted.quad.h5",
       "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
     o.output(output, "quad mesh to write (x.quad.h5)");
     declare(o, sizes);

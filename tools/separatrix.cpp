@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "check/check.hpp"
+#include "check/same_origin.hpp"
 #include "cli/tool_main.hpp"
 #include "couple/couple_layouts.hpp"
 #include "couple/midpoint_regions.hpp"
@@ -103,12 +104,12 @@ std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io:
   // phase that was solved for other nodes of the same face does not have this file in its provenance either: the
   // message that states the remedy must be the first.
   const bool is_phase = field.kind == FieldKind::phase;
-  const std::vector<check::Violation> violations = check::check_critical_points_of(points, field);
-  if (!is_phase || !violations.empty()) io::require_same_origin(field_file, field.provenance, file, points.provenance);
+  const std::vector<check::Violation> violations = check::check_critical_points_of(points, field.mesh);
+  if (!is_phase || !violations.empty()) check::require_same_origin(field_file, field.provenance, file, points.provenance);
   check::require_valid(violations, file.name);
   std::vector<CriticalPoints> parts = regions::split(points, field.mesh);
   for (std::size_t r = 0; r < parts.size(); ++r) field::check_nodes_match_field(*fields.evaluators[r], parts[r]);
-  if (is_phase) io::require_same_origin(field_file, field.provenance, file, points.provenance);
+  if (is_phase) check::require_same_origin(field_file, field.provenance, file, points.provenance);
   return parts;
 }
 
@@ -189,7 +190,7 @@ int main(int argc, char** argv) {
       "separatrix half_disc.field.h5 half_disc.crit.json -o half_disc.sep.json",
       "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5",
       "separatrix --layout midpoint half_disc.tri.h5 -o half_disc.sep.json"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.input("FIELD", settings.field,
             "guiding field (x.field.h5, x.phase.h5 or x.solve.h5), or only triangles (x.tri.h5)", true);
     o.input("CRIT", settings.points,

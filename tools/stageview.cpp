@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
+#include "check/same_origin.hpp"
 #include "cli/tool_main.hpp"
 #include "draw/comparison.hpp"
 #include "draw/draw.hpp"
@@ -79,10 +80,10 @@ Read read_related(const std::string& path, const std::vector<Read>& others, cli:
   io::InputFile file = io::read_input(path);
   page::Stage stage = read_stage(file, session);
   const auto is_related = [&](const Read& other) {
-    return io::have_same_origin(other.file, provenance_of(other.stage), file, provenance_of(stage));
+    return check::have_same_origin(other.file, provenance_of(other.stage), file, provenance_of(stage));
   };
   if (!others.empty() && std::none_of(others.begin(), others.end(), is_related))
-    io::require_same_origin(others.back().file, provenance_of(others.back().stage), file, provenance_of(stage));
+    check::require_same_origin(others.back().file, provenance_of(others.back().stage), file, provenance_of(stage));
   file.bytes = {};
   return {std::move(file), std::move(stage)};
 }
@@ -243,7 +244,7 @@ int main(int argc, char** argv) {
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
                    "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html",
                    "stageview --compare half_disc.quad.h5 half_disc.quad.h5 --width 1400 -o both.svg"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
     o.output(settings.output,
              "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");

@@ -67,7 +67,7 @@ SeparatrixGraph trace_layout(const Field& field, const CriticalPoints& points, c
   options.max_deviation = settings.max_deviation;
   options.validate();
   const field::FieldEvaluator evaluator(field, field::FarTerms::expanded);
-  check::require_valid(check::check_critical_points_of(points, field), "the nodes");
+  check::require_valid(check::check_critical_points_of(points, field.mesh), "the nodes");
   field::check_nodes_match_field(evaluator, points);
   Report report;
   const LayoutMethod method = settings.way == LayoutWay::quantized ? LayoutMethod::quantized : LayoutMethod::traced;

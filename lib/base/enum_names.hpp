@@ -7,7 +7,7 @@
 //     return std::to_array<EnumName<SizeRule>>({{SizeRule::nearest, "nearest"}, {SizeRule::at_most, "at-most"}});
 //   }
 //
-// io reads and writes it as text (io/archive.hpp), cli makes it an option (cli/options.hpp).
+// io reads and writes it as text (io/archive.hpp), cli makes it an option (base/options.hpp).
 
 #include <array>
 #include <optional>

@@ -25,8 +25,8 @@ std::vector<Violation> check_cad_face(const CadFace& face, CheckDepth depth);
 std::vector<Violation> check_tri_mesh(const TriMesh& mesh, CheckDepth depth);
 std::vector<Violation> check_field(const Field& field, CheckDepth depth);
 std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth);
-/// The rules of critical points that also need their field: they refer to elements and corners that exist there.
-std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const Field& field);
+/// The rules of critical points that also need the mesh of their field: they refer to elements and corners of it.
+std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh);
 std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, CheckDepth depth);
 std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth);
 std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth);

@@ -229,20 +229,20 @@ constexpr Rule<CriticalPoints> rules[] = {
 };
 
 /// Critical points checked against the field that they refer to.
-struct PointsOfField {
+struct PointsOfMesh {
   const CriticalPoints& points;
-  const Field& field;
+  const TriMesh& mesh;
 };
 
-void elements_exist(const PointsOfField& pair, Findings& findings) {
+void elements_exist(const PointsOfMesh& pair, Findings& findings) {
   const auto& list = pair.points.critical_points;
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (!is_index(list[i].elem, pair.field.mesh.elem2vertices.size()))
+    if (!is_index(list[i].elem, pair.mesh.elem2vertices.size()))
       findings.add("critical point {}: the field has no element {}", i, list[i].elem);
 }
 
-void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
-  const CadFace& face = pair.field.mesh.face;
+void corners_are_the_faces(const PointsOfMesh& pair, Findings& findings) {
+  const CadFace& face = pair.mesh.face;
   std::size_t next = 0;
   const auto& corners = pair.points.corners;
   for (int j = 0; j < face.num_curves(); ++j) {
@@ -260,8 +260,8 @@ void corners_are_the_faces(const PointsOfField& pair, Findings& findings) {
   if (next != corners.size()) findings.add("corner {}: joint {} is not a corner", next, corners[next].joint);
 }
 
-void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings) {
-  const CadFace& face = pair.field.mesh.face;
+void boundary_nodes_lie_on_curves(const PointsOfMesh& pair, Findings& findings) {
+  const CadFace& face = pair.mesh.face;
   for (std::size_t i = 0; i < pair.points.boundary_nodes.size(); ++i) {
     const IrregularBoundaryPoint& b = pair.points.boundary_nodes[i];
     if (!is_index(b.curve, face.curves.size())) {
@@ -283,7 +283,7 @@ void boundary_nodes_lie_on_curves(const PointsOfField& pair, Findings& findings)
     findings.add("hole_winding_offsets has {} entries for {} holes", num_offsets, num_holes);
 }
 
-constexpr Rule<PointsOfField> rules_with_field[] = {
+constexpr Rule<PointsOfMesh> rules_with_field[] = {
     {"CRT-R09", RuleKind::quick, elements_exist},
     {"CRT-R10", RuleKind::quick, corners_are_the_faces},
     {"CRT-R14", RuleKind::quick, boundary_nodes_lie_on_curves},
@@ -298,8 +298,8 @@ std::vector<Violation> check_critical_points(const CriticalPoints& points, Check
   return apply_rules(rules, points, depth);
 }
 
-std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const Field& field) {
-  return apply_rules(rules_with_field, PointsOfField{points, field}, CheckDepth::quick);
+std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh) {
+  return apply_rules(rules_with_field, PointsOfMesh{points, mesh}, CheckDepth::quick);
 }
 
 }  // namespace quadrille::check

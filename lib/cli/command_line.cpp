@@ -11,8 +11,9 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/json_string.hpp"
 #include "base/name_text.hpp"
+#include "base/option_interval.hpp"
+#include "base/option_record.hpp"
 #include "cli/overwrite.hpp"
 
 namespace quadrille::cli {
@@ -28,25 +29,11 @@ bool parse_number(const std::string& text, T& value) {
   return error == std::errc() && stop == end && begin != end;
 }
 
-template <typename T>
-std::string interval(T low, T high) {
-  if constexpr (std::is_floating_point_v<T>) {
-    constexpr double boundless = 1e300;
-    const bool open_above = high >= boundless;
-    if (low <= -boundless) return open_above ? "any number" : fmt::format("at most {}", high);
-    if (open_above) return fmt::format("at least {}", low);
-  } else if (high == std::numeric_limits<T>::max()) {
-    return fmt::format("at least {}", low);
-  }
-  return fmt::format("{} to {}", low, high);
-}
-
 /// `text` as the value of an option with this interval. Throws UsageError.
 int integer_within(const std::string& flag, const std::string& text, int low, int high) {
   int given = 0;
   if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not an integer", flag, text));
-  if (given < low || given > high)
-    throw UsageError(fmt::format("{}: {} is outside its interval ({})", flag, text, interval(low, high)));
+  require_in_interval(flag, given, text, low, high);
   return given;
 }
 
@@ -90,7 +77,6 @@ struct CommandLine::Impl {
   static std::string key(const std::string& flag) {
     return flag.substr(flag.rfind("--") == std::string::npos ? 0 : flag.rfind("--") + 2);
   }
-  void record(const std::string& flag, std::function<std::string()> json) { recorded[key(flag)] = std::move(json); }
 
   void add_threads(int& threads) {
     const auto set = [&threads](const CLI::results_t& texts) {
@@ -131,7 +117,7 @@ struct CommandLine::Impl {
 
   HelpPage page;
   CLI::App app;
-  std::map<std::string, std::function<std::string()>> recorded;
+  OptionRecord record;
   std::map<std::string, std::string> old_names;  ///< old flag -> present flag
   std::set<std::string> hidden = always_hidden;
   int verbose = 0;
@@ -171,28 +157,27 @@ void CommandLine::output(std::string& path, const std::string& help) {
 
 void CommandLine::number(const std::string& flag, double& value, double low, double high, const std::string& unit,
                          const std::string& help) {
-  const std::string range = interval(low, high);
+  const std::string range = interval_text(low, high);
   const auto set = [=, &value](const CLI::results_t& texts) {
     double given = 0;
     if (!parse_number(texts.back(), given))
       throw UsageError(fmt::format("{}: '{}' is not a number", flag, texts.back()));
-    if (!(given >= low && given <= high))
-      throw UsageError(fmt::format("{}: {} is outside its interval ({})", flag, texts.back(), range));
+    require_in_interval(flag, given, texts.back(), low, high);
     value = given;
     return true;
   };
   impl_->add(flag, "X", set, fmt::format("{} (unit: {}; default: {}; interval: {})", help, unit, value, range));
-  impl_->record(flag, [&value] { return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string("null"); });
+  impl_->record.number(flag, value, low, high, unit, help);
 }
 
 void CommandLine::integer(const std::string& flag, int& value, int low, int high, const std::string& help) {
-  const std::string range = interval(low, high);
+  const std::string range = interval_text(low, high);
   const auto set = [=, &value](const CLI::results_t& texts) {
     value = integer_within(flag, texts.back(), low, high);
     return true;
   };
   impl_->add(flag, "N", set, fmt::format("{} (unit: none; default: {}; interval: {})", help, value, range));
-  impl_->record(flag, [&value] { return std::to_string(value); });
+  impl_->record.integer(flag, value, low, high, help);
 }
 
 void CommandLine::one_of(const std::string& flag, const std::vector<std::string>& words,
@@ -206,7 +191,7 @@ void CommandLine::one_of(const std::string& flag, const std::vector<std::string>
     return true;
   };
   impl_->add(flag, list, set_known, fmt::format("{} (default: {})", help, get()));
-  impl_->record(flag, [get] { return json_string(get()); });
+  if (impl_->common == nullptr) impl_->record.one_of(flag, words, get, set, help);
 }
 
 void CommandLine::text(const std::string& flag, std::string& value, const std::string& placeholder,
@@ -216,17 +201,17 @@ void CommandLine::text(const std::string& flag, std::string& value, const std::s
     return true;
   };
   impl_->add(flag, placeholder, set, value.empty() ? help : fmt::format("{} (default: {})", help, value));
-  if (recorded) impl_->record(flag, [&value] { return json_string(value); });
+  impl_->record.text(flag, value, placeholder, help, recorded);
 }
 
 void CommandLine::input_file(const std::string& flag, std::string& path, const std::string& placeholder,
                              const std::string& help, bool recorded) {
-  text(flag, path, placeholder, help, recorded);
+  Options::input_file(flag, path, placeholder, help, recorded);
   impl_->read.emplace_back([&path] { return std::vector{path}; });
 }
 
 void CommandLine::output_file(const std::string& flag, std::string& path, const std::string& help) {
-  text(flag, path, "FILE", help, false);
+  Options::output_file(flag, path, help);
   impl_->written.emplace_back([&path] { return std::vector{path}; });
 }
 
@@ -238,18 +223,13 @@ void CommandLine::texts(const std::string& flag, std::vector<std::string>& value
   };
   impl_->add(flag, placeholder, set, help + " (may be given several times)")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  impl_->record(flag, [&values, records_none] {
-    if (values.empty() && !records_none) return std::string();
-    std::vector<std::string> quoted;
-    for (const std::string& value : values) quoted.push_back(json_string(value));
-    return fmt::format("[{}]", fmt::join(quoted, ","));
-  });
+  impl_->record.texts(flag, values, placeholder, help, records_none);
 }
 
 void CommandLine::flag(const std::string& flag, bool& value, const std::string& help) {
   impl_->page.options.push_back({flag, help});
   impl_->app.add_flag(flag, value);
-  impl_->record(flag, [&value] { return value ? "true" : "false"; });
+  impl_->record.flag(flag, value, help);
 }
 
 void CommandLine::hidden_text(const std::string& flag, std::string& value) {
@@ -268,7 +248,6 @@ void CommandLine::add_common(CommonOptions& common) {
               "write counts, timings, residuals and warnings as JSON, also after a failure (-: standard output)");
   choice("--progress", common.progress, {"auto", "always", "never"},
          "show progress on standard error; auto: on a terminal, for work longer than a second");
-  impl_->recorded.erase("progress");
   impl_->add_threads(common.threads);
   impl_->app.add_flag("-v,--verbose", impl_->verbose);
   impl_->app.add_flag("-q,--quiet", impl_->quiet);
@@ -328,15 +307,6 @@ std::string CommandLine::option_list() const {
   return out;
 }
 
-std::string CommandLine::options_json() const {
-  std::string out = "{";
-  for (const auto& [key, json] : impl_->recorded) {
-    const std::string value = json();
-    if (value.empty()) continue;
-    if (out.size() > 1) out += ',';
-    out += json_string(key) + ':' + value;
-  }
-  return out + '}';
-}
+std::string CommandLine::options_json() const { return impl_->record.json(); }
 
 }  // namespace quadrille::cli

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/options.hpp"
 #include "cli/help_text.hpp"
-#include "cli/options.hpp"
 
 namespace quadrille::cli {
 
@@ -59,8 +59,6 @@ class CommandLine : public Options {
   std::string option_list() const;
   /// The recorded options after defaults, as a JSON object with sorted keys.
   std::string options_json() const;
-
- protected:
   void one_of(const std::string& flag, const std::vector<std::string>& words, const std::function<std::string()>& get,
               const std::function<void(const std::string&)>& set, const std::string& help) override;
 

@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "base/processors.hpp"
-#include "cli/version.hpp"
+#include "base/version.hpp"
 
 namespace quadrille::cli {
 

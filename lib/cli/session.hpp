@@ -6,28 +6,27 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "base/report.hpp"
+#include "base/run.hpp"
 #include "cli/progress_line.hpp"
 #include "model/provenance.hpp"
 
 namespace quadrille::cli {
 
-class Session {
+class Session : public Run {
  public:
   /// `threads` 0: as many as there are processors.
   Session(std::string tool, std::string options_json, int verbosity, int threads = 1);
-  Report& report() { return report_; }
   /// Prints "tool: text" on standard error if the verbosity is at least `level` (-v: 1, -v -v: 2).
-  void info(const std::string& text, int level = 1) const;
-  int threads() const;  ///< number of threads to use; results do not depend on it
+  void info(const std::string& text, int level = 1) const override;
+  int threads() const override;
   /// The chain `before` with the step of this run appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
   /// Shows how far the run is (--progress), with a new state after each `interval` seconds. To be called before the
   /// work.
   void show_progress(const ProgressStyle& style, double interval);
   /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.
-  void begin_phase(const std::string& name);
-  void end_phase();
+  void begin_phase(const std::string& name) override;
+  void end_phase() override;
   /// Ends the last phase and sets timings.total: all CPU time of the process and its children, wall time of the run.
   void finish();
 
@@ -40,7 +39,6 @@ class Session {
   int verbosity_ = 0, threads_ = 1;
   double start_ = 0;  ///< of the run, seconds
   Phase phase_;
-  Report report_;
   /// How far the run is. The ticker ends before the line that it writes.
   struct Display {
     Progress progress;

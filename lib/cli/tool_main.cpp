@@ -15,10 +15,10 @@
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/version.hpp"
 #include "cli/command_line.hpp"
 #include "cli/heap.hpp"
 #include "cli/signals.hpp"
-#include "cli/version.hpp"
 
 namespace quadrille::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.hpp"
+#include "base/options.hpp"
 #include "cli/session.hpp"
 
 namespace quadrille::cli {

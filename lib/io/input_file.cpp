@@ -59,22 +59,4 @@ InputFile read_input(const std::string& path) {
   return file;
 }
 
-bool have_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
-                      const Provenance& second_chain) {
-  const auto holds = [](const Provenance& chain, const std::string& sha256) {
-    return std::any_of(chain.begin(), chain.end(), [&](const ProvenanceStep& step) {
-      return std::any_of(step.inputs.begin(), step.inputs.end(),
-                         [&](const InputDigest& input) { return input.sha256 == sha256; });
-    });
-  };
-  return holds(second_chain, first.sha256) || holds(first_chain, second.sha256);
-}
-
-void require_same_origin(const InputFile& first, const Provenance& first_chain, const InputFile& second,
-                         const Provenance& second_chain) {
-  if (have_same_origin(first, first_chain, second, second_chain)) return;
-  throw FormatError(fmt::format("{} was not made from {}: neither provenance chain holds the other's digest",
-                                second.name, first.name));
-}
-
 }  // namespace quadrille::io

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "io/input_file.hpp"
+#include "model/order_map.hpp"
 
 namespace quadrille::io {
 
 /// "field" or "order-map": what the file is, if it is any of them.
 std::string order_map_format(const InputFile& file);
-
-struct OrderMap {
-  std::vector<int> elem_order;     ///< one for each element, in the order of the mesh
-  bool of_harmonic_field = false;  ///< read from a field of kind "harmonic"
-};
 
 /// One order per element. Throws FormatError for anything that is neither an order map nor a field, for another number
 /// than `num_elems` and for an order outside [1, max_order].

@@ -12,6 +12,14 @@ struct InputDigest {
   std::string sha256;  ///< lower-case hexadecimal, of the input's bytes
 };
 
+/// A file as messages and the provenance name it.
+struct FileIdentity {
+  std::string name;    ///< "standard input" for "-"
+  std::string sha256;  ///< of its bytes
+
+  InputDigest digest(const std::string& format) const { return {format, sha256}; }
+};
+
 struct ProvenanceStep {
   std::string tool;
   std::string version;
