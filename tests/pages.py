@@ -183,7 +183,7 @@ def rows_of(page, section):
 
 def check_warnings():
     """The codes of base/warning_codes.hpp are all in use, and are those of the page; no other source spells one out."""
-    page, header = ROOT / "formats/report.md", ROOT / "lib/base/warning_codes.hpp"
+    page, header = ROOT / "formats/report.md", ROOT / "lib/core/base/warning_codes.hpp"
     listed = rows_of(page, "## Warnings")
     named = dict(re.findall(r"(\w+) = \"(W-[A-Z]+-\d+)\";", header.read_text()))
     used = set()
@@ -324,7 +324,7 @@ def check_terms():
 
 def check_options():
     """Options that pages name in running text are those of a tool or pipeline, or of tests/run."""
-    programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/cli").glob("*.cpp"), ROOT / "tests/run",
+    programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/program/cli").glob("*.cpp"), ROOT / "tests/run",
                 *scripts()]
     known = set(re.findall(r"--[a-z][a-z-]+", "\n".join(path.read_text() for path in programs)))
     count = 0
