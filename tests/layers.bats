@@ -7,7 +7,7 @@ rows() {
   sed -nE 's/^\| \[([a-z]+)\]\(\1\/README\.md\) \| ([a-z, ]*) ?\|.*/\1: \2/p' "$1" | sed 's/,//g; s/ *$//'
 }
 areas=$(rows "$ROOT/lib/README.md")
-layers=$(for page in "$ROOT"/lib/*/README.md; do rows "$page"; done)
+layers=$(for area in "$ROOT"/lib/*/; do rows "$area/README.md"; done)
 
 # Folders and their areas: "folder area".
 homes=$(cd "$ROOT/lib" && printf '%s\n' */*/ | sed -E 's|(.*)/(.*)/|\2 \1|')
