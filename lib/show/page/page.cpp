@@ -98,7 +98,7 @@ std::string title_of(const std::vector<Stage>& stages) {
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_json(const std::vector<Stage>& stages, bool is_comparison, const Run& run) {
+std::string data_json(const std::vector<Stage>& stages, bool is_comparison, const RunRecord& run) {
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
@@ -118,7 +118,7 @@ std::string data_json(const std::vector<Stage>& stages, bool is_comparison, cons
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
 }
 
-std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const Run& run) {
+std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const RunRecord& run) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -131,7 +131,7 @@ std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const 
 
 }  // namespace
 
-std::string html_page(const std::vector<Stage>& stages, const Run& run) { return page_of(stages, false, run); }
+std::string html_page(const std::vector<Stage>& stages, const RunRecord& run) { return page_of(stages, false, run); }
 
 std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true, {}); }
 

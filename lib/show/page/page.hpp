@@ -21,13 +21,13 @@ namespace quadrille::page {
 using Stage = std::variant<TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh>;
 
 /// What is known of the run that made the stages; a further tab shows it, with histograms of the last mesh.
-struct Run {
+struct RunRecord {
   std::string report;                 ///< JSON object (formats/report.md); empty: unknown, and no tab
   std::vector<std::string> commands;  ///< of the stages, for a shell
 };
 
 /// The page of the stages, a tab each, in this order. Equal stages give equal bytes. About 110 bytes for each quad.
-std::string html_page(const std::vector<Stage>& stages, const Run& run = {});
+std::string html_page(const std::vector<Stage>& stages, const RunRecord& run = {});
 
 /// The page of two layouts or meshes, of one chain or not, tabs A and B: the lines of the other one are drawn over
 /// each, and a table has the counts and qualities of both.

@@ -1,4 +1,4 @@
-#include "io/order_map.hpp"
+#include "io/order_map_io.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
