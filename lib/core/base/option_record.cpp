@@ -32,7 +32,7 @@ void OptionRecord::texts(const std::string& flag, std::vector<std::string>& valu
     if (values.empty() && !records_none) return std::string();
     std::string list;
     for (const std::string& value : values) list += (list.empty() ? "" : ",") + json_string(value);
-    return '[' + list + ']';
+    return fmt::format("[{}]", list);
   });
 }
 
