@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
     blocks.layout.provenance = s.provenance(graph.provenance, inputs);
     s.info(block::summarise_layout(blocks.layout, blocks.measures));
     s.begin_phase("write");
-    io::write_block_layout(output, blocks.layout);
+    io::write_stage(output, blocks.layout);
     s.end_phase();
   };
   tool.report_writer = io::write_report;

@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     const stage::LoadedShape shape = stage::load_shape(from, options, s);
     if (!options.healed_file.empty())
       io::write_output(options.healed_file, stage::cad_file_of(shape.face, options.healed_file), false);
-    io::write_tri_mesh(output, stage::cad2tri(shape, options, s));
+    io::write_stage(output, stage::cad2tri(shape, options, s));
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

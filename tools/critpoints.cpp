@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     const Field field = io::read_field(file);
     const CriticalPoints points = stage::critpoints({field, file}, options, s);
     s.begin_phase("write");
-    io::write_critical_points(output, points);
+    io::write_stage(output, points);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

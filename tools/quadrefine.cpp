@@ -288,7 +288,7 @@ int main(int argc, char** argv) {
     for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) s.info(refine::describe(worst, mesh));
     s.info(mesh::describe(mesh::worst_element_sizes(mesh)));
     s.begin_phase("write");
-    io::write_quad_mesh(output, mesh);
+    io::write_stage(output, mesh);
     s.end_phase();
   };
   tool.report_writer = io::write_report;

@@ -105,7 +105,8 @@ std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io:
   // message that states the remedy must be the first.
   const bool is_phase = field.kind == FieldKind::phase;
   const std::vector<check::Violation> violations = check::check_critical_points_of(points, field.mesh);
-  if (!is_phase || !violations.empty()) check::require_same_origin(field_file, field.provenance, file, points.provenance);
+  if (!is_phase || !violations.empty())
+    check::require_same_origin(field_file, field.provenance, file, points.provenance);
   check::require_valid(violations, file.name);
   std::vector<CriticalPoints> parts = regions::split(points, field.mesh);
   for (std::size_t r = 0; r < parts.size(); ++r) field::check_nodes_match_field(*fields.evaluators[r], parts[r]);
@@ -248,7 +249,7 @@ int main(int argc, char** argv) {
     const SeparatrixGraph graph = io::stage_format(file) == "tri-mesh" ? layout_of_triangle_file(file, settings, s)
                                                                        : layout_of_field(file, settings, s);
     s.begin_phase("write");
-    io::write_separatrix_graph(settings.output, graph);
+    io::write_stage(settings.output, graph);
     s.end_phase();
   };
   tool.report_writer = io::write_report;
