@@ -20,10 +20,18 @@ class StageFile {
   /// The struct with the name and digest of its file; read from there if it is not in memory. Throws FormatError.
   stage::Input<Model> input() {
     if (!model_) read(io::read_input(path_));
-    return {*model_, {path_, sha256_}};
+    return {*model_, {name(), sha256_}};
   }
   const Model& model() { return input().model; }
 
+  const std::string& name() const { return name_.empty() ? path_ : name_; }  ///< for messages
+  /// The struct, which is then no longer kept.
+  Model release() {
+    if (!model_) read(io::read_input(path_));
+    Model model = std::move(*model_);
+    model_.reset();
+    return model;
+  }
   /// Keeps the struct. With `is_written`, its file is written and so its digest known. Throws OutputError.
   void set(Model model, bool is_written) {
     model_ = std::move(model);
@@ -46,16 +54,19 @@ class StageFile {
   void read(const io::InputFile& file) {
     model_ = io::read_stage<Model>(file);
     sha256_ = file.sha256;
+    name_ = file.name;
   }
   /// Takes the struct of another file, which is then empty; the file itself is not touched.
   void take(StageFile& other) {
     model_ = std::exchange(other.model_, std::nullopt);
     sha256_ = std::exchange(other.sha256_, {});
+    name_.clear();
   }
   bool is_in_memory() const { return model_.has_value(); }
 
  private:
   std::string path_;
+  std::string name_;  ///< of the file that it was read from, if that is another one
   std::optional<Model> model_;
   std::string sha256_;  ///< empty: there is no file, as far as is known
 };

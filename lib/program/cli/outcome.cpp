@@ -40,9 +40,10 @@ Outcome outcome_of(const std::function<void()>& work) {
   }
 }
 
-void print_error(const std::string& name, const Outcome& outcome) {
-  fmt::print(stderr, "{}: {}\n", name, outcome.message);
-  if (outcome.code == ExitCode::usage) fmt::print(stderr, "try '{} --help'\n", name);
+std::string error_text(const std::string& name, const Outcome& outcome) {
+  std::string text = fmt::format("{}: {}\n", name, outcome.message);
+  if (outcome.code == ExitCode::usage) text += fmt::format("try '{} --help'\n", name);
+  return text;
 }
 
 }  // namespace quadrille::cli

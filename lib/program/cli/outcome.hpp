@@ -18,7 +18,7 @@ struct Outcome {
 /// Runs `work`; any exception becomes an exit code (base/error.hpp).
 Outcome outcome_of(const std::function<void()>& work);
 
-/// Prints "name: message" on standard error and, after a mistake on the command line, how to get help.
-void print_error(const std::string& name, const Outcome& outcome);
+/// "name: message" and, after a mistake on the command line, how to get help: whole lines.
+std::string error_text(const std::string& name, const Outcome& outcome);
 
 }  // namespace quadrille::cli

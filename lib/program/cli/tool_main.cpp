@@ -62,7 +62,7 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
       fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
   Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
   if (outcome.code == ExitCode::done) return reporting;
-  if (reporting.code != ExitCode::done) print_error(tool.name, reporting);
+  if (reporting.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, reporting));
   return outcome;
 }
 
@@ -90,7 +90,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
     return run_session(tool, session, common);
   }();
-  if (outcome.code != ExitCode::done) print_error(tool.name, outcome);
+  if (outcome.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, outcome));
   return static_cast<int>(outcome.code);
 }
 
