@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/enum_names.hpp"
+#include "midpoint/midpoint_graph.hpp"
 #include "simplify/simplify.hpp"
 #include "trace/trace_options.hpp"
 
@@ -38,7 +39,8 @@ struct LayoutOptions {
   double max_deviation = 40;  ///< degrees: of a simplified line from the field; `coarsest` allows 45 at least
   int max_lines = 2000;       ///< more arcs of separatrices than this is an error
   LayoutChoice layout = LayoutChoice::automatic;
-  void validate() const;  ///< throws UsageError
+  midpoint::CoarseMesher coarse_mesher = {};  ///< for midpoint division; without it, `automatic` has no such layout
+  void validate() const;                      ///< throws UsageError
 };
 
 /// The bounds that result from options.simplify and options.max_deviation.
