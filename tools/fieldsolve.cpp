@@ -3,7 +3,7 @@
 #include "stage/fieldsolve.hpp"
 
 #include "cli/tool_main.hpp"
-#include "io/order_map.hpp"
+#include "io/order_map_io.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
 

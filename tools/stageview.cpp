@@ -155,9 +155,9 @@ std::string picture_of_pair(const std::array<page::Stage, 2>& pair, const Settin
 }
 
 /// The report with the commands by which the files were made, named after the last of them.
-page::Run run_of(const std::vector<Read>& files, const Settings& settings) {
+page::RunRecord run_of(const std::vector<Read>& files, const Settings& settings) {
   if (settings.run_report.empty()) return {};
-  page::Run run{io::read_report(settings.run_report), {}};
+  page::RunRecord run{io::read_report(settings.run_report), {}};
   io::History history;
   for (const Read& read : files)
     for (const std::string& line :
@@ -167,7 +167,7 @@ page::Run run_of(const std::vector<Read>& files, const Settings& settings) {
 }
 
 std::string page_of(std::vector<Read> files, const Settings& settings) {
-  const page::Run run = run_of(files, settings);
+  const page::RunRecord run = run_of(files, settings);
   std::vector<page::Stage> stages;
   for (Read& read : files) stages.push_back(std::move(read.stage));
   return page::html_page(stages, run);
