@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     const SeparatrixGraph graph = io::read_separatrix_graph(file);
     const BlockLayout layout = stage::blocksplit({graph, file}, names, options, s);
     s.begin_phase("write");
-    io::write_block_layout(output, layout);
+    io::write_stage(output, layout);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

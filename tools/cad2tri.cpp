@@ -237,7 +237,7 @@ int main(int argc, char** argv) {
     mesh.repairs = loaded.repairs;
     s.info(fmt::format("{}, {}, {} of them curved", counted(face.num_curves(), "curve"),
                        counted(mesh.num_elems(), "element"), mesh.curved_elems.size()));
-    io::write_tri_mesh(output, mesh);
+    io::write_stage(output, mesh);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

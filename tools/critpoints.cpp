@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
                        counted(points.corners.size(), "corner"), points.index_sum,
                        counted(points.changes.size(), "change"), enum_name(points.form)));
     points.provenance = s.provenance(field.provenance, {file.digest("field")});
-    io::write_critical_points(output, points);
+    io::write_stage(output, points);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
       points = io::read_critical_points(nodes_file);
       from.nodes.emplace(points, nodes_file);
     }
-    io::write_field(output, stage::fieldsolve(from, options, s));
+    io::write_stage(output, stage::fieldsolve(from, options, s));
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     options.validate();
     const io::InputFile file = io::read_input(input);
     const Field start = io::read_field(file);
-    io::write_field(output, stage::padapt({start, file}, options, s));
+    io::write_stage(output, stage::padapt({start, file}, options, s));
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

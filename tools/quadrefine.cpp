@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     if (sizes) with_sizes.emplace(sources, *sizes);
     const QuadMesh mesh = stage::quadrefine({layout, file}, with_sizes, options, s);
     s.begin_phase("write");
-    io::write_quad_mesh(output, mesh);
+    io::write_stage(output, mesh);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

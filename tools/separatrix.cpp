@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     if (!files.checked_points.empty()) return check_nodes(file, files.checked_points);
     const SeparatrixGraph graph = graph_of(file, files, options, s);
     s.begin_phase("write");
-    io::write_separatrix_graph(output, graph);
+    io::write_stage(output, graph);
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

@@ -53,9 +53,9 @@ BlockLayout read_block_layout(const InputFile& file) {
   return layout;
 }
 
-void write_block_layout(const std::string& path, const BlockLayout& layout) {
+std::string stage_bytes(const BlockLayout& layout) {
   BlockLayout copy = layout;
-  write_hdf5_stage(path, block_layout_version, layout.provenance, [&](Archive& a) { describe_block_layout(a, copy); });
+  return hdf5_stage_bytes(block_layout_version, layout.provenance, [&](Archive& a) { describe_block_layout(a, copy); });
 }
 
 }  // namespace quadrille::io

@@ -131,10 +131,10 @@ CriticalPoints read_critical_points(const InputFile& file) {
   return points;
 }
 
-void write_critical_points(const std::string& path, const CriticalPoints& points) {
+std::string stage_bytes(const CriticalPoints& points) {
   CriticalPoints copy = points;
-  write_json_stage(path, critical_points_version, points.provenance,
-                   [&](Archive& a) { describe_critical_points(a, copy); });
+  return json_stage_bytes(critical_points_version, points.provenance,
+                          [&](Archive& a) { describe_critical_points(a, copy); });
 }
 
 }  // namespace quadrille::io

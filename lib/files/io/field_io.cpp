@@ -115,9 +115,9 @@ Field read_field(const InputFile& file) {
   return field;
 }
 
-void write_field(const std::string& path, const Field& field) {
+std::string stage_bytes(const Field& field) {
   Field copy = field;
-  write_hdf5_stage(path, field_version, field.provenance, [&](Archive& a) { describe_field(a, copy); });
+  return hdf5_stage_bytes(field_version, field.provenance, [&](Archive& a) { describe_field(a, copy); });
 }
 
 }  // namespace quadrille::io

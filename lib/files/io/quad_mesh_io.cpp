@@ -63,9 +63,9 @@ QuadMesh read_quad_mesh(const InputFile& file) {
   return mesh;
 }
 
-void write_quad_mesh(const std::string& path, const QuadMesh& mesh) {
+std::string stage_bytes(const QuadMesh& mesh) {
   QuadMesh copy = mesh;
-  write_hdf5_stage(path, quad_mesh_version, mesh.provenance, [&](Archive& a) { describe_quad_mesh(a, copy); });
+  return hdf5_stage_bytes(quad_mesh_version, mesh.provenance, [&](Archive& a) { describe_quad_mesh(a, copy); });
 }
 
 }  // namespace quadrille::io

@@ -56,10 +56,10 @@ SeparatrixGraph read_separatrix_graph(const InputFile& file) {
   return graph;
 }
 
-void write_separatrix_graph(const std::string& path, const SeparatrixGraph& graph) {
+std::string stage_bytes(const SeparatrixGraph& graph) {
   SeparatrixGraph copy = graph;
-  write_json_stage(path, separatrix_graph_version, graph.provenance,
-                   [&](Archive& a) { describe_separatrix_graph(a, copy); });
+  return json_stage_bytes(separatrix_graph_version, graph.provenance,
+                          [&](Archive& a) { describe_separatrix_graph(a, copy); });
 }
 
 }  // namespace quadrille::io

@@ -24,12 +24,24 @@ QuadMesh read_quad_mesh(const InputFile& file);
 /// The CAD face at the root of x.tri.h5, x.sep.json, x.blocks.h5 or x.quad.h5, whatever else is in the file.
 CadFace read_face(const InputFile& file);
 
-void write_tri_mesh(const std::string& path, const TriMesh& mesh);
-void write_field(const std::string& path, const Field& field);
-void write_critical_points(const std::string& path, const CriticalPoints& points);
-void write_separatrix_graph(const std::string& path, const SeparatrixGraph& graph);
-void write_block_layout(const std::string& path, const BlockLayout& layout);
-void write_quad_mesh(const std::string& path, const QuadMesh& mesh);
+/// The bytes of the file of a struct: HDF5 or JSON.
+std::string stage_bytes(const TriMesh& mesh);
+std::string stage_bytes(const Field& field);
+std::string stage_bytes(const CriticalPoints& points);
+std::string stage_bytes(const SeparatrixGraph& graph);
+std::string stage_bytes(const BlockLayout& layout);
+std::string stage_bytes(const QuadMesh& mesh);
+
+/// Writes the bytes of a stage file to `path`, completely or not at all.
+void write_stage_bytes(const std::string& path, const std::string& bytes);
+
+template <typename Model>
+void write_stage(const std::string& path, const Model& model) {
+  write_stage_bytes(path, stage_bytes(model));
+}
+
+/// The name and the digest that a file of these bytes has.
+FileIdentity identity_of(const std::string& name, const std::string& bytes);
 
 /// "tri-mesh", "field", "critical-points", "separatrix-graph", "block-layout", "quad-mesh"; throws FormatError for
 /// anything else.

@@ -12,6 +12,7 @@
 #include "io/hdf5_archive.hpp"
 #include "io/json_archive.hpp"
 #include "io/output_file.hpp"
+#include "io/sha256.hpp"
 #include "io/stage_files.hpp"
 
 namespace quadrille::io {
@@ -61,8 +62,7 @@ void read_safely(const InputFile& file, const Read& read) {
 
 }  // namespace
 
-void write_hdf5_stage(const std::string& path, const FormatVersion& version, const Provenance& provenance,
-                      const Describe& describe) {
+std::string hdf5_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe) {
   Hdf5Writer writer;
   writer.root().text_attribute("format", version.format);
   writer.root().integer_attribute("version", {version.major, version.minor});
@@ -71,7 +71,7 @@ void write_hdf5_stage(const std::string& path, const FormatVersion& version, con
   describe(*hdf5_archive(writer.root()));
   std::string bytes = writer.image();
   append_checksum(bytes);
-  write_output(path, bytes, true);
+  return bytes;
 }
 
 Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
@@ -85,8 +85,7 @@ Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, 
   return provenance;
 }
 
-void write_json_stage(const std::string& path, const FormatVersion& version, const Provenance& provenance,
-                      const Describe& describe) {
+std::string json_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe) {
   JsonWriter writer;
   std::string format = version.format, producer = producer_of(provenance);
   std::vector<int> numbers{version.major, version.minor};
@@ -96,7 +95,7 @@ void write_json_stage(const std::string& path, const FormatVersion& version, con
   writer.root().field("producer", producer);
   describe_provenance(writer.root(), chain);
   describe(writer.root());
-  write_output(path, writer.text(), false);
+  return writer.text();
 }
 
 Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
@@ -114,6 +113,12 @@ Provenance read_json_stage(const InputFile& file, const FormatVersion& version, 
   describe_version(reader.root(), version, numbers, describe);
   return provenance;
 }
+
+void write_stage_bytes(const std::string& path, const std::string& bytes) {
+  write_output(path, bytes, looks_like_hdf5(bytes));
+}
+
+FileIdentity identity_of(const std::string& name, const std::string& bytes) { return {name, sha256_hex(bytes)}; }
 
 std::string stage_format(const InputFile& file) {
   std::string format;

@@ -12,12 +12,10 @@ namespace quadrille::io {
 
 using Describe = std::function<void(Archive&)>;
 
-void write_hdf5_stage(const std::string& path, const FormatVersion& version, const Provenance& provenance,
-                      const Describe& describe);
+std::string hdf5_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe);
 Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
 
-void write_json_stage(const std::string& path, const FormatVersion& version, const Provenance& provenance,
-                      const Describe& describe);
+std::string json_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe);
 Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
 
 }  // namespace quadrille::io

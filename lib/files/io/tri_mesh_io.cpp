@@ -50,9 +50,9 @@ TriMesh read_tri_mesh(const InputFile& file) {
   return mesh;
 }
 
-void write_tri_mesh(const std::string& path, const TriMesh& mesh) {
+std::string stage_bytes(const TriMesh& mesh) {
   TriMesh copy = mesh;  // a description needs a mutable object, since it may also read
-  write_hdf5_stage(path, tri_mesh_version, mesh.provenance, [&](Archive& a) {
+  return hdf5_stage_bytes(tri_mesh_version, mesh.provenance, [&](Archive& a) {
     describe_tri_mesh(a, copy);
     describe_repairs(a, copy.repairs);
   });

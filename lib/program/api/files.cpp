@@ -41,12 +41,12 @@ QuadMesh read_quad_mesh(const std::string& path) {
   return read_checked<QuadMesh>(path, io::read_quad_mesh, check::check_quad_mesh);
 }
 
-void write(const std::string& path, const TriMesh& mesh) { io::write_tri_mesh(path, mesh); }
-void write(const std::string& path, const Field& field) { io::write_field(path, field); }
-void write(const std::string& path, const CriticalPoints& points) { io::write_critical_points(path, points); }
-void write(const std::string& path, const SeparatrixGraph& graph) { io::write_separatrix_graph(path, graph); }
-void write(const std::string& path, const BlockLayout& layout) { io::write_block_layout(path, layout); }
-void write(const std::string& path, const QuadMesh& mesh) { io::write_quad_mesh(path, mesh); }
+void write(const std::string& path, const TriMesh& mesh) { io::write_stage(path, mesh); }
+void write(const std::string& path, const Field& field) { io::write_stage(path, field); }
+void write(const std::string& path, const CriticalPoints& points) { io::write_stage(path, points); }
+void write(const std::string& path, const SeparatrixGraph& graph) { io::write_stage(path, graph); }
+void write(const std::string& path, const BlockLayout& layout) { io::write_stage(path, layout); }
+void write(const std::string& path, const QuadMesh& mesh) { io::write_stage(path, mesh); }
 
 std::vector<BrokenRule> broken_rules(const TriMesh& mesh) {
   return as_broken_rules(check::check_tri_mesh(mesh, check::CheckDepth::full));

@@ -1,5 +1,6 @@
 #pragma once
-// The colours of what is drawn: pictures use those for light paper, pages (lib/show/page) both. No other place has them.
+// The colours of what is drawn: pictures use those for light paper, pages (lib/show/page) both. No other place has
+// them.
 //
 // Lines, nodes and contours have colours of Okabe and Ito ("Color Universal Design", 2008), which readers with any
 // kind of colour vision tell apart; the sixth is darker, the eighth is left out, as yellow is not seen on white. Ramps
