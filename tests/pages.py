@@ -333,8 +333,8 @@ def check_terms():
 
 def check_options():
     """Options that pages name in running text are those of a tool or pipeline, or of tests/run."""
-    programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/program/cli").glob("*.cpp"), ROOT / "tests/run",
-                *scripts()]
+    programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/program/cli").glob("*.cpp"),
+                *(ROOT / "lib/program/stage").glob("*.cpp"), ROOT / "tests/run", *scripts()]
     known = set(re.findall(r"--[a-z][a-z-]+", "\n".join(path.read_text() for path in programs)))
     count = 0
     for page in pages():

@@ -31,8 +31,8 @@ void OptionRecord::texts(const std::string& flag, std::vector<std::string>& valu
   record(flag, [&values, records_none] {
     if (values.empty() && !records_none) return std::string();
     std::string list;
-    for (const std::string& value : values) list += fmt::format("{}{}", list.empty() ? "" : ",", json_string(value));
-    return fmt::format("[{}]", list);
+    for (const std::string& value : values) list.append(list.empty() ? "" : ",").append(json_string(value));
+    return '[' + list + ']';
   });
 }
 
