@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/enum_names.hpp"
+#include "layout/layout_choice.hpp"
 #include "midpoint/midpoint_graph.hpp"
 #include "simplify/simplify.hpp"
 #include "trace/trace_options.hpp"
@@ -20,17 +21,6 @@ enum class SimplifyLevel {
 constexpr auto enum_names(SimplifyLevel) {
   return std::to_array<EnumName<SimplifyLevel>>(
       {{SimplifyLevel::none, "none"}, {SimplifyLevel::normal, "normal"}, {SimplifyLevel::coarsest, "coarsest"}});
-}
-
-/// The method of computing the layout (layout/compute_layout.hpp).
-enum class LayoutChoice { traced, quantized, automatic, t_mesh, midpoint };
-
-constexpr auto enum_names(LayoutChoice) {
-  return std::to_array<EnumName<LayoutChoice>>({{LayoutChoice::traced, "traced"},
-                                                {LayoutChoice::quantized, "quantized"},
-                                                {LayoutChoice::automatic, "auto"},
-                                                {LayoutChoice::t_mesh, "t-mesh"},
-                                                {LayoutChoice::midpoint, "midpoint"}});
 }
 
 struct LayoutOptions {
