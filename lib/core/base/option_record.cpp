@@ -55,7 +55,7 @@ std::string OptionRecord::json() const {
     if (out.size() > 1) out += ',';
     out += json_string(key) + ':' + json;
   }
-  return out + '}';
+  return out + "}";
 }
 
 }  // namespace quadrille

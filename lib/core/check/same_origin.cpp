@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
-
 namespace quadrille::check {
 
 bool have_same_origin(const FileIdentity& first, const Provenance& first_chain, const FileIdentity& second,
@@ -22,8 +20,8 @@ bool have_same_origin(const FileIdentity& first, const Provenance& first_chain, 
 void require_same_origin(const FileIdentity& first, const Provenance& first_chain, const FileIdentity& second,
                          const Provenance& second_chain) {
   if (have_same_origin(first, first_chain, second, second_chain)) return;
-  throw FormatError(fmt::format("{} was not made from {}: neither provenance chain holds the other's digest",
-                                second.name, first.name));
+  throw OtherOriginError(fmt::format("{} was not made from {}: neither provenance chain holds the other's digest",
+                                     second.name, first.name));
 }
 
 }  // namespace quadrille::check

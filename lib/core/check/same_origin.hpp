@@ -1,6 +1,7 @@
 #pragma once
 // Whether two files belong together, by their provenance (formats/README.md, "Provenance").
 
+#include "base/error.hpp"
 #include "model/provenance.hpp"
 
 namespace quadrille::check {
@@ -9,7 +10,12 @@ namespace quadrille::check {
 bool have_same_origin(const FileIdentity& first, const Provenance& first_chain, const FileIdentity& second,
                       const Provenance& second_chain);
 
-/// Throws FormatError unless one of the files was made from the other.
+/// Neither file was made from the other.
+struct OtherOriginError : FormatError {
+  using FormatError::FormatError;
+};
+
+/// Throws OtherOriginError unless one of the files was made from the other.
 void require_same_origin(const FileIdentity& first, const Provenance& first_chain, const FileIdentity& second,
                          const Provenance& second_chain);
 

@@ -36,16 +36,16 @@ std::string position_text(const CadFace& face, Vec2 x) { return quadrille::posit
 void check_zeros(const FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;
   if (points.form == NodeForm::phase)
-    throw FormatError(
+    throw OtherNodesError(
         "the critical points have the form \"phase\", so not all are zeros of the field, which is harmonic: run "
         "fieldsolve --nodes with them");
   for (const CriticalPoint& p : points.critical_points)
     if (!is_zero(evaluator, p))
-      throw FormatError(fmt::format("the node at {} is not a zero of the field: run fieldsolve --nodes",
-                                    position_text(face, p.position)));
+      throw OtherNodesError(fmt::format("the node at {} is not a zero of the field: run fieldsolve --nodes",
+                                        position_text(face, p.position)));
   if (!points.boundary_nodes.empty())
-    throw FormatError(fmt::format("a harmonic field has no node on the boundary, as at {}: run fieldsolve --nodes",
-                                  position_text(face, points.boundary_nodes.front().position)));
+    throw OtherNodesError(fmt::format("a harmonic field has no node on the boundary, as at {}: run fieldsolve --nodes",
+                                      position_text(face, points.boundary_nodes.front().position)));
 }
 
 int solved_valence(const PhaseNodes& solved, int joint) {
@@ -86,17 +86,17 @@ bool are_windings_equal(std::vector<int> a, std::vector<int> b, int num_holes) {
 void check_phase_nodes(const Field& field, const CriticalPoints& points) {
   const std::string difference = first_difference(field, points);
   if (!difference.empty())
-    throw FormatError(difference + " is not what the field was solved for: run fieldsolve --nodes");
+    throw OtherNodesError(difference + " is not what the field was solved for: run fieldsolve --nodes");
   if (points.critical_points.size() != field.phase.prescribed.nodes.size() ||
       points.boundary_nodes.size() != field.phase.prescribed.boundary_nodes.size())
-    throw FormatError(
+    throw OtherNodesError(
         fmt::format("the field was solved for {} irregular nodes and {} on the boundary, the file has {} and {}: run "
                     "fieldsolve --nodes",
                     field.phase.prescribed.nodes.size(), field.phase.prescribed.boundary_nodes.size(),
                     points.critical_points.size(), points.boundary_nodes.size()));
   if (!are_windings_equal(points.hole_winding_offsets, field.phase.hole_winding_offsets,
                           field.mesh.face.num_loops() - 1))
-    throw FormatError("the field was solved with other hole_winding_offsets: run fieldsolve --nodes");
+    throw OtherNodesError("the field was solved with other hole_winding_offsets: run fieldsolve --nodes");
 }
 
 }  // namespace

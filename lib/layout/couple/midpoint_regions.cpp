@@ -29,12 +29,13 @@ graph::CandidateLayout joined_division(const CadFace& face, const TriMesh& trian
 
 }  // namespace
 
-SeparatrixGraph midpoint_regions(const CadFace& face, const TriMesh& mesh, const std::string& reason, Report& report) {
+SeparatrixGraph midpoint_regions(const CadFace& face, const TriMesh& mesh, const midpoint::CoarseMesher& mesher,
+                                 const std::string& reason, Report& report) {
   graph::CandidateLayout layout;
   if (face.partners.empty()) {
-    layout = layout::midpoint_layout(mesh, report);
+    layout = layout::midpoint_layout(mesh, mesher, report);
   } else {
-    layout = joined_division(face, midpoint::coarse_triangles(mesh.face, report));
+    layout = joined_division(face, midpoint::coarse_triangles(mesh.face, mesher, report));
     report.set("midpoint.blocks", graph::require_four_corners(layout.subdivision));
   }
   require_periodic_arcs(layout.graph(), "leave out the pair (cad2tri --periodic)");
@@ -42,19 +43,20 @@ SeparatrixGraph midpoint_regions(const CadFace& face, const TriMesh& mesh, const
   return graph::separatrix_graph(std::move(layout));
 }
 
-SeparatrixGraph layout_without_field(const CadFace& face, const TriMesh& mesh, layout::LayoutChoice choice,
+SeparatrixGraph layout_without_field(const CadFace& face, const TriMesh& mesh, const layout::LayoutOptions& options,
                                      Report& report) {
-  return midpoint_regions(face, mesh, layout::reason_without_field(choice), report);
+  return midpoint_regions(face, mesh, options.coarse_mesher, layout::reason_without_field(options.layout), report);
 }
 
 SeparatrixGraph couple_or_divide(RegionLayouts regions, const TriMesh& mesh, const layout::LayoutOptions& options,
                                  Report& report) {
-  if (options.layout != layout::LayoutChoice::automatic) return couple_layouts(std::move(regions), options, report);
+  if (options.layout != layout::LayoutChoice::automatic || !options.coarse_mesher)
+    return couple_layouts(std::move(regions), options, report);
   const CadFace face = regions.face;
   try {
     return couple_layouts(std::move(regions), options, report);
   } catch (const ComputeError& error) {
-    return midpoint_regions(face, mesh, error.what(), report);
+    return midpoint_regions(face, mesh, options.coarse_mesher, error.what(), report);
   }
 }
 

@@ -16,14 +16,16 @@ namespace quadrille::couple {
 /// why there is no other layout; if it is not empty, a warning states it. A face of one region without slits is divided
 /// by layout/midpoint_layout.hpp. Throws ComputeError if there are no such triangles, or if periodic sides have
 /// different nodes.
-SeparatrixGraph midpoint_regions(const CadFace& face, const TriMesh& mesh, const std::string& reason, Report& report);
+SeparatrixGraph midpoint_regions(const CadFace& face, const TriMesh& mesh, const midpoint::CoarseMesher& mesher,
+                                 const std::string& reason, Report& report);
 
 /// The same for a file that has triangles but no field. With "auto" there is a warning; throws UsageError for a layout
 /// that needs a field.
-SeparatrixGraph layout_without_field(const CadFace& face, const TriMesh& mesh, layout::LayoutChoice choice,
+SeparatrixGraph layout_without_field(const CadFace& face, const TriMesh& mesh, const layout::LayoutOptions& options,
                                      Report& report);
 
-/// couple_layouts; with "auto", midpoint division of `mesh`, that of the whole, if the layouts cannot be coupled.
+/// couple_layouts; with "auto" and a coarse mesher, midpoint division of `mesh`, that of the whole, if the layouts
+/// cannot be coupled.
 SeparatrixGraph couple_or_divide(RegionLayouts regions, const TriMesh& mesh, const layout::LayoutOptions& options,
                                  Report& report);
 

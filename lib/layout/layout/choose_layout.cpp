@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/error.hpp"
 #include "simplify/block_quality.hpp"
 
 namespace quadrille::layout {
@@ -51,6 +52,7 @@ ChosenLayout traced_or_preferable(graph::CandidateLayout traced, const LayoutCom
 }
 
 ChosenLayout midpoint_instead(const std::string& reason, const CertainLayout& midpoint, Report& report) {
+  if (!midpoint) throw ComputeError(reason);
   report_choice(LayoutMethod::midpoint, reason, report);
   ChosenLayout chosen{midpoint(report), LayoutMethod::midpoint, midpoint_warning(reason)};
   chosen.layout.certificate.reason = reason;

@@ -51,7 +51,8 @@ struct ChosenLayout {
 std::string midpoint_warning(const std::string& reason);
 
 /// Chooses by the table above and computes only the layouts that it needs. Reports layout.way, layout.method and
-/// layout.reason.
+/// layout.reason. Throws ComputeError with the reason if there is no computation of a midpoint division where it would
+/// be taken.
 ChosenLayout choose_layout(int num_separatrices, const LayoutComputations& compute, Report& report);
 
 /// Whether a layout has more than 1.2 times as many blocks as would result from lines that stop at each other.

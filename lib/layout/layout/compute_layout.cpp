@@ -59,12 +59,13 @@ graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, 
   };
   const auto midpoint = [&](Report& r) {
     const Progress::Part part(r.progress(), "midpoint");
-    return midpoint_layout(evaluator.field().mesh, r);
+    return midpoint_layout(evaluator.field().mesh, options.coarse_mesher, r);
   };
-  ChosenLayout chosen = choose_layout(
-      trace::num_launches(points),
-      {attempting("traced", traced), attempting("quantized", quantized), attempting("crowded", crowded), midpoint},
-      report);
+  ChosenLayout chosen =
+      choose_layout(trace::num_launches(points),
+                    {attempting("traced", traced), attempting("quantized", quantized), attempting("crowded", crowded),
+                     options.coarse_mesher ? CertainLayout(midpoint) : CertainLayout()},
+                    report);
   certify(evaluator, chosen.method, chosen.layout, report);
   if (!chosen.warning.empty()) report.warn(warning_code(chosen.method), chosen.warning);
   return std::move(chosen.layout);
@@ -79,7 +80,7 @@ graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator,
       case LayoutMethod::quantized:
         return quantized_layout(evaluator, points, o, report);
       case LayoutMethod::midpoint:
-        return midpoint_layout(evaluator.field().mesh, report);
+        return midpoint_layout(evaluator.field().mesh, o.coarse_mesher, report);
       case LayoutMethod::traced:
         break;
     }

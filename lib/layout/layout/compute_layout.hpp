@@ -16,7 +16,7 @@ namespace quadrille::layout {
 /// - "auto": one of these three (layout/choose_layout.hpp).
 /// - "t-mesh": the T-mesh of stopped lines, with T-junctions: for inspection.
 /// The graph contains its certificate, which the report repeats (layout/certificate.hpp). Throws ComputeError if there
-/// is no layout, which cannot happen with "midpoint" and "auto".
+/// is no layout, which with options.coarse_mesher cannot happen with "midpoint" and "auto".
 SeparatrixGraph compute_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                const LayoutOptions& options, Report& report);
 

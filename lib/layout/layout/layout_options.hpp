@@ -4,6 +4,8 @@
 #include <array>
 
 #include "base/enum_names.hpp"
+#include "layout/layout_choice.hpp"
+#include "midpoint/midpoint_graph.hpp"
 #include "simplify/simplify.hpp"
 #include "trace/trace_options.hpp"
 
@@ -21,24 +23,14 @@ constexpr auto enum_names(SimplifyLevel) {
       {{SimplifyLevel::none, "none"}, {SimplifyLevel::normal, "normal"}, {SimplifyLevel::coarsest, "coarsest"}});
 }
 
-/// The method of computing the layout (layout/compute_layout.hpp).
-enum class LayoutChoice { traced, quantized, automatic, t_mesh, midpoint };
-
-constexpr auto enum_names(LayoutChoice) {
-  return std::to_array<EnumName<LayoutChoice>>({{LayoutChoice::traced, "traced"},
-                                                {LayoutChoice::quantized, "quantized"},
-                                                {LayoutChoice::automatic, "auto"},
-                                                {LayoutChoice::t_mesh, "t-mesh"},
-                                                {LayoutChoice::midpoint, "midpoint"}});
-}
-
 struct LayoutOptions {
   trace::TraceOptions trace;
   SimplifyLevel simplify = SimplifyLevel::normal;
   double max_deviation = 40;  ///< degrees: of a simplified line from the field; `coarsest` allows 45 at least
   int max_lines = 2000;       ///< more arcs of separatrices than this is an error
   LayoutChoice layout = LayoutChoice::automatic;
-  void validate() const;  ///< throws UsageError
+  midpoint::CoarseMesher coarse_mesher = {};  ///< for midpoint division; without it, `automatic` has no such layout
+  void validate() const;                      ///< throws UsageError
 };
 
 /// The bounds that result from options.simplify and options.max_deviation.

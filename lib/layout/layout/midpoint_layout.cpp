@@ -7,12 +7,11 @@
 #include "graph/face_corners.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
-#include "midpoint/midpoint_graph.hpp"
 
 namespace quadrille::layout {
 
-graph::CandidateLayout midpoint_layout(const TriMesh& mesh, Report& report) {
-  graph::CandidateLayout layout = graph::candidate_layout(midpoint::midpoint_graph(mesh, report));
+graph::CandidateLayout midpoint_layout(const TriMesh& mesh, const midpoint::CoarseMesher& mesher, Report& report) {
+  graph::CandidateLayout layout = graph::candidate_layout(midpoint::midpoint_graph(mesh, mesher, report));
   report.set("midpoint.blocks", graph::require_four_corners(layout.subdivision));
   return layout;
 }

@@ -1,31 +1,26 @@
 #include "api/fields.hpp"
 
-#include "adapt/adapt_loop.hpp"
-#include "field/error_estimate.hpp"
+#include "api/as_input.hpp"
 #include "field/evaluate.hpp"
-#include "galerkin/phase_request.hpp"
-#include "galerkin/solve_laplace.hpp"
-#include "galerkin/solve_phase.hpp"
+#include "regions/split.hpp"
+#include "stage/fieldsolve.hpp"
+#include "stage/padapt.hpp"
 
 namespace quadrille::api {
 namespace {
 
-Field finished(Field start, const FieldOptions& options, Report& report) {
-  if (!options.adapt) {
-    start.elem_error = field::error_estimate(start);
-    return start;
+Field solved(const TriMesh& mesh, const std::optional<stage::Input<CriticalPoints>>& nodes, const FieldOptions& options,
+             std::vector<std::string>* warnings) {
+  Run run(options.num_threads);
+  stage::FieldsolveOptions solving;
+  solving.order = options.order;
+  Field field = stage::fieldsolve({as_input(mesh, "the triangle mesh"), {}, {}, nodes}, solving, run);
+  if (options.adapt) {
+    stage::PadaptOptions adapting;
+    adapting.target_error = options.target_error;
+    field = stage::padapt(as_input(field, "the field"), adapting, run);
   }
-  adapt::AdaptOptions adapting;
-  adapting.target_error = options.target_error;
-  adapting.num_threads = options.num_threads;
-  adapting.validate();
-  return adapt::adapt_loop(start, adapting, report);
-}
-
-Field with_warnings(Field field, const TriMesh& mesh, const Report& report, std::vector<std::string>* warnings) {
-  field.provenance = mesh.provenance;
-  if (warnings)
-    for (const Report::Warning& warning : report.warnings()) warnings->push_back(warning.message);
+  add_warnings(run, warnings);
   return field;
 }
 
@@ -37,28 +32,24 @@ std::optional<FieldValue> as_value(const field::PointSample& sample) {
 }  // namespace
 
 Field solve_field(const TriMesh& mesh, const FieldOptions& options, std::vector<std::string>* warnings) {
-  Report report;
-  galerkin::LaplaceOptions solving;
-  solving.num_threads = options.num_threads;
-  const std::vector<int> orders(mesh.num_elems(), options.order);
-  Field start = galerkin::solve_laplace(mesh, orders, solving, report);
-  return with_warnings(finished(std::move(start), options, report), mesh, report, warnings);
+  return solved(mesh, {}, options, warnings);
 }
 
 Field solve_field_of_nodes(const TriMesh& mesh, const CriticalPoints& points, const FieldOptions& options,
                            std::vector<std::string>* warnings) {
-  Report report;
-  const std::vector<int> orders(mesh.num_elems(), options.order);
-  galerkin::PhaseSolver solver(mesh, orders, options.num_threads);
-  galerkin::require_possible(solver, mesh.face, phase_nodes_of(points), "the nodes");
-  Field start = solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, report);
-  return with_warnings(finished(std::move(start), options, report), mesh, report, warnings);
+  return solved(mesh, as_input(points, "the nodes"), options, warnings);
 }
 
 struct FieldAtPoints::Parts {
-  explicit Parts(Field f) : field(std::move(f)), evaluator(field) {}
+  explicit Parts(Field f) : field(std::move(f)) {
+    if (field.mesh.face.num_regions() > 1) fields_of_regions = regions::split(field);
+    for (const Field& part : fields_of_regions) evaluators.push_back(std::make_unique<field::FieldEvaluator>(part));
+    if (evaluators.empty()) evaluators.push_back(std::make_unique<field::FieldEvaluator>(field));
+  }
+
   Field field;
-  field::FieldEvaluator evaluator;
+  std::vector<Field> fields_of_regions;  // empty: there is one
+  std::vector<std::unique_ptr<field::FieldEvaluator>> evaluators;
 };
 
 FieldAtPoints::FieldAtPoints(Field field) : parts_(std::make_unique<Parts>(std::move(field))) {}
@@ -71,8 +62,12 @@ const Field& FieldAtPoints::field() const { return parts_->field; }
 std::optional<FieldValue> FieldAtPoints::at(Vec2 point) const { return at(std::vector<Vec2>{point}).front(); }
 
 std::vector<std::optional<FieldValue>> FieldAtPoints::at(const std::vector<Vec2>& points) const {
-  std::vector<std::optional<FieldValue>> values;
-  for (const field::PointSample& sample : parts_->evaluator.values_at(points)) values.push_back(as_value(sample));
+  std::vector<std::optional<FieldValue>> values(points.size());
+  for (const auto& evaluator : parts_->evaluators) {
+    const std::vector<field::PointSample> samples = evaluator->values_at(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!values[i]) values[i] = as_value(samples[i]);
+  }
   return values;
 }
 

@@ -5,8 +5,8 @@
 // Errors are thrown (base/error.hpp): FormatError for a file that is not what it should be, OutputError for one that
 // cannot be written. "-" is standard input or output.
 //
-// Files that a program writes have the provenance of its input. The tools that read two files (separatrix) require that
-// one was made from the other, by its digest, and refuse pairs that a program wrote.
+// What the functions of the components make has the provenance of the tools' files, so that the tools take these files
+// like their own.
 
 #include <string>
 #include <vector>

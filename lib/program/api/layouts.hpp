@@ -2,16 +2,21 @@
 // Component `layouts`: irregular nodes, separatrices, blocks, quads, each from the one before.
 //
 // Positions are relative to face.origin. Errors are thrown (base/error.hpp): ComputeError if there is no result, with
-// the reason and the place. Warnings, if wanted, are added to `warnings`.
+// the reason and the place, UsageError for settings outside their intervals, FormatError for structs that break a rule
+// of their format. Warnings, if wanted, are added to `warnings`. Faces may have several regions. Results are those of
+// the tools, provenance included.
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "layout/layout_choice.hpp"
 #include "model/block_layout.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
 #include "model/quad_mesh.hpp"
 #include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
 
 namespace quadrille::api {
 
@@ -19,15 +24,15 @@ namespace quadrille::api {
 /// the next step needs the field of these nodes (solve_field_of_nodes of component `fields`).
 CriticalPoints find_nodes(const Field& field, std::vector<std::string>* warnings = nullptr);
 
-/// traced: separatrices are traced to their ends; quantized: they stop at each other and an integer program continues
-/// them (loads CBC); automatic: traced, and quantized if there is no such layout. Midpoint division is not among them:
-/// it needs CGAL.
-enum class LayoutWay { automatic, traced, quantized };
-
 struct TraceSettings {
-  LayoutWay way = LayoutWay::automatic;
+  /// t_mesh and midpoint are for inspection and comparison; quantized, and automatic where it takes that, load CBC.
+  layout::LayoutChoice layout = layout::LayoutChoice::automatic;
   double merge_distance = 0;  ///< length: also merge separatrices that pass within it
   double max_deviation = 40;  ///< degrees, 0 to 45: of a simplified line from the field
+  /// Triangles for midpoint division, which `midpoint` needs and `automatic` takes where no separatrices make blocks:
+  /// api::coarse_triangles of component `triangles`, or a mesher of the program's own: of a face, and of a function
+  /// that names the triangles of a mesh that must be refined. Without it, there is no such division: ComputeError.
+  std::function<TriMesh(const CadFace&, const std::function<std::vector<int>(const TriMesh&)>&)> coarse_mesher = {};
 };
 
 /// The graph of separatrices and boundary, with its certificate. `points` must be the nodes of `field`.

@@ -1,6 +1,7 @@
 #include "api/triangles.hpp"
 
-#include "triangulate/triangulate.hpp"
+#include "stage/triangulate_face.hpp"
+#include "triangulate/coarse_triangles.hpp"
 
 namespace quadrille::api {
 
@@ -9,8 +10,13 @@ TriMesh make_triangles(const CadFace& face, const TriangleSettings& settings) {
   options.order = settings.order;
   options.size = settings.size;
   options.validate();
+  Run run;
+  return stage::triangulate_face(face, options, run);
+}
+
+TriMesh coarse_triangles(const CadFace& face, const std::function<std::vector<int>(const TriMesh&)>& doubts) {
   Report report;
-  return triangulate::triangulate(face, options, report);
+  return triangulate::coarse_triangles(face, doubts, report);
 }
 
 }  // namespace quadrille::api

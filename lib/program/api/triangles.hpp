@@ -2,6 +2,9 @@
 // Component `triangles`: the triangle mesh of a face, by CGAL. The triangulation packages of CGAL are under the GPL,
 // version 3 or later: a program that links this component may be distributed only under the GPL.
 
+#include <functional>
+#include <vector>
+
 #include "model/tri_mesh.hpp"
 
 namespace quadrille::api {
@@ -14,5 +17,9 @@ struct TriangleSettings {
 /// Triangles for solving, as cad2tri makes them: every curved element is proved valid. The face is that of any stage
 /// file (CAD files are read by cad2tri). Throws ComputeError (base/error.hpp) with the position if there is no mesh.
 TriMesh make_triangles(const CadFace& face, const TriangleSettings& settings = {});
+
+/// Few triangles for midpoint division: TraceSettings::coarse_mesher of component `layouts`. Those that `doubts` names
+/// are refined.
+TriMesh coarse_triangles(const CadFace& face, const std::function<std::vector<int>(const TriMesh&)>& doubts);
 
 }  // namespace quadrille::api
